@@ -1,0 +1,43 @@
+// Block-floating numbers of the window-end arithmetic: value = mantissa * 2^exponent, all integer.
+//
+// Arithmetic stated first:
+//   format   int64 mantissa, normalised so that 2^61 <= |mantissa| < 2^62 (or 0), int32 exponent.
+//   guard    one bit above the mantissa: a sum of two aligned mantissas stays below 2^63.
+//   error    each operation rounds once, relative error below 2^-60.
+//   range    exponents saturate at +-2^20; rigs with coefficients from 5e-6 to 1e9 use fewer than 2^8 of them.
+// The per-sample path never uses this type: it works on exact integer codes and products.
+#pragma once
+#include <cstdint>
+
+namespace firmware {
+
+struct Scaled {
+  int64_t mantissa = 0;
+  int32_t exponent = 0;
+
+  static Scaled from_int(int64_t value, int32_t exponent = 0);  // value * 2^exponent
+  static Scaled ratio(int64_t numerator, int64_t denominator);  // denominator != 0
+  bool is_zero() const { return mantissa == 0; }
+  bool is_negative() const { return mantissa < 0; }
+};
+
+Scaled operator+(Scaled a, Scaled b);
+Scaled operator-(Scaled a, Scaled b);
+Scaled operator-(Scaled a);
+Scaled operator*(Scaled a, Scaled b);
+Scaled operator/(Scaled a, Scaled b);  // b == 0 gives the largest value with a's sign: callers test is_zero() first
+Scaled sqrt(Scaled a);                 // a < 0 gives 0
+Scaled abs(Scaled a);
+Scaled scale_by_power_of_two(Scaled a, int32_t power);
+bool operator<(Scaled a, Scaled b);
+bool operator>(Scaled a, Scaled b);
+bool operator<=(Scaled a, Scaled b);
+bool operator>=(Scaled a, Scaled b);
+bool operator==(Scaled a, Scaled b);
+
+// Rounded to nearest, saturated: floor(a * 2^fraction_bits + 1/2) within +-(2^62 - 1).
+int64_t to_fixed(Scaled a, int32_t fraction_bits);
+// floor(log2 |a|); a == 0 gives the smallest int32.
+int32_t log2_floor(Scaled a);
+
+}  // namespace firmware

@@ -1,0 +1,45 @@
+// A rig file in memory, in SI units (docs/formats.md describes the file). Used by the board program and the simulator.
+#pragma once
+#include <map>
+#include <string>
+#include <vector>
+
+namespace rig_file {
+
+struct Coefficient {
+  double value = 0.0;     // SI units, where known
+  bool estimate = false;  // "estimate" in the file: unknown
+};
+
+constexpr int kGround = 0;
+constexpr int kBase = -1;  // DOF numbers count from 1
+
+// An extension term of a link or DOF; kind is the contract's word ("cubic_stiffness", ...).
+struct Effect {
+  std::string kind;
+  Coefficient coefficient;
+  std::map<std::string, double> shape;  // further keys with unit, e.g. {"gap_m", 1e-4}, {"stribeck_velocity_m_s", 0.01}
+};
+
+struct Dof {
+  bool rotating = false;
+  Coefficient mass_kg;  // inertia_kg_m2 where rotating
+};
+
+struct Link {
+  int a = 0;  // DOF number from 1
+  int b = 0;  // DOF number, kGround or kBase
+  Coefficient stiffness_N_m, viscous_N_s_m, coulomb_N, gravity_torque_N_m;
+  std::vector<Effect> effects;
+};
+
+struct RigModel {
+  std::string name;
+  std::vector<Dof> dofs;
+  std::vector<Link> links;
+};
+
+// "1-0", "1-2", "2-base"
+std::string link_label(const Link& link);
+
+}  // namespace rig_file

@@ -1,0 +1,21 @@
+// Where samples come from: converters, sensor frames on CAN, a recording, a simulated rig.
+#pragma once
+#include "firmware/acquisition/raw_sample.hpp"
+
+namespace hal {
+
+enum class SampleResult : uint8_t {
+  kSample,   // a new sample is in the argument
+  kNone,     // none is ready yet
+  kEnd,      // there will be no more (recordings and simulations)
+  kFault,    // the source failed
+};
+
+class SampleSource {
+ public:
+  virtual SampleResult read(firmware::RawSample& sample) = 0;  // never blocks
+ protected:
+  ~SampleSource() = default;
+};
+
+}  // namespace hal

@@ -1,0 +1,31 @@
+// Measured or simulated data in SI units: what a CSV, a MAT or UFF file or a sensor log is read into.
+#pragma once
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace host_sim {
+
+enum class Quantity { kForce, kDisplacement, kVelocity, kAcceleration };
+
+struct Channel {
+  std::string name;  // as in the data file: "displacement_1_m"
+  Quantity quantity = Quantity::kDisplacement;
+  int dof = 1;       // from 1; rig_file::kBase (-1) for the moving base
+  std::vector<double> values;
+};
+
+struct Record {
+  std::string file;
+  double sample_period_s = 0.0;
+  double start_s = 0.0;
+  std::vector<Channel> channels;  // all of one length
+  size_t samples() const { return channels.empty() ? 0 : channels.front().values.size(); }
+  const Channel* find(Quantity quantity, int dof) const {
+    for (const Channel& channel : channels)
+      if (channel.quantity == quantity && channel.dof == dof) return &channel;
+    return nullptr;
+  }
+};
+
+}  // namespace host_sim
