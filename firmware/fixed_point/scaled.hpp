@@ -3,7 +3,7 @@
 // Arithmetic stated first:
 //   format   int64 mantissa, normalised so that 2^61 <= |mantissa| < 2^62 (or 0), int32 exponent.
 //   guard    one bit above the mantissa: a sum of two aligned mantissas stays below 2^63.
-//   error    each operation rounds once, relative error below 2^-60.
+//   error    each operation rounds once, relative error at most 2^-59.
 //   range    exponents saturate at +-2^20; rigs with coefficients from 5e-6 to 1e9 use fewer than 2^8 of them.
 // The per-sample path never uses this type: it works on exact integer codes and products.
 #pragma once
@@ -35,7 +35,7 @@ bool operator<=(Scaled a, Scaled b);
 bool operator>=(Scaled a, Scaled b);
 bool operator==(Scaled a, Scaled b);
 
-// Rounded to nearest, saturated: floor(a * 2^fraction_bits + 1/2) within +-(2^62 - 1).
+// a * 2^fraction_bits rounded to nearest (halves away from zero), saturated to +-(2^62 - 1).
 int64_t to_fixed(Scaled a, int32_t fraction_bits);
 // floor(log2 |a|); a == 0 gives the smallest int32.
 int32_t log2_floor(Scaled a);

@@ -1,0 +1,159 @@
+// Block-floating arithmetic. The 128-bit steps have a portable form, so that boards with and without a 128-bit type give the
+// same bits.
+#include "firmware/fixed_point/scaled.hpp"
+
+namespace firmware {
+namespace {
+
+constexpr int kMantissaBits = 62;  // |mantissa| < 2^62
+constexpr int32_t kExponentLimit = 1 << 20;
+constexpr int64_t kLargestMantissa = (int64_t{1} << kMantissaBits) - 1;
+
+uint64_t magnitude(int64_t value) { return value < 0 ? ~static_cast<uint64_t>(value) + 1 : static_cast<uint64_t>(value); }
+
+int64_t with_sign(uint64_t value, bool negative) {
+  return negative ? -static_cast<int64_t>(value) : static_cast<int64_t>(value);
+}
+
+int leading_zeros(uint64_t value) { return __builtin_clzll(value); }  // value != 0
+
+struct Wide {
+  uint64_t high, low;
+};
+
+Wide multiply(uint64_t a, uint64_t b) {
+#ifdef __SIZEOF_INT128__
+  const unsigned __int128 product = static_cast<unsigned __int128>(a) * b;
+  return {static_cast<uint64_t>(product >> 64), static_cast<uint64_t>(product)};
+#else
+  const uint64_t a_low = a & 0xffffffffu, a_high = a >> 32, b_low = b & 0xffffffffu, b_high = b >> 32;
+  const uint64_t low = a_low * b_low;
+  const uint64_t middle = a_high * b_low + (low >> 32);
+  const uint64_t cross = a_low * b_high + (middle & 0xffffffffu);
+  return {a_high * b_high + (middle >> 32) + (cross >> 32), (cross << 32) | (low & 0xffffffffu)};
+#endif
+}
+
+// floor(numerator * 2^62 / denominator), numerator < denominator < 2^63: one bit a turn.
+uint64_t divide_fraction(uint64_t numerator, uint64_t denominator) {
+#ifdef __SIZEOF_INT128__
+  return static_cast<uint64_t>((static_cast<unsigned __int128>(numerator) << kMantissaBits) / denominator);
+#else
+  uint64_t quotient = 0;
+  for (int bit = 0; bit < kMantissaBits; ++bit) {
+    numerator <<= 1;
+    quotient <<= 1;
+    if (numerator >= denominator) {
+      numerator -= denominator;
+      quotient |= 1;
+    }
+  }
+  return quotient;
+#endif
+}
+
+// value * 2^exponent with value < 2^64, brought to the normal form; rounds to nearest when bits are dropped.
+Scaled normalised(uint64_t value, int32_t exponent, bool negative) {
+  if (value == 0) return {};
+  const int shift = leading_zeros(value) - (64 - kMantissaBits);
+  if (shift >= 0) {
+    value <<= shift;
+  } else {
+    const int drop = -shift;
+    value = (value >> drop) + ((value >> (drop - 1)) & 1u);
+    if (value >> kMantissaBits) {
+      value >>= 1;
+      ++exponent;
+    }
+  }
+  exponent -= shift;
+  if (exponent > kExponentLimit) return {with_sign(static_cast<uint64_t>(kLargestMantissa), negative), kExponentLimit};
+  if (exponent < -kExponentLimit) return {};
+  return {with_sign(value, negative), exponent};
+}
+
+}  // namespace
+
+Scaled Scaled::from_int(int64_t value, int32_t exponent) { return normalised(magnitude(value), exponent, value < 0); }
+
+Scaled Scaled::ratio(int64_t numerator, int64_t denominator) { return from_int(numerator) / from_int(denominator); }
+
+Scaled operator+(Scaled a, Scaled b) {
+  if (a.mantissa == 0) return b;
+  if (b.mantissa == 0) return a;
+  if (a.exponent < b.exponent) {
+    const Scaled swap = a;
+    a = b;
+    b = swap;
+  }
+  const int32_t distance = a.exponent - b.exponent;
+  if (distance > kMantissaBits) return a;
+  const int64_t aligned =
+      distance == 0 ? b.mantissa : (b.mantissa >> distance) + ((b.mantissa >> (distance - 1)) & 1);
+  return Scaled::from_int(a.mantissa + aligned, a.exponent);
+}
+
+Scaled operator-(Scaled a) { return {-a.mantissa, a.exponent}; }
+Scaled operator-(Scaled a, Scaled b) { return a + (-b); }
+
+Scaled operator*(Scaled a, Scaled b) {
+  if (a.mantissa == 0 || b.mantissa == 0) return {};
+  const Wide product = multiply(magnitude(a.mantissa), magnitude(b.mantissa));  // 2^122 <= product < 2^124
+  const uint64_t top = (product.high << 4) | (product.low >> 60);               // product / 2^60, below 2^64
+  return normalised(top, a.exponent + b.exponent + 60, (a.mantissa < 0) != (b.mantissa < 0));
+}
+
+Scaled operator/(Scaled a, Scaled b) {
+  if (a.mantissa == 0) return {};
+  const bool negative = (a.mantissa < 0) != (b.mantissa < 0);
+  if (b.mantissa == 0) return {with_sign(static_cast<uint64_t>(kLargestMantissa), a.mantissa < 0), kExponentLimit};
+  // a/2 < b always holds for normal mantissas, so the quotient of a/2 by b is a proper fraction.
+  const uint64_t numerator = magnitude(a.mantissa), denominator = magnitude(b.mantissa) << 1;
+  return normalised(divide_fraction(numerator, denominator), a.exponent - b.exponent - kMantissaBits + 1, negative);
+}
+
+Scaled sqrt(Scaled a) {
+  if (a.mantissa <= 0) return {};
+  // Even exponent and a mantissa of 59 or 60 bits, followed by 60 zero bits: the root has 60 bits, digit by digit.
+  const int drop = (a.exponent & 1) ? 3 : 2;
+  const uint64_t radicand = static_cast<uint64_t>(a.mantissa) >> drop;
+  uint64_t remainder = 0, root = 0;
+  for (int pair = 59; pair >= 0; --pair) {
+    const uint64_t digits = pair >= 30 ? (radicand >> (2 * (pair - 30))) & 3u : 0u;
+    remainder = (remainder << 2) | digits;
+    const uint64_t trial = (root << 2) | 1u;
+    root <<= 1;
+    if (remainder >= trial) {
+      remainder -= trial;
+      root |= 1;
+    }
+  }
+  return normalised(root, (a.exponent + drop - 60) / 2, false);
+}
+
+Scaled abs(Scaled a) { return a.mantissa < 0 ? -a : a; }
+
+Scaled scale_by_power_of_two(Scaled a, int32_t power) {
+  return a.mantissa == 0 ? a : normalised(magnitude(a.mantissa), a.exponent + power, a.mantissa < 0);
+}
+
+bool operator<(Scaled a, Scaled b) { return (a - b).mantissa < 0; }
+bool operator>(Scaled a, Scaled b) { return b < a; }
+bool operator<=(Scaled a, Scaled b) { return !(b < a); }
+bool operator>=(Scaled a, Scaled b) { return !(a < b); }
+bool operator==(Scaled a, Scaled b) { return a.mantissa == b.mantissa && (a.mantissa == 0 || a.exponent == b.exponent); }
+
+int64_t to_fixed(Scaled a, int32_t fraction_bits) {
+  if (a.mantissa == 0) return 0;
+  const int64_t shift = static_cast<int64_t>(a.exponent) + fraction_bits;
+  if (shift >= 1) return a.mantissa < 0 ? -kLargestMantissa : kLargestMantissa;
+  if (shift == 0) return a.mantissa;
+  if (shift < -kMantissaBits) return 0;
+  const uint64_t value = magnitude(a.mantissa);
+  const int drop = static_cast<int>(-shift);
+  return with_sign((value >> drop) + ((value >> (drop - 1)) & 1u), a.mantissa < 0);
+}
+
+int32_t log2_floor(Scaled a) { return a.mantissa == 0 ? INT32_MIN : a.exponent + kMantissaBits - 1; }
+
+}  // namespace firmware
