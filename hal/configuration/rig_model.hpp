@@ -24,6 +24,7 @@ struct Effect {
 struct Dof {
   bool rotating = false;
   Coefficient mass_kg;  // inertia_kg_m2 where rotating
+  std::vector<Effect> effects;
 };
 
 struct Link {
@@ -33,13 +34,26 @@ struct Link {
   std::vector<Effect> effects;
 };
 
+// What is known of one sensor channel; a field left out of the file keeps its default.
+struct ChannelEntry {
+  std::string name;            // as in the data file: "force_1_N"
+  double delay_us = 0.0;       // how late the channel is against the others
+  double unit_per_code = 0.0;  // SI units per converter code; 0: chosen from the data
+  int offset_code = 0;         // code at zero
+  int full_scale_code = 0;     // |code| at or above this is a saturated sensor; 0: 2^23 - 1
+};
+
 struct RigModel {
+  std::string file;  // where it was read from, for messages
   std::string name;
   std::vector<Dof> dofs;
   std::vector<Link> links;
+  std::vector<ChannelEntry> channels;
 };
 
 // "1-0", "1-2", "2-base"
 std::string link_label(const Link& link);
+// Does the link turn (torque against angle)? It does where its DOFs rotate.
+bool link_rotates(const RigModel& model, const Link& link);
 
 }  // namespace rig_file
