@@ -7,6 +7,7 @@
 #include "hal/configuration/channel_name.hpp"
 #include "hal/configuration/compile_rig.hpp"
 #include "hal/configuration/effect_reader.hpp"
+#include "hal/configuration/rig_from_toml.hpp"
 #include "hal/configuration/toml_checks.hpp"
 
 namespace rig_file {

@@ -1,9 +1,8 @@
 // Reads a rig file (schema rig/1, docs/formats.md). Any fault is a RigFileError that names file, line, key and
 // expectation.
 #pragma once
-#include <toml++/toml.h>
-
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "hal/configuration/rig_file_error.hpp"
@@ -19,7 +18,6 @@ struct ReadOptions {
 
 RigModel read_rig_file(const std::string& path, const ReadOptions& options = {});
 RigModel parse_rig(std::string_view toml_text, const std::string& file, const ReadOptions& options = {});
-RigModel rig_from_toml(const toml::table& root, const std::string& file, const ReadOptions& options = {});
 
 // Refuses a rig without any "estimate".
 void require_unknowns(const RigModel& model);
