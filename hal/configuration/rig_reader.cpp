@@ -161,6 +161,9 @@ void read_channels(const toml::table& root, const ReadOptions& options, RigModel
       entry.offset_code = static_cast<int>(whole_number(place, *node, "offset_code", -8388607, 8388607));
     if (const auto* node = optional("full_scale_code"))
       entry.full_scale_code = static_cast<int>(whole_number(place, *node, "full_scale_code", 1, 8388607));
+    for (const char* key : {"offset_code", "full_scale_code"})
+      if (optional(key) != nullptr && entry.unit_per_code == 0.0)
+        refuse(place, *optional(key), key, "stands without unit_per_code, expected both");
     model.channels.push_back(entry);
   }
 }

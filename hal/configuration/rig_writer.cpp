@@ -2,10 +2,6 @@
 
 #include <array>
 #include <charconv>
-#include <cstdio>
-#include <fstream>
-
-#include "hal/configuration/rig_file_error.hpp"
 
 namespace rig_file {
 namespace {
@@ -73,16 +69,6 @@ std::string format_rig(const RigModel& model) {
   for (const Link& link : model.links) text += format_link(model, link);
   for (const ChannelEntry& channel : model.channels) text += format_channel(channel);
   return text;
-}
-
-void write_rig_file(const RigModel& model, const std::string& path) {
-  const std::string temporary = path + ".part";
-  std::ofstream stream(temporary, std::ios::binary);
-  stream << format_rig(model);
-  stream.close();
-  if (stream && std::rename(temporary.c_str(), path.c_str()) == 0) return;
-  std::remove(temporary.c_str());
-  throw RigFileError(path, 0, "", "cannot be written, expected a writable folder with room");
 }
 
 }  // namespace rig_file

@@ -7,7 +7,5 @@
 namespace rig_file {
 
 std::string format_rig(const RigModel& model);
-// Written to a temporary name, then renamed. Throws RigFileError where the file cannot be written.
-void write_rig_file(const RigModel& model, const std::string& path);
 
 }  // namespace rig_file

@@ -11,7 +11,7 @@ enum class Quantity { kForce, kDisplacement, kVelocity, kAcceleration };
 struct Channel {
   std::string name;  // as in the data file: "displacement_1_m"
   Quantity quantity = Quantity::kDisplacement;
-  int dof = 1;       // from 1; rig_file::kBase (-1) for the moving base
+  int dof = 1;  // from 1; rig_file::kBase (-1) for the moving base
   std::vector<double> values;
 };
 

@@ -1,0 +1,82 @@
+#include "host_sim/records/digitise.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace host_sim {
+namespace {
+
+constexpr int kCodeBits = 23;  // and a sign
+
+double largest(const std::vector<Record>& records, const Channel& like) {
+  double result = 0.0;
+  for (const Record& record : records)
+    if (const Channel* channel = record.find(like.quantity, like.dof))
+      for (const double value : channel->values) result = std::max(result, std::abs(value));
+  return result;
+}
+
+// The largest code must stay below full scale, 2^23 - 1, also after rounding.
+double power_of_two_unit(double largest_value) {
+  if (largest_value == 0.0) return 1.0;
+  int exponent = 0;
+  std::frexp(largest_value, &exponent);  // 2^(exponent - 1) <= value < 2^exponent
+  const double unit = std::ldexp(1.0, exponent - kCodeBits);
+  return std::nearbyint(largest_value / unit) >= 8388607.0 ? 2.0 * unit : unit;
+}
+
+}  // namespace
+
+std::vector<rig_file::ChannelCalibration> calibrate(const std::vector<Record>& records,
+                                                    const rig_file::RigModel& model) {
+  std::vector<rig_file::ChannelCalibration> calibrations;
+  for (const Channel& channel : records.front().channels) {
+    rig_file::ChannelCalibration calibration;
+    calibration.quantity = static_cast<firmware::Quantity>(channel.quantity);
+    calibration.dof = channel.dof;
+    for (const rig_file::ChannelEntry& entry : model.channels) {
+      if (entry.name != channel.name) continue;
+      calibration.delay_s = entry.delay_us * 1e-6;
+      calibration.unit_per_code = entry.unit_per_code;
+      calibration.offset_code = entry.offset_code;
+      if (entry.full_scale_code > 0) calibration.full_scale_code = entry.full_scale_code;
+    }
+    const bool given = std::any_of(model.channels.begin(), model.channels.end(), [&](const auto& entry) {
+      return entry.name == channel.name && entry.unit_per_code != 0.0;
+    });
+    if (!given) {
+      calibration.unit_per_code = power_of_two_unit(largest(records, channel));
+      calibration.offset_code = 0;
+      calibration.full_scale_code = 8388607;
+    }
+    calibrations.push_back(calibration);
+  }
+  return calibrations;
+}
+
+int32_t to_code(double value, const rig_file::ChannelCalibration& calibration) {
+  const double limit = calibration.full_scale_code;
+  const double code = std::nearbyint(value / calibration.unit_per_code) + calibration.offset_code;
+  return static_cast<int32_t>(std::min(std::max(code, -limit), limit));
+}
+
+RecordSampleSource::RecordSampleSource(const Record& record,
+                                       const std::vector<rig_file::ChannelCalibration>& calibrations)
+    : count_(record.samples()), sample_period_s_(record.sample_period_s) {
+  for (const rig_file::ChannelCalibration& calibration : calibrations)
+    if (const Channel* channel = record.find(static_cast<Quantity>(calibration.quantity), calibration.dof))
+      columns_.push_back({&channel->values, &calibration, rig_file::node_index(calibration.dof),
+                          static_cast<int>(calibration.quantity)});
+}
+
+hal::SampleResult RecordSampleSource::read(firmware::RawSample& sample) {
+  if (next_ == count_) return hal::SampleResult::kEnd;
+  sample.sequence = static_cast<uint32_t>(next_);
+  sample.time_ns = static_cast<uint64_t>(std::llround(static_cast<double>(next_) * sample_period_s_ * 1e9));
+  for (const Column& column : columns_)
+    sample.code[column.node][column.quantity] = to_code((*column.values)[next_], *column.calibration);
+  ++next_;
+  return hal::SampleResult::kSample;
+}
+
+}  // namespace host_sim
