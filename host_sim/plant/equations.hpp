@@ -1,0 +1,119 @@
+// The equations of motion of a rig: M a = f(t) - sum over links of their force (Eq. 5), with friction that can stick.
+//
+// State y = [ x of every mass | v of every mass | z of every presliding term ]; masses are the DOFs of the rig followed
+// by the hidden masses of unmodelled_resonance effects. A link with elongation u = x_a - x_b and rate w = v_a - v_b
+// carries
+//   k u + c w + G sin u + F sgn(w) + effects,  subtracted from a and added to b.
+// Between two events the right-hand side is smooth: signs and gap sides are held in Modes and change only at the roots
+// of root_functions(). A link whose friction level F (Coulomb + Stribeck peak) holds it has sign 0: its ends move as
+// one body.
+#pragma once
+#include <vector>
+
+#include "hal/configuration/rig_model.hpp"
+#include "host_sim/plant/signal.hpp"
+
+namespace host_sim {
+
+struct Modes {
+  std::vector<int> rate_sign;  // per link: sign of w in sgn, |w| and w|w| terms; 0 = stuck
+  std::vector<int> gap_side;   // per gap term: -1 below -gap, 0 inside, +1 above gap
+};
+
+enum class TermShape {  // what an effect adds to its link, p = its shape parameter
+  kCubicStiffness,
+  kQuadraticStiffness,
+  kBacklash,
+  kEndStop,
+  kQuadraticDamping,
+  kCubicDamping,
+  kStribeck,
+  kPresliding,
+  kForceOffset,
+  kAsymmetricViscous,
+  kDisplacementDependent,
+  kDrifting,
+};
+
+struct EffectTerm {
+  TermShape shape = TermShape::kCubicStiffness;
+  double coefficient = 0.0;
+  double p = 0.0;    // gap, Stribeck velocity or presliding length
+  size_t index = 0;  // which gap side (backlash, end stop) or which z (presliding)
+};
+
+struct PlantLink {
+  size_t a = 0, b = 0;  // nodes: masses, then ground, then base
+  double k = 0.0, c = 0.0, coulomb = 0.0, gravity = 0.0;
+  double hold = 0.0;        // friction level at rest; sticks where > 0
+  bool watch_rate = false;  // w = 0 is an event
+  std::vector<EffectTerm> effects;
+};
+
+class Equations {
+ public:
+  // Throws PlantError: a coefficient still to be estimated, a DOF without mass, an effect it does not know or without
+  // shape.
+  explicit Equations(const rig_file::RigModel& rig);
+
+  size_t dofs() const { return dofs_; }
+  size_t masses() const { return mass_.size(); }
+  size_t states() const { return 2 * masses() + presliding_; }
+  size_t roots() const { return roots_; }
+  double mass(size_t i) const { return mass_[i]; }
+  const std::vector<PlantLink>& links() const { return links_; }
+
+  // Full state from displacement and velocity of the DOFs (missing entries 0): hidden masses ride along, presliding
+  // terms are fully deflected in the direction of their rate.
+  std::vector<double> initial_state(const std::vector<double>& x, const std::vector<double>& v,
+                                    const Motion& base) const;
+
+  // force: per mass (N), 0 for hidden masses. dy has states() entries.
+  void derivative(double t_s, const double* y, const double* force, const Motion& base, const Modes& modes,
+                  double* dy) const;
+
+  // g[] = one function per watched link (its rate; while stuck, what its hold has in reserve), two per gap term.
+  void root_functions(double t_s, const double* y, const double* force, const Motion& base, const Modes& modes,
+                      double* g) const;
+
+  // Modes of a state that no event led to: signs of the rates, of the accelerations where a rate is zero.
+  Modes start_modes(double t_s, double* y, const double* force, const Motion& base) const;
+  // Corrects signs that the state contradicts (two events inside one step); true where a friction link was among them.
+  bool resync(double* y, const Motion& base, Modes& modes) const;
+  bool any_stuck(const Modes& modes) const;
+  // Updates modes from ARKODE's root directions, and says which links may now be at rest.
+  std::vector<bool> apply_roots(const int* direction, Modes& modes) const;
+  // Decides for every link marked resting whether it sticks or slides and where to (velocities of the marked links are
+  // made exactly equal first). The hold forces solve  min 1/2 h'Ah - b'h, |h| <= hold: the friction law at w = 0.
+  void solve_rest(double t_s, double* y, const double* force, const Motion& base, const std::vector<bool>& resting,
+                  Modes& modes) const;
+  // Makes the ends of stuck links move exactly alike.
+  void equalise(double* y, const Motion& base, const Modes& modes) const;
+
+ private:
+  struct Node {
+    double x, v;
+  };
+  Node node(const double* y, const Motion& base, size_t index) const;
+  double sliding_force(const PlantLink& link, size_t link_index, double t_s, double u, double w, const double* z,
+                       const Modes& modes) const;
+  void net_forces(double t_s, const double* y, const double* force, const Motion& base, const Modes& modes,
+                  double* net) const;
+  void accelerations(const double* net, const Motion& base, const Modes& modes, double* a) const;
+  std::vector<size_t> bodies(const std::vector<bool>& joined) const;
+  void hold_forces(const double* net, const Motion& base, const std::vector<size_t>& links,
+                   std::vector<double>& hold) const;
+  // The same without bounds; where loops of links leave it open, shared in proportion to the holds.
+  void unbounded_hold(const double* net, const Motion& base, const std::vector<size_t>& links,
+                      std::vector<double>& hold) const;
+  void gap_roots(const double* y, const Motion& base, double* g) const;
+  size_t ground() const { return masses(); }
+  size_t base_node() const { return masses() + 1; }
+  friend class EquationsBuilder;
+
+  size_t dofs_ = 0, presliding_ = 0, gaps_ = 0, roots_ = 0;
+  std::vector<double> mass_;
+  std::vector<PlantLink> links_;
+};
+
+}  // namespace host_sim

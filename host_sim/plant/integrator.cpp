@@ -1,0 +1,190 @@
+#include "host_sim/plant/integrator.hpp"
+
+#include <arkode/arkode_erkstep.h>
+#include <nvector/nvector_serial.h>
+#include <sundials/sundials_context.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "host_sim/plant/plant_error.hpp"
+
+namespace host_sim {
+
+struct Integrator::Working {
+  const Equations& equations;
+  const Excitation& excitation;
+  IntegratorOptions options;
+  double t = 0.0, period = 0.0;
+  std::vector<double> y, scale, force;
+  Motion base;
+  Modes modes;
+  std::string message;
+  long steps = 0, events = 0;
+  bool restart = true;
+  SUNContext context = nullptr;
+  N_Vector vector = nullptr;
+  void* arkode = nullptr;
+
+  Working(const Equations& eq, const Excitation& ex, const IntegratorOptions& opt)
+      : equations(eq), excitation(ex), options(opt) {}
+  ~Working() {
+    if (arkode != nullptr) ERKStepFree(&arkode);
+    if (vector != nullptr) N_VDestroy(vector);
+    if (context != nullptr) SUNContext_Free(&context);
+  }
+
+  void excite(double time_s) {
+    for (size_t i = 0; i < excitation.force_N.size() && i < force.size(); ++i)
+      if (excitation.force_N[i]) force[i] = excitation.force_N[i]->value(time_s);
+    if (excitation.base_m) base = excitation.base_m->motion(time_s);
+  }
+
+  static int right_hand_side(realtype time_s, N_Vector state, N_Vector derivative, void* user) {
+    Working& w = *static_cast<Working*>(user);
+    w.excite(time_s);
+    w.equations.derivative(time_s, N_VGetArrayPointer(state), w.force.data(), w.base, w.modes,
+                           N_VGetArrayPointer(derivative));
+    return 0;
+  }
+  static int roots(realtype time_s, N_Vector state, realtype* g, void* user) {
+    Working& w = *static_cast<Working*>(user);
+    w.excite(time_s);
+    w.equations.root_functions(time_s, N_VGetArrayPointer(state), w.force.data(), w.base, w.modes, g);
+    return 0;
+  }
+  static int weights(N_Vector, N_Vector weight, void* user) {
+    const Working& w = *static_cast<Working*>(user);
+    realtype* target = N_VGetArrayPointer(weight);
+    for (size_t i = 0; i < w.scale.size(); ++i) target[i] = 1.0 / (w.options.relative_tolerance * w.scale[i]);
+    return 0;
+  }
+  static void on_error(int, const char*, const char*, char* text, void* user) {
+    static_cast<Working*>(user)->message = text;
+  }
+
+  void create();
+  void first_scale();
+  void grow_scale();
+  void handle_root();
+  void check(int flag, const char* what) {
+    if (flag >= 0) return;
+    throw PlantError(std::string("simulation stopped at t = ") + std::to_string(t) + " s in " + what + ": " + message +
+                     " (a rig with extreme stiffness, or a motion that grows without bound?)");
+  }
+};
+
+// Before anything has moved: what the peak force does to each mass within a sample period.
+void Integrator::Working::first_scale() {
+  const size_t n = equations.masses();
+  scale.assign(equations.states(), 1.0);
+  double largest_x = 0.0, largest_v = 0.0;
+  for (size_t i = 0; i < n; ++i) {
+    const bool driven = i < excitation.force_N.size() && excitation.force_N[i];
+    const double v = (driven ? excitation.force_N[i]->peak() : 0.0) / equations.mass(i) * period;
+    largest_x = std::max({largest_x, std::fabs(y[i]), v * period});
+    largest_v = std::max({largest_v, std::fabs(y[n + i]), v});
+  }
+  if (excitation.base_m) largest_x = std::max(largest_x, excitation.base_m->peak());
+  if (largest_x == 0.0) largest_x = largest_v > 0.0 ? largest_v * period : 1e-12;
+  if (largest_v == 0.0) largest_v = largest_x;  // 1 rad/s: grows with the motion
+  for (size_t i = 0; i < n; ++i) {
+    scale[i] = largest_x;
+    scale[n + i] = largest_v;
+  }
+}
+
+void Integrator::Working::grow_scale() {
+  for (size_t i = 0; i < 2 * equations.masses(); ++i) {
+    if (!std::isfinite(y[i]))
+      throw PlantError("simulation stopped at t = " + std::to_string(t) + " s: the motion of mass " +
+                       std::to_string(i % equations.masses() + 1) +
+                       " is no longer finite (negative damping or stiffness?)");
+    scale[i] = std::max(scale[i], std::fabs(y[i]));
+  }
+}
+
+void Integrator::Working::create() {
+  if (SUNContext_Create(nullptr, &context) != 0) throw PlantError("cannot create a SUNDIALS context");
+  vector = N_VMake_Serial(static_cast<sunindextype>(y.size()), y.data(), context);
+  arkode = ERKStepCreate(right_hand_side, t, vector, context);
+  if (arkode == nullptr) throw PlantError("cannot create an ARKODE integrator");
+  ERKStepSetErrHandlerFn(arkode, on_error, this);
+  ERKStepSetUserData(arkode, this);
+  const ARKODE_ERKTableID table = options.method == Method::kBogackiShampine3 ? ARKODE_BOGACKI_SHAMPINE_4_2_3
+                                  : options.method == Method::kDormandPrince5 ? ARKODE_DORMAND_PRINCE_7_4_5
+                                                                              : ARKODE_FEHLBERG_13_7_8;
+  check(ERKStepSetTableNum(arkode, table), "ERKStepSetTableNum");
+  check(ERKStepSetInterpolantDegree(arkode, 5), "ERKStepSetInterpolantDegree");
+  check(ERKStepWFtolerances(arkode, weights), "ERKStepWFtolerances");
+  check(ERKStepSetMaxNumSteps(arkode, options.most_steps_per_sample), "ERKStepSetMaxNumSteps");
+  if (equations.roots() > 0)
+    check(ERKStepRootInit(arkode, static_cast<int>(equations.roots()), roots), "ERKStepRootInit");
+  ERKStepSetNoInactiveRootWarn(arkode);
+}
+
+void Integrator::Working::handle_root() {
+  std::vector<int> direction(equations.roots());
+  check(ERKStepGetRootInfo(arkode, direction.data()), "ERKStepGetRootInfo");
+  excite(t);
+  const std::vector<bool> resting = equations.apply_roots(direction.data(), modes);
+  equations.solve_rest(t, y.data(), force.data(), base, resting, modes);
+  ++events;
+  restart = true;
+}
+
+Integrator::Integrator(const Equations& equations, const Excitation& excitation, const IntegratorOptions& options,
+                       double start_s, double sample_period_s, std::vector<double> start_state)
+    : w_(std::make_unique<Working>(equations, excitation, options)) {
+  w_->t = start_s;
+  w_->period = sample_period_s;
+  w_->y = std::move(start_state);
+  w_->force.assign(equations.masses(), 0.0);
+  w_->excite(start_s);
+  w_->modes = equations.start_modes(start_s, w_->y.data(), w_->force.data(), w_->base);
+  w_->first_scale();
+  w_->create();
+}
+
+Integrator::~Integrator() = default;
+
+void Integrator::advance_to(double t_s) {
+  Working& w = *w_;
+  while (w.t < t_s) {
+    if (w.restart) {
+      w.check(ERKStepReset(w.arkode, w.t, w.vector), "ERKStepReset");
+      w.check(ERKStepSetInitStep(w.arkode, std::min(w.period, t_s - w.t)), "ERKStepSetInitStep");
+      w.restart = false;
+    }
+    w.check(ERKStepSetStopTime(w.arkode, t_s), "ERKStepSetStopTime");
+    const int flag = ERKStepEvolve(w.arkode, t_s, w.vector, &w.t, ARK_NORMAL);
+    w.check(flag, "ERKStepEvolve");
+    if (flag == ARK_ROOT_RETURN) w.handle_root();
+  }
+  w.grow_scale();
+  w.excite(w.t);
+  if (w.equations.roots() == 0) return;
+  if (w.equations.resync(w.y.data(), w.base, w.modes)) w.restart = true;
+  w.equations.equalise(w.y.data(), w.base, w.modes);
+}
+
+double Integrator::time_s() const { return w_->t; }
+const std::vector<double>& Integrator::state() const { return w_->y; }
+const std::vector<double>& Integrator::forces() const { return w_->force; }
+const Motion& Integrator::base() const { return w_->base; }
+const Modes& Integrator::modes() const { return w_->modes; }
+long Integrator::events() const { return w_->events; }
+long Integrator::steps() const {
+  long count = 0;
+  ERKStepGetNumSteps(w_->arkode, &count);
+  return count;
+}
+
+std::vector<double> Integrator::derivative() const {
+  std::vector<double> dy(w_->y.size());
+  w_->equations.derivative(w_->t, w_->y.data(), w_->force.data(), w_->base, w_->modes, dy.data());
+  return dy;
+}
+
+}  // namespace host_sim

@@ -1,0 +1,158 @@
+#include "host_sim/plant/signal.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "host_sim/plant/random_numbers.hpp"
+
+namespace host_sim {
+namespace {
+
+constexpr double kTwoPi = 6.283185307179586476925;
+
+class Cosine : public Signal {
+ public:
+  Cosine(double amplitude, double frequency_Hz, double phase_rad)
+      : amplitude_(amplitude), omega_(kTwoPi * frequency_Hz), phase_(phase_rad) {}
+  double value(double t) const override { return amplitude_ * std::cos(omega_ * t + phase_); }
+  Motion motion(double t) const override {
+    const double c = amplitude_ * std::cos(omega_ * t + phase_), s = amplitude_ * std::sin(omega_ * t + phase_);
+    return {c, -omega_ * s, -omega_ * omega_ * c};
+  }
+  double peak() const override { return std::fabs(amplitude_); }
+
+ private:
+  double amplitude_, omega_, phase_;
+};
+
+// Piecewise quintic through values with two derivatives at every knot.
+class Quintic : public Signal {
+ public:
+  Quintic(std::vector<Motion> knots, double start, double period)
+      : knots_(std::move(knots)), start_(start), period_(period) {
+    for (const Motion& knot : knots_) peak_ = std::max(peak_, std::fabs(knot.value));
+  }
+  double value(double t) const override { return motion(t).value; }
+  double peak() const override { return peak_; }
+  Motion motion(double t) const override {
+    const double position = (t - start_) / period_;
+    const double last = static_cast<double>(knots_.size() - 1);
+    if (position <= 0.0) return position < 0.0 ? Motion{knots_.front().value, 0.0, 0.0} : knots_.front();
+    if (position >= last) return position > last ? Motion{knots_.back().value, 0.0, 0.0} : knots_.back();
+    const size_t k = static_cast<size_t>(position);
+    return between(knots_[k], knots_[k + 1], position - static_cast<double>(k));
+  }
+
+ private:
+  // c0 .. c5 of the polynomial in s = (t - t_k) / period
+  Motion between(const Motion& p, const Motion& q, double s) const {
+    const double h = period_, p1 = p.rate * h, p2 = 0.5 * p.acceleration * h * h;
+    const double d0 = q.value - p.value - p1 - p2, d1 = q.rate * h - p1 - 2.0 * p2,
+                 d2 = q.acceleration * h * h - 2.0 * p2;
+    const double c3 = 10.0 * d0 - 4.0 * d1 + 0.5 * d2, c4 = -15.0 * d0 + 7.0 * d1 - d2,
+                 c5 = 6.0 * d0 - 3.0 * d1 + 0.5 * d2;
+    Motion m;
+    m.value = p.value + s * (p1 + s * (p2 + s * (c3 + s * (c4 + s * c5))));
+    m.rate = (p1 + s * (2.0 * p2 + s * (3.0 * c3 + s * (4.0 * c4 + s * 5.0 * c5)))) / h;
+    m.acceleration = (2.0 * p2 + s * (6.0 * c3 + s * (12.0 * c4 + s * 20.0 * c5))) / (h * h);
+    return m;
+  }
+  std::vector<Motion> knots_;
+  double start_, period_, peak_ = 0.0;
+};
+
+class Linear : public Signal {
+ public:
+  Linear(std::vector<double> values, double start, double period)
+      : values_(std::move(values)), start_(start), period_(period) {
+    for (double v : values_) peak_ = std::max(peak_, std::fabs(v));
+  }
+  double value(double t) const override { return motion(t).value; }
+  double peak() const override { return peak_; }
+  Motion motion(double t) const override {
+    const double position = std::max(0.0, (t - start_) / period_);
+    const size_t k = std::min(static_cast<size_t>(position), values_.size() - 1);
+    if (k + 1 == values_.size()) return {values_[k], 0.0, 0.0};
+    const double slope = values_[k + 1] - values_[k];
+    return {values_[k] + slope * (position - static_cast<double>(k)), slope / period_, 0.0};
+  }
+
+ private:
+  std::vector<double> values_;
+  double start_, period_;
+  double peak_ = 0.0;
+};
+
+// Central difference weights for the first and second derivative, half-width 1 to 4 (orders 2 to 8).
+constexpr double kFirst[4][4] = {{1.0 / 2, 0, 0, 0},
+                                 {2.0 / 3, -1.0 / 12, 0, 0},
+                                 {3.0 / 4, -3.0 / 20, 1.0 / 60, 0},
+                                 {4.0 / 5, -1.0 / 5, 4.0 / 105, -1.0 / 280}};
+constexpr double kSecond[4][4] = {{1.0, 0, 0, 0},
+                                  {4.0 / 3, -1.0 / 12, 0, 0},
+                                  {3.0 / 2, -3.0 / 20, 1.0 / 90, 0},
+                                  {8.0 / 5, -1.0 / 5, 8.0 / 315, -1.0 / 560}};
+
+std::vector<Motion> with_derivatives(const std::vector<double>& f, double h) {
+  std::vector<Motion> knots(f.size());
+  for (size_t k = 0; k < f.size(); ++k) {
+    knots[k].value = f[k];
+    const size_t room = std::min({k, f.size() - 1 - k, size_t{4}});
+    for (size_t j = 1; j <= room; ++j) {
+      knots[k].rate += kFirst[room - 1][j - 1] * (f[k + j] - f[k - j]) / h;
+      knots[k].acceleration += kSecond[room - 1][j - 1] * ((f[k + j] - f[k]) + (f[k - j] - f[k])) / (h * h);
+    }
+  }
+  if (f.size() >= 3) {  // ends: the parabola through three samples
+    const size_t n = f.size() - 1;
+    knots[0].rate = (-1.5 * f[0] + 2.0 * f[1] - 0.5 * f[2]) / h;
+    knots[n].rate = (1.5 * f[n] - 2.0 * f[n - 1] + 0.5 * f[n - 2]) / h;
+    knots[0].acceleration = knots[1].acceleration;
+    knots[n].acceleration = knots[n - 1].acceleration;
+  } else if (f.size() == 2) {
+    knots[0].rate = knots[1].rate = (f[1] - f[0]) / h;
+  }
+  return knots;
+}
+
+}  // namespace
+
+SignalPtr cosine(double amplitude, double frequency_Hz, double phase_rad) {
+  return std::make_shared<Cosine>(amplitude, frequency_Hz, phase_rad);
+}
+
+SignalPtr random_band(const RandomBand& band, double start_s, double end_s, double table_step_s, uint64_t seed,
+                      uint64_t stream) {
+  const size_t count = static_cast<size_t>(std::ceil((end_s - start_s) / table_step_s)) + 2;
+  const double line_Hz = 1.0 / (static_cast<double>(count) * table_step_s);
+  const size_t lines = std::max<size_t>(1, static_cast<size_t>((band.high_Hz - band.low_Hz) / line_Hz));
+  const double spacing_Hz = (band.high_Hz - band.low_Hz) / static_cast<double>(lines);
+  const double amplitude = band.rms * std::sqrt(2.0 / static_cast<double>(lines));
+  RandomNumbers random(seed, stream);
+  std::vector<Motion> knots(count);
+  for (size_t line = 0; line < lines; ++line) {
+    const double omega = kTwoPi * (band.low_Hz + (static_cast<double>(line) + 0.5) * spacing_Hz);
+    const double phase = kTwoPi * random.uniform();
+    const double turn_c = std::cos(omega * table_step_s), turn_s = std::sin(omega * table_step_s);
+    double c = amplitude * std::cos(phase), s = amplitude * std::sin(phase);  // rotated by one step per knot
+    for (Motion& knot : knots) {
+      knot.value += c;
+      knot.rate -= omega * s;
+      knot.acceleration -= omega * omega * c;
+      const double next = c * turn_c - s * turn_s;
+      s = s * turn_c + c * turn_s;
+      c = next;
+    }
+  }
+  return std::make_shared<Quintic>(std::move(knots), start_s, table_step_s);
+}
+
+SignalPtr sampled(std::vector<double> values, double start_s, double period_s, Interpolation interpolation) {
+  if (values.empty()) values.push_back(0.0);
+  if (interpolation == Interpolation::kQuintic)
+    return std::make_shared<Quintic>(with_derivatives(values, period_s), start_s, period_s);
+  return std::make_shared<Linear>(std::move(values), start_s, period_s);
+}
+
+}  // namespace host_sim
