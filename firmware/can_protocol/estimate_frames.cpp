@@ -1,0 +1,102 @@
+#include "firmware/can_protocol/estimate_frames.hpp"
+
+#include "firmware/can_protocol/packing.hpp"
+
+namespace firmware {
+namespace {
+
+enum SignalIndex { kValue, kStd, kExponent, kStatus, kStdExponent, kWindowCounter };  // order of kEstimateSignals
+
+constexpr const can::Signal& signal(SignalIndex index) { return can::kEstimateSignals[index]; }
+constexpr int32_t kOffset = signal(kExponent).offset;
+constexpr int32_t kLowestExponent = kOffset;
+constexpr int32_t kHighestExponent = kOffset + static_cast<int32_t>(can::highest_raw(signal(kExponent)));
+constexpr int32_t kStdExponents = static_cast<int32_t>(can::highest_raw(signal(kStdExponent)));
+constexpr int64_t kLargestValue = can::highest_raw(signal(kValue));
+constexpr int64_t kLargestStd = can::highest_raw(signal(kStd));
+constexpr int kAbsent = 7;
+static_assert(kLowestExponent == -24 && kHighestExponent == 7 && kStdExponents == 15, "as estimate_frames.hpp says");
+static_assert(can::record_bits(can::kEstimateFd) == 64 && can::kEstimateFd.repeats == kEstimatesPerFdFrame,
+              "one record, twice used");
+
+void set_record(CanMessage& message, const EstimateRecord& record, int bit_offset) {
+  can::set_raw(message, signal(kValue), record.value, bit_offset);
+  can::set_raw(message, signal(kStd), record.std, bit_offset);
+  can::set_raw(message, signal(kExponent), record.exponent - kOffset, bit_offset);
+  can::set_raw(message, signal(kStatus), static_cast<int64_t>(record.status), bit_offset);
+  can::set_raw(message, signal(kStdExponent), record.std_exponent, bit_offset);
+  can::set_raw(message, signal(kWindowCounter), record.window, bit_offset);
+}
+
+EstimateRecord get_record(const CanMessage& message, int bit_offset) {
+  EstimateRecord record;
+  record.value = static_cast<int32_t>(can::get_raw(message, signal(kValue), bit_offset));
+  record.std = static_cast<uint16_t>(can::get_raw(message, signal(kStd), bit_offset));
+  record.exponent = static_cast<int8_t>(can::get_raw(message, signal(kExponent), bit_offset) + kOffset);
+  record.status = static_cast<EstimateStatus>(can::get_raw(message, signal(kStatus), bit_offset));
+  record.std_exponent = static_cast<uint8_t>(can::get_raw(message, signal(kStdExponent), bit_offset));
+  record.window = static_cast<uint8_t>(can::get_raw(message, signal(kWindowCounter), bit_offset));
+  return record;
+}
+
+}  // namespace
+
+EstimateRecord estimate_record(const ParameterEstimate& estimate, uint32_t window_counter) {
+  const Decimal value = to_decimal(estimate.value, kLargestValue, kLowestExponent, kHighestExponent);
+  // A standard deviation far above the value (a parameter close to 0) lifts the exponent of both.
+  const Decimal std = to_decimal(abs(estimate.std), kLargestStd, value.exponent, kHighestExponent + kStdExponents);
+  const int32_t excess = std.exponent - value.exponent - kStdExponents;
+  const int32_t exponent = excess > 0 ? value.exponent + excess : value.exponent;
+  EstimateRecord record;
+  record.exponent = static_cast<int8_t>(exponent);
+  record.value = static_cast<int32_t>(decimal_mantissa(estimate.value, exponent, kLargestValue));
+  record.std = static_cast<uint16_t>(std.mantissa);
+  record.std_exponent = static_cast<uint8_t>(std.exponent - exponent);
+  record.status = estimate.status;
+  record.window = static_cast<uint8_t>(window_counter & 15u);
+  return record;
+}
+
+Scaled record_value(const EstimateRecord& record) { return from_decimal(Decimal{record.value, record.exponent}); }
+
+Scaled record_std(const EstimateRecord& record) {
+  return from_decimal(Decimal{record.std, record.exponent + record.std_exponent});
+}
+
+CanMessage pack_estimate(int node, int index, const ParameterEstimate& estimate, uint32_t window_counter) {
+  CanMessage message = can::empty_frame(can::kEstimate, node, index);
+  set_record(message, estimate_record(estimate, window_counter), 0);
+  return message;
+}
+
+bool unpack_estimate(const CanMessage& message, int& node, int& index, EstimateRecord& record) {
+  if (!can::is_frame(can::kEstimate, message, node, index)) return false;
+  record = get_record(message, 0);
+  return true;
+}
+
+CanMessage pack_estimates_fd(int node, int frame_index, const Estimates& estimates) {
+  CanMessage message = can::empty_frame(can::kEstimateFd, node, frame_index);
+  for (int i = 0; i < kEstimatesPerFdFrame; ++i) {
+    const int index = frame_index * kEstimatesPerFdFrame + i;
+    const int bit_offset = i * can::record_bits(can::kEstimateFd);
+    if (index < estimates.unknown_count) {
+      set_record(message, estimate_record(estimates.parameters[index], estimates.window_counter), bit_offset);
+    } else {
+      can::set_raw(message, signal(kStatus), kAbsent, bit_offset);
+    }
+  }
+  return message;
+}
+
+bool unpack_estimates_fd(const CanMessage& message, int& node, int& frame_index,
+                         EstimateRecord (&records)[kEstimatesPerFdFrame], bool (&present)[kEstimatesPerFdFrame]) {
+  if (!can::is_frame(can::kEstimateFd, message, node, frame_index)) return false;
+  for (int i = 0; i < kEstimatesPerFdFrame; ++i) {
+    records[i] = get_record(message, i * can::record_bits(can::kEstimateFd));
+    present[i] = static_cast<int>(records[i].status) != kAbsent;
+  }
+  return true;
+}
+
+}  // namespace firmware

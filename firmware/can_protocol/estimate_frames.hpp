@@ -1,0 +1,40 @@
+// The estimates of a window as frames.
+//
+// An estimate carries its own decimal exponent: value = mantissa * 10^exponent, the finest exponent whose mantissa fits
+// 32 bits. So nine to ten digits of any value from 2e-16 to 2e16 are on the bus (relative resolution 5e-9 or better), a
+// person can read them from candump, and no table has to be agreed on before a number can be read. The exponent changes
+// where the digits pass 2147483647 (at 21.47, 0.2147, ...), away from round numbers, so a settled estimate keeps its
+// exponent. The standard deviation has an exponent of its own, counted from that of the value: four to five digits of
+// it, from 5e-10 of the value up to 6.5e19 in units of the last digit; beyond that it saturates.
+#pragma once
+#include "firmware/can_protocol/can_message.hpp"
+#include "firmware/can_protocol/decimal.hpp"
+#include "firmware/identification/estimate.hpp"
+
+namespace firmware {
+
+struct EstimateRecord {
+  int32_t value = 0;
+  uint16_t std = 0;
+  int8_t exponent = 0;       // -24 to 7
+  uint8_t std_exponent = 0;  // 0 to 15, above exponent
+  EstimateStatus status = EstimateStatus::kStale;
+  uint8_t window = 0;  // modulo 16
+};
+EstimateRecord estimate_record(const ParameterEstimate& estimate, uint32_t window_counter);
+Scaled record_value(const EstimateRecord& record);
+Scaled record_std(const EstimateRecord& record);
+
+// Classic CAN: one frame for the estimate of an index.
+CanMessage pack_estimate(int node, int index, const ParameterEstimate& estimate, uint32_t window_counter);
+bool unpack_estimate(const CanMessage& message, int& node, int& index, EstimateRecord& record);
+
+// CAN FD: frame j of a window holds the estimates 8j to 8j + 7; records beyond unknown_count are marked ABSENT.
+constexpr int kEstimatesPerFdFrame = 8;
+constexpr int fd_frames(int unknown_count) { return (unknown_count + kEstimatesPerFdFrame - 1) / kEstimatesPerFdFrame; }
+CanMessage pack_estimates_fd(int node, int frame_index, const Estimates& estimates);
+// records[i] is that of index 8j + i; present[i] is false where the sender marked it ABSENT.
+bool unpack_estimates_fd(const CanMessage& message, int& node, int& frame_index,
+                         EstimateRecord (&records)[kEstimatesPerFdFrame], bool (&present)[kEstimatesPerFdFrame]);
+
+}  // namespace firmware

@@ -1,0 +1,68 @@
+#include "firmware/can_protocol/packing.hpp"
+
+#include "firmware/can_protocol/frame_plan_check.hpp"
+
+namespace firmware {
+namespace can {
+
+static_assert(ids_do_not_collide(kFrames), "two frames share an identifier");
+static_assert(all_signals_fit(kFrames), "a signal leaves its frame or overlaps another");
+
+void set_raw(CanMessage& message, const Signal& signal, int64_t raw, int bit_offset) {
+  if (raw < lowest_raw(signal)) raw = lowest_raw(signal);
+  if (raw > highest_raw(signal)) raw = highest_raw(signal);
+  const uint64_t bits = static_cast<uint64_t>(raw);
+  for (int i = 0; i < signal.length; ++i) {
+    const int position = bit_offset + signal.start_bit + i;
+    const uint8_t mask = static_cast<uint8_t>(1u << (position % 8));
+    uint8_t& byte = message.data[position / 8];
+    byte = static_cast<uint8_t>((bits >> i) & 1u ? byte | mask : byte & ~mask);
+  }
+}
+
+int64_t get_raw(const CanMessage& message, const Signal& signal, int bit_offset) {
+  int64_t raw = 0;
+  for (int i = 0; i < signal.length; ++i) {
+    const int position = bit_offset + signal.start_bit + i;
+    raw |= static_cast<int64_t>((message.data[position / 8] >> (position % 8)) & 1) << i;
+  }
+  return raw > highest_raw(signal) ? raw - (int64_t{1} << signal.length) : raw;
+}
+
+CanMessage empty_frame(const Frame& frame, int node, int member) {
+  CanMessage message;
+  message.id = frame_id(frame.ids, node, member);
+  message.fd = frame.fd;
+  message.length = frame.length;
+  return message;
+}
+
+bool is_frame(const Frame& frame, const CanMessage& message, int& node, int& member) {
+  if (message.extended || message.fd != frame.fd || message.length < frame.length) return false;
+  const IdPlan& ids = frame.ids;
+  const bool per_node = ids.node_stride > 0;
+  for (int n = per_node ? kFirstNode : 0; n <= (per_node ? kLastNode : 0); ++n) {
+    const int64_t offset = static_cast<int64_t>(message.id) - frame_id(ids, n);
+    if (offset < 0 || offset % ids.bank_stride >= ids.bank_members) continue;
+    const int64_t candidate = offset / ids.bank_stride * ids.bank_members + offset % ids.bank_stride;
+    if (candidate >= ids.members) continue;
+    node = n;
+    member = static_cast<int>(candidate);
+    return true;
+  }
+  return false;
+}
+
+Address identify(const CanMessage& message) {
+  Address address;
+  for (const Frame* frame : kFrames) {
+    if (is_frame(*frame, message, address.node, address.member)) {
+      address.frame = frame;
+      break;
+    }
+  }
+  return address;
+}
+
+}  // namespace can
+}  // namespace firmware
