@@ -1,7 +1,10 @@
 // The whole numeric path behind one door: raw samples in, estimates out. No clock, no bus, no operating system.
 #pragma once
 #include "firmware/acquisition/raw_sample.hpp"
+#include "firmware/conditioning/conditioning.hpp"
 #include "firmware/configuration/configuration.hpp"
+#include "firmware/energy/batch_collector.hpp"
+#include "firmware/energy/energy_sums.hpp"
 #include "firmware/identification/estimate.hpp"
 
 namespace firmware {
@@ -12,15 +15,44 @@ struct CoreHealth {
   uint32_t saturated_samples = 0;   // samples with a channel at its full scale
 };
 
+enum class CoreDetail : uint8_t {
+  kPlain = 1,  // the paper's sums only
+  kFull = 3,   // with the instrument and the displacement weight
+};
+
 class EstimatorCore {
  public:
-  explicit EstimatorCore(const CoreConfiguration& configuration);
+  // The configuration is used in place: it must outlive the core and not change.
+  explicit EstimatorCore(const CoreConfiguration& configuration, CoreDetail detail = CoreDetail::kFull);
   void reset();                         // forgets all levels
   void begin_level();                   // a new excitation level or record: filters and sums restart
-  void push(const RawSample& sample);   // constant cost per sample on average; work is done every kBlockSamples samples
+  // A gap in the samples' sequence numbers is counted and splits the window: no integral runs across it. Constant cost
+  // per sample on average; the work is done every kBlockSamples samples.
+  void push(const RawSample& sample);
   void end_level();                     // closes the window
-  const Estimates& solve();             // from everything since reset()
-  const CoreHealth& health() const;
+  const Estimates& solve();             // from everything since reset(); may be called at any time
+  const CoreHealth& health() const { return health_; }
+  const BatchTable& table() const { return table_; }
+  // A level of n samples makes a window of n - margin_samples() sample intervals: filters and end corrections look further.
+  int margin_samples() const { return kLevelMarginSamples + conditioning_.history_samples(); }
+
+ private:
+  void process(int count);
+  void break_window();
+  void close_batch(int boundary);
+
+  const CoreConfiguration& configuration_;
+  Conditioning conditioning_;
+  Frame frame_ = {};
+  int filled_ = 0;          // samples in the frame
+  EnergySums sums_;
+  BatchTable table_;
+  BatchCollector collector_{table_};
+  Batch batch_;
+  Estimates estimates_;
+  CoreHealth health_;
+  uint32_t next_sequence_ = 0;
+  bool sequence_known_ = false;
 };
 
 }  // namespace firmware

@@ -10,7 +10,8 @@ constexpr int kMaxTerms = 96;          // known and unknown coefficients of the 
 constexpr int kMaxNodes = kMaxDofs + 1;  // the DOFs and the moving base
 constexpr int kBaseNode = kMaxDofs;    // index of the moving base among the nodes
 constexpr int kGroundNode = kMaxNodes; // fixed ground: no channels
-constexpr int kBlockSamples = 32;      // samples per block; one bit of a 32-bit mask each
+constexpr int kBlockSamples = 32;      // samples per block of the energy sums
+constexpr int kMaxBatchSamples = 1024; // exact int64 sums hold this many full-scale products (firmware/energy/columns.hpp)
 #ifdef FIRMWARE_MAX_LEVELS
 constexpr int kMaxLevels = FIRMWARE_MAX_LEVELS;
 #else

@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "firmware/configuration/capacity.hpp"
+#include "firmware/fixed_point/fixed.hpp"
 #include "firmware/fixed_point/scaled.hpp"
 
 namespace firmware {
@@ -17,6 +18,22 @@ struct ChannelConfiguration {
   int32_t full_scale_code = 8388607;  // |code| at or above this is a saturated sensor; 24 bits at the most
   Scaled unit_per_code;               // N, m, m/s, m/s^2 (rotating DOF: N m, rad, rad/s, rad/s^2) per code
   int32_t delay_ns = 0;               // how late the channel is against the others; removed in conditioning
+};
+
+// How a signal that the equations use is made from a measured channel of the same node. Arithmetic:
+//   measured code (24 bits)  ->  integrations and high-pass (int64 state, 16 fraction bits)  ->  FIR (taps Q24, int64 sum)
+//   ->  rounded shift  ->  signal, saturated to +-2^23 (which counts as SATURATED).
+// half_length 0 without integrations is a plain copy. The same delay (the plan's longest half_length) holds for all signals.
+constexpr int kFilterHalf = 16;
+struct SignalConfiguration {
+  bool available = false;
+  bool derived = false;        // made from another quantity than its own
+  uint8_t source = 0;          // the measured Quantity it is made from
+  uint8_t integrations = 0;    // how often the source is integrated (leaky, see high_pass_shift)
+  uint8_t half_length = 0;     // FIR reaches from -half_length to +half_length samples
+  uint8_t shift = 0;           // result = FIR sum / 2^shift, rounded
+  FilterTap tap[2 * kFilterHalf + 1];  // tap[0] weighs the oldest sample
+  Scaled unit_per_code;        // SI units per signal code
 };
 
 // A link between two nodes: elongation u = x_a - x_b, rate w = v_a - v_b; its force acts on a with -1, on b with +1.
@@ -65,7 +82,9 @@ struct WindowConfiguration {
   // kWholeCycles: samples per excitation cycle as a fraction; the window ends on the sample nearest to a whole cycle.
   uint32_t cycle_samples_numerator = 0;
   uint32_t cycle_samples_denominator = 1;
-  uint32_t batch_samples = 512;  // length of the first batches (rounded to whole blocks or whole cycles)
+  // Length of the first batches, 8 to 1024 samples; it doubles whenever a level's table is full. 0: a sixteenth of a cycle
+  // for whole cycles, else 32.
+  uint32_t batch_samples = 0;
 };
 
 struct CoreConfiguration {
@@ -77,8 +96,16 @@ struct CoreConfiguration {
   Scaled sample_period_s;
   LinkConfiguration links[kMaxLinks];
   Term terms[kMaxTerms];
-  ChannelConfiguration channels[kMaxNodes][kQuantities];
+  ChannelConfiguration channels[kMaxNodes][kQuantities];  // as measured
+  SignalConfiguration signals[kMaxNodes][kQuantities];    // as the equations use them
+  // Every signal passes as many first-order high-pass sections (corner = rate / (2 pi 2^shift)) as the most integrated one has
+  // integrations, plus one where any is integrated; an integration takes the place of one section's difference.
+  uint8_t high_pass_order = 0;
+  uint8_t high_pass_shift = 0;
   WindowConfiguration window;
 };
+
+// Fills signals with plain copies of the measured channels.
+void copy_measured_signals(CoreConfiguration& configuration);
 
 }  // namespace firmware

@@ -46,6 +46,8 @@ struct BatchDof {
   PackedScaled rhs[kWeights];
   PackedScaled kinetic_discrepancy[kWeights];
   PackedScaled elastic_discrepancy[kWeights];
+  PackedScaled kinetic_end;          // (v_end^2 - v_start^2) / 2, per unit mass
+  PackedScaled elastic_end;          // (x_end^2 - x_start^2) / 2, per unit stiffness
   PackedScaled velocity_square;      // integral of v^2 dt
   PackedScaled velocity_instrument;  // integral of v z dt: velocity_square minus this is the noise energy of v
   PackedScaled acceleration_square;  // integral of a^2 dt, 0 where a is not measured

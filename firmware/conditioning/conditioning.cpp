@@ -1,0 +1,112 @@
+#include "firmware/conditioning/conditioning.hpp"
+
+namespace firmware {
+namespace {
+
+constexpr int32_t kSignalLimit = 1 << 23;
+constexpr int kStateFraction = 16;
+
+int32_t clamp32(int64_t value) {
+  if (value > INT32_MAX) return INT32_MAX;
+  if (value < -INT32_MAX) return -INT32_MAX;
+  return static_cast<int32_t>(value);
+}
+
+}  // namespace
+
+void Conditioning::configure(const CoreConfiguration& configuration) {
+  configuration_ = &configuration;
+  path_count_ = 0;
+  reach_ = 0;
+  for (int node = 0; node < kMaxNodes; ++node) {
+    if (node >= configuration.dof_count && node != kBaseNode) continue;
+    for (int quantity = 0; quantity < kQuantities; ++quantity) {
+      const SignalConfiguration& signal = configuration.signals[node][quantity];
+      if (!signal.available) continue;
+      Path& path = path_[path_count_++];
+      path.node = static_cast<uint8_t>(node);
+      path.quantity = static_cast<uint8_t>(quantity);
+      path.column = static_cast<uint16_t>(signal_column(node, static_cast<Quantity>(quantity)));
+      path.source = signal.source;
+      if (signal.half_length > reach_) reach_ = signal.half_length;
+    }
+  }
+  plain_ = reach_ == 0 && configuration.high_pass_order == 0;
+  restart();
+}
+
+void Conditioning::restart() {
+  received_ = 0;
+  saturated_ = false;
+  history_at_ = 0;
+  for (int i = 0; i < path_count_; ++i)
+    for (int s = 0; s < kMaxSections; ++s) path_[i].section[s] = path_[i].previous[s] = 0;
+}
+
+bool Conditioning::any_code_at_full_scale(const RawSample& sample) const {
+  for (int i = 0; i < path_count_; ++i) {
+    const Path& path = path_[i];
+    const int32_t code = sample.code[path.node][path.source];
+    const int32_t limit = configuration_->channels[path.node][path.source].full_scale_code;
+    if (code >= limit || code <= -limit) return true;
+  }
+  return false;
+}
+
+bool Conditioning::append(const RawSample& sample, Frame& frame, int at) {
+  saturated_ = any_code_at_full_scale(sample);
+  for (int i = 0; i < path_count_; ++i) {
+    Path& path = path_[i];
+    const int32_t code = sample.code[path.node][path.source] - configuration_->channels[path.node][path.source].offset_code;
+    frame.column[path.column][at] = plain_ ? code : filtered(path, code);
+  }
+  if (++history_at_ == kHistory) history_at_ = 0;
+  ++received_;
+  return received_ > static_cast<uint32_t>(2 * reach_);
+}
+
+void Conditioning::move_frame(Frame& frame, int count, int kept) const {
+  for (int p = 0; p < path_count_; ++p) {
+    int32_t* column = frame.column[path_[p].column];
+    for (int i = 0; i < kept; ++i) column[i] = column[i + count];
+  }
+}
+
+int32_t Conditioning::filtered(Path& path, int32_t code) {
+  const SignalConfiguration& signal = configuration_->signals[path.node][path.quantity];
+  const int32_t input = configuration_->high_pass_order == 0 ? code : high_passed(path, signal.integrations, code);
+  path.history[history_at_] = path.history[history_at_ + kHistory] = input;
+  const int32_t* window = &path.history[history_at_ + 1];  // window[kHistory - 1] is the newest sample
+  const int first = kHistory - 1 - reach_ - signal.half_length;
+  int64_t sum = 0;
+  for (int k = 0; k <= 2 * signal.half_length; ++k) sum += static_cast<int64_t>(signal.tap[k].raw) * window[first + k];
+  if (signal.shift > 0) sum = (sum + (int64_t{1} << (signal.shift - 1))) >> signal.shift;
+  if (sum > kSignalLimit || sum < -kSignalLimit) {
+    saturated_ = true;
+    sum = sum > 0 ? kSignalLimit : -kSignalLimit;
+  }
+  return static_cast<int32_t>(sum);
+}
+
+// First-order sections with the pole 1 - 2^-shift. The differences come first, they take the offset away before the
+// integrations sum anything; the very first sample is taken to have stood there for ever, so there is no switch-on step.
+int32_t Conditioning::high_passed(Path& path, int integrations, int32_t code) const {
+  const int shift = configuration_->high_pass_shift;
+  const int differences = configuration_->high_pass_order - integrations;
+  int64_t value = static_cast<int64_t>(code) * (int64_t{1} << kStateFraction);
+  if (received_ == 0) path.previous[0] = value;
+  for (int s = 0; s < configuration_->high_pass_order; ++s) {
+    int64_t& state = path.section[s];
+    if (s < differences) {
+      state += value - path.previous[s] - (state >> shift);
+      path.previous[s] = value;
+      value = state;
+    } else {
+      state += value - (state >> shift);
+      value = state >> (shift - kIntegrationExtraBits);
+    }
+  }
+  return clamp32((value + (int64_t{1} << (kStateFraction - 1))) >> kStateFraction);
+}
+
+}  // namespace firmware

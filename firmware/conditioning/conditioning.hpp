@@ -1,0 +1,54 @@
+// Raw codes to the signals of the energy equations: offset removed, missing quantities derived, every signal with the same delay.
+//
+//   code - offset -> [high-pass and integrations] -> [FIR] -> rounded shift -> column of the frame
+//
+// Formats: code 24 bits; section states Q16 in int64, below 2^57 for two integrations at the slowest corner (shift 12);
+// FIR: 33 taps Q24 times 31 bits stay below 2^61. Signals leave with |value| <= 2^23; a signal at that limit and a code at
+// its channel's full scale count as saturated.
+#pragma once
+#include <cstdint>
+
+#include "firmware/acquisition/raw_sample.hpp"
+#include "firmware/energy/columns.hpp"
+
+namespace firmware {
+
+// An integration's output is the sum of its input in units of the sample period, divided by 2^(high_pass_shift - this).
+constexpr int kIntegrationExtraBits = 6;
+
+class Conditioning {
+ public:
+  void configure(const CoreConfiguration& configuration);
+  void restart();  // a new level: history and section states are forgotten
+  // Writes one sample into the frame at position `at`. False while the filters have not enough history: position not used.
+  bool append(const RawSample& sample, Frame& frame, int at);
+  // Moves every signal's positions [count, count + kept) to the frame's start.
+  void move_frame(Frame& frame, int count, int kept) const;
+  bool saturated() const { return saturated_; }       // of the last sample
+  int history_samples() const { return 2 * reach_; }  // samples at a level's start that give no output
+
+ private:
+  static constexpr int kHistory = 2 * kFilterHalf + 1;
+  static constexpr int kMaxSections = 3;
+  struct Path {  // one signal
+    uint16_t column = 0;
+    uint8_t node = 0, quantity = 0, source = 0;
+    int32_t history[2 * kHistory] = {};   // every entry twice, so that a window is contiguous
+    int64_t section[kMaxSections] = {};   // Q16
+    int64_t previous[kMaxSections] = {};  // Q16, last input of a difference section
+  };
+  bool any_code_at_full_scale(const RawSample& sample) const;
+  int32_t filtered(Path& path, int32_t code);
+  int32_t high_passed(Path& path, int integrations, int32_t code) const;
+
+  const CoreConfiguration* configuration_ = nullptr;
+  Path path_[kMaxNodes * kQuantities];
+  int path_count_ = 0;
+  int reach_ = 0;       // longest half_length: the common delay in samples
+  bool plain_ = true;   // no filter anywhere: codes are copied
+  bool saturated_ = false;
+  uint32_t received_ = 0;
+  int history_at_ = 0;
+};
+
+}  // namespace firmware

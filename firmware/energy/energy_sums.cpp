@@ -1,0 +1,209 @@
+#include "firmware/energy/energy_sums.hpp"
+
+#include "firmware/energy/crossings.hpp"
+
+namespace firmware {
+namespace {
+
+constexpr int kPlain = static_cast<int>(Weight::kPlain);
+constexpr int kInstrument = static_cast<int>(Weight::kInstrument);
+constexpr int kDisplacement = static_cast<int>(Weight::kDisplacement);
+
+bool measured_velocity(const CoreConfiguration& configuration, int node) {
+  return node == kGroundNode || !configuration.signals[node][static_cast<int>(Quantity::kVelocity)].derived;
+}
+
+}  // namespace
+
+void EnergySums::configure(const CoreConfiguration& configuration, int weights) {
+  configuration_ = &configuration;
+  weights_ = weights;
+  make_equation_plan(configuration, weights, plan_, sums_, layout_);
+  for (int l = 0; l < configuration.link_count; ++l) {
+    const LinkConfiguration& link = configuration.links[l];
+    gains_[l] = rate_gains(configuration, link);
+    has_sign_[l] = false;
+    smooth_is_white_[l] = measured_velocity(configuration, link.node_a) && measured_velocity(configuration, link.node_b);
+  }
+  for (int t = 0; t < configuration.term_count; ++t)
+    if (is_sign_term(configuration.terms[t].kind)) has_sign_[configuration.terms[t].place] = true;
+  restart();
+}
+
+void EnergySums::restart() {
+  started_ = false;
+  samples_ = 0;
+}
+
+void EnergySums::fill_instruments(Frame& frame, int from, int to) {
+  // z = (-v[-2] + 4 v[-1] + 4 v[+1] - v[+2]) / 6 without the division: cubic through the four neighbours.
+  for (int node = 0; node < kMaxNodes; ++node) {
+    if (node >= configuration_->dof_count && !(node == kBaseNode && configuration_->base_present)) continue;
+    const int32_t* v = frame.column[signal_column(node, Quantity::kVelocity)];
+    int32_t* z = frame.column[kInstrumentColumn + node];
+    for (int i = from; i < to; ++i) z[i] = 4 * (v[i - 1] + v[i + 1]) - (v[i - 2] + v[i + 2]);
+  }
+}
+
+void EnergySums::fill_signs(Frame& frame, int link, int from, int to) {
+  for (int stream = 0; stream < (weights_ > kInstrument ? 2 : 1); ++stream) {
+    int64_t rate[kFrameStride];
+    link_rate(gains_[link], frame, stream == 1, from, to, rate);
+    signs(rate, from, to, frame.column[(stream == 0 ? kSignColumn : kSmoothSignColumn) + link]);
+    for (int n = 0; n < plan_.incidence_count; ++n) {
+      const Incidence& incidence = plan_.incidence[n];
+      const Term& term = configuration_->terms[incidence.term];
+      if (!is_sign_term(term.kind) || term.place != link || plan_.dof[incidence.dof].has_acceleration) continue;
+      for (int q = 0; q < weights_; ++q)
+        if ((q == kInstrument) == (stream == 1))
+          crossing_q16_[n][q] +=
+              crossing_corrections_q16(rate, frame.column[weight_column(incidence.dof, q)], from + 1, to - 2);
+    }
+  }
+}
+
+void EnergySums::fill_columns(Frame& frame, int from, int to) {
+  if (weights_ > kInstrument) fill_instruments(frame, from, to);
+  for (int l = 0; l < configuration_->link_count; ++l)
+    if (has_sign_[l]) fill_signs(frame, l, from, to);
+}
+
+EnergySums::EndPoint EnergySums::end_point(const Frame& frame, int at) const {
+  EndPoint point;
+  for (int i = 0; i < configuration_->dof_count; ++i) {
+    point.displacement[i] = plan_.dof[i].has_displacement ? frame.column[signal_column(i, Quantity::kDisplacement)][at] : 0;
+    point.velocity[i] = plan_.dof[i].has_velocity ? frame.column[signal_column(i, Quantity::kVelocity)][at] : 0;
+  }
+  return point;
+}
+
+void EnergySums::start_batch(const Frame& frame, int at) {
+  sums_.start(frame, at);
+  start_ = end_point(frame, at);
+  samples_ = 0;
+}
+
+void EnergySums::add_block(Frame& frame, int count) {
+  const int to = kLeadIn + count;
+  if (!started_) {
+    for (auto& corrections : crossing_q16_)
+      for (int64_t& correction : corrections) correction = 0;
+  }
+  fill_columns(frame, kLeadIn - 1, to + 2);
+  if (!started_) start_batch(frame, kLeadIn);
+  started_ = true;
+  sums_.add_block(frame, kLeadIn, to);
+  samples_ += static_cast<uint32_t>(count);
+}
+
+int EnergySums::weight_column(int dof, int weight) const {
+  if (weight == kInstrument) return kInstrumentColumn + dof;
+  return signal_column(dof, weight == kPlain ? Quantity::kVelocity : Quantity::kDisplacement);
+}
+
+Scaled EnergySums::integral(int product, int column_a, int column_b) const {
+  if (product == kNoProduct) return {};
+  const Scaled sum = Scaled::from_int(sums_.sum(product)) + Scaled::ratio(sums_.ends_times_24(product), 24);
+  return configuration_->sample_period_s * plan_.column_unit[column_a] * plan_.column_unit[column_b] * sum;
+}
+
+// The sign of a noisy rate is wrong near a crossing, which takes (noise variance) / (slope) from the integral. The smoothed
+// rate (link_motion.hpp) has 67/200 of the white noise variance of the rate itself, so the loss is extrapolated to no noise:
+// (C_smooth - g C) / (1 - g), g = 67/200.
+Scaled EnergySums::friction_energy(const Incidence& incidence, int weight) const {
+  const int column = weight_column(incidence.dof, weight);
+  const int link = configuration_->terms[incidence.term].place;
+  const Scaled crossing = configuration_->sample_period_s * plan_.column_unit[column] *
+                          Scaled::from_int(crossing_q16_[&incidence - plan_.incidence][weight], -16);
+  const Scaled own = integral(incidence.product_a[weight], column, incidence.column_a) + crossing;
+  if (weight != kInstrument) return own;
+  const Scaled smooth = integral(incidence.product_smooth, column, incidence.column_a) + crossing;
+  if (!smooth_is_white_[link]) return smooth;
+  return (smooth * Scaled::from_int(200) - own * Scaled::from_int(67)) / Scaled::from_int(133);
+}
+
+// Energy per unit mass: with the measured acceleration, else from the end points.
+Scaled EnergySums::kinetic_energy(int dof, int weight) const {
+  const DofProducts& products = plan_.dof[dof];
+  const int velocity = signal_column(dof, Quantity::kVelocity), displacement = signal_column(dof, Quantity::kDisplacement);
+  if (products.has_acceleration)
+    return integral(products.acceleration[weight], weight_column(dof, weight), signal_column(dof, Quantity::kAcceleration));
+  const int64_t v0 = start_.velocity[dof], v1 = end_.velocity[dof];
+  if (weight != kDisplacement) {
+    const Scaled unit = plan_.column_unit[velocity];
+    return unit * unit * Scaled::from_int(v1 * v1 - v0 * v0, -1);
+  }
+  const int64_t change = end_.displacement[dof] * v1 - start_.displacement[dof] * v0;
+  return plan_.column_unit[displacement] * plan_.column_unit[velocity] * Scaled::from_int(change) -
+         integral(products.velocity_square, velocity, velocity);
+}
+
+Scaled EnergySums::energy(const Incidence& incidence, int weight) const {
+  const Term& term = configuration_->terms[incidence.term];
+  Scaled result;
+  if (term.kind == TermKind::kMass) {
+    result = kinetic_energy(incidence.dof, weight);
+  } else if (is_sign_term(term.kind)) {
+    result = friction_energy(incidence, weight);
+  } else {
+    const int column = weight_column(incidence.dof, weight);
+    result = integral(incidence.product_a[weight], column, incidence.column_a) -
+             integral(incidence.product_b[weight], column, incidence.column_b);
+  }
+  return incidence.sign < 0 ? -result : result;
+}
+
+void EnergySums::close_dof(int i, const EndPoint& end, Batch& batch) const {
+  const DofProducts& products = plan_.dof[i];
+  const int force = signal_column(i, Quantity::kForce), displacement = signal_column(i, Quantity::kDisplacement);
+  const int velocity = signal_column(i, Quantity::kVelocity), acceleration = signal_column(i, Quantity::kAcceleration);
+  const Scaled unit_v = plan_.column_unit[velocity], unit_x = plan_.column_unit[displacement];
+  const int64_t v0 = start_.velocity[i], v1 = end.velocity[i], x0 = start_.displacement[i], x1 = end.displacement[i];
+  const Scaled kinetic_end = unit_v * unit_v * Scaled::from_int(v1 * v1 - v0 * v0, -1);
+  const Scaled elastic_end = unit_x * unit_x * Scaled::from_int(x1 * x1 - x0 * x0, -1);
+  BatchDof& dof = batch.dof[i];
+  for (int q = 0; q < weights_; ++q) {
+    const int column = weight_column(i, q);
+    Scaled rhs = integral(products.force[q], column, force);
+    for (int n = 0; n < plan_.incidence_count; ++n) {
+      const Incidence& incidence = plan_.incidence[n];
+      if (incidence.dof != i) continue;
+      const Scaled value = energy(incidence, q);
+      if (incidence.column_slot >= 0) {
+        batch.column[q][incidence.column_slot] = pack(value);
+      } else {
+        rhs = rhs - configuration_->terms[incidence.term].value * value;
+      }
+    }
+    dof.rhs[q] = pack(rhs);
+    const bool both = products.has_displacement && products.has_acceleration;
+    if (q != kDisplacement) {
+      if (products.has_acceleration)
+        dof.kinetic_discrepancy[q] = pack(integral(products.acceleration[q], column, acceleration) - kinetic_end);
+      if (products.has_displacement)
+        dof.elastic_discrepancy[q] = pack(integral(products.displacement[q], column, displacement) - elastic_end);
+    } else if (both) {
+      dof.kinetic_discrepancy[q] = pack(integral(products.acceleration[q], column, acceleration) +
+                                        integral(products.velocity_square, velocity, velocity) -
+                                        unit_x * unit_v * Scaled::from_int(x1 * v1 - x0 * v0));
+    }
+  }
+  dof.kinetic_end = pack(kinetic_end);
+  dof.elastic_end = pack(elastic_end);
+  dof.velocity_square = pack(integral(products.velocity_square, velocity, velocity));
+  dof.velocity_instrument = pack(integral(products.velocity_instrument, kInstrumentColumn + i, velocity));
+  dof.acceleration_square = pack(integral(products.acceleration_square, acceleration, acceleration));
+}
+
+void EnergySums::close_batch(const Frame& frame, int boundary, Batch& batch) {
+  sums_.stop(frame, boundary);
+  end_ = end_point(frame, boundary);
+  batch = Batch{};
+  batch.samples = samples_;
+  for (int i = 0; i < configuration_->dof_count; ++i) close_dof(i, end_, batch);
+  for (auto& corrections : crossing_q16_)
+    for (int64_t& correction : corrections) correction = 0;
+  start_batch(frame, boundary);
+}
+
+}  // namespace firmware

@@ -1,0 +1,55 @@
+// Stage "energy": frames of signals in, batches of energies out (batch_table.hpp).
+#pragma once
+#include "firmware/conditioning/conditioning.hpp"
+#include "firmware/energy/batch_table.hpp"
+#include "firmware/energy/equation_plan.hpp"
+#include "firmware/energy/product_sums.hpp"
+#include "firmware/links/link_motion.hpp"
+
+namespace firmware {
+
+class EnergySums {
+ public:
+  // weights: 1 plain sums only, 2 with the instrument, 3 with the displacement weight too.
+  void configure(const CoreConfiguration& configuration, int weights);
+  const RowLayout& layout() const { return layout_; }
+
+  void restart();  // a new level
+  // Works on positions [kLeadIn, kLeadIn + count) of the frame; position kLeadIn + count is the boundary to what follows.
+  void add_block(Frame& frame, int count);
+  uint32_t samples() const { return samples_; }  // since the batch was started
+  // Energies since the last call (or restart) up to the end of the last block; starts the next batch there.
+  void close_batch(const Frame& frame, int boundary, Batch& batch);
+
+ private:
+  struct EndPoint {
+    int32_t displacement[kMaxDofs], velocity[kMaxDofs];
+  };
+  void fill_columns(Frame& frame, int from, int to);
+  void fill_instruments(Frame& frame, int from, int to);
+  void fill_signs(Frame& frame, int link, int from, int to);
+  void start_batch(const Frame& frame, int at);
+  EndPoint end_point(const Frame& frame, int at) const;
+  Scaled integral(int product, int column_a, int column_b) const;
+  int weight_column(int dof, int weight) const;
+  Scaled energy(const Incidence& incidence, int weight) const;
+  Scaled friction_energy(const Incidence& incidence, int weight) const;
+  Scaled kinetic_energy(int dof, int weight) const;
+  void close_dof(int dof, const EndPoint& end, Batch& batch) const;
+
+  const CoreConfiguration* configuration_ = nullptr;
+  int weights_ = 1;
+  EquationPlan plan_;
+  RowLayout layout_;
+  ProductSums sums_;
+  RateGains gains_[kMaxLinks];
+  bool has_sign_[kMaxLinks];
+  bool smooth_is_white_[kMaxLinks];  // both velocities are measured: the noise of the two sign streams is known to scale
+  int64_t crossing_q16_[kMaxTermIncidences][kWeights];
+  EndPoint start_;
+  EndPoint end_;
+  uint32_t samples_ = 0;
+  bool started_ = false;
+};
+
+}  // namespace firmware

@@ -1,0 +1,136 @@
+#include "firmware/energy/equation_plan.hpp"
+
+namespace firmware {
+namespace {
+
+class Planner {
+ public:
+  Planner(const CoreConfiguration& configuration, int weights, EquationPlan& plan, ProductSums& sums)
+      : configuration_(configuration), weights_(weights), plan_(plan), sums_(sums) {}
+
+  void dof(int i) {
+    DofProducts& products = plan_.dof[i];
+    products.has_displacement = has(i, Quantity::kDisplacement);
+    products.has_velocity = has(i, Quantity::kVelocity);
+    products.has_acceleration = has(i, Quantity::kAcceleration);
+    for (int q = 0; q < weights_; ++q) {
+      products.force[q] = weighted(i, q, i, Quantity::kForce);
+      products.displacement[q] = weighted(i, q, i, Quantity::kDisplacement);
+      products.acceleration[q] = weighted(i, q, i, Quantity::kAcceleration);
+    }
+    products.velocity_square = weighted(i, 0, i, Quantity::kVelocity);
+    if (weights_ > 1) products.velocity_instrument = weighted(i, 1, i, Quantity::kVelocity);
+    const int acceleration = signal_column(i, Quantity::kAcceleration);
+    if (products.has_acceleration && weights_ > 1) products.acceleration_square = sums_.add(acceleration, acceleration);
+  }
+
+  // The term's force on DOF i: column a (and minus column b), with its sign in the equation of motion.
+  void term(int t, int i, int sign, int effect) {
+    const Term& term = configuration_.terms[t];
+    Incidence& incidence = plan_.incidence[plan_.incidence_count++];
+    incidence = Incidence{};
+    incidence.dof = static_cast<uint8_t>(i);
+    incidence.term = static_cast<uint8_t>(t);
+    incidence.sign = static_cast<int8_t>(sign);
+    for (int q = 0; q < weights_; ++q) {
+      if (term.kind == TermKind::kMass) {
+        incidence.product_a[q] = weighted(i, q, i, Quantity::kAcceleration);
+      } else if (is_sign_term(term.kind)) {
+        incidence.column_a = static_cast<uint16_t>(kSignColumn + term.place);
+        incidence.product_a[q] = weighted_column(i, q, incidence.column_a);
+      } else if (is_effect_term(term.kind)) {
+        incidence.column_a = static_cast<uint16_t>(kEffectColumn + effect);
+        incidence.product_a[q] = weighted_column(i, q, incidence.column_a);
+      } else {
+        const Quantity quantity = term.kind == TermKind::kStiffness ? Quantity::kDisplacement : Quantity::kVelocity;
+        const LinkConfiguration& link = configuration_.links[term.place];
+        if (link.node_a != kGroundNode) incidence.product_a[q] = weighted(i, q, link.node_a, quantity);
+        if (link.node_b != kGroundNode) incidence.product_b[q] = weighted(i, q, link.node_b, quantity);
+        incidence.column_a = static_cast<uint16_t>(signal_column(link.node_a % kMaxNodes, quantity));
+        incidence.column_b = static_cast<uint16_t>(signal_column(link.node_b % kMaxNodes, quantity));
+      }
+    }
+    if (is_sign_term(term.kind) && weights_ > 1)
+      incidence.product_smooth = weighted_column(i, 1, kSmoothSignColumn + term.place);
+  }
+
+ private:
+  bool has(int node, Quantity quantity) const {
+    return configuration_.signals[node][static_cast<int>(quantity)].available;
+  }
+  int weight_column(int i, int weight) const {
+    if (weight == static_cast<int>(Weight::kInstrument)) return kInstrumentColumn + i;
+    return signal_column(i, weight == static_cast<int>(Weight::kPlain) ? Quantity::kVelocity : Quantity::kDisplacement);
+  }
+  int16_t weighted_column(int i, int weight, int column) {
+    const Quantity needed = weight == static_cast<int>(Weight::kDisplacement) ? Quantity::kDisplacement : Quantity::kVelocity;
+    return has(i, needed) ? sums_.add(weight_column(i, weight), column) : kNoProduct;
+  }
+  int16_t weighted(int i, int weight, int node, Quantity quantity) {
+    return has(node, quantity) ? weighted_column(i, weight, signal_column(node, quantity)) : kNoProduct;
+  }
+
+  const CoreConfiguration& configuration_;
+  int weights_;
+  EquationPlan& plan_;
+  ProductSums& sums_;
+};
+
+void set_column_units(const CoreConfiguration& configuration, EquationPlan& plan) {
+  for (int node = 0; node < kMaxNodes; ++node) {
+    for (int quantity = 0; quantity < kQuantities; ++quantity)
+      plan.column_unit[node * kQuantities + quantity] = configuration.signals[node][quantity].unit_per_code;
+    const Scaled velocity = configuration.signals[node][static_cast<int>(Quantity::kVelocity)].unit_per_code;
+    plan.column_unit[kInstrumentColumn + node] = velocity / Scaled::from_int(6);
+  }
+  for (int link = 0; link < kMaxLinks; ++link)
+    plan.column_unit[kSignColumn + link] = plan.column_unit[kSmoothSignColumn + link] = Scaled::from_int(1);
+}
+
+// Gives every unknown of DOF i a slot, in the order of the unknowns' first appearance.
+void assign_slots(const CoreConfiguration& configuration, EquationPlan& plan, RowLayout& layout) {
+  layout = RowLayout{};
+  layout.dof_count = configuration.dof_count;
+  layout.unknown_count = configuration.unknown_count;
+  int slots = 0;
+  for (int i = 0; i < configuration.dof_count; ++i) {
+    layout.first[i] = static_cast<uint8_t>(slots);
+    for (int n = 0; n < plan.incidence_count; ++n) {
+      Incidence& incidence = plan.incidence[n];
+      const int unknown = configuration.terms[incidence.term].unknown;
+      if (incidence.dof != i || unknown < 0 || slots == kMaxIncidences) continue;
+      incidence.column_slot = static_cast<int16_t>(slots);
+      layout.unknown[slots++] = static_cast<uint8_t>(unknown);
+    }
+  }
+  for (int i = configuration.dof_count; i <= kMaxDofs; ++i) layout.first[i] = static_cast<uint8_t>(slots);
+}
+
+}  // namespace
+
+bool is_sign_term(TermKind kind) { return kind == TermKind::kCoulomb; }
+bool is_effect_term(TermKind kind) { return kind >= TermKind::kGravity; }
+
+void make_equation_plan(const CoreConfiguration& configuration, int weights, EquationPlan& plan, ProductSums& sums,
+                        RowLayout& layout) {
+  sums.clear_plan();
+  plan.incidence_count = 0;
+  Planner planner(configuration, weights, plan, sums);
+  for (int i = 0; i < configuration.dof_count; ++i) planner.dof(i);
+  int effects = 0;
+  for (int t = 0; t < configuration.term_count; ++t) {
+    const Term& term = configuration.terms[t];
+    if (term.kind == TermKind::kMass) {
+      planner.term(t, term.place, 1, 0);
+      continue;
+    }
+    const LinkConfiguration& link = configuration.links[term.place];
+    if (link.node_a < configuration.dof_count) planner.term(t, link.node_a, 1, effects);
+    if (link.node_b < configuration.dof_count) planner.term(t, link.node_b, -1, effects);
+    if (is_effect_term(term.kind)) ++effects;
+  }
+  set_column_units(configuration, plan);
+  assign_slots(configuration, plan, layout);
+}
+
+}  // namespace firmware

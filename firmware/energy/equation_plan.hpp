@@ -1,0 +1,46 @@
+// Which products make up each DOF's energy equations: worked out once from the configuration.
+#pragma once
+#include "firmware/configuration/configuration.hpp"
+#include "firmware/energy/batch_table.hpp"
+#include "firmware/energy/product_sums.hpp"
+
+namespace firmware {
+
+// One coefficient in one DOF's equation. Its energy per unit coefficient under weight q is
+//   sign * (integral of q * column(a) - integral of q * column(b)); friction and effect terms have no b.
+struct Incidence {
+  uint8_t dof = 0;
+  uint8_t term = 0;
+  int8_t sign = 1;
+  int16_t column_slot = -1;  // place among RowLayout::unknown, -1 where the coefficient is known
+  uint16_t column_a = 0, column_b = 0;
+  int16_t product_a[kWeights] = {kNoProduct, kNoProduct, kNoProduct};
+  int16_t product_b[kWeights] = {kNoProduct, kNoProduct, kNoProduct};
+  int16_t product_smooth = kNoProduct;  // instrument times the sign of the smoothed rate
+};
+constexpr int kMaxTermIncidences = 2 * kMaxTerms;
+
+struct DofProducts {
+  bool has_displacement = false, has_velocity = false, has_acceleration = false;
+  int16_t force[kWeights] = {kNoProduct, kNoProduct, kNoProduct};         // q f
+  int16_t displacement[kWeights] = {kNoProduct, kNoProduct, kNoProduct};  // q x
+  int16_t acceleration[kWeights] = {kNoProduct, kNoProduct, kNoProduct};  // q a
+  int16_t velocity_square = kNoProduct, velocity_instrument = kNoProduct, acceleration_square = kNoProduct;
+};
+
+struct EquationPlan {
+  Incidence incidence[kMaxTermIncidences];
+  int incidence_count = 0;
+  DofProducts dof[kMaxDofs];
+  Scaled column_unit[kMaxColumns];
+};
+
+// weights: how many of the Weight kinds are summed, from the first: 1 plain, 2 and the instrument, 3 and the displacement.
+void make_equation_plan(const CoreConfiguration& configuration, int weights, EquationPlan& plan, ProductSums& sums,
+                        RowLayout& layout);
+
+// The term's force on the DOF per unit coefficient has this kind of column: of a signal, of a sign, or computed.
+bool is_sign_term(TermKind kind);
+bool is_effect_term(TermKind kind);
+
+}  // namespace firmware

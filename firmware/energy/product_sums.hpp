@@ -1,0 +1,46 @@
+// Exact running sums of products of two columns, each pair of columns once however many equations need it.
+//
+// Over the window from sample s to sample e an integral is, with the end corrections of Gregory's rule,
+//   h * ( sum over s <= n < e of p_n  +  end(e) - end(s) ),   end(n) = p_n / 2 - (p_{n+1} - p_{n-1}) / 24
+// which is the trapezoid with fourth-order ends. Applied to every product alike it keeps a property that Simpson's weights
+// have too: where all signals of an equation of motion are sampled together, its weighted sum is zero to the last bit.
+//
+// Formats: products below 2^52.4 (columns.hpp), 1024 of them below 2^62.4; end corrections times 24 below 2^57.
+// The sum over a block runs on offset-binary numbers (c + 2^31, unsigned, modulo 2^64), which every vector unit can multiply;
+// the offsets are taken out again exactly with the columns' own sums.
+#pragma once
+#include "firmware/energy/columns.hpp"
+
+namespace firmware {
+
+constexpr int kMaxProducts = 1024;
+constexpr int16_t kNoProduct = -1;
+
+class ProductSums {
+ public:
+  void clear_plan() { product_count_ = 0; column_count_ = 0; }
+  int16_t add(int column_a, int column_b);  // the product's number; an existing one is found again
+
+  void start(const Frame& frame, int at);               // a window starts at this position of the frame
+  void add_block(const Frame& frame, int from, int to); // positions from <= n < to
+  void stop(const Frame& frame, int at);                // the window ends at this position; integrals can be read
+  int64_t sum(int product) const { return sum_[product]; }
+  int64_t ends_times_24(int product) const { return end_[product] - start_[product]; }
+
+ private:
+  struct Product {
+    uint16_t a, b;            // columns
+    uint16_t rank_a, rank_b;  // their places in column_
+  };
+  void ends(const Frame& frame, int at, int64_t* result) const;
+
+  Product product_[kMaxProducts];
+  int product_count_ = 0;
+  uint16_t column_[kMaxColumns];  // columns in use
+  int column_count_ = 0;
+  int64_t sum_[kMaxProducts];
+  int64_t start_[kMaxProducts];  // end corrections times 24
+  int64_t end_[kMaxProducts];
+};
+
+}  // namespace firmware

@@ -1,0 +1,46 @@
+#include "firmware/links/link_motion.hpp"
+
+namespace firmware {
+namespace {
+
+constexpr int kGainFraction = 23;
+constexpr int kGuardBits = 5;  // the common unit is up to 2^5 finer than the finer channel
+
+int64_t velocity(const Frame& frame, int column, bool smoothed, int i) {
+  const int32_t* v = &frame.column[column][i];
+  if (!smoothed) return v[0];
+  return 10 * static_cast<int64_t>(v[0]) + 4 * (static_cast<int64_t>(v[-2]) + v[2]) + v[-1] + v[1];
+}
+
+}  // namespace
+
+RateGains rate_gains(const CoreConfiguration& configuration, const LinkConfiguration& link) {
+  RateGains gains;
+  gains.has_a = link.node_a != kGroundNode;
+  gains.has_b = link.node_b != kGroundNode;
+  const int velocity_index = static_cast<int>(Quantity::kVelocity);
+  gains.column_a = static_cast<uint16_t>(signal_column(gains.has_a ? link.node_a : 0, Quantity::kVelocity));
+  gains.column_b = static_cast<uint16_t>(signal_column(gains.has_b ? link.node_b : 0, Quantity::kVelocity));
+  const Scaled unit_a = gains.has_a ? configuration.signals[link.node_a][velocity_index].unit_per_code : Scaled{};
+  const Scaled unit_b = gains.has_b ? configuration.signals[link.node_b][velocity_index].unit_per_code : Scaled{};
+  const Scaled coarser = unit_a > unit_b ? unit_a : unit_b;
+  if (coarser.is_zero()) return gains;
+  gains.gain_a = static_cast<int32_t>(to_fixed(unit_a / coarser, kGainFraction + kGuardBits));
+  gains.gain_b = static_cast<int32_t>(to_fixed(unit_b / coarser, kGainFraction + kGuardBits));
+  return gains;
+}
+
+void link_rate(const RateGains& gains, const Frame& frame, bool smoothed, int from, int to, int64_t* rate) {
+  for (int i = from; i < to; ++i) {
+    int64_t w = 0;
+    if (gains.has_a) w += velocity(frame, gains.column_a, smoothed, i) * gains.gain_a;
+    if (gains.has_b) w -= velocity(frame, gains.column_b, smoothed, i) * gains.gain_b;
+    rate[i] = (w + (int64_t{1} << (kGainFraction - 1))) >> kGainFraction;
+  }
+}
+
+void signs(const int64_t* rate, int from, int to, int32_t* sign) {
+  for (int i = from; i < to; ++i) sign[i] = static_cast<int32_t>(rate[i] > 0) - static_cast<int32_t>(rate[i] < 0);
+}
+
+}  // namespace firmware
