@@ -1,0 +1,19 @@
+// The pictures of the diagnosis page.
+#pragma once
+#include <vector>
+
+#include "host_sim/reports/plot.hpp"
+#include "host_sim/reports/report_data.hpp"
+
+namespace host_sim::reports {
+
+// A detail where the rig as given is most wrong, the errors over the whole record, and the spectra.
+std::vector<Plot> waveform_pictures(const DofView& view, const Waveform& waveform);
+
+// Energies by term, and what is left over.
+std::vector<Plot> energy_pictures(const DofView& view);
+
+// Unexplained force against elongation, rate and time.
+std::vector<Plot> link_pictures(const LinkView& link);
+
+}  // namespace host_sim::reports

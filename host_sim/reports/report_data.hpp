@@ -1,0 +1,146 @@
+// What a report shows: plain numbers with labels and units, filled by `host_sim run` and `host_sim diagnose`.
+// The pages need nothing else, so that a page can be drawn (and tested) without a simulator.
+#pragma once
+#include <string>
+#include <vector>
+
+namespace host_sim::reports {
+
+struct NamedSeries {
+  std::string label;
+  std::vector<double> values;
+};
+
+// One value with its 95 % interval; NaN where there is none.
+struct Interval {
+  double value, low, high;
+};
+
+// One measured channel beside the simulation of the same channel. All vectors have the length of `measured`,
+// or are empty where there is none; the time of sample i is start_s + i * period_s of the DOF.
+struct Waveform {
+  std::string quantity;  // "displacement"
+  std::string unit;      // "m"
+  std::vector<double> measured;
+  std::vector<double> simulated;  // by the rig file as given, its unknowns estimated
+  std::vector<double> extended;   // by the extended rig
+};
+
+// Energies since the start of the record, J, all of the length of time_s: what the drive put in, what each term took.
+struct EnergyBalance {
+  std::vector<double> time_s;
+  std::vector<NamedSeries> terms;  // "drive force", "stored", "viscous[1-0]", ...
+  std::vector<double> residual;    // what the rig as given leaves unexplained
+  std::vector<double> residual_extended;
+};
+
+struct DofView {
+  int dof = 1;
+  double start_s = 0.0, period_s = 0.0;
+  double holdout_start_s = 0.0;  // from here the fit has not seen the data; 0: no such part
+  std::vector<Waveform> waveforms;
+  EnergyBalance energy;
+};
+
+// The force that the model of a link leaves unexplained. Vectors of one length; residual_extended, named_force may be
+// empty.
+struct LinkView {
+  std::string link;  // "1-2"
+  std::string force_unit = "N", elongation_unit = "m", rate_unit = "m/s";
+  std::vector<double> time_s, elongation, rate;
+  std::vector<double> residual, residual_extended;
+  std::string named_effect;         // "cubic_stiffness": what named_force is
+  std::vector<double> named_force;  // force of the named effect at the same samples
+};
+
+struct Cause {
+  std::string effect, where;  // the contract's words: "cubic_stiffness", "link 1-2"
+  double explains_percent = 0.0;
+  std::vector<std::string> parameters;  // "cubic_stiffness[1-2] = 3.1e7 N/m^3 (95 %: 3.0e7 to 3.2e7)"
+};
+
+struct Candidate {
+  std::string effect, where;
+  double score = 0.0;      // gain in chi^2 or whatever the ranking used; larger is better
+  double threshold = 0.0;  // score that it had to reach; 0: not given
+  bool chosen = false;
+  std::string remark;  // why it was dropped
+};
+
+struct ParameterChange {
+  std::string name, unit;
+  Interval before, after;
+  std::string status;  // "VALID", ...
+};
+
+struct DofGain {
+  int dof = 1;
+  double nrmse_before_percent, nrmse_after_percent;  // of the displacement, held-out, free-running; NaN: not known
+  double mse_before_percent, mse_after_percent;      // Eq. 13, of the acceleration
+};
+
+struct Detectable {
+  std::string effect, where, unit;
+  double strength = 0.0;
+};
+
+struct DiagnosisReportData {
+  std::string rig_name;
+  std::vector<std::string> files;  // data files
+  std::vector<std::string> facts;  // provenance: "20 s at 1000 Hz", "noise: ..."
+  std::string verdict;             // none, explained, ambiguous, unknown
+  std::vector<Cause> causes;
+  std::vector<std::pair<std::string, std::string>> ambiguous_with;  // effect, where
+  std::vector<DofView> dofs;
+  std::vector<LinkView> links;
+  std::vector<Candidate> candidates;
+  std::string score_name = "score";  // heading of Candidate::score
+  std::vector<ParameterChange> parameters;
+  std::vector<DofGain> gains;
+  std::vector<Detectable> minimum_detectable;
+  std::vector<std::string> advice;
+};
+
+// An estimate as the windows close: vectors of one length.
+struct Convergence {
+  std::vector<double> time_s, value, low, high;
+};
+
+struct RunParameter {
+  std::string name, unit, status;
+  double truth;  // NaN: not known
+  Interval estimate;
+  Convergence convergence;
+};
+
+// A channel before and after the sensors; vectors of one length.
+struct RunChannel {
+  std::string name, unit;  // "force 1", "N"
+  std::vector<double> clean, contaminated;
+};
+
+// Acceleration of a DOF and its simulation with the estimates in place of the truth.
+struct RunAcceleration {
+  int dof = 1;
+  std::string unit = "m/s^2";
+  double mse_percent;  // Eq. 13
+  std::vector<double> measured, simulated;
+};
+
+// One excitation level or frequency of the scenario; time of sample i is start_s + i * period_s.
+struct RunRecord {
+  std::string label;  // "rms 10 N, 5 to 50 Hz"
+  double start_s = 0.0, period_s = 0.0;
+  std::vector<RunChannel> channels;
+  std::vector<RunAcceleration> accelerations;
+};
+
+struct RunReportData {
+  std::string scenario;
+  std::vector<std::string> facts;  // "seed 1", "1000 Hz", ...
+  double condition_number, residual_mean_abs;
+  std::vector<RunParameter> parameters;
+  std::vector<RunRecord> records;
+};
+
+}  // namespace host_sim::reports
