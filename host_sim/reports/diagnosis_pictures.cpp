@@ -27,7 +27,7 @@ std::vector<double> difference(const std::vector<double>& a, const std::vector<d
 
 Plot detail(const DofView& view, const Waveform& waveform) {
   Plot plot;
-  plot.title = "DOF " + std::to_string(view.dof) + ", " + waveform.quantity + ": where the rig as given is most wrong";
+  plot.title = "DOF " + std::to_string(view.dof) + " " + waveform.quantity + ": worst moment";
   plot.x_label = "time";
   plot.x_unit = "s";
   plot.y_label = waveform.quantity;
@@ -47,8 +47,7 @@ Plot detail(const DofView& view, const Waveform& waveform) {
 
 Plot errors(const DofView& view, const Waveform& waveform) {
   Plot plot;
-  plot.title =
-      "DOF " + std::to_string(view.dof) + ", " + waveform.quantity + ": simulation error over the whole record";
+  plot.title = "DOF " + std::to_string(view.dof) + " " + waveform.quantity + ": whole record";
   plot.x_label = "time";
   plot.x_unit = "s";
   plot.y_label = "measured and error";
@@ -73,7 +72,7 @@ Plot errors(const DofView& view, const Waveform& waveform) {
 
 Plot spectra(const DofView& view, const Waveform& waveform) {
   Plot plot;
-  plot.title = "DOF " + std::to_string(view.dof) + ", " + waveform.quantity + ": spectrum";
+  plot.title = "DOF " + std::to_string(view.dof) + " " + waveform.quantity + ": spectrum";
   plot.x_label = "frequency";
   plot.x_unit = "Hz";
   plot.y_label = "power density";
@@ -129,7 +128,7 @@ void add_shape(Plot& plot, const std::vector<double>& x, const std::vector<doubl
 Plot force_against(const LinkView& link, const std::vector<double>& x, const std::string& label,
                    const std::string& unit) {
   Plot plot;
-  plot.title = "Link " + link.link + ": unexplained force against " + label;
+  plot.title = "Link " + link.link + ": against " + label;
   plot.x_label = label;
   plot.x_unit = unit;
   plot.y_label = "residual force";
@@ -179,7 +178,7 @@ std::vector<Plot> energy_pictures(const DofView& view) {
 
 std::vector<Plot> link_pictures(const LinkView& link) {
   Plot time;
-  time.title = "Link " + link.link + ": unexplained force over time";
+  time.title = "Link " + link.link + ": over time";
   time.x_label = "time";
   time.x_unit = "s";
   time.y_label = "residual force";

@@ -48,11 +48,11 @@ void add_gain(Page& page, const DiagnosisReportData& data) {
   for (const DofGain& gain : data.gains) {
     const bool extended = std::isfinite(gain.nrmse_after_percent);
     table.rows.push_back({std::to_string(gain.dof), "as given", number_html(gain.nrmse_before_percent, 3),
-                          bar_html(gain.nrmse_before_percent / worst, Role::kGiven),
+                          bar_html(gain.nrmse_before_percent / worst, role_variable(Role::kGiven)),
                           number_html(gain.mse_before_percent, 3), ""});
     if (extended)
       table.rows.push_back({"", "extended", number_html(gain.nrmse_after_percent, 3),
-                            bar_html(gain.nrmse_after_percent / worst, Role::kExtended),
+                            bar_html(gain.nrmse_after_percent / worst, role_variable(Role::kExtended)),
                             number_html(gain.mse_after_percent, 3),
                             "<b>" + number_html(gain.nrmse_before_percent / gain.nrmse_after_percent, 3) + " ×</b>"});
   }
@@ -93,7 +93,7 @@ void add_candidates(Page& page, const DiagnosisReportData& data) {
     table.rows.push_back({std::to_string(i + 1), open + escaped(cause_text(candidate.effect, "")) + "</span>",
                           escaped(candidate.where), number_html(candidate.score, 4),
                           bar_html(std::log1p(std::max(0.0, candidate.score)) / std::log1p(best),
-                                   candidate.chosen ? Role::kExtended : Role::kMeasured),
+                                   candidate.chosen ? role_variable(Role::kExtended) : "var(--frame)"),
                           candidate.threshold > 0.0 ? number_html(candidate.threshold, 3) : "",
                           candidate.chosen ? "<span class=\"good\">named</span>" : escaped(candidate.remark)});
   }
@@ -107,7 +107,9 @@ void add_candidates(Page& page, const DiagnosisReportData& data) {
 
 void add_pictures(Page& page, const DiagnosisReportData& data) {
   page.section("waveforms", "Measured and simulated",
-               "The rig as given and the extended rig, simulated freely under the measured force.");
+               "The rig as given and the extended rig, simulated freely under the measured force. Each row shows the "
+               "moment where "
+               "the rig as given is most wrong, the errors over the whole record, and the spectra.");
   for (const DofView& view : data.dofs)
     for (const Waveform& waveform : view.waveforms) page.figures(waveform_pictures(view, waveform));
   const auto has_energy = [](const DofView& view) { return !view.energy.time_s.empty(); };

@@ -83,10 +83,10 @@ std::string table_html(const HtmlTable& table) {
   return out + "</tbody></table></div>\n";
 }
 
-std::string bar_html(double share, Role role) {
+std::string bar_html(double share, const char* colour) {
   char width[32];
   std::snprintf(width, sizeof width, "%.1f", 100.0 * (std::isfinite(share) ? std::clamp(share, 0.0, 1.0) : 0.0));
-  return std::string("<span class=\"bar\"><span style=\"width:") + width + "%;background:" + role_variable(role) +
+  return std::string("<span class=\"bar\"><span style=\"width:") + width + "%;background:" + colour +
          "\"></span></span>";
 }
 

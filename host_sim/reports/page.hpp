@@ -19,8 +19,8 @@ struct HtmlTable {
 };
 std::string table_html(const HtmlTable& table);
 
-// A horizontal bar of `share` (0 to 1) of its cell, in the colour of the role.
-std::string bar_html(double share, Role role);
+// A horizontal bar of `share` (0 to 1) of its cell, in a colour of the style sheet.
+std::string bar_html(double share, const char* colour);
 
 class Page {
  public:

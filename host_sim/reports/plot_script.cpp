@@ -122,8 +122,8 @@ std::string one_plot(const Plot& plot, Target target, size_t index) {
   if (target == Target::kStandalone) out += "set title " + text(plot.title) + " noenhanced\n";
   out +=
       "set xlabel " + text(label_with_unit(plot.x_label, x_prefix.symbol + plot.x_unit)) + " noenhanced offset 0,0.3\n";
-  out +=
-      "set ylabel " + text(label_with_unit(plot.y_label, y_prefix.symbol + plot.y_unit)) + " noenhanced offset 0.6,0\n";
+  out += "set ylabel " + text(label_with_unit(plot.y_label, y_prefix.symbol + plot.y_unit)) + " noenhanced offset " +
+         (plot.log_y ? "1.6" : "0.6") + ",0\n";
   out += plot.log_y ? "set logscale y 10\nset format y '10^{%L}'\n" : "unset logscale y\nset format y '%g'\n";
   out += axis("x", x, x_prefix.factor, false) + axis("y", y, y_prefix.factor, plot.log_y);
   out += plot.zero_line ? "set xzeroaxis lw 1 dt solid lc rgb '#000070'\n" : "unset xzeroaxis\n";

@@ -42,7 +42,6 @@ svg g,svg text{font-size:12.5px}
 .gridline{stroke-linecap:butt}
 @media (min-width:760px){.row2{grid-template-columns:repeat(2,minmax(0,1fr))}.row3{grid-template-columns:repeat(2,minmax(0,1fr))}.row1{max-width:760px}}
 @media (min-width:1100px){.row3{grid-template-columns:repeat(3,minmax(0,1fr))}.row2 svg g,.row2 svg text{font-size:11px}.row3 svg g,.row3 svg text{font-size:14px}}
-@media (max-width:500px){svg g,svg text{font-size:14.5px}main{padding:24px 14px 56px}h2{margin-top:44px}}
 .legend{list-style:none;display:flex;flex-wrap:wrap;gap:2px 20px;padding:0;margin:12px 0 8px;font-size:14px}
 .legend i{display:inline-block;width:24px;margin-right:7px;vertical-align:middle;height:0;border-top:3px solid var(--c)}
 .legend i.dashed{border-top-style:dashed}.legend i.band{height:12px;border:0;background:var(--c);opacity:.3;border-radius:2px}
@@ -60,6 +59,7 @@ td.wide{white-space:normal;min-width:220px}
 code{font-family:ui-monospace,"SF Mono",Menlo,Consolas,"DejaVu Sans Mono",monospace;font-size:.93em}
 sup{line-height:0;font-size:.75em}
 .advice li{margin:6px 0;max-width:74ch}
+@media (max-width:500px){th,td{padding:7px 9px;font-size:13px}.bar{width:56px}td .dim{display:block}svg g,svg text{font-size:14.5px}main{padding:24px 14px 56px}h2{margin-top:44px}}
 @media print{body{background:#fff}figure,.card,.scroll{break-inside:avoid}nav{display:none}}
 )css";
 }
