@@ -42,8 +42,8 @@ class Page {
 // The style sheet of all pages.
 const char* page_style();
 
-// `content` under directory/index.html by way of a temporary file beside it; makes the directory (removes it again
-// where it was made here and the writing failed). Throws std::runtime_error that names the path.
+// `content` as directory/index.html, whole or not at all; makes the directory (and removes it again where it was made
+// here and the writing failed). Throws OutputError.
 void write_index(const std::string& directory, const std::string& content);
 
 }  // namespace host_sim::reports

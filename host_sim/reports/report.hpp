@@ -6,9 +6,8 @@
 
 namespace host_sim::reports {
 
-// Writes DIR/index.html (DIR is made where missing). Throws std::runtime_error with a message for the user where
-// gnuplot is missing or the file cannot be written; an earlier index.html then stays as it was and nothing half-written
-// is left.
+// Writes DIR/index.html (DIR is made where missing). Throws OutputError where that fails, std::runtime_error
+// where gnuplot is missing or fails; an earlier index.html then stays as it was and nothing half-written is left.
 void write_diagnosis_report(const std::string& directory, const DiagnosisReportData& data);
 void write_run_report(const std::string& directory, const RunReportData& data);
 

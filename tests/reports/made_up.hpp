@@ -36,8 +36,9 @@ inline DiagnosisReportData diagnosis(size_t samples = 20000) {
   data.files = {"record_1.csv", "record_2.csv"};
   data.facts = {"20 s at 1000 Hz", "noise of displacement 1: 0.9 % of rms"};
   data.verdict = "explained";
-  data.causes = {{"cubic_stiffness", "link 1-2", 97.3, {"cubic_stiffness[1-2] = 3.12e7 N/m^3 (95 %: 3.08e7 to 3.16e7)"}},
-                 {"sensor_delay", "channel displacement_2_m", 2.1, {"delay = 251 us (95 %: 247 to 255)"}}};
+  data.causes = {
+      {"cubic_stiffness", "link 1-2", 97.3, {"cubic_stiffness[1-2] = 3.12e7 N/m^3 (95 %: 3.08e7 to 3.16e7)"}},
+      {"sensor_delay", "channel displacement_2_m", 2.1, {"delay = 251 us (95 %: 247 to 255)"}}};
   for (int dof = 1; dof <= 3; ++dof) {
     DofView view;
     view.dof = dof;
@@ -48,8 +49,10 @@ inline DiagnosisReportData diagnosis(size_t samples = 20000) {
     view.waveforms.push_back({"displacement", "m", noisy(clean, 2e-5, 1u + static_cast<unsigned>(dof)),
                               sines(samples, period_s, 2e-3 / dof, phase, 1.004), clean});
     const auto push = sines(samples, period_s, 90.0, phase, 1.0);
-    view.waveforms.push_back({"acceleration", "m/s^2", noisy(push, 2.0, 7u), sines(samples, period_s, 90.0, phase, 1.004), push});
-    std::vector<double> drive(samples), viscous(samples), coulomb(samples), stored(samples), left(samples), after(samples);
+    view.waveforms.push_back(
+        {"acceleration", "m/s^2", noisy(push, 2.0, 7u), sines(samples, period_s, 90.0, phase, 1.004), push});
+    std::vector<double> drive(samples), viscous(samples), coulomb(samples), stored(samples), left(samples),
+        after(samples);
     for (size_t i = 0; i < samples; ++i) {
       const double t = static_cast<double>(i) * period_s;
       view.energy.time_s.push_back(t);
@@ -60,7 +63,8 @@ inline DiagnosisReportData diagnosis(size_t samples = 20000) {
       left[i] = drive[i] + viscous[i] + coulomb[i] + stored[i];
       after[i] = 0.02 * left[i];
     }
-    view.energy.terms = {{"drive force", drive}, {"viscous[1-0]", viscous}, {"coulomb[3-0]", coulomb}, {"stored", stored}};
+    view.energy.terms = {
+        {"drive force", drive}, {"viscous[1-0]", viscous}, {"coulomb[3-0]", coulomb}, {"stored", stored}};
     view.energy.residual = left;
     view.energy.residual_extended = after;
     data.dofs.push_back(view);
@@ -109,7 +113,8 @@ inline RunReportData run(size_t samples = 10000) {
   const char* const names[] = {"viscous[1-0]", "viscous[1-2]", "viscous[2-3]", "viscous[3-0]", "coulomb[3-0]"};
   for (int p = 0; p < 5; ++p) {
     const double truth = p < 4 ? 20.0 : 1.0;
-    RunParameter parameter{names[p], p < 4 ? "N s/m" : "N", "VALID", truth, {truth * 1.002, truth * 0.995, truth * 1.009}, {}};
+    RunParameter parameter{
+        names[p], p < 4 ? "N s/m" : "N", "VALID", truth, {truth * 1.002, truth * 0.995, truth * 1.009}, {}};
     for (int window = 1; window <= 100; ++window) {
       const double spread = truth * 0.08 / std::sqrt(window);
       const double value = truth + spread * 0.7 * std::sin(0.4 * window + p);

@@ -1,1 +1,124 @@
+// The two pages as a reader gets them: complete, offline, small, and whole or not at all.
+#include "host_sim/reports/report.hpp"
+
 #include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "host_sim/reports/verdict.hpp"
+#include "tests/reports/made_up.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+using namespace host_sim::reports;
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+std::string content(const fs::path& path) {
+  std::ostringstream out;
+  out << std::ifstream(path).rdbuf();
+  return out.str();
+}
+
+fs::path fresh_folder(const char* name) {
+  const fs::path folder = fs::path(testing::TempDir()) / name;
+  fs::remove_all(folder);
+  return folder;
+}
+
+// Nothing that a browser would fetch, and no script.
+void expect_offline(const std::string& page) {
+  for (const char* part : {"http:", "https:", "src=", "<script", "<link", "@import", "url("})
+    EXPECT_FALSE(contains(page, part)) << part;
+}
+
+TEST(DiagnosisPage, HasEveryPart) {
+  const std::string page = diagnosis_page(made_up::diagnosis());
+  expect_offline(page);
+  for (const char* id : {"advice", "gain", "parameters", "waveforms", "energy", "links", "candidates", "detectable"})
+    EXPECT_TRUE(contains(page, std::string("<h2 id=\"") + id + "\"")) << id;
+  // 3 DOFs x 2 channels x 3 pictures, 3 x 2 energies, 2 links x 3
+  size_t pictures = 0;
+  for (size_t at = page.find("<svg"); at != std::string::npos; at = page.find("<svg", at + 1)) ++pictures;
+  EXPECT_EQ(pictures, 30u);
+  EXPECT_FALSE(contains(page, "<!--picture"));
+  EXPECT_TRUE(contains(page, "three masses &amp; a &lt;friction&gt; link"));
+}
+
+TEST(DiagnosisPage, StaysSmallForALongRecord) { EXPECT_LT(diagnosis_page(made_up::diagnosis(60000)).size(), 2000000u); }
+
+TEST(DiagnosisPage, IsTheSameBytesEveryTime) {
+  EXPECT_EQ(diagnosis_page(made_up::diagnosis(3000)), diagnosis_page(made_up::diagnosis(3000)));
+}
+
+TEST(DiagnosisPage, AnEmptyDiagnosisIsStillAPage) {
+  DiagnosisReportData data;
+  data.rig_name = "rig";
+  data.verdict = "unknown";
+  EXPECT_TRUE(contains(diagnosis_page(data), "no effect in the vocabulary explains"));
+}
+
+TEST(RunPage, HasEveryPart) {
+  const std::string page = run_page(made_up::run());
+  expect_offline(page);
+  for (const char* id : {"estimates", "convergence", "signals", "accelerations"})
+    EXPECT_TRUE(contains(page, std::string("<h2 id=\"") + id + "\"")) << id;
+  EXPECT_TRUE(contains(page, "5 of 5 true values lie inside their 95 % interval"));
+}
+
+TEST(Verdict, OneSentenceEach) {
+  DiagnosisReportData data;
+  data.causes = {{"cubic_stiffness", "link 1-2", 90.0, {}}};
+  data.gains = {{1, 10.0, 2.0, 0.0, 0.0}};
+  data.verdict = "explained";
+  EXPECT_EQ(
+      verdict_sentence(data),
+      "The rig file lacks cubic stiffness on link 1-2; with it the simulation error on unseen data falls by a factor "
+      "of 5.0.");
+  data.verdict = "ambiguous";
+  data.ambiguous_with = {{"cubic_stiffness", "link 1-2"}, {"end_stop", "link 1-2"}, {"mass_error", "dof 2"}};
+  EXPECT_EQ(
+      verdict_sentence(data),
+      "The rig file lacks something, and these data cannot tell which: cubic stiffness on link 1-2, end stop on link "
+      "1-2 or mass error on DOF 2.");
+  data.verdict = "none";
+  EXPECT_TRUE(contains(verdict_sentence(data), "nothing is left beyond measurement noise"));
+  data.verdict = "unknown";
+  EXPECT_TRUE(contains(verdict_sentence(data), "and a residual beyond noise remains"));
+}
+
+TEST(WriteReport, MakesTheFolderAndReplacesAnEarlierPage) {
+  const fs::path folder = fresh_folder("report_written") / "deep";
+  write_diagnosis_report(folder.string(), made_up::diagnosis(3000));
+  EXPECT_TRUE(contains(content(folder / "index.html"), "cubic stiffness"));
+  write_run_report(folder.string(), made_up::run(2000));
+  EXPECT_TRUE(contains(content(folder / "index.html"), "paper_3dof_random_noise"));
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder), fs::directory_iterator()), 1);
+}
+
+TEST(WriteReport, WithoutGnuplotNothingIsLeft) {
+  const fs::path folder = fresh_folder("report_without_gnuplot");
+  const std::string path = std::getenv("PATH");
+  setenv("PATH", "/nonexistent", 1);
+  EXPECT_THROW(write_run_report(folder.string(), made_up::run(2000)), std::runtime_error);
+  setenv("PATH", path.c_str(), 1);
+  EXPECT_FALSE(fs::exists(folder));
+}
+
+TEST(WriteReport, AFileInTheWayIsNamed) {
+  const fs::path folder = fresh_folder("report_in_the_way");
+  std::ofstream(folder) << "not a folder";
+  try {
+    write_run_report(folder.string(), made_up::run(2000));
+    FAIL() << "expected an error";
+  } catch (const std::runtime_error& error) {
+    EXPECT_TRUE(contains(error.what(), folder.string())) << error.what();
+  }
+  EXPECT_EQ(content(folder), "not a folder");
+}
+
+}  // namespace
