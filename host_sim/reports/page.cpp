@@ -13,8 +13,6 @@ const char* swatch(Shape shape) {
   switch (shape) {
     case Shape::kBand:
       return "band";
-    case Shape::kDots:
-      return "dots";
     case Shape::kDashed:
       return "dashed";
     default:

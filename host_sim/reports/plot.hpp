@@ -22,7 +22,7 @@ enum class Role {
 };
 constexpr int kRoles = 12;
 
-enum class Shape { kLine, kDashed, kBand, kDots };
+enum class Shape { kLine, kDashed, kBand };
 
 struct Curve {
   std::string label;  // in the legend; empty: not listed

@@ -85,7 +85,6 @@ std::string data_block(const Curve& curve, double x_scale, double y_scale, const
     out += point;
     if (curve.shape == Shape::kBand) out += " " + number(curve.y_high[i] * y_scale);
     out += "\n";
-    if (curve.shape == Shape::kDots) out += point + "\n\n";  // a line of no length with round ends is a dot
   }
   if (curve.x.empty()) out += "NaN NaN NaN\n";
   return out + "EOD\n";
@@ -98,8 +97,6 @@ std::string curve_command(const Curve& curve, const std::string& name, Target ta
     case Shape::kBand:
       return name + " using 1:2:3 with filledcurves fc rgb " + marker(curve.role) + " fs transparent solid " +
              number(curve.opacity) + " noborder" + title;
-    case Shape::kDots:
-      return name + " using 1:2 with lines lw 2.2 lc rgb " + marker(curve.role) + title;
     case Shape::kDashed:
       return name + " using 1:2 with lines lw 1.6 dt (5,3) lc rgb " + marker(curve.role) + title;
     default:
@@ -154,7 +151,7 @@ std::string plot_script(const std::vector<Plot>& plots, Target target) {
   out += "set xtics autofreq\nset datafile missing NaN\n";
   out +=
       alone
-          ? "set key below center horizontal noenhanced\n"
+          ? "set bmargin 5.5\nset key below center horizontal noenhanced\n"
           : "set lmargin at screen 0.15\nset rmargin at screen 0.97\nset tmargin at screen 0.91\nset bmargin at screen "
             "0.23\nunset key\n";
   for (size_t i = 0; i < plots.size(); ++i) out += one_plot(plots[i], target, i);

@@ -99,19 +99,6 @@ Binned binned(const std::vector<double>& x, const std::vector<double>& y, size_t
   return out;
 }
 
-Curve thinned(const std::vector<double>& x, const std::vector<double>& y, size_t count) {
-  Curve curve;
-  curve.shape = Shape::kDots;
-  const size_t samples = std::min(x.size(), y.size());
-  const size_t kept = std::min(count, samples);
-  for (size_t k = 0; k < kept; ++k) {
-    const size_t i = k * samples / kept;
-    curve.x.push_back(x[i]);
-    curve.y.push_back(y[i]);
-  }
-  return curve;
-}
-
 Span most_different(const std::vector<double>& a, const std::vector<double>& b, double cycles) {
   const size_t samples = a.size();
   if (samples < 2) return {0, samples};

@@ -27,9 +27,6 @@ struct Binned {
 };
 Binned binned(const std::vector<double>& x, const std::vector<double>& y, size_t bins);
 
-// About `count` samples, evenly strided, as dots.
-Curve thinned(const std::vector<double>& x, const std::vector<double>& y, size_t count);
-
 // `cycles` mean periods (from upward crossings of the mean) long, where |a - b| is largest; for the eye to compare
 // curves.
 Span most_different(const std::vector<double>& a, const std::vector<double>& b, double cycles);

@@ -45,7 +45,6 @@ svg g,svg text{font-size:12.5px}
 .legend{list-style:none;display:flex;flex-wrap:wrap;gap:2px 20px;padding:0;margin:12px 0 8px;font-size:14px}
 .legend i{display:inline-block;width:24px;margin-right:7px;vertical-align:middle;height:0;border-top:3px solid var(--c)}
 .legend i.dashed{border-top-style:dashed}.legend i.band{height:12px;border:0;background:var(--c);opacity:.3;border-radius:2px}
-.legend i.dots{border-top:4px dotted var(--c)}
 .scroll{overflow-x:auto;margin:12px 0;border:1px solid var(--edge);border-radius:10px;background:var(--card)}
 table{border-collapse:collapse;width:100%;font-size:14px;line-height:1.4}
 th,td{padding:8px 14px;text-align:left;white-space:nowrap;border-bottom:1px solid var(--edge);vertical-align:middle}

@@ -56,8 +56,8 @@ TEST(Draw, AStandalonePictureHasItsOwnColoursTitleAndLegend) {
   const std::string picture = draw({plot("y")}, Target::kStandalone).at(0);
   EXPECT_EQ(count(picture, "var(--"), 0u);
   EXPECT_GE(count(picture, "#cf5a0c"), 1u);
-  EXPECT_EQ(count(picture, ">one</tspan>"), 1u);
-  EXPECT_EQ(count(picture, ">a 'title'</tspan>"), 1u);
+  EXPECT_EQ(count(picture, ">one</text>"), 1u);
+  EXPECT_EQ(count(picture, ">a 'title'</text>"), 1u);
   EXPECT_EQ(count(picture, "xmlns=\"http://www.w3.org/2000/svg\""), 1u);
 }
 

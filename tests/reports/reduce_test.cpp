@@ -45,12 +45,6 @@ TEST(Binned, NothingToSortByGivesNothing) {
   EXPECT_TRUE(binned({1, 1, 1, 1, 1}, {1, 2, 3, 4, 5}, 3).x.empty());
 }
 
-TEST(Thinned, StridesOverTheWholeRecord) {
-  const Curve dots = thinned({0, 1, 2, 3, 4, 5}, {0, 10, 20, 30, 40, 50}, 3);
-  EXPECT_EQ(dots.x, (Values{0, 2, 4}));
-  EXPECT_EQ(dots.y, (Values{0, 20, 40}));
-}
-
 // A sine of 50 samples a period over 1000 samples; the other differs in samples 600 to 649 only. Two cycles are 100
 // samples (one more or less for the counting of crossings), and must contain these.
 TEST(MostDifferent, FindsWhereTheSignalsPart) {
