@@ -96,7 +96,7 @@ Record simulate(const rig_file::RigModel& rig, const InitialState& initial, cons
   Integrator integrator(equations, excitation, options, start_s, h,
                         equations.initial_state(initial.x_m, initial.v_m_s, base));
   for (long k = times.start_sample; k < times.first_sample + static_cast<long>(times.count); ++k) {
-    integrator.advance_to(static_cast<double>(k) * h);
+    integrator.advance_to(static_cast<double>(k) * h + times.offset_s);
     if (k >= times.first_sample)
       store(integrator, equations, output, static_cast<size_t>(k - times.first_sample), record);
   }

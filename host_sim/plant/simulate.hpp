@@ -18,6 +18,8 @@ struct SampleTimes {
   long start_sample = 0;
   long first_sample = 0;
   size_t count = 0;
+  double offset_s =
+      0.0;  // added to all sample times, not to the start; samples before the start show the initial state
 };
 
 // (a) Force, displacement, velocity, acceleration of every DOF, and the base's motion where excitation.base_m is given,
