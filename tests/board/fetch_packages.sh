@@ -1,0 +1,70 @@
+#!/usr/bin/env bash
+# Fetches the Debian packages of an emulated board without touching this machine's dpkg: a private apt root with its own
+# status file and the foreign architecture, filled from the Debian source that this machine uses already.
+# usage: fetch_packages.sh ARCH CACHE_DIR KERNEL_META_PACKAGE PACKAGE...
+# Result: CACHE_DIR/ARCH/root (unpacked, also the cross compiler's sysroot) and CACHE_DIR/ARCH/stamp. Exit 75: not to be had.
+set -euo pipefail
+
+arch=$1 cache=$2 kernel_meta=$3
+shift 3
+packages=("$@")
+home=$cache/$arch
+root=$home/root
+want="$kernel_meta ${packages[*]}"
+
+if [[ -f $home/stamp && $(cat "$home/stamp") == "$want" ]]; then
+  exit 0
+fi
+
+unavailable() {
+  echo "board packages for $arch are not to be had: $*" >&2
+  exit 75
+}
+
+command -v apt-get >/dev/null || unavailable "no apt-get on this machine"
+command -v dpkg-deb >/dev/null || unavailable "no dpkg-deb on this machine"
+
+# One line per Debian archive that this machine reads, e.g. "deb [...] http://host/debian/ bookworm main".
+keyring=/usr/share/keyrings/debian-archive-keyring.gpg
+signed=""
+[[ -f $keyring ]] && signed="[signed-by=$keyring] "
+sources=$(apt-get indextargets --format '$(ORIGIN)|$(CREATED_BY)|deb '"$signed"'$(REPO_URI) $(RELEASE) $(COMPONENT)' |
+  sed -n 's/^Debian|Packages|//p' | sort -u)
+[[ -n $sources ]] || unavailable "no Debian source with a package list; run 'apt-get update' first"
+
+mkdir -p "$home/state/lists/partial" "$home/archives/partial" "$home/etc/parts"
+echo "$sources" >"$home/etc/sources.list"
+: >"$home/state/status"
+
+apt=(apt-get -q -y
+  -o "Dir::State=$home/state" -o "Dir::State::status=$home/state/status" -o "Dir::State::lists=$home/state/lists"
+  -o "Dir::Cache=$home" -o "Dir::Cache::archives=$home/archives"
+  -o "Dir::Etc::sourcelist=$home/etc/sources.list" -o "Dir::Etc::sourceparts=$home/etc/parts"
+  -o "Dir::Etc::preferencesparts=$home/etc/parts"
+  -o "APT::Architecture=$arch" -o "APT::Architectures=$arch" -o "APT::Sandbox::User=root"
+  -o "APT::Install-Recommends=false" -o "Acquire::Languages=none" -o "Acquire::Retries=3"
+  -o "APT::Update::Post-Invoke=" -o "DPkg::Post-Invoke=" -o "Debug::NoLocking=true")
+
+# A list that a mirror is just renewing is passed over: the others may do, and the downloads below tell.
+"${apt[@]}" update >"$home/update.log" 2>&1 || echo "apt-get update was incomplete, see $home/update.log" >&2
+
+# The kernel package alone: its dependencies build a disk boot, which these boards do not have.
+kernel=$("${apt[@]}" -s install "$kernel_meta" 2>/dev/null | sed -n 's/^Inst \(linux-image-[0-9][^ ]*\) .*/\1/p' | head -n 1)
+[[ -n $kernel ]] || unavailable "no kernel behind $kernel_meta"
+"${apt[@]}" install --download-only "${packages[@]}" >"$home/download.log" 2>&1 ||
+  unavailable "the download of ${packages[*]} failed, see $home/download.log"
+(cd "$home/archives" && "${apt[@]}" download "$kernel") >>"$home/download.log" 2>&1 ||
+  unavailable "the download of $kernel failed, see $home/download.log"
+
+rm -rf "$root"
+mkdir -p "$root"
+for deb in "$home"/archives/*.deb; do
+  dpkg-deb -x "$deb" "$root"
+done
+# Absolute links of development packages would point out of the sysroot.
+find "$root" -type l -lname '/*' | while read -r link; do
+  target=$(readlink "$link")
+  ln -sfn "$(realpath -m --relative-to="$(dirname "$link")" "$root$target")" "$link"
+done
+rm -f "$home"/archives/*.deb
+echo "$want" >"$home/stamp"
