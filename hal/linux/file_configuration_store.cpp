@@ -1,0 +1,79 @@
+#include "hal/linux/file_configuration_store.hpp"
+
+#include <cstring>
+
+namespace hal {
+namespace {
+
+constexpr uint8_t kMagic[4] = {'R', 'I', 'G', 'C'};
+constexpr size_t kHeader = 12, kTrailer = 4;
+constexpr const char* kNew = "configuration.new";
+constexpr const char* kNames[2] = {"configuration.0", "configuration.1"};
+
+void put32(uint8_t* bytes, uint32_t value) {
+  for (int i = 0; i < 4; ++i) bytes[i] = static_cast<uint8_t>(value >> (8 * i));
+}
+
+uint32_t get32(const uint8_t* bytes) {
+  uint32_t value = 0;
+  for (int i = 0; i < 4; ++i) value |= static_cast<uint32_t>(bytes[i]) << (8 * i);
+  return value;
+}
+
+// Generations count on past 2^32; the later one is at most half the circle ahead.
+bool later(uint32_t a, uint32_t b) { return static_cast<int32_t>(a - b) > 0; }
+
+}  // namespace
+
+uint32_t crc32(const uint8_t* bytes, size_t size, uint32_t previous) {
+  uint32_t crc = ~previous;
+  for (size_t i = 0; i < size; ++i) {
+    crc ^= bytes[i];
+    for (int bit = 0; bit < 8; ++bit) crc = (crc >> 1) ^ (0xEDB88320u & (0u - (crc & 1u)));
+  }
+  return ~crc;
+}
+
+FileConfigurationStore::Slot FileConfigurationStore::inspect(int index) {
+  Slot slot;
+  const size_t size = files_.read(kNames[index], image_, sizeof image_);
+  if (size < kHeader + kTrailer || std::memcmp(image_, kMagic, sizeof kMagic) != 0) return slot;
+  slot.generation = get32(image_ + 4);
+  slot.size = get32(image_ + 8);
+  slot.valid = slot.size == size - kHeader - kTrailer && get32(image_ + size - kTrailer) == crc32(image_, size - kTrailer);
+  return slot;
+}
+
+size_t FileConfigurationStore::load(uint8_t* bytes, size_t capacity) {
+  const Slot slots[2] = {inspect(0), inspect(1)};
+  if (!slots[0].valid && !slots[1].valid) return 0;
+  const int newest =
+      slots[1].valid && (!slots[0].valid || later(slots[1].generation, slots[0].generation)) ? 1 : 0;
+  const Slot slot = inspect(newest);
+  if (!slot.valid || slot.size > capacity) return 0;
+  std::memcpy(bytes, image_ + kHeader, slot.size);
+  return slot.size;
+}
+
+bool FileConfigurationStore::save(const uint8_t* bytes, size_t size) {
+  if (size == 0 || size > kMaxPayload) return false;
+  const Slot slots[2] = {inspect(0), inspect(1)};
+  uint32_t generation = 1;
+  int target = 0;
+  for (int i = 0; i < 2; ++i) {
+    if (!slots[i].valid || (slots[1 - i].valid && !later(slots[i].generation, slots[1 - i].generation))) continue;
+    generation = slots[i].generation + 1;
+    target = 1 - i;
+  }
+  std::memcpy(image_, kMagic, sizeof kMagic);
+  put32(image_ + 4, generation);
+  put32(image_ + 8, static_cast<uint32_t>(size));
+  std::memcpy(image_ + kHeader, bytes, size);
+  put32(image_ + kHeader + size, crc32(image_, kHeader + size));
+
+  bool good = files_.create(kNew) && files_.write(image_, kHeader + size + kTrailer) && files_.sync_file();
+  good = files_.close() && good;
+  return good && files_.rename(kNew, kNames[target]) && files_.sync_folder();
+}
+
+}  // namespace hal

@@ -1,0 +1,67 @@
+// A CAN bus through the kernel's raw CAN sockets: vcan, slcan and real controllers alike. Never blocks, never allocates
+// after open(), and comes back by itself when the interface does.
+#pragma once
+#include <linux/can.h>
+
+#include <cstddef>
+#include <string>
+
+#include "hal/interface/can_bus.hpp"
+#include "hal/linux/file_descriptor.hpp"
+
+struct msghdr;
+
+namespace hal {
+
+// What the socket itself saw since open(). What the bus did arrives as error frames.
+struct SocketCanCounters {
+  uint64_t sent = 0;
+  uint64_t received = 0;         // data frames
+  uint64_t error_frames = 0;     // received ones
+  uint64_t queue_full = 0;       // refused by a full transmit queue (ENOBUFS)
+  uint64_t interface_down = 0;   // times the interface went away
+  uint64_t reopened = 0;         // times the socket was made anew because the interface was removed
+  uint32_t receive_overflow = 0; // frames that the kernel dropped because this program read too late
+  uint64_t faults = 0;           // any other refusal
+};
+
+class SocketCan final : public CanBus {
+ public:
+  static constexpr size_t kMaxFilters = 64;
+  struct Options {
+    bool fd = false;            // send and receive CAN FD frames too
+    bool error_frames = true;   // deliver the bus's error frames
+    bool data_frames = true;    // false: error frames and the filters' ids only
+    int receive_buffer_bytes = 1 << 20;
+  };
+
+  // Empty where it worked; else what is wrong and what to do about it.
+  std::string open(const std::string& interface, const Options& options);
+  // Receive these 11-bit identifiers alone, from the next open() on; id_count 0: all.
+  bool receive_only(const uint32_t* ids, size_t id_count);
+
+  CanResult send(const CanFrame& frame) override;
+  CanResult receive(CanFrame& frame) override;
+
+  int descriptor() const { return socket_.get(); }  // to wait on; changes when the interface was removed and came back
+  const SocketCanCounters& counters() const { return counters_; }
+
+ private:
+  int connect();  // 0 or errno
+  bool configure(int socket) const;
+  CanResult refused(int error);
+  void reopen_if_due();
+  uint64_t read_control(const msghdr& message);
+
+  char interface_[16] = {};
+  Options options_;
+  can_filter filters_[kMaxFilters] = {};
+  size_t filter_count_ = 0;
+  FileDescriptor socket_;
+  bool up_ = false;
+  bool lost_ = false;            // the interface was removed: the socket must be made anew
+  uint64_t next_try_ns_ = 0;
+  SocketCanCounters counters_;
+};
+
+}  // namespace hal
