@@ -28,7 +28,9 @@ void set_record(CanMessage& message, const EstimateRecord& record, int bit_offse
   can::set_raw(message, signal(kWindowCounter), record.window, bit_offset);
 }
 
-EstimateRecord get_record(const CanMessage& message, int bit_offset) {
+}  // namespace
+
+EstimateRecord record_at(const CanMessage& message, int bit_offset) {
   EstimateRecord record;
   record.value = static_cast<int32_t>(can::get_raw(message, signal(kValue), bit_offset));
   record.std = static_cast<uint16_t>(can::get_raw(message, signal(kStd), bit_offset));
@@ -38,8 +40,6 @@ EstimateRecord get_record(const CanMessage& message, int bit_offset) {
   record.window = static_cast<uint8_t>(can::get_raw(message, signal(kWindowCounter), bit_offset));
   return record;
 }
-
-}  // namespace
 
 EstimateRecord estimate_record(const ParameterEstimate& estimate, uint32_t window_counter) {
   const Decimal value = to_decimal(estimate.value, kLargestValue, kLowestExponent, kHighestExponent);
@@ -71,7 +71,7 @@ CanMessage pack_estimate(int node, int index, const ParameterEstimate& estimate,
 
 bool unpack_estimate(const CanMessage& message, int& node, int& index, EstimateRecord& record) {
   if (!can::is_frame(can::kEstimate, message, node, index)) return false;
-  record = get_record(message, 0);
+  record = record_at(message, 0);
   return true;
 }
 
@@ -93,7 +93,7 @@ bool unpack_estimates_fd(const CanMessage& message, int& node, int& frame_index,
                          EstimateRecord (&records)[kEstimatesPerFdFrame], bool (&present)[kEstimatesPerFdFrame]) {
   if (!can::is_frame(can::kEstimateFd, message, node, frame_index)) return false;
   for (int i = 0; i < kEstimatesPerFdFrame; ++i) {
-    records[i] = get_record(message, i * can::record_bits(can::kEstimateFd));
+    records[i] = record_at(message, i * can::record_bits(can::kEstimateFd));
     present[i] = static_cast<int>(records[i].status) != kAbsent;
   }
   return true;

@@ -27,6 +27,7 @@ Scaled record_std(const EstimateRecord& record);
 
 // Classic CAN: one frame for the estimate of an index.
 CanMessage pack_estimate(int node, int index, const ParameterEstimate& estimate, uint32_t window_counter);
+EstimateRecord record_at(const CanMessage& message, int bit_offset);  // whatever frame it is: the caller knows
 bool unpack_estimate(const CanMessage& message, int& node, int& index, EstimateRecord& record);
 
 // CAN FD: frame j of a window holds the estimates 8j to 8j + 7; records beyond unknown_count are marked ABSENT.

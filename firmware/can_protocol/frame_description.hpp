@@ -38,7 +38,7 @@ struct Signal {
   int32_t factor_numerator;
   int32_t factor_denominator;
   int32_t offset;
-  const char* unit;
+  const char* unit;  // "1" for pure numbers, "state" and "flags" where names follow, "hex" for bit patterns
   ValueTable names;
   const char* comment;
 };

@@ -12,139 +12,100 @@ namespace firmware {
 namespace can {
 
 template <size_t N>
-constexpr Frame describe(const char* name, IdPlan ids, Sender sender, uint16_t cycle_ms, const char* when,
-                         uint8_t length, const Signal (&signals)[N], const char* comment, bool fd = false,
-                         uint8_t repeats = 1) {
+inline constexpr Frame describe(const char* name, IdPlan ids, Sender sender, uint16_t cycle_ms, const char* when,
+                                uint8_t length, const Signal (&signals)[N], const char* comment, bool fd = false,
+                                uint8_t repeats = 1) {
   return Frame{name, ids, sender, cycle_ms, when, length, fd, repeats, signals, static_cast<uint8_t>(N), comment};
 }
 
+constexpr Frame without_data(const char* name, IdPlan ids, Sender sender, const char* when, const char* comment) {
+  return Frame{name, ids, sender, 0, when, 0, false, 1, nullptr, 0, comment};
+}
+
 // ---- To everybody: time
-constexpr Frame kSync = {"sync",
-                         {0x080, 0},
-                         Sender::kMaster,
-                         0,
-                         "as the master likes",
-                         0,
-                         false,
-                         1,
-                         nullptr,
-                         0,
-                         "Closes the window on all nodes."};
+inline constexpr Frame kSync =
+    without_data("sync", {0x080, 0}, Sender::kMaster, "when the master likes", "Closes the window on all nodes.");
 
 // ---- Network: who is there
-constexpr Signal kHeartbeatSignals[] = {
+inline constexpr Signal kHeartbeatSignals[] = {
     {"state", 0, 8, false, 1, 1, 0, "state", states(kHeartbeatStates), "CANopen state; 0 once, at boot-up"}};
-constexpr Frame kHeartbeat = describe("heartbeat", {0x700}, Sender::kController, 100, "100 ms", 1, kHeartbeatSignals,
-                                      "The node is alive. Three missing ones mean that it is not.");
+inline constexpr Frame kHeartbeat =
+    describe("heartbeat", {0x700}, Sender::kController, 100, "100 ms", 1, kHeartbeatSignals,
+             "The node is alive. Three missing ones mean that it is not.");
 
-constexpr Signal kEmergencySignals[] = {
+inline constexpr Signal kEmergencySignals[] = {
     {"code", 0, 16, false, 1, 1, 0, "state", states(kEmergencyCodes), "CANopen error code; 0 when the error is gone"},
-    {"error_register", 16, 8, false, 1, 1, 0, "bits", flags(kErrorRegister), "object 1001"},
+    {"error_register", 16, 8, false, 1, 1, 0, "flags", flags(kErrorRegister), "object 1001"},
     {"place", 24, 5, false, 1, 1, 0, "DOF", states(kPlaces), "DOF of the channel concerned"},
     {"quantity", 29, 3, false, 1, 1, 0, "state", states(kQuantities), "quantity of the channel concerned"},
-    {"detail", 32, 32, false, 1, 1, 0, "count", {}, "how often, or how many; 0 where nothing is counted"}};
-constexpr Frame kEmergency =
+    {"detail", 32, 32, false, 1, 1, 0, "1", {}, "how often, or how many; 0 where nothing is counted"}};
+inline constexpr Frame kEmergency =
     describe("emergency", {0x080}, Sender::kController, 0, "on the event, 100 ms apart at least", 8, kEmergencySignals,
              "Something happened that needs attention now.");
 
 // ---- State of the controller
-constexpr Signal kStatusSignals[] = {
-    {"faults", 0, 16, false, 1, 1, 0, "bits", flags(kFaults), "present now"},
+inline constexpr Signal kStatusSignals[] = {
+    {"faults", 0, 16, false, 1, 1, 0, "flags", flags(kFaults), "present now"},
     {"mode", 16, 4, false, 1, 1, 0, "state", states(kModes), "step of the excitation programme"},
     {"quality", 20, 4, false, 1, 1, 0, "state", states(kEstimateStates), "gravest status among the estimates"},
-    {"condition_log2",
-     24,
-     8,
-     false,
-     1,
-     1,
-     0,
-     "log2",
-     {},
-     "log2 of the condition number of the equations, rounded down"},
-    {"update_counter", 32, 32, false, 1, 1, 0, "windows", {}, "windows closed since start"}};
-constexpr Frame kStatus = describe("status", {0x180}, Sender::kController, 100, "100 ms", 8, kStatusSignals,
-                                   "What the controller does and whether to believe it.");
+    {"condition_log2", 24, 8, false, 1, 1, 0, "1", {}, "log2 of the condition number, rounded down"},
+    {"update_counter", 32, 32, false, 1, 1, 0, "1", {}, "windows closed since start"}};
+inline constexpr Frame kStatus = describe("status", {0x180}, Sender::kController, 100, "100 ms", 8, kStatusSignals,
+                                          "What the controller does and whether to believe it.");
 
-constexpr Signal kHealthSignals[] = {
+inline constexpr Signal kHealthSignals[] = {
     {"uptime", 0, 24, false, 1, 1, 0, "s", {}, "since start"},
     {"missed_samples", 24, 16, false, 1, 1, 0, "samples", {}, "gaps in the sample sequence; stays at 65535"},
-    {"saturated_samples",
-     40,
-     16,
-     false,
-     1,
-     1,
-     0,
-     "samples",
-     {},
-     "samples with a channel at full scale; stays at 65535"},
+    {"saturated_samples", 40, 16, false, 1, 1, 0, "samples", {}, "with a channel at full scale; stays at 65535"},
     {"bus_off", 56, 8, false, 1, 1, 0, "times", {}, "bus-off events; stays at 255"}};
-constexpr Frame kHealth = describe("health", {0x280}, Sender::kController, 1000, "1 s", 8, kHealthSignals,
-                                   "Counters since start, each named by its cause.");
+inline constexpr Frame kHealth = describe("health", {0x280}, Sender::kController, 1000, "1 s", 8, kHealthSignals,
+                                          "Counters since start, each named by its cause.");
 
-constexpr Signal kBusHealthSignals[] = {
+inline constexpr Signal kBusHealthSignals[] = {
     {"restarts", 0, 8, false, 1, 1, 0, "times", {}, "returns from bus-off; stays at 255"},
     {"error_passive", 8, 8, false, 1, 1, 0, "times", {}, "error-passive events; stays at 255"},
     {"controller_overflow", 16, 8, false, 1, 1, 0, "times", {}, "receive overflows; stays at 255"},
     {"interface_down", 24, 8, false, 1, 1, 0, "times", {}, "interface taken down; stays at 255"},
     {"frames_not_sent", 32, 16, false, 1, 1, 0, "frames", {}, "given up, transmit queue full; stays at 65535"},
     {"sensor_frames_lost", 48, 16, false, 1, 1, 0, "frames", {}, "sensor frames that never came; stays at 65535"}};
-constexpr Frame kBusHealth = describe("bus_health", {0x290}, Sender::kController, 1000, "1 s", 8, kBusHealthSignals,
-                                      "What went wrong on the bus since start.");
+inline constexpr Frame kBusHealth = describe("bus_health", {0x290}, Sender::kController, 1000, "1 s", 8,
+                                             kBusHealthSignals, "What went wrong on the bus since start.");
 
-constexpr Signal kIdentitySignals[] = {
-    {"version_major", 0, 8, false, 1, 1, 0, "version", {}, "firmware version"},
-    {"version_minor", 8, 8, false, 1, 1, 0, "version", {}, "firmware version"},
-    {"version_patch", 16, 8, false, 1, 1, 0, "version", {}, "firmware version"},
-    {"parameters", 24, 8, false, 1, 1, 0, "parameters", {}, "estimates that the node sends per window"},
-    {"configuration_crc", 32, 32, false, 1, 1, 0, "CRC-32", {}, "of the configuration in use"}};
-constexpr Frame kIdentity = describe("identity", {0x380}, Sender::kController, 1000, "1 s", 8, kIdentitySignals,
-                                     "Which firmware runs with which configuration.");
+inline constexpr Signal kIdentitySignals[] = {
+    {"version_major", 0, 8, false, 1, 1, 0, "1", {}, "firmware version"},
+    {"version_minor", 8, 8, false, 1, 1, 0, "1", {}, "firmware version"},
+    {"version_patch", 16, 8, false, 1, 1, 0, "1", {}, "firmware version"},
+    {"parameters", 24, 8, false, 1, 1, 0, "1", {}, "estimates that the node sends per window"},
+    {"configuration_crc", 32, 32, false, 1, 1, 0, "hex", {}, "of the configuration in use"}};
+inline constexpr Frame kIdentity = describe("identity", {0x380}, Sender::kController, 1000, "1 s", 8, kIdentitySignals,
+                                            "Which firmware runs with which configuration.");
 
 // ---- Results
-constexpr Signal kWindowSignals[] = {
-    {"residual", 0, 32, false, 1, 1000000000, 0, "ratio", {}, "mean normalised residual of the energy equations"},
-    {"equations", 32, 16, false, 1, 1, 0, "equations", {}, "energy equations used; stays at 65535"},
-    {"window", 48, 16, false, 1, 1, 0, "windows", {}, "windows closed since start, modulo 65536"}};
-constexpr Frame kWindow = describe("window", {0x390}, Sender::kController, 1000, "each window, before its estimates", 8,
-                                   kWindowSignals, "A window has closed; its estimates follow.");
+inline constexpr Signal kWindowSignals[] = {
+    {"residual", 0, 32, false, 1, 1000000000, 0, "1", {}, "mean normalised residual of the energy equations"},
+    {"equations", 32, 16, false, 1, 1, 0, "1", {}, "energy equations used; stays at 65535"},
+    {"window", 48, 16, false, 1, 1, 0, "1", {}, "windows closed since start, modulo 65536"}};
+inline constexpr Frame kWindow =
+    describe("window", {0x390}, Sender::kController, 1000, "each window, before its estimates", 8, kWindowSignals,
+             "A window has closed; its estimates follow.");
 
 // Also the record of the CAN FD form.
-constexpr Signal kEstimateSignals[] = {
-    {"value",
-     0,
-     32,
-     true,
-     1,
-     1,
-     0,
-     "10^exponent",
-     {},
-     "estimate = value * 10^exponent in the SI unit of its parameter"},
-    {"std",
-     32,
-     16,
-     false,
-     1,
-     1,
-     0,
-     "10^(e+s)",
-     {},
-     "standard deviation = std * 10^(exponent + std_exponent), same unit"},
-    {"exponent", 48, 5, false, 1, 1, -24, "power of 10", {}, "decimal exponent of value"},
+inline constexpr Signal kEstimateSignals[] = {
+    {"value", 0, 32, true, 1, 1, 0, "10^exponent", {}, "times 10^exponent: SI units of the parameter"},
+    {"std", 32, 16, false, 1, 1, 0, "10^(e+s)", {}, "times 10^(exponent + std_exponent): same unit"},
+    {"exponent", 48, 5, false, 1, 1, -24, "1", {}, "decimal exponent of value"},
     {"status", 53, 3, false, 1, 1, 0, "state", states(kEstimateStates), "whether to believe the number"},
-    {"std_exponent", 56, 4, false, 1, 1, 0, "power of 10", {}, "decimal exponent of std above that of value"},
-    {"window", 60, 4, false, 1, 1, 0, "windows", {}, "windows closed since start, modulo 16"}};
-constexpr Frame kEstimate =
+    {"std_exponent", 56, 4, false, 1, 1, 0, "1", {}, "decimal exponent of std above that of value"},
+    {"window", 60, 4, false, 1, 1, 0, "1", {}, "windows closed since start, modulo 16"}};
+inline constexpr Frame kEstimate =
     describe("estimate", {0x400, 16, kMaxUnknowns, 16, 0x80}, Sender::kController, 1000, "each window, 50 ms to 1 s", 8,
              kEstimateSignals, "One estimated parameter; its name is in the frame `parameter` of the same index.");
-constexpr Frame kEstimateFd =
+inline constexpr Frame kEstimateFd =
     describe("estimates_fd", {0x2C0, 8, kMaxUnknowns / 8}, Sender::kController, 1000,
              "each window, in place of `estimate`, on a CAN FD bus", 64, kEstimateSignals,
              "Eight estimates in one frame: frame j holds those of index 8j to 8j + 7.", true, 8);
 
-constexpr Signal kDiagnosisSignals[] = {
+inline constexpr Signal kDiagnosisSignals[] = {
     {"cause", 0, 8, false, 1, 1, 0, "state", states(kCauses), "effect that explains the energy residual"},
     {"place_a", 8, 8, false, 1, 1, 0, "DOF", states(kPlaces), "DOF, or first end of the link"},
     {"place_b", 16, 8, false, 1, 1, 0, "DOF", states(kPlaces), "second end of the link; NONE for a DOF or a channel"},
@@ -152,104 +113,109 @@ constexpr Signal kDiagnosisSignals[] = {
      "of the channel, where the cause is in the measurement"},
     {"unexplained", 32, 16, false, 1, 10, 0, "%", {}, "part of the damping energy that the model leaves unexplained"},
     {"gained", 48, 16, false, 1, 10, 0, "%", {}, "part of the residual that the named cause takes away"}};
-constexpr Frame kDiagnosis =
+inline constexpr Frame kDiagnosis =
     describe("diagnosis", {0x480}, Sender::kController, 1000, "on change and 1 s", 8, kDiagnosisSignals,
              "What the model of the rig lacks, as far as running sums tell.");
 
 // ---- What makes a log self-describing
-constexpr Signal kParameterSignals[] = {
-    {"index", 0, 8, false, 1, 1, 0, "index", {}, "of the estimate that is described"},
-    {"count", 8, 8, false, 1, 1, 0, "parameters", {}, "parameters of this node"},
+inline constexpr Signal kParameterSignals[] = {
+    {"index", 0, 8, false, 1, 1, 0, "1", {}, "of the estimate that is described"},
+    {"count", 8, 8, false, 1, 1, 0, "1", {}, "parameters of this node"},
     {"kind", 16, 8, false, 1, 1, 0, "state", states(kParameterKinds), "term of the energy equation"},
     {"place_a", 24, 8, false, 1, 1, 0, "DOF", states(kPlaces), "DOF, or first end of the link"},
     {"place_b", 32, 8, false, 1, 1, 0, "DOF", states(kPlaces), "second end of the link; NONE for a mass"},
     {"motion", 40, 8, false, 1, 1, 0, "state", states(kMotions), "tells N s/m from N m s/rad"}};
-constexpr Frame kParameter =
+inline constexpr Frame kParameter =
     describe("parameter", {0x680}, Sender::kController, 1000, "each parameter at start and 1 s", 6, kParameterSignals,
              "Names the estimate of the same index: viscous[1-2].");
 
-constexpr Signal kScalingSignals[] = {
+inline constexpr Signal kScalingSignals[] = {
     {"place", 0, 5, false, 1, 1, 0, "DOF", states(kPlaces), "DOF of the channel"},
     {"quantity", 5, 2, false, 1, 1, 0, "state", states(kQuantities), "quantity of the channel"},
     {"motion", 7, 1, false, 1, 1, 0, "state", states(kMotions), "tells m from rad"},
-    {"exponent", 8, 8, true, 1, 1, 0, "power of 10", {}, "decimal exponent of unit_per_code"},
+    {"exponent", 8, 8, true, 1, 1, 0, "1", {}, "decimal exponent of unit_per_code"},
     {"unit_per_code", 16, 32, true, 1, 1, 0, "10^exponent", {}, "SI units per code = unit_per_code * 10^exponent"},
     {"delay", 48, 16, true, 1, 1, 0, "us", {}, "how late the channel is; removed by the controller"}};
-constexpr Frame kScaling = describe("scaling", {0x690}, Sender::kController, 5000, "each channel at start and 5 s", 8,
-                                    kScalingSignals, "SI value of a channel = (code - offset) * unit_per_code.");
+inline constexpr Frame kScaling =
+    describe("scaling", {0x690}, Sender::kController, 5000, "each channel at start and 5 s", 8, kScalingSignals,
+             "SI value of a channel = (code - offset) * unit_per_code.");
 
-constexpr Signal kRangeSignals[] = {
+inline constexpr Signal kRangeSignals[] = {
     {"place", 0, 5, false, 1, 1, 0, "DOF", states(kPlaces), "DOF of the channel"},
     {"quantity", 5, 2, false, 1, 1, 0, "state", states(kQuantities), "quantity of the channel"},
     {"motion", 7, 1, false, 1, 1, 0, "state", states(kMotions), "tells m from rad"},
     {"offset", 8, 24, true, 1, 1, 0, "codes", {}, "code of the SI value 0"},
     {"full_scale", 32, 24, false, 1, 1, 0, "codes", {}, "a code of this size or more is a saturated sensor"}};
-constexpr Frame kRange = describe("range", {0x6A0}, Sender::kController, 5000, "each channel at start and 5 s", 7,
-                                  kRangeSignals, "Offset and full scale of a channel, in codes.");
+inline constexpr Frame kRange = describe("range", {0x6A0}, Sender::kController, 5000, "each channel at start and 5 s",
+                                         7, kRangeSignals, "Offset and full scale of a channel, in codes.");
 
 // ---- Sensors to controller: member 0 is DOF 1, member 16 the moving base
-constexpr Signal kSensorMotion16Signals[] = {
+inline constexpr Signal kSensorMotion16Signals[] = {
     {"sequence", 0, 16, false, 1, 1, 0, "samples", {}, "number of the sample, modulo 65536"},
     {"displacement", 16, 16, true, 1, 1, 0, "codes", {}, "raw code"},
     {"velocity", 32, 16, true, 1, 1, 0, "codes", {}, "raw code"},
     {"acceleration", 48, 16, true, 1, 1, 0, "codes", {}, "raw code"}};
-constexpr Frame kSensorMotion16 =
+inline constexpr Frame kSensorMotion16 =
     describe("sensor_motion_16", {0x1A1, 0, kMaxNodes}, Sender::kSensor, 1, "each sample", 8, kSensorMotion16Signals,
              "16-bit motion of a DOF, the whole of it in one frame.");
 
-constexpr Signal kSensorMotion24Signals[] = {
+inline constexpr Signal kSensorMotion24Signals[] = {
     {"sequence", 0, 16, false, 1, 1, 0, "samples", {}, "number of the sample, modulo 65536"},
     {"displacement", 16, 24, true, 1, 1, 0, "codes", {}, "raw code"},
     {"velocity", 40, 24, true, 1, 1, 0, "codes", {}, "raw code"}};
-constexpr Frame kSensorMotion24 = describe("sensor_motion_24", {0x1C1, 0, kMaxNodes}, Sender::kSensor, 1, "each sample",
-                                           8, kSensorMotion24Signals, "24-bit motion of a DOF.");
+inline constexpr Frame kSensorMotion24 = describe("sensor_motion_24", {0x1C1, 0, kMaxNodes}, Sender::kSensor, 1,
+                                                  "each sample", 8, kSensorMotion24Signals, "24-bit motion of a DOF.");
 
-constexpr Signal kSensorForce24Signals[] = {
+inline constexpr Signal kSensorForce24Signals[] = {
     {"sequence", 0, 16, false, 1, 1, 0, "samples", {}, "number of the sample, modulo 65536"},
     {"force", 16, 24, true, 1, 1, 0, "codes", {}, "raw code"},
     {"acceleration", 40, 24, true, 1, 1, 0, "codes", {}, "raw code"}};
-constexpr Frame kSensorForce24 = describe("sensor_force_24", {0x1E1, 0, kMaxNodes}, Sender::kSensor, 1, "each sample",
-                                          8, kSensorForce24Signals, "24-bit force and acceleration of a DOF.");
+inline constexpr Frame kSensorForce24 =
+    describe("sensor_force_24", {0x1E1, 0, kMaxNodes}, Sender::kSensor, 1, "each sample", 8, kSensorForce24Signals,
+             "24-bit force and acceleration of a DOF.");
 
-constexpr Signal kSensorForceSignals[] = {
+inline constexpr Signal kSensorForceSignals[] = {
     {"sequence", 0, 16, false, 1, 1, 0, "samples", {}, "number of the sample, modulo 65536"},
     {"force", 16, 24, true, 1, 1, 0, "codes", {}, "raw code"}};
-constexpr Frame kSensorForce = describe("sensor_force", {0x221, 0, kMaxDofs}, Sender::kSensor, 1, "each sample", 5,
-                                        kSensorForceSignals, "Force of a driven DOF, beside `sensor_motion_16`.");
+inline constexpr Frame kSensorForce =
+    describe("sensor_force", {0x221, 0, kMaxDofs}, Sender::kSensor, 1, "each sample", 5, kSensorForceSignals,
+             "Force of a driven DOF, beside `sensor_motion_16`.");
 
-constexpr Signal kSensorFdSignals[] = {{"sequence", 0, 32, false, 1, 1, 0, "samples", {}, "number of the sample"},
-                                       {"force", 32, 24, true, 1, 1, 0, "codes", {}, "raw code"},
-                                       {"displacement", 56, 24, true, 1, 1, 0, "codes", {}, "raw code"},
-                                       {"velocity", 80, 24, true, 1, 1, 0, "codes", {}, "raw code"},
-                                       {"acceleration", 104, 24, true, 1, 1, 0, "codes", {}, "raw code"}};
-constexpr Frame kSensorFd = describe("sensor_fd", {0x241, 0, kMaxNodes}, Sender::kSensor, 1, "each sample", 16,
-                                     kSensorFdSignals, "All channels of a DOF in one CAN FD frame.", true);
+inline constexpr Signal kSensorFdSignals[] = {
+    {"sequence", 0, 32, false, 1, 1, 0, "samples", {}, "number of the sample"},
+    {"force", 32, 24, true, 1, 1, 0, "codes", {}, "raw code"},
+    {"displacement", 56, 24, true, 1, 1, 0, "codes", {}, "raw code"},
+    {"velocity", 80, 24, true, 1, 1, 0, "codes", {}, "raw code"},
+    {"acceleration", 104, 24, true, 1, 1, 0, "codes", {}, "raw code"}};
+inline constexpr Frame kSensorFd = describe("sensor_fd", {0x241, 0, kMaxNodes}, Sender::kSensor, 1, "each sample", 16,
+                                            kSensorFdSignals, "All channels of a DOF in one CAN FD frame.", true);
 
 // ---- Controller to the shaker amplifier
-constexpr Signal kDriveSignals[] = {
+inline constexpr Signal kDriveSignals[] = {
     {"drive", 0, 32, true, 25, 536870912, 0, "%", {}, "signed part of full scale: a 2^31-th per count"},
     {"sequence", 32, 16, false, 1, 1, 0, "samples", {}, "sample that the command answers, modulo 65536"},
     {"state", 48, 8, false, 1, 1, 0, "state", states(kDriveStates), "anything but ENABLED: hold the shaker still"}};
-constexpr Frame kDrive = describe("drive", {0x200}, Sender::kController, 1, "each sample", 7, kDriveSignals,
-                                  "Command to the shaker amplifier; without a new one for 10 ms it must go to zero.");
+inline constexpr Frame kDrive =
+    describe("drive", {0x200}, Sender::kController, 1, "each sample", 7, kDriveSignals,
+             "Command to the shaker amplifier; without a new one for 10 ms it must go to zero.");
 
 // ---- Settings
-constexpr Signal kSdoSignals[] = {
+inline constexpr Signal kSdoSignals[] = {
     {"command", 0, 8, false, 1, 1, 0, "state", states(kSdoCommands), "CANopen SDO command specifier"},
-    {"object", 8, 16, false, 1, 1, 0, "index", states(kSdoObjects), "index in the object dictionary"},
-    {"subindex", 24, 8, false, 1, 1, 0, "index", {}, "subindex in the object dictionary"},
-    {"data", 32, 32, false, 1, 1, 0, "raw", {}, "value, or abort code"}};
-constexpr Frame kSdoRequest = describe("sdo_request", {0x600}, Sender::kMaster, 0, "on request", 8, kSdoSignals,
-                                       "Reads or writes an object of the node.");
-constexpr Frame kSdoReply = describe("sdo_reply", {0x580}, Sender::kController, 0, "answers each request", 8,
-                                     kSdoSignals, "Answer of the node.");
+    {"object", 8, 16, false, 1, 1, 0, "state", states(kSdoObjects), "index in the object dictionary"},
+    {"subindex", 24, 8, false, 1, 1, 0, "1", {}, "subindex in the object dictionary"},
+    {"data", 32, 32, false, 1, 1, 0, "hex", {}, "value, or abort code"}};
+inline constexpr Frame kSdoRequest = describe("sdo_request", {0x600}, Sender::kMaster, 0, "on request", 8, kSdoSignals,
+                                              "Reads or writes an object of the node.");
+inline constexpr Frame kSdoReply = describe("sdo_reply", {0x580}, Sender::kController, 0, "answers each request", 8,
+                                            kSdoSignals, "Answer of the node.");
 
 // In rising order of identifiers, so of falling priority on the bus.
-constexpr const Frame* kFrames[] = {&kSync,          &kEmergency,  &kStatus,      &kSensorMotion16, &kSensorMotion24,
-                                    &kSensorForce24, &kDrive,      &kSensorForce, &kSensorFd,       &kHealth,
-                                    &kBusHealth,     &kEstimateFd, &kIdentity,    &kWindow,         &kEstimate,
-                                    &kDiagnosis,     &kSdoReply,   &kSdoRequest,  &kParameter,      &kScaling,
-                                    &kRange,         &kHeartbeat};
+inline constexpr const Frame* kFrames[] = {
+    &kSync,      &kEmergency,   &kStatus,   &kSensorMotion16, &kSensorMotion24, &kSensorForce24,
+    &kDrive,     &kSensorForce, &kSensorFd, &kHealth,         &kBusHealth,      &kEstimateFd,
+    &kIdentity,  &kWindow,      &kEstimate, &kDiagnosis,      &kSdoReply,       &kSdoRequest,
+    &kParameter, &kScaling,     &kRange,    &kHeartbeat};
 constexpr int kFrameCount = static_cast<int>(sizeof(kFrames) / sizeof(kFrames[0]));
 
 }  // namespace can

@@ -6,111 +6,112 @@
 namespace firmware {
 namespace can {
 
-constexpr NamedValue kHeartbeatStates[] = {
+inline constexpr NamedValue kHeartbeatStates[] = {
     {0, "BOOT_UP"}, {4, "STOPPED"}, {5, "OPERATIONAL"}, {127, "PRE_OPERATIONAL"}};
 
 // Order and numbers of firmware::EstimateStatus; ABSENT marks an unused record of a CAN FD frame.
-constexpr NamedValue kEstimateStates[] = {{0, "VALID"},     {1, "STALE"},           {2, "BIAS_SUSPECT"},
-                                          {3, "SKEWED"},    {4, "ILL_CONDITIONED"}, {5, "NO_EXCITATION"},
-                                          {6, "SATURATED"}, {7, "ABSENT"}};
+inline constexpr NamedValue kEstimateStates[] = {{0, "VALID"},     {1, "STALE"},           {2, "BIAS_SUSPECT"},
+                                                 {3, "SKEWED"},    {4, "ILL_CONDITIONED"}, {5, "NO_EXCITATION"},
+                                                 {6, "SATURATED"}, {7, "ABSENT"}};
 
 // Order and numbers of firmware::ControllerMode.
-constexpr NamedValue kModes[] = {{0, "INITIALISING"}, {1, "IDLE"},           {2, "RAMP"},
-                                 {3, "SETTLE"},       {4, "INTEGRATE"},      {5, "FREE_DECAY"},
-                                 {6, "DONE"},         {7, "EMERGENCY_STOP"}, {8, "FAULT"}};
+inline constexpr NamedValue kModes[] = {{0, "INITIALISING"}, {1, "IDLE"},           {2, "RAMP"},
+                                        {3, "SETTLE"},       {4, "INTEGRATE"},      {5, "FREE_DECAY"},
+                                        {6, "DONE"},         {7, "EMERGENCY_STOP"}, {8, "FAULT"}};
 
 // Order and numbers of firmware::Fault: bit numbers.
-constexpr NamedValue kFaults[] = {{0, "EMERGENCY_STOP"},    {1, "SENSOR_SATURATED"}, {2, "SENSOR_LOST"},
-                                  {3, "SAMPLES_MISSED"},    {4, "DRIVE_LIMIT"},      {5, "WATCHDOG"},
-                                  {6, "CAN_ERROR_PASSIVE"}, {7, "CAN_BUS_OFF"},      {8, "CAN_OVERFLOW"},
-                                  {9, "CONFIGURATION"},     {10, "STORE"},           {11, "ACCUMULATOR_SATURATED"},
-                                  {12, "DRIVE_NOT_TAKEN"}};
+inline constexpr NamedValue kFaults[] = {
+    {0, "EMERGENCY_STOP"},    {1, "SENSOR_SATURATED"}, {2, "SENSOR_LOST"},
+    {3, "SAMPLES_MISSED"},    {4, "DRIVE_LIMIT"},      {5, "WATCHDOG"},
+    {6, "CAN_ERROR_PASSIVE"}, {7, "CAN_BUS_OFF"},      {8, "CAN_OVERFLOW"},
+    {9, "CONFIGURATION"},     {10, "STORE"},           {11, "ACCUMULATOR_SATURATED"},
+    {12, "DRIVE_NOT_TAKEN"}};
 
-constexpr NamedValue kEmergencyCodes[] = {{0x0000, "NO_ERROR"},
-                                          {0x1000, "GENERIC"},
-                                          {0x5000, "HARDWARE"},
-                                          {0x6000, "SOFTWARE"},
-                                          {0x6100, "WATCHDOG"},
-                                          {0x6300, "CONFIGURATION"},
-                                          {0x6310, "STORE"},
-                                          {0x8110, "CAN_OVERFLOW"},
-                                          {0x8120, "CAN_ERROR_PASSIVE"},
-                                          {0x8140, "CAN_BUS_OFF_RECOVERED"},
-                                          {0x8700, "SYNC_LOST"},
-                                          {0xFF01, "EMERGENCY_STOP"},
-                                          {0xFF02, "SENSOR_SATURATED"},
-                                          {0xFF03, "SENSOR_LOST"},
-                                          {0xFF04, "SAMPLES_MISSED"},
-                                          {0xFF05, "DRIVE_LIMIT"},
-                                          {0xFF06, "DRIVE_NOT_TAKEN"}};
+inline constexpr NamedValue kEmergencyCodes[] = {{0x0000, "NO_ERROR"},
+                                                 {0x1000, "GENERIC"},
+                                                 {0x5000, "HARDWARE"},
+                                                 {0x6000, "SOFTWARE"},
+                                                 {0x6100, "WATCHDOG"},
+                                                 {0x6300, "CONFIGURATION"},
+                                                 {0x6310, "STORE"},
+                                                 {0x8110, "CAN_OVERFLOW"},
+                                                 {0x8120, "CAN_ERROR_PASSIVE"},
+                                                 {0x8140, "CAN_BUS_OFF_RECOVERED"},
+                                                 {0x8700, "SYNC_LOST"},
+                                                 {0xFF01, "EMERGENCY_STOP"},
+                                                 {0xFF02, "SENSOR_SATURATED"},
+                                                 {0xFF03, "SENSOR_LOST"},
+                                                 {0xFF04, "SAMPLES_MISSED"},
+                                                 {0xFF05, "DRIVE_LIMIT"},
+                                                 {0xFF06, "DRIVE_NOT_TAKEN"}};
 
-constexpr NamedValue kErrorRegister[] = {{0, "GENERIC"},     {1, "CURRENT"},       {2, "VOLTAGE"},
-                                         {3, "TEMPERATURE"}, {4, "COMMUNICATION"}, {5, "DEVICE_PROFILE"},
-                                         {7, "MANUFACTURER"}};
+inline constexpr NamedValue kErrorRegister[] = {{0, "GENERIC"},     {1, "CURRENT"},       {2, "VOLTAGE"},
+                                                {3, "TEMPERATURE"}, {4, "COMMUNICATION"}, {5, "DEVICE_PROFILE"},
+                                                {7, "MANUFACTURER"}};
 
-constexpr NamedValue kQuantities[] = {
+inline constexpr NamedValue kQuantities[] = {
     {0, "force"}, {1, "displacement"}, {2, "velocity"}, {3, "acceleration"}, {7, "NONE"}};
-constexpr NamedValue kMotions[] = {{0, "TRANSLATION"}, {1, "ROTATION"}};
+inline constexpr NamedValue kMotions[] = {{0, "TRANSLATION"}, {1, "ROTATION"}};
 
 // A DOF stands for itself by its number from 1.
 constexpr int kPlaceGround = 0;
 constexpr int kPlaceBase = 17;
 constexpr int kPlaceNone = 31;
-constexpr NamedValue kPlaces[] = {{kPlaceGround, "GROUND"}, {kPlaceBase, "BASE"}, {kPlaceNone, "NONE"}};
+inline constexpr NamedValue kPlaces[] = {{kPlaceGround, "GROUND"}, {kPlaceBase, "BASE"}, {kPlaceNone, "NONE"}};
 
 // Order and numbers of firmware::TermKind; the names are those of the parameters in tables and JSON.
-constexpr NamedValue kParameterKinds[] = {{0, "mass"},
-                                          {1, "stiffness"},
-                                          {2, "viscous"},
-                                          {3, "coulomb"},
-                                          {4, "gravity_torque"},
-                                          {5, "cubic_stiffness"},
-                                          {6, "quadratic_stiffness"},
-                                          {7, "backlash"},
-                                          {8, "end_stop"},
-                                          {9, "quadratic_damping"},
-                                          {10, "cubic_damping"},
-                                          {11, "stribeck"},
-                                          {12, "presliding_hysteresis"},
-                                          {13, "force_offset"},
-                                          {14, "asymmetric_viscous"},
-                                          {15, "displacement_dependent_damping"},
-                                          {16, "drifting_viscous"}};
+inline constexpr NamedValue kParameterKinds[] = {{0, "mass"},
+                                                 {1, "stiffness"},
+                                                 {2, "viscous"},
+                                                 {3, "coulomb"},
+                                                 {4, "gravity_torque"},
+                                                 {5, "cubic_stiffness"},
+                                                 {6, "quadratic_stiffness"},
+                                                 {7, "backlash"},
+                                                 {8, "end_stop"},
+                                                 {9, "quadratic_damping"},
+                                                 {10, "cubic_damping"},
+                                                 {11, "stribeck"},
+                                                 {12, "presliding_hysteresis"},
+                                                 {13, "force_offset"},
+                                                 {14, "asymmetric_viscous"},
+                                                 {15, "displacement_dependent_damping"},
+                                                 {16, "drifting_viscous"}};
 
 // Order and numbers of firmware::Cause.
-constexpr NamedValue kCauses[] = {{0, "NONE"},
-                                  {1, "cubic_stiffness"},
-                                  {2, "quadratic_stiffness"},
-                                  {3, "stiffness_error"},
-                                  {4, "backlash"},
-                                  {5, "end_stop"},
-                                  {6, "quadratic_damping"},
-                                  {7, "cubic_damping"},
-                                  {8, "stribeck"},
-                                  {9, "presliding_hysteresis"},
-                                  {10, "force_offset"},
-                                  {11, "asymmetric_viscous"},
-                                  {12, "displacement_dependent_damping"},
-                                  {13, "missing_viscous"},
-                                  {14, "missing_coulomb"},
-                                  {15, "drifting_viscous"},
-                                  {16, "mass_error"},
-                                  {17, "unmodelled_resonance"},
-                                  {18, "sensor_delay"},
-                                  {19, "sensor_gain"},
-                                  {20, "mains_hum"},
-                                  {254, "AMBIGUOUS"},
-                                  {255, "UNKNOWN"}};
+inline constexpr NamedValue kCauses[] = {{0, "NONE"},
+                                         {1, "cubic_stiffness"},
+                                         {2, "quadratic_stiffness"},
+                                         {3, "stiffness_error"},
+                                         {4, "backlash"},
+                                         {5, "end_stop"},
+                                         {6, "quadratic_damping"},
+                                         {7, "cubic_damping"},
+                                         {8, "stribeck"},
+                                         {9, "presliding_hysteresis"},
+                                         {10, "force_offset"},
+                                         {11, "asymmetric_viscous"},
+                                         {12, "displacement_dependent_damping"},
+                                         {13, "missing_viscous"},
+                                         {14, "missing_coulomb"},
+                                         {15, "drifting_viscous"},
+                                         {16, "mass_error"},
+                                         {17, "unmodelled_resonance"},
+                                         {18, "sensor_delay"},
+                                         {19, "sensor_gain"},
+                                         {20, "mains_hum"},
+                                         {254, "AMBIGUOUS"},
+                                         {255, "UNKNOWN"}};
 
-constexpr NamedValue kDriveStates[] = {{0, "OFF"}, {1, "ENABLED"}, {2, "STOPPED"}};
+inline constexpr NamedValue kDriveStates[] = {{0, "OFF"}, {1, "ENABLED"}, {2, "STOPPED"}};
 
-constexpr NamedValue kSdoCommands[] = {{0x23, "WRITE_4_BYTES"}, {0x27, "WRITE_3_BYTES"},  {0x2B, "WRITE_2_BYTES"},
-                                       {0x2F, "WRITE_1_BYTE"},  {0x40, "READ"},           {0x60, "WRITTEN_OR_NEXT"},
-                                       {0x70, "NEXT_TOGGLED"},  {0x41, "STRING_FOLLOWS"}, {0x43, "VALUE_4_BYTES"},
-                                       {0x47, "VALUE_3_BYTES"}, {0x4B, "VALUE_2_BYTES"},  {0x4F, "VALUE_1_BYTE"},
-                                       {0x80, "ABORT"}};
+inline constexpr NamedValue kSdoCommands[] = {
+    {0x23, "WRITE_4_BYTES"}, {0x27, "WRITE_3_BYTES"},   {0x2B, "WRITE_2_BYTES"}, {0x2F, "WRITE_1_BYTE"},
+    {0x40, "READ"},          {0x60, "WRITTEN_OR_NEXT"}, {0x70, "NEXT_TOGGLED"},  {0x41, "STRING_FOLLOWS"},
+    {0x43, "VALUE_4_BYTES"}, {0x47, "VALUE_3_BYTES"},   {0x4B, "VALUE_2_BYTES"}, {0x4F, "VALUE_1_BYTE"},
+    {0x80, "ABORT"}};
 
-constexpr NamedValue kSdoObjects[] = {
+inline constexpr NamedValue kSdoObjects[] = {
     {0x1000, "device_type"},      {0x1001, "error_register"},   {0x1005, "sync_id"}, {0x1008, "device_name"},
     {0x1009, "hardware_version"}, {0x100A, "firmware_version"}, {0x1010, "save"},    {0x1011, "load_defaults"},
     {0x1014, "emergency_id"},     {0x1017, "heartbeat_time"},   {0x1018, "identity"}};

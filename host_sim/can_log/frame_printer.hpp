@@ -1,0 +1,35 @@
+// One frame as readable lines; remembers the names that description frames gave.
+#pragma once
+#include <ostream>
+#include <string>
+
+#include "host_sim/can_log/candump_line.hpp"
+#include "host_sim/can_log/known_names.hpp"
+
+namespace can_log {
+
+class FramePrinter {
+ public:
+  explicit FramePrinter(std::ostream& output) : output_(output) {}
+  // False where the frame is not of this protocol (it is shown by its bytes).
+  bool print(const LogEntry& entry);
+
+ private:
+  void line(const std::string& text);
+  void known_frame(const firmware::can::Address& address, const firmware::CanMessage& message);
+  void estimate(int node, int index, int bit_offset, const firmware::CanMessage& message);
+  void parameter(const firmware::CanMessage& message);
+  void channel_description(const firmware::can::Address& address, const firmware::CanMessage& message);
+  void sensor(const firmware::can::Address& address, const firmware::CanMessage& message);
+  void emergency(const firmware::CanMessage& message);
+  void identity(const firmware::CanMessage& message);
+  void diagnosis(const firmware::CanMessage& message);
+  void every_signal(const firmware::can::Frame& frame, const firmware::CanMessage& message);
+  bool unknown_frame(const LogEntry& entry, const firmware::CanMessage& message);
+
+  std::ostream& output_;
+  std::string lead_;  // time, interface, sender and frame of the lines being written
+  KnownNames names_;
+};
+
+}  // namespace can_log

@@ -1,0 +1,103 @@
+#include "host_sim/can_log/known_names.hpp"
+
+#include <cmath>
+
+#include "host_sim/can_log/readable.hpp"
+
+namespace can_log {
+namespace {
+
+struct Units {
+  const char* translating;
+  const char* rotating;
+};
+// In the order of firmware::TermKind.
+constexpr Units kParameterUnits[] = {{"kg", "kg m^2"},
+                                     {"N/m", "N m/rad"},
+                                     {"N s/m", "N m s/rad"},
+                                     {"N", "N m"},
+                                     {"N m", "N m"},
+                                     {"N/m^3", "N m/rad^3"},
+                                     {"N/m^2", "N m/rad^2"},
+                                     {"N/m", "N m/rad"},
+                                     {"N/m", "N m/rad"},
+                                     {"N s^2/m^2", "N m s^2/rad^2"},
+                                     {"N s^3/m^3", "N m s^3/rad^3"},
+                                     {"N", "N m"},
+                                     {"N", "N m"},
+                                     {"N", "N m"},
+                                     {"N s/m", "N m s/rad"},
+                                     {"N s/m^3", "N m s/rad^3"},
+                                     {"N/m", "N m/rad"}};
+constexpr int kKinds = static_cast<int>(sizeof(kParameterUnits) / sizeof(kParameterUnits[0]));
+constexpr Units kChannelUnits[] = {{"N", "N m"}, {"m", "rad"}, {"m/s", "rad/s"}, {"m/s^2", "rad/s^2"}};
+
+}  // namespace
+
+std::string place_label(int place) {
+  if (place == firmware::can::kPlaceBase) return "base";
+  return std::to_string(place);
+}
+
+std::string parameter_label(const firmware::ParameterDescription& parameter) {
+  const std::string kind =
+      state_name(firmware::can::states(firmware::can::kParameterKinds), static_cast<int64_t>(parameter.kind));
+  std::string label = (kind.empty() ? "kind" + std::to_string(static_cast<int>(parameter.kind)) : kind) + "[" +
+                      place_label(parameter.place_a);
+  if (parameter.place_b != firmware::can::kPlaceNone) label += "-" + place_label(parameter.place_b);
+  return label + "]";
+}
+
+std::string channel_label(int place, int quantity) {
+  const std::string name = state_name(firmware::can::states(firmware::can::kQuantities), quantity);
+  return (name.empty() ? "quantity " + std::to_string(quantity) : name) + "[" + place_label(place) + "]";
+}
+
+std::string parameter_unit(firmware::TermKind kind, bool rotating) {
+  const int index = static_cast<int>(kind);
+  if (index >= kKinds) return "SI";
+  return rotating ? kParameterUnits[index].rotating : kParameterUnits[index].translating;
+}
+
+std::string channel_unit(int quantity, bool rotating) {
+  if (quantity < 0 || quantity >= firmware::kQuantities) return "SI";
+  return rotating ? kChannelUnits[quantity].rotating : kChannelUnits[quantity].translating;
+}
+
+void KnownNames::learn(const firmware::CanMessage& message) {
+  int node = 0;
+  firmware::ParameterDescription parameter;
+  firmware::ChannelScaling scaling;
+  firmware::ChannelRange range;
+  if (firmware::unpack_parameter(message, node, parameter)) {
+    if (parameter.index < firmware::kMaxUnknowns) parameters_[node][parameter.index] = Parameter{true, parameter};
+  } else if (firmware::unpack_scaling(message, node, scaling)) {
+    Channel& channel = channels_[scaling.place][static_cast<int>(scaling.quantity)];
+    channel.scaling_known = true;
+    channel.scaling = scaling;
+  } else if (firmware::unpack_range(message, node, range)) {
+    Channel& channel = channels_[range.place][static_cast<int>(range.quantity)];
+    channel.range_known = true;
+    channel.range = range;
+  }
+}
+
+std::string KnownNames::parameter(int node, int index) const {
+  const Parameter& parameter = parameters_[node][index];
+  return parameter.known ? parameter_label(parameter.description) : "estimate " + std::to_string(index);
+}
+
+std::string KnownNames::unit(int node, int index) const {
+  const Parameter& parameter = parameters_[node][index];
+  return parameter.known ? parameter_unit(parameter.description.kind, parameter.description.rotating) : "SI";
+}
+
+std::string KnownNames::in_units(int place, int quantity, int64_t code) const {
+  const Channel& channel = channels_[place][quantity];
+  if (!channel.scaling_known || !channel.range_known) return "";
+  const double value = static_cast<double>(code - channel.range.offset_code) * channel.scaling.unit_per_code *
+                       std::pow(10.0, channel.scaling.exponent);
+  return " = " + number_text(value, 7) + " " + channel_unit(quantity, channel.scaling.rotating);
+}
+
+}  // namespace can_log

@@ -1,0 +1,43 @@
+// What a log says of itself: names and units of the estimates of each node, and the scaling of the sensor channels,
+// collected from the description frames as they pass.
+#pragma once
+#include <string>
+
+#include "firmware/can_protocol/can_message.hpp"
+#include "firmware/can_protocol/messages.hpp"
+#include "firmware/can_protocol/packing.hpp"
+
+namespace can_log {
+
+// "1", "0" for ground, "base"; "viscous[1-2]", "mass[1]", "displacement[base]".
+std::string place_label(int place);
+std::string parameter_label(const firmware::ParameterDescription& parameter);
+std::string channel_label(int place, int quantity);
+// SI units; "SI" for a kind that is not known.
+std::string parameter_unit(firmware::TermKind kind, bool rotating);
+std::string channel_unit(int quantity, bool rotating);
+
+class KnownNames {
+ public:
+  void learn(const firmware::CanMessage& message);
+  // "estimate 3" with unit "SI" as long as no description has been seen.
+  std::string parameter(int node, int index) const;
+  std::string unit(int node, int index) const;
+  // " = 1.25e-05 m" for a code of a channel whose scaling is known, else nothing.
+  std::string in_units(int place, int quantity, int64_t code) const;
+
+ private:
+  struct Parameter {
+    bool known = false;
+    firmware::ParameterDescription description;
+  };
+  struct Channel {
+    bool scaling_known = false, range_known = false;
+    firmware::ChannelScaling scaling;
+    firmware::ChannelRange range;
+  };
+  Parameter parameters_[firmware::can::kLastNode + 1][firmware::kMaxUnknowns];
+  Channel channels_[32][firmware::kQuantities];  // by place and quantity
+};
+
+}  // namespace can_log

@@ -1,0 +1,24 @@
+// Numbers and states as a person reads them.
+#pragma once
+#include <cstdint>
+#include <string>
+
+#include "firmware/can_protocol/frame_description.hpp"
+#include "hal/interface/can_bus.hpp"
+
+namespace can_log {
+
+std::string number_text(double value, int digits);   // "20.00123", "1.25e-05"
+std::string hex_text(uint64_t value, int digits);    // "0x0A"
+std::string bytes_text(const hal::CanFrame& frame);  // "11 22 33"
+
+// Empty where the value has no name.
+std::string state_name(const firmware::can::ValueTable& names, int64_t raw);
+// "SENSOR_LOST | DRIVE_LIMIT", "none"; bits without a name by their number.
+std::string flag_names(const firmware::can::ValueTable& names, int64_t raw);
+// "INTEGRATE", "none", "12.5 %", "300 samples".
+std::string signal_text(const firmware::can::Signal& signal, int64_t raw);
+// "bus-off", "controller problem (receive overflow), restarted": what a SocketCAN error frame says.
+std::string error_frame_text(const hal::CanFrame& frame);
+
+}  // namespace can_log
