@@ -19,6 +19,7 @@ void EnergySums::configure(const CoreConfiguration& configuration, int weights) 
   configuration_ = &configuration;
   weights_ = weights;
   make_equation_plan(configuration, weights, plan_, sums_, layout_);
+  effects_.configure(configuration, plan_.column_unit);
   for (int l = 0; l < configuration.link_count; ++l) {
     const LinkConfiguration& link = configuration.links[l];
     gains_[l] = rate_gains(configuration, link);
@@ -31,6 +32,7 @@ void EnergySums::configure(const CoreConfiguration& configuration, int weights) 
 }
 
 void EnergySums::restart() {
+  effects_.restart();
   started_ = false;
   samples_ = 0;
 }
@@ -62,10 +64,13 @@ void EnergySums::fill_signs(Frame& frame, int link, int from, int to) {
   }
 }
 
-void EnergySums::fill_columns(Frame& frame, int from, int to) {
+// The end corrections look one sample further on either side of the block.
+void EnergySums::fill_columns(Frame& frame, int count) {
+  const int from = kLeadIn - 1, to = kLeadIn + count + 2;
   if (weights_ > kInstrument) fill_instruments(frame, from, to);
   for (int l = 0; l < configuration_->link_count; ++l)
     if (has_sign_[l]) fill_signs(frame, l, from, to);
+  effects_.fill(frame, from, to, count);
 }
 
 EnergySums::EndPoint EnergySums::end_point(const Frame& frame, int at) const {
@@ -89,7 +94,7 @@ void EnergySums::add_block(Frame& frame, int count) {
     for (auto& corrections : crossing_q16_)
       for (int64_t& correction : corrections) correction = 0;
   }
-  fill_columns(frame, kLeadIn - 1, to + 2);
+  fill_columns(frame, count);
   if (!started_) start_batch(frame, kLeadIn);
   started_ = true;
   sums_.add_block(frame, kLeadIn, to);

@@ -4,6 +4,7 @@
 #include "firmware/energy/batch_table.hpp"
 #include "firmware/energy/equation_plan.hpp"
 #include "firmware/energy/product_sums.hpp"
+#include "firmware/links/effects.hpp"
 #include "firmware/links/link_motion.hpp"
 
 namespace firmware {
@@ -25,7 +26,7 @@ class EnergySums {
   struct EndPoint {
     int32_t displacement[kMaxDofs], velocity[kMaxDofs];
   };
-  void fill_columns(Frame& frame, int from, int to);
+  void fill_columns(Frame& frame, int count);
   void fill_instruments(Frame& frame, int from, int to);
   void fill_signs(Frame& frame, int link, int from, int to);
   void start_batch(const Frame& frame, int at);
@@ -40,6 +41,7 @@ class EnergySums {
   const CoreConfiguration* configuration_ = nullptr;
   int weights_ = 1;
   EquationPlan plan_;
+  Effects effects_;
   RowLayout layout_;
   ProductSums sums_;
   RateGains gains_[kMaxLinks];

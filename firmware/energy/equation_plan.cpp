@@ -127,7 +127,7 @@ void make_equation_plan(const CoreConfiguration& configuration, int weights, Equ
     const LinkConfiguration& link = configuration.links[term.place];
     if (link.node_a < configuration.dof_count) planner.term(t, link.node_a, 1, effects);
     if (link.node_b < configuration.dof_count) planner.term(t, link.node_b, -1, effects);
-    if (is_effect_term(term.kind)) ++effects;
+    if (is_effect_term(term.kind)) ++effects;  // the configuration holds at most kMaxEffectColumns of them
   }
   set_column_units(configuration, plan);
   assign_slots(configuration, plan, layout);

@@ -107,9 +107,11 @@ Scaled operator/(Scaled a, Scaled b) {
   if (a.mantissa == 0) return {};
   const bool negative = (a.mantissa < 0) != (b.mantissa < 0);
   if (b.mantissa == 0) return {with_sign(static_cast<uint64_t>(kLargestMantissa), a.mantissa < 0), kExponentLimit};
-  // a/2 < b always holds for normal mantissas, so the quotient of a/2 by b is a proper fraction.
-  const uint64_t numerator = magnitude(a.mantissa), denominator = magnitude(b.mantissa) << 1;
-  return normalised(divide_fraction(numerator, denominator), a.exponent - b.exponent - kMantissaBits + 1, negative);
+  // Normal mantissas differ by less than a factor of 2: halving a, where needed, makes a proper fraction of at least 1/2.
+  const uint64_t numerator = magnitude(a.mantissa);
+  const int halve = numerator >= magnitude(b.mantissa) ? 1 : 0;
+  const uint64_t quotient = divide_fraction(numerator, magnitude(b.mantissa) << halve);
+  return normalised(quotient, a.exponent - b.exponent - kMantissaBits + halve, negative);
 }
 
 Scaled sqrt(Scaled a) {
@@ -128,6 +130,7 @@ Scaled sqrt(Scaled a) {
       root |= 1;
     }
   }
+  if (remainder > root) ++root;  // nearest
   return normalised(root, (a.exponent + drop - 60) / 2, false);
 }
 

@@ -54,7 +54,9 @@ TEST(BatchCollector, MergesPairsWhenFullAndLosesNothing) {
   for (int b = 0; b < level.batch_count; ++b) {
     sum += to_double(level.batch[b].column[0][0]);
     samples += level.batch[b].samples;
-    if (b + 1 < level.batch_count) EXPECT_EQ(level.batch[b].samples, 32u << level.merges);
+    if (b + 1 < level.batch_count) {
+      EXPECT_EQ(level.batch[b].samples, 32u << level.merges);
+    }
   }
   EXPECT_EQ(sum, kBatches * (kBatches + 1) / 2.0);
   EXPECT_EQ(samples, 32u * kBatches);

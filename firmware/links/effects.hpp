@@ -1,0 +1,50 @@
+// Force laws of the extension terms (TermKind from kGravity on): one column per term, the force per unit coefficient.
+//
+// Elongation and rate are brought to Q26 of the link's own ranges U and W (powers of two that hold the codes' full scale),
+// so a column entry is an integer of at most 2^26 whose unit follows from the law: u^3 has U^3 / 2^26, w|w| has W^2 / 2^26.
+// Formats: code 24 bits times gain 2^28 shifted by 25: 27 bits; products of two Q26 numbers 2^52, shifted back to Q26.
+#pragma once
+#include "firmware/configuration/configuration.hpp"
+#include "firmware/energy/columns.hpp"
+
+namespace firmware {
+
+class Effects {
+ public:
+  // Writes the unit of every effect's column to column_unit[kEffectColumn + number], in the order of the terms.
+  void configure(const CoreConfiguration& configuration, Scaled* column_unit);
+  void restart();  // a new level: time and memory of hysteresis start again
+  // Fills positions [from, to). What remembers (hysteresis, time) goes on from position from + advance at the next call.
+  void fill(Frame& frame, int from, int to, int advance);
+
+ private:
+  struct Side {  // a difference of two nodes' signals in Q26 of a range 2^range_exponent
+    uint16_t column_a = 0, column_b = 0;
+    int32_t gain_a = 0, gain_b = 0;  // 0: ground
+    int32_t range_exponent = 0;
+  };
+  struct Ratio {  // multiplication of a Q26 number by a constant: (x * mantissa) >> shift
+    int32_t mantissa = 0;
+    int8_t shift = 0;
+  };
+  struct Effect {
+    TermKind kind = TermKind::kGravity;
+    Side elongation, rate;
+    int64_t gap_q26 = 0;
+    Ratio shape;             // turns per U (gravity), log2(e) W / vs (Stribeck), log2(e) U / length (hysteresis)
+    int32_t memory_q26 = 0;  // Dahl's state at the next start position
+    uint32_t time = 0;       // samples since the level's start, at the next start position
+  };
+  static Side side(const CoreConfiguration& configuration, const LinkConfiguration& link, Quantity quantity);
+  static Ratio ratio(Scaled value);
+  static int64_t times(Ratio ratio, int64_t x);
+  static int32_t value(const Side& side, const Frame& frame, int at);
+  static Scaled unit(const Effect& effect);
+  static int32_t force(const Effect& effect, const Frame& frame, int at, uint32_t time);
+  static void fill_hysteresis(Effect& effect, const Frame& frame, int from, int to, int advance, int32_t* column);
+
+  Effect effect_[kMaxEffectColumns];
+  int count_ = 0;
+};
+
+}  // namespace firmware

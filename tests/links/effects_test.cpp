@@ -1,0 +1,113 @@
+// Every force law against its formula in double.
+#include "firmware/links/effects.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <memory>
+
+using namespace firmware;
+
+namespace {
+
+constexpr double kUnitX = 1.0 / (1 << 24), kUnitV = 1.0 / (1 << 20);
+constexpr double kPeriod = 0.001;
+
+double to_double(Scaled s) { return std::ldexp(static_cast<double>(s.mantissa), s.exponent); }
+Scaled from_double(double x) { return Scaled::from_int(static_cast<int64_t>(std::ldexp(x, 50)), -50); }
+
+// One DOF to ground with u(t), w(t); the column of the effect in SI units over one block.
+struct Case {
+  std::unique_ptr<CoreConfiguration> configuration = std::make_unique<CoreConfiguration>();
+  std::unique_ptr<Frame> frame = std::make_unique<Frame>();
+  std::unique_ptr<Effects> effects = std::make_unique<Effects>();
+  Scaled unit[kMaxColumns];
+
+  Case(TermKind kind, double shape) {
+    CoreConfiguration& c = *configuration;
+    c.dof_count = c.link_count = c.term_count = 1;
+    c.sample_period_s = from_double(kPeriod);
+    c.terms[0].kind = kind;
+    c.terms[0].shape = from_double(shape);
+    c.signals[0][1].unit_per_code = from_double(kUnitX);
+    c.signals[0][2].unit_per_code = from_double(kUnitV);
+    effects->configure(c, unit);
+    effects->restart();
+  }
+  void block(int first_sample, const std::function<double(double)>& u, const std::function<double(double)>& w) {
+    for (int i = 0; i < kFrameStride; ++i) {
+      const double t = (first_sample + i - kLeadIn) * kPeriod;
+      frame->column[signal_column(0, Quantity::kDisplacement)][i] = static_cast<int32_t>(std::lround(u(t) / kUnitX));
+      frame->column[signal_column(0, Quantity::kVelocity)][i] = static_cast<int32_t>(std::lround(w(t) / kUnitV));
+    }
+    effects->fill(*frame, kLeadIn - 1, kLeadIn + kBlockSamples + 2, kBlockSamples);
+  }
+  double at(int i) const { return frame->column[kEffectColumn][kLeadIn + i] * to_double(unit[kEffectColumn]); }
+};
+
+double u_of(double t) { return 0.3 * std::sin(40.0 * t); }
+double w_of(double t) { return 5.0 * std::cos(40.0 * t); }
+
+void expect_law(TermKind kind, double shape, double tolerance, const std::function<double(double, double)>& law) {
+  Case test(kind, shape);
+  for (int block = 0; block < 20; ++block) {
+    test.block(block * kBlockSamples, u_of, w_of);
+    for (int i = 0; i < kBlockSamples; ++i) {
+      const double t = (block * kBlockSamples + i) * kPeriod;
+      EXPECT_NEAR(test.at(i), law(u_of(t), w_of(t)), tolerance) << "at " << t;
+    }
+  }
+}
+
+double sign(double x) { return (x > 0) - (x < 0); }
+
+}  // namespace
+
+TEST(Effects, ForceLawsMatchTheirFormulas) {
+  // Tolerances: a few steps of the column (Q26 of the range 1/2 m and 8 m/s) and of the codes.
+  expect_law(TermKind::kGravity, 0.0, 1e-7, [](double u, double) { return std::sin(u); });
+  expect_law(TermKind::kCubicStiffness, 0.0, 1e-7, [](double u, double) { return u * u * u; });
+  expect_law(TermKind::kQuadraticStiffness, 0.0, 1e-7, [](double u, double) { return u * u; });
+  expect_law(TermKind::kBacklash, 0.1, 1e-7, [](double u, double) { return -std::fmax(-0.1, std::fmin(0.1, u)); });
+  expect_law(TermKind::kEndStop, 0.1, 1e-7, [](double u, double) { return u - std::fmax(-0.1, std::fmin(0.1, u)); });
+  expect_law(TermKind::kQuadraticDamping, 0.0, 3e-5, [](double, double w) { return w * std::fabs(w); });
+  expect_law(TermKind::kCubicDamping, 0.0, 3e-4, [](double, double w) { return w * w * w; });
+  expect_law(TermKind::kStribeck, 0.7, 2e-6, [](double, double w) { return sign(w) * std::exp(-std::fabs(w) / 0.7); });
+  expect_law(TermKind::kForceOffset, 0.0, 1e-9, [](double, double) { return 1.0; });
+  expect_law(TermKind::kAsymmetricViscous, 0.0, 2e-6, [](double, double w) { return std::fabs(w); });
+  expect_law(TermKind::kDisplacementDependentDamping, 0.0, 2e-6, [](double u, double w) { return u * u * w; });
+}
+
+TEST(Effects, GravityBeyondOneTurn) {
+  Case test(TermKind::kGravity, 0.0);
+  test.configuration->signals[0][1].unit_per_code = from_double(1.0 / (1 << 18));  // 32 rad at full scale
+  test.effects->configure(*test.configuration, test.unit);
+  for (int i = 0; i < kFrameStride; ++i)
+    test.frame->column[signal_column(0, Quantity::kDisplacement)][i] = (i - 20) * 262144;  // i - 20 rad
+  test.effects->fill(*test.frame, kLeadIn - 1, kLeadIn + kBlockSamples + 2, kBlockSamples);
+  for (int i = 0; i < kBlockSamples; ++i) EXPECT_NEAR(test.at(i), std::sin(i + kLeadIn - 20.0), 2e-6);
+}
+
+TEST(Effects, TimeRunsOnFromBlockToBlock) {
+  Case test(TermKind::kDriftingViscous, 0.0);
+  const auto rest = [](double) { return 0.0; };
+  const auto steady = [](double) { return 2.0; };
+  for (int block = 0; block < 50; ++block) test.block(block * kBlockSamples, rest, steady);
+  // Time counts from one sample before the first block: sample 49 * 32 + 7 stands at index 1576.
+  EXPECT_NEAR(test.at(7), 2.0 * 1576 * kPeriod, 1e-2);
+}
+
+TEST(Effects, DahlFrictionSaturatesAndTurns) {
+  // Pulled steadily: z = 1 - exp(-u / length) from rest; after a reversal it heads for -1 with the same length.
+  Case test(TermKind::kPreslidingHysteresis, 0.01);
+  const auto pull = [](double t) { return 0.1 * (t + kPeriod); };  // u = 0 one sample before the first block
+  const auto rate = [](double) { return 0.1; };
+  for (int block = 0; block < 10; ++block) {
+    test.block(block * kBlockSamples, pull, rate);
+    for (int i : {0, 10, 31}) {
+      const double u = pull((block * kBlockSamples + i) * kPeriod);
+      EXPECT_NEAR(test.at(i), 1.0 - std::exp(-u / 0.01), 1e-5);
+    }
+  }
+}
