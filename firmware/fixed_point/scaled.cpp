@@ -116,12 +116,13 @@ Scaled operator/(Scaled a, Scaled b) {
 
 Scaled sqrt(Scaled a) {
   if (a.mantissa <= 0) return {};
-  // Even exponent and a mantissa of 59 or 60 bits, followed by 60 zero bits: the root has 60 bits, digit by digit.
+  // Even exponent and a radicand of 119 or 120 bits in two words of 60: the root has 60 bits, digit by digit.
   const int drop = (a.exponent & 1) ? 3 : 2;
-  const uint64_t radicand = static_cast<uint64_t>(a.mantissa) >> drop;
+  const uint64_t mantissa = static_cast<uint64_t>(a.mantissa);
+  const uint64_t high = mantissa >> drop, low = (mantissa << (60 - drop)) & ((uint64_t{1} << 60) - 1);
   uint64_t remainder = 0, root = 0;
   for (int pair = 59; pair >= 0; --pair) {
-    const uint64_t digits = pair >= 30 ? (radicand >> (2 * (pair - 30))) & 3u : 0u;
+    const uint64_t digits = (pair >= 30 ? high >> (2 * (pair - 30)) : low >> (2 * pair)) & 3u;
     remainder = (remainder << 2) | digits;
     const uint64_t trial = (root << 2) | 1u;
     root <<= 1;
