@@ -1,0 +1,46 @@
+// What an estimation says, in SI units and words: filled from the core, shown as table and JSON.
+#pragma once
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "firmware/estimator_core.hpp"
+#include "hal/configuration/compile_rig.hpp"
+
+namespace host_sim {
+
+struct ParameterResult {
+  rig_file::ParameterInfo info;
+  double value = 0.0, std = 0.0, ci95_low = 0.0, ci95_high = 0.0;
+  firmware::EstimateStatus status = firmware::EstimateStatus::kStale;
+  std::optional<double> truth;  // simulated rigs
+  std::optional<double> paper;  // the paper's own estimate
+};
+
+struct EstimateResult {
+  std::vector<ParameterResult> parameters;
+  double residual_mean_abs = 0.0;
+  std::optional<double> paper_residual;
+  double condition_number = 0.0;
+  std::vector<std::optional<double>> mse_percent;  // per DOF, Eq. 13; nothing where it cannot be had (see mse_note)
+  std::vector<double> paper_mse_percent;
+  std::string mse_of;                              // what is compared: "acceleration of the free-running simulation"
+  std::string mse_note;
+  size_t samples = 0;
+  double sample_rate_Hz = 0.0;
+  unsigned levels = 0, rows = 0;
+  firmware::CoreHealth health;
+  std::vector<std::string> notes;  // for the reader of table and JSON
+};
+
+const char* status_word(firmware::EstimateStatus status);  // "VALID"
+
+// Parameters, residual and condition number of the core's estimates.
+EstimateResult result_of(const rig_file::RigModel& model, const firmware::Estimates& estimates);
+std::vector<double> values_of(const EstimateResult& result);
+
+// Empty where every parameter is answered; else why not and what to measure instead.
+std::string unanswered(const EstimateResult& result);
+
+}  // namespace host_sim

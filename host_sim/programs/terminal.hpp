@@ -1,0 +1,28 @@
+// What only a terminal gets: colours and a progress bar. In a pipe or a file both are silent.
+#pragma once
+#include <cstdio>
+#include <string>
+
+namespace host_sim {
+
+enum class Colour { kGood, kDoubtful, kBad, kQuiet, kBold };
+
+bool is_terminal(std::FILE* stream);                    // and colours are wanted: NO_COLOR unset, TERM not dumb
+std::string coloured(const std::string& text, Colour colour, bool on);
+
+// One line on stderr that fills up; erased when it ends.
+class ProgressBar {
+ public:
+  explicit ProgressBar(std::string label);
+  ~ProgressBar();
+  ProgressBar(const ProgressBar&) = delete;
+  ProgressBar& operator=(const ProgressBar&) = delete;
+  void show(double share);  // 0 to 1
+
+ private:
+  std::string label_;
+  bool on_;
+  int shown_ = -1;
+};
+
+}  // namespace host_sim
