@@ -36,13 +36,20 @@ const char* remedy(EstimateStatus status) {
 
 const char* status_word(EstimateStatus status) {
   switch (status) {
-    case EstimateStatus::kValid: return "VALID";
-    case EstimateStatus::kStale: return "STALE";
-    case EstimateStatus::kBiasSuspect: return "BIAS_SUSPECT";
-    case EstimateStatus::kSkewed: return "SKEWED";
-    case EstimateStatus::kIllConditioned: return "ILL_CONDITIONED";
-    case EstimateStatus::kNoExcitation: return "NO_EXCITATION";
-    case EstimateStatus::kSaturated: return "SATURATED";
+    case EstimateStatus::kValid:
+      return "VALID";
+    case EstimateStatus::kStale:
+      return "STALE";
+    case EstimateStatus::kBiasSuspect:
+      return "BIAS_SUSPECT";
+    case EstimateStatus::kSkewed:
+      return "SKEWED";
+    case EstimateStatus::kIllConditioned:
+      return "ILL_CONDITIONED";
+    case EstimateStatus::kNoExcitation:
+      return "NO_EXCITATION";
+    case EstimateStatus::kSaturated:
+      return "SATURATED";
   }
   return "STALE";
 }

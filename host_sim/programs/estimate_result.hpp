@@ -25,7 +25,7 @@ struct EstimateResult {
   double condition_number = 0.0;
   std::vector<std::optional<double>> mse_percent;  // per DOF, Eq. 13; nothing where it cannot be had (see mse_note)
   std::vector<double> paper_mse_percent;
-  std::string mse_of;                              // what is compared: "acceleration of the free-running simulation"
+  std::string mse_of;  // what is compared: "acceleration of the free-running simulation"
   std::string mse_note;
   size_t samples = 0;
   double sample_rate_Hz = 0.0;

@@ -19,7 +19,8 @@ std::string plain(double value, int digits) {
 
 Colour colour_of(EstimateStatus status) {
   if (status == EstimateStatus::kValid) return Colour::kGood;
-  const bool doubtful = status == EstimateStatus::kStale || status == EstimateStatus::kBiasSuspect || status == EstimateStatus::kSkewed;
+  const bool doubtful =
+      status == EstimateStatus::kStale || status == EstimateStatus::kBiasSuspect || status == EstimateStatus::kSkewed;
   return doubtful ? Colour::kDoubtful : Colour::kBad;
 }
 

@@ -19,11 +19,21 @@ std::string coloured(const std::string& text, Colour colour, bool on) {
   if (!on) return text;
   const char* code = "0";
   switch (colour) {
-    case Colour::kGood: code = "32"; break;
-    case Colour::kDoubtful: code = "33"; break;
-    case Colour::kBad: code = "31"; break;
-    case Colour::kQuiet: code = "2"; break;
-    case Colour::kBold: code = "1"; break;
+    case Colour::kGood:
+      code = "32";
+      break;
+    case Colour::kDoubtful:
+      code = "33";
+      break;
+    case Colour::kBad:
+      code = "31";
+      break;
+    case Colour::kQuiet:
+      code = "2";
+      break;
+    case Colour::kBold:
+      code = "1";
+      break;
   }
   return std::string("\033[") + code + "m" + text + "\033[0m";
 }
@@ -40,7 +50,8 @@ void ProgressBar::show(double share) {
   if (!on_ || percent == shown_) return;
   shown_ = percent;
   const int filled = percent * kWidth / 100;
-  const std::string bar = std::string(static_cast<size_t>(filled), '#') + std::string(static_cast<size_t>(kWidth - filled), '.');
+  const std::string bar =
+      std::string(static_cast<size_t>(filled), '#') + std::string(static_cast<size_t>(kWidth - filled), '.');
   std::fprintf(stderr, "\r%s [%s] %3d %%", label_.c_str(), bar.c_str(), percent);
   std::fflush(stderr);
 }

@@ -7,7 +7,7 @@ namespace host_sim {
 
 enum class Colour { kGood, kDoubtful, kBad, kQuiet, kBold };
 
-bool is_terminal(std::FILE* stream);                    // and colours are wanted: NO_COLOR unset, TERM not dumb
+bool is_terminal(std::FILE* stream);  // and colours are wanted: NO_COLOR unset, TERM not dumb
 std::string coloured(const std::string& text, Colour colour, bool on);
 
 // One line on stderr that fills up; erased when it ends.
