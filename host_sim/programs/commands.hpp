@@ -9,5 +9,7 @@ namespace host_sim {
 using Action = std::function<void()>;
 
 void add_estimate_command(CLI::App& app, Action& chosen);
+void add_decode_command(CLI::App& app, Action& chosen);
+void add_dbc_command(CLI::App& app, Action& chosen);
 
 }  // namespace host_sim

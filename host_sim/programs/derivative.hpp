@@ -1,6 +1,7 @@
 // Derivatives of sampled signals by a local quadratic over 9 samples (least squares; the fit's slope or curvature at
 // the middle sample). The first and last 4 samples have none: the result is 8 samples shorter.
 #pragma once
+#include <cstddef>
 #include <vector>
 
 namespace host_sim {

@@ -1,13 +1,17 @@
 // host_sim: simulate a rig, estimate from measured data, name what a model lacks, read the frames.
 #include "host_sim/programs/commands.hpp"
 #include "host_sim/programs/failures.hpp"
+#include "host_sim/records/output_file.hpp"
 
 int main(int argc, char** argv) {
   CLI::App app{"Damping of vibration rigs: simulate, estimate, diagnose, read CAN frames", "host_sim"};
   app.require_subcommand(1);
   app.failure_message(CLI::FailureMessage::help_hint);
+  host_sim::remove_temporary_files_on_signals();
   host_sim::Action chosen;
   host_sim::add_estimate_command(app, chosen);
+  host_sim::add_decode_command(app, chosen);
+  host_sim::add_dbc_command(app, chosen);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

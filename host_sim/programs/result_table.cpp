@@ -27,7 +27,7 @@ Colour colour_of(EstimateStatus status) {
 struct Column {
   std::string heading;
   bool right = false;
-  std::vector<std::string> cells;
+  std::vector<std::string> cells = {};
   size_t width() const {
     size_t widest = heading.size();
     for (const std::string& cell : cells) widest = std::max(widest, cell.size());

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <csignal>
 #include <cstring>
 
 namespace host_sim {
@@ -12,6 +13,31 @@ namespace {
 [[noreturn]] void fail(const std::string& path, const char* what) {
   throw OutputError(path + ": cannot be " + what + " (" + std::strerror(errno) +
                     "), expected a writable folder with room");
+}
+
+// Names of temporary files where a signal handler can read them: no allocation, no locks.
+constexpr int kMostFiles = 16;
+constexpr size_t kLongestPath = 4096;
+char temporary_names[kMostFiles][kLongestPath];
+
+void remember(const std::string& name) {
+  if (name.size() >= kLongestPath) return;
+  for (auto& slot : temporary_names)
+    if (slot[0] == '\0') {
+      std::memcpy(slot, name.c_str(), name.size() + 1);
+      return;
+    }
+}
+
+void forget(const std::string& name) {
+  for (auto& slot : temporary_names)
+    if (name == slot) slot[0] = '\0';
+}
+
+extern "C" void remove_temporary_files(int signal) {
+  for (const auto& slot : temporary_names)
+    if (slot[0] != '\0') ::unlink(slot);
+  ::raise(signal);  // its default action again: SA_RESETHAND
 }
 
 // A pipe or a device keeps its place: renaming would replace it.
@@ -26,11 +52,14 @@ OutputFile::OutputFile(std::string path) : path_(std::move(path)) {
   if (!is_special(path_)) temporary_ = path_ + ".part" + std::to_string(::getpid());
   stream_ = std::fopen(temporary_.empty() ? path_.c_str() : temporary_.c_str(), "wb");
   if (stream_ == nullptr) fail(path_, "written");
+  remember(temporary_);
 }
 
 OutputFile::~OutputFile() {
   if (stream_ != nullptr) std::fclose(stream_);
-  if (!temporary_.empty()) std::remove(temporary_.c_str());
+  if (temporary_.empty()) return;
+  std::remove(temporary_.c_str());
+  forget(temporary_);
 }
 
 void OutputFile::write(std::string_view bytes) {
@@ -45,7 +74,15 @@ void OutputFile::commit() {
   if (!flushed || !closed) fail(path_, "written");
   if (temporary_.empty()) return;
   if (std::rename(temporary_.c_str(), path_.c_str()) != 0) fail(path_, "renamed");
+  forget(temporary_);
   temporary_.clear();
+}
+
+void remove_temporary_files_on_signals() {
+  struct sigaction action {};
+  action.sa_handler = remove_temporary_files;
+  action.sa_flags = static_cast<int>(SA_RESETHAND | SA_NODEFER);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE}) ::sigaction(signal, &action, nullptr);
 }
 
 void write_output_file(const std::string& path, std::string_view content) {

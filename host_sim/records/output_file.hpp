@@ -28,6 +28,10 @@ class OutputFile {
   std::FILE* stream_ = nullptr;
 };
 
+// From now on a signal that ends the program (interrupt, termination, hang-up, broken pipe) removes the temporary files
+// first.
+void remove_temporary_files_on_signals();
+
 // The whole file at once.
 void write_output_file(const std::string& path, std::string_view content);
 

@@ -1,0 +1,50 @@
+// host_sim decode and host_sim dbc: what the frames on the bus mean.
+#include <fstream>
+#include <iostream>
+
+#include "hal/configuration/compile_rig.hpp"
+#include "hal/configuration/rig_reader.hpp"
+#include "host_sim/can_log/dbc.hpp"
+#include "host_sim/can_log/decode.hpp"
+#include "host_sim/programs/commands.hpp"
+#include "host_sim/programs/failures.hpp"
+
+namespace host_sim {
+namespace {
+
+void decode(const std::string& path) {
+  if (path.empty() || path == "-") {
+    can_log::decode(std::cin, std::cout, std::cerr);
+    return;
+  }
+  std::ifstream file(path);
+  if (!file || file.peek() == std::ifstream::traits_type::eof())
+    throw UsageError(path + ": cannot be read or is empty, expected a candump log");
+  can_log::decode(file, std::cout, std::cerr);
+}
+
+void print_dbc(const std::string& rig) {
+  std::vector<std::string> names;
+  if (!rig.empty()) names = rig_file::parameter_names(rig_file::read_rig_file(rig));
+  can_log::dbc(std::cout, names);
+}
+
+}  // namespace
+
+void add_decode_command(CLI::App& app, Action& chosen) {
+  CLI::App* command = app.add_subcommand("decode", "Turn candump text into one readable line per signal");
+  auto path = std::make_shared<std::string>();
+  command->add_option("FILE", *path, "output of candump or candump -L; without it: standard input");
+  command->footer("Example: candump can0 | host_sim decode");
+  command->callback([path, &chosen] { chosen = [path] { decode(*path); }; });
+}
+
+void add_dbc_command(CLI::App& app, Action& chosen) {
+  CLI::App* command = app.add_subcommand("dbc", "Print the DBC of every frame");
+  auto rig = std::make_shared<std::string>();
+  command->add_option("--rig", *rig, "name the estimates after the unknowns of this rig file");
+  command->footer("Example: host_sim dbc > rig.dbc");
+  command->callback([rig, &chosen] { chosen = [rig] { print_dbc(*rig); }; });
+}
+
+}  // namespace host_sim
