@@ -79,6 +79,7 @@ firmware::CoreConfiguration compile_rig(const RigModel& model, double sample_per
   }
   for (size_t i = 0; i < terms.size(); ++i) result.terms[i] = terms[i];
   for (const ChannelCalibration& channel : channels) compile_channel(model, channel, result);
+  firmware::copy_measured_signals(result);
   return result;
 }
 

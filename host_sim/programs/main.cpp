@@ -6,7 +6,6 @@
 int main(int argc, char** argv) {
   CLI::App app{"Damping of vibration rigs: simulate, estimate, diagnose, read CAN frames", "host_sim"};
   app.require_subcommand(1);
-  app.failure_message(CLI::FailureMessage::help_hint);
   host_sim::remove_temporary_files_on_signals();
   host_sim::Action chosen;
   host_sim::add_estimate_command(app, chosen);
