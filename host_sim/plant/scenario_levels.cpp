@@ -140,8 +140,7 @@ class LevelReader {
           place_, table_, "duration_s",
           std::string("is missing, expected the seconds to be measured") + (level_.periodic() ? " (or cycles)" : ""));
     read_length("settle_s", "settle_cycles", 0.0, level_.settle_samples);
-    ++level_.samples;  // both ends of the interval
-    if (level_.samples < 9) refuse(place_, table_, "duration_s", "holds fewer than 8 sample periods, expected more");
+    if (level_.samples < 8) refuse(place_, table_, "duration_s", "holds fewer than 8 sample periods, expected more");
   }
 
   std::vector<double> read_state(const char* key) {

@@ -34,21 +34,21 @@ uint64_t noise_stream(size_t level, const Channel& channel) {
          static_cast<uint64_t>(channel.quantity);
 }
 
-double rms(const std::vector<double>& values, size_t from) {
+double measured_rms(const std::vector<double>& values, const ExcitationLevel& level) {
   double sum = 0.0;
-  for (size_t k = from; k < values.size(); ++k) sum += values[k] * values[k];
-  return values.size() > from ? std::sqrt(sum / static_cast<double>(values.size() - from)) : 0.0;
+  for (size_t k = 0; k < level.samples; ++k) sum += values[level.settle_samples + k] * values[level.settle_samples + k];
+  return std::sqrt(sum / static_cast<double>(level.samples));
 }
 
-void add_faults(const SensorChannel& sensor, size_t settle, double h, uint64_t seed, uint64_t stream,
+void add_faults(const SensorChannel& sensor, const ExcitationLevel& level, double h, uint64_t seed, uint64_t stream,
                 std::vector<double>& values) {
-  const double noise = 0.01 * sensor.noise_percent * rms(values, settle);
+  const double noise = 0.01 * sensor.noise_percent * measured_rms(values, level);
   const double keep = sensor.noise_corner_Hz > 0.0 ? std::exp(-6.283185307179586 * sensor.noise_corner_Hz * h) : 0.0;
   const double fresh = std::sqrt(1.0 - keep * keep);
   RandomNumbers random(seed, stream);
   double state = noise > 0.0 && keep > 0.0 ? random.normal() : 0.0;
   for (size_t k = 0; k < values.size(); ++k) {
-    const double t = (static_cast<double>(k) - static_cast<double>(settle)) * h;
+    const double t = (static_cast<double>(k) - static_cast<double>(level.settle_samples)) * h;
     values[k] += sensor.offset + sensor.drift_per_s * t;
     if (noise == 0.0) continue;
     state = keep * state + fresh * random.normal();
@@ -87,8 +87,7 @@ Record only(const std::vector<Channel>& wanted, const Record& simulated) {
   return record;
 }
 
-Record measured_level(const Scenario& scenario, size_t level, uint64_t seed, const Record& truth) {
-  Record record = truth;
+Record measured_level(const Scenario& scenario, size_t level, uint64_t seed, Record record) {
   std::map<double, Record> delayed;  // by delay: the same motion at shifted sample times
   for (Channel& channel : record.channels) {
     const SensorChannel& sensor = sensor_of(scenario, channel.name);
@@ -98,8 +97,8 @@ Record measured_level(const Scenario& scenario, size_t level, uint64_t seed, con
       if (const Channel* late = delayed[sensor.delay_us].find(channel.quantity, channel.dof))
         channel.values = late->values;
     }
-    add_faults(sensor, scenario.levels[level].settle_samples, record.sample_period_s, seed,
-               noise_stream(level, channel), channel.values);
+    add_faults(sensor, scenario.levels[level], record.sample_period_s, seed, noise_stream(level, channel),
+               channel.values);
   }
   return record;
 }
@@ -135,8 +134,8 @@ MeasuredLevels measure(const Scenario& scenario, uint64_t seed) {
   if (channels.empty()) throw PlantError("scenario " + scenario.name + " measures no channel");
   std::vector<double> largest(channels.size(), 0.0);
   for (size_t level = 0; level < scenario.levels.size(); ++level) {
-    result.truth.push_back(only(channels, simulate_level(scenario, level, seed)));
-    result.measured.push_back(measured_level(scenario, level, seed, result.truth.back()));
+    result.truth.push_back(simulate_level(scenario, level, seed));
+    result.measured.push_back(measured_level(scenario, level, seed, only(channels, result.truth.back())));
     for (size_t c = 0; c < channels.size(); ++c)
       for (double value : result.measured.back().channels[c].values)
         largest[c] = std::max(largest[c], std::fabs(value));

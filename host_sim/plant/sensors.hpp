@@ -7,10 +7,11 @@
 
 namespace host_sim {
 
-// What was sampled, level by level, settling included. All levels have the same channels, one calibration for each.
+// What was sampled, level by level: settling, measurement and run-out (ExcitationLevel::recorded() samples). All levels
+// have the same channels, one calibration for each.
 struct MeasuredLevels {
   std::vector<rig_file::ChannelCalibration> calibrations;
-  std::vector<Record> truth;  // noise-free, undelayed; channels as measured
+  std::vector<Record> truth;  // noise-free, undelayed, all channels of every DOF
   std::vector<Record>
       measured;  // SI values that the codes stand for: (code - offset_code) * unit_per_code, delays still in
 };

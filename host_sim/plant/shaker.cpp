@@ -19,9 +19,9 @@ Excitation level_excitation(const Scenario& scenario, size_t level_number, uint6
       excitation.base_m = cosine(level.amplitude, level.frequency_Hz);
       break;
     case LevelKind::kRandom:
-      excitation.force_N[driven] =
-          random_band({level.rms_N, level.low_Hz, level.high_Hz}, -settle_s, static_cast<double>(level.samples) * h,
-                      std::min(h, 0.05 / level.high_Hz), seed, level_number);
+      excitation.force_N[driven] = random_band({level.rms_N, level.low_Hz, level.high_Hz}, -settle_s,
+                                               static_cast<double>(level.samples + 1 + kRunOutSamples) * h,
+                                               std::min(h, 0.05 / level.high_Hz), seed, level_number);
       break;
     case LevelKind::kFreeDecay:
       break;
@@ -34,7 +34,7 @@ Excitation level_excitation(const Scenario& scenario, size_t level_number, uint6
 Record simulate_level(const Scenario& scenario, size_t level_number, uint64_t seed, double offset_s) {
   const ExcitationLevel& level = scenario.levels[level_number];
   const long settle = static_cast<long>(level.settle_samples);
-  const SampleTimes times{scenario.sample_period_s(), -settle, -settle, level.settle_samples + level.samples, offset_s};
+  const SampleTimes times{scenario.sample_period_s(), -settle, -settle, level.recorded(), offset_s};
   return simulate(scenario.plant, level.initial, level_excitation(scenario, level_number, seed), times);
 }
 

@@ -8,7 +8,8 @@ namespace host_sim {
 // t = 0 is the level's first sample after settling. The random force depends on seed and level number alone.
 Excitation level_excitation(const Scenario& scenario, size_t level, uint64_t seed);
 
-// Force and motion of every DOF (and of a base that some level moves) over settling and measuring, without sensors.
+// Force and motion of every DOF (and of a base that some level moves) over settling, measurement and run-out
+// (ExcitationLevel::recorded() samples), without sensors.
 // offset_s shifts all sample times: negative for a channel that is late.
 Record simulate_level(const Scenario& scenario, size_t level, uint64_t seed, double offset_s = 0.0);
 
