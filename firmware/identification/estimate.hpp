@@ -19,10 +19,30 @@ enum class EstimateStatus : uint8_t {
 };
 
 struct ParameterEstimate {
-  Scaled value;                 // SI units
-  Scaled std;                   // standard deviation from the measured scatter
-  Scaled ci95_low, ci95_high;   // 95 % interval
+  Scaled value;                // SI units
+  Scaled std;                  // standard deviation from the measured scatter
+  Scaled ci95_low, ci95_high;  // 95 % interval: Student's t with the degrees of freedom of the scatter
+  Scaled plain_value;          // with the plain product (the paper's) instead of the instrument: biased by noise
+  Scaled variance_inflation;   // root of the variance ratio: other parameters unknown against known
   EstimateStatus status = EstimateStatus::kStale;
+};
+
+// How late a channel of a DOF is against its velocity, from identities that need no model of the rig.
+struct SkewEstimate {
+  bool measured = false;     // both channels are there and move
+  bool significant = false;  // over three standard deviations and over what these rows can bear
+  Scaled late_s;             // positive: the channel is late against the velocity
+  Scaled std_s;
+};
+
+enum class Advice : uint8_t {
+  kNone = 0,
+  kAddFrequency = 1,    // argument: a frequency in Hz near which to excite as well
+  kAddLevel = 2,        // another excitation level of the same kind
+  kRaiseLevel = 3,      // argument: the unknown whose link hardly moves
+  kLongerRecord = 4,    // too few batches to measure any scatter
+  kLowerLevel = 5,      // sensors are saturated
+  kCompensateSkew = 6,  // argument: the DOF with the largest skew
 };
 
 struct Estimates {
@@ -32,6 +52,14 @@ struct Estimates {
   Scaled residual_mean_abs;     // mean |A p - U| / |U| over the rows (the paper's normalised residual)
   uint32_t window_counter = 0;  // closed windows so far
   uint32_t rows = 0;            // energy equations used
+
+  Scaled unresolved[kMaxUnknowns];  // the combination of parameters seen worst; its largest entry is 1, the entries are
+                                    // changes relative to each parameter's own value
+  Advice advice = Advice::kNone;
+  int32_t advice_index = -1;  // an unknown or a DOF, see Advice
+  Scaled advice_frequency_Hz;
+  SkewEstimate displacement_skew[kMaxDofs];
+  SkewEstimate acceleration_skew[kMaxDofs];
 };
 
 }  // namespace firmware

@@ -1,0 +1,90 @@
+#include "firmware/identification/identifiability.hpp"
+
+namespace firmware {
+namespace {
+
+constexpr int kIterations =
+    40;  // of the power method; the ratio converges with the square of the gap between singular values
+
+// vector divided by its norm; returns the norm.
+Scaled normalise(Scaled* vector, int size) {
+  Scaled sum;
+  for (int k = 0; k < size; ++k) sum = sum + vector[k] * vector[k];
+  const Scaled norm = sqrt(sum);
+  if (norm.is_zero()) return norm;
+  for (int k = 0; k < size; ++k) vector[k] = vector[k] / norm;
+  return norm;
+}
+
+void start_vector(const TriangularFactor& factor, Scaled* vector) {
+  for (int k = 0; k < factor.unknowns(); ++k)
+    vector[k] =
+        factor.determined(k) ? Scaled::from_int(1 + (k * 7) % 5) : Scaled{};  // not orthogonal to anything likely
+}
+
+// Largest singular value of R D^-1, D the column norms.
+Scaled largest_singular_value(const TriangularFactor& factor, const Scaled* norm) {
+  const int n = factor.unknowns();
+  Scaled vector[kMaxUnknowns], middle[kMaxUnknowns], square;
+  start_vector(factor, vector);
+  normalise(vector, n);
+  for (int turn = 0; turn < kIterations; ++turn) {
+    for (int i = 0; i < n; ++i) {
+      middle[i] = Scaled{};
+      for (int j = i; j < n; ++j)
+        if (!norm[j].is_zero()) middle[i] = middle[i] + factor.factor(i, j) * vector[j] / norm[j];
+    }
+    for (int j = 0; j < n; ++j) {
+      vector[j] = Scaled{};
+      if (norm[j].is_zero()) continue;
+      for (int i = 0; i <= j; ++i) vector[j] = vector[j] + factor.factor(i, j) * middle[i];
+      vector[j] = vector[j] / norm[j];
+    }
+    square = normalise(vector, n);
+  }
+  return sqrt(square);
+}
+
+// Smallest singular value of R D^-1 and its right singular vector, by inverse iteration.
+Scaled smallest_singular_value(const TriangularFactor& factor, const Scaled* norm, Scaled* vector) {
+  const int n = factor.unknowns();
+  Scaled scaled[kMaxUnknowns], square;
+  start_vector(factor, vector);
+  normalise(vector, n);
+  for (int turn = 0; turn < kIterations; ++turn) {
+    for (int k = 0; k < n; ++k) scaled[k] = vector[k] * norm[k];
+    factor.apply_covariance(scaled, vector);
+    for (int k = 0; k < n; ++k) vector[k] = vector[k] * norm[k];
+    square = normalise(vector, n);
+  }
+  return square.is_zero() ? square : Scaled::from_int(1) / sqrt(square);
+}
+
+}  // namespace
+
+void judge_identifiability(TriangularFactor& factor, const Scaled* parameters, Identifiability& result) {
+  const int n = factor.unknowns();
+  Scaled norm[kMaxUnknowns];
+  factor.invert();
+  bool all_determined = n > 0;
+  for (int k = 0; k < n; ++k) {
+    norm[k] = factor.column_norm(k);
+    all_determined = all_determined && factor.determined(k);
+    result.inflation[k] = factor.determined(k) ? sqrt(factor.covariance(k, k)) * norm[k] : Scaled{};
+  }
+  const Scaled smallest = smallest_singular_value(factor, norm, result.unresolved);
+  const Scaled largest = largest_singular_value(factor, norm);
+  result.condition_number = all_determined ? largest / smallest : Scaled::from_int(1, 40);
+
+  Scaled top;
+  for (int k = 0; k < n; ++k) {
+    Scaled& entry = result.unresolved[k];
+    if (norm[k].is_zero() || parameters[k].is_zero()) entry = Scaled{};
+    if (!entry.is_zero()) entry = entry / (norm[k] * abs(parameters[k]));
+    if (abs(entry) > abs(top)) top = entry;
+  }
+  for (int k = 0; k < n; ++k)
+    if (!top.is_zero()) result.unresolved[k] = result.unresolved[k] / top;
+}
+
+}  // namespace firmware

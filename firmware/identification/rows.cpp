@@ -1,0 +1,79 @@
+#include "firmware/identification/rows.hpp"
+
+namespace firmware {
+namespace {
+
+bool has_rows(const BatchTable& table, Weight weight) {
+  const int q = static_cast<int>(weight);
+  for (int l = 0; l < table.level_count; ++l) {
+    const Level& level = table.level[l];
+    for (int b = 0; b < level.batch_count; ++b)
+      for (int n = 0; n < table.layout.first[table.layout.dof_count]; ++n)
+        if (level.batch[b].column[q][n].bits != 0) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+bool is_conservative(TermKind kind) {
+  return kind == TermKind::kMass || kind == TermKind::kStiffness || kind == TermKind::kGravity ||
+         kind == TermKind::kCubicStiffness || kind == TermKind::kQuadraticStiffness || kind == TermKind::kBacklash ||
+         kind == TermKind::kEndStop || kind == TermKind::kForceOffset;
+}
+
+EquationList list_equations(const CoreConfiguration& configuration, const BatchTable& table) {
+  EquationList list;
+  list.dof_count = configuration.dof_count;
+  list.unknown_count = configuration.unknown_count;
+  list.instrument = has_rows(table, Weight::kInstrument);
+  for (int t = 0; t < configuration.term_count; ++t)
+    if (configuration.terms[t].unknown >= 0 && is_conservative(configuration.terms[t].kind)) list.displacement = true;
+  if (!has_rows(table, Weight::kDisplacement)) list.displacement = false;
+  const Weight velocity = list.instrument ? Weight::kInstrument : Weight::kPlain;
+  for (int i = 0; i < list.dof_count; ++i) list.equation[list.count++] = {static_cast<uint8_t>(i), velocity};
+  if (list.displacement)
+    for (int i = 0; i < list.dof_count; ++i)
+      list.equation[list.count++] = {static_cast<uint8_t>(i), Weight::kDisplacement};
+
+  for (int i = 0; i < list.dof_count; ++i) list.neighbours[i] = uint32_t{1} << i;
+  for (int l = 0; l < configuration.link_count; ++l) {
+    const int a = configuration.links[l].node_a, b = configuration.links[l].node_b;
+    if (a >= list.dof_count || b >= list.dof_count) continue;
+    list.neighbours[a] |= uint32_t{1} << b;
+    list.neighbours[b] |= uint32_t{1} << a;
+  }
+  return list;
+}
+
+void clear_row(int unknowns, Row& row) {
+  for (int k = 0; k < unknowns; ++k) row.column[k] = Scaled{};
+  row.rhs = Scaled{};
+}
+
+void add_batch_row(const RowLayout& layout, const Batch& batch, Equation equation, Scaled factor, Row& row) {
+  const int q = static_cast<int>(equation.weight);
+  for (int n = layout.first[equation.dof]; n < layout.first[equation.dof + 1]; ++n) {
+    Scaled& column = row.column[layout.unknown[n]];
+    column = column + factor * unpack(batch.column[q][n]);
+  }
+  row.rhs = row.rhs + factor * unpack(batch.dof[equation.dof].rhs[q]);
+}
+
+Scaled batch_residual(const RowLayout& layout, const Batch& batch, Equation equation, const Scaled* parameters) {
+  const int q = static_cast<int>(equation.weight);
+  Scaled residual = unpack(batch.dof[equation.dof].rhs[q]);
+  for (int n = layout.first[equation.dof]; n < layout.first[equation.dof + 1]; ++n)
+    residual = residual - unpack(batch.column[q][n]) * parameters[layout.unknown[n]];
+  return residual;
+}
+
+bool moves(const BatchDof& dof, bool instrument, Scaled mean_motion) {
+  const Scaled energy = unpack(dof.velocity_square);
+  if (energy <= scale_by_power_of_two(mean_motion, -34)) return false;
+  if (!instrument) return true;
+  const Scaled clean = unpack(dof.velocity_instrument);
+  return scale_by_power_of_two(energy - clean, 1) < clean;
+}
+
+}  // namespace firmware

@@ -1,0 +1,46 @@
+// The energy equations as rows over all unknowns, read from the batch table.
+//
+// One equation per DOF with the velocity weight (the instrument where the table holds one, else the plain velocity),
+// and a second one with the displacement weight where a mass, a stiffness or another conservative coefficient is
+// unknown: over whole cycles velocity-weighted rows do not see those.
+#pragma once
+#include "firmware/configuration/configuration.hpp"
+#include "firmware/energy/batch_table.hpp"
+
+namespace firmware {
+
+struct Equation {
+  uint8_t dof = 0;
+  Weight weight = Weight::kPlain;
+};
+constexpr int kMaxEquations = 2 * kMaxDofs;
+
+struct EquationList {
+  uint8_t count = 0;
+  uint8_t dof_count = 0;
+  uint8_t unknown_count = 0;
+  bool instrument = false;    // the velocity rows use the instrument
+  bool displacement = false;  // there are displacement rows: equation[dof_count + i]
+  Equation equation[kMaxEquations];
+  uint32_t neighbours[kMaxDofs] = {};  // bit j: a link joins DOFs i and j, or i == j
+};
+
+// sum over unknowns of column * p = rhs, energies in J.
+struct Row {
+  Scaled column[kMaxUnknowns];
+  Scaled rhs;
+};
+
+bool is_conservative(TermKind kind);  // its work over a closed cycle is zero
+EquationList list_equations(const CoreConfiguration& configuration, const BatchTable& table);
+
+void clear_row(int unknowns, Row& row);
+// row += factor * the equation's row of one batch.
+void add_batch_row(const RowLayout& layout, const Batch& batch, Equation equation, Scaled factor, Row& row);
+// rhs - sum of column * p of one batch.
+Scaled batch_residual(const RowLayout& layout, const Batch& batch, Equation equation, const Scaled* parameters);
+// The DOF moves in this batch: over 2^-34 of its mean motion energy in the level (a DOF held by friction does not
+// move), and with an instrument, whose noise is its own, the noise-free part of the energy is at least twice the noise.
+bool moves(const BatchDof& dof, bool instrument, Scaled mean_motion);
+
+}  // namespace firmware

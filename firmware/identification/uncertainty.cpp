@@ -1,0 +1,93 @@
+#include "firmware/identification/uncertainty.hpp"
+
+#include "firmware/identification/student_quantile.hpp"
+
+namespace firmware {
+namespace {
+
+struct Sums {
+  Scaled variance[kMaxUnknowns];
+  Scaled variance_square_per_freedom[kMaxUnknowns];
+  Scaled
+      batch_rows;  // rows of levels that are not periodic: their residuals have also lent degrees of freedom to the fit
+  Scaled relative_residuals;
+  uint32_t rows = 0;
+  uint32_t relative_rows = 0;
+};
+
+// Adds what one equation of one level contributes.
+void add_equation(const EquationList& list, const LevelObservables& level, const Whitening& whitening, int e,
+                  const WeightedFit& fit, Sums& sums) {
+  Scaled share[kMaxUnknowns], gain[kMaxUnknowns];
+  const int first = level.periodic() ? -1 : 0, last = level.periodic() ? 0 : level.batch_count();
+  Row row;
+  int rows = 0;
+  for (int b = first; b < last; ++b) {
+    if (!whitened_row(list, level, whitening, e, b, row)) continue;
+    ++rows;
+    fit.factor().apply_covariance(row.column, gain);
+    for (int k = 0; k < list.unknown_count; ++k) share[k] = share[k] + gain[k] * gain[k];
+    Scaled residual = row.rhs;
+    for (int k = 0; k < list.unknown_count; ++k) residual = residual - row.column[k] * fit.parameters()[k];
+    if (!row.rhs.is_zero()) {
+      sums.relative_residuals = sums.relative_residuals + abs(residual / row.rhs);
+      ++sums.relative_rows;
+    }
+  }
+  sums.rows += static_cast<uint32_t>(rows);
+  const Scaled freedom = Scaled::from_int(whitening.freedom > 0 ? whitening.freedom : 1);
+  for (int k = 0; k < list.unknown_count; ++k) {
+    const Scaled part = share[k] * whitening.inflation;
+    sums.variance[k] = sums.variance[k] + part;
+    sums.variance_square_per_freedom[k] = sums.variance_square_per_freedom[k] + part * part / freedom;
+  }
+}
+
+// Residual scatter lost to the fitted parameters, and a fit that misses its own weights by far: both widen the
+// intervals.
+Scaled variance_factor(const EquationList& list, const WeightedFit& fit, uint32_t rows, bool periodic) {
+  const int freedom = static_cast<int>(rows) - list.unknown_count;
+  if (freedom <= 0) return Scaled::from_int(1);
+  const Scaled misfit = fit.factor().residual_square() / Scaled::from_int(freedom);
+  if (!fit.all_measured()) return misfit;
+  const Scaled lost = periodic ? Scaled::from_int(1) : Scaled::ratio(static_cast<int64_t>(rows), freedom);
+  // Chance takes the misfit over 1 + 5 sqrt(2 / freedom) less than once in 10^4 fits.
+  const Scaled limit = Scaled::from_int(1) + sqrt(Scaled::ratio(50, freedom)) + Scaled::ratio(6, freedom);
+  return misfit > limit ? (misfit > lost ? misfit : lost) : lost;
+}
+
+void report(const EquationList& list, const WeightedFit& fit, const Sums& sums, Scaled factor, bool measured,
+            Estimates& estimates) {
+  const int spare = static_cast<int>(sums.rows) - list.unknown_count;
+  for (int k = 0; k < list.unknown_count; ++k) {
+    ParameterEstimate& parameter = estimates.parameters[k];
+    parameter.value = fit.parameters()[k];
+    const Scaled variance = sums.variance[k];
+    parameter.std = sqrt(variance * factor);
+    Scaled freedom = Scaled::from_int(spare > 0 ? spare : 1);
+    if (measured && !sums.variance_square_per_freedom[k].is_zero())
+      freedom = variance * variance / sums.variance_square_per_freedom[k];
+    const Scaled half = student_quantile_95(freedom) * parameter.std;
+    parameter.ci95_low = parameter.value - half;
+    parameter.ci95_high = parameter.value + half;
+  }
+  estimates.rows = sums.rows;
+  estimates.residual_mean_abs =
+      sums.relative_rows ? sums.relative_residuals / Scaled::from_int(static_cast<int64_t>(sums.relative_rows))
+                         : Scaled{};
+}
+
+}  // namespace
+
+void estimate_uncertainty(const EquationList& list, const BatchTable& table, WeightedFit& fit, Estimates& estimates) {
+  Sums sums;
+  bool periodic = true;
+  for (int l = 0; l < table.level_count; ++l) {
+    const LevelObservables& level = fit.load_level(l);
+    periodic = periodic && level.periodic();
+    for (int e = 0; e < list.count; ++e) add_equation(list, level, fit.whitening(l, e), e, fit, sums);
+  }
+  report(list, fit, sums, variance_factor(list, fit, sums.rows, periodic), fit.all_measured(), estimates);
+}
+
+}  // namespace firmware
