@@ -5,6 +5,7 @@ namespace {
 
 constexpr int32_t kSignalLimit = 1 << 23;
 constexpr int kStateFraction = 16;
+constexpr int kSettlingTimeConstants = 4;  // of the high-pass
 
 int32_t clamp32(int64_t value) {
   if (value > INT32_MAX) return INT32_MAX;
@@ -31,7 +32,13 @@ void Conditioning::configure(const CoreConfiguration& configuration) {
       if (signal.half_length > reach_) reach_ = signal.half_length;
     }
   }
-  plain_ = reach_ == 0 && configuration.high_pass_order == 0;
+  history_samples_ = 2 * reach_;
+  if (configuration.high_pass_order > 0) history_samples_ += kSettlingTimeConstants << configuration.high_pass_shift;
+  plain_ = configuration.high_pass_order == 0;
+  for (int i = 0; i < path_count_; ++i) {
+    const SignalConfiguration& signal = configuration.signals[path_[i].node][path_[i].quantity];
+    if (signal.half_length > 0 || signal.tap[0].raw != 0) plain_ = false;
+  }
   restart();
 }
 
@@ -62,7 +69,7 @@ bool Conditioning::append(const RawSample& sample, Frame& frame, int at) {
   }
   if (++history_at_ == kHistory) history_at_ = 0;
   ++received_;
-  return received_ > static_cast<uint32_t>(2 * reach_);
+  return received_ > static_cast<uint32_t>(history_samples_);
 }
 
 void Conditioning::move_frame(Frame& frame, int count, int kept) const {

@@ -3,7 +3,7 @@
 //   code - offset -> [high-pass and integrations] -> [FIR] -> rounded shift -> column of the frame
 //
 // Formats: code 24 bits; section states Q16 in int64, below 2^57 for two integrations at the slowest corner (shift 12);
-// FIR: 33 taps Q24 times 31 bits stay below 2^61. Signals leave with |value| <= 2^23; a signal at that limit and a code at
+// FIR: 45 taps of 30 bits times codes of 24 bits, or of 25 bits times 31, stay below 2^62. Signals leave with |value| <= 2^23; a signal at that limit and a code at
 // its channel's full scale count as saturated.
 #pragma once
 #include <cstdint>
@@ -12,9 +12,6 @@
 #include "firmware/energy/columns.hpp"
 
 namespace firmware {
-
-// An integration's output is the sum of its input in units of the sample period, divided by 2^(high_pass_shift - this).
-constexpr int kIntegrationExtraBits = 6;
 
 class Conditioning {
  public:
@@ -25,7 +22,7 @@ class Conditioning {
   // Moves every signal's positions [count, count + kept) to the frame's start.
   void move_frame(Frame& frame, int count, int kept) const;
   bool saturated() const { return saturated_; }       // of the last sample
-  int history_samples() const { return 2 * reach_; }  // samples at a level's start that give no output
+  int history_samples() const { return history_samples_; }  // samples at a level's start that give no output
 
  private:
   static constexpr int kHistory = 2 * kFilterHalf + 1;
@@ -45,6 +42,7 @@ class Conditioning {
   Path path_[kMaxNodes * kQuantities];
   int path_count_ = 0;
   int reach_ = 0;       // longest half_length: the common delay in samples
+  int history_samples_ = 0;
   bool plain_ = true;   // no filter anywhere: codes are copied
   bool saturated_ = false;
   uint32_t received_ = 0;

@@ -54,8 +54,5 @@ constexpr To rescale(Fixed<S, F> a) {
   }
 }
 
-using Code = Fixed<int32_t, 0>;       // an ADC code with its offset removed
-using FilterTap = Fixed<int32_t, 24>; // FIR coefficient, |h| < 128
-using Fraction = Fixed<int32_t, 16>;  // position inside a sample interval, 0 to 1
 
 }  // namespace firmware

@@ -1,0 +1,27 @@
+// The linear-phase filters that derive missing quantities, all with one band and one delay.
+//
+// Every filter is a product of: a low-pass (Kaiser-windowed sinc, pass band to a tenth of the sample rate) or an all-pass,
+// either shifted by a fraction of a sample; central differences of eighth order; six-point integration (error 3e-6 at a
+// twentieth of the sample rate). Because derivative and low-pass are separate factors, a signal and its derivative are
+// filtered by exactly the same low-pass, whatever the order of the difference formula.
+#pragma once
+#include <vector>
+
+namespace rig_file {
+
+// Impulse response h[-half] .. h[half], oldest sample first; always of odd length.
+using Impulse = std::vector<double>;
+
+constexpr int kLowPassHalf = 12;
+
+// Low-pass with unit gain at rest that takes the signal's value `advance` samples later (|advance| < 1 works best).
+Impulse low_pass(double advance);
+// All frequencies up to 0.4 of the sample rate, shifted; for advance 0 the single tap 1.
+Impulse shifted_all_pass(double advance);
+Impulse first_difference();   // per sample: divide by the sample period
+Impulse second_difference();  // per sample squared
+// Turns the running sum of a signal into its integral, in units of the sample period.
+Impulse sum_to_integral();
+Impulse convolve(const Impulse& a, const Impulse& b);
+
+}  // namespace rig_file

@@ -1,0 +1,35 @@
+// Decides how every signal of the energy equations is made from the channels a rig has: measured, derived, delayed, filtered.
+//
+//   all of x, v (and a) measured, no delays   codes as they are
+//   only x                                    v and a by differences, every channel through the same low-pass
+//   v without x                               x by integration, every channel through the same high-pass (0.16 Hz at 1 kHz)
+//   only a                                    v and x by integration, likewise
+//   delays (rig file's [[channel]] delay_us)  fractional shift of the late channel
+// The DOFs may differ: what one of them needs is applied to all channels, so that each equation sees one band and one delay.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "firmware/acquisition/raw_sample.hpp"
+#include "firmware/configuration/configuration.hpp"
+
+namespace rig_file {
+
+// Largest magnitude of each signal in SI units; 0 where not known (then a bound from full scale and band is taken, which
+// costs resolution). A signal has 22 bits for it and one to spare.
+struct SignalRanges {
+  double largest[firmware::kMaxNodes][firmware::kQuantities] = {};
+};
+
+// Fills configuration.signals and the high-pass from configuration.channels, links and terms.
+// Throws RigFileError where a DOF has too few channels for its equation.
+void plan_signals(firmware::CoreConfiguration& configuration, const SignalRanges& ranges = {});
+
+// What the signals of a planned configuration reach on recorded samples, one vector per record.
+SignalRanges measure_ranges(const firmware::CoreConfiguration& planned,
+                            const std::vector<std::vector<firmware::RawSample>>& records);
+
+// The plan in one line: "velocity and acceleration of DOF 1 derived from displacement; ..." Empty: all measured.
+std::string describe_plan(const firmware::CoreConfiguration& planned);
+
+}  // namespace rig_file

@@ -1,0 +1,165 @@
+// Derived signals against the analytic motion they stand for.
+#include "firmware/conditioning/conditioning.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <complex>
+#include <functional>
+#include <memory>
+
+#include "hal/configuration/rig_file_error.hpp"
+#include "hal/configuration/scaled_double.hpp"
+#include "hal/configuration/signal_plan.hpp"
+
+using namespace firmware;
+
+namespace {
+
+constexpr double kPeriod = 0.001;
+
+// One mass on a spring: displacement, velocity and acceleration are all needed.
+std::unique_ptr<CoreConfiguration> rig(std::initializer_list<Quantity> measured) {
+  auto c = std::make_unique<CoreConfiguration>();
+  c->dof_count = c->link_count = 1;
+  c->sample_period_s = rig_file::to_scaled(kPeriod);
+  c->terms[0].kind = TermKind::kMass;
+  c->terms[1].kind = TermKind::kStiffness;
+  c->term_count = 2;
+  for (Quantity q : measured) {
+    c->channels[0][static_cast<int>(q)].present = true;
+    c->channels[0][static_cast<int>(q)].unit_per_code = rig_file::to_scaled(std::ldexp(1.0, -22));
+  }
+  return c;
+}
+
+// Amplitude and phase of a signal's column against sin(w t), by projection on the last whole cycles.
+struct Response {
+  double in_phase, quadrature, offset;
+};
+
+Response respond(const CoreConfiguration& c, Quantity signal, Quantity source, double frequency_Hz, int samples) {
+  auto conditioning = std::make_unique<Conditioning>();
+  auto frame = std::make_unique<Frame>();
+  conditioning->configure(c);
+  const double w = 2.0 * M_PI * frequency_Hz, unit = rig_file::to_double(c.signals[0][static_cast<int>(signal)].unit_per_code);
+  Response r{0.0, 0.0, 0.0};
+  const int cycle = static_cast<int>(std::lround(1.0 / frequency_Hz / kPeriod)), last = samples - samples % cycle - cycle * 4;
+  int delay = 0;
+  for (const auto& node : c.signals)
+    for (const SignalConfiguration& s : node) delay = std::max<int>(delay, s.half_length);
+  for (int n = 0; n < samples; ++n) {
+    RawSample sample;
+    const double delay_s = c.channels[0][static_cast<int>(source)].delay_ns * 1e-9;
+    sample.code[0][static_cast<int>(source)] =
+        static_cast<int32_t>(std::lround(0.9 * (1 << 22) * std::sin(w * (n * kPeriod - delay_s))));
+    const bool usable = conditioning->append(sample, *frame, 0);
+    if (!usable || n < last || n >= last + 4 * cycle) continue;
+    const double value = frame->column[signal_column(0, signal)][0] * unit / 0.9;
+    const double t = (n - delay) * kPeriod;
+    r.in_phase += 2.0 * value * std::sin(w * t) / (4 * cycle);
+    r.quadrature += 2.0 * value * std::cos(w * t) / (4 * cycle);
+    r.offset += value / (4 * cycle);
+  }
+  return r;
+}
+
+}  // namespace
+
+TEST(Conditioning, AllMeasuredIsACopy) {
+  auto c = rig({Quantity::kDisplacement, Quantity::kVelocity, Quantity::kAcceleration});
+  rig_file::plan_signals(*c);
+  Conditioning conditioning;
+  conditioning.configure(*c);
+  auto frame = std::make_unique<Frame>();
+  RawSample sample;
+  sample.code[0][1] = -1234567;
+  EXPECT_TRUE(conditioning.append(sample, *frame, 5));
+  EXPECT_EQ(frame->column[signal_column(0, Quantity::kDisplacement)][5], -1234567);
+  EXPECT_EQ(conditioning.history_samples(), 0);
+}
+
+TEST(Conditioning, VelocityAndAccelerationFromDisplacement) {
+  // x = sin(w t): v = w cos, a = -w^2 sin, and all three through one low-pass: the ratios are those of the true signals.
+  auto c = rig({Quantity::kDisplacement});
+  rig_file::plan_signals(*c);
+  for (double frequency_Hz : {2.0, 10.0, 50.0}) {
+    const double w = 2.0 * M_PI * frequency_Hz;
+    rig_file::SignalRanges ranges;
+    ranges.largest[0][1] = 1.0;
+    ranges.largest[0][2] = w;
+    ranges.largest[0][3] = w * w;
+    rig_file::plan_signals(*c, ranges);
+    const Response x = respond(*c, Quantity::kDisplacement, Quantity::kDisplacement, frequency_Hz, 4000);
+    const Response v = respond(*c, Quantity::kVelocity, Quantity::kDisplacement, frequency_Hz, 4000);
+    const Response a = respond(*c, Quantity::kAcceleration, Quantity::kDisplacement, frequency_Hz, 4000);
+    EXPECT_NEAR(x.in_phase, 1.0, 0.03);  // the low-pass's own gain
+    EXPECT_NEAR(v.quadrature / x.in_phase, w, 2e-6 * w);
+    EXPECT_NEAR(a.in_phase / x.in_phase, -w * w, 1e-5 * w * w);
+    EXPECT_NEAR(v.in_phase / w, 0.0, 1e-6);
+  }
+}
+
+TEST(Conditioning, VelocityAndDisplacementFromAcceleration) {
+  // a = sin(w t): v = -cos / w, x = -sin / w^2, all three through the same three high-pass sections (4 s to settle).
+  auto c = rig({Quantity::kAcceleration});
+  rig_file::plan_signals(*c);
+  for (double frequency_Hz : {5.0, 20.0, 50.0}) {
+    const double w = 2.0 * M_PI * frequency_Hz;
+    const auto complex = [](Response r) { return std::complex<double>(r.in_phase, r.quadrature); };
+    const auto a = complex(respond(*c, Quantity::kAcceleration, Quantity::kAcceleration, frequency_Hz, 20000));
+    const auto v = complex(respond(*c, Quantity::kVelocity, Quantity::kAcceleration, frequency_Hz, 20000));
+    const auto x = complex(respond(*c, Quantity::kDisplacement, Quantity::kAcceleration, frequency_Hz, 20000));
+    EXPECT_NEAR(std::abs(a), 1.0, 0.01);
+    EXPECT_NEAR(std::abs(v / a - std::complex<double>(0.0, -1.0 / w)) * w, 0.0, 2e-4);
+    EXPECT_NEAR(std::abs(x / a + 1.0 / (w * w)) * w * w, 0.0, 1e-3);
+  }
+}
+
+TEST(Conditioning, AnOffsetDoesNotDrift) {
+  auto c = rig({Quantity::kAcceleration});
+  c->channels[0][3].offset_code = 0;
+  rig_file::plan_signals(*c);
+  Conditioning conditioning;
+  conditioning.configure(*c);
+  auto frame = std::make_unique<Frame>();
+  int32_t largest = 0;
+  for (int n = 0; n < 20000; ++n) {
+    RawSample sample;
+    sample.code[0][3] = 100000;  // nothing but an offset
+    if (conditioning.append(sample, *frame, 0))
+      largest = std::max(largest, std::abs(frame->column[signal_column(0, Quantity::kDisplacement)][0]));
+  }
+  EXPECT_LE(largest, 1);
+}
+
+TEST(Conditioning, ALateChannelIsMovedBack) {
+  // Displacement 250 us late: after the plan has moved it back by a quarter sample the projection has no quadrature part.
+  auto c = rig({Quantity::kDisplacement, Quantity::kVelocity, Quantity::kAcceleration});
+  c->channels[0][1].delay_ns = 250000;
+  rig_file::plan_signals(*c);
+  for (double frequency_Hz : {5.0, 50.0, 125.0}) {
+    const Response x = respond(*c, Quantity::kDisplacement, Quantity::kDisplacement, frequency_Hz, 4000);
+    const Response v = respond(*c, Quantity::kVelocity, Quantity::kVelocity, frequency_Hz, 4000);
+    EXPECT_NEAR(x.in_phase, 1.0, 1e-3);
+    EXPECT_NEAR(x.quadrature, 0.0, 1e-3);
+    EXPECT_NEAR(v.quadrature, 0.0, 1e-6);  // the others have the same delay and no shift
+  }
+}
+
+TEST(Conditioning, ADofWithoutMotionIsRefused) {
+  auto c = rig({Quantity::kForce});
+  EXPECT_THROW(rig_file::plan_signals(*c), rig_file::RigFileError);
+}
+
+TEST(Conditioning, RangesOfARecordedMotion) {
+  // x = 0.5 sin(2 pi 10 t): v reaches 31.4, a 1974.
+  auto c = rig({Quantity::kDisplacement});
+  rig_file::plan_signals(*c);
+  std::vector<RawSample> record(3000);
+  for (size_t n = 0; n < record.size(); ++n)
+    record[n].code[0][1] = static_cast<int32_t>(std::lround(0.5 * (1 << 22) * std::sin(2.0 * M_PI * 10.0 * kPeriod * static_cast<double>(n))));
+  const rig_file::SignalRanges ranges = rig_file::measure_ranges(*c, {record});
+  EXPECT_NEAR(ranges.largest[0][2], 0.5 * 62.83, 0.5);
+  EXPECT_NEAR(ranges.largest[0][3], 0.5 * 3948, 30.0);
+}
