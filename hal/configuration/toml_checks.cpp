@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <numeric>
-#include <sstream>
 
 namespace rig_file {
 namespace {
@@ -57,10 +57,10 @@ toml::table parse_toml(std::string_view text, const std::string& file) {
 
 toml::table parse_toml_file(const std::string& path) {
   std::ifstream stream(path, std::ios::binary);
-  std::ostringstream content;
-  if (!stream || !(content << stream.rdbuf()))
-    throw RigFileError(path, 0, "", "cannot be read, expected a TOML file with content");
-  return parse_toml(content.str(), path);
+  if (!stream || std::filesystem::is_directory(path))
+    throw RigFileError(path, 0, "", "cannot be read, expected a TOML file");
+  const std::string content((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
+  return parse_toml(content, path);
 }
 
 std::string nearest_word(std::string_view word, const std::vector<std::string>& known) {

@@ -1,7 +1,25 @@
 // host_sim: simulate a rig, estimate from measured data, name what a model lacks, read the frames.
+#include <cstdio>
+
 #include "host_sim/programs/commands.hpp"
 #include "host_sim/programs/failures.hpp"
 #include "host_sim/records/output_file.hpp"
+
+namespace {
+
+// CLI11 only says that a subcommand is missing; a misspelt one deserves its name in the message.
+bool known_first_word(const CLI::App& app, int argc, char** argv) {
+  if (argc < 2 || argv[1][0] == '-') return true;
+  std::string known;
+  for (const CLI::App* command : app.get_subcommands({})) {
+    if (command->get_name() == argv[1]) return true;
+    known += (known.empty() ? "" : ", ") + command->get_name();
+  }
+  std::fprintf(stderr, "host_sim: \"%s\" is no command, expected one of %s\n", argv[1], known.c_str());
+  return false;
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
   CLI::App app{"Damping of vibration rigs: simulate, estimate, diagnose, read CAN frames", "host_sim"};
@@ -11,6 +29,7 @@ int main(int argc, char** argv) {
   host_sim::add_estimate_command(app, chosen);
   host_sim::add_decode_command(app, chosen);
   host_sim::add_dbc_command(app, chosen);
+  if (!known_first_word(app, argc, argv)) return static_cast<int>(host_sim::ExitStatus::kBadInput);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
