@@ -1,0 +1,21 @@
+// MAT files (MATLAB, Octave, SciPy; all versions that libmatio reads).
+//
+// Variables are named as the columns of a CSV file: real vectors of one length, "force_1_N", "displacement_1_m", ...,
+// beside either t_s (constant step) or sample_rate_Hz (a scalar; the record then starts at 0). They stand at the top or
+// are the fields of one struct. Text and other scalars are passed over.
+#pragma once
+#include <string>
+#include <string_view>
+
+#include "hal/configuration/rig_model.hpp"
+#include "host_sim/records/record.hpp"
+
+namespace host_sim {
+
+// Extension .mat, or the first bytes of a MAT file.
+bool is_mat(const std::string& path, std::string_view content);
+
+// Throws DataFileError that names the variable.
+Record read_mat(const std::string& path, const rig_file::RigModel& model);
+
+}  // namespace host_sim
