@@ -116,7 +116,7 @@ Function read_function(Lines& lines) {
   lines.required("the ordinate denominator (record 10)");
   lines.required("the z axis (record 11)");
   std::string_view line = lines.required("values");
-  while (trimmed(line) != "-1" || function.values.size() + 1 == count) {  // a last value of -1 is a value
+  while (trimmed(line) != "-1") {
     append_numbers(lines, line, count, function.values);
     line = lines.required("-1, the end of the dataset");
   }

@@ -3,6 +3,9 @@
 #include <cstdio>
 #include <memory>
 
+#include "host_sim/ingestion/mat_reader.hpp"
+#include "host_sim/ingestion/sensor_log_reader.hpp"
+#include "host_sim/ingestion/uff_reader.hpp"
 #include "host_sim/records/csv_reader.hpp"
 #include "host_sim/records/data_file_error.hpp"
 #include "host_sim/records/record_checks.hpp"
@@ -18,6 +21,10 @@ struct RecordFormat {
 
 // The first that recognises the file reads it; the last one takes all.
 constexpr RecordFormat kFormats[] = {
+    {"MAT", is_mat,
+     [](std::string_view, const std::string& path, const rig_file::RigModel& model) { return read_mat(path, model); }},
+    {"Universal File", is_uff, parse_uff},
+    {"candump log", is_sensor_log, parse_sensor_log},
     {"CSV", [](const std::string&, std::string_view) { return true; }, parse_csv},
 };
 
@@ -42,7 +49,7 @@ Record read_record(const std::string& path, const rig_file::RigModel& model) {
     require_motion_channels(record, model);
     return record;
   }
-  throw DataFileError(path, 0, "is of no known format, expected CSV");
+  throw DataFileError(path, 0, "is of no known format, expected CSV, MAT, Universal File 58 or a candump log");
 }
 
 }  // namespace host_sim

@@ -1,0 +1,85 @@
+#include "host_sim/ingestion/sensor_log_reader.hpp"
+
+#include <algorithm>
+#include <sstream>
+
+#include "host_sim/can_log/log_reader.hpp"
+#include "host_sim/ingestion/log_calibration.hpp"
+#include "host_sim/records/data_file_error.hpp"
+#include "host_sim/records/record_checks.hpp"
+
+namespace host_sim {
+namespace {
+
+bool ends_with(const std::string& text, std::string_view end) {
+  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+bool usable(const can_log::LogEntry& entry) { return entry.has_time && !entry.frame.error && !entry.frame.remote; }
+
+LogCalibration calibration_of(const std::string& text, const std::string& file) {
+  std::istringstream input(text);
+  can_log::LogReader reader(input);
+  can_log::LogEntry entry;
+  LogCalibration calibration;
+  while (reader.next(entry))
+    if (usable(entry)) calibration.learn(can_log::to_message(entry.frame), file, static_cast<size_t>(reader.line()));
+  if (!calibration.any_sensor_frame())
+    throw DataFileError(file, 0, "no sensor frame, expected a candump log that holds the samples (frames sensor_...)");
+  return calibration;
+}
+
+void append(const firmware::RawSample& sample, const std::vector<LogChannel>& channels, Record& record) {
+  for (size_t i = 0; i < channels.size(); ++i) {
+    const int32_t code = sample.code[channels[i].node][channels[i].quantity];
+    record.channels[i].values.push_back(static_cast<double>(code - channels[i].offset_code) *
+                                        channels[i].unit_per_code);
+  }
+}
+
+}  // namespace
+
+bool is_sensor_log(const std::string& path, std::string_view content) {
+  if (ends_with(path, ".log") || ends_with(path, ".candump")) return true;
+  can_log::LogEntry entry;
+  return can_log::parse_line(content.substr(0, content.find_first_of("\r\n")), entry);
+}
+
+Record parse_sensor_log(std::string_view content, const std::string& file, const rig_file::RigModel& model) {
+  const std::string text(content);
+  const LogCalibration calibration = calibration_of(text, file);
+  const std::vector<LogChannel> channels = calibration.channels(file, model);
+  Record record;
+  record.file = file;
+  for (const LogChannel& channel : channels) record.channels.push_back(channel_of_name(channel.name, model, file, 0));
+
+  std::istringstream input(text);
+  can_log::LogReader reader(input);
+  can_log::LogEntry entry;
+  firmware::SensorAssembler assembler(calibration.plan());
+  firmware::RawSample sample;
+  uint64_t first_ns = 0, last_ns = 0;
+  uint32_t expected = 0;
+  while (reader.next(entry)) {
+    if (!usable(entry) || !assembler.push(can_log::to_message(entry.frame), entry.frame.time_ns, sample)) continue;
+    if (record.samples() == 0) {
+      first_ns = sample.time_ns;
+    } else if (sample.sequence != expected) {
+      throw DataFileError(file, static_cast<size_t>(reader.line()),
+                          "sample " + std::to_string(sample.sequence) + " follows sample " +
+                              std::to_string(expected - 1) + ", expected " + std::to_string(expected) +
+                              " with all its frames");
+    }
+    expected = sample.sequence + 1;
+    last_ns = sample.time_ns;
+    append(sample, channels, record);
+  }
+  if (record.samples() < 2)
+    throw DataFileError(file, 0, std::to_string(record.samples()) + " whole samples, expected at least 2");
+  record.sample_period_s = 1e-9 * static_cast<double>(last_ns - first_ns) / static_cast<double>(record.samples() - 1);
+  if (!(record.sample_period_s > 0.0) || last_ns < first_ns)
+    throw DataFileError(file, 0, "the times of the frames do not rise, expected times as candump -L writes them");
+  return record;
+}
+
+}  // namespace host_sim

@@ -1,0 +1,192 @@
+// MAT files: written with libmatio, read back; structs, number classes, and what is refused.
+#include <gtest/gtest.h>
+#include <matio.h>
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+#include "host_sim/ingestion/mat_reader.hpp"
+#include "host_sim/records/record_reader.hpp"
+#include "tests/ingestion/rigs.hpp"
+
+namespace {
+
+using host_sim::Quantity;
+using host_sim::read_mat;
+using test_rigs::dampers;
+using test_rigs::expect_says;
+using test_rigs::refusal;
+
+// A MAT file in the making; removed at the end.
+class MatFile {
+ public:
+  explicit MatFile(mat_ft version = MAT_FT_MAT5)
+      : path_((std::filesystem::path(testing::TempDir()) / "written_by_test.mat").string()),
+        file_(Mat_CreateVer(path_.c_str(), nullptr, version)) {}
+  ~MatFile() {
+    close();
+    std::remove(path_.c_str());
+  }
+  MatFile& add(const char* name, std::vector<double> values, size_t rows = 0) {
+    matvar_t* const variable = vector(name, values, rows);
+    Mat_VarWrite(file_, variable, MAT_COMPRESSION_NONE);
+    Mat_VarFree(variable);
+    return *this;
+  }
+  MatFile& add(matvar_t* variable) {
+    Mat_VarWrite(file_, variable, MAT_COMPRESSION_NONE);
+    Mat_VarFree(variable);
+    return *this;
+  }
+  static matvar_t* vector(const char* name, std::vector<double>& values, size_t rows = 0) {
+    size_t sizes[2] = {rows ? rows : values.size(), rows ? values.size() / rows : 1};
+    return Mat_VarCreate(name, MAT_C_DOUBLE, MAT_T_DOUBLE, 2, sizes, values.data(), 0);
+  }
+  const std::string& path() {
+    close();
+    return path_;
+  }
+
+ private:
+  void close() {
+    if (file_ != nullptr) Mat_Close(file_);
+    file_ = nullptr;
+  }
+  std::string path_;
+  mat_t* file_;
+};
+
+TEST(Mat, ReadsVectorsByName) {
+  MatFile file;
+  file.add("t_s", {0.5, 0.6, 0.7}).add("force_1_N", {1, 2, 3}, 1).add("displacement_1_m", {0.1, -0.2, 1.0 / 3.0});
+  const auto record = read_mat(file.path(), dampers(1));
+  EXPECT_NEAR(record.sample_period_s, 0.1, 1e-15);
+  EXPECT_EQ(record.start_s, 0.5);
+  EXPECT_EQ(record.find(Quantity::kForce, 1)->values, (std::vector<double>{1, 2, 3}));
+  EXPECT_EQ(record.find(Quantity::kDisplacement, 1)->values, (std::vector<double>{0.1, -0.2, 1.0 / 3.0}));
+}
+
+TEST(Mat, VersionWithHdf5ReadsTheSame) {
+  MatFile file(MAT_FT_MAT73);
+  file.add("sample_rate_Hz", {250}).add("displacement_1_m", {1, 2, 3});
+  const auto record = read_mat(file.path(), dampers(1));
+  EXPECT_EQ(record.sample_period_s, 0.004);
+  EXPECT_EQ(record.start_s, 0.0);
+  EXPECT_EQ(record.channels.at(0).values, (std::vector<double>{1, 2, 3}));
+}
+
+TEST(Mat, FieldsOfAStructAreChannels) {
+  std::vector<double> rate = {100}, force = {4, 5}, speed = {6, 7};
+  const char* names[] = {"sample_rate_Hz", "force_1_N", "velocity_1_m_s"};
+  size_t one[2] = {1, 1};
+  matvar_t* const record_variable = Mat_VarCreateStruct("run_1", 2, one, names, 3);
+  matvar_t* const fields[] = {MatFile::vector(nullptr, rate), MatFile::vector(nullptr, force),
+                              MatFile::vector(nullptr, speed)};
+  for (int i = 0; i < 3; ++i) Mat_VarSetStructFieldByName(record_variable, names[i], 0, fields[i]);
+  MatFile file;
+  file.add(record_variable);
+  const auto record = read_mat(file.path(), dampers(1));
+  EXPECT_EQ(record.sample_period_s, 0.01);
+  EXPECT_EQ(record.find(Quantity::kVelocity, 1)->values, (std::vector<double>{6, 7}));
+}
+
+TEST(Mat, AnyRealNumberClassIsTaken) {
+  float single[] = {0.5f, 1.5f};
+  int16_t codes[] = {-3, 4};
+  size_t sizes[2] = {1, 2};
+  MatFile file;
+  file.add("sample_rate_Hz", {10});
+  file.add(Mat_VarCreate("force_1_N", MAT_C_SINGLE, MAT_T_SINGLE, 2, sizes, single, 0));
+  file.add(Mat_VarCreate("displacement_1_m", MAT_C_INT16, MAT_T_INT16, 2, sizes, codes, 0));
+  const auto record = read_mat(file.path(), dampers(1));
+  EXPECT_EQ(record.find(Quantity::kForce, 1)->values, (std::vector<double>{0.5, 1.5}));
+  EXPECT_EQ(record.find(Quantity::kDisplacement, 1)->values, (std::vector<double>{-3, 4}));
+}
+
+TEST(Mat, TextAndOtherScalarsArePassedOver) {
+  char text[] = "shaker 2";
+  size_t sizes[2] = {1, 8};
+  MatFile file;
+  file.add(Mat_VarCreate("comment", MAT_C_CHAR, MAT_T_UINT8, 2, sizes, text, 0));
+  file.add("run", {7}).add("sample_rate_Hz", {10}).add("displacement_1_m", {1, 2});
+  EXPECT_EQ(read_mat(file.path(), dampers(1)).channels.size(), 1u);
+}
+
+TEST(Mat, ReadRecordKnowsTheFormat) {
+  MatFile file;
+  file.add("sample_rate_Hz", {10}).add("displacement_1_m", {1, 2});
+  EXPECT_EQ(host_sim::read_record(file.path(), dampers(1)).samples(), 2u);
+}
+
+TEST(Mat, RefusesWithTheVariablesName) {
+  const auto say = [](MatFile& file) { return refusal([&] { read_mat(file.path(), dampers(1)); }); };
+  {
+    MatFile file;
+    expect_says(say(file.add("sample_rate_Hz", {10}).add("displacement_2_m", {1, 2})), "\"displacement_2_m\"");
+  }
+  {
+    MatFile file;
+    expect_says(say(file.add("sample_rate_Hz", {10}).add("data", {1, 2})), "\"data\"");
+  }
+  {
+    MatFile file;
+    expect_says(say(file.add("displacement_1_m", {1, 2})), "no time, expected a variable t_s or sample_rate_Hz");
+  }
+  {
+    MatFile file;
+    expect_says(say(file.add("sample_rate_Hz", {10})), "no channel, expected variables such as");
+  }
+  {
+    MatFile file;
+    expect_says(say(file.add("sample_rate_Hz", {-1}).add("displacement_1_m", {1, 2})),
+                "variable \"sample_rate_Hz\": expected one number above 0");
+  }
+  {
+    MatFile file;
+    expect_says(say(file.add("sample_rate_Hz", {10}).add("displacement_1_m", {1, 2, 3, 4}, 2)),
+                "variable \"displacement_1_m\": not a vector");
+  }
+  {
+    MatFile file;
+    expect_says(say(file.add("sample_rate_Hz", {10}).add("displacement_1_m", {1, 2}).add("force_1_N", {1, 2, 3})),
+                "variable \"force_1_N\": 3 values, expected 2 as in displacement_1_m");
+  }
+  {
+    MatFile file;
+    expect_says(say(file.add("sample_rate_Hz", {10}).add("displacement_1_m", {1, NAN})),
+                "variable \"displacement_1_m\": element 2 is not a finite number");
+  }
+  {
+    MatFile file;  // steps 0.1, 0.1, 0.2: the fourth element is off
+    expect_says(say(file.add("t_s", {0, 0.1, 0.2, 0.4}).add("displacement_1_m", {1, 2, 3, 4})), "element 4 of ");
+  }
+}
+
+TEST(Mat, RefusesComplexNumbersAndArraysOfStructs) {
+  double real[] = {1, 2}, imaginary[] = {3, 4};
+  mat_complex_split_t both = {real, imaginary};
+  size_t sizes[2] = {2, 1};
+  {
+    MatFile file;
+    file.add("sample_rate_Hz", {10});
+    file.add(Mat_VarCreate("force_1_N", MAT_C_DOUBLE, MAT_T_DOUBLE, 2, sizes, &both, MAT_F_COMPLEX));
+    expect_says(refusal([&] { read_mat(file.path(), dampers(1)); }), "variable \"force_1_N\": complex numbers");
+  }
+  const char* names[] = {"force_1_N"};
+  MatFile file;
+  file.add(Mat_VarCreateStruct("runs", 2, sizes, names, 1));
+  expect_says(refusal([&] { read_mat(file.path(), dampers(1)); }), "variable \"runs\": an array of structs");
+}
+
+TEST(Mat, RefusesAFileThatIsNone) {
+  const std::string path = (std::filesystem::path(testing::TempDir()) / "none.mat").string();
+  std::FILE* const file = std::fopen(path.c_str(), "wb");
+  std::fputs("this is not a MAT file, whatever its name says, and long enough to look like one...", file);
+  std::fclose(file);
+  expect_says(refusal([&] { read_mat(path, dampers(1)); }), path + ": is no MAT file that can be read");
+  std::remove(path.c_str());
+}
+
+}  // namespace

@@ -1,0 +1,196 @@
+// Universal File 58: hand-written files, column by column, and what is refused.
+#include <gtest/gtest.h>
+
+#include <cstdarg>
+
+#include "host_sim/ingestion/uff_reader.hpp"
+#include "tests/ingestion/rigs.hpp"
+
+namespace {
+
+using host_sim::parse_uff;
+using host_sim::Quantity;
+using test_rigs::dampers;
+using test_rigs::expect_says;
+using test_rigs::refusal;
+
+struct Dataset {
+  int function_type = 1;
+  std::string entity = "NONE";
+  int node = 1, direction = 1;
+  int data_type = 2;  // 2: single, 4: double, 5: complex
+  int count = 3, spacing = 1;
+  double start_s = 0.5, step_s = 0.001;
+  int ordinate_type = 8;
+  std::string unit = "m";
+  std::string values = "  1.00000e+00 -2.50000e+00  3.00000e-03\n";
+};
+
+std::string columns(const char* format, ...) __attribute__((format(printf, 1, 2)));
+std::string columns(const char* format, ...) {
+  char line[128];
+  va_list arguments;
+  va_start(arguments, format);
+  vsnprintf(line, sizeof line, format, arguments);
+  va_end(arguments);
+  return std::string(line) + "\n";
+}
+
+// The records of dataset 58 in their columns.
+std::string text_of(const Dataset& set) {
+  return "    -1\n    58\nTest\nNONE\n21-NOV-26 07:00:00\nNONE\nNONE\n" +
+         columns("%5d%10d%5d%10d %-10s%10d%4d %-10s%10d%4d", set.function_type, 0, 0, 0, set.entity.c_str(), set.node,
+                 set.direction, "NONE", 0, 0) +
+         columns("%10d%10d%10d%13.5e%13.5e%13.5e", set.data_type, set.count, set.spacing, set.start_s, set.step_s,
+                 0.0) +
+         columns("%10d%5d%5d%5d %-20s %-20s", 17, 0, 0, 0, "Time", "s") +
+         columns("%10d%5d%5d%5d %-20s %-20s", set.ordinate_type, 0, 0, 0, "Channel", set.unit.c_str()) +
+         columns("%10d%5d%5d%5d %-20s %-20s", 0, 0, 0, 0, "NONE", "NONE") +
+         columns("%10d%5d%5d%5d %-20s %-20s", 0, 0, 0, 0, "NONE", "NONE") + set.values + "    -1\n";
+}
+
+TEST(Uff, ReadsOneChannel) {
+  const auto record = parse_uff(text_of({}), "d.uff", dampers(1));
+  ASSERT_EQ(record.channels.size(), 1u);
+  EXPECT_EQ(record.channels[0].name, "displacement_1_m");
+  EXPECT_EQ(record.channels[0].values, (std::vector<double>{1.0, -2.5, 0.003}));
+  EXPECT_EQ(record.start_s, 0.5);
+  EXPECT_EQ(record.sample_period_s, 0.001);
+}
+
+TEST(Uff, OrdinateTypeNamesTheQuantity) {
+  const auto record = parse_uff(
+      text_of({1, "NONE", 1, 1, 2, 3, 1, 0, 0.001, 8}) + text_of({1, "NONE", 1, 1, 2, 3, 1, 0, 0.001, 11}) +
+          text_of({1, "NONE", 1, 1, 2, 3, 1, 0, 0.001, 12}) + text_of({1, "NONE", 1, 1, 2, 3, 1, 0, 0.001, 13}),
+      "d.uff", dampers(1));
+  ASSERT_EQ(record.channels.size(), 4u);
+  EXPECT_EQ(record.channels[1].name, "velocity_1_m_s");
+  EXPECT_EQ(record.channels[2].name, "acceleration_1_m_s2");
+  EXPECT_EQ(record.channels[3].name, "force_1_N");
+}
+
+// Nodes 7 and 12: sorted, 7 is DOF 1 and 12 is DOF 2, whatever their order in the file. -3 points against the DOF.
+TEST(Uff, PlacesInOrderOfNodeAreTheDofs) {
+  Dataset first, second;
+  first.node = 12;
+  second.node = 7;
+  second.direction = -3;
+  const auto record = parse_uff(text_of(first) + text_of(second), "d.uff", dampers(2));
+  EXPECT_EQ(record.find(Quantity::kDisplacement, 2)->values[0], 1.0);
+  EXPECT_EQ(record.find(Quantity::kDisplacement, 1)->values, (std::vector<double>{-1.0, 2.5, -0.003}));
+}
+
+TEST(Uff, TwoDirectionsOfANodeAreTwoDofs) {
+  Dataset x, z;
+  x.direction = 1;
+  z.direction = 3;
+  z.values = "  7.0 8.0 9.0\n";
+  const auto record = parse_uff(text_of(z) + text_of(x), "d.uff", dampers(2));
+  EXPECT_EQ(record.find(Quantity::kDisplacement, 1)->values[0], 1.0);
+  EXPECT_EQ(record.find(Quantity::kDisplacement, 2)->values[0], 7.0);
+}
+
+TEST(Uff, RotationsAreAnglesAndTorques) {
+  Dataset angle, torque;
+  angle.direction = torque.direction = 6;
+  torque.ordinate_type = 13;
+  const auto record = parse_uff(text_of(angle) + text_of(torque), "d.uff", dampers(0, 1));
+  EXPECT_EQ(record.channels[0].name, "angle_1_rad");
+  EXPECT_EQ(record.channels[1].name, "torque_1_N_m");
+}
+
+TEST(Uff, AnEntityNamedBaseIsTheMovingBase) {
+  Dataset mass, base;
+  base.entity = "BASE";
+  base.node = 99;
+  const auto record = parse_uff(text_of(mass) + text_of(base), "d.uff",
+                                dampers(1, 0, "[[link]]\nbetween = [1, \"base\"]\nstiffness_N_m = 10\n"));
+  EXPECT_EQ(record.channels[1].name, "displacement_base_m");
+}
+
+// Double precision in E20.12, values that touch at a minus sign, Fortran's D, Windows line ends.
+TEST(Uff, ReadsDoublePrecisionInFortransWays) {
+  Dataset set;
+  set.data_type = 4;
+  set.values = "  1.000000000001D+00-2.000000000000E+00\n  3.000000000000E+00\n";
+  std::string text = text_of(set);
+  for (size_t at = text.find('\n'); at != std::string::npos; at = text.find('\n', at + 2)) text.insert(at, "\r");
+  const auto record = parse_uff(text, "d.uff", dampers(1));
+  EXPECT_EQ(record.channels[0].values, (std::vector<double>{1.000000000001, -2.0, 3.0}));
+}
+
+// Units of mm and mN: a length factor of 1000 to the metre, a force factor of 1000 to the newton.
+TEST(Uff, Dataset164ConvertsToSi) {
+  Dataset x, force, torque;
+  x.values = force.values = torque.values = "  1000.0 2000.0 -3000.0\n";
+  force.ordinate_type = torque.ordinate_type = 13;
+  const std::string units = "    -1\n   164\n         5mm (milli newton)          2\n" +
+                            columns("%25.17E%25.17E%25.17E", 1000.0, 1000.0, 1.0) + columns("%25.17E", 273.15) +
+                            "    -1\n";
+  const auto record = parse_uff(units + text_of(x) + text_of(force), "d.uff", dampers(1));
+  EXPECT_EQ(record.channels[0].values, (std::vector<double>{1.0, 2.0, -3.0}));
+  EXPECT_EQ(record.channels[1].values, (std::vector<double>{1.0, 2.0, -3.0}));
+  torque.direction = 4;
+  Dataset angle;
+  angle.direction = 4;
+  const auto turning = parse_uff(units + text_of(angle) + text_of(torque), "d.uff", dampers(0, 1));
+  EXPECT_EQ(turning.channels[0].values[0], 1.0);                         // radians carry no length
+  EXPECT_EQ(turning.channels[1].values[0], 1000.0 / (1000.0 * 1000.0));  // torque: length times force
+}
+
+TEST(Uff, OtherDatasetsArePassedOver) {
+  const std::string header = "    -1\n   151\nmodel\nwhatever 58\n    -1\n";
+  EXPECT_EQ(parse_uff(header + text_of({}) + header, "d.uff", dampers(1)).samples(), 3u);
+}
+
+TEST(Uff, IsRecognisedByNameOrFirstLine) {
+  EXPECT_TRUE(host_sim::is_uff("a.UNV", ""));
+  EXPECT_TRUE(host_sim::is_uff("a.txt", "    -1  \r\n    58\n"));
+  EXPECT_FALSE(host_sim::is_uff("a.csv", "t_s,force_1_N\n"));
+}
+
+struct Broken {
+  const char* name;
+  Dataset set;
+  const char* says;
+};
+
+// The dataset begins on line 3 (its first identification line).
+TEST(Uff, RefusesWithLineAndExpectation) {
+  const Broken cases[] = {
+      {"spectrum", {4}, "d.uff:3: dataset 58 that begins here: function type 4, expected 1"},
+      {"complex", {1, "NONE", 1, 1, 5}, "d.uff:9: ordinate data type 5, expected 2 or 4"},
+      {"uneven", {1, "NONE", 1, 1, 2, 3, 0}, "d.uff:9: uneven abscissa spacing"},
+      {"no step", {1, "NONE", 1, 1, 2, 3, 1, 0, 0.0}, "d.uff:9: abscissa increment"},
+      {"too few", {1, "NONE", 1, 1, 2, 4}, "3 values, expected the 4 that record 7 announces"},
+      {"too many", {1, "NONE", 1, 1, 2, 2}, "d.uff:14: more values than the 2 announced"},
+      {"strain", {1, "NONE", 1, 1, 2, 3, 1, 0, 0.001, 3}, "ordinate type 3, expected 8 (displacement)"},
+      {"g", {1, "NONE", 1, 1, 2, 3, 1, 0, 0.001, 12, "g"}, "ordinate unit \"g\", expected m/s^2"},
+      {"text",
+       {1, "NONE", 1, 1, 2, 3, 1, 0, 0.001, 8, "m", " 1.0 two 3.0\n"},
+       "d.uff:14: expected numbers, found \"two 3.0\""},
+      {"turning", {1, "NONE", 1, 5}, "channel \"angle_1_rad\""},
+  };
+  for (const Broken& broken : cases)
+    expect_says(refusal([&] { parse_uff(text_of(broken.set), "d.uff", dampers(1)); }), broken.says);
+}
+
+TEST(Uff, RefusesFilesThatDoNotFitTheRig) {
+  const auto say = [](const std::string& text, int masses) {
+    return refusal([&] { parse_uff(text, "d.uff", dampers(masses)); });
+  };
+  expect_says(say(text_of({}), 2),
+              "channels at the nodes 1 in direction 1, expected as many places as the rig has DOFs (2)");
+  expect_says(say(text_of({}) + text_of({}), 1), "displacement_1_m for the second time");
+  Dataset other;
+  other.ordinate_type = 13;
+  other.step_s = 0.002;
+  expect_says(say(text_of({}) + text_of(other), 1), "another sample period than the first channel");
+  expect_says(say("    -1\n   151\nx\n    -1\n", 1), "no dataset 58");
+  expect_says(say("    -1\n    58b     1     2\n", 1), "d.uff:2: the binary form 58b");
+  expect_says(say("nonsense\n", 1), "d.uff:1: expected -1");
+  const std::string whole = text_of({});
+  expect_says(say(whole.substr(0, whole.size() - 7), 1), "the file ends, expected -1");
+}
+
+}  // namespace
