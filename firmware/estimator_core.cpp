@@ -5,7 +5,7 @@
 namespace firmware {
 namespace {
 
-int smaller(uint32_t a, int b) { return a < static_cast<uint32_t>(b) ? static_cast<int>(a) : b; }
+constexpr uint32_t kLongestBlock = kBlockSamples;
 
 }  // namespace
 
@@ -27,6 +27,7 @@ void EstimatorCore::reset() {
 void EstimatorCore::begin_level() {
   end_level();
   collector_.begin_level();
+  if (collector_.level_open()) aim();
 }
 
 void EstimatorCore::push(const RawSample& sample) {
@@ -44,22 +45,32 @@ void EstimatorCore::push(const RawSample& sample) {
   }
   if (!usable || !collector_.level_open()) return;
   ++filled_;
-  const int block = smaller(collector_.batch_length(), kBlockSamples);
+  const int block = block_length();
   if (filled_ == kLeadIn + block + kLeadOut) process(block);
+}
+
+int EstimatorCore::block_length() const {
+  const uint32_t rest = aim_ - level_samples_;
+  return static_cast<int>(rest < kLongestBlock ? rest : kLongestBlock);
+}
+
+void EstimatorCore::aim() {
+  units_aimed_ = units_ + collector_.units_wanted();
+  aim_ = collector_.unit_end(units_aimed_);
 }
 
 // Works on the block, then moves the frame on by its length.
 void EstimatorCore::process(int count) {
   sums_.add_block(frame_, count);
-  if (sums_.samples() >= static_cast<uint32_t>(smaller(collector_.batch_length(), kMaxBatchSamples)))
-    close_batch(kLeadIn + count);
+  level_samples_ += static_cast<uint32_t>(count);
+  if (level_samples_ == aim_) {
+    sums_.close_batch(frame_, kLeadIn + count, batch_);
+    collector_.add(batch_, units_aimed_ - units_);
+    units_ = units_aimed_;
+    aim();
+  }
   filled_ -= count;
   conditioning_.move_frame(frame_, count, filled_);
-}
-
-void EstimatorCore::close_batch(int boundary) {
-  sums_.close_batch(frame_, boundary, batch_);
-  collector_.add(batch_);
 }
 
 // Closes the batch at the last sample that has its context, and starts again with the next sample.
@@ -68,11 +79,16 @@ void EstimatorCore::break_window() {
   const int rest = filled_ - kLevelMarginSamples;
   if (rest >= 0) {
     sums_.add_block(frame_, rest);
-    if (sums_.samples() > 0) close_batch(kLeadIn + rest);
+    if (sums_.samples() > 0) {
+      sums_.close_batch(frame_, kLeadIn + rest, batch_);
+      collector_.add(batch_, 0);
+    }
   }
   conditioning_.restart();
   sums_.restart();
   filled_ = 0;
+  level_samples_ = units_ = 0;
+  aim();
 }
 
 void EstimatorCore::end_level() {

@@ -37,15 +37,18 @@ class EstimatorCore {
   int margin_samples() const { return kLevelMarginSamples + conditioning_.history_samples(); }
 
  private:
+  int block_length() const;
   void process(int count);
   void break_window();
-  void close_batch(int boundary);
+  void aim();  // where the batch that starts now ends
 
   const CoreConfiguration& configuration_;
   Conditioning conditioning_;
   Frame frame_ = {};
   int filled_ = 0;          // samples in the frame
   EnergySums sums_;
+  uint32_t level_samples_ = 0;  // sample intervals summed since the level (or a gap in it) began
+  uint32_t units_ = 0, units_aimed_ = 0, aim_ = 0;  // units summed, to be summed, and the latter in samples
   BatchTable table_;
   BatchCollector collector_{table_};
   Batch batch_;

@@ -4,6 +4,8 @@
 
 namespace firmware {
 
+// Time is counted in units: a sixteenth of a cycle (or the half, quarter ... of one, where that is over 1024 samples) for
+// whole cycles, batch_samples otherwise. A batch is 2^merges units, so that with four merges every batch is whole cycles.
 class BatchCollector {
  public:
   explicit BatchCollector(BatchTable& table) : table_(table) {}
@@ -11,17 +13,26 @@ class BatchCollector {
   void begin_level();
   bool level_open() const { return open_; }
   bool refused() const { return refused_; }  // a level was begun with the table full: its data are not used
-  uint32_t batch_length() const;    // samples that a batch of the open level has now
-  void add(const Batch& batch);     // in the order of time; adds to the pending batch until that has the level's length
+
+  uint32_t unit_end(uint32_t unit) const;    // samples from the level's start to the end of this many units
+  uint32_t units_wanted() const;             // the next call of add() should bring this many units, at the most
+  void add(const Batch& batch, uint32_t units);  // in the order of time; units 0: an incomplete one
   void mark_saturated();
+  // Whole cycles: what follows the last whole cycle is dropped, unless there was not even one.
   void end_level();
 
  private:
   void append(const Batch& batch);
+  void keep_whole_cycles();
+  Level& level() { return table_.level[table_.level_count - 1]; }
+  const Level& level() const { return table_.level[table_.level_count - 1]; }
+
   BatchTable& table_;
   Batch pending_;
-  uint32_t first_length_ = 0;
-  bool periodic_ = false, open_ = false, refused_ = false;
+  uint32_t pending_units_ = 0, table_units_ = 0;
+  uint32_t unit_numerator_ = 32, unit_denominator_ = 1;  // samples per unit
+  uint32_t units_per_cycle_ = 16;
+  bool periodic_ = false, open_ = false, refused_ = false, incomplete_ = false;
 };
 
 // a + b, entry by entry; both over the same layout and adjoining in time.

@@ -18,7 +18,7 @@ class EnergySums {
   void restart();  // a new level
   // Works on positions [kLeadIn, kLeadIn + count) of the frame; position kLeadIn + count is the boundary to what follows.
   void add_block(Frame& frame, int count);
-  uint32_t samples() const { return samples_; }  // since the batch was started
+  uint32_t samples() const { return started_ ? samples_ : 0; }  // since the batch was started
   // Energies since the last call (or restart) up to the end of the last block; starts the next batch there.
   void close_batch(const Frame& frame, int boundary, Batch& batch);
 

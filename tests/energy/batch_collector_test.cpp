@@ -43,7 +43,7 @@ TEST(BatchCollector, MergesPairsWhenFullAndLosesNothing) {
     Batch batch{};
     batch.samples = 32;
     batch.column[0][0] = pack(Scaled::from_int(b));
-    collector.add(batch);
+    collector.add(batch, 1);
   }
   collector.end_level();
   const Level& level = table->level[0];
@@ -60,6 +60,40 @@ TEST(BatchCollector, MergesPairsWhenFullAndLosesNothing) {
   }
   EXPECT_EQ(sum, kBatches * (kBatches + 1) / 2.0);
   EXPECT_EQ(samples, 32u * kBatches);
+}
+
+TEST(BatchCollector, UnitsOfACycleEndAtTheNearestSample) {
+  // 250 samples a cycle: a sixteenth is 15.625 samples, so units end at 16, 31, 47, 63 (62.5 up), ..., 250.
+  CoreConfiguration configuration;
+  configuration.window = {WindowMode::kWholeCycles, 250, 1, 0};
+  auto table = std::make_unique<BatchTable>();
+  BatchCollector collector(*table);
+  collector.clear(configuration, RowLayout{});
+  EXPECT_EQ(collector.unit_end(1), 16u);
+  EXPECT_EQ(collector.unit_end(2), 31u);
+  EXPECT_EQ(collector.unit_end(4), 63u);
+  EXPECT_EQ(collector.unit_end(16), 250u);
+  EXPECT_EQ(collector.unit_end(160), 2500u);
+}
+
+TEST(BatchCollector, DropsWhatFollowsTheLastWholeCycle) {
+  // Three cycles and 5 sixteenths, then an incomplete unit: 48 units stay.
+  CoreConfiguration configuration;
+  configuration.window = {WindowMode::kWholeCycles, 320, 1, 0};
+  auto table = std::make_unique<BatchTable>();
+  BatchCollector collector(*table);
+  collector.clear(configuration, RowLayout{});
+  collector.begin_level();
+  for (int unit = 0; unit < 53; ++unit) {
+    Batch batch{};
+    batch.samples = 20;
+    collector.add(batch, 1);
+  }
+  Batch rest{};
+  rest.samples = 7;
+  collector.add(rest, 0);
+  collector.end_level();
+  EXPECT_EQ(table->level[0].batch_count, 48);
 }
 
 TEST(BatchCollector, RefusesALevelTooMany) {
