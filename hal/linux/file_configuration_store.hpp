@@ -17,7 +17,7 @@ uint32_t crc32(const uint8_t* bytes, size_t size, uint32_t previous = 0);
 
 class FileConfigurationStore final : public ConfigurationStore {
  public:
-  static constexpr size_t kMaxPayload = 4096;
+  static constexpr size_t kMaxPayload = 8192;
 
   explicit FileConfigurationStore(FileOperations& files) : files_(files) {}
   bool save(const uint8_t* bytes, size_t size) override;

@@ -1,0 +1,27 @@
+// Samples from sensor frames on a CAN bus. It has a socket of its own, filtered to the sensors' identifiers, so that nothing
+// else on the bus wakes it.
+#pragma once
+#include "firmware/can_protocol/sensor_frames.hpp"
+#include "hal/interface/can_bus.hpp"
+#include "hal/interface/sample_source.hpp"
+
+namespace hal {
+
+class CanSampleSource final : public SampleSource {
+ public:
+  CanSampleSource(CanBus& bus, const firmware::SensorPlan& plan) : bus_(bus), assembler_(plan) {}
+
+  // A bus that is down delivers no samples; that is no fault of the source: it goes on when the bus is back.
+  SampleResult read(firmware::RawSample& sample) override;
+  const firmware::AssemblyHealth& health() const { return assembler_.health(); }
+
+ private:
+  static constexpr int kFramesPerRead = 64;  // of other frames, before the caller gets its turn again
+  CanBus& bus_;
+  firmware::SensorAssembler assembler_;
+};
+
+// The identifiers that the plan's sensors send; returns their number, at most kMaxSensorFrames.
+size_t sensor_ids(const firmware::SensorPlan& plan, uint32_t (&ids)[firmware::kMaxSensorFrames]);
+
+}  // namespace hal

@@ -1,0 +1,59 @@
+// Samples from the buffer of an IIO device: the driver collects whole scans on its trigger, the character device hands them
+// over. The trigger is the sample clock; where the driver stamps its scans, a gap in the stamps is a missed sample.
+#pragma once
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "hal/interface/sample_source.hpp"
+#include "hal/linux/file_descriptor.hpp"
+#include "hal/linux/iio_channel.hpp"
+#include "hal/linux/iio_scan_format.hpp"
+
+namespace hal {
+
+class IioBufferSource final : public SampleSource {
+ public:
+  struct Options {
+    std::string device;           // name or iio:deviceN
+    std::string trigger;          // name of the trigger; empty: the driver's own
+    double sample_rate_Hz = 0.0;  // also written to sampling_frequency where the device has one
+    size_t buffer_scans = 256;
+  };
+
+  // Enables the elements, sets the layout, starts the buffer. Empty where it worked, else what is wrong.
+  std::string open(const Options& options, const std::vector<IioChannel>& channels, const IioRoots& roots = {});
+  ~IioBufferSource();
+
+  SampleResult read(firmware::RawSample& sample) override;
+  int descriptor() const { return device_.get(); }
+  size_t scan_bytes() const { return scan_bytes_; }
+
+ private:
+  static constexpr size_t kMaxScanBytes = 1024;
+  struct Place {
+    ScanType type;
+    int offset = 0;
+    uint8_t node = 0;
+    uint8_t quantity = 0;
+  };
+  std::string lay_out(const std::string& folder, const std::vector<IioChannel>& channels);
+  std::string start(const Options& options, const std::string& folder);
+  void count_on(uint64_t time_ns, firmware::RawSample& sample);
+
+  std::string enable_path_;
+  FileDescriptor device_;
+  Place places_[firmware::kMaxNodes * firmware::kQuantities];
+  int place_count_ = 0;
+  Place time_;
+  bool stamped_ = false;
+  size_t scan_bytes_ = 0;
+  uint8_t scan_[kMaxScanBytes] = {};
+  size_t filled_ = 0;            // bytes of the scan that are there
+  double period_ns_ = 0.0;
+  bool started_ = false;
+  uint32_t sequence_ = 0;
+  uint64_t last_ns_ = 0;
+};
+
+}  // namespace hal
