@@ -1,6 +1,8 @@
-// Samples from sensor frames on a CAN bus. It has a socket of its own, filtered to the sensors' identifiers, so that nothing
-// else on the bus wakes it.
+// Samples from sensor frames on a CAN bus. It has a socket of its own, filtered to the sensors' identifiers, so that
+// nothing else on the bus wakes it.
 #pragma once
+#include <cstddef>
+
 #include "firmware/can_protocol/sensor_frames.hpp"
 #include "hal/interface/can_bus.hpp"
 #include "hal/interface/sample_source.hpp"

@@ -40,15 +40,15 @@ FileConfigurationStore::Slot FileConfigurationStore::inspect(int index) {
   if (size < kHeader + kTrailer || std::memcmp(image_, kMagic, sizeof kMagic) != 0) return slot;
   slot.generation = get32(image_ + 4);
   slot.size = get32(image_ + 8);
-  slot.valid = slot.size == size - kHeader - kTrailer && get32(image_ + size - kTrailer) == crc32(image_, size - kTrailer);
+  slot.valid =
+      slot.size == size - kHeader - kTrailer && get32(image_ + size - kTrailer) == crc32(image_, size - kTrailer);
   return slot;
 }
 
 size_t FileConfigurationStore::load(uint8_t* bytes, size_t capacity) {
   const Slot slots[2] = {inspect(0), inspect(1)};
   if (!slots[0].valid && !slots[1].valid) return 0;
-  const int newest =
-      slots[1].valid && (!slots[0].valid || later(slots[1].generation, slots[0].generation)) ? 1 : 0;
+  const int newest = slots[1].valid && (!slots[0].valid || later(slots[1].generation, slots[0].generation)) ? 1 : 0;
   const Slot slot = inspect(newest);
   if (!slot.valid || slot.size > capacity) return 0;
   std::memcpy(bytes, image_ + kHeader, slot.size);

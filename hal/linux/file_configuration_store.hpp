@@ -1,9 +1,10 @@
-// The configuration store in a folder: two files written in turn, each whole or not there, so that the one saved before is
-// never touched while the next is written.
+// The configuration store in a folder: two files written in turn, each whole or not there, so that the one saved before
+// is never touched while the next is written.
 //
-// A file: "RIGC", generation, payload size, payload, CRC-32 (as in zip) over all before it; numbers 32 bits, little-endian.
-// A save writes configuration.new, syncs it, renames it over the older of configuration.0 and configuration.1 and syncs the
-// folder. A load takes the valid file of the later generation. save() answers true only when the new content is durable.
+// A file: "RIGC", generation, payload size, payload, CRC-32 (as in zip) over all before it; numbers 32 bits,
+// little-endian. A save writes configuration.new, syncs it, renames it over the older of configuration.0 and
+// configuration.1 and syncs the folder. A load takes the valid file of the later generation. save() answers true only
+// when the new content is durable.
 #pragma once
 #include <cstddef>
 #include <cstdint>

@@ -1,7 +1,7 @@
 // The few operations of a file system that the configuration store rests on, small enough to be faked with power cuts.
 //
-// What may be relied on after a power loss (and what the fake grants, no more): the bytes of a file after sync_file() on it,
-// and the names in the folder after sync_folder(). Everything later may be there, partly there or missing.
+// What may be relied on after a power loss (and what the fake grants, no more): the bytes of a file after sync_file()
+// on it, and the names in the folder after sync_folder(). Everything later may be there, partly there or missing.
 #pragma once
 #include <cstddef>
 #include <cstdint>

@@ -24,12 +24,12 @@ class GpioLine {
   GpioLine(const GpioLine&) = delete;
   GpioLine& operator=(const GpioLine&) = delete;
 
-  // line: its name in the device tree ("emergency_stop"), or chip and offset ("gpiochip0:8"). Empty where it worked, else
-  // what is wrong and what was expected.
+  // line: its name in the device tree ("emergency_stop"), or chip and offset ("gpiochip0:8"). Empty where it worked,
+  // else what is wrong and what was expected.
   std::string request_input(const std::string& line, const LineOptions& options);   // with both edges
   std::string request_output(const std::string& line, const LineOptions& options);  // inactive
 
-  int get();               // logical level: 0, 1, or -1: the kernel refused
+  int get();  // logical level: 0, 1, or -1: the kernel refused
   bool set(bool active);
   int descriptor() const;  // readable when an edge waits; -1: not requested
   // Takes one waiting edge; the kernel's time stamp, monotonic clock. False: none.

@@ -5,7 +5,8 @@ namespace hal {
 namespace {
 
 std::string missing(const std::string& line) {
-  return "GPIO line \"" + line + "\": this program was built without libgpiod (libgpiod-dev, or RIG_SYSROOT for a cross build)";
+  return "GPIO line \"" + line +
+         "\": this program was built without libgpiod (libgpiod-dev, or RIG_SYSROOT for a cross build)";
 }
 
 }  // namespace

@@ -52,7 +52,8 @@ IioBufferSource::~IioBufferSource() {
 std::string IioBufferSource::open(const Options& options, const std::vector<IioChannel>& channels,
                                   const IioRoots& roots) {
   const std::string id = find_iio_device(roots, options.device);
-  if (id.empty()) return "IIO device \"" + options.device + "\" was not found, expected a name from " + roots.devices + "/*/name";
+  if (id.empty())
+    return "IIO device \"" + options.device + "\" was not found, expected a name from " + roots.devices + "/*/name";
   const std::string folder = roots.devices + "/" + id;
   if (!file_exists(folder + "/buffer/enable"))
     return "IIO device \"" + options.device + "\" has no buffer, expected source kind \"iio_direct\" for it";
@@ -104,25 +105,28 @@ std::string IioBufferSource::lay_out(const std::string& folder, const std::vecto
 
 std::string IioBufferSource::start(const Options& options, const std::string& folder) {
   if (!options.trigger.empty() && !write_text(folder + "/trigger/current_trigger", options.trigger))
-    return "IIO trigger \"" + options.trigger + "\" is not taken, expected a name from /sys/bus/iio/devices/trigger*/name";
+    return "IIO trigger \"" + options.trigger +
+           "\" is not taken, expected a name from /sys/bus/iio/devices/trigger*/name";
   if (options.sample_rate_Hz > 0.0) {
     period_ns_ = 1e9 / options.sample_rate_Hz;
     const std::string path = folder + "/sampling_frequency";
     if (file_exists(path) && !write_text(path, std::to_string(std::llround(options.sample_rate_Hz))))
-      return "sampling frequency " + std::to_string(options.sample_rate_Hz) + " Hz is not taken, expected one of: " +
-             read_text(folder + "/sampling_frequency_available");
+      return "sampling frequency " + std::to_string(options.sample_rate_Hz) +
+             " Hz is not taken, expected one of: " + read_text(folder + "/sampling_frequency_available");
   }
   write_text(folder + "/current_timestamp_clock", "monotonic");
   write_text(folder + "/buffer/length", std::to_string(options.buffer_scans));
   enable_path_ = folder + "/buffer/enable";
-  return write_text(enable_path_, "1") ? "" : "the buffer of \"" + options.device + "\" does not start: is its trigger set?";
+  return write_text(enable_path_, "1") ? ""
+                                       : "the buffer of \"" + options.device + "\" does not start: is its trigger set?";
 }
 
 // Sequence and time of a sample: a gap between two stamps of more than one and a half periods holds missed samples.
 void IioBufferSource::count_on(uint64_t time_ns, firmware::RawSample& sample) {
   uint32_t steps = 1;
   if (stamped_ && started_ && period_ns_ > 0.0 && time_ns > last_ns_)
-    steps = std::max<uint32_t>(1, static_cast<uint32_t>(std::lround(static_cast<double>(time_ns - last_ns_) / period_ns_)));
+    steps =
+        std::max<uint32_t>(1, static_cast<uint32_t>(std::lround(static_cast<double>(time_ns - last_ns_) / period_ns_)));
   sequence_ = started_ ? sequence_ + steps : 0;
   started_ = true;
   last_ns_ = time_ns;
@@ -142,9 +146,11 @@ SampleResult IioBufferSource::read(firmware::RawSample& sample) {
   sample = firmware::RawSample();
   for (int i = 0; i < place_count_; ++i) {
     const Place& place = places_[i];
-    sample.code[place.node][place.quantity] = code_of(decode_element(place.type, scan_ + place.offset), place.type.bits);
+    sample.code[place.node][place.quantity] =
+        code_of(decode_element(place.type, scan_ + place.offset), place.type.bits);
   }
-  count_on(stamped_ ? static_cast<uint64_t>(decode_element(time_.type, scan_ + time_.offset)) : read_clock_ns(CLOCK_MONOTONIC),
+  count_on(stamped_ ? static_cast<uint64_t>(decode_element(time_.type, scan_ + time_.offset))
+                    : read_clock_ns(CLOCK_MONOTONIC),
            sample);
   return SampleResult::kSample;
 }

@@ -1,5 +1,6 @@
-// Samples from the buffer of an IIO device: the driver collects whole scans on its trigger, the character device hands them
-// over. The trigger is the sample clock; where the driver stamps its scans, a gap in the stamps is a missed sample.
+// Samples from the buffer of an IIO device: the driver collects whole scans on its trigger, the character device hands
+// them over. The trigger is the sample clock; where the driver stamps its scans, a gap in the stamps is a missed
+// sample.
 #pragma once
 #include <cstddef>
 #include <string>
@@ -49,7 +50,7 @@ class IioBufferSource final : public SampleSource {
   bool stamped_ = false;
   size_t scan_bytes_ = 0;
   uint8_t scan_[kMaxScanBytes] = {};
-  size_t filled_ = 0;            // bytes of the scan that are there
+  size_t filled_ = 0;  // bytes of the scan that are there
   double period_ns_ = 0.0;
   bool started_ = false;
   uint32_t sequence_ = 0;

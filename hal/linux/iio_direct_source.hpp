@@ -1,5 +1,6 @@
-// Samples from an IIO driver without a buffer: one read of in_voltageN_raw for each channel, at the times of a clock that
-// does not drift. Channels are read one after the other, so they are late against each other by one conversion each.
+// Samples from an IIO driver without a buffer: one read of in_voltageN_raw for each channel, at the times of a clock
+// that does not drift. Channels are read one after the other, so they are late against each other by one conversion
+// each.
 #pragma once
 #include <string>
 #include <vector>
@@ -21,8 +22,8 @@ class IioDirectSource final : public SampleSource {
   explicit IioDirectSource(MonotonicClock& clock) : clock_(clock) {}
   std::string open(const Options& options, const std::vector<IioChannel>& channels, const IioRoots& roots = {});
 
-  // A sample is due at every whole period after the first call; a call that comes later than the next one leaves a gap in
-  // the sequence.
+  // A sample is due at every whole period after the first call; a call that comes later than the next one leaves a gap
+  // in the sequence.
   SampleResult read(firmware::RawSample& sample) override;
 
  private:

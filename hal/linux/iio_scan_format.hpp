@@ -1,8 +1,8 @@
 // How the kernel lays one scan of an IIO buffer out in bytes, and the values in it. Pure: bytes in, numbers out.
 //
-// Each channel has a type text in sysfs, "[be|le]:[s|u]bits/storagebits[Xrepeat][>>shift]", and an index. A scan holds the
-// enabled channels by rising index, each aligned to its own whole size (repeats included); the scan's size is rounded up to
-// the largest of these. Documentation/driver-api/iio/buffers.rst of the kernel.
+// Each channel has a type text in sysfs, "[be|le]:[s|u]bits/storagebits[Xrepeat][>>shift]", and an index. A scan holds
+// the enabled channels by rising index, each aligned to its own whole size (repeats included); the scan's size is
+// rounded up to the largest of these. Documentation/driver-api/iio/buffers.rst of the kernel.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -19,7 +19,8 @@ struct ScanType {
   uint8_t shift = 0;         // to the right, after the bytes are in order
 };
 
-// False where the text does not follow the pattern or cannot be: bits + shift over storage bits, storage of other sizes.
+// False where the text does not follow the pattern or cannot be: bits + shift over storage bits, storage of other
+// sizes.
 bool parse_scan_type(std::string_view text, ScanType& type);
 
 // The bytes of one element, sign extended, shifted. bytes: at least storage_bits / 8.

@@ -6,7 +6,7 @@
 namespace hal {
 
 struct LineName {
-  std::string chip;   // "gpiochip0"; empty: found by name
+  std::string chip;  // "gpiochip0"; empty: found by name
   unsigned offset = 0;
   std::string name;
 };

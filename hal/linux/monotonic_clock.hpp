@@ -16,8 +16,8 @@ inline uint64_t read_clock_ns(clockid_t clock) {
   return to_ns(time);
 }
 
-// CAN frames are stamped with the time of day. Returns that moment on the monotonic clock; a stamp of the future, which a
-// clock that was just set back gives, becomes now.
+// CAN frames are stamped with the time of day. Returns that moment on the monotonic clock; a stamp of the future, which
+// a clock that was just set back gives, becomes now.
 inline uint64_t monotonic_from_time_of_day_ns(uint64_t stamp_ns) {
   const uint64_t day_ns = read_clock_ns(CLOCK_REALTIME);
   const uint64_t now_ns = read_clock_ns(CLOCK_MONOTONIC);

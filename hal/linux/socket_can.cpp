@@ -69,7 +69,8 @@ bool SocketCan::configure(int socket) const {
   if (options_.fd) good &= set_option(socket, SOL_CAN_RAW, CAN_RAW_FD_FRAMES, on);
   set_option(socket, SOL_SOCKET, SO_RCVBUF, options_.receive_buffer_bytes);
   set_option(socket, SOL_SOCKET, SO_RXQ_OVFL, on);
-  if (!set_option(socket, SOL_SOCKET, SO_TIMESTAMPING, stamp)) good &= set_option(socket, SOL_SOCKET, SO_TIMESTAMPNS, on);
+  if (!set_option(socket, SOL_SOCKET, SO_TIMESTAMPING, stamp))
+    good &= set_option(socket, SOL_SOCKET, SO_TIMESTAMPNS, on);
   return good;
 }
 

@@ -16,22 +16,22 @@ namespace hal {
 // What the socket itself saw since open(). What the bus did arrives as error frames.
 struct SocketCanCounters {
   uint64_t sent = 0;
-  uint64_t received = 0;         // data frames
-  uint64_t error_frames = 0;     // received ones
-  uint64_t queue_full = 0;       // refused by a full transmit queue (ENOBUFS)
-  uint64_t interface_down = 0;   // times the interface went away
-  uint64_t reopened = 0;         // times the socket was made anew because the interface was removed
-  uint32_t receive_overflow = 0; // frames that the kernel dropped because this program read too late
-  uint64_t faults = 0;           // any other refusal
+  uint64_t received = 0;          // data frames
+  uint64_t error_frames = 0;      // received ones
+  uint64_t queue_full = 0;        // refused by a full transmit queue (ENOBUFS)
+  uint64_t interface_down = 0;    // times the interface went away
+  uint64_t reopened = 0;          // times the socket was made anew because the interface was removed
+  uint32_t receive_overflow = 0;  // frames that the kernel dropped because this program read too late
+  uint64_t faults = 0;            // any other refusal
 };
 
 class SocketCan final : public CanBus {
  public:
   static constexpr size_t kMaxFilters = 64;
   struct Options {
-    bool fd = false;            // send and receive CAN FD frames too
-    bool error_frames = true;   // deliver the bus's error frames
-    bool data_frames = true;    // false: error frames and the filters' ids only
+    bool fd = false;           // send and receive CAN FD frames too
+    bool error_frames = true;  // deliver the bus's error frames
+    bool data_frames = true;   // false: error frames and the filters' ids only
     int receive_buffer_bytes = 1 << 20;
   };
 
@@ -59,7 +59,7 @@ class SocketCan final : public CanBus {
   size_t filter_count_ = 0;
   FileDescriptor socket_;
   bool up_ = false;
-  bool lost_ = false;            // the interface was removed: the socket must be made anew
+  bool lost_ = false;  // the interface was removed: the socket must be made anew
   uint64_t next_try_ns_ = 0;
   SocketCanCounters counters_;
 };

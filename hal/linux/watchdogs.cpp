@@ -42,7 +42,8 @@ std::string DeviceWatchdog::open(const std::string& device, int timeout_s) {
   device_ = FileDescriptor(::open(device.c_str(), O_WRONLY | O_CLOEXEC));
   if (!device_) return "watchdog " + device + ": " + std::strerror(errno);
   if (::ioctl(device_.get(), WDIOC_SETTIMEOUT, &timeout_s) != 0)
-    return "watchdog " + device + " does not take a time of " + std::to_string(timeout_s) + " s: " + std::strerror(errno);
+    return "watchdog " + device + " does not take a time of " + std::to_string(timeout_s) +
+           " s: " + std::strerror(errno);
   return "";
 }
 

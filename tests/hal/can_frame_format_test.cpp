@@ -1,4 +1,5 @@
-// Frames in the kernel's form. The expected words are written out from linux/can.h: bit 31 extended, 30 remote, 29 error.
+// Frames in the kernel's form. The expected words are written out from linux/can.h: bit 31 extended, 30 remote, 29
+// error.
 #include "hal/linux/can_frame_format.hpp"
 
 #include <gtest/gtest.h>

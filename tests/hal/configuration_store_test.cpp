@@ -1,12 +1,11 @@
 // The configuration store on files: the old or the new content after a power loss at every single operation, never a
 // mixture and never nothing.
-#include "hal/linux/file_configuration_store.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cstdlib>
 #include <set>
 
+#include "hal/linux/file_configuration_store.hpp"
 #include "hal/linux/posix_file_operations.hpp"
 #include "tests/hal/power_cut_files.hpp"
 
@@ -41,7 +40,8 @@ Disk saved(const Disk& before, const Bytes& bytes) {
 }
 
 // Cuts the power at every operation of a save and collects the disks that may be found then. Each must hold old or new.
-std::vector<Disk> cut_everywhere(const Disk& before, const Bytes& old_content, const Bytes& new_content, int& operations) {
+std::vector<Disk> cut_everywhere(const Disk& before, const Bytes& old_content, const Bytes& new_content,
+                                 int& operations) {
   std::vector<Disk> found;
   for (int cut = 0;; ++cut) {
     PowerCutFiles files(before);
@@ -108,7 +108,9 @@ TEST(ConfigurationStore, FakeDiskCatchesAMissingSync) {
     bool close() override { return files.close(); }
     bool rename(const char* from, const char* to) override { return files.rename(from, to); }
     bool sync_folder() override { return files.sync_folder(); }
-    size_t read(const char* name, uint8_t* bytes, size_t capacity) override { return files.read(name, bytes, capacity); }
+    size_t read(const char* name, uint8_t* bytes, size_t capacity) override {
+      return files.read(name, bytes, capacity);
+    }
     PowerCutFiles& files;
   };
   PowerCutFiles files(saved({}, content(1, 20)));

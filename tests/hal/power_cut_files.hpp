@@ -1,7 +1,8 @@
 // A folder in memory whose power goes at a chosen operation, with every state that a disk may then be found in.
 //
-// Granted after a power loss: the bytes of a file at its last sync_file(), the names at the last sync_folder(). Of later
-// changes of names any subset may have reached the disk; of later bytes none, a part, all, or zeros of the full length.
+// Granted after a power loss: the bytes of a file at its last sync_file(), the names at the last sync_folder(). Of
+// later changes of names any subset may have reached the disk; of later bytes none, a part, all, or zeros of the full
+// length.
 #pragma once
 #include <cstring>
 #include <map>

@@ -1,5 +1,5 @@
-// SocketCAN against the kernel. Where the kernel has no CAN the answer must say so; where there is a vcan0 (the emulated
-// boards), frames go there and back.
+// SocketCAN against the kernel. Where the kernel has no CAN the answer must say so; where there is a vcan0 (the
+// emulated boards), frames go there and back.
 #include "hal/linux/socket_can.hpp"
 
 #include <gtest/gtest.h>

@@ -1,0 +1,218 @@
+// IIO devices made of folders, files and a pipe: what the kernel shows of a driver.
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include "hal/linux/iio_buffer_source.hpp"
+#include "hal/linux/iio_direct_source.hpp"
+#include "hal/linux/iio_drive_output.hpp"
+#include "hal/linux/sysfs.hpp"
+
+namespace {
+
+using firmware::Quantity;
+using hal::SampleResult;
+
+class IioDevice : public testing::Test {
+ protected:
+  void SetUp() override {
+    char folder[] = "/tmp/iio_test_XXXXXX";
+    ASSERT_NE(mkdtemp(folder), nullptr);
+    root_ = folder;
+    roots_.devices = root_ + "/devices";
+    roots_.character_devices = root_ + "/dev";
+    std::filesystem::create_directories(roots_.character_devices);
+    put("iio:device0/name", "thermometer");
+    put("iio:device1/name", "adc16");
+  }
+  void TearDown() override { std::filesystem::remove_all(root_); }
+
+  void put(const std::string& path, const std::string& text) {
+    const std::filesystem::path full = roots_.devices + "/" + path;
+    std::filesystem::create_directories(full.parent_path());
+    std::ofstream(full) << text;
+  }
+  std::string get(const std::string& path) const { return hal::read_text(roots_.devices + "/iio:device1/" + path); }
+
+  // A converter with two 16-bit channels, a temperature that nobody wants, and time stamps.
+  void add_buffer() {
+    const struct {
+      const char* name;
+      const char* index;
+      const char* type;
+    } elements[] = {{"in_voltage0", "0", "be:s16/16>>0"},
+                    {"in_voltage1", "1", "be:s16/16>>0"},
+                    {"in_temp", "2", "be:u12/16>>0"},
+                    {"in_timestamp", "3", "le:s64/64>>0"}};
+    for (const auto& element : elements) {
+      const std::string base = std::string("iio:device1/scan_elements/") + element.name;
+      put(base + "_en", "1");
+      put(base + "_index", element.index);
+      put(base + "_type", element.type);
+    }
+    put("iio:device1/buffer/enable", "0");
+    put("iio:device1/buffer/length", "");
+    put("iio:device1/trigger/current_trigger", "");
+    put("iio:device1/sampling_frequency", "");
+    const std::string pipe = roots_.character_devices + "/iio:device1";
+    ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+    pipe_ = hal::FileDescriptor(::open(pipe.c_str(), O_RDWR));
+  }
+  // Voltage 0, voltage 1, four bytes of filling, stamp.
+  void deliver(int16_t v0, int16_t v1, uint64_t stamp_ns) {
+    uint8_t scan[16] = {};
+    scan[0] = static_cast<uint8_t>(v0 >> 8);
+    scan[1] = static_cast<uint8_t>(v0);
+    scan[2] = static_cast<uint8_t>(v1 >> 8);
+    scan[3] = static_cast<uint8_t>(v1);
+    for (int i = 0; i < 8; ++i) scan[8 + i] = static_cast<uint8_t>(stamp_ns >> (8 * i));
+    ASSERT_EQ(::write(pipe_.get(), scan, sizeof scan), 16);
+  }
+
+  std::string root_;
+  hal::IioRoots roots_;
+  hal::FileDescriptor pipe_;
+  const std::vector<hal::IioChannel> channels_ = {{"in_voltage1", 0, Quantity::kForce},
+                                                  {"in_voltage0", 2, Quantity::kDisplacement}};
+};
+
+TEST_F(IioDevice, BufferedSamplesArriveOnTheirChannels) {
+  add_buffer();
+  hal::IioBufferSource source;
+  ASSERT_EQ(source.open({"adc16", "trigger0", 1000.0, 128}, channels_, roots_), "");
+  EXPECT_EQ(source.scan_bytes(), 16u);
+  EXPECT_EQ(get("scan_elements/in_temp_en"), "0");
+  EXPECT_EQ(get("scan_elements/in_voltage0_en"), "1");
+  EXPECT_EQ(get("trigger/current_trigger"), "trigger0");
+  EXPECT_EQ(get("sampling_frequency"), "1000");
+  EXPECT_EQ(get("buffer/length"), "128");
+  EXPECT_EQ(get("buffer/enable"), "1");
+
+  firmware::RawSample sample;
+  EXPECT_EQ(source.read(sample), SampleResult::kNone);
+  deliver(-2, 300, 5000000);
+  ASSERT_EQ(source.read(sample), SampleResult::kSample);
+  EXPECT_EQ(sample.code[2][1], -2);
+  EXPECT_EQ(sample.code[0][0], 300);
+  EXPECT_EQ(sample.code[0][1], 0);
+  EXPECT_EQ(sample.time_ns, 5000000u);
+  EXPECT_EQ(source.read(sample), SampleResult::kNone);
+}
+
+TEST_F(IioDevice, AHoleInTheStampsIsAHoleInTheSequence) {
+  add_buffer();
+  hal::IioBufferSource source;
+  ASSERT_EQ(source.open({"adc16", "", 1000.0, 128}, channels_, roots_), "");
+  firmware::RawSample sample;
+  // 1 ms apart, with 40 us of jitter, then three samples lost: 4 ms.
+  const struct {
+    uint64_t stamp_ns;
+    uint32_t sequence;
+  } scans[] = {{1000000, 0}, {2040000, 1}, {2990000, 2}, {6990000, 6}, {8000000, 7}};
+  for (const auto& scan : scans) {
+    deliver(1, 1, scan.stamp_ns);
+    ASSERT_EQ(source.read(sample), SampleResult::kSample);
+    EXPECT_EQ(sample.sequence, scan.sequence);
+  }
+}
+
+TEST_F(IioDevice, HalfAScanWaitsForItsOtherHalf) {
+  add_buffer();
+  hal::IioBufferSource source;
+  ASSERT_EQ(source.open({"adc16", "", 1000.0, 128}, channels_, roots_), "");
+  firmware::RawSample sample;
+  const uint8_t scan[16] = {0, 7, 0, 9};
+  ASSERT_EQ(::write(pipe_.get(), scan, 5), 5);
+  EXPECT_EQ(source.read(sample), SampleResult::kNone);
+  ASSERT_EQ(::write(pipe_.get(), scan + 5, 11), 11);
+  ASSERT_EQ(source.read(sample), SampleResult::kSample);
+  EXPECT_EQ(sample.code[2][1], 7);
+  EXPECT_EQ(sample.code[0][0], 9);
+}
+
+TEST_F(IioDevice, SaysWhatIsWrong) {
+  hal::IioBufferSource none, direct_only, element;
+  EXPECT_NE(none.open({"adc17", "", 1000.0, 128}, channels_, roots_).find("\"adc17\" was not found"),
+            std::string::npos);
+  EXPECT_NE(direct_only.open({"adc16", "", 1000.0, 128}, channels_, roots_).find("iio_direct"), std::string::npos);
+  add_buffer();
+  const std::string fault = element.open({"adc16", "", 1000.0, 128}, {{"in_voltage9", 0, Quantity::kForce}}, roots_);
+  EXPECT_NE(fault.find("in_voltage9"), std::string::npos) << fault;
+  EXPECT_NE(fault.find("in_voltage0, in_voltage1, in_temp"), std::string::npos) << fault;
+}
+
+struct TestClock final : hal::MonotonicClock {
+  uint64_t now_ns() override { return time_ns; }
+  uint64_t time_ns = 0;
+};
+
+TEST_F(IioDevice, SingleReadsFollowTheClockWithoutDrift) {
+  put("iio:device1/in_voltage0_raw", "80\n");
+  put("iio:device1/in_voltage1_raw", "-12\n");
+  TestClock clock;
+  clock.time_ns = 700;
+  hal::IioDirectSource source(clock);
+  ASSERT_EQ(source.open({"iio:device1", 1000.0}, channels_, roots_), "");
+  firmware::RawSample sample;
+  ASSERT_EQ(source.read(sample), SampleResult::kSample);
+  EXPECT_EQ(sample.sequence, 0u);
+  EXPECT_EQ(sample.code[2][1], 80);
+  EXPECT_EQ(sample.code[0][0], -12);
+  EXPECT_EQ(source.read(sample), SampleResult::kNone);
+  clock.time_ns = 1000699;
+  EXPECT_EQ(source.read(sample), SampleResult::kNone);
+  clock.time_ns = 1300000;  // 0.3 ms late: no effect on the next
+  put("iio:device1/in_voltage0_raw", "85\n");
+  ASSERT_EQ(source.read(sample), SampleResult::kSample);
+  EXPECT_EQ(sample.sequence, 1u);
+  EXPECT_EQ(sample.code[2][1], 85);
+  clock.time_ns = 2000700;
+  ASSERT_EQ(source.read(sample), SampleResult::kSample);
+  EXPECT_EQ(sample.sequence, 2u);
+  clock.time_ns = 5100000;  // two periods slept through
+  ASSERT_EQ(source.read(sample), SampleResult::kSample);
+  EXPECT_EQ(sample.sequence, 5u);
+}
+
+TEST_F(IioDevice, SingleReadsSayWhatIsWrong) {
+  TestClock clock;
+  hal::IioDirectSource source(clock);
+  EXPECT_NE(source.open({"adc16", 1000.0}, channels_, roots_).find("in_voltage1_raw"), std::string::npos);
+  put("iio:device1/in_voltage0_raw", "broken\n");
+  put("iio:device1/in_voltage1_raw", "1\n");
+  hal::IioDirectSource broken(clock);
+  ASSERT_EQ(broken.open({"adc16", 1000.0}, channels_, roots_), "");
+  firmware::RawSample sample;
+  EXPECT_EQ(broken.read(sample), SampleResult::kFault);
+}
+
+// zero 2048 and full scale 2047: drive 0 -> 2048, -1 -> 1, 0.5 -> 2048 + 1023.5 rounded up = 3072, 1 - 2^-31 -> 4095.
+TEST_F(IioDevice, DriveBecomesAConverterCode) {
+  const struct {
+    int32_t drive_q31;
+    const char* code;
+  } commands[] = {{0, "2048"}, {INT32_MIN, "1"}, {1 << 30, "3072"}, {INT32_MAX, "4095"}};
+  for (const auto& command : commands) {
+    put("iio:device1/out_voltage0_raw", "");
+    hal::IioDriveOutput drive;
+    ASSERT_EQ(drive.open({"adc16", "out_voltage0", 2048, 2047}, roots_), "");
+    EXPECT_TRUE(drive.write(command.drive_q31));
+    EXPECT_EQ(get("out_voltage0_raw"), command.code);
+  }
+  hal::IioDriveOutput missing;
+  EXPECT_NE(missing.open({"adc16", "out_voltage5", 0, 1}, roots_), "");
+  EXPECT_FALSE(missing.write(0));
+}
+
+TEST(IioCode, WideSamplesKeepTheirUpper24Bits) {
+  EXPECT_EQ(hal::code_of(-8388608, 24), -8388608);
+  EXPECT_EQ(hal::code_of(INT32_MIN, 32), -8388608);
+  EXPECT_EQ(hal::code_of(0x7FFFFFFF, 32), 8388607);
+  EXPECT_EQ(hal::code_of(-1, 16), -1);
+}
+
+}  // namespace
