@@ -1,0 +1,78 @@
+// See fake_configuration_store.hpp.
+#include "hal/fake/fake_configuration_store.hpp"
+
+#include <algorithm>
+
+namespace hal {
+namespace {
+
+constexpr size_t kFrameBytes = 8;  // generation and check sum
+
+// FNV-1a, 32 bits.
+uint32_t check_sum(const uint8_t* bytes, size_t size) {
+  uint32_t sum = 2166136261u;
+  for (size_t i = 0; i < size; ++i) sum = (sum ^ bytes[i]) * 16777619u;
+  return sum;
+}
+
+uint32_t read32(const uint8_t* bytes) {
+  uint32_t value = 0;
+  for (int i = 3; i >= 0; --i) value = value << 8 | bytes[i];
+  return value;
+}
+
+void append32(std::vector<uint8_t>& bytes, uint32_t value) {
+  for (int i = 0; i < 4; ++i) bytes.push_back(static_cast<uint8_t>(value >> (8 * i)));
+}
+
+bool good(const std::vector<uint8_t>& slot) {
+  return slot.size() > kFrameBytes && check_sum(slot.data(), slot.size() - 4) == read32(slot.data() + slot.size() - 4);
+}
+
+}  // namespace
+
+const std::vector<uint8_t>* FakeConfigurationStore::newest() const {
+  const bool first = good(slots_[0]);
+  const bool second = good(slots_[1]);
+  if (!first && !second) return nullptr;
+  if (first && second) return read32(slots_[0].data()) > read32(slots_[1].data()) ? &slots_[0] : &slots_[1];
+  return first ? &slots_[0] : &slots_[1];
+}
+
+bool FakeConfigurationStore::write(std::vector<uint8_t>& slot, size_t place, uint8_t byte) {
+  if (cut_) {
+    if (bytes_left_ == 0) return false;
+    --bytes_left_;
+  }
+  if (place >= slot.size()) slot.resize(place + 1, 0xFF);
+  slot[place] = byte;
+  ++written_bytes_;
+  return true;
+}
+
+bool FakeConfigurationStore::save(const uint8_t* bytes, size_t size) {
+  const std::vector<uint8_t>* present = newest();
+  std::vector<uint8_t>& slot = present == &slots_[0] ? slots_[1] : slots_[0];
+  std::vector<uint8_t> image;
+  append32(image, present ? read32(present->data()) + 1 : 1);
+  image.insert(image.end(), bytes, bytes + size);
+  append32(image, check_sum(image.data(), image.size()));
+  for (size_t i = 0; i < image.size(); ++i)
+    if (!write(slot, i, image[i])) return false;
+  slot.resize(image.size());
+  return true;
+}
+
+size_t FakeConfigurationStore::load(uint8_t* bytes, size_t capacity) {
+  const std::vector<uint8_t>* slot = newest();
+  if (slot == nullptr || slot->size() - kFrameBytes > capacity) return 0;
+  std::copy(slot->begin() + 4, slot->end() - 4, bytes);
+  return slot->size() - kFrameBytes;
+}
+
+void FakeConfigurationStore::corrupt() {
+  auto* slot = const_cast<std::vector<uint8_t>*>(newest());
+  if (slot != nullptr) (*slot)[4] ^= 1;
+}
+
+}  // namespace hal

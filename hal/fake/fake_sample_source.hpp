@@ -1,0 +1,39 @@
+// Samples from an array, released one at a time as a converter would, or withheld and broken on purpose.
+#pragma once
+#include <cstddef>
+#include <vector>
+
+#include "hal/interface/sample_source.hpp"
+
+namespace hal {
+
+enum class SampleFailure {
+  kNone,
+  kSilent,   // no sample comes any more
+  kFault,    // the source answers kFault
+  kEnded,    // the source answers kEnd
+};
+
+class FakeSampleSource final : public SampleSource {
+ public:
+  FakeSampleSource() = default;
+  explicit FakeSampleSource(std::vector<firmware::RawSample> samples) : samples_(std::move(samples)) {}
+
+  SampleResult read(firmware::RawSample& sample) override;
+
+  // Makes the next `count` samples of the array ready; after the last one the source answers kEnd.
+  void release(size_t count) { ready_ += count; }
+  // Puts one sample in front of the controller directly.
+  void offer(const firmware::RawSample& sample) { offered_ = sample; has_offer_ = true; }
+  void fail(SampleFailure failure) { failure_ = failure; }
+
+ private:
+  std::vector<firmware::RawSample> samples_;
+  size_t next_ = 0;
+  size_t ready_ = 0;
+  firmware::RawSample offered_;
+  bool has_offer_ = false;
+  SampleFailure failure_ = SampleFailure::kNone;
+};
+
+}  // namespace hal
