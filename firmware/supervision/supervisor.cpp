@@ -4,9 +4,14 @@
 namespace firmware {
 namespace {
 
-uint16_t saturate16(uint64_t value) { return static_cast<uint16_t>(value > 0xFFFF ? 0xFFFF : value); }
+uint32_t milliseconds(uint64_t time_us) {
+  const uint64_t time_ms = time_us / 1000;
+  return static_cast<uint32_t>(time_ms > UINT32_MAX ? UINT32_MAX : time_ms);
+}
 
-uint8_t channel_number(int node, int quantity) { return static_cast<uint8_t>(node * kQuantities + quantity); }
+Alarm at(AlarmCause cause, uint32_t detail, int node, int quantity) {
+  return {cause, detail, static_cast<uint8_t>(node), static_cast<uint8_t>(quantity)};
+}
 
 int32_t magnitude(int32_t code) { return code < 0 ? (code == INT32_MIN ? INT32_MAX : -code) : code; }
 
@@ -27,87 +32,87 @@ void Supervisor::arm(uint64_t now_ns) {
     for (uint16_t& count : node) count = 0;
 }
 
-Fault Supervisor::trip(Fault fault) {
-  if (stops_drive(fault.code)) {
+Alarm Supervisor::trip(Alarm alarm) {
+  if (stops_drive(alarm.cause)) {
     ++counters_.trips;
-    if (!tripped()) latched_ = fault;
+    if (!tripped() || alarm.cause == AlarmCause::kEmergencyStop) latched_ = alarm;
     armed_ = false;
   }
-  return fault;
+  return alarm;
 }
 
-Fault Supervisor::stop_if_armed(Fault fault) { return armed_ ? trip(fault) : Fault{}; }
+Alarm Supervisor::stop_if_armed(Alarm alarm) { return armed_ ? trip(alarm) : Alarm{}; }
 
-Fault Supervisor::check_sample(const RawSample& sample, uint64_t now_ns) {
+Alarm Supervisor::check_sample(const RawSample& sample, uint64_t now_ns) {
   last_sample_ns_ = now_ns;
-  Fault fault = check_sequence(sample);
+  Alarm alarm = check_sequence(sample);
   for (int node = 0; node < kMaxNodes; ++node) {
     if (node >= core_->dof_count && node != kBaseNode) continue;
     for (int quantity = 0; quantity < kQuantities; ++quantity) {
-      const Fault found = check_channel(sample, node, quantity);
-      if (stops_drive(found.code) && !stops_drive(fault.code)) fault = found;
+      const Alarm found = check_channel(sample, node, quantity);
+      if (stops_drive(found.cause) && !stops_drive(alarm.cause)) alarm = found;
     }
   }
-  return fault;
+  return alarm;
 }
 
-Fault Supervisor::check_sequence(const RawSample& sample) {
+Alarm Supervisor::check_sequence(const RawSample& sample) {
   uint32_t missed = sequence_known_ ? sample.sequence - sequence_ - 1 : 0;
   sequence_known_ = true;
   sequence_ = sample.sequence;
-  if (missed == 0) return Fault{};
+  if (missed == 0) return Alarm{};
   if (missed >= 0x80000000u) missed = 1;  // the counter stood still or went back: something is missing, how much is unknown
   counters_.missed_samples += missed;
   if (missed >= limits_->lost_in_row && armed_) {
-    return trip({FaultCode::kSensorFramesLost, kNoChannel, saturate16(missed)});
+    return trip({AlarmCause::kSensorLost, missed});
   }
-  return {FaultCode::kMissedSamples, kNoChannel, saturate16(missed)};
+  return {AlarmCause::kSamplesMissed, missed};
 }
 
-Fault Supervisor::check_channel(const RawSample& sample, int node, int quantity) {
+Alarm Supervisor::check_channel(const RawSample& sample, int node, int quantity) {
   const ChannelConfiguration& channel = core_->channels[node][quantity];
-  if (!channel.present) return Fault{};
+  if (!channel.present) return Alarm{};
   const int32_t code = sample.code[node][quantity];
   uint16_t& in_row = saturated_in_row_[node][quantity];
   if (magnitude(code) >= channel.full_scale_code) {
     ++counters_.saturated_samples;
     if (in_row < 0xFFFF) ++in_row;
     if (in_row >= limits_->saturated_in_row) {
-      return stop_if_armed({FaultCode::kSensorSaturated, channel_number(node, quantity), in_row});
+      return stop_if_armed(at(AlarmCause::kSensorSaturated, in_row, node, quantity));
     }
   } else {
     in_row = 0;
   }
   const int32_t limit = limits_->response_limit_code[node][quantity];
   const int64_t value = static_cast<int64_t>(code) - channel.offset_code;
-  if (limit == 0 || (value <= limit && value >= -static_cast<int64_t>(limit))) return Fault{};
-  return stop_if_armed({FaultCode::kResponseLimit, channel_number(node, quantity),
-                        static_cast<uint16_t>(static_cast<uint32_t>(code) >> 8)});
+  if (limit == 0 || (value <= limit && value >= -static_cast<int64_t>(limit))) return Alarm{};
+  return stop_if_armed(at(AlarmCause::kResponseLimit, static_cast<uint32_t>(code), node, quantity));
 }
 
-Fault Supervisor::check_time(uint64_t now_ns) {
+Alarm Supervisor::check_time(uint64_t now_ns) {
   const uint64_t since_step_us = (now_ns - last_step_ns_) / 1000;
   const uint64_t since_sample_us = (now_ns - last_sample_ns_) / 1000;
   last_step_ns_ = now_ns;
-  if (!armed_) return Fault{};
+  if (!armed_) return Alarm{};
   if (since_step_us > limits_->step_timeout_us) {
-    return trip({FaultCode::kStepLate, kNoChannel, saturate16(since_step_us / 1000)});
+    return trip({AlarmCause::kStepLate, milliseconds(since_step_us)});
   }
   if (since_sample_us > limits_->sample_timeout_us) {
-    return trip({FaultCode::kSensorFramesLost, kNoChannel, saturate16(since_sample_us / 1000)});
+    return trip({AlarmCause::kSensorLost, milliseconds(since_sample_us)});
   }
-  return Fault{};
+  return Alarm{};
 }
 
-Fault Supervisor::check_drive(Drive command) {
+Alarm Supervisor::check_drive(Drive command) {
   const int64_t change = static_cast<int64_t>(command.raw) - last_command_.raw;
   last_command_ = command;
   const bool too_large = command.raw > drive_.magnitude.raw || command.raw < -drive_.magnitude.raw;
-  const bool too_steep = command.raw != 0 && (change > drive_.step_per_sample.raw || change < -static_cast<int64_t>(drive_.step_per_sample.raw));
-  if (!too_large && !too_steep) return Fault{};
-  return stop_if_armed({FaultCode::kDriveLimit, kNoChannel, static_cast<uint16_t>(static_cast<uint32_t>(command.raw) >> 16)});
+  const int64_t steepest = drive_.step_per_sample.raw;
+  const bool too_steep = command.raw != 0 && (change > steepest || change < -steepest);
+  if (!too_large && !too_steep) return Alarm{};
+  return stop_if_armed({AlarmCause::kDriveLimit, static_cast<uint32_t>(command.raw)});
 }
 
-Fault Supervisor::source_ended() { return stop_if_armed({FaultCode::kSensorFault, kNoChannel, 0}); }
+Alarm Supervisor::source_ended() { return stop_if_armed({AlarmCause::kSensorFault}); }
 
 }  // namespace firmware

@@ -1,11 +1,12 @@
-// Watches every sample and the passing of time, and latches the first reason to stop the drive.
+// Watches every sample and the passing of time, and latches the first reason to stop the drive (an
+// emergency stop takes precedence over others).
 // It decides only; RigController carries the decision out (drive zero, relay off) within the same step.
 #pragma once
 #include <cstdint>
 
 #include "firmware/acquisition/raw_sample.hpp"
 #include "firmware/excitation/drive.hpp"
-#include "firmware/supervision/fault.hpp"
+#include "firmware/supervision/alarm.hpp"
 
 namespace firmware {
 
@@ -33,23 +34,23 @@ class Supervisor {
   void disarm() { armed_ = false; }
   bool armed() const { return armed_; }
 
-  // Each returns a fault to report, code kNone where all is well; a stopping one is latched already.
-  Fault check_sample(const RawSample& sample, uint64_t now_ns);
-  Fault check_time(uint64_t now_ns);
-  Fault check_drive(Drive command);
-  Fault source_ended();
-  Fault trip(Fault fault);  // from outside: emergency stop, outputs that fail
+  // Each returns an alarm to report (cause kNone where all is well); a stopping one is latched already.
+  Alarm check_sample(const RawSample& sample, uint64_t now_ns);
+  Alarm check_time(uint64_t now_ns);
+  Alarm check_drive(Drive command);
+  Alarm source_ended();
+  Alarm trip(Alarm alarm);  // from outside: emergency stop, outputs that fail
 
-  bool tripped() const { return latched_.code != FaultCode::kNone; }
-  const Fault& latched() const { return latched_; }
-  void reset() { latched_ = Fault{}; }
+  bool tripped() const { return static_cast<bool>(latched_); }
+  const Alarm& latched() const { return latched_; }
+  void reset() { latched_ = Alarm{}; }
 
   const SupervisionCounters& counters() const { return counters_; }
 
  private:
-  Fault check_sequence(const RawSample& sample);
-  Fault check_channel(const RawSample& sample, int node, int quantity);
-  Fault stop_if_armed(Fault fault);
+  Alarm check_sequence(const RawSample& sample);
+  Alarm check_channel(const RawSample& sample, int node, int quantity);
+  Alarm stop_if_armed(Alarm alarm);
 
   const CoreConfiguration* core_ = nullptr;
   const LimitConfiguration* limits_ = nullptr;
@@ -61,7 +62,7 @@ class Supervisor {
   uint64_t last_step_ns_ = 0;
   uint16_t saturated_in_row_[kMaxNodes][kQuantities] = {};
   Drive last_command_;
-  Fault latched_;
+  Alarm latched_;
   SupervisionCounters counters_;
 };
 

@@ -1,0 +1,218 @@
+// One list of fields, walked by a writer, a reader and a check sum.
+#include "firmware/rig_controller/controller_configuration.hpp"
+
+#include <type_traits>
+
+namespace firmware {
+namespace {
+
+constexpr uint32_t kVersion = 0x52433031;  // "RC01": changes with the list of fields
+
+class Crc32 {
+ public:
+  void add(uint8_t byte) {
+    value_ ^= byte;
+    for (int bit = 0; bit < 8; ++bit) value_ = (value_ >> 1) ^ (value_ & 1 ? 0xEDB88320u : 0u);
+  }
+  uint32_t value() const { return ~value_; }
+
+ private:
+  uint32_t value_ = 0xFFFFFFFFu;
+};
+
+// Bytes go to a buffer where there is one, and into the check sum.
+class Writer {
+ public:
+  Writer(uint8_t* bytes, size_t capacity) : bytes_(bytes), capacity_(capacity) {}
+  template <typename T>
+  void field(const T& value) {
+    const auto bits = static_cast<uint64_t>(static_cast<int64_t>(value));
+    for (size_t i = 0; i < sizeof(T); ++i) put(static_cast<uint8_t>(bits >> (8 * i)));
+  }
+  size_t size() const { return size_; }
+  uint32_t crc() const { return crc_.value(); }
+
+ private:
+  void put(uint8_t byte) {
+    crc_.add(byte);
+    if (size_ < capacity_) bytes_[size_] = byte;
+    ++size_;
+  }
+  uint8_t* bytes_;
+  size_t capacity_;
+  size_t size_ = 0;
+  Crc32 crc_;
+};
+
+class Reader {
+ public:
+  Reader(const uint8_t* bytes, size_t size) : bytes_(bytes), size_(size) {}
+  template <typename T>
+  void field(T& value) {
+    uint64_t bits = 0;
+    for (size_t i = 0; i < sizeof(T); ++i) bits |= static_cast<uint64_t>(next()) << (8 * i);
+    if constexpr (std::is_same<T, bool>::value) {
+      value = bits != 0;
+    } else {
+      value = static_cast<T>(bits);
+    }
+  }
+  size_t read() const { return place_; }
+  bool overrun() const { return place_ > size_; }
+
+ private:
+  uint8_t next() { return place_ < size_ ? bytes_[place_++] : (++place_, uint8_t{0}); }
+  const uint8_t* bytes_;
+  size_t size_;
+  size_t place_ = 0;
+};
+
+template <typename Archive, typename Number>
+void walk_scaled(Archive& archive, Number& number) {
+  archive.field(number.mantissa);
+  archive.field(number.exponent);
+}
+
+template <typename Archive, typename Channel>
+void walk_channel(Archive& archive, Channel& channel) {
+  archive.field(channel.present);
+  archive.field(channel.offset_code);
+  archive.field(channel.full_scale_code);
+  walk_scaled(archive, channel.unit_per_code);
+  archive.field(channel.delay_ns);
+}
+
+template <typename Archive, typename Core>
+void walk_core(Archive& archive, Core& core) {
+  archive.field(core.dof_count);
+  archive.field(core.link_count);
+  archive.field(core.term_count);
+  archive.field(core.unknown_count);
+  archive.field(core.base_present);
+  walk_scaled(archive, core.sample_period_s);
+  for (auto& link : core.links) {
+    archive.field(link.node_a);
+    archive.field(link.node_b);
+  }
+  for (auto& term : core.terms) {
+    archive.field(term.kind);
+    archive.field(term.place);
+    archive.field(term.unknown);
+    walk_scaled(archive, term.value);
+    walk_scaled(archive, term.shape);
+  }
+  for (auto& node : core.channels)
+    for (auto& channel : node) walk_channel(archive, channel);
+  archive.field(core.window.mode);
+  archive.field(core.window.cycle_samples_numerator);
+  archive.field(core.window.cycle_samples_denominator);
+  archive.field(core.window.batch_samples);
+}
+
+template <typename Archive, typename Level>
+void walk_level(Archive& archive, Level& level) {
+  archive.field(level.kind);
+  archive.field(level.amplitude.raw);
+  archive.field(level.phase_step);
+  archive.field(level.high_phase_step);
+  archive.field(level.seed);
+  archive.field(level.ramp_samples);
+  archive.field(level.settle.block_samples);
+  archive.field(level.settle.bound_per_mille);
+  archive.field(level.settle.blocks);
+  archive.field(level.settle.floor_code);
+  archive.field(level.settle_limit_samples);
+  archive.field(level.skip_when_unsettled);
+  archive.field(level.measure_samples);
+}
+
+template <typename Archive, typename Programme>
+void walk_programme(Archive& archive, Programme& programme) {
+  archive.field(programme.level_count);
+  archive.field(programme.start_at_boot);
+  archive.field(programme.limits.magnitude.raw);
+  archive.field(programme.limits.step_per_sample.raw);
+  for (auto& level : programme.levels) walk_level(archive, level);
+}
+
+template <typename Archive, typename Limits>
+void walk_limits(Archive& archive, Limits& limits) {
+  archive.field(limits.saturated_in_row);
+  archive.field(limits.lost_in_row);
+  archive.field(limits.sample_timeout_us);
+  archive.field(limits.step_timeout_us);
+  for (auto& node : limits.response_limit_code)
+    for (auto& code : node) archive.field(code);
+}
+
+template <typename Archive, typename Node>
+void walk_node(Archive& archive, Node& node) {
+  archive.field(node.node);
+  archive.field(node.can_fd);
+  archive.field(node.sync_closes_window);
+  archive.field(node.drive_on_can);
+  archive.field(node.heartbeat_ms);
+  archive.field(node.status_ms);
+  archive.field(node.emergency_inhibit_ms);
+  archive.field(node.window_samples);
+  archive.field(node.rotating_nodes);
+}
+
+template <typename Archive, typename Configuration>
+void walk_rig(Archive& archive, Configuration& configuration) {
+  walk_core(archive, configuration.core);
+  walk_programme(archive, configuration.programme);
+  walk_limits(archive, configuration.limits);
+}
+
+Writer write(const ControllerConfiguration& configuration, uint8_t* bytes, size_t capacity) {
+  Writer writer(bytes, capacity);
+  writer.field(kVersion);
+  walk_rig(writer, configuration);
+  walk_node(writer, configuration.node);
+  return writer;
+}
+
+uint32_t rig_crc(const ControllerConfiguration& configuration) {
+  Writer writer(nullptr, 0);
+  walk_rig(writer, configuration);
+  return writer.crc();
+}
+
+uint32_t read32(const uint8_t* bytes) {
+  uint32_t value = 0;
+  Reader(bytes, 4).field(value);
+  return value;
+}
+
+}  // namespace
+
+size_t encode(const ControllerConfiguration& configuration, uint8_t (&bytes)[kConfigurationBytes]) {
+  Writer writer = write(configuration, bytes, kConfigurationBytes);
+  writer.field(writer.crc());
+  return writer.size();
+}
+
+bool decode(const uint8_t* bytes, size_t size, ControllerConfiguration& configuration) {
+  if (size < 8 || read32(bytes) != kVersion) return false;
+  Crc32 crc;
+  for (size_t i = 0; i + 4 < size; ++i) crc.add(bytes[i]);
+  if (crc.value() != read32(bytes + size - 4)) return false;
+  static ControllerConfiguration read;  // 6 KB: too large for a small stack; one controller runs per program
+  Reader reader(bytes, size - 4);
+  uint32_t version = 0;
+  reader.field(version);
+  walk_rig(reader, read);
+  walk_node(reader, read.node);
+  if (reader.overrun() || reader.read() != size - 4) return false;
+  configuration = read;
+  return true;
+}
+
+uint32_t configuration_crc(const ControllerConfiguration& configuration) {
+  return write(configuration, nullptr, 0).crc();
+}
+
+bool same_rig(const ControllerConfiguration& a, const ControllerConfiguration& b) { return rig_crc(a) == rig_crc(b); }
+
+}  // namespace firmware

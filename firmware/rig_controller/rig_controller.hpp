@@ -1,0 +1,150 @@
+// The rig controller: the same class on a board, in host_sim and in the tests. It sees the world through hal/interface only.
+//
+// step() takes whatever is ready and returns; it never waits. Call it once per sample or more often. Its order is what makes
+// an emergency stop act before the next sample: emergency-stop line first, then received frames, samples, window, schedule,
+// transmit queue, watchdog.
+//
+// With levels in the programme the controller drives: start() closes the relay and runs them. With none it listens: the
+// drive stays at zero, the relay open, and everything from the first sample to the end of the source is one level.
+#pragma once
+#include <cstdint>
+
+#include "firmware/can_protocol/messages.hpp"
+#include "firmware/estimator_core.hpp"
+#include "firmware/excitation/excitation.hpp"
+#include "firmware/rig_controller/alarm_message.hpp"
+#include "firmware/rig_controller/bus_monitor.hpp"
+#include "firmware/rig_controller/controller_configuration.hpp"
+#include "firmware/rig_controller/schedule.hpp"
+#include "firmware/rig_controller/sdo_server.hpp"
+#include "firmware/rig_controller/transmit_queue.hpp"
+#include "firmware/supervision/supervisor.hpp"
+#include "hal/interface/can_bus.hpp"
+#include "hal/interface/clock.hpp"
+#include "hal/interface/configuration_store.hpp"
+#include "hal/interface/digital_line.hpp"
+#include "hal/interface/drive_output.hpp"
+#include "hal/interface/sample_source.hpp"
+#include "hal/interface/watchdog.hpp"
+
+namespace firmware {
+
+// The board around the controller; all of it must outlive the controller.
+struct Ports {
+  hal::MonotonicClock& clock;
+  hal::SampleSource& samples;
+  hal::CanBus& can;
+  hal::DriveOutput& drive;
+  hal::DigitalOutput& relay;          // shaker enable: off whenever the drive must be dead
+  hal::DigitalOutput& ready_lamp;     // on while nothing is latched
+  hal::DigitalInput& emergency_stop;  // active: stop
+  hal::DigitalInput* sync_edge;       // rising edge closes the window; nullptr: none
+  hal::Watchdog& watchdog;
+  hal::ConfigurationStore& store;
+};
+
+class RigController final : private ObjectDictionary {
+ public:
+  RigController(const ControllerConfiguration& configuration, const Ports& ports);
+
+  void step();
+
+  // Each works from the first step() on, and is also a CANopen network command on the bus (identifier 0: command, node or 0 for all).
+  bool start();  // command 1: from the first level, estimates forgotten. False: a fault is latched, or it runs already
+  void stop();   // command 2: ramps down; when listening, closes the level
+  bool reset();  // command 129: forgets the latched fault. False: its cause is still there
+
+  ControllerMode mode() const;
+  bool finished() const { return finished_; }  // the programme is done, or the source has ended
+  const Alarm& latched_alarm() const { return supervisor_.latched(); }
+  const Estimates* estimates() const { return estimates_; }  // of the last window; nullptr before the first
+  const Excitation& excitation() const { return excitation_; }
+  const EstimatorCore& core() const { return core_; }
+  const BusMonitor& bus() const { return bus_; }
+  const TransmitQueue& transmit_queue() const { return queue_; }
+  const SupervisionCounters& counters() const { return supervisor_.counters(); }
+  const NodeConfiguration& node() const { return configuration_.node; }
+
+ private:
+  static constexpr int kSamplesPerStep = 64;  // a burst of buffered samples is taken in parts: the stop line is looked at between
+  static constexpr int kFramesPerStep = 64;
+
+  // rig_controller.cpp: the course of a step
+  void boot();
+  void check_emergency_stop();
+  void take_samples();
+  void take_sample(const RawSample& sample);
+  void source_stopped(bool fault);
+  void follow(ExcitationEvent event);
+  void begin_measurement();
+  void end_measurement();
+  void response_codes(const RawSample& sample, int32_t (&codes)[kMaxDofs]) const;
+  void command_drive(Drive drive, uint32_t sequence);
+  void handle(const Alarm& alarm);
+  void make_safe();
+  void set_relay(bool active);
+  void set_ready_lamp();
+
+  // rig_controller_frames.cpp: what goes over the bus
+  void receive_frames();
+  void receive(const hal::CanFrame& frame);
+  void network_command(const CanMessage& message);
+  void check_sync_edge();
+  void close_window();
+  void send_estimates();
+  void run_schedule();
+  void describe_some();
+  void send_status();
+  void send_health();
+  void send_alarms();
+  void flush_queue();
+  void follow(BusEvent event);
+  void send_heartbeat();
+  uint16_t fault_bits() const;
+  uint8_t error_register() const;
+
+  // rig_controller_objects.cpp: the object dictionary and the store
+  SdoAbort read(uint16_t index, uint8_t subindex, uint8_t (&bytes)[kLongestObject], uint8_t& size) override;
+  SdoAbort write(uint16_t index, uint8_t subindex, uint32_t value, uint8_t size) override;
+  void load_from_store();
+  bool save_to_store();
+  void apply_node_settings();
+
+  ControllerConfiguration configuration_;
+  const NodeConfiguration default_node_;  // as given at start
+  Ports ports_;
+  EstimatorCore core_;
+  Excitation excitation_;
+  Supervisor supervisor_;
+  const Estimates* estimates_ = nullptr;
+  uint32_t configuration_crc_ = 0;
+
+  uint64_t now_ns_ = 0;
+  uint64_t boot_ns_ = 0;
+  bool booted_ = false;
+  bool listening_ = false;     // no programme: measure whatever comes
+  bool measuring_ = false;     // samples go to the core
+  bool finished_ = false;
+  bool source_stopped_ = false;
+  bool relay_on_ = false;
+  bool stop_pressed_ = false;  // the emergency-stop line at the last look
+  bool safe_pending_ = false;  // drive zero or relay off has not been delivered yet
+  bool lamp_on_ = false;
+  bool lamp_known_ = false;
+  uint32_t samples_in_window_ = 0;
+
+  TransmitQueue queue_;
+  AlarmQueue alarms_;
+  BusMonitor bus_;
+  SdoServer sdo_;
+  Periodic heartbeat_, status_, second_, five_seconds_;
+  int next_parameter_ = 0;      // descriptions still to send; kMaxUnknowns: none
+  int next_channel_ = 0;        // node * kQuantities + quantity; kMaxNodes * kQuantities: none
+  uint16_t passing_faults_ = 0; // seen since the last status frame
+  uint32_t reported_drops_ = 0;
+  bool store_damaged_ = false;
+  Diagnosis diagnosis_;
+  uint8_t store_bytes_[kConfigurationBytes] = {};
+};
+
+}  // namespace firmware

@@ -1,0 +1,218 @@
+// What RigController sends and receives. Layouts: firmware/can_protocol/frame_table.hpp.
+#include "firmware/can_protocol/estimate_frames.hpp"
+#include "firmware/can_protocol/packing.hpp"
+#include "firmware/rig_controller/rig_controller.hpp"
+#include "firmware/version.hpp"
+
+namespace firmware {
+namespace {
+
+constexpr uint64_t kMillisecond_ns = 1000000;
+constexpr uint32_t kNetworkCommandId = 0x000;  // CANopen network management: highest priority
+
+CanMessage to_message(const hal::CanFrame& frame) {
+  CanMessage message;
+  message.id = frame.id;
+  message.extended = frame.extended;
+  message.fd = frame.fd;
+  message.length = frame.length;
+  for (int i = 0; i < frame.length && i < 64; ++i) message.data[i] = frame.data[i];
+  return message;
+}
+
+}  // namespace
+
+void RigController::receive_frames() {
+  hal::CanFrame frame;
+  for (int taken = 0; taken < kFramesPerStep; ++taken) {
+    const hal::CanResult result = ports_.can.receive(frame);
+    if (result != hal::CanResult::kDone) {
+      if (result == hal::CanResult::kBusDown) follow(bus_.answer(result, now_ns_));
+      return;
+    }
+    receive(frame);
+  }
+}
+
+void RigController::receive(const hal::CanFrame& frame) {
+  if (frame.error) return follow(bus_.error_frame(frame, now_ns_));
+  follow(bus_.frame_received());
+  if (frame.remote) return;
+  const CanMessage message = to_message(frame);
+  CanMessage reply;
+  if (!message.extended && message.id == kNetworkCommandId) return network_command(message);
+  if (is_sync(message)) {
+    if (configuration_.node.sync_closes_window && measuring_ && samples_in_window_ > 0) close_window();
+    return;
+  }
+  if (sdo_.answer(message, configuration_.node.node, reply)) queue_.push(reply, false);
+}
+
+void RigController::network_command(const CanMessage& message) {
+  if (message.length < 2 || (message.data[1] != 0 && message.data[1] != configuration_.node.node)) return;
+  if (message.data[0] == 1) start();
+  if (message.data[0] == 2) stop();
+  if (message.data[0] == 129) reset();
+}
+
+void RigController::check_sync_edge() {
+  if (ports_.sync_edge == nullptr) return;
+  hal::LineEdge edge;
+  while (ports_.sync_edge->next_edge(edge)) {
+    const bool closes = edge.rising && configuration_.node.sync_closes_window;
+    if (closes && measuring_ && samples_in_window_ > 0) close_window();
+  }
+}
+
+void RigController::close_window() {
+  samples_in_window_ = 0;
+  estimates_ = &core_.solve();
+  send_estimates();
+}
+
+void RigController::send_estimates() {
+  const uint8_t node = configuration_.node.node;
+  const Estimates& estimates = *estimates_;
+  queue_.push(pack_window(node, window_result(estimates)));
+  if (configuration_.node.can_fd) {
+    for (int i = 0; i < fd_frames(estimates.unknown_count); ++i) queue_.push(pack_estimates_fd(node, i, estimates));
+    return;
+  }
+  for (int i = 0; i < estimates.unknown_count; ++i) {
+    queue_.push(pack_estimate(node, i, estimates.parameters[i], estimates.window_counter));
+  }
+}
+
+void RigController::run_schedule() {
+  if (heartbeat_.due(now_ns_)) send_heartbeat();
+  if (status_.due(now_ns_)) send_status();
+  if (second_.due(now_ns_)) {
+    send_health();
+    queue_.push(pack_diagnosis(configuration_.node.node, diagnosis_));
+    next_parameter_ = 0;
+  }
+  if (five_seconds_.due(now_ns_)) next_channel_ = 0;
+  describe_some();
+  send_alarms();
+}
+
+// The descriptions of parameters and channels go out a few at a time, behind everything else.
+void RigController::describe_some() {
+  const CoreConfiguration& core = configuration_.core;
+  const auto rotating = [this](int node) { return node < 32 && (configuration_.node.rotating_nodes >> node & 1) != 0; };
+  constexpr int kEnoughRoom = TransmitQueue::kCapacity / 2;
+  while (next_parameter_ < core.unknown_count && queue_.room() > kEnoughRoom) {
+    ParameterDescription description;
+    const int unknown = next_parameter_++;
+    if (!describe_parameter(core, unknown, false, description)) continue;
+    const int node = description.place_a > 0 ? description.place_a - 1 : 0;
+    describe_parameter(core, unknown, rotating(node), description);
+    queue_.push(pack_parameter(configuration_.node.node, description), false);
+  }
+  while (next_channel_ < kMaxNodes * kQuantities && queue_.room() > kEnoughRoom) {
+    const int node = next_channel_ / kQuantities;
+    const auto quantity = static_cast<Quantity>(next_channel_ % kQuantities);
+    ++next_channel_;
+    const ChannelConfiguration& channel = core.channels[node][static_cast<int>(quantity)];
+    if (!channel.present) continue;
+    queue_.push(pack_scaling(configuration_.node.node, channel_scaling(channel, node, quantity, rotating(node))), false);
+    queue_.push(pack_range(configuration_.node.node, channel_range(channel, node, quantity, rotating(node))), false);
+  }
+}
+
+void RigController::send_heartbeat() {
+  const HeartbeatState state = supervisor_.tripped() ? HeartbeatState::kStopped : HeartbeatState::kOperational;
+  const CanMessage heartbeat = pack_heartbeat(configuration_.node.node, state);
+  const CanMessage* waiting = queue_.find(heartbeat.id);
+  const bool boot_up_waits = waiting != nullptr && waiting->data[0] == static_cast<uint8_t>(HeartbeatState::kBootUp);
+  if (!boot_up_waits) queue_.push(heartbeat);
+}
+
+uint16_t RigController::fault_bits() const {
+  uint32_t bits = status_bit(supervisor_.latched().cause) | passing_faults_;
+  if (bus_.state() == BusState::kPassive) bits |= fault_bit(Fault::kCanErrorPassive);
+  if (bus_.state() == BusState::kBusOff) bits |= fault_bit(Fault::kCanBusOff);
+  if (store_damaged_) bits |= fault_bit(Fault::kStore);
+  if (estimates_ != nullptr) {
+    for (int i = 0; i < estimates_->unknown_count; ++i) {
+      if (estimates_->parameters[i].status == EstimateStatus::kSaturated) bits |= fault_bit(Fault::kAccumulatorSaturated);
+    }
+  }
+  return static_cast<uint16_t>(bits);
+}
+
+uint8_t RigController::error_register() const {
+  uint32_t bits = error_register_bit(supervisor_.latched().cause);
+  if (bus_.state() != BusState::kGood) bits |= error_register_bit(AlarmCause::kCanErrorPassive);
+  if (store_damaged_) bits |= error_register_bit(AlarmCause::kStore);
+  return static_cast<uint8_t>(bits != 0 ? bits | 1 : 0);
+}
+
+void RigController::send_status() {
+  static const Estimates kNone;  // nothing has been estimated yet
+  const Estimates& estimates = estimates_ != nullptr ? *estimates_ : kNone;
+  queue_.push(pack_status(configuration_.node.node, node_status(estimates, mode(), fault_bits())));
+  passing_faults_ = 0;
+}
+
+void RigController::send_health() {
+  const uint8_t node = configuration_.node.node;
+  NodeHealth health;
+  health.uptime_s = static_cast<uint32_t>((now_ns_ - boot_ns_) / 1000000000);
+  health.core = core_.health();
+  health.core.missed_samples = supervisor_.counters().missed_samples;
+  health.core.saturated_samples = supervisor_.counters().saturated_samples;
+  health.bus_off = bus_.bus_off_count();
+  queue_.push(pack_health(node, health));
+  BusHealth bus_health = bus_.health();
+  bus_health.frames_not_sent = queue_.given_up();
+  queue_.push(pack_bus_health(node, bus_health));
+  Identity identity;
+  identity.version_major = kVersionMajor;
+  identity.version_minor = kVersionMinor;
+  identity.version_patch = kVersionPatch;
+  identity.parameters = configuration_.core.unknown_count;
+  identity.configuration_crc = configuration_crc_;
+  queue_.push(pack_identity(node, identity));
+}
+
+void RigController::send_alarms() {
+  if (queue_.given_up() != reported_drops_ && bus_.may_send()) {
+    reported_drops_ = queue_.given_up();
+    handle({AlarmCause::kCanOverflow, reported_drops_});
+  }
+  Emergency emergency;
+  const uint64_t inhibit_ns = configuration_.node.emergency_inhibit_ms * kMillisecond_ns;
+  if (!bus_.may_send()) return;
+  while (alarms_.pop(now_ns_, inhibit_ns, emergency)) queue_.push(pack_emergency(configuration_.node.node, emergency), false);
+}
+
+// While the bus is away only the newest of each kind is kept; what has to be told again is told on its return.
+void RigController::flush_queue() {
+  if (!bus_.trial_due(now_ns_)) return;
+  const hal::CanResult result = queue_.flush(ports_.can);
+  follow(bus_.answer(result, now_ns_));
+}
+
+void RigController::follow(BusEvent event) {
+  switch (event) {
+    case BusEvent::kNone:
+      break;
+    case BusEvent::kBecamePassive:
+      handle({AlarmCause::kCanErrorPassive, bus_.health().error_passive});
+      break;
+    case BusEvent::kOverflow:
+      handle({AlarmCause::kCanOverflow, bus_.health().controller_overflow});
+      break;
+    case BusEvent::kWentOff:
+    case BusEvent::kWentDown:
+      break;
+    case BusEvent::kRecovered:
+      handle({AlarmCause::kCanRecovered, bus_.recoveries()});
+      if (configuration_.node.heartbeat_ms != 0) send_heartbeat();
+      send_status();
+      break;
+  }
+}
+
+}  // namespace firmware
