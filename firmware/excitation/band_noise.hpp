@@ -1,9 +1,11 @@
-// Band-limited random drive: the sum of 64 sines whose frequencies are spread over the band, one in each of 64 equal slots at
-// a random place, with random starting phases. Integer only, the same seed gives the same bytes on every machine.
+// Band-limited random drive: the sum of 64 sines whose frequencies are spread over the band, one in each of 64 equal
+// slots at a random place, with random starting phases. Integer only, the same seed gives the same bytes on every
+// machine.
 //
-// Why a sum and not filtered noise: the band edges are exact, the rms is known beforehand (line amplitude * sqrt(64 / 2)), and
-// no filter coefficients depend on the sample rate. The lines are not harmonics of one another, so it does not repeat within
-// a test. Arithmetic: lines Q0.31, sum int64 below 2^37, times the line amplitude Q0.31 below 2^68 / 2^5: see next().
+// Why a sum and not filtered noise: the band edges are exact, the rms is known beforehand (line amplitude * sqrt(64 /
+// 2)), and no filter coefficients depend on the sample rate. The lines are not harmonics of one another, so it does not
+// repeat within a test. Arithmetic: lines Q0.31, sum int64 below 2^37, times the line amplitude Q0.31 below 2^68 / 2^5:
+// see next().
 #pragma once
 #include <cstdint>
 

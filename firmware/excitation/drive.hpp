@@ -10,8 +10,9 @@ namespace firmware {
 using Drive = Fixed<int32_t, 31>;
 
 struct DriveLimits {
-  Drive magnitude = Drive::from_raw(INT32_MAX);        // |drive| never exceeds this
-  Drive step_per_sample = Drive::from_raw(INT32_MAX);  // |change| from one sample to the next, except towards zero in an abort or a release
+  Drive magnitude = Drive::from_raw(INT32_MAX);  // |drive| never exceeds this
+  Drive step_per_sample =
+      Drive::from_raw(INT32_MAX);  // |change| from one sample to the next, except towards zero in an abort or a release
 };
 
 constexpr int32_t clamp_magnitude(int64_t value, int32_t limit) {

@@ -53,7 +53,8 @@ void Excitation::enter_level(uint8_t level) {
   samples_ = 0;
   if (envelope_ == 0) phase_ = 0;
   const ExcitationLevel& entered = current();
-  if (entered.kind == ExcitationKind::kRandomBand) noise_.begin(entered.phase_step, entered.high_phase_step, entered.seed);
+  if (entered.kind == ExcitationKind::kRandomBand)
+    noise_.begin(entered.phase_step, entered.high_phase_step, entered.seed);
 }
 
 ExcitationEvent Excitation::step(const int32_t* response_code) {
@@ -79,7 +80,8 @@ ExcitationEvent Excitation::step(const int32_t* response_code) {
 ExcitationEvent Excitation::ramp() {
   const ExcitationLevel& level = current();
   const int32_t target = stopping_ ? 0 : level.amplitude.raw;
-  int32_t rise = level.amplitude.raw / static_cast<int32_t>(level.ramp_samples > INT32_MAX ? INT32_MAX : level.ramp_samples);
+  int32_t rise =
+      level.amplitude.raw / static_cast<int32_t>(level.ramp_samples > INT32_MAX ? INT32_MAX : level.ramp_samples);
   if (rise == 0) rise = 1;
   envelope_ = towards(envelope_, target, rise);
   if (envelope_ != target) return ExcitationEvent::kNone;

@@ -3,7 +3,8 @@
 //   idle -> ramping -> settling -> measuring -> ramping (next level) ... -> ramping (to zero) -> done
 //
 // Between two sines of the same frequency the envelope glides from one amplitude to the next with the phase running on;
-// otherwise it goes down to zero first. A free decay is released at once: its drive is zero from the first measured sample.
+// otherwise it goes down to zero first. A free decay is released at once: its drive is zero from the first measured
+// sample.
 #pragma once
 #include <cstdint>
 

@@ -20,7 +20,8 @@ ProgrammeFault check_frequency(const ExcitationLevel& level) {
 
 // The steepest change of a sine in one sample is 2 A sin(step / 2); a ramp adds A / ramp_samples to it.
 bool too_steep(const ExcitationLevel& level, const DriveLimits& limits) {
-  if (level.kind == ExcitationKind::kRandomBand) return false;  // its rare steep steps are limited and counted while running
+  if (level.kind == ExcitationKind::kRandomBand)
+    return false;  // its rare steep steps are limited and counted while running
   const int64_t chord = (static_cast<int64_t>(level.amplitude.raw) * sine(level.phase_step / 2).raw) >> 30;
   return chord + level.amplitude.raw / static_cast<int64_t>(level.ramp_samples) > limits.step_per_sample.raw;
 }

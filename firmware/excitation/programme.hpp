@@ -11,7 +11,7 @@ namespace firmware {
 enum class ExcitationKind : uint8_t {
   kSine,        // amplitude * sin(phase)
   kRandomBand,  // band-limited random between two frequencies; amplitude is the rms
-  kFreeDecay,   // amplitude * cos(phase) is held until the rig has settled, then released; phase step 0: a constant pull
+  kFreeDecay,  // amplitude * cos(phase) is held until the rig has settled, then released; phase step 0: a constant pull
 };
 
 // Frequencies are phase steps per sample: 2^32 * f / sample rate.
@@ -38,11 +38,11 @@ struct ExcitationProgramme {
 enum class ProgrammeFault : uint8_t {
   kNone,
   kTooManyLevels,
-  kAmplitude,     // not positive, or over the drive limit
-  kFrequency,     // at or over half the sample rate, zero for a sine, or an empty band
-  kSlew,          // the sine or the ramp is steeper than the drive limits allow
-  kLength,        // nothing to measure, or no ramp
-  kSettle,        // block or number of blocks out of range, or no time limit
+  kAmplitude,  // not positive, or over the drive limit
+  kFrequency,  // at or over half the sample rate, zero for a sine, or an empty band
+  kSlew,       // the sine or the ramp is steeper than the drive limits allow
+  kLength,     // nothing to measure, or no ramp
+  kSettle,     // block or number of blocks out of range, or no time limit
 };
 
 // What is wrong with the programme, and in which level (level is untouched for kNone and kTooManyLevels).

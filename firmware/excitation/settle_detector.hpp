@@ -2,12 +2,12 @@
 //
 // The response energy of each DOF is taken over blocks (a whole number of excitation cycles):
 //   E = sum (x - mean x)^2 / block length,  x in ADC codes.
-// Settled when, for every DOF, the last `blocks` energies differ by no more than bound_per_mille of the largest, or all of them
-// lie under the noise floor. A slow beat between the drive and a lightly damped resonance keeps the energies apart until it
-// has died out, provided that the blocks together span half a beat.
+// Settled when, for every DOF, the last `blocks` energies differ by no more than bound_per_mille of the largest, or all
+// of them lie under the noise floor. A slow beat between the drive and a lightly damped resonance keeps the energies
+// apart until it has died out, provided that the blocks together span half a beat.
 //
-// Arithmetic: codes limited to 24 bits with sign, squares 2^46, sums over at most 65,535 samples below 2^62 in int64; the mean
-// is taken off as mean * (2 sum - n mean), which stays below 2^62 as well.
+// Arithmetic: codes limited to 24 bits with sign, squares 2^46, sums over at most 65,535 samples below 2^62 in int64;
+// the mean is taken off as mean * (2 sum - n mean), which stays below 2^62 as well.
 #pragma once
 #include <cstdint>
 

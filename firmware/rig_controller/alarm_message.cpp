@@ -16,21 +16,27 @@ struct Row {
 };
 
 constexpr Row kRows[] = {
-    {AlarmCause::kEmergencyStop, EmergencyCode::kEmergencyStop, fault_bit(Fault::kEmergencyStop), kRegisterManufacturer},
-    {AlarmCause::kSensorSaturated, EmergencyCode::kSensorSaturated, fault_bit(Fault::kSensorSaturated), kRegisterManufacturer},
+    {AlarmCause::kEmergencyStop, EmergencyCode::kEmergencyStop, fault_bit(Fault::kEmergencyStop),
+     kRegisterManufacturer},
+    {AlarmCause::kSensorSaturated, EmergencyCode::kSensorSaturated, fault_bit(Fault::kSensorSaturated),
+     kRegisterManufacturer},
     {AlarmCause::kSensorLost, EmergencyCode::kSensorLost, fault_bit(Fault::kSensorLost), kRegisterManufacturer},
     {AlarmCause::kSensorFault, EmergencyCode::kHardware, fault_bit(Fault::kSensorLost), kRegisterManufacturer},
     {AlarmCause::kDriveLimit, EmergencyCode::kDriveLimit, fault_bit(Fault::kDriveLimit), kRegisterManufacturer},
     {AlarmCause::kResponseLimit, EmergencyCode::kDriveLimit, fault_bit(Fault::kDriveLimit), kRegisterManufacturer},
     {AlarmCause::kStepLate, EmergencyCode::kWatchdog, fault_bit(Fault::kWatchdog), kRegisterManufacturer},
-    {AlarmCause::kDriveNotTaken, EmergencyCode::kDriveNotTaken, fault_bit(Fault::kDriveNotTaken), kRegisterManufacturer},
-    {AlarmCause::kRelayNotTaken, EmergencyCode::kDriveNotTaken, fault_bit(Fault::kDriveNotTaken), kRegisterManufacturer},
-    {AlarmCause::kConfiguration, EmergencyCode::kConfiguration, fault_bit(Fault::kConfiguration), kRegisterManufacturer},
+    {AlarmCause::kDriveNotTaken, EmergencyCode::kDriveNotTaken, fault_bit(Fault::kDriveNotTaken),
+     kRegisterManufacturer},
+    {AlarmCause::kRelayNotTaken, EmergencyCode::kDriveNotTaken, fault_bit(Fault::kDriveNotTaken),
+     kRegisterManufacturer},
+    {AlarmCause::kConfiguration, EmergencyCode::kConfiguration, fault_bit(Fault::kConfiguration),
+     kRegisterManufacturer},
     {AlarmCause::kSamplesMissed, EmergencyCode::kSamplesMissed, fault_bit(Fault::kSamplesMissed), 0},
     {AlarmCause::kNotSettled, EmergencyCode::kGeneric, 0, 0},
     {AlarmCause::kStore, EmergencyCode::kStore, fault_bit(Fault::kStore), kRegisterManufacturer},
     {AlarmCause::kCanOverflow, EmergencyCode::kCanOverflow, fault_bit(Fault::kCanOverflow), kRegisterCommunication},
-    {AlarmCause::kCanErrorPassive, EmergencyCode::kCanErrorPassive, fault_bit(Fault::kCanErrorPassive), kRegisterCommunication},
+    {AlarmCause::kCanErrorPassive, EmergencyCode::kCanErrorPassive, fault_bit(Fault::kCanErrorPassive),
+     kRegisterCommunication},
     {AlarmCause::kCanRecovered, EmergencyCode::kCanBusOffRecovered, 0, kRegisterCommunication},
 };
 

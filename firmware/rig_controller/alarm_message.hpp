@@ -6,12 +6,12 @@
 namespace firmware {
 
 EmergencyCode emergency_code(AlarmCause cause);
-uint16_t status_bit(AlarmCause cause);  // 0 where the status frame has none
+uint16_t status_bit(AlarmCause cause);         // 0 where the status frame has none
 uint8_t error_register_bit(AlarmCause cause);  // object 1001, without the generic bit
 Emergency emergency_of(const Alarm& alarm, uint8_t error_register);
 
-// Emergency frames that wait for the inhibit time. One place per code: the same code again updates its detail. An urgent one
-// (the drive has been stopped) goes in front and does not wait: it is latched, so it cannot flood the bus.
+// Emergency frames that wait for the inhibit time. One place per code: the same code again updates its detail. An
+// urgent one (the drive has been stopped) goes in front and does not wait: it is latched, so it cannot flood the bus.
 class AlarmQueue {
  public:
   void push(const Emergency& emergency, bool urgent);

@@ -82,6 +82,19 @@ void walk_channel(Archive& archive, Channel& channel) {
   archive.field(channel.delay_ns);
 }
 
+// Taps beyond the filter's length are zero and are left out.
+template <typename Archive, typename Signal>
+void walk_signal(Archive& archive, Signal& signal) {
+  archive.field(signal.available);
+  archive.field(signal.derived);
+  archive.field(signal.source);
+  archive.field(signal.integrations);
+  archive.field(signal.half_length);
+  archive.field(signal.shift);
+  for (int i = 0; i <= 2 * signal.half_length && i <= 2 * kFilterHalf; ++i) archive.field(signal.tap[i].raw);
+  walk_scaled(archive, signal.unit_per_code);
+}
+
 template <typename Archive, typename Core>
 void walk_core(Archive& archive, Core& core) {
   archive.field(core.dof_count);
@@ -103,6 +116,10 @@ void walk_core(Archive& archive, Core& core) {
   }
   for (auto& node : core.channels)
     for (auto& channel : node) walk_channel(archive, channel);
+  for (auto& node : core.signals)
+    for (auto& signal : node) walk_signal(archive, signal);
+  archive.field(core.high_pass_order);
+  archive.field(core.high_pass_shift);
   archive.field(core.window.mode);
   archive.field(core.window.cycle_samples_numerator);
   archive.field(core.window.cycle_samples_denominator);
@@ -198,7 +215,8 @@ bool decode(const uint8_t* bytes, size_t size, ControllerConfiguration& configur
   Crc32 crc;
   for (size_t i = 0; i + 4 < size; ++i) crc.add(bytes[i]);
   if (crc.value() != read32(bytes + size - 4)) return false;
-  static ControllerConfiguration read;  // 6 KB: too large for a small stack; one controller runs per program
+  static ControllerConfiguration read;  // 17 KB: too large for a small stack; one controller runs per program
+  read = ControllerConfiguration{};
   Reader reader(bytes, size - 4);
   uint32_t version = 0;
   reader.field(version);

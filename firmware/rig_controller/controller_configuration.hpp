@@ -1,5 +1,5 @@
-// Everything that the controller is told at start, as plain integers, and its form in bytes: for the configuration store and
-// for the check sum in the identity frame, the same on every machine.
+// Everything that the controller is told at start, as plain integers, and its form in bytes: for the configuration
+// store and for the check sum in the identity frame, the same on every machine.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -11,11 +11,11 @@
 namespace firmware {
 
 struct NodeConfiguration {
-  uint8_t node = 1;                     // 1 to 7
-  bool can_fd = false;                  // estimates in CAN FD frames
-  bool sync_closes_window = true;       // SYNC frame and sync edge
-  bool drive_on_can = false;            // the drive command is also sent as a frame, each sample
-  uint16_t heartbeat_ms = 100;          // 0: none
+  uint8_t node = 1;                // 1 to 7
+  bool can_fd = false;             // estimates in CAN FD frames
+  bool sync_closes_window = true;  // SYNC frame and sync edge
+  bool drive_on_can = false;       // the drive command is also sent as a frame, each sample
+  uint16_t heartbeat_ms = 100;     // 0: none
   uint16_t status_ms = 100;
   uint16_t emergency_inhibit_ms = 100;  // between two emergency frames
   uint32_t window_samples = 1000;       // samples from one set of estimates to the next, 50 to 1000 ms
@@ -30,7 +30,7 @@ struct ControllerConfiguration {
 };
 
 // Little-endian fields one after another, then their CRC-32 (polynomial 0xEDB88320): no padding, no host layout.
-constexpr size_t kConfigurationBytes = 6144;  // room for the longest; encode() says how many are used
+constexpr size_t kConfigurationBytes = 20480;  // room for the longest; encode() says how many are used
 
 // Returns the bytes written.
 size_t encode(const ControllerConfiguration& configuration, uint8_t (&bytes)[kConfigurationBytes]);

@@ -37,6 +37,7 @@ void RigController::boot() {
   queue_.push(pack_heartbeat(configuration_.node.node, HeartbeatState::kBootUp), false);
   flush_queue();
   make_safe();
+  flush_queue();
   load_from_store();
   configuration_crc_ = firmware::configuration_crc(configuration_);
   uint8_t level = 0;
@@ -59,7 +60,7 @@ void RigController::check_emergency_stop() {
 }
 
 bool RigController::start() {
-  if (!booted_ || supervisor_.tripped() || safe_pending_) return false;
+  if (!booted_ || supervisor_.tripped() || safe_pending_ || ports_.emergency_stop.active()) return false;
   if (listening_ && !finished_) return false;
   const ExcitationState state = excitation_.state();
   if (state != ExcitationState::kIdle && state != ExcitationState::kDone) return false;
@@ -237,13 +238,19 @@ ControllerMode RigController::mode() const {
   if (!booted_) return ControllerMode::kInitialising;
   if (supervisor_.latched().cause == AlarmCause::kEmergencyStop) return ControllerMode::kEmergencyStop;
   if (supervisor_.tripped()) return ControllerMode::kFault;
-  if (listening_) return measuring_ ? ControllerMode::kIntegrate : finished_ ? ControllerMode::kDone : ControllerMode::kIdle;
+  if (listening_)
+    return measuring_ ? ControllerMode::kIntegrate : finished_ ? ControllerMode::kDone : ControllerMode::kIdle;
   switch (excitation_.state()) {
-    case ExcitationState::kIdle: return ControllerMode::kIdle;
-    case ExcitationState::kRamping: return ControllerMode::kRamp;
-    case ExcitationState::kSettling: return ControllerMode::kSettle;
-    case ExcitationState::kDone: return ControllerMode::kDone;
-    case ExcitationState::kMeasuring: break;
+    case ExcitationState::kIdle:
+      return ControllerMode::kIdle;
+    case ExcitationState::kRamping:
+      return ControllerMode::kRamp;
+    case ExcitationState::kSettling:
+      return ControllerMode::kSettle;
+    case ExcitationState::kDone:
+      return ControllerMode::kDone;
+    case ExcitationState::kMeasuring:
+      break;
   }
   const ExcitationLevel& level = configuration_.programme.levels[excitation_.level()];
   return level.kind == ExcitationKind::kFreeDecay ? ControllerMode::kFreeDecay : ControllerMode::kIntegrate;

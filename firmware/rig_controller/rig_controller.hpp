@@ -1,8 +1,9 @@
-// The rig controller: the same class on a board, in host_sim and in the tests. It sees the world through hal/interface only.
+// The rig controller: the same class on a board, in host_sim and in the tests. It sees the world through hal/interface
+// only.
 //
-// step() takes whatever is ready and returns; it never waits. Call it once per sample or more often. Its order is what makes
-// an emergency stop act before the next sample: emergency-stop line first, then received frames, samples, window, schedule,
-// transmit queue, watchdog.
+// step() takes whatever is ready and returns; it never waits. Call it once per sample or more often. Its order is what
+// makes an emergency stop act before the next sample: emergency-stop line first, then received frames, samples, window,
+// schedule, transmit queue, watchdog.
 //
 // With levels in the programme the controller drives: start() closes the relay and runs them. With none it listens: the
 // drive stays at zero, the relay open, and everything from the first sample to the end of the source is one level.
@@ -49,7 +50,8 @@ class RigController final : private ObjectDictionary {
 
   void step();
 
-  // Each works from the first step() on, and is also a CANopen network command on the bus (identifier 0: command, node or 0 for all).
+  // Each works from the first step() on, and is also a CANopen network command on the bus (identifier 0: command, node
+  // or 0 for all).
   bool start();  // command 1: from the first level, estimates forgotten. False: a fault is latched, or it runs already
   void stop();   // command 2: ramps down; when listening, closes the level
   bool reset();  // command 129: forgets the latched fault. False: its cause is still there
@@ -66,7 +68,8 @@ class RigController final : private ObjectDictionary {
   const NodeConfiguration& node() const { return configuration_.node; }
 
  private:
-  static constexpr int kSamplesPerStep = 64;  // a burst of buffered samples is taken in parts: the stop line is looked at between
+  static constexpr int kSamplesPerStep =
+      64;  // a burst of buffered samples is taken in parts: the stop line is looked at between
   static constexpr int kFramesPerStep = 64;
 
   // rig_controller.cpp: the course of a step
@@ -122,8 +125,8 @@ class RigController final : private ObjectDictionary {
   uint64_t now_ns_ = 0;
   uint64_t boot_ns_ = 0;
   bool booted_ = false;
-  bool listening_ = false;     // no programme: measure whatever comes
-  bool measuring_ = false;     // samples go to the core
+  bool listening_ = false;  // no programme: measure whatever comes
+  bool measuring_ = false;  // samples go to the core
   bool finished_ = false;
   bool source_stopped_ = false;
   bool relay_on_ = false;
@@ -138,9 +141,9 @@ class RigController final : private ObjectDictionary {
   BusMonitor bus_;
   SdoServer sdo_;
   Periodic heartbeat_, status_, second_, five_seconds_;
-  int next_parameter_ = 0;      // descriptions still to send; kMaxUnknowns: none
-  int next_channel_ = 0;        // node * kQuantities + quantity; kMaxNodes * kQuantities: none
-  uint16_t passing_faults_ = 0; // seen since the last status frame
+  int next_parameter_ = 0;       // descriptions still to send; kMaxUnknowns: none
+  int next_channel_ = 0;         // node * kQuantities + quantity; kMaxNodes * kQuantities: none
+  uint16_t passing_faults_ = 0;  // seen since the last status frame
   uint32_t reported_drops_ = 0;
   bool store_damaged_ = false;
   Diagnosis diagnosis_;

@@ -115,7 +115,8 @@ void RigController::describe_some() {
     ++next_channel_;
     const ChannelConfiguration& channel = core.channels[node][static_cast<int>(quantity)];
     if (!channel.present) continue;
-    queue_.push(pack_scaling(configuration_.node.node, channel_scaling(channel, node, quantity, rotating(node))), false);
+    queue_.push(pack_scaling(configuration_.node.node, channel_scaling(channel, node, quantity, rotating(node))),
+                false);
     queue_.push(pack_range(configuration_.node.node, channel_range(channel, node, quantity, rotating(node))), false);
   }
 }
@@ -135,7 +136,8 @@ uint16_t RigController::fault_bits() const {
   if (store_damaged_) bits |= fault_bit(Fault::kStore);
   if (estimates_ != nullptr) {
     for (int i = 0; i < estimates_->unknown_count; ++i) {
-      if (estimates_->parameters[i].status == EstimateStatus::kSaturated) bits |= fault_bit(Fault::kAccumulatorSaturated);
+      if (estimates_->parameters[i].status == EstimateStatus::kSaturated)
+        bits |= fault_bit(Fault::kAccumulatorSaturated);
     }
   }
   return static_cast<uint16_t>(bits);
@@ -184,7 +186,8 @@ void RigController::send_alarms() {
   Emergency emergency;
   const uint64_t inhibit_ns = configuration_.node.emergency_inhibit_ms * kMillisecond_ns;
   if (!bus_.may_send()) return;
-  while (alarms_.pop(now_ns_, inhibit_ns, emergency)) queue_.push(pack_emergency(configuration_.node.node, emergency), false);
+  while (alarms_.pop(now_ns_, inhibit_ns, emergency))
+    queue_.push(pack_emergency(configuration_.node.node, emergency), false);
 }
 
 // While the bus is away only the newest of each kind is kept; what has to be told again is told on its return.

@@ -1,5 +1,5 @@
-// The object dictionary of the node and the configuration store behind it. What can be changed over the bus is the heartbeat
-// time; "save" keeps it over a restart, "load" goes back to the settings given at start (and keeps those).
+// The object dictionary of the node and the configuration store behind it. What can be changed over the bus is the
+// heartbeat time; "save" keeps it over a restart, "load" goes back to the settings given at start (and keeps those).
 #include "firmware/can_protocol/packing.hpp"
 #include "firmware/rig_controller/rig_controller.hpp"
 #include "firmware/version.hpp"
@@ -52,15 +52,32 @@ SdoAbort RigController::read(uint16_t index, uint8_t subindex, uint8_t (&bytes)[
   }
   SdoAbort result = SdoAbort::kNone;
   switch (index) {
-    case 0x1000: result = answer.number(kDeviceType, 4); break;
-    case 0x1001: result = answer.number(error_register(), 1); break;
-    case 0x1005: result = answer.number(can::frame_id(can::kSync.ids, node.node), 4); break;
-    case 0x1008: result = answer.text(kDeviceName); break;
-    case 0x1009: result = answer.text(kHardwareVersion); break;
-    case 0x100A: result = answer.text(kVersionText); break;
-    case 0x1014: result = answer.number(can::frame_id(can::kEmergency.ids, node.node), 4); break;
-    case 0x1017: result = answer.number(node.heartbeat_ms, 2); break;
-    default: return SdoAbort::kNoObject;
+    case 0x1000:
+      result = answer.number(kDeviceType, 4);
+      break;
+    case 0x1001:
+      result = answer.number(error_register(), 1);
+      break;
+    case 0x1005:
+      result = answer.number(can::frame_id(can::kSync.ids, node.node), 4);
+      break;
+    case 0x1008:
+      result = answer.text(kDeviceName);
+      break;
+    case 0x1009:
+      result = answer.text(kHardwareVersion);
+      break;
+    case 0x100A:
+      result = answer.text(kVersionText);
+      break;
+    case 0x1014:
+      result = answer.number(can::frame_id(can::kEmergency.ids, node.node), 4);
+      break;
+    case 0x1017:
+      result = answer.number(node.heartbeat_ms, 2);
+      break;
+    default:
+      return SdoAbort::kNoObject;
   }
   return subindex == 0 ? result : SdoAbort::kNoSubindex;
 }

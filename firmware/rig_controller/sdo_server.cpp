@@ -10,7 +10,7 @@ constexpr uint8_t kReadRequest = 0x40;
 constexpr uint8_t kSegmentRequest = 0x60;
 constexpr uint8_t kAbort = 0x80;
 constexpr uint8_t kWriteDone = 0x60;
-constexpr uint8_t kReadSized = 0x43;     // expedited, size given: bits 2 and 3 count the unused bytes
+constexpr uint8_t kReadSized = 0x43;  // expedited, size given: bits 2 and 3 count the unused bytes
 constexpr uint8_t kReadSegmented = 0x41;
 constexpr int kSegmentBytes = 7;
 

@@ -1,5 +1,5 @@
-// The service-data subset of CANopen (CiA 301): reads and writes of objects of up to four bytes in one exchange, strings read
-// in segments of seven. One request, one answer.
+// The service-data subset of CANopen (CiA 301): reads and writes of objects of up to four bytes in one exchange,
+// strings read in segments of seven. One request, one answer.
 #pragma once
 #include <cstdint>
 

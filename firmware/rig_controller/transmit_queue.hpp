@@ -1,6 +1,6 @@
-// Frames that the bus would not take yet. Sent in the order of their identifiers, as the bus itself would arbitrate; among
-// equal identifiers the newest replaces the older one, except for emergency frames, each of which counts. Nothing blocks:
-// when there is no room the least urgent frame is given up, and every frame that never goes out is counted.
+// Frames that the bus would not take yet. Sent in the order of their identifiers, as the bus itself would arbitrate;
+// among equal identifiers the newest replaces the older one, except for emergency frames, each of which counts. Nothing
+// blocks: when there is no room the least urgent frame is given up, and every frame that never goes out is counted.
 #pragma once
 #include <cstdint>
 
@@ -16,7 +16,8 @@ class TransmitQueue {
   TransmitQueue();
   // replace: a queued frame with the same identifier is superseded.
   void push(const CanMessage& message, bool replace = true);
-  // Sends until the bus refuses (a frame that the driver cannot send at all is given up) or nothing is left. Returns the last answer of the bus; kEmpty: nothing was waiting.
+  // Sends until the bus refuses (a frame that the driver cannot send at all is given up) or nothing is left. Returns
+  // the last answer of the bus; kEmpty: nothing was waiting.
   hal::CanResult flush(hal::CanBus& bus);
 
   const CanMessage* find(uint32_t id) const;  // a waiting frame; nullptr: none
@@ -30,7 +31,8 @@ class TransmitQueue {
   void remove_first();
 
   CanMessage frames_[kCapacity] = {};
-  uint8_t order_[kCapacity];  // the first count_: places in frames_ by identifier, oldest first among equals; then the free places
+  uint8_t order_[kCapacity];  // the first count_: places in frames_ by identifier, oldest first among equals; then the
+                              // free places
   int count_ = 0;
   uint32_t given_up_ = 0;
   uint32_t sent_ = 0;

@@ -1,5 +1,5 @@
-// Why the rig was stopped, or what deserves attention while it runs. rig_controller/alarm_message.hpp turns these into the
-// codes and bits that travel on the bus.
+// Why the rig was stopped, or what deserves attention while it runs. rig_controller/alarm_message.hpp turns these into
+// the codes and bits that travel on the bus.
 #pragma once
 #include <cstdint>
 

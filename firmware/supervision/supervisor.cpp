@@ -61,7 +61,8 @@ Alarm Supervisor::check_sequence(const RawSample& sample) {
   sequence_known_ = true;
   sequence_ = sample.sequence;
   if (missed == 0) return Alarm{};
-  if (missed >= 0x80000000u) missed = 1;  // the counter stood still or went back: something is missing, how much is unknown
+  if (missed >= 0x80000000u)
+    missed = 1;  // the counter stood still or went back: something is missing, how much is unknown
   counters_.missed_samples += missed;
   if (missed >= limits_->lost_in_row && armed_) {
     return trip({AlarmCause::kSensorLost, missed});

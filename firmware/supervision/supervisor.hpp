@@ -11,10 +11,11 @@
 namespace firmware {
 
 struct LimitConfiguration {
-  uint16_t saturated_in_row = 3;       // samples at full scale, one after another on one channel, that stop the drive; at least 1
-  uint16_t lost_in_row = 3;            // missing samples in one gap that stop the drive; at least 1
-  uint32_t sample_timeout_us = 10000;  // no sample for this long while driving: lost
-  uint32_t step_timeout_us = 50000;    // the controller not run for this long while driving: late
+  uint16_t saturated_in_row =
+      3;                     // samples at full scale, one after another on one channel, that stop the drive; at least 1
+  uint16_t lost_in_row = 3;  // missing samples in one gap that stop the drive; at least 1
+  uint32_t sample_timeout_us = 10000;                        // no sample for this long while driving: lost
+  uint32_t step_timeout_us = 50000;                          // the controller not run for this long while driving: late
   int32_t response_limit_code[kMaxNodes][kQuantities] = {};  // |code - offset| above this stops the drive; 0: no limit
 };
 
@@ -29,7 +30,8 @@ class Supervisor {
   // Both must outlive this object.
   void configure(const CoreConfiguration& core, const LimitConfiguration& limits, const DriveLimits& drive);
 
-  // While armed the drive is live: sensor and timing causes stop it. Unarmed they are only counted (recordings, idle rigs).
+  // While armed the drive is live: sensor and timing causes stop it. Unarmed they are only counted (recordings, idle
+  // rigs).
   void arm(uint64_t now_ns);
   void disarm() { armed_ = false; }
   bool armed() const { return armed_; }

@@ -17,26 +17,42 @@ CanFrame make_error_frame(ErrorFrame kind) {
   frame.length = 8;
   frame.id = kClassController;
   switch (kind) {
-    case ErrorFrame::kBusOff: frame.id = kClassBusOff; break;
-    case ErrorFrame::kRestarted: frame.id = kClassRestarted; break;
-    case ErrorFrame::kNoAcknowledge: frame.id = kClassNoAcknowledge; break;
-    case ErrorFrame::kErrorPassive: frame.data[1] = 0x20; break;
-    case ErrorFrame::kErrorActive: frame.data[1] = 0x40; break;
-    case ErrorFrame::kReceiveOverflow: frame.data[1] = 0x01; break;
+    case ErrorFrame::kBusOff:
+      frame.id = kClassBusOff;
+      break;
+    case ErrorFrame::kRestarted:
+      frame.id = kClassRestarted;
+      break;
+    case ErrorFrame::kNoAcknowledge:
+      frame.id = kClassNoAcknowledge;
+      break;
+    case ErrorFrame::kErrorPassive:
+      frame.data[1] = 0x20;
+      break;
+    case ErrorFrame::kErrorActive:
+      frame.data[1] = 0x40;
+      break;
+    case ErrorFrame::kReceiveOverflow:
+      frame.data[1] = 0x01;
+      break;
   }
   return frame;
 }
 
 CanResult FakeCanBus::send(const CanFrame& frame) {
   switch (failure_) {
-    case BusFailure::kQueueFull: return CanResult::kQueueFull;
-    case BusFailure::kDown: return CanResult::kBusDown;
-    case BusFailure::kDriverFault: return CanResult::kFault;
+    case BusFailure::kQueueFull:
+      return CanResult::kQueueFull;
+    case BusFailure::kDown:
+      return CanResult::kBusDown;
+    case BusFailure::kDriverFault:
+      return CanResult::kFault;
     case BusFailure::kShortQueue:
       if (queued_ >= queue_length_) return CanResult::kQueueFull;
       ++queued_;
       break;
-    case BusFailure::kNone: break;
+    case BusFailure::kNone:
+      break;
   }
   ++sent_count_;
   if (keep_) {

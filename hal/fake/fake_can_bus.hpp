@@ -13,10 +13,10 @@ namespace hal {
 // The ways in which a bus fails.
 enum class BusFailure {
   kNone,
-  kQueueFull,   // every send answers kQueueFull
-  kDown,        // interface down: send and receive answer kBusDown
-  kDriverFault, // every send answers kFault
-  kShortQueue,  // the queue takes `queue_length` frames until drain() is called
+  kQueueFull,    // every send answers kQueueFull
+  kDown,         // interface down: send and receive answer kBusDown
+  kDriverFault,  // every send answers kFault
+  kShortQueue,   // the queue takes `queue_length` frames until drain() is called
 };
 
 // Error frames as SocketCAN delivers them.

@@ -1,5 +1,6 @@
-// A configuration store in memory: two slots written in turn on a medium that takes one byte at a time, so that the power can
-// be cut at any byte. A slot counts only when its trailing check sum fits; the newer of two good slots is loaded.
+// A configuration store in memory: two slots written in turn on a medium that takes one byte at a time, so that the
+// power can be cut at any byte. A slot counts only when its trailing check sum fits; the newer of two good slots is
+// loaded.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -15,7 +16,10 @@ class FakeConfigurationStore final : public ConfigurationStore {
   size_t load(uint8_t* bytes, size_t capacity) override;
 
   // Power goes after this many more written bytes; the write under way is left torn and save() answers false.
-  void cut_power_after(size_t bytes) { bytes_left_ = bytes; cut_ = true; }
+  void cut_power_after(size_t bytes) {
+    bytes_left_ = bytes;
+    cut_ = true;
+  }
   void restore_power() { cut_ = false; }
   size_t written_bytes() const { return written_bytes_; }
   // Damages what is stored: flips one bit of the slot that would be loaded.

@@ -5,10 +5,14 @@ namespace hal {
 
 SampleResult FakeSampleSource::read(firmware::RawSample& sample) {
   switch (failure_) {
-    case SampleFailure::kSilent: return SampleResult::kNone;
-    case SampleFailure::kFault: return SampleResult::kFault;
-    case SampleFailure::kEnded: return SampleResult::kEnd;
-    case SampleFailure::kNone: break;
+    case SampleFailure::kSilent:
+      return SampleResult::kNone;
+    case SampleFailure::kFault:
+      return SampleResult::kFault;
+    case SampleFailure::kEnded:
+      return SampleResult::kEnd;
+    case SampleFailure::kNone:
+      break;
   }
   if (has_offer_) {
     sample = offered_;

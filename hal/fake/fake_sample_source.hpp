@@ -9,9 +9,9 @@ namespace hal {
 
 enum class SampleFailure {
   kNone,
-  kSilent,   // no sample comes any more
-  kFault,    // the source answers kFault
-  kEnded,    // the source answers kEnd
+  kSilent,  // no sample comes any more
+  kFault,   // the source answers kFault
+  kEnded,   // the source answers kEnd
 };
 
 class FakeSampleSource final : public SampleSource {
@@ -24,7 +24,10 @@ class FakeSampleSource final : public SampleSource {
   // Makes the next `count` samples of the array ready; after the last one the source answers kEnd.
   void release(size_t count) { ready_ += count; }
   // Puts one sample in front of the controller directly.
-  void offer(const firmware::RawSample& sample) { offered_ = sample; has_offer_ = true; }
+  void offer(const firmware::RawSample& sample) {
+    offered_ = sample;
+    has_offer_ = true;
+  }
   void fail(SampleFailure failure) { failure_ = failure; }
 
  private:

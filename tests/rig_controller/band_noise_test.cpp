@@ -45,7 +45,8 @@ double band_power(const std::vector<double>& values, double low_Hz, double high_
 }
 
 TEST(BandNoise, RmsIsAsAsked) {
-  // 64 lines over 60 s: neighbouring lines beat at 0.7 Hz and slower, so the rms of one record wanders by a few percent.
+  // 64 lines over 60 s: neighbouring lines beat at 0.7 Hz and slower, so the rms of one record wanders by a few
+  // percent.
   for (uint32_t seed = 1; seed <= 20; ++seed) EXPECT_NEAR(rms_of(record(seed, 60000, 0.1)), 0.1, 0.004) << seed;
 }
 

@@ -67,7 +67,8 @@ Log run(const ExcitationProgramme& programme, int samples, int32_t gain = 1) {
 TEST(Excitation, TwoLevelsMeasureTheAskedNumberOfSamplesAndEndAtZero) {
   const Log log = run(sine_programme(2), 5000);
   using E = ExcitationEvent;
-  EXPECT_EQ(log.events, (std::vector<E>{E::kMeasureBegins, E::kMeasureEnds, E::kMeasureBegins, E::kMeasureEnds, E::kFinished}));
+  EXPECT_EQ(log.events,
+            (std::vector<E>{E::kMeasureBegins, E::kMeasureEnds, E::kMeasureBegins, E::kMeasureEnds, E::kFinished}));
   EXPECT_EQ(log.event_samples[1] - log.event_samples[0], 160);
   EXPECT_EQ(log.event_samples[3] - log.event_samples[2], 160);
   EXPECT_EQ(log.drive.back(), 0);

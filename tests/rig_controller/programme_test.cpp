@@ -20,7 +20,8 @@ ExcitationProgramme good() {
   programme.limits.step_per_sample = Drive::from_raw(1 << 26);
   for (int i = 0; i < 2; ++i) {
     programme.levels[i].amplitude = Drive::from_raw(1 << 29);
-    programme.levels[i].phase_step = 1u << 26;  // 1/64 of the sample rate: steepest step 2 * 2^29 * sin(pi/64) = 5.27e7 < 2^26
+    programme.levels[i].phase_step =
+        1u << 26;  // 1/64 of the sample rate: steepest step 2 * 2^29 * sin(pi/64) = 5.27e7 < 2^26
     programme.levels[i].ramp_samples = 1000;
     programme.levels[i].measure_samples = 640;
   }
@@ -65,7 +66,8 @@ TEST(Programme, EachFaultIsNamedWithItsLevel) {
          p.levels[1].settle.block_samples = 65536;
          p.levels[1].settle_limit_samples = 1000000;
        }},
-      {"settling without a time limit", ProgrammeFault::kSettle, [](auto& p) { p.levels[1].settle.block_samples = 64; }},
+      {"settling without a time limit", ProgrammeFault::kSettle,
+       [](auto& p) { p.levels[1].settle.block_samples = 64; }},
       {"one block cannot be compared", ProgrammeFault::kSettle,
        [](auto& p) {
          p.levels[1].settle.block_samples = 64;

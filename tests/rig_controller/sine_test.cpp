@@ -33,9 +33,9 @@ TEST(Sine, CornersOfTheFold) {
 TEST(Sine, HandSizedValues) {
   EXPECT_EQ(firmware::sine(0).raw, 0);
   EXPECT_EQ(firmware::sine(0x80000000u).raw, 0);
-  EXPECT_NEAR(firmware::sine(0x40000000u).raw, 2147483647, 20);            // sin 90 deg = 1
-  EXPECT_NEAR(firmware::sine(0xC0000000u).raw, -2147483647, 20);           // sin 270 deg = -1
-  EXPECT_NEAR(firmware::sine(0xFFFFFFFFu / 12 + 1).raw, 1073741824, 20);   // sin 30 deg = 1/2
+  EXPECT_NEAR(firmware::sine(0x40000000u).raw, 2147483647, 20);           // sin 90 deg = 1
+  EXPECT_NEAR(firmware::sine(0xC0000000u).raw, -2147483647, 20);          // sin 270 deg = -1
+  EXPECT_NEAR(firmware::sine(0xFFFFFFFFu / 12 + 1).raw, 1073741824, 20);  // sin 30 deg = 1/2
   EXPECT_NEAR(firmware::cosine(0).raw, 2147483647, 20);
 }
 

@@ -1,0 +1,285 @@
+// Every cause that must stop the drive: zero and relay off in the same step, told once, latched until reset. And the
+// causes that must not.
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <string>
+
+#include "tests/rig_controller/bench.hpp"
+
+namespace {
+
+using bench::Bench;
+using firmware::AlarmCause;
+using firmware::ControllerMode;
+
+constexpr uint32_t kEmergencyId = 0x081, kStatusId = 0x181, kHeartbeatId = 0x701;
+
+uint16_t emergency_code(const hal::CanFrame& frame) {
+  return static_cast<uint16_t>(frame.data[0] | frame.data[1] << 8);
+}
+
+uint16_t faults_of(const hal::CanFrame& frame) { return static_cast<uint16_t>(frame.data[0] | frame.data[1] << 8); }
+
+Bench* driven_into(ControllerMode mode, Bench& bench) {
+  bench.step();
+  EXPECT_TRUE(bench.controller->start());
+  EXPECT_TRUE(bench.run_until(mode));
+  bench.run_samples(20);
+  return &bench;
+}
+
+struct Case {
+  std::string name;
+  AlarmCause cause;
+  uint16_t code;  // of the emergency frame
+  int status_bit;
+  std::function<void(Bench&)> hurt;  // before the sample
+  std::function<void(Bench&)> heal;
+  int samples_to_trip;  // within how many sample periods it must act
+};
+
+void silent(Bench& bench) { bench.source.fail(hal::SampleFailure::kSilent); }
+
+std::vector<Case> cases() {
+  return {
+      {"emergency stop", AlarmCause::kEmergencyStop, 0xFF01, 0, [](Bench& b) { b.stop_line.set(true, 0); },
+       [](Bench& b) { b.stop_line.set(false, 0); }, 1},
+      {"emergency stop pulse", AlarmCause::kEmergencyStop, 0xFF01, 0, [](Bench& b) { b.stop_line.pulse(0); },
+       [](Bench&) {}, 1},
+      {"saturated three in a row", AlarmCause::kSensorSaturated, 0xFF02, 1,
+       [](Bench& b) { b.spoil.code[0][3] = 16000000; }, [](Bench& b) { b.spoil.code[0][3] = 0; }, 3},
+      {"saturated negative", AlarmCause::kSensorSaturated, 0xFF02, 1, [](Bench& b) { b.spoil.code[0][2] = -16000000; },
+       [](Bench& b) { b.spoil.code[0][2] = 0; }, 3},
+      {"three samples missing", AlarmCause::kSensorLost, 0xFF03, 2, [](Bench& b) { b.sequence += 3; }, [](Bench&) {},
+       1},
+      {"silent sensors", AlarmCause::kSensorLost, 0xFF03, 2, silent,
+       [](Bench& b) { b.source.fail(hal::SampleFailure::kNone); }, 11},
+      {"source fault", AlarmCause::kSensorFault, 0x5000, 2, [](Bench& b) { b.source.fail(hal::SampleFailure::kFault); },
+       [](Bench& b) { b.source.fail(hal::SampleFailure::kNone); }, 1},
+      {"source ends while driving", AlarmCause::kSensorFault, 0x5000, 2,
+       [](Bench& b) { b.source.fail(hal::SampleFailure::kEnded); },
+       [](Bench& b) { b.source.fail(hal::SampleFailure::kNone); }, 1},
+      {"displacement beyond its limit", AlarmCause::kResponseLimit, 0xFF05, 4,
+       [](Bench& b) { b.spoil.code[0][1] = 5000000; }, [](Bench& b) { b.spoil.code[0][1] = 0; }, 1},
+      {"controller run late", AlarmCause::kStepLate, 0x6100, 5,
+       [](Bench& b) { b.clock.advance_ns(60 * bench::kMillisecond_ns); }, [](Bench&) {}, 1},
+      {"drive refused", AlarmCause::kDriveNotTaken, 0xFF06, 12, [](Bench& b) { b.drive.refuse(true); },
+       [](Bench& b) { b.drive.refuse(false); }, 1},
+  };
+}
+
+firmware::ControllerConfiguration limited() {
+  auto configuration = bench::driving();
+  configuration.limits.response_limit_code[0][1] = 4000000;  // 40 mm
+  return configuration;
+}
+
+TEST(Faults, EachStopsTheDriveInTimeAndLatches) {
+  for (ControllerMode mode : {ControllerMode::kRamp, ControllerMode::kSettle, ControllerMode::kIntegrate}) {
+    for (const Case& each : cases()) {
+      SCOPED_TRACE(each.name + " in mode " + std::to_string(static_cast<int>(mode)));
+      Bench bench(limited());
+      driven_into(mode, bench);
+      ASSERT_TRUE(bench.relay.active());
+      const size_t windows = bench.can.count(0x391);
+      each.hurt(bench);
+      bench.run_samples(each.samples_to_trip - 1);
+      EXPECT_TRUE(bench.relay.active());  // not a sample too early
+      bench.run_sample();
+      EXPECT_FALSE(bench.relay.active());
+      EXPECT_EQ(bench.controller->latched_alarm().cause, each.cause);
+      EXPECT_EQ(bench.controller->mode(),
+                each.cause == AlarmCause::kEmergencyStop ? ControllerMode::kEmergencyStop : ControllerMode::kFault);
+      EXPECT_FALSE(bench.lamp.active());
+      ASSERT_NE(bench.can.last(kEmergencyId), nullptr);
+      EXPECT_EQ(emergency_code(*bench.can.last(kEmergencyId)), each.code);
+      EXPECT_NE(bench.can.last(kEmergencyId)->data[2], 0);  // error register
+      EXPECT_TRUE(faults_of(*bench.can.last(kStatusId)) >> each.status_bit & 1);
+      // Latched: healed, it stays; started, it refuses.
+      each.heal(bench);
+      bench.run_samples(200);
+      EXPECT_TRUE(bench.dead());
+      EXPECT_FALSE(bench.controller->start());
+      bench.run_samples(5);
+      EXPECT_TRUE(bench.dead());
+      EXPECT_EQ(bench.can.last(kHeartbeatId)->data[0], 4);  // STOPPED
+      EXPECT_EQ(bench.can.count(0x391), windows);
+      // Reset and start again.
+      bench.network_command(129, 0);
+      bench.run_samples(200);
+      EXPECT_EQ(bench.controller->mode(), ControllerMode::kIdle);
+      EXPECT_EQ(emergency_code(*bench.can.last(kEmergencyId)), 0);
+      EXPECT_TRUE(bench.lamp.active());
+      EXPECT_TRUE(bench.controller->start());
+      bench.run_samples(20);
+      EXPECT_TRUE(bench.relay.active());
+    }
+  }
+}
+
+TEST(Faults, EmergencyStopActsBeforeTheNextSampleIsTaken) {
+  Bench bench(bench::driving());
+  driven_into(ControllerMode::kIntegrate, bench);
+  const uint64_t writes = bench.drive.writes();
+  bench.stop_line.set(true, 0);
+  bench.step();  // the same millisecond: no sample has come since
+  EXPECT_TRUE(bench.dead());
+  EXPECT_EQ(bench.drive.writes(), writes + 1);  // one command: zero
+}
+
+TEST(Faults, EmergencyStopHoldsWhilePressedAndIsToldOnce) {
+  Bench bench(bench::driving());
+  driven_into(ControllerMode::kRamp, bench);
+  bench.stop_line.set(true, 0);
+  bench.run_samples(1000);
+  EXPECT_EQ(bench.can.count(kEmergencyId), 1u);
+  EXPECT_FALSE(bench.controller->reset());
+  EXPECT_EQ(bench.controller->mode(), ControllerMode::kEmergencyStop);
+  EXPECT_EQ(bench.controller->counters().trips, 1u);
+}
+
+TEST(Faults, EmergencyStopTakesOverFromAnotherFault) {
+  Bench bench(bench::driving());
+  driven_into(ControllerMode::kRamp, bench);
+  bench.sequence += 5;
+  bench.run_sample();
+  EXPECT_EQ(bench.controller->mode(), ControllerMode::kFault);
+  bench.stop_line.set(true, 0);
+  bench.run_sample();
+  EXPECT_EQ(bench.controller->mode(), ControllerMode::kEmergencyStop);
+  EXPECT_EQ(bench.can.count(kEmergencyId), 2u);
+}
+
+TEST(Faults, EmergencyStopWhenIdleOrListening) {
+  for (const auto& configuration : {bench::driving(), bench::listening()}) {
+    Bench bench(configuration);
+    bench.run_samples(10);
+    bench.stop_line.set(true, 0);
+    bench.run_sample();
+    EXPECT_EQ(bench.controller->mode(), ControllerMode::kEmergencyStop);
+    EXPECT_FALSE(bench.controller->start());
+  }
+}
+
+TEST(Faults, PressedAtBootNeverStarts) {
+  auto configuration = bench::driving();
+  configuration.programme.start_at_boot = true;
+  Bench bench(configuration);
+  bench.stop_line.set(true, 0);
+  bench.run_samples(50);
+  EXPECT_EQ(bench.relay.changes(), 0u);
+  EXPECT_TRUE(bench.dead());
+}
+
+TEST(Faults, UndeliveredSafeStateIsTriedAgainAndStarvesTheWatchdog) {
+  Bench bench(bench::driving());
+  driven_into(ControllerMode::kIntegrate, bench);
+  bench.relay.refuse(true);
+  bench.stop_line.pulse(0);
+  bench.run_sample();
+  EXPECT_EQ(bench.drive.drive_q31(), 0);
+  EXPECT_TRUE(bench.relay.active());  // it would not open
+  const uint64_t feeds = bench.watchdog.feeds();
+  bench.run_samples(10);
+  EXPECT_EQ(bench.watchdog.feeds(), feeds);
+  EXPECT_FALSE(bench.controller->reset());
+  bench.relay.refuse(false);
+  bench.run_sample();
+  EXPECT_TRUE(bench.dead());
+  bench.run_samples(10);
+  EXPECT_EQ(bench.watchdog.feeds(), feeds + 11);
+  EXPECT_TRUE(bench.controller->reset());
+}
+
+TEST(Faults, WatchdogIsFedInEveryHealthyStep) {
+  Bench bench(bench::driving());
+  bench.step();
+  bench.controller->start();
+  bench.run_samples(500);
+  EXPECT_EQ(bench.watchdog.feeds(), 501u);
+}
+
+TEST(Faults, RelayThatDoesNotCloseIsAFault) {
+  Bench bench(bench::driving());
+  bench.step();
+  bench.relay.refuse(true);
+  EXPECT_FALSE(bench.controller->start());
+  bench.relay.refuse(false);
+  bench.run_samples(3);
+  EXPECT_EQ(bench.controller->latched_alarm().cause, AlarmCause::kRelayNotTaken);
+  EXPECT_TRUE(bench.dead());
+}
+
+TEST(Faults, BadProgrammeIsRefusedAtBootAndCannotBeReset) {
+  auto configuration = bench::driving();
+  configuration.programme.levels[1].amplitude.raw = INT32_MAX;  // over the limit of one half
+  configuration.programme.start_at_boot = true;
+  Bench bench(configuration);
+  bench.run_samples(20);
+  EXPECT_TRUE(bench.dead());
+  EXPECT_EQ(bench.controller->latched_alarm().cause, AlarmCause::kConfiguration);
+  EXPECT_EQ(emergency_code(*bench.can.last(kEmergencyId)), 0x6300);
+  EXPECT_FALSE(bench.controller->reset());
+}
+
+TEST(Faults, NothingStopsOnOneSaturatedSampleOrAShortGap) {
+  Bench bench(bench::driving());
+  driven_into(ControllerMode::kIntegrate, bench);
+  for (int repeat = 0; repeat < 20; ++repeat) {
+    bench.spoil.code[0][1] = 16000000;
+    bench.run_samples(2);
+    bench.spoil.code[0][1] = 0;
+    bench.sequence += 2;
+    bench.run_samples(2);
+  }
+  EXPECT_FALSE(bench.controller->latched_alarm());
+  EXPECT_TRUE(bench.relay.active());
+  EXPECT_EQ(bench.controller->counters().missed_samples, 40u);
+  EXPECT_EQ(bench.controller->counters().saturated_samples, 40u);
+  EXPECT_EQ(emergency_code(*bench.can.last(kEmergencyId)), 0xFF04);
+}
+
+TEST(Faults, ListeningGoesOnThroughWhatWouldStopADrive) {
+  Bench bench(bench::listening());
+  bench.run_samples(100);
+  bench.spoil.code[0][1] = 16000000;
+  bench.run_samples(10);
+  bench.spoil.code[0][1] = 0;
+  bench.sequence += 100;
+  bench.run_samples(10);
+  EXPECT_EQ(bench.controller->mode(), ControllerMode::kIntegrate);
+  EXPECT_EQ(bench.controller->counters().missed_samples, 100u);
+}
+
+TEST(Faults, EmergencyFramesKeepTheirInhibitTime) {
+  Bench bench(bench::listening());
+  bench.run_samples(10);
+  const uint64_t begin = bench.clock.now_ns();
+  for (int i = 0; i < 1000; ++i) {  // a gap before every sample
+    ++bench.sequence;
+    bench.run_sample();
+  }
+  int told = 0;
+  uint64_t last = 0;
+  for (const hal::CanFrame& frame : bench.can.sent()) {
+    if (frame.id != kEmergencyId || frame.time_ns <= begin) continue;
+    EXPECT_GE(frame.time_ns - last, told > 0 ? 100 * bench::kMillisecond_ns : 0);
+    ++told;
+    last = frame.time_ns;
+  }
+  EXPECT_EQ(told, 10);  // 1 s of it, 100 ms apart
+}
+
+TEST(Faults, LevelThatDoesNotSettleIsTold) {
+  auto configuration = bench::driving();
+  configuration.programme.levels[0].settle_limit_samples = 120;  // four blocks of 50 cannot be complete
+  Bench bench(configuration);
+  driven_into(ControllerMode::kIntegrate, bench);
+  ASSERT_NE(bench.can.last(kEmergencyId), nullptr);
+  EXPECT_EQ(emergency_code(*bench.can.last(kEmergencyId)), 0x1000);
+  EXPECT_TRUE(bench.controller->excitation().unsettled());
+  EXPECT_TRUE(bench.relay.active());
+}
+
+}  // namespace
