@@ -178,16 +178,20 @@ void RigController::send_health() {
   queue_.push(pack_identity(node, identity));
 }
 
+// One emergency frame at a time stands in the transmit queue; the others wait here, where equal ones become one.
 void RigController::send_alarms() {
-  if (queue_.given_up() != reported_drops_ && bus_.may_send()) {
+  if (!bus_.may_send()) return;
+  if (queue_.given_up() != reported_drops_ && queue_.waiting() == 0) {
     reported_drops_ = queue_.given_up();
     handle({AlarmCause::kCanOverflow, reported_drops_});
   }
-  Emergency emergency;
+  const uint8_t node = configuration_.node.node;
   const uint64_t inhibit_ns = configuration_.node.emergency_inhibit_ms * kMillisecond_ns;
-  if (!bus_.may_send()) return;
-  while (alarms_.pop(now_ns_, inhibit_ns, emergency))
-    queue_.push(pack_emergency(configuration_.node.node, emergency), false);
+  Emergency emergency;
+  while (queue_.find(can::frame_id(can::kEmergency.ids, node)) == nullptr &&
+         alarms_.pop(now_ns_, inhibit_ns, emergency)) {
+    queue_.push(pack_emergency(node, emergency), false);
+  }
 }
 
 // While the bus is away only the newest of each kind is kept; what has to be told again is told on its return.

@@ -1,0 +1,157 @@
+// The configuration in bytes: everything comes back, every change shows in the check sum, damage is refused.
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "firmware/rig_controller/controller_configuration.hpp"
+#include "tests/rig_controller/bench.hpp"
+
+namespace {
+
+using firmware::ControllerConfiguration;
+
+// A field that is added to one of these structs must be added to the list in controller_configuration.cpp and to
+// kChanges; the sizes are here to remind of it.
+static_assert(sizeof(firmware::NodeConfiguration) == 20, "a field was added or removed: see above");
+static_assert(sizeof(firmware::ExcitationLevel) == 48, "a field was added or removed: see above");
+static_assert(sizeof(firmware::ChannelConfiguration) == 40, "a field was added or removed: see above");
+static_assert(sizeof(firmware::SignalConfiguration) == 160, "a field was added or removed: see above");
+static_assert(sizeof(firmware::WindowConfiguration) == 16, "a field was added or removed: see above");
+static_assert(sizeof(firmware::Term) == 40, "a field was added or removed: see above");
+
+using Change = std::function<void(ControllerConfiguration&)>;
+
+std::vector<Change> changes() {
+  using C = ControllerConfiguration;
+  return {
+      [](C& c) { c.core.dof_count = 9; },
+      [](C& c) { c.core.link_count = 9; },
+      [](C& c) { c.core.term_count = 9; },
+      [](C& c) { c.core.unknown_count = 9; },
+      [](C& c) { c.core.base_present = true; },
+      [](C& c) { c.core.sample_period_s = firmware::Scaled::ratio(1, 777); },
+      [](C& c) { c.core.links[31].node_a = 5; },
+      [](C& c) { c.core.links[31].node_b = 5; },
+      [](C& c) { c.core.terms[95].kind = firmware::TermKind::kStribeck; },
+      [](C& c) { c.core.terms[95].place = 7; },
+      [](C& c) { c.core.terms[95].unknown = 7; },
+      [](C& c) { c.core.terms[95].value.mantissa = -5; },
+      [](C& c) { c.core.terms[95].shape.exponent = -5; },
+      [](C& c) { c.core.channels[16][3].present = true; },
+      [](C& c) { c.core.channels[16][3].offset_code = -77; },
+      [](C& c) { c.core.channels[16][3].full_scale_code = 77; },
+      [](C& c) { c.core.channels[16][3].unit_per_code.exponent = 3; },
+      [](C& c) { c.core.channels[16][3].delay_ns = -250000; },
+      [](C& c) { c.core.signals[16][3].available = true; },
+      [](C& c) { c.core.signals[16][3].derived = true; },
+      [](C& c) { c.core.signals[16][3].source = 2; },
+      [](C& c) { c.core.signals[16][3].integrations = 2; },
+      [](C& c) { c.core.signals[16][3].half_length = 4; },
+      [](C& c) { c.core.signals[16][3].shift = 4; },
+      [](C& c) { c.core.signals[16][3].tap[0].raw = -4; },
+      [](C& c) { c.core.signals[16][3].unit_per_code.mantissa = 4; },
+      [](C& c) { c.core.high_pass_order = 2; },
+      [](C& c) { c.core.high_pass_shift = 2; },
+      [](C& c) { c.core.window.mode = firmware::WindowMode::kFreeDecay; },
+      [](C& c) { c.core.window.cycle_samples_numerator = 100; },
+      [](C& c) { c.core.window.cycle_samples_denominator = 3; },
+      [](C& c) { c.core.window.batch_samples = 99; },
+      [](C& c) { c.programme.level_count = 3; },
+      [](C& c) { c.programme.start_at_boot = true; },
+      [](C& c) { c.programme.limits.magnitude.raw = 5; },
+      [](C& c) { c.programme.limits.step_per_sample.raw = 5; },
+      [](C& c) { c.programme.levels[7].kind = firmware::ExcitationKind::kFreeDecay; },
+      [](C& c) { c.programme.levels[7].amplitude.raw = 5; },
+      [](C& c) { c.programme.levels[7].phase_step = 5; },
+      [](C& c) { c.programme.levels[7].high_phase_step = 5; },
+      [](C& c) { c.programme.levels[7].seed = 5; },
+      [](C& c) { c.programme.levels[7].ramp_samples = 5; },
+      [](C& c) { c.programme.levels[7].settle.block_samples = 5; },
+      [](C& c) { c.programme.levels[7].settle.bound_per_mille = 5; },
+      [](C& c) { c.programme.levels[7].settle.blocks = 5; },
+      [](C& c) { c.programme.levels[7].settle.floor_code = 5; },
+      [](C& c) { c.programme.levels[7].settle_limit_samples = 5; },
+      [](C& c) { c.programme.levels[7].skip_when_unsettled = true; },
+      [](C& c) { c.programme.levels[7].measure_samples = 5; },
+      [](C& c) { c.limits.saturated_in_row = 9; },
+      [](C& c) { c.limits.lost_in_row = 9; },
+      [](C& c) { c.limits.sample_timeout_us = 9; },
+      [](C& c) { c.limits.step_timeout_us = 9; },
+      [](C& c) { c.limits.response_limit_code[16][3] = -9; },
+      [](C& c) { c.node.node = 5; },
+      [](C& c) { c.node.can_fd = true; },
+      [](C& c) { c.node.sync_closes_window = false; },
+      [](C& c) { c.node.drive_on_can = true; },
+      [](C& c) { c.node.heartbeat_ms = 5; },
+      [](C& c) { c.node.status_ms = 5; },
+      [](C& c) { c.node.emergency_inhibit_ms = 5; },
+      [](C& c) { c.node.window_samples = 5; },
+      [](C& c) { c.node.rotating_nodes = 5; },
+  };
+}
+
+struct Encoded {
+  uint8_t bytes[firmware::kConfigurationBytes] = {};
+  size_t size = 0;
+  explicit Encoded(const ControllerConfiguration& configuration) { size = encode(configuration, bytes); }
+};
+
+TEST(Configuration, EveryFieldIsInTheCheckSumAndComesBack) {
+  const ControllerConfiguration original = bench::driving();
+  int number = 0;
+  for (const Change& change : changes()) {
+    ControllerConfiguration changed = original;
+    change(changed);
+    EXPECT_NE(configuration_crc(changed), configuration_crc(original)) << "change " << number;
+    const Encoded encoded(changed);
+    ControllerConfiguration back = original;
+    ASSERT_TRUE(decode(encoded.bytes, encoded.size, back)) << "change " << number;
+    EXPECT_EQ(configuration_crc(back), configuration_crc(changed)) << "change " << number;
+    ++number;
+  }
+}
+
+TEST(Configuration, LargestOneFits) {
+  ControllerConfiguration largest = bench::driving();
+  for (auto& node : largest.core.signals)
+    for (auto& signal : node) signal.half_length = firmware::kFilterHalf;
+  EXPECT_LE(Encoded(largest).size, firmware::kConfigurationBytes);
+}
+
+TEST(Configuration, NodeSettingsAreNotTheRig) {
+  ControllerConfiguration other = bench::driving();
+  other.node.heartbeat_ms = 7;
+  EXPECT_TRUE(same_rig(other, bench::driving()));
+  other.limits.lost_in_row = 7;
+  EXPECT_FALSE(same_rig(other, bench::driving()));
+}
+
+TEST(Configuration, DamageAndCutsAreRefusedAndLeaveTheTargetAlone) {
+  const Encoded encoded(bench::driving());
+  ControllerConfiguration target = bench::listening();
+  const uint32_t before = configuration_crc(target);
+  for (size_t place = 0; place < encoded.size; place += 37) {
+    Encoded damaged = encoded;
+    damaged.bytes[place] ^= 0x10;
+    EXPECT_FALSE(decode(damaged.bytes, damaged.size, target)) << place;
+  }
+  for (size_t size : {size_t{0}, size_t{3}, size_t{7}, encoded.size / 2, encoded.size - 1}) {
+    EXPECT_FALSE(decode(encoded.bytes, size, target)) << size;
+  }
+  EXPECT_EQ(configuration_crc(target), before);
+}
+
+TEST(Configuration, CheckSumIsTheWellKnownCrc32) {
+  // CRC-32 over a message and its own little-endian CRC leaves the residue 0x2144DF1C, whatever the message.
+  const Encoded encoded(bench::driving());
+  uint32_t crc = 0xFFFFFFFFu;
+  for (size_t i = 0; i < encoded.size; ++i) {
+    crc ^= encoded.bytes[i];
+    for (int bit = 0; bit < 8; ++bit) crc = crc >> 1 ^ (crc & 1 ? 0xEDB88320u : 0);
+  }
+  EXPECT_EQ(~crc, 0x2144DF1Cu);
+}
+
+}  // namespace
