@@ -17,10 +17,11 @@ int32_t towards(int32_t value, int32_t target, int32_t step) {
 
 }  // namespace
 
-void Excitation::configure(const ExcitationProgramme& programme, int dof_count) {
+void Excitation::configure(const ExcitationProgramme& programme, int dof_count, uint32_t extra_samples) {
   *this = Excitation{};
   programme_ = &programme;
   dof_count_ = dof_count;
+  extra_samples_ = extra_samples;
 }
 
 void Excitation::start() {
@@ -118,7 +119,7 @@ ExcitationEvent Excitation::begin_measuring() {
 }
 
 ExcitationEvent Excitation::measure() {
-  if (++samples_ < current().measure_samples) return ExcitationEvent::kNone;
+  if (++samples_ < current().measure_samples + extra_samples_) return ExcitationEvent::kNone;
   leave_level();
   return ExcitationEvent::kMeasureEnds;
 }

@@ -26,7 +26,8 @@ enum class ExcitationEvent : uint8_t {
 class Excitation {
  public:
   // The programme must outlive this object and have passed check().
-  void configure(const ExcitationProgramme& programme, int dof_count);
+  // extra_samples: every measurement is that much longer, for filters that need samples beyond their window.
+  void configure(const ExcitationProgramme& programme, int dof_count, uint32_t extra_samples = 0);
   void start();
   void stop();   // ramps to zero from wherever it is, then done
   void abort();  // drive zero at once, state idle
@@ -52,6 +53,7 @@ class Excitation {
 
   const ExcitationProgramme* programme_ = nullptr;
   int dof_count_ = 0;
+  uint32_t extra_samples_ = 0;
   ExcitationState state_ = ExcitationState::kIdle;
   uint8_t level_ = 0;
   bool stopping_ = false;  // the ramp goes to zero

@@ -25,7 +25,7 @@ struct ExcitationLevel {
   SettleCriterion settle;             // when the response counts as settled
   uint32_t settle_limit_samples = 0;  // longest wait; then the level goes on as unsettled, or is left out
   bool skip_when_unsettled = false;   // for whole-cycle windows, which rest on a periodic response
-  uint32_t measure_samples = 0;       // length of the measurement, at least 1
+  uint32_t measure_samples = 0;       // length of the window, at least 1; the core's margin comes on top
 };
 
 struct ExcitationProgramme {

@@ -215,7 +215,7 @@ bool decode(const uint8_t* bytes, size_t size, ControllerConfiguration& configur
   Crc32 crc;
   for (size_t i = 0; i + 4 < size; ++i) crc.add(bytes[i]);
   if (crc.value() != read32(bytes + size - 4)) return false;
-  static ControllerConfiguration read;  // 17 KB: too large for a small stack; one controller runs per program
+  static ControllerConfiguration read;  // 30 KB: too large for a small stack; one controller runs per program
   read = ControllerConfiguration{};
   Reader reader(bytes, size - 4);
   uint32_t version = 0;

@@ -30,7 +30,7 @@ struct ControllerConfiguration {
 };
 
 // Little-endian fields one after another, then their CRC-32 (polynomial 0xEDB88320): no padding, no host layout.
-constexpr size_t kConfigurationBytes = 20480;  // room for the longest; encode() says how many are used
+constexpr size_t kConfigurationBytes = 24576;  // room for the longest; encode() says how many are used
 
 // Returns the bytes written.
 size_t encode(const ControllerConfiguration& configuration, uint8_t (&bytes)[kConfigurationBytes]);

@@ -11,7 +11,8 @@ RigController::RigController(const ControllerConfiguration& configuration, const
       ports_(ports),
       core_(configuration_.core),
       sdo_(*this) {
-  excitation_.configure(configuration_.programme, configuration_.core.dof_count);
+  excitation_.configure(configuration_.programme, configuration_.core.dof_count,
+                        static_cast<uint32_t>(core_.margin_samples()));
   supervisor_.configure(configuration_.core, configuration_.limits, configuration_.programme.limits);
   listening_ = configuration_.programme.level_count == 0;
 }

@@ -17,7 +17,8 @@ using firmware::ControllerConfiguration;
 static_assert(sizeof(firmware::NodeConfiguration) == 20, "a field was added or removed: see above");
 static_assert(sizeof(firmware::ExcitationLevel) == 48, "a field was added or removed: see above");
 static_assert(sizeof(firmware::ChannelConfiguration) == 40, "a field was added or removed: see above");
-static_assert(sizeof(firmware::SignalConfiguration) == 160, "a field was added or removed: see above");
+static_assert(sizeof(firmware::SignalConfiguration) == (8 + 4 * (2 * firmware::kFilterHalf + 1) + 7) / 8 * 8 + 16,
+              "a field was added or removed: see above");
 static_assert(sizeof(firmware::WindowConfiguration) == 16, "a field was added or removed: see above");
 static_assert(sizeof(firmware::Term) == 40, "a field was added or removed: see above");
 

@@ -125,7 +125,8 @@ TEST(Schedule, ProgrammeRunsThroughItsModesAndSendsItsDrive) {
   EXPECT_TRUE(bench.run_until(ControllerMode::kDone));
   EXPECT_TRUE(bench.dead());
   EXPECT_TRUE(bench.controller->finished());
-  EXPECT_EQ(bench.can.count(kWindow), 2u);  // a level of 1000 samples is one window
+  EXPECT_EQ(bench.can.count(kWindow),
+            4u);  // each level: after 1000 samples, and when its margin is in and it is closed
   EXPECT_EQ(bench.can.count(kEmergency), 0u);
   ASSERT_NE(bench.can.last(kDrive), nullptr);
   EXPECT_EQ(word(*bench.can.last(kDrive), 0), 0u);
