@@ -131,7 +131,7 @@ inline constexpr Frame kParameter =
 
 inline constexpr Signal kScalingSignals[] = {
     {"place", 0, 5, false, 1, 1, 0, "DOF", states(kPlaces), "DOF of the channel"},
-    {"quantity", 5, 2, false, 1, 1, 0, "state", states(kQuantities), "quantity of the channel"},
+    {"quantity", 5, 2, false, 1, 1, 0, "state", states(kChannelQuantities), "quantity of the channel"},
     {"motion", 7, 1, false, 1, 1, 0, "state", states(kMotions), "tells m from rad"},
     {"exponent", 8, 8, true, 1, 1, 0, "1", {}, "decimal exponent of unit_per_code"},
     {"unit_per_code", 16, 32, true, 1, 1, 0, "10^exponent", {}, "SI units per code = unit_per_code * 10^exponent"},
@@ -142,7 +142,7 @@ inline constexpr Frame kScaling =
 
 inline constexpr Signal kRangeSignals[] = {
     {"place", 0, 5, false, 1, 1, 0, "DOF", states(kPlaces), "DOF of the channel"},
-    {"quantity", 5, 2, false, 1, 1, 0, "state", states(kQuantities), "quantity of the channel"},
+    {"quantity", 5, 2, false, 1, 1, 0, "state", states(kChannelQuantities), "quantity of the channel"},
     {"motion", 7, 1, false, 1, 1, 0, "state", states(kMotions), "tells m from rad"},
     {"offset", 8, 24, true, 1, 1, 0, "codes", {}, "code of the SI value 0"},
     {"full_scale", 32, 24, false, 1, 1, 0, "codes", {}, "a code of this size or more is a saturated sensor"}};

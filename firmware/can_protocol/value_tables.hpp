@@ -51,6 +51,9 @@ inline constexpr NamedValue kErrorRegister[] = {{0, "GENERIC"},     {1, "CURRENT
 
 inline constexpr NamedValue kQuantities[] = {
     {0, "force"}, {1, "displacement"}, {2, "velocity"}, {3, "acceleration"}, {7, "NONE"}};
+// In two bits, where there is always a channel.
+inline constexpr NamedValue kChannelQuantities[] = {
+    {0, "force"}, {1, "displacement"}, {2, "velocity"}, {3, "acceleration"}};
 inline constexpr NamedValue kMotions[] = {{0, "TRANSLATION"}, {1, "ROTATION"}};
 
 // A DOF stands for itself by its number from 1.

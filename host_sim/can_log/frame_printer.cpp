@@ -5,6 +5,7 @@
 
 #include "firmware/can_protocol/estimate_frames.hpp"
 #include "host_sim/can_log/readable.hpp"
+#include "host_sim/can_log/sdo_text.hpp"
 
 namespace can_log {
 namespace {
@@ -79,6 +80,10 @@ void FramePrinter::known_frame(const Address& address, const CanMessage& message
     diagnosis(message);
   } else if (address.frame == &can::kEmergency) {
     emergency(message);
+  } else if (address.frame == &can::kSdoRequest) {
+    line(sdo_request_text(message));
+  } else if (address.frame == &can::kSdoReply) {
+    line(sdo_reply_text(message));
   } else if (address.frame == &can::kIdentity) {
     identity(message);
   } else if (is_sensor(*address.frame)) {
