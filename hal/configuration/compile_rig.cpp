@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "hal/configuration/coefficient_walk.hpp"
+#include "hal/configuration/signal_plan.hpp"
 
 namespace rig_file {
 namespace {
@@ -79,7 +80,10 @@ firmware::CoreConfiguration compile_rig(const RigModel& model, double sample_per
   }
   for (size_t i = 0; i < terms.size(); ++i) result.terms[i] = terms[i];
   for (const ChannelCalibration& channel : channels) compile_channel(model, channel, result);
-  firmware::copy_measured_signals(result);
+  if (channels.empty())
+    firmware::copy_measured_signals(result);
+  else
+    plan_signals(result);
   return result;
 }
 

@@ -26,8 +26,9 @@ struct ChannelCalibration {
 // Index of a DOF number among the core's nodes: DOF n at n - 1, kBase and kGround at their own places.
 int node_index(int dof);
 
+// Signals are planned without knowledge of their ranges (signal_plan.hpp); without channels they are left out.
 // The window is left at its default (arbitrary interval); callers that know the excitation's period set it.
-// Throws RigFileError where the core's capacity is exceeded or it lacks a term that is to be estimated.
+// Throws RigFileError where the core's capacity is exceeded, it lacks a term that is to be estimated, or a DOF lacks channels.
 firmware::CoreConfiguration compile_rig(const RigModel& model, double sample_period_s,
                                         const std::vector<ChannelCalibration>& channels);
 

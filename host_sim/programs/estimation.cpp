@@ -3,6 +3,7 @@
 #include <cmath>
 #include <memory>
 
+#include "hal/configuration/signal_plan.hpp"
 #include "host_sim/programs/estimate_frames.hpp"
 #include "host_sim/programs/failures.hpp"
 #include "host_sim/programs/fit_quality.hpp"
@@ -47,6 +48,18 @@ firmware::WindowConfiguration window_of(const Record& record, const EstimationOp
   window.cycle_samples_numerator = static_cast<uint32_t>(std::llround(cycle_samples * kDenominator));
   window.cycle_samples_denominator = kDenominator;
   return window;
+}
+
+// Signals that are derived get the resolution that these records allow.
+void fit_signals_to(const std::vector<Record>& records, const std::vector<rig_file::ChannelCalibration>& calibrations,
+                    firmware::CoreConfiguration& configuration) {
+  std::vector<std::vector<firmware::RawSample>> samples;
+  for (const Record& record : records) {
+    RecordSampleSource source(record, calibrations);
+    samples.emplace_back(record.samples());
+    for (firmware::RawSample& sample : samples.back()) source.read(sample);
+  }
+  rig_file::plan_signals(configuration, rig_file::measure_ranges(configuration, samples));
 }
 
 // Feeds the records and lets the frames follow: a heartbeat every 100 ms, a window every second.
@@ -94,6 +107,7 @@ Estimation estimate_records(const rig_file::RigModel& model, const std::vector<R
   const std::vector<rig_file::ChannelCalibration> calibrations = calibrate(records, model);
   firmware::CoreConfiguration configuration =
       rig_file::compile_rig(model, records.front().sample_period_s, calibrations);
+  fit_signals_to(records, calibrations, configuration);
   configuration.window = window_of(records.front(), options);
   const auto core = std::make_unique<firmware::EstimatorCore>(configuration);
   EstimateFrames frames(model, configuration);
@@ -110,6 +124,8 @@ Estimation estimate_records(const rig_file::RigModel& model, const std::vector<R
   estimation.result.sample_rate_Hz = 1.0 / records.front().sample_period_s;
   estimation.result.levels = static_cast<unsigned>(records.size());
   estimation.result.health = core->health();
+  if (const std::string plan = rig_file::describe_plan(configuration); !plan.empty())
+    estimation.result.notes.push_back(plan);
   for (const std::string& name : rig_file::simulator_only_effects(model))
     estimation.result.notes.push_back(name + " is known to the simulator only; the energy equations leave it out");
   judge_fit(model, records, estimation.result);
