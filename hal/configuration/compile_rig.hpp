@@ -28,7 +28,8 @@ int node_index(int dof);
 
 // Signals are planned without knowledge of their ranges (signal_plan.hpp); without channels they are left out.
 // The window is left at its default (arbitrary interval); callers that know the excitation's period set it.
-// Throws RigFileError where the core's capacity is exceeded, it lacks a term that is to be estimated, or a DOF lacks channels.
+// Throws RigFileError where the core's capacity is exceeded, it lacks a term that is to be estimated, or a DOF lacks
+// channels.
 firmware::CoreConfiguration compile_rig(const RigModel& model, double sample_period_s,
                                         const std::vector<ChannelCalibration>& channels);
 

@@ -134,7 +134,10 @@ TEST(CompileRig, ChannelsKeepCalibrationAndDelay) {
   force.delay_s = 250e-6;
   rig_file::ChannelCalibration base;
   base.dof = rig_file::kBase;
-  const auto core = rig_file::compile_rig(rig_file::parse_rig(kChain, "chain.toml"), 0.001, {force, base});
+  rig_file::ChannelCalibration first, second;
+  second.dof = 2;
+  const auto core =
+      rig_file::compile_rig(rig_file::parse_rig(kChain, "chain.toml"), 0.001, {force, base, first, second});
   const firmware::ChannelConfiguration& channel = core.channels[1][0];
   EXPECT_TRUE(channel.present);
   EXPECT_EQ(channel.offset_code, -12);
@@ -142,6 +145,7 @@ TEST(CompileRig, ChannelsKeepCalibrationAndDelay) {
   EXPECT_EQ(channel.delay_ns, 250000);
   EXPECT_EQ(rig_file::to_double(channel.unit_per_code), 0x1p-16);
   EXPECT_FALSE(core.channels[0][0].present);
+  EXPECT_TRUE(core.channels[0][1].present);
   EXPECT_TRUE(core.base_present);
   force.dof = 3;
   EXPECT_THROW(rig_file::compile_rig(rig_file::parse_rig(kChain, "chain.toml"), 0.001, {force}),
