@@ -103,7 +103,8 @@ void Page::figures(std::vector<Plot> plots) {
   const std::string legend = legend_html(plots);
   if (legend != last_legend_) body_ += legend;
   last_legend_ = legend;
-  body_ += "<div class=\"row row" + std::to_string(std::min<size_t>(plots.size(), 3)) + "\">\n";
+  const size_t columns = plots.size() == 4 ? 2 : std::min<size_t>(plots.size(), 3);
+  body_ += "<div class=\"row row" + std::to_string(columns) + "\">\n";
   for (Plot& plot : plots) {
     body_ += "<figure><figcaption>" + escaped(plot.title) + "</figcaption>" + token(plots_.size());
     if (!plot.note.empty()) body_ += "<p>" + escaped(plot.note) + "</p>";

@@ -23,7 +23,7 @@ std::string marker(Role role) {
 
 std::string number(double value) {
   char out[32];
-  std::snprintf(out, sizeof out, "%.6g", value);
+  std::snprintf(out, sizeof out, "%.10g", value);
   return std::isfinite(value) ? out : "NaN";
 }
 
@@ -64,7 +64,8 @@ std::string axis(const char* which, const Range& range, double scale, bool log) 
   if (!range.any) return out + "0:1]\n";
   if (log) return out + number(std::max(low, high * 1e-9) / 4.0) + ":" + number(high * 4.0) + "]\n";
   if (*which == 'y') {
-    const double air = high > low ? 0.06 * (high - low) : std::max(0.1 * std::abs(high), 1e-12);
+    const double least = 2e-5 * std::max(std::abs(low), std::abs(high));  // ticks have six digits
+    const double air = high > low ? std::max(0.06 * (high - low), least) : std::max(0.1 * std::abs(high), 1e-12);
     low -= air;
     high += air;
   } else if (!(high > low)) {

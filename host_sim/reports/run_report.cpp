@@ -49,7 +49,8 @@ void add_table(Page& page, const RunReportData& data) {
   page.html(table_html(table));
 }
 
-// The vertical range of a convergence plot follows its later part: the first windows know next to nothing.
+// The vertical range of a convergence plot follows its later half: the first windows, and often the whole first level,
+// know next to nothing.
 Plot convergence_picture(const RunParameter& parameter) {
   const Convergence& run = parameter.convergence;
   Plot plot;
@@ -66,7 +67,7 @@ Plot convergence_picture(const RunParameter& parameter) {
     high = std::max(high, value);
   };
   widen(parameter.truth);
-  for (size_t i = run.time_s.size() / 6; i < run.time_s.size(); ++i) {
+  for (size_t i = run.time_s.size() / 2; i < run.time_s.size(); ++i) {
     widen(run.low[i]);
     widen(run.high[i]);
   }
@@ -117,8 +118,8 @@ void add_signals(Page& page, const RunRecord& record) {
   const Span span = most_different(record.channels.front().clean, {}, kDetailCycles);
   std::vector<Plot> plots;
   for (const RunChannel& channel : record.channels) {
-    Plot plot =
-        pair_picture(record, channel.name, channel.name, channel.unit, channel.contaminated, channel.clean, span);
+    Plot plot = pair_picture(record, channel.name, channel.name.substr(0, channel.name.find(" of ")), channel.unit,
+                             channel.contaminated, channel.clean, span);
     plot.curves[0].role = Role::kGiven;
     plot.curves[0].label = "contaminated: what the sensors deliver";
     plot.curves[1].role = Role::kMeasured;
@@ -139,7 +140,8 @@ void add_accelerations(Page& page, const RunRecord& record) {
     plot.curves[1].label = "simulated with the estimates";
     plot.curves[1].role = Role::kExtended;
     plot.curves[1].shape = Shape::kDashed;
-    plot.note = "MSE (Eq. 13): " + number_text(acceleration.mse_percent, 3) + " %. Shown where the two differ most.";
+    plot.note = "MSE (Eq. 13, all levels together): " + number_text(acceleration.mse_percent, 3) +
+                " %. Shown where the two differ most.";
     plots.push_back(plot);
   }
   if (plots.empty()) return;

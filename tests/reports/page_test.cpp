@@ -69,6 +69,15 @@ TEST(Draw, DataWithoutFiniteNumbersStillDraws) {
   EXPECT_EQ(draw({empty, none}, Target::kPage).size(), 2u);
 }
 
+// Values that agree to nine digits, as the last estimates of a clean run do.
+TEST(Draw, ValuesThatHardlyDifferStillDraw) {
+  Plot narrow = plot("y");
+  narrow.curves[0].y = {4.0, 4.000000001, 4.000000002};
+  Plot constant = plot("y");
+  constant.curves[0].y = {4.0, 4.0, 4.0};
+  EXPECT_EQ(draw({narrow, constant}, Target::kPage).size(), 2u);
+}
+
 TEST(Gnuplot, ItsOwnMessageIsPassedOn) {
   try {
     run_gnuplot("plot nonsense(\n");
