@@ -1,0 +1,67 @@
+// The devices that a board's file names, opened, and the controller's ports made of them.
+#pragma once
+#include <poll.h>
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "firmware/rig_controller/rig_controller.hpp"
+#include "hal/linux/can_sample_source.hpp"
+#include "hal/linux/file_configuration_store.hpp"
+#include "hal/linux/gpio_line.hpp"
+#include "hal/linux/iio_buffer_source.hpp"
+#include "hal/linux/iio_direct_source.hpp"
+#include "hal/linux/iio_drive_output.hpp"
+#include "hal/linux/monotonic_clock.hpp"
+#include "hal/linux/posix_file_operations.hpp"
+#include "hal/linux/rig_controller/board_file.hpp"
+#include "hal/linux/socket_can.hpp"
+#include "hal/linux/watchdogs.hpp"
+
+namespace board {
+
+class BoardDevices {
+ public:
+  explicit BoardDevices(const BoardFile& file);
+
+  // Empty where everything is open, else what is missing.
+  std::string open();
+  firmware::Ports ports();
+
+  // What the program waits on: descriptors that can change (an interface that came back) are read anew each time.
+  static constexpr int kMaxWaits = 4;
+  int waits(pollfd (&waits)[kMaxWaits]) const;
+
+  // Drive zero, relay off, whatever the controller thinks.
+  void make_safe();
+  hal::SystemdWatchdog& systemd() { return systemd_; }
+  void stop_watchdog() { device_watchdog_.disarm(); }
+  const hal::SocketCan& bus() const { return bus_; }
+  const hal::SocketCan& sensor_bus() const { return sensor_bus_; }
+  const firmware::AssemblyHealth* assembly() const { return can_samples_ ? &can_samples_->health() : nullptr; }
+
+ private:
+  std::string open_samples();
+  std::string open_lines();
+
+  const BoardFile& file_;
+  hal::LinuxClock clock_;
+  hal::SocketCan bus_, sensor_bus_;
+  std::optional<hal::CanSampleSource> can_samples_;
+  hal::IioBufferSource iio_samples_;
+  hal::IioDirectSource direct_samples_;
+  hal::NoDriveOutput no_drive_;
+  hal::IioDriveOutput iio_drive_;
+  hal::GpioInput stop_line_, sync_line_;
+  hal::GpioOutput relay_line_, lamp_line_;
+  hal::NoInput no_input_;
+  hal::NoOutput no_output_;
+  hal::SystemdWatchdog systemd_;
+  hal::DeviceWatchdog device_watchdog_;
+  hal::BoardWatchdog watchdog_;
+  hal::PosixFileOperations files_;
+  hal::FileConfigurationStore store_;
+};
+
+}  // namespace board

@@ -1,0 +1,111 @@
+// rig_controller: the controller on a Linux board.
+//
+//   open everything -> real time -> wait for a frame, a sample, an edge or the tick -> RigController::step() -> ...
+//
+// Nothing is allocated between the start and the end of that loop. A test links a function allocation_guard_begin()
+// that makes every later allocation fatal.
+#include <getopt.h>
+#include <poll.h>
+#include <signal.h>
+#include <sys/signalfd.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <memory>
+
+#include "firmware/version.hpp"
+#include "hal/configuration/rig_file_error.hpp"
+#include "hal/linux/rig_controller/board_devices.hpp"
+#include "hal/linux/rig_controller/board_file.hpp"
+#include "hal/linux/rig_controller/real_time.hpp"
+#include "hal/linux/rig_controller/run.hpp"
+
+namespace {
+
+constexpr int kDone = 0, kFailed = 1, kBadInput = 2;
+
+constexpr const char* kHelp =
+    "usage: rig_controller BOARD.toml            run until stopped (SIGTERM, Ctrl-C)\n"
+    "       rig_controller --check BOARD.toml    say what the file makes the board do, and what is wrong with it\n"
+    "  --until-done   end when the excitation programme is through\n"
+    "  --for SECONDS  end after that time\n"
+    "  --version, --help\n"
+    "Exit status: 0 done, 2 usage or a bad file, 1 a device is missing or failed. docs/board.md has the file.\n";
+
+struct Arguments {
+  const char* file = nullptr;
+  bool check = false;
+  board::RunOptions run;
+};
+
+// Returns -1 to go on, else the exit status.
+int parse(int count, char** words, Arguments& arguments) {
+  const option options[] = {{"check", no_argument, nullptr, 'c'},     {"until-done", no_argument, nullptr, 'u'},
+                            {"for", required_argument, nullptr, 'f'}, {"version", no_argument, nullptr, 'v'},
+                            {"help", no_argument, nullptr, 'h'},      {nullptr, 0, nullptr, 0}};
+  for (int letter; (letter = getopt_long(count, words, "ch", options, nullptr)) != -1;) {
+    char* end = nullptr;
+    switch (letter) {
+      case 'c':
+        arguments.check = true;
+        break;
+      case 'u':
+        arguments.run.until_done = true;
+        break;
+      case 'f':
+        arguments.run.seconds = std::strtod(optarg, &end);
+        if (*end == '\0' && arguments.run.seconds > 0.0) break;
+        std::fprintf(stderr, "rig_controller: --for %s, expected a number of seconds\n", optarg);
+        return kBadInput;
+      case 'v':
+        std::printf("rig_controller %d.%d.%d, %s\n", firmware::kVersionMajor, firmware::kVersionMinor,
+                    firmware::kVersionPatch, hal::GpioLine::library());
+        return kDone;
+      case 'h':
+        std::fputs(kHelp, stdout);
+        return kDone;
+      default:
+        std::fputs(kHelp, stderr);
+        return kBadInput;
+    }
+  }
+  if (optind + 1 != count) {
+    std::fprintf(stderr, "rig_controller: expected one board file\n%s", kHelp);
+    return kBadInput;
+  }
+  arguments.file = words[optind];
+  return -1;
+}
+
+int run_board(const Arguments& arguments) {
+  const board::BoardFile file = board::read_board_file(arguments.file);
+  if (arguments.check) {
+    std::fputs(board::describe(file).c_str(), stdout);
+    return kDone;
+  }
+  const auto devices = std::make_unique<board::BoardDevices>(file);
+  const std::string fault = devices->open();
+  if (!fault.empty()) {
+    std::fprintf(stderr, "rig_controller: %s\n", fault.c_str());
+    return kFailed;
+  }
+  return board::run(file, *devices, arguments.run) ? kDone : kFailed;
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+  Arguments arguments;
+  const int status = parse(count, words, arguments);
+  if (status >= 0) return status;
+  try {
+    return run_board(arguments);
+  } catch (const rig_file::RigFileError& error) {
+    std::fprintf(stderr, "rig_controller: %s\n", error.what());
+    return kBadInput;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "rig_controller: %s\n", error.what());
+    return kFailed;
+  }
+}
