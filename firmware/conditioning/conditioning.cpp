@@ -89,7 +89,7 @@ int32_t Conditioning::filtered(Path& path, int32_t code) {
   for (int k = 0; k <= 2 * signal.half_length; ++k) sum += static_cast<int64_t>(signal.tap[k].raw) * window[first + k];
   if (signal.shift > 0) sum = (sum + (int64_t{1} << (signal.shift - 1))) >> signal.shift;
   if (sum > kSignalLimit || sum < -kSignalLimit) {
-    saturated_ = true;
+    if (received_ >= static_cast<uint32_t>(history_samples_)) saturated_ = true;  // not while the filters fill
     sum = sum > 0 ? kSignalLimit : -kSignalLimit;
   }
   return static_cast<int32_t>(sum);

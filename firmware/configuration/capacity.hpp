@@ -20,7 +20,7 @@ constexpr int kMaxLevels = 8;          // excitation levels (or records) kept fo
 #ifdef FIRMWARE_MAX_BATCHES
 constexpr int kMaxBatches = FIRMWARE_MAX_BATCHES;
 #else
-constexpr int kMaxBatches = 64;        // consecutive batches kept per level; pairs merge when the table is full
+constexpr int kMaxBatches = 128;       // consecutive batches kept per level; pairs merge when the table is full
 #endif
 
 }  // namespace firmware
