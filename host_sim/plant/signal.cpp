@@ -33,7 +33,19 @@ class Quintic : public Signal {
       : knots_(std::move(knots)), start_(start), period_(period) {
     for (const Motion& knot : knots_) peak_ = std::max(peak_, std::fabs(knot.value));
   }
-  double value(double t) const override { return motion(t).value; }
+  double value(double t) const override {
+    const double position = (t - start_) / period_;
+    const size_t k = static_cast<size_t>(std::max(0.0, position));
+    if (position <= 0.0 || k + 1 >= knots_.size()) return motion(t).value;
+    const Motion &p = knots_[k], &q = knots_[k + 1];
+    const double h = period_, s = position - static_cast<double>(k);
+    const double p1 = p.rate * h, p2 = 0.5 * p.acceleration * h * h;
+    const double d0 = q.value - p.value - p1 - p2, d1 = q.rate * h - p1 - 2.0 * p2,
+                 d2 = 0.5 * q.acceleration * h * h - p2;
+    const double r =
+        s * (10.0 * d0 - 4.0 * d1 + d2 + s * (-15.0 * d0 + 7.0 * d1 - 2.0 * d2 + s * (6.0 * d0 - 3.0 * d1 + d2)));
+    return p.value + s * (p1 + s * (p2 + r));
+  }
   double peak() const override { return peak_; }
   Motion motion(double t) const override {
     const double position = (t - start_) / period_;
@@ -116,6 +128,38 @@ std::vector<Motion> with_derivatives(const std::vector<double>& f, double h) {
   return knots;
 }
 
+// Cosines that are rotated from knot to knot side by side, so that the compiler can keep them in vector registers.
+struct LineGroup {
+  static constexpr size_t kLines = 8;
+  double omega[kLines] = {}, c[kLines] = {}, s[kLines] = {}, turn_c[kLines] = {}, turn_s[kLines] = {};
+
+  void set(size_t k, double omega_rad_s, double amplitude, double phase, double step_s) {
+    omega[k] = omega_rad_s;
+    c[k] = amplitude * std::cos(phase);
+    s[k] = amplitude * std::sin(phase);
+    turn_c[k] = std::cos(omega_rad_s * step_s);
+    turn_s[k] = std::sin(omega_rad_s * step_s);
+  }
+  void add_to(std::vector<Motion>& knots) {
+    for (Motion& knot : knots) {
+      double value[kLines], rate[kLines], acceleration[kLines];
+      for (size_t k = 0; k < kLines; ++k) {
+        value[k] = c[k];
+        rate[k] = omega[k] * s[k];
+        acceleration[k] = omega[k] * omega[k] * c[k];
+        const double next = c[k] * turn_c[k] - s[k] * turn_s[k];
+        s[k] = s[k] * turn_c[k] + c[k] * turn_s[k];
+        c[k] = next;
+      }
+      for (size_t k = 0; k < kLines; ++k) {
+        knot.value += value[k];
+        knot.rate -= rate[k];
+        knot.acceleration -= acceleration[k];
+      }
+    }
+  }
+};
+
 }  // namespace
 
 SignalPtr cosine(double amplitude, double frequency_Hz, double phase_rad) {
@@ -131,19 +175,13 @@ SignalPtr random_band(const RandomBand& band, double start_s, double end_s, doub
   const double amplitude = band.rms * std::sqrt(2.0 / static_cast<double>(lines));
   RandomNumbers random(seed, stream);
   std::vector<Motion> knots(count);
-  for (size_t line = 0; line < lines; ++line) {
-    const double omega = kTwoPi * (band.low_Hz + (static_cast<double>(line) + 0.5) * spacing_Hz);
-    const double phase = kTwoPi * random.uniform();
-    const double turn_c = std::cos(omega * table_step_s), turn_s = std::sin(omega * table_step_s);
-    double c = amplitude * std::cos(phase), s = amplitude * std::sin(phase);  // rotated by one step per knot
-    for (Motion& knot : knots) {
-      knot.value += c;
-      knot.rate -= omega * s;
-      knot.acceleration -= omega * omega * c;
-      const double next = c * turn_c - s * turn_s;
-      s = s * turn_c + c * turn_s;
-      c = next;
+  for (size_t line = 0; line < lines; line += LineGroup::kLines) {
+    LineGroup group;
+    for (size_t k = 0; k < LineGroup::kLines && line + k < lines; ++k) {
+      const double omega = kTwoPi * (band.low_Hz + (static_cast<double>(line + k) + 0.5) * spacing_Hz);
+      group.set(k, omega, amplitude, kTwoPi * random.uniform(), table_step_s);
     }
+    group.add_to(knots);
   }
   return std::make_shared<Quintic>(std::move(knots), start_s, table_step_s);
 }
