@@ -6,13 +6,11 @@
 
 #include "host_sim/plant/plant_error.hpp"
 #include "host_sim/plant/simulate.hpp"
-#include "host_sim/programs/derivative.hpp"
-#include "host_sim/programs/force_balance.hpp"
+#include "host_sim/force_balance/derivative.hpp"
+#include "host_sim/force_balance/force_balance.hpp"
 
 namespace host_sim {
 namespace {
-
-using Series = std::vector<double>;
 
 // Sum of squared differences and of squared deviations from the mean, over records.
 struct SquareSums {

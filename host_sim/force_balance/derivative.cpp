@@ -1,4 +1,4 @@
-#include "host_sim/programs/derivative.hpp"
+#include "host_sim/force_balance/derivative.hpp"
 
 namespace host_sim {
 namespace {
