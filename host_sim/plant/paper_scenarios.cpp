@@ -104,10 +104,10 @@ const std::vector<Shipped>& shipped() {
       {"paper_1dof", "Eq. 4: viscous and Coulomb friction, harmonic force at two levels",
        kRig1Dof + sine("20.0", "4.0", "60", "40") + sine("60.0", "4.0", "60", "40") + kClean},
       {"paper_2dof", "Eq. 14: harmonic base excitation as the force k W0 cos, W0 = 40, 80, 180 m",
-       kRig2Dof + sine("400.0", "4.0", "80", "40") + sine("800.0", "4.0", "80", "40") +
-           sine("1800.0", "4.0", "80", "40") + kClean},
+       kRig2Dof + sine("400.0", "4.0", "60", "40") + sine("800.0", "4.0", "60", "40") +
+           sine("1800.0", "4.0", "60", "40") + kClean},
       {"paper_2dof_noise", "as paper_2dof, 5 % noise on every channel, one cycle of each level",
-       kRig2Dof + sine("400.0", "4.0", "80", "1") + sine("800.0", "4.0", "80", "1") + sine("1800.0", "4.0", "80", "1") +
+       kRig2Dof + sine("400.0", "4.0", "60", "1") + sine("800.0", "4.0", "60", "1") + sine("1800.0", "4.0", "60", "1") +
            kNoisy},
       {"paper_3dof_two_frequencies", "Eq. 23: harmonic force of 5 and of 10 Hz",
        kRig3Dof + sine("100.0", "5.0", "30", "100") + sine("100.0", "10.0", "60", "200") + kClean},

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "hal/configuration/compile_rig.hpp"
+#include "hal/configuration/signal_plan.hpp"
 #include "host_sim/plant/plant_error.hpp"
 #include "host_sim/plant/shaker.hpp"
 
@@ -65,6 +66,18 @@ class Feed {
   ProgressSink& sink_;
   size_t in_level_ = 0, most_ = 0, pushed_ = 0;
 };
+
+// Signals that must be derived get the resolution that the measured levels allow.
+void fit_derived_signals(const MeasuredLevels& levels, firmware::CoreConfiguration& configuration) {
+  if (rig_file::describe_plan(configuration).empty()) return;
+  std::vector<std::vector<firmware::RawSample>> samples;
+  for (const Record& record : levels.measured) {
+    RecordSampleSource source(record, levels.calibrations);
+    samples.emplace_back(record.samples());
+    for (firmware::RawSample& sample : samples.back()) source.read(sample);
+  }
+  rig_file::plan_signals(configuration, rig_file::measure_ranges(configuration, samples));
+}
 
 void fill_parameters(const Scenario& scenario, const firmware::Estimates& estimates, RunResult& result) {
   const std::vector<rig_file::ParameterInfo> table = rig_file::parameter_table(scenario.rig);
@@ -157,6 +170,7 @@ RunResult run_scenario(const Scenario& scenario, uint64_t seed, ProgressSink& si
   firmware::CoreConfiguration configuration =
       rig_file::compile_rig(scenario.rig, scenario.sample_period_s(), rig.measured().calibrations);
   configuration.window = scenario_window(scenario);
+  fit_derived_signals(rig.measured(), configuration);
   const auto core = std::make_unique<firmware::EstimatorCore>(configuration);
   if (static_cast<size_t>(core->margin_samples()) > kRunOutSamples)
     throw PlantError("the core's filters need " + std::to_string(core->margin_samples()) +
