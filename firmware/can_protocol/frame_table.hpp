@@ -26,7 +26,14 @@ constexpr Frame without_data(const char* name, IdPlan ids, Sender sender, const 
 inline constexpr Frame kSync =
     without_data("sync", {0x080, 0}, Sender::kMaster, "when the master likes", "Closes the window on all nodes.");
 
-// ---- Network: who is there
+// ---- Network: who does what, who is there
+inline constexpr Signal kNetworkCommandSignals[] = {
+    {"command", 0, 8, false, 1, 1, 0, "state", states(kNetworkCommands), "CANopen network command"},
+    {"node", 8, 8, false, 1, 1, 0, "node", {}, "which one; 0 all"}};
+inline constexpr Frame kNetworkCommand =
+    describe("network_command", {0x000, 0}, Sender::kMaster, 0, "as the master likes", 2, kNetworkCommandSignals,
+             "Starts or ramps down the excitation programme, forgets a latched fault.");
+
 inline constexpr Signal kHeartbeatSignals[] = {
     {"state", 0, 8, false, 1, 1, 0, "state", states(kHeartbeatStates), "CANopen state; 0 once, at boot-up"}};
 inline constexpr Frame kHeartbeat =
@@ -212,10 +219,10 @@ inline constexpr Frame kSdoReply = describe("sdo_reply", {0x580}, Sender::kContr
 
 // In rising order of identifiers, so of falling priority on the bus.
 inline constexpr const Frame* kFrames[] = {
-    &kSync,      &kEmergency,   &kStatus,   &kSensorMotion16, &kSensorMotion24, &kSensorForce24,
-    &kDrive,     &kSensorForce, &kSensorFd, &kHealth,         &kBusHealth,      &kEstimateFd,
-    &kIdentity,  &kWindow,      &kEstimate, &kDiagnosis,      &kSdoReply,       &kSdoRequest,
-    &kParameter, &kScaling,     &kRange,    &kHeartbeat};
+    &kNetworkCommand, &kSync,      &kEmergency,   &kStatus,   &kSensorMotion16, &kSensorMotion24,
+    &kSensorForce24,  &kDrive,     &kSensorForce, &kSensorFd, &kHealth,         &kBusHealth,
+    &kEstimateFd,     &kIdentity,  &kWindow,      &kEstimate, &kDiagnosis,      &kSdoReply,
+    &kSdoRequest,     &kParameter, &kScaling,     &kRange,    &kHeartbeat};
 constexpr int kFrameCount = static_cast<int>(sizeof(kFrames) / sizeof(kFrames[0]));
 
 }  // namespace can

@@ -27,6 +27,19 @@ bool is_sync(const CanMessage& message) {
   return can::is_frame(can::kSync, message, node, member);
 }
 
+CanMessage pack_network_command(const NetworkCommand& command) {
+  return can::pack<can::kNetworkCommand>(0, 0, {static_cast<int64_t>(command.command), command.node});
+}
+
+bool unpack_network_command(const CanMessage& message, NetworkCommand& command) {
+  int64_t raw[2];
+  int node = 0;
+  if (!unpack(can::kNetworkCommand, message, node, raw)) return false;
+  assign(command.command, raw[0]);
+  assign(command.node, raw[1]);
+  return true;
+}
+
 CanMessage pack_heartbeat(int node, HeartbeatState state) {
   return can::pack<can::kHeartbeat>(node, 0, {static_cast<int64_t>(state)});
 }

@@ -11,6 +11,13 @@ namespace firmware {
 
 enum class HeartbeatState : uint8_t { kBootUp = 0, kStopped = 4, kOperational = 5, kPreOperational = 127 };
 
+// CANopen's network commands, as far as they mean something here.
+enum class NetworkCommandCode : uint8_t { kStart = 1, kStop = 2, kReset = 129 };
+struct NetworkCommand {
+  NetworkCommandCode command = NetworkCommandCode::kStop;
+  uint8_t node = 0;  // 0: all
+};
+
 enum class ControllerMode : uint8_t {
   kInitialising = 0,
   kIdle = 1,
@@ -59,6 +66,7 @@ enum class EmergencyCode : uint16_t {
   kSamplesMissed = 0xFF04,
   kDriveLimit = 0xFF05,
   kDriveNotTaken = 0xFF06,
+  kNotSettled = 0xFF07,
 };
 
 // A place on the bus: 0 ground, 1 to 16 a DOF, 17 the base, 31 none. Node indices of the core (0-based) become places

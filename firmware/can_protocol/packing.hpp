@@ -41,6 +41,7 @@ bool is_frame(const Frame& frame, const CanMessage& message, int& node, int& mem
 }  // namespace can
 
 CanMessage pack_sync();
+CanMessage pack_network_command(const NetworkCommand& command);
 CanMessage pack_heartbeat(int node, HeartbeatState state);
 CanMessage pack_emergency(int node, const Emergency& emergency);
 CanMessage pack_status(int node, const NodeStatus& status);
@@ -55,6 +56,7 @@ CanMessage pack_range(int node, const ChannelRange& range);
 CanMessage pack_drive(int node, const DriveCommand& drive);
 
 bool is_sync(const CanMessage& message);
+bool unpack_network_command(const CanMessage& message, NetworkCommand& command);
 bool unpack_heartbeat(const CanMessage& message, int& node, HeartbeatState& state);
 bool unpack_emergency(const CanMessage& message, int& node, Emergency& emergency);
 bool unpack_status(const CanMessage& message, int& node, NodeStatus& status);

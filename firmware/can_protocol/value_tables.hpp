@@ -43,7 +43,10 @@ inline constexpr NamedValue kEmergencyCodes[] = {{0x0000, "NO_ERROR"},
                                                  {0xFF03, "SENSOR_LOST"},
                                                  {0xFF04, "SAMPLES_MISSED"},
                                                  {0xFF05, "DRIVE_LIMIT"},
-                                                 {0xFF06, "DRIVE_NOT_TAKEN"}};
+                                                 {0xFF06, "DRIVE_NOT_TAKEN"},
+                                                 {0xFF07, "NOT_SETTLED"}};
+
+inline constexpr NamedValue kNetworkCommands[] = {{1, "START"}, {2, "STOP"}, {129, "RESET"}};
 
 inline constexpr NamedValue kErrorRegister[] = {{0, "GENERIC"},     {1, "CURRENT"},       {2, "VOLTAGE"},
                                                 {3, "TEMPERATURE"}, {4, "COMMUNICATION"}, {5, "DEVICE_PROFILE"},

@@ -32,7 +32,7 @@ constexpr Row kRows[] = {
     {AlarmCause::kConfiguration, EmergencyCode::kConfiguration, fault_bit(Fault::kConfiguration),
      kRegisterManufacturer},
     {AlarmCause::kSamplesMissed, EmergencyCode::kSamplesMissed, fault_bit(Fault::kSamplesMissed), 0},
-    {AlarmCause::kNotSettled, EmergencyCode::kGeneric, 0, 0},
+    {AlarmCause::kNotSettled, EmergencyCode::kNotSettled, 0, 0},
     {AlarmCause::kStore, EmergencyCode::kStore, fault_bit(Fault::kStore), kRegisterManufacturer},
     {AlarmCause::kCanOverflow, EmergencyCode::kCanOverflow, fault_bit(Fault::kCanOverflow), kRegisterCommunication},
     {AlarmCause::kCanErrorPassive, EmergencyCode::kCanErrorPassive, fault_bit(Fault::kCanErrorPassive),

@@ -91,7 +91,7 @@ class RigController final : private ObjectDictionary {
   // rig_controller_frames.cpp: what goes over the bus
   void receive_frames();
   void receive(const hal::CanFrame& frame);
-  void network_command(const CanMessage& message);
+  void follow(const NetworkCommand& command);
   void check_sync_edge();
   void close_window();
   void send_estimates();

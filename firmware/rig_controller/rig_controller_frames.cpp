@@ -8,7 +8,6 @@ namespace firmware {
 namespace {
 
 constexpr uint64_t kMillisecond_ns = 1000000;
-constexpr uint32_t kNetworkCommandId = 0x000;  // CANopen network management: highest priority
 
 CanMessage to_message(const hal::CanFrame& frame) {
   CanMessage message;
@@ -40,7 +39,8 @@ void RigController::receive(const hal::CanFrame& frame) {
   if (frame.remote) return;
   const CanMessage message = to_message(frame);
   CanMessage reply;
-  if (!message.extended && message.id == kNetworkCommandId) return network_command(message);
+  NetworkCommand command;
+  if (unpack_network_command(message, command)) return follow(command);
   if (is_sync(message)) {
     if (configuration_.node.sync_closes_window && measuring_ && samples_in_window_ > 0) close_window();
     return;
@@ -48,11 +48,19 @@ void RigController::receive(const hal::CanFrame& frame) {
   if (sdo_.answer(message, configuration_.node.node, reply)) queue_.push(reply, false);
 }
 
-void RigController::network_command(const CanMessage& message) {
-  if (message.length < 2 || (message.data[1] != 0 && message.data[1] != configuration_.node.node)) return;
-  if (message.data[0] == 1) start();
-  if (message.data[0] == 2) stop();
-  if (message.data[0] == 129) reset();
+void RigController::follow(const NetworkCommand& command) {
+  if (command.node != 0 && command.node != configuration_.node.node) return;
+  switch (command.command) {
+    case NetworkCommandCode::kStart:
+      start();
+      break;
+    case NetworkCommandCode::kStop:
+      stop();
+      break;
+    case NetworkCommandCode::kReset:
+      reset();
+      break;
+  }
 }
 
 void RigController::check_sync_edge() {

@@ -102,6 +102,11 @@ TEST(RoundTrip, EveryStruct) {
   EXPECT_EQ(drive.sequence, 0xFFFFu);
   EXPECT_EQ(drive.state, DriveState::kStopped);
   EXPECT_TRUE(is_sync(pack_sync()));
+
+  NetworkCommand command;
+  ASSERT_TRUE(unpack_network_command(pack_network_command({NetworkCommandCode::kReset, 5}), command));
+  EXPECT_EQ(command.command, NetworkCommandCode::kReset);
+  EXPECT_EQ(command.node, 5);
 }
 
 // Each frame is taken by exactly one unpack function.
@@ -119,13 +124,15 @@ int takers(const CanMessage& m) {
   ChannelScaling j;
   ChannelRange k;
   DriveCommand l;
+  NetworkCommand n;
   EstimateRecord record, records[kEstimatesPerFdFrame];
   bool present[kEstimatesPerFdFrame];
   count += unpack_heartbeat(m, node, a) + unpack_emergency(m, node, b) + unpack_status(m, node, c) +
            unpack_health(m, node, d) + unpack_bus_health(m, node, e) + unpack_identity(m, node, f) +
            unpack_window(m, node, g) + unpack_diagnosis(m, node, h) + unpack_parameter(m, node, i) +
            unpack_scaling(m, node, j) + unpack_range(m, node, k) + unpack_drive(m, node, l) + is_sync(m) +
-           unpack_estimate(m, node, index, record) + unpack_estimates_fd(m, node, index, records, present);
+           unpack_network_command(m, n) + unpack_estimate(m, node, index, record) +
+           unpack_estimates_fd(m, node, index, records, present);
   return count;
 }
 

@@ -277,7 +277,7 @@ TEST(Faults, LevelThatDoesNotSettleIsTold) {
   Bench bench(configuration);
   driven_into(ControllerMode::kIntegrate, bench);
   ASSERT_NE(bench.can.last(kEmergencyId), nullptr);
-  EXPECT_EQ(emergency_code(*bench.can.last(kEmergencyId)), 0x1000);
+  EXPECT_EQ(emergency_code(*bench.can.last(kEmergencyId)), 0xFF07);
   EXPECT_TRUE(bench.controller->excitation().unsettled());
   EXPECT_TRUE(bench.relay.active());
 }
