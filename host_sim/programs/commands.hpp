@@ -8,6 +8,7 @@ namespace host_sim {
 
 using Action = std::function<void()>;
 
+void add_run_command(CLI::App& app, Action& chosen);
 void add_estimate_command(CLI::App& app, Action& chosen);
 void add_decode_command(CLI::App& app, Action& chosen);
 void add_dbc_command(CLI::App& app, Action& chosen);

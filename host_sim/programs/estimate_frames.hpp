@@ -1,29 +1,31 @@
-// The frames that a board would send while it is fed the same samples, collected as a candump log.
+// The frames that a board sends while it estimates: as it starts, every 100 ms, and with each window.
 #pragma once
-#include <sstream>
-#include <string>
+#include <cstdint>
+#include <functional>
 
+#include "firmware/can_protocol/can_message.hpp"
 #include "firmware/estimator_core.hpp"
 #include "hal/configuration/rig_model.hpp"
-#include "host_sim/can_log/log_writer.hpp"
 
 namespace host_sim {
 
 class EstimateFrames {
  public:
-  // Begins with boot-up, identity and the names of the parameters. Times count from the first sample of the first
-  // record.
-  EstimateFrames(const rig_file::RigModel& model, const firmware::CoreConfiguration& configuration);
+  using Send = std::function<void(const firmware::CanMessage&, uint64_t time_ns)>;
+  explicit EstimateFrames(Send send) : send_(std::move(send)) {}
 
+  // Boot-up, identity and the names of the parameters, at time 0. The configuration must outlive this object.
+  void begin(const rig_file::RigModel& model, const firmware::CoreConfiguration& configuration);
   void heartbeat(uint64_t time_ns);
-  // Status, window, one frame per estimate, health.
+  // Names of the parameters, status, window, one frame per estimate, health.
   void window(uint64_t time_ns, const firmware::Estimates& estimates, const firmware::CoreHealth& health, bool last);
 
-  std::string text() const { return text_.str(); }
-
  private:
-  std::ostringstream text_;
-  can_log::LogWriter log_;
+  void send_names(uint64_t time_ns);
+
+  Send send_;
+  const firmware::CoreConfiguration* configuration_ = nullptr;
+  bool rotating_ = false;
 };
 
 }  // namespace host_sim

@@ -2,8 +2,10 @@
 
 #include <cmath>
 #include <memory>
+#include <sstream>
 
 #include "hal/configuration/signal_plan.hpp"
+#include "host_sim/can_log/log_writer.hpp"
 #include "host_sim/programs/estimate_frames.hpp"
 #include "host_sim/programs/failures.hpp"
 #include "host_sim/programs/fit_quality.hpp"
@@ -110,7 +112,10 @@ Estimation estimate_records(const rig_file::RigModel& model, const std::vector<R
   fit_signals_to(records, calibrations, configuration);
   configuration.window = window_of(records.front(), options);
   const auto core = std::make_unique<firmware::EstimatorCore>(configuration);
-  EstimateFrames frames(model, configuration);
+  std::ostringstream log_text;
+  can_log::LogWriter log(log_text, "can0");
+  EstimateFrames frames([&log](const firmware::CanMessage& message, uint64_t time_ns) { log.write(message, time_ns); });
+  frames.begin(model, configuration);
   size_t samples = 0;
   for (const Record& record : records) samples += record.samples();
   Feed feed(*core, frames, options, samples);
@@ -129,7 +134,7 @@ Estimation estimate_records(const rig_file::RigModel& model, const std::vector<R
   for (const std::string& name : rig_file::simulator_only_effects(model))
     estimation.result.notes.push_back(name + " is known to the simulator only; the energy equations leave it out");
   judge_fit(model, records, estimation.result);
-  estimation.frames = frames.text();
+  estimation.frames = log_text.str();
   return estimation;
 }
 

@@ -26,6 +26,7 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   host_sim::remove_temporary_files_on_signals();
   host_sim::Action chosen;
+  host_sim::add_run_command(app, chosen);
   host_sim::add_estimate_command(app, chosen);
   host_sim::add_decode_command(app, chosen);
   host_sim::add_dbc_command(app, chosen);
