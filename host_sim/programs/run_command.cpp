@@ -11,9 +11,10 @@
 #include "host_sim/programs/human_output.hpp"
 #include "host_sim/programs/result_json.hpp"
 #include "host_sim/programs/result_table.hpp"
-#include "host_sim/programs/run_report.hpp"
 #include "host_sim/programs/run_result.hpp"
 #include "host_sim/programs/terminal.hpp"
+#include "host_sim/reports/from_run.hpp"
+#include "host_sim/reports/report.hpp"
 
 namespace host_sim {
 namespace {
@@ -24,12 +25,11 @@ struct RunArguments {
   uint64_t seed = 1;
 };
 
-// Frames to their sink, progress to the terminal, windows to the report.
+// Frames to their sink, progress to the terminal.
 class RunSink : public ProgressSink {
  public:
-  RunSink(FrameSink& sink, ConvergenceRecorder& convergence)
+  explicit RunSink(FrameSink& sink)
       : sink_(sink),
-        convergence_(convergence),
         frames_([this](const firmware::CanMessage& message, uint64_t time_ns) {
           sink_.write(can_log::to_frame(message, time_ns));
         }),
@@ -46,12 +46,10 @@ class RunSink : public ProgressSink {
   void window(uint64_t time_ns, const firmware::Estimates& estimates, const firmware::CoreHealth& health,
               bool last) override {
     frames_.window(time_ns, estimates, health, last);
-    convergence_.add(time_ns, estimates);
   }
 
  private:
   FrameSink& sink_;
-  ConvergenceRecorder& convergence_;
   EstimateFrames frames_;
   ProgressBar bar_;
 };
@@ -86,17 +84,20 @@ void run(const RunArguments& arguments) {
   std::FILE* const people = log == "-" || arguments.json == "-" ? stderr : stdout;
   ResultTarget json(arguments.json);
   const std::unique_ptr<FrameSink> sink = open_sink(arguments, log);
-  ConvergenceRecorder convergence;
   RunResult outcome;
+  std::vector<reports::Convergence> convergence;
   try {
-    RunSink run_sink(*sink, convergence);
-    outcome = run_scenario(scenario, arguments.seed, run_sink);
+    RunSink run_sink(*sink);
+    reports::ConvergenceRecorder recorder(run_sink);
+    outcome = run_scenario(scenario, arguments.seed, recorder);
+    convergence = recorder.convergence();
   } catch (const PlantError& error) {
     throw UsageError(arguments.scenario + ": " + error.what());
   }
   const EstimateResult result = result_of_run(scenario, outcome);
   if (!arguments.report.empty())
-    write_run_report_of(arguments.report, scenario, arguments.seed, outcome, result, convergence);
+    reports::write_run_report(arguments.report,
+                              reports::run_report_data(scenario, arguments.seed, outcome, convergence));
   sink->commit();
   nlohmann::ordered_json content = to_json(result);
   content["scenario"] = scenario.name;
