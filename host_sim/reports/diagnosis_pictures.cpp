@@ -32,7 +32,7 @@ Plot detail(const DofView& view, const Waveform& waveform) {
   plot.x_unit = "s";
   plot.y_label = waveform.quantity;
   plot.y_unit = waveform.unit;
-  plot.scale_units = true;
+  plot.note = waveform.note;
   const Span span = most_different(waveform.measured, waveform.simulated, kDetailCycles);
   const auto add = [&](const std::vector<double>& values, const char* label, Role role, Shape shape) {
     if (values.size() == waveform.measured.size() && !values.empty())

@@ -102,8 +102,9 @@ Binned binned(const std::vector<double>& x, const std::vector<double>& y, size_t
 Span most_different(const std::vector<double>& a, const std::vector<double>& b, double cycles) {
   const size_t samples = a.size();
   if (samples < 2) return {0, samples};
-  const size_t count =
-      std::clamp<size_t>(static_cast<size_t>(cycles * mean_period(a)), std::min<size_t>(samples, 40), samples);
+  const double period = mean_period(a);
+  const double wanted = std::min(cycles * period, std::max(2.0 * period, 0.25 * static_cast<double>(samples)));
+  const size_t count = std::clamp<size_t>(static_cast<size_t>(wanted), std::min<size_t>(samples, 40), samples);
   if (b.size() != samples) return {0, count};
   double sum = 0.0, best = -1.0;
   size_t best_first = 0;

@@ -24,6 +24,7 @@ struct Waveform {
   std::vector<double> measured;
   std::vector<double> simulated;  // by the rig file as given, its unknowns estimated
   std::vector<double> extended;   // by the extended rig
+  std::string note;               // a sentence below the first picture
 };
 
 // Energies since the start of the record, J, all of the length of time_s: what the drive put in, what each term took.

@@ -47,10 +47,10 @@ inline DiagnosisReportData diagnosis(size_t samples = 20000) {
     const double phase = dof;
     const auto clean = sines(samples, period_s, 2e-3 / dof, phase, 1.0);
     view.waveforms.push_back({"displacement", "m", noisy(clean, 2e-5, 1u + static_cast<unsigned>(dof)),
-                              sines(samples, period_s, 2e-3 / dof, phase, 1.004), clean});
+                              sines(samples, period_s, 2e-3 / dof, phase, 1.004), clean, ""});
     const auto push = sines(samples, period_s, 90.0, phase, 1.0);
     view.waveforms.push_back(
-        {"acceleration", "m/s^2", noisy(push, 2.0, 7u), sines(samples, period_s, 90.0, phase, 1.004), push});
+        {"acceleration", "m/s^2", noisy(push, 2.0, 7u), sines(samples, period_s, 90.0, phase, 1.004), push, "derived"});
     std::vector<double> drive(samples), viscous(samples), coulomb(samples), stored(samples), left(samples),
         after(samples);
     for (size_t i = 0; i < samples; ++i) {
