@@ -75,14 +75,17 @@ struct Integrator::Working {
   }
 };
 
-// Before anything has moved: what the peak force does to each mass within a sample period.
+// Before anything has moved: what the present acceleration and the peak force do to each mass within a sample period.
 void Integrator::Working::first_scale() {
   const size_t n = equations.masses();
   scale.assign(equations.states(), 1.0);
+  std::vector<double> dy(y.size());
+  equations.derivative(t, y.data(), force.data(), base, modes, dy.data());
   double largest_x = 0.0, largest_v = 0.0;
   for (size_t i = 0; i < n; ++i) {
     const bool driven = i < excitation.force_N.size() && excitation.force_N[i];
-    const double v = (driven ? excitation.force_N[i]->peak() : 0.0) / equations.mass(i) * period;
+    const double peak = driven ? excitation.force_N[i]->peak() / equations.mass(i) : 0.0;
+    const double v = std::max(peak, std::fabs(dy[n + i])) * period;
     largest_x = std::max({largest_x, std::fabs(y[i]), v * period});
     largest_v = std::max({largest_v, std::fabs(y[n + i]), v});
   }
@@ -108,6 +111,7 @@ void Integrator::Working::grow_scale() {
 void Integrator::Working::create() {
   if (SUNContext_Create(nullptr, &context) != 0) throw PlantError("cannot create a SUNDIALS context");
   vector = N_VMake_Serial(static_cast<sunindextype>(y.size()), y.data(), context);
+  N_VEnableFusedOps_Serial(vector, SUNTRUE);  // a stage is one pass over the stage vectors
   arkode = ERKStepCreate(right_hand_side, t, vector, context);
   if (arkode == nullptr) throw PlantError("cannot create an ARKODE integrator");
   ERKStepSetErrHandlerFn(arkode, on_error, this);

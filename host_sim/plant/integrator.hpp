@@ -8,13 +8,13 @@
 namespace host_sim {
 
 enum class Method {
-  kFehlberg8,         // 13 stages, order 8 (7): the default
-  kDormandPrince5,    // 7 stages, order 5 (4)
+  kFehlberg8,         // 13 stages, order 8 (7): for tolerances below 1e-11
+  kDormandPrince5,    // 7 stages, order 5 (4): the default
   kBogackiShampine3,  // 4 stages, order 3 (2): the pair that the paper cites [17]
 };
 
 struct IntegratorOptions {
-  Method method = Method::kFehlberg8;
+  Method method = Method::kDormandPrince5;
   double relative_tolerance =
       1e-10;  // local error per step, of the largest displacement and velocity of each mass so far
   long most_steps_per_sample = 200000;
