@@ -81,8 +81,7 @@ TEST(Compare, ResidualForceIsTheHiddenOne) {
 TEST(Compare, ALinkThatOnlyTheExtendedRigHasIsShown) {
   const Record record = decay(rig(kTrue));
   auto extended = rig(kTrue);
-  extended.links.push_back(rig("viscous_N_s_m = 1.0
-").links[0]);
+  extended.links.push_back(rig("viscous_N_s_m = 1.0\n").links[0]);
   EXPECT_EQ(reports::compare(record, rig(kGiven), extended, 0).links.size(), 2u);
 }
 
