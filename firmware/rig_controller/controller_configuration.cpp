@@ -29,6 +29,8 @@ class Writer {
     const auto bits = static_cast<uint64_t>(static_cast<int64_t>(value));
     for (size_t i = 0; i < sizeof(T); ++i) put(static_cast<uint8_t>(bits >> (8 * i)));
   }
+  template <typename T>
+  void clear(const T&) {}
   size_t size() const { return size_; }
   uint32_t crc() const { return crc_.value(); }
 
@@ -56,6 +58,10 @@ class Reader {
     } else {
       value = static_cast<T>(bits);
     }
+  }
+  template <typename T, size_t N>
+  void clear(T (&values)[N]) {
+    for (T& value : values) value = T{};
   }
   size_t read() const { return place_; }
   bool overrun() const { return place_ > size_; }
@@ -91,6 +97,7 @@ void walk_signal(Archive& archive, Signal& signal) {
   archive.field(signal.integrations);
   archive.field(signal.half_length);
   archive.field(signal.shift);
+  archive.clear(signal.tap);
   for (int i = 0; i <= 2 * signal.half_length && i <= 2 * kFilterHalf; ++i) archive.field(signal.tap[i].raw);
   walk_scaled(archive, signal.unit_per_code);
 }
@@ -216,7 +223,6 @@ bool decode(const uint8_t* bytes, size_t size, ControllerConfiguration& configur
   for (size_t i = 0; i + 4 < size; ++i) crc.add(bytes[i]);
   if (crc.value() != read32(bytes + size - 4)) return false;
   static ControllerConfiguration read;  // 30 KB: too large for a small stack; one controller runs per program
-  read = ControllerConfiguration{};
   Reader reader(bytes, size - 4);
   uint32_t version = 0;
   reader.field(version);

@@ -120,7 +120,7 @@ def main():
     for name in ("--archive", "--machine", "--stack", "--compiler", "--version", "--header"):
         parser.add_argument(name)
     parser.add_argument("--prefix", default="")
-    parser.add_argument("--largest-frame", type=int, default=2048)
+    parser.add_argument("--largest-frame", type=int, default=4608)
     parser.add_argument("--self-test", action="store_true")
     a = parser.parse_args()
     if a.self_test:
