@@ -45,18 +45,19 @@ void EstimatorCore::push(const RawSample& sample) {
   }
   if (!usable || !collector_.level_open()) return;
   ++filled_;
-  const int block = block_length();
-  if (filled_ == kLeadIn + block + kLeadOut) process(block);
+  if (filled_ == full_) process(full_ - kLevelMarginSamples);
 }
 
-int EstimatorCore::block_length() const {
+// A block ends where the batch ends, at the latest after kBlockSamples.
+void EstimatorCore::choose_block() {
   const uint32_t rest = aim_ - level_samples_;
-  return static_cast<int>(rest < kLongestBlock ? rest : kLongestBlock);
+  full_ = kLevelMarginSamples + static_cast<int>(rest < kLongestBlock ? rest : kLongestBlock);
 }
 
 void EstimatorCore::aim() {
   units_aimed_ = units_ + collector_.units_wanted();
   aim_ = collector_.unit_end(units_aimed_);
+  choose_block();
 }
 
 // Works on the block, then moves the frame on by its length.
@@ -71,6 +72,7 @@ void EstimatorCore::process(int count) {
   }
   filled_ -= count;
   conditioning_.move_frame(frame_, count, filled_);
+  choose_block();
 }
 
 // Closes the batch at the last sample that has its context, and starts again with the next sample.

@@ -37,7 +37,7 @@ class EstimatorCore {
   int margin_samples() const { return kLevelMarginSamples + conditioning_.history_samples(); }
 
  private:
-  int block_length() const;
+  void choose_block();
   void process(int count);
   void break_window();
   void aim();  // where the batch that starts now ends
@@ -46,6 +46,7 @@ class EstimatorCore {
   Conditioning conditioning_;
   Frame frame_ = {};
   int filled_ = 0;          // samples in the frame
+  int full_ = 0;            // at this many the block is worked on
   EnergySums sums_;
   uint32_t level_samples_ = 0;  // sample intervals summed since the level (or a gap in it) began
   uint32_t units_ = 0, units_aimed_ = 0, aim_ = 0;  // units summed, to be summed, and the latter in samples

@@ -19,7 +19,13 @@ void Conditioning::configure(const CoreConfiguration& configuration) {
   configuration_ = &configuration;
   path_count_ = 0;
   reach_ = 0;
+  nodes_ = configuration.base_present ? kMaxNodes : configuration.dof_count;
   for (int node = 0; node < kMaxNodes; ++node) {
+    for (int quantity = 0; quantity < kQuantities; ++quantity) {
+      const ChannelConfiguration& channel = configuration.channels[node][quantity];
+      limit_[node][quantity] = channel.present ? channel.full_scale_code : INT32_MAX;
+      offset_[node][quantity] = channel.present ? channel.offset_code : 0;
+    }
     if (node >= configuration.dof_count && node != kBaseNode) continue;
     for (int quantity = 0; quantity < kQuantities; ++quantity) {
       const SignalConfiguration& signal = configuration.signals[node][quantity];
@@ -27,8 +33,8 @@ void Conditioning::configure(const CoreConfiguration& configuration) {
       Path& path = path_[path_count_++];
       path.node = static_cast<uint8_t>(node);
       path.quantity = static_cast<uint8_t>(quantity);
-      path.column = static_cast<uint16_t>(signal_column(node, static_cast<Quantity>(quantity)));
       path.source = signal.source;
+      path.place = static_cast<uint16_t>(signal_column(node, static_cast<Quantity>(quantity)) * kFrameStride);
       if (signal.half_length > reach_) reach_ = signal.half_length;
     }
   }
@@ -50,22 +56,25 @@ void Conditioning::restart() {
     for (int s = 0; s < kMaxSections; ++s) path_[i].section[s] = path_[i].previous[s] = 0;
 }
 
-bool Conditioning::any_code_at_full_scale(const RawSample& sample) const {
-  for (int i = 0; i < path_count_; ++i) {
-    const Path& path = path_[i];
-    const int32_t code = sample.code[path.node][path.source];
-    const int32_t limit = configuration_->channels[path.node][path.source].full_scale_code;
-    if (code >= limit || code <= -limit) return true;
+bool Conditioning::append(const RawSample& sample, Frame& frame, int at) {
+  int32_t* __restrict column = &frame.column[0][at];
+  int32_t beyond[kQuantities] = {};
+  for (int node = 0; node < nodes_; ++node, column += kQuantities * kFrameStride) {
+    for (int q = 0; q < kQuantities; ++q) {
+      const int32_t code = sample.code[node][q], limit = limit_[node][q];
+      beyond[q] |= static_cast<int32_t>(code >= limit) | static_cast<int32_t>(code <= -limit);
+    }
+    for (int q = 0; q < kQuantities; ++q) column[q * kFrameStride] = sample.code[node][q] - offset_[node][q];
   }
-  return false;
+  saturated_ = (beyond[0] | beyond[1] | beyond[2] | beyond[3]) != 0;
+  return plain_ || filter(sample, frame, at);
 }
 
-bool Conditioning::append(const RawSample& sample, Frame& frame, int at) {
-  saturated_ = any_code_at_full_scale(sample);
+bool Conditioning::filter(const RawSample& sample, Frame& frame, int at) {
   for (int i = 0; i < path_count_; ++i) {
     Path& path = path_[i];
-    const int32_t code = sample.code[path.node][path.source] - configuration_->channels[path.node][path.source].offset_code;
-    frame.column[path.column][at] = plain_ ? code : filtered(path, code);
+    frame.column[0][path.place + at] =
+        filtered(path, sample.code[path.node][path.source] - offset_[path.node][path.source]);
   }
   if (++history_at_ == kHistory) history_at_ = 0;
   ++received_;
@@ -74,7 +83,7 @@ bool Conditioning::append(const RawSample& sample, Frame& frame, int at) {
 
 void Conditioning::move_frame(Frame& frame, int count, int kept) const {
   for (int p = 0; p < path_count_; ++p) {
-    int32_t* column = frame.column[path_[p].column];
+    int32_t* column = &frame.column[0][path_[p].place];
     for (int i = 0; i < kept; ++i) column[i] = column[i + count];
   }
 }

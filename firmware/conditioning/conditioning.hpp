@@ -17,28 +17,31 @@ class Conditioning {
  public:
   void configure(const CoreConfiguration& configuration);
   void restart();  // a new level: history and section states are forgotten
-  // Writes one sample into the frame at position `at`. False while the filters have not enough history: position not used.
+  // Takes one sample for position `at` of the frame. False while the filters have not enough history: position not used.
   bool append(const RawSample& sample, Frame& frame, int at);
+  bool saturated() const { return saturated_; }  // of the last sample
   // Moves every signal's positions [count, count + kept) to the frame's start.
   void move_frame(Frame& frame, int count, int kept) const;
-  bool saturated() const { return saturated_; }       // of the last sample
   int history_samples() const { return history_samples_; }  // samples at a level's start that give no output
 
  private:
   static constexpr int kHistory = 2 * kFilterHalf + 1;
   static constexpr int kMaxSections = 3;
   struct Path {  // one signal
-    uint16_t column = 0;
     uint8_t node = 0, quantity = 0, source = 0;
+    uint16_t place = 0;                   // first entry of its column in the frame
     int32_t history[2 * kHistory] = {};   // every entry twice, so that a window is contiguous
     int64_t section[kMaxSections] = {};   // Q16
     int64_t previous[kMaxSections] = {};  // Q16, last input of a difference section
   };
-  bool any_code_at_full_scale(const RawSample& sample) const;
+  bool filter(const RawSample& sample, Frame& frame, int at);
   int32_t filtered(Path& path, int32_t code);
   int32_t high_passed(Path& path, int integrations, int32_t code) const;
 
   const CoreConfiguration* configuration_ = nullptr;
+  alignas(16) int32_t limit_[kMaxNodes][kQuantities];  // codes at or beyond it are saturated
+  alignas(16) int32_t offset_[kMaxNodes][kQuantities];
+  int nodes_ = 0;  // nodes in use, the base included
   Path path_[kMaxNodes * kQuantities];
   int path_count_ = 0;
   int reach_ = 0;       // longest half_length: the common delay in samples

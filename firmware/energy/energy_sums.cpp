@@ -20,14 +20,22 @@ void EnergySums::configure(const CoreConfiguration& configuration, int weights) 
   weights_ = weights;
   make_equation_plan(configuration, weights, plan_, sums_, layout_);
   effects_.configure(configuration, plan_.column_unit);
+  const Scaled step = configuration.sample_period_s / Scaled::from_int(24);
+  for (int p = 0; p < sums_.count(); ++p)
+    integral_unit_[p] = step * plan_.column_unit[sums_.column_a(p)] * plan_.column_unit[sums_.column_b(p)];
   for (int l = 0; l < configuration.link_count; ++l) {
     const LinkConfiguration& link = configuration.links[l];
     gains_[l] = rate_gains(configuration, link);
     has_sign_[l] = false;
     smooth_is_white_[l] = measured_velocity(configuration, link.node_a) && measured_velocity(configuration, link.node_b);
   }
-  for (int t = 0; t < configuration.term_count; ++t)
-    if (is_sign_term(configuration.terms[t].kind)) has_sign_[configuration.terms[t].place] = true;
+  for (bool& locates : locates_crossings_) locates = false;
+  for (int n = 0; n < plan_.incidence_count; ++n) {
+    const Term& term = configuration.terms[plan_.incidence[n].term];
+    if (!is_sign_term(term.kind)) continue;
+    has_sign_[term.place] = true;
+    if (!plan_.dof[plan_.incidence[n].dof].has_acceleration) locates_crossings_[term.place] = true;
+  }
   restart();
 }
 
@@ -49,18 +57,26 @@ void EnergySums::fill_instruments(Frame& frame, int from, int to) {
 
 void EnergySums::fill_signs(Frame& frame, int link, int from, int to) {
   for (int stream = 0; stream < (weights_ > kInstrument ? 2 : 1); ++stream) {
+    int32_t* sign = frame.column[(stream == 0 ? kSignColumn : kSmoothSignColumn) + link];
+    if (!locates_crossings_[link] && equal_units(gains_[link])) {
+      signs_of_difference(gains_[link], frame, stream == 1, from, to, sign);
+      continue;
+    }
     int64_t rate[kFrameStride];
     link_rate(gains_[link], frame, stream == 1, from, to, rate);
-    signs(rate, from, to, frame.column[(stream == 0 ? kSignColumn : kSmoothSignColumn) + link]);
-    for (int n = 0; n < plan_.incidence_count; ++n) {
-      const Incidence& incidence = plan_.incidence[n];
-      const Term& term = configuration_->terms[incidence.term];
-      if (!is_sign_term(term.kind) || term.place != link || plan_.dof[incidence.dof].has_acceleration) continue;
-      for (int q = 0; q < weights_; ++q)
-        if ((q == kInstrument) == (stream == 1))
-          crossing_q16_[n][q] +=
-              crossing_corrections_q16(rate, frame.column[weight_column(incidence.dof, q)], from + 1, to - 2);
-    }
+    signs(rate, from, to, sign);
+    if (locates_crossings_[link]) add_crossings(frame, link, stream == 1, rate, from + 1, to - 2);
+  }
+}
+
+void EnergySums::add_crossings(const Frame& frame, int link, bool smoothed, const int64_t* rate, int from, int to) {
+  for (int n = 0; n < plan_.incidence_count; ++n) {
+    const Incidence& incidence = plan_.incidence[n];
+    const Term& term = configuration_->terms[incidence.term];
+    if (!is_sign_term(term.kind) || term.place != link || plan_.dof[incidence.dof].has_acceleration) continue;
+    for (int q = 0; q < weights_; ++q)
+      if ((q == kInstrument) == smoothed)
+        crossing_q16_[n][q] += crossing_corrections_q16(rate, frame.column[weight_column(incidence.dof, q)], from, to);
   }
 }
 
@@ -90,10 +106,7 @@ void EnergySums::start_batch(const Frame& frame, int at) {
 
 void EnergySums::add_block(Frame& frame, int count) {
   const int to = kLeadIn + count;
-  if (!started_) {
-    for (auto& corrections : crossing_q16_)
-      for (int64_t& correction : corrections) correction = 0;
-  }
+  if (!started_) clear_crossings();
   fill_columns(frame, count);
   if (!started_) start_batch(frame, kLeadIn);
   started_ = true;
@@ -101,15 +114,22 @@ void EnergySums::add_block(Frame& frame, int count) {
   samples_ += static_cast<uint32_t>(count);
 }
 
+void EnergySums::clear_crossings() {
+  for (int n = 0; n < plan_.incidence_count; ++n)
+    for (int64_t& correction : crossing_q16_[n]) correction = 0;
+}
+
 int EnergySums::weight_column(int dof, int weight) const {
   if (weight == kInstrument) return kInstrumentColumn + dof;
   return signal_column(dof, weight == kPlain ? Quantity::kVelocity : Quantity::kDisplacement);
 }
 
-Scaled EnergySums::integral(int product, int column_a, int column_b) const {
-  if (product == kNoProduct) return {};
-  const Scaled sum = Scaled::from_int(sums_.sum(product)) + Scaled::ratio(sums_.ends_times_24(product), 24);
-  return configuration_->sample_period_s * plan_.column_unit[column_a] * plan_.column_unit[column_b] * sum;
+void EnergySums::read_integrals() {
+  const Scaled twenty_four = Scaled::from_int(24);
+  for (int p = 0; p < sums_.count(); ++p) {
+    const Scaled sum = Scaled::from_int(sums_.sum(p)) * twenty_four + Scaled::from_int(sums_.ends_times_24(p));
+    integral_[p] = integral_unit_[p] * sum;
+  }
 }
 
 // The sign of a noisy rate is wrong near a crossing, which takes (noise variance) / (slope) from the integral. The smoothed
@@ -120,9 +140,9 @@ Scaled EnergySums::friction_energy(const Incidence& incidence, int weight) const
   const int link = configuration_->terms[incidence.term].place;
   const Scaled crossing = configuration_->sample_period_s * plan_.column_unit[column] *
                           Scaled::from_int(crossing_q16_[&incidence - plan_.incidence][weight], -16);
-  const Scaled own = integral(incidence.product_a[weight], column, incidence.column_a) + crossing;
+  const Scaled own = integral(incidence.product_a[weight]) + crossing;
   if (weight != kInstrument) return own;
-  const Scaled smooth = integral(incidence.product_smooth, column, incidence.column_a) + crossing;
+  const Scaled smooth = integral(incidence.product_smooth) + crossing;
   if (!smooth_is_white_[link]) return smooth;
   return (smooth * Scaled::from_int(200) - own * Scaled::from_int(67)) / Scaled::from_int(133);
 }
@@ -132,7 +152,7 @@ Scaled EnergySums::kinetic_energy(int dof, int weight) const {
   const DofProducts& products = plan_.dof[dof];
   const int velocity = signal_column(dof, Quantity::kVelocity), displacement = signal_column(dof, Quantity::kDisplacement);
   if (products.has_acceleration)
-    return integral(products.acceleration[weight], weight_column(dof, weight), signal_column(dof, Quantity::kAcceleration));
+    return integral(products.acceleration[weight]);
   const int64_t v0 = start_.velocity[dof], v1 = end_.velocity[dof];
   if (weight != kDisplacement) {
     const Scaled unit = plan_.column_unit[velocity];
@@ -140,7 +160,7 @@ Scaled EnergySums::kinetic_energy(int dof, int weight) const {
   }
   const int64_t change = end_.displacement[dof] * v1 - start_.displacement[dof] * v0;
   return plan_.column_unit[displacement] * plan_.column_unit[velocity] * Scaled::from_int(change) -
-         integral(products.velocity_square, velocity, velocity);
+         integral(products.velocity_square);
 }
 
 Scaled EnergySums::energy(const Incidence& incidence, int weight) const {
@@ -151,25 +171,21 @@ Scaled EnergySums::energy(const Incidence& incidence, int weight) const {
   } else if (is_sign_term(term.kind)) {
     result = friction_energy(incidence, weight);
   } else {
-    const int column = weight_column(incidence.dof, weight);
-    result = integral(incidence.product_a[weight], column, incidence.column_a) -
-             integral(incidence.product_b[weight], column, incidence.column_b);
+    result = integral(incidence.product_a[weight]) - integral(incidence.product_b[weight]);
   }
   return incidence.sign < 0 ? -result : result;
 }
 
 void EnergySums::close_dof(int i, const EndPoint& end, Batch& batch) const {
   const DofProducts& products = plan_.dof[i];
-  const int force = signal_column(i, Quantity::kForce), displacement = signal_column(i, Quantity::kDisplacement);
-  const int velocity = signal_column(i, Quantity::kVelocity), acceleration = signal_column(i, Quantity::kAcceleration);
-  const Scaled unit_v = plan_.column_unit[velocity], unit_x = plan_.column_unit[displacement];
+  const Scaled unit_v = plan_.column_unit[signal_column(i, Quantity::kVelocity)];
+  const Scaled unit_x = plan_.column_unit[signal_column(i, Quantity::kDisplacement)];
   const int64_t v0 = start_.velocity[i], v1 = end.velocity[i], x0 = start_.displacement[i], x1 = end.displacement[i];
   const Scaled kinetic_end = unit_v * unit_v * Scaled::from_int(v1 * v1 - v0 * v0, -1);
   const Scaled elastic_end = unit_x * unit_x * Scaled::from_int(x1 * x1 - x0 * x0, -1);
   BatchDof& dof = batch.dof[i];
   for (int q = 0; q < weights_; ++q) {
-    const int column = weight_column(i, q);
-    Scaled rhs = integral(products.force[q], column, force);
+    Scaled rhs = integral(products.force[q]);
     for (int n = 0; n < plan_.incidence_count; ++n) {
       const Incidence& incidence = plan_.incidence[n];
       if (incidence.dof != i) continue;
@@ -184,30 +200,30 @@ void EnergySums::close_dof(int i, const EndPoint& end, Batch& batch) const {
     const bool both = products.has_displacement && products.has_acceleration;
     if (q != kDisplacement) {
       if (products.has_acceleration)
-        dof.kinetic_discrepancy[q] = pack(integral(products.acceleration[q], column, acceleration) - kinetic_end);
+        dof.kinetic_discrepancy[q] = pack(integral(products.acceleration[q]) - kinetic_end);
       if (products.has_displacement)
-        dof.elastic_discrepancy[q] = pack(integral(products.displacement[q], column, displacement) - elastic_end);
+        dof.elastic_discrepancy[q] = pack(integral(products.displacement[q]) - elastic_end);
     } else if (both) {
-      dof.kinetic_discrepancy[q] = pack(integral(products.acceleration[q], column, acceleration) +
-                                        integral(products.velocity_square, velocity, velocity) -
+      dof.kinetic_discrepancy[q] = pack(integral(products.acceleration[q]) +
+                                        integral(products.velocity_square) -
                                         unit_x * unit_v * Scaled::from_int(x1 * v1 - x0 * v0));
     }
   }
   dof.kinetic_end = pack(kinetic_end);
   dof.elastic_end = pack(elastic_end);
-  dof.velocity_square = pack(integral(products.velocity_square, velocity, velocity));
-  dof.velocity_instrument = pack(integral(products.velocity_instrument, kInstrumentColumn + i, velocity));
-  dof.acceleration_square = pack(integral(products.acceleration_square, acceleration, acceleration));
+  dof.velocity_square = pack(integral(products.velocity_square));
+  dof.velocity_instrument = pack(integral(products.velocity_instrument));
+  dof.acceleration_square = pack(integral(products.acceleration_square));
 }
 
 void EnergySums::close_batch(const Frame& frame, int boundary, Batch& batch) {
   sums_.stop(frame, boundary);
+  read_integrals();
   end_ = end_point(frame, boundary);
   batch = Batch{};
   batch.samples = samples_;
   for (int i = 0; i < configuration_->dof_count; ++i) close_dof(i, end_, batch);
-  for (auto& corrections : crossing_q16_)
-    for (int64_t& correction : corrections) correction = 0;
+  clear_crossings();
   start_batch(frame, boundary);
 }
 

@@ -29,9 +29,12 @@ class EnergySums {
   void fill_columns(Frame& frame, int count);
   void fill_instruments(Frame& frame, int from, int to);
   void fill_signs(Frame& frame, int link, int from, int to);
+  void add_crossings(const Frame& frame, int link, bool smoothed, const int64_t* rate, int from, int to);
   void start_batch(const Frame& frame, int at);
   EndPoint end_point(const Frame& frame, int at) const;
-  Scaled integral(int product, int column_a, int column_b) const;
+  void clear_crossings();
+  void read_integrals();
+  Scaled integral(int product) const { return product == kNoProduct ? Scaled{} : integral_[product]; }
   int weight_column(int dof, int weight) const;
   Scaled energy(const Incidence& incidence, int weight) const;
   Scaled friction_energy(const Incidence& incidence, int weight) const;
@@ -46,8 +49,11 @@ class EnergySums {
   ProductSums sums_;
   RateGains gains_[kMaxLinks];
   bool has_sign_[kMaxLinks];
+  bool locates_crossings_[kMaxLinks];  // a DOF at the link has no measured acceleration
   bool smooth_is_white_[kMaxLinks];  // both velocities are measured: the noise of the two sign streams is known to scale
   int64_t crossing_q16_[kMaxTermIncidences][kWeights];
+  Scaled integral_[kMaxProducts];      // of the batch that was closed last, SI units
+  Scaled integral_unit_[kMaxProducts]; // of one twenty-fourth of a product sum
   EndPoint start_;
   EndPoint end_;
   uint32_t samples_ = 0;

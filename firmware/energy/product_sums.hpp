@@ -19,6 +19,9 @@ constexpr int16_t kNoProduct = -1;
 class ProductSums {
  public:
   void clear_plan() { product_count_ = 0; column_count_ = 0; }
+  int count() const { return product_count_; }
+  int column_a(int product) const { return product_[product].a; }
+  int column_b(int product) const { return product_[product].b; }
   int16_t add(int column_a, int column_b);  // the product's number; an existing one is found again
 
   void start(const Frame& frame, int at);               // a window starts at this position of the frame

@@ -12,7 +12,24 @@ int64_t velocity(const Frame& frame, int column, bool smoothed, int i) {
   return 10 * static_cast<int64_t>(v[0]) + 4 * (static_cast<int64_t>(v[-2]) + v[2]) + v[-1] + v[1];
 }
 
+// 20 times the smoothed velocity fits 32 bits: 20 * 2^23 < 2^28.
+int32_t velocity_sum(const int32_t* v, bool smoothed) {
+  return smoothed ? 10 * v[0] + 4 * (v[-2] + v[2]) + v[-1] + v[1] : v[0];
+}
+
 }  // namespace
+
+bool equal_units(const RateGains& gains) { return !gains.has_a || !gains.has_b || gains.gain_a == gains.gain_b; }
+
+void signs_of_difference(const RateGains& gains, const Frame& frame, bool smoothed, int from, int to, int32_t* sign) {
+  static const int32_t kRest[kFrameStride] = {};
+  const int32_t* a = gains.has_a ? frame.column[gains.column_a] : kRest;
+  const int32_t* b = gains.has_b ? frame.column[gains.column_b] : kRest;
+  for (int i = from; i < to; ++i) {
+    const int32_t left = velocity_sum(a + i, smoothed), right = velocity_sum(b + i, smoothed);
+    sign[i] = static_cast<int32_t>(left > right) - static_cast<int32_t>(left < right);
+  }
+}
 
 RateGains rate_gains(const CoreConfiguration& configuration, const LinkConfiguration& link) {
   RateGains gains;

@@ -22,6 +22,10 @@ RateGains rate_gains(const CoreConfiguration& configuration, const LinkConfigura
 
 // w[i], in the common unit, for positions [from, to) of the frame. smoothed: 20 times the smoothed rate.
 void link_rate(const RateGains& gains, const Frame& frame, bool smoothed, int from, int to, int64_t* rate);
+// Whether both codes have one unit (or one end is ground): the sign of the rate is then that of a plain difference.
+bool equal_units(const RateGains& gains);
+// The same signs as link_rate() and signs() give where equal_units(), without the 64-bit steps.
+void signs_of_difference(const RateGains& gains, const Frame& frame, bool smoothed, int from, int to, int32_t* sign);
 // -1, 0 or 1 for each.
 void signs(const int64_t* rate, int from, int to, int32_t* sign);
 

@@ -75,6 +75,7 @@ TEST(Conditioning, AllMeasuredIsACopy) {
   RawSample sample;
   sample.code[0][1] = -1234567;
   EXPECT_TRUE(conditioning.append(sample, *frame, 5));
+  EXPECT_FALSE(conditioning.saturated());
   EXPECT_EQ(frame->column[signal_column(0, Quantity::kDisplacement)][5], -1234567);
   EXPECT_EQ(conditioning.history_samples(), 0);
 }

@@ -184,6 +184,7 @@ TEST(EnergySums, ASensorAtFullScaleMarksTheLevel) {
   RawSample s = sample_at(0);
   s.code[1][1] = -8388608;
   core->push(s);
+  core->end_level();
   EXPECT_EQ(core->health().saturated_samples, 1u);
   EXPECT_TRUE(core->table().level[0].saturated);
 }
