@@ -31,7 +31,7 @@ inline constexpr Signal kNetworkCommandSignals[] = {
     {"command", 0, 8, false, 1, 1, 0, "state", states(kNetworkCommands), "CANopen network command"},
     {"node", 8, 8, false, 1, 1, 0, "node", {}, "which one; 0 all"}};
 inline constexpr Frame kNetworkCommand =
-    describe("network_command", {0x000, 0}, Sender::kMaster, 0, "as the master likes", 2, kNetworkCommandSignals,
+    describe("network_command", {0x000, 0}, Sender::kMaster, 0, "when the master likes", 2, kNetworkCommandSignals,
              "Starts or ramps down the excitation programme, forgets a latched fault.");
 
 inline constexpr Signal kHeartbeatSignals[] = {

@@ -5,9 +5,9 @@
 
 namespace can_log {
 
-DecodeSummary decode(std::istream& input, std::ostream& output, std::ostream& messages) {
+DecodeSummary decode(std::istream& input, std::ostream& output, std::ostream& messages, DecodeOptions options) {
   LogReader reader(input);
-  FramePrinter printer(output);
+  FramePrinter printer(output, options.changes_only);
   DecodeSummary summary;
   LogEntry entry;
   while (reader.next(entry)) {

@@ -43,6 +43,14 @@ std::string frame_text(const Frame& frame) {
   return is_sensor(frame) && name.substr(0, 7) == "sensor_" ? name.substr(7) : name;
 }
 
+// As many digits as the standard deviation leaves meaning, and two more; all ten that are on the bus where it is 0.
+int meaningful_digits(double value, double std) {
+  constexpr int kFewest = 4, kMost = 10;
+  if (std <= 0.0) return kMost;
+  const double digits = std::ceil(std::log10(std::fabs(value) / std)) + 2;
+  return digits < kFewest ? kFewest : digits > kMost ? kMost : static_cast<int>(digits);
+}
+
 int quantity_of(const char* signal_name) {
   for (const firmware::can::NamedValue& entry : firmware::can::kQuantities)
     if (std::string(entry.name) == signal_name) return entry.value;
@@ -51,12 +59,22 @@ int quantity_of(const char* signal_name) {
 
 }  // namespace
 
-void FramePrinter::line(const std::string& text) { output_ << lead_ << text << '\n'; }
+// A line is "name = value" or words; its name is what stands before the sign.
+void FramePrinter::line(const std::string& text) {
+  if (changes_only_) {
+    const size_t sign = text.find(" = ");
+    std::string& last = last_[lead_ + text.substr(0, sign)];
+    if (last == text) return;
+    last = text;
+  }
+  output_ << time_ << lead_ << text << '\n';
+}
 
 bool FramePrinter::print(const LogEntry& entry) {
   const CanMessage message = to_message(entry.frame);
   const Address address = entry.frame.error || entry.frame.remote ? Address() : firmware::can::identify(message);
-  lead_ = time_text(entry) + "  " + padded(entry.interface, 5) + "  ";
+  time_ = time_text(entry) + "  ";
+  lead_ = padded(entry.interface, 5) + "  ";
   if (address.frame == nullptr) return unknown_frame(entry, message);
   names_.learn(message);
   lead_ += padded(sender_text(address), 6) + "  " + padded(frame_text(*address.frame), 12) + "  ";
@@ -101,8 +119,8 @@ void FramePrinter::estimate(int node, int index, int bit_offset, const CanMessag
   const double value = record.value * std::pow(10.0, record.exponent);
   const double std = record.std * std::pow(10.0, record.exponent + record.std_exponent);
   line(padded(names_.parameter(node, index), 14) + " = " +
-       padded(number_text(value, 7) + " " + names_.unit(node, index), 20) + "  std " + padded(number_text(std, 2), 8) +
-       "  " + status);
+       padded(number_text(value, meaningful_digits(value, std)) + " " + names_.unit(node, index), 20) + "  std " +
+       padded(number_text(std, 2), 8) + "  " + status);
 }
 
 void FramePrinter::parameter(const CanMessage& message) {

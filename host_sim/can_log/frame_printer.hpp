@@ -1,5 +1,6 @@
 // One frame as readable lines; remembers the names that description frames gave.
 #pragma once
+#include <map>
 #include <ostream>
 #include <string>
 
@@ -10,7 +11,7 @@ namespace can_log {
 
 class FramePrinter {
  public:
-  explicit FramePrinter(std::ostream& output) : output_(output) {}
+  FramePrinter(std::ostream& output, bool changes_only) : output_(output), changes_only_(changes_only) {}
   // False where the frame is not of this protocol (it is shown by its bytes).
   bool print(const LogEntry& entry);
 
@@ -28,8 +29,11 @@ class FramePrinter {
   bool unknown_frame(const LogEntry& entry, const firmware::CanMessage& message);
 
   std::ostream& output_;
-  std::string lead_;  // time, interface, sender and frame of the lines being written
+  bool changes_only_;
+  std::string time_;
+  std::string lead_;  // interface, sender and frame of the lines being written
   KnownNames names_;
+  std::map<std::string, std::string> last_;  // what each signal said last, where only changes are wanted
 };
 
 }  // namespace can_log

@@ -2,10 +2,22 @@
 
 namespace can_log {
 
-void LogWriter::write(const hal::CanFrame& frame) {
+namespace {
+
+std::string line_at(const hal::CanFrame& frame, std::string_view interface, uint64_t epoch_ns) {
   hal::CanFrame stamped = frame;
-  stamped.time_ns += epoch_ns_;
-  output_ << format_line(stamped, interface_) << '\n';
+  stamped.time_ns += epoch_ns;
+  return format_line(stamped, interface);
+}
+
+}  // namespace
+
+std::string simulated_line(const hal::CanFrame& frame, std::string_view interface) {
+  return line_at(frame, interface, kSimulatedEpoch_s * 1000000000u);
+}
+
+void LogWriter::write(const hal::CanFrame& frame) {
+  output_ << line_at(frame, interface_, epoch_ns_) << '\n';
   ++frames_;
 }
 

@@ -11,6 +11,9 @@ namespace can_log {
 // log adds this to its times. The digits after the billion are then seconds since the start.
 constexpr uint64_t kSimulatedEpoch_s = 1000000000;
 
+// A line of a simulated log, without the newline.
+std::string simulated_line(const hal::CanFrame& frame, std::string_view interface);
+
 class LogWriter {
  public:
   LogWriter(std::ostream& output, std::string interface, uint64_t epoch_s = 0)

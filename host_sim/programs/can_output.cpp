@@ -5,7 +5,7 @@
 #include <thread>
 
 #include "hal/linux/socket_can.hpp"
-#include "host_sim/can_log/candump_line.hpp"
+#include "host_sim/can_log/log_writer.hpp"
 #include "host_sim/programs/failures.hpp"
 
 namespace host_sim {
@@ -14,7 +14,7 @@ namespace {
 class LogFileSink : public FrameSink {
  public:
   LogFileSink(const std::string& path, const std::string& interface) : file_(path), interface_(interface) {}
-  void write(const hal::CanFrame& frame) override { file_.write(can_log::format_line(frame, interface_) + "\n"); }
+  void write(const hal::CanFrame& frame) override { file_.write(can_log::simulated_line(frame, interface_) + "\n"); }
   void commit() override { file_.commit(); }
 
  private:
@@ -25,7 +25,7 @@ class LogFileSink : public FrameSink {
 class StdoutSink : public FrameSink {
  public:
   explicit StdoutSink(const std::string& interface) : interface_(interface) {}
-  void write(const hal::CanFrame& frame) override { std::puts(can_log::format_line(frame, interface_).c_str()); }
+  void write(const hal::CanFrame& frame) override { std::puts(can_log::simulated_line(frame, interface_).c_str()); }
   void commit() override {
     if (std::fflush(stdout) != 0) throw OutputError("stdout: cannot be written, expected a reader");
   }

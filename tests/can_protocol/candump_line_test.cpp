@@ -47,6 +47,7 @@ TEST(Written, WithTheEpochOfSimulatedTime) {
   writer.write(frame(0x80, {}, 1500000));
   EXPECT_EQ(text.str(), "(1000000000.001500) vcan0 080#\n");
   EXPECT_EQ(writer.frames(), 1u);
+  EXPECT_EQ(simulated_line(frame(0x80, {}, 1500000), "vcan0") + "\n", text.str());
 }
 
 struct Readable {

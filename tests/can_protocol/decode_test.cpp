@@ -17,11 +17,11 @@ struct Decoded {
   DecodeSummary summary;
 };
 
-Decoded decoded(const std::string& log) {
+Decoded decoded(const std::string& log, DecodeOptions options = {}) {
   std::istringstream input(log);
   std::ostringstream output, messages;
   Decoded result;
-  result.summary = decode(input, output, messages);
+  result.summary = decode(input, output, messages, options);
   result.text = output.str();
   result.messages = messages.str();
   return result;
@@ -49,6 +49,32 @@ TEST(Decode, NamesAreThoseOfTheNodeThatSentThem) {
   // Status bits: 0x30 = 0x10 + 1 * 32: STALE.
   EXPECT_NE(result.text.find("coulomb[3-base] = 20.0012 N m           std 0.012     STALE"), std::string::npos)
       << result.text;
+}
+
+TEST(Decode, AnEstimateShowsTheDigitsThatItsStandardDeviationLeaves) {
+  // 20.0012 = 2000120000e-8 = 0x773768C0 each time; std 1 (one count): e-8, e-6, e-2, e+4: byte 7 is 0, 2, 6 and C.
+  // 20 / 1e-8: ten digits; 20 / 1e-6 = 2e7: 8 + 2 = ten; 20 / 1e-2 = 2e3: 4 + 2 = six; 20 / 1e4: four at the least.
+  // A std of 0 leaves all digits. 1999999963e-8 = 0x773593DB is told from 20 where the std allows it.
+  EXPECT_NE(decoded("(1.0) can0 410#C068377701001000\n").text.find(" = 20.0012 SI "), std::string::npos);
+  EXPECT_NE(decoded("(1.0) can0 410#DB93357701001002\n").text.find(" = 19.99999963 SI "), std::string::npos);
+  EXPECT_NE(decoded("(1.0) can0 410#DB93357701001006\n").text.find(" = 20 SI "), std::string::npos);
+  EXPECT_NE(decoded("(1.0) can0 410#C06837770100100C\n").text.find(" = 20 SI "), std::string::npos);
+  EXPECT_NE(decoded("(1.0) can0 410#DB93357700001000\n").text.find(" = 19.99999963 SI "), std::string::npos);
+}
+
+TEST(Decode, ChangesOnlyLeavesOutWhatSaysTheSame) {
+  const std::string log =
+      "(0.1) vcan0 701#05\n(0.2) vcan0 701#05\n(0.2) vcan0 702#05\n(0.3) vcan0 701#04\n(0.4) vcan0 701#05\n"
+      "(0.5) vcan0 681#000502010200\n(0.6) vcan0 681#000502010200\n";
+  DecodeOptions options;
+  options.changes_only = true;
+  EXPECT_EQ(decoded(log, options).text,
+            "         0.100000  vcan0  node 1  heartbeat     state = OPERATIONAL\n"
+            "         0.200000  vcan0  node 2  heartbeat     state = OPERATIONAL\n"
+            "         0.300000  vcan0  node 1  heartbeat     state = STOPPED\n"
+            "         0.400000  vcan0  node 1  heartbeat     state = OPERATIONAL\n"
+            "         0.500000  vcan0  node 1  parameter     estimate 0 of 5 is viscous[1-2] in N s/m\n");
+  EXPECT_EQ(decoded(log).summary.frames, 7u);
 }
 
 TEST(Decode, OneLinePerSignalWithUnitsAndStates) {

@@ -63,6 +63,21 @@ TEST(FrameTable, EveryIdentifierLeadsBackToItsFrame) {
   }
 }
 
+// Other CANopen devices may have the nodes 8 to 15: what their predefined set uses is none of ours.
+TEST(FrameTable, LeavesRoomForOtherCanopenNodes) {
+  for (uint32_t function : {0x080, 0x180, 0x200, 0x280, 0x300, 0x380, 0x400, 0x480, 0x500, 0x580, 0x600, 0x700}) {
+    for (uint32_t node = 8; node <= 15; ++node) {
+      for (bool fd : {false, true}) {
+        CanMessage message;
+        message.id = function + node;
+        message.fd = fd;
+        message.length = 64;
+        EXPECT_EQ(identify(message).frame, nullptr) << std::hex << message.id;
+      }
+    }
+  }
+}
+
 TEST(FrameTable, AShortFrameOrTheOtherKindOfFrameIsNotTaken) {
   for (const Frame* frame : kFrames) {
     CanMessage message = empty_frame(*frame, 1);
