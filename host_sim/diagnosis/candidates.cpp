@@ -1,0 +1,167 @@
+#include "candidates.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace diagnosis {
+namespace {
+
+Term on_link(Kind kind, int link, double shape = 0) { return {kind, link, -1, shape, 0}; }
+Term on_dof(Kind kind, int dof, double shape = 0, double shape2 = 0) { return {kind, -1, dof, shape, shape2}; }
+
+std::vector<double> log_grid(double low, double high, int count) {
+  std::vector<double> grid;
+  for (int i = 0; i < count; ++i) grid.push_back(low * std::pow(high / low, i / static_cast<double>(count - 1)));
+  return grid;
+}
+
+bool is_stiffness(Kind kind) { return kind == Kind::kStiffness; }
+bool is_friction(Kind kind) { return kind == Kind::kCoulomb || kind == Kind::kMissingCoulomb; }
+
+// The term of the model that a shape effect bends, or -1.
+template <typename Test>
+int host_on(const std::vector<ActiveTerm>& model, int link, Test test) {
+  for (size_t i = 0; i < model.size(); ++i)
+    if (model[i].column.term.link == link && test(model[i].column.term.kind) && model[i].host < 0 &&
+        (!model[i].known || model[i].value != 0))
+      return static_cast<int>(i);
+  return -1;
+}
+
+}  // namespace
+
+std::vector<ActiveTerm> base_model(const Rows& rows) {
+  const System& s = rows.system();
+  std::vector<ActiveTerm> model;
+  const auto add = [&](const Term& term, const rig_file::Coefficient& c, bool always) {
+    if (!always && !c.estimate && c.value == 0) return;
+    ActiveTerm t;
+    t.column = rows.column(term);
+    t.known = !c.estimate;
+    t.value = c.estimate ? 0 : c.value;
+    model.push_back(t);
+  };
+  for (size_t i = 0; i < s.dofs(); ++i) add(on_dof(Kind::kMass, static_cast<int>(i)), s.rig.dofs[i].mass_kg, false);
+  for (size_t l = 0; l < s.known_links; ++l) {
+    const rig_file::Link& link = s.links[l];
+    const int i = static_cast<int>(l);
+    add(on_link(Kind::kStiffness, i), link.stiffness_N_m, false);
+    add(on_link(Kind::kViscous, i), link.viscous_N_s_m, false);
+    add(on_link(Kind::kCoulomb, i), link.coulomb_N, false);
+    add(on_link(Kind::kGravity, i), link.gravity_torque_N_m, false);
+    for (const rig_file::Effect& e : link.effects) {
+      Term term = on_link(Kind::kStiffness, i);
+      if (!kind_of_word(e.kind, &term.kind)) continue;
+      if (!e.shape.empty()) term.shape = e.shape.begin()->second;
+      add(term, e.coefficient, true);
+    }
+  }
+  return model;
+}
+
+CandidateBank::CandidateBank(const Rows& rows) : rows_(rows) {
+  for (size_t l = 0; l < rows.system().links.size(); ++l) add_link(static_cast<int>(l));
+  for (size_t d = 0; d < rows.system().dofs(); ++d) add_dof(static_cast<int>(d));
+}
+
+void CandidateBank::add_link(int link) {
+  for (Kind kind : {Kind::kMissingViscous, Kind::kMissingCoulomb}) add(on_link(kind, link));
+  if (static_cast<size_t>(link) >= rows_.system().known_links) return;
+  for (Kind kind : {Kind::kCubicStiffness, Kind::kQuadraticStiffness, Kind::kStiffnessError, Kind::kQuadraticDamping,
+                    Kind::kCubicDamping, Kind::kForceOffset, Kind::kAsymmetricViscous, Kind::kDisplacementDamping,
+                    Kind::kDriftingViscous})
+    add(on_link(kind, link));
+  double peak = 0, u_rms = 0, w_rms = 0;
+  for (size_t r = 0; r < rows_.records().size(); ++r) {
+    const LinkMotion& m = rows_.link(r, static_cast<size_t>(link));
+    peak = std::max(peak, m.u_peak), u_rms = std::max(u_rms, m.u_rms), w_rms = std::max(w_rms, m.w_rms);
+  }
+  const rig_file::Link& given = rows_.system().links[static_cast<size_t>(link)];
+  if (peak <= 0 || w_rms <= 0) return;
+  if (given.stiffness_N_m.estimate || given.stiffness_N_m.value != 0)
+    for (double gap : log_grid(1e-4 * peak, 0.5 * peak, 14)) add(on_link(Kind::kBacklash, link, gap));
+  for (double share : {0.2, 0.32, 0.43, 0.54, 0.65, 0.75, 0.85, 0.93}) add(on_link(Kind::kEndStop, link, share * peak));
+  for (double speed : log_grid(0.04 * w_rms, 1.6 * w_rms, 7)) add(on_link(Kind::kStribeck, link, speed));
+  for (double length : log_grid(1e-3 * u_rms, 1.0 * u_rms, 9)) add(on_link(Kind::kPresliding, link, length));
+}
+
+void CandidateBank::add_dof(int dof) {
+  add(on_dof(Kind::kMassError, dof));
+  const Column mass = columns_.back();
+  const FusedRecord& first = rows_.records().front();
+  // Hidden resonances: on the grid by their frequency response, which is exact but for the ends of the record.
+  for (double hertz : log_grid(0.003 / first.period_s, 0.11 / first.period_s, 70)) {
+    Column c = mass;
+    c.term = on_dof(Kind::kResonance, dof, hertz, 0.02);
+    for (size_t r = 0; r < rows_.records().size(); ++r) {
+      const FusedRecord& f = rows_.records()[r];
+      const double o = 6.283185307179586 * hertz;
+      for (Eigen::Index i = 0; i < c.spectra[r].size(); ++i) {
+        const double omega = f.omega(i + f.first_bin);
+        const Complex drive(o * o, 2 * c.term.shape2 * o * omega);
+        c.spectra[r][i] *= drive / (drive - omega * omega);
+      }
+    }
+    c.mass = 0;
+    columns_.push_back(c);
+  }
+  if (!rows_.has_force(static_cast<size_t>(dof))) return;
+  for (Kind kind : {Kind::kForceDelay, Kind::kForceGain}) add(on_dof(kind, dof));
+}
+
+bool CandidateBank::has_shape(Kind kind) {
+  return kind == Kind::kBacklash || kind == Kind::kEndStop || kind == Kind::kStribeck || kind == Kind::kPresliding ||
+         kind == Kind::kResonance;
+}
+
+bool CandidateBank::prepare(const std::vector<ActiveTerm>& model, Candidate& c) const {
+  const Term& t = c.column.term;
+  for (const ActiveTerm& a : model) {
+    const Term& other = a.column.term;
+    if (other.same_place(t)) return false;
+    if (other.link == t.link && t.link >= 0) {
+      if (t.kind == Kind::kMissingViscous && other.kind == Kind::kViscous && !a.known) return false;
+      if (t.kind == Kind::kMissingCoulomb && other.kind == Kind::kCoulomb) return false;
+      if (t.kind == Kind::kStiffnessError && other.kind == Kind::kStiffness && !a.known) return false;
+    }
+    if (t.kind == Kind::kMassError && other.kind == Kind::kMass && other.dof == t.dof && !a.known) return false;
+  }
+  switch (t.kind) {
+    case Kind::kBacklash:
+      c.host = host_on(model, t.link, is_stiffness), c.host_sign = -1;
+      c.penalty = 6;
+      break;
+    case Kind::kPresliding:
+      c.host = host_on(model, t.link, is_friction), c.host_sign = 1;
+      c.penalty = 6, c.threshold = 100;
+      break;
+    case Kind::kStribeck: c.coefficient_sign = 1, c.penalty = 6, c.threshold = 100; return true;
+    case Kind::kEndStop: c.coefficient_sign = 1, c.penalty = 6; return true;
+    case Kind::kResonance: c.coefficient_sign = 1, c.penalty = 12; return true;
+    case Kind::kMissingViscous: case Kind::kMissingCoulomb: c.coefficient_sign = 1; return true;
+    default: return true;
+  }
+  if (c.host < 0) return false;
+  c.fixed = model[static_cast<size_t>(c.host)].known;
+  return true;
+}
+
+std::vector<Candidate> CandidateBank::beside(const std::vector<ActiveTerm>& model) const {
+  std::vector<Candidate> list;
+  for (const Column& column : columns_) {
+    Candidate c;
+    c.column = column;
+    if (prepare(model, c)) list.push_back(c);
+  }
+  return list;
+}
+
+Candidate CandidateBank::reshaped(const Candidate& candidate, double shape, double shape2) const {
+  Candidate c = candidate;
+  Term t = candidate.column.term;
+  t.shape = shape, t.shape2 = shape2;
+  c.column = rows_.column(t);
+  return c;
+}
+
+}  // namespace diagnosis

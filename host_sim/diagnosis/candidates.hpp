@@ -1,0 +1,33 @@
+// Every effect that could be missing, at every place, with its shapes on a grid.
+#pragma once
+#include <map>
+#include <tuple>
+#include <vector>
+
+#include "model_fit.hpp"
+
+namespace diagnosis {
+
+// The rig file's own terms as the model to start from.
+std::vector<ActiveTerm> base_model(const Rows& rows);
+
+class CandidateBank {
+ public:
+  explicit CandidateBank(const Rows& rows);
+  // Those that make sense beside the present model (no second copy of a term, hosts found).
+  std::vector<Candidate> beside(const std::vector<ActiveTerm>& model) const;
+  // One candidate of the same kind and place with another shape.
+  Candidate reshaped(const Candidate& candidate, double shape, double shape2) const;
+  static bool has_shape(Kind kind);
+  static bool friction_shape(Kind kind) { return kind == Kind::kStribeck || kind == Kind::kPresliding; }
+
+ private:
+  void add(const Term& term) { columns_.push_back(rows_.column(term)); }
+  void add_link(int link);
+  void add_dof(int dof);
+  bool prepare(const std::vector<ActiveTerm>& model, Candidate& candidate) const;
+  const Rows& rows_;
+  std::vector<Column> columns_;
+};
+
+}  // namespace diagnosis

@@ -1,0 +1,75 @@
+// What a rig file gets wrong about measured data: which effect, where, how strong, and what naming it gains.
+#pragma once
+#include <array>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "hal/configuration/rig_model.hpp"
+#include "host_sim/records/record.hpp"
+
+namespace diagnosis {
+
+enum class Verdict { kNone, kExplained, kAmbiguous, kUnknown };
+const char* verdict_word(Verdict verdict);
+
+struct Parameter {
+  std::string name;  // "viscous[1-0]", "cubic_stiffness[1-2]", "end_stop_gap[1-0]"
+  double value = 0;
+  std::string unit;
+  double std = 0;    // 0: given or a shape
+  bool estimated = true;
+};
+
+struct Cause {
+  std::string effect;  // the contract's word
+  std::string where;   // "link 1-2", "dof 3", "channel displacement_2_m"
+  std::vector<Parameter> parameters;
+  double explains_percent = 0;  // share of the residual's excess over noise that it removes
+  double significance = 0;      // fall of chi-squared per unit of the noise that remains
+};
+
+struct NamedPlace {
+  std::string effect, where;
+};
+
+struct DetectionLimit {
+  std::string effect, where;
+  double strength = 0;  // smallest coefficient that would have been named in 95 of 100 such records
+  std::string unit;
+  double percent_of_damping_force = 0;  // its rms force over that of its link's damping
+};
+
+struct ModelScore {
+  std::vector<Parameter> parameters;
+  std::vector<double> holdout_nrmse_percent;  // displacement, per DOF
+  std::vector<double> holdout_mse_percent;    // acceleration, Eq. 13, per DOF
+};
+
+struct Diagnosis {
+  Verdict verdict = Verdict::kNone;
+  std::vector<Cause> causes;
+  std::vector<NamedPlace> ambiguous_with;
+  std::vector<Cause> rejected;  // fitted better, simulated worse on held-out data
+  ModelScore baseline, extended;
+  std::vector<double> gain;     // baseline / extended NRMSE per DOF
+  std::vector<DetectionLimit> minimum_detectable;
+  std::vector<std::string> advice;
+  double baseline_misfit = 0;   // chi-squared per degree of freedom: 1 is noise alone
+  double extended_misfit = 0;
+  rig_file::RigModel extended_rig;
+};
+
+struct Options {
+  double top_of_band = 0.098;       // of the sampling rate: highest frequency of the equation rows
+  double holdout_fraction = 0.3;    // of each training record, where no hold-out records are given
+  bool simulate = true;             // free-running simulation on held-out data
+};
+
+// Throws CannotAnswer (motion.hpp) where the records cannot tell.
+Diagnosis diagnose(const rig_file::RigModel& rig, const std::vector<host_sim::Record>& training,
+                   const std::vector<host_sim::Record>& holdout, const Options& options = {});
+
+nlohmann::json to_json(const Diagnosis& diagnosis);  // "diagnosis/1"
+
+}  // namespace diagnosis

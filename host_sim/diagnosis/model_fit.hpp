@@ -1,0 +1,45 @@
+// Least squares of the present model over whitened rows, and what one more term would gain.
+#pragma once
+#include <vector>
+
+#include "rows.hpp"
+
+namespace diagnosis {
+
+struct Fit {
+  double chi2 = 0;           // squared whitened residual
+  double dof = 1;            // real rows minus fitted values
+  Eigen::MatrixXd basis;     // orthonormal columns that span the fitted terms
+  Series residual;
+  Eigen::MatrixXd columns;   // the fitted terms, whitened
+  Series target;             // force minus the known terms
+  double ratio() const { return chi2 / dof; }
+};
+
+// Fits the unknown values in place (value and std; std is widened where the residual is beyond noise).
+Fit fit_model(const Rows& rows, std::vector<ActiveTerm>& model);
+
+// Fits and updates the rows' covariance until both agree.
+Fit settle(Rows& rows, std::vector<ActiveTerm>& model, int rounds);
+
+struct Candidate {
+  Column column;
+  double coefficient_sign = 0;  // physical sign of the coefficient; 0: either
+  double penalty = 0;           // chi-squared that its shape parameters may win by chance
+  double threshold = 35;
+  int host = -1;                // active term in whose place it acts, or -1
+  double host_sign = 1;
+  bool fixed = false;           // its coefficient is host_sign times the host's known value
+};
+
+struct Gain {
+  double chi2 = 0;         // how much chi-squared falls
+  double coefficient = 0;
+  double std = 0;
+};
+Gain gain_of(const Rows& rows, const std::vector<ActiveTerm>& model, const Fit& fit, const Candidate& candidate);
+
+// The candidate as a term of the model.
+ActiveTerm activate(const Candidate& candidate, const std::vector<ActiveTerm>& model, const Gain& gain);
+
+}  // namespace diagnosis

@@ -1,0 +1,157 @@
+#include "rows.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+namespace diagnosis {
+namespace {
+
+using Matrix = Eigen::MatrixXcd;
+
+Spectrum row_spectrum(const FusedRecord& f, const Series& force) {
+  return f.fourier->forward(f.inner.cwiseProduct(force), f.last_bin + 1).tail(f.last_bin + 1 - f.first_bin);
+}
+
+// Incidence of a link (or a DOF) over the DOFs.
+Eigen::VectorXd incidence(const System& s, size_t index) {
+  Eigen::VectorXd b = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(s.dofs()));
+  if (index >= s.links.size()) {
+    b[static_cast<Eigen::Index>(index - s.links.size())] = 1;
+    return b;
+  }
+  if (s.links[index].a > 0) b[s.links[index].a - 1] += 1;
+  if (s.links[index].b > 0) b[s.links[index].b - 1] -= 1;
+  return b;
+}
+
+}  // namespace
+
+Rows::Rows(const System& system, const std::vector<FusedRecord>& records) : system_(system), records_(records) {
+  for (const FusedRecord& f : records) {
+    links_.emplace_back();
+    for (size_t l = 0; l < system.links.size(); ++l) links_.back().push_back(link_motion(system, f, l));
+    force_.emplace_back();
+    for (const Series& force : f.force) force_.back().push_back(force.size() ? row_spectrum(f, force) : Spectrum());
+    size_ += 2 * static_cast<Eigen::Index>(system.dofs()) * (f.last_bin + 1 - f.first_bin);
+  }
+}
+
+bool Rows::has_force(size_t dof) const {
+  for (const auto& record : force_)
+    if (record[dof].size() == 0) return false;
+  return true;
+}
+
+Column Rows::column(const Term& term) const {
+  Column c;
+  c.term = term;
+  double ku = 0, uu = 1e-300, cw = 0, ww = 1e-300, ma = 0, aa = 1e-300;
+  for (size_t r = 0; r < records_.size(); ++r) {
+    const FusedRecord& f = records_[r];
+    const Series force = term_force(term, f, links_[r]);
+    c.spectra.push_back(row_spectrum(f, force));
+    const Series weighted = f.inner.cwiseAbs2().cwiseProduct(force);
+    if (term.link >= 0) {
+      const LinkMotion& l = links_[r][static_cast<size_t>(term.link)];
+      ku += weighted.dot(l.smooth_u), uu += l.u_rms * l.u_rms * f.inner_energy;
+      cw += weighted.dot(l.smooth_w), ww += l.w_rms * l.w_rms * f.inner_energy;
+    } else if (term.kind == Kind::kMass || term.kind == Kind::kMassError || term.kind == Kind::kResonance) {
+      const Series& a = f.motion[static_cast<size_t>(term.dof)].a;
+      ma += weighted.dot(a), aa += f.inner.cwiseAbs2().dot(a.cwiseAbs2());
+    }
+  }
+  c.stiffness = ku / uu, c.viscous = cw / ww, c.mass = ma / aa;
+  if (term.kind == Kind::kMass || term.kind == Kind::kMassError) c.mass = 1;
+  if (term.kind == Kind::kViscous || term.kind == Kind::kMissingViscous) c.viscous = 1, c.stiffness = 0;
+  if (term.kind == Kind::kStiffness || term.kind == Kind::kStiffnessError) c.stiffness = 1, c.viscous = 0;
+  return c;
+}
+
+void Rows::weight(const std::vector<ActiveTerm>& model) {
+  const Eigen::Index n = static_cast<Eigen::Index>(system_.dofs());
+  Eigen::MatrixXd mass = Eigen::MatrixXd::Zero(n, n), stiffness = mass, viscous = mass;
+  for (const ActiveTerm& t : model) {
+    const Term& term = t.column.term;
+    const double value = t.host >= 0 ? t.host_sign * model[static_cast<size_t>(t.host)].value : t.value;
+    if (term.link >= 0) {
+      const Eigen::VectorXd b = incidence(system_, static_cast<size_t>(term.link));
+      stiffness += value * t.column.stiffness * b * b.transpose();
+      viscous += value * t.column.viscous * b * b.transpose();
+    } else if (term.dof >= 0) {
+      mass(term.dof, term.dof) += value * t.column.mass;
+    }
+  }
+  patterns_.clear();
+  for (const FusedRecord& f : records_) {
+    const Eigen::Index bins = f.last_bin + 1 - f.first_bin;
+    const size_t count = system_.links.size() + system_.dofs();
+    std::vector<Matrix> sigma(static_cast<size_t>(bins));
+    Matrix d(n, n);
+    for (Eigen::Index i = 0; i < bins; ++i) {
+      const double omega = f.omega(i + f.first_bin);
+      d = (stiffness - omega * omega * mass).cast<Complex>() + Complex(0, omega) * viscous.cast<Complex>();
+      Matrix& s = sigma[static_cast<size_t>(i)];
+      s = Matrix::Zero(n, n);
+      for (Eigen::Index j = 0; j < n; ++j) {
+        s += f.motion[static_cast<size_t>(j)].variance[i + f.first_bin] * d.col(j) * d.col(j).adjoint();
+        if (f.force_noise[static_cast<size_t>(j)].size())
+          s(j, j) += f.force_noise[static_cast<size_t>(j)][i + f.first_bin];
+      }
+    }
+    // the weight's spectrum is a few bins wide: so is what noise reaches
+    constexpr Eigen::Index kReach = 2;
+    patterns_.emplace_back(count, Matrix::Zero(n, bins));
+    std::vector<Eigen::VectorXcd> incidences;
+    for (size_t p = 0; p < count; ++p) incidences.push_back(incidence(system_, p).cast<Complex>());
+    for (Eigen::Index i = 0; i < bins; ++i) {
+      Matrix s = Matrix::Zero(n, n);
+      double weights = 0;
+      for (Eigen::Index k = -kReach; k <= kReach; ++k) {
+        if (i + k < 0 || i + k >= bins) continue;
+        const double w = k == 0 ? 0.6 : 0.1;
+        s += w * sigma[static_cast<size_t>(i + k)];
+        weights += w;
+      }
+      s *= f.inner_energy / (2 * weights);
+      s.diagonal().array() += 1e-12 * s.diagonal().real().sum() + 1e-280;
+      const Eigen::LLT<Matrix> cholesky(s);
+      for (size_t p = 0; p < count; ++p) patterns_.back()[p].col(i) = cholesky.matrixL().solve(incidences[p]);
+    }
+  }
+}
+
+void Rows::place(const Matrix& pattern, const Spectrum& spectrum, Eigen::Index offset, Series& out) const {
+  const Eigen::Index n = pattern.rows();
+  for (Eigen::Index i = 0; i < spectrum.size(); ++i)
+    for (Eigen::Index j = 0; j < n; ++j) {
+      const Complex value = pattern(j, i) * spectrum[i];
+      out[offset + 2 * (i * n + j)] += value.real();
+      out[offset + 2 * (i * n + j) + 1] += value.imag();
+    }
+}
+
+Series Rows::whitened(const Column& c) const {
+  Series out = Series::Zero(size_);
+  const size_t pattern = c.term.link >= 0 ? static_cast<size_t>(c.term.link)
+                                          : system_.links.size() + static_cast<size_t>(c.term.dof);
+  Eigen::Index offset = 0;
+  for (size_t r = 0; r < records_.size(); ++r) {
+    place(patterns_[r][pattern], c.spectra[r], offset, out);
+    offset += 2 * static_cast<Eigen::Index>(system_.dofs()) * c.spectra[r].size();
+  }
+  return out;
+}
+
+Series Rows::whitened_force() const {
+  Series out = Series::Zero(size_);
+  Eigen::Index offset = 0;
+  for (size_t r = 0; r < records_.size(); ++r) {
+    for (size_t j = 0; j < system_.dofs(); ++j)
+      if (force_[r][j].size()) place(patterns_[r][system_.links.size() + j], force_[r][j], offset, out);
+    offset += 2 * static_cast<Eigen::Index>(system_.dofs()) * (records_[r].last_bin + 1 - records_[r].first_bin);
+  }
+  return out;
+}
+
+}  // namespace diagnosis

@@ -1,0 +1,53 @@
+// The equation error of every DOF in Fourier rows, whitened with its own covariance per frequency:
+// Sigma = S_force + D P D^H, D = K - w^2 M + j w C of the model as it stands, P the error of the fused displacements.
+#pragma once
+#include <vector>
+
+#include "terms.hpp"
+
+namespace diagnosis {
+
+// A term's force, transformed under the inner weight; one spectrum per record, rows first_bin .. last_bin.
+struct Column {
+  Term term;
+  std::vector<Spectrum> spectra;
+  // the linear coefficients that dissipate, store or accelerate as the term does, per unit coefficient
+  double stiffness = 0, viscous = 0, mass = 0;
+};
+
+// A term of the present model.
+struct ActiveTerm {
+  Column column;
+  bool known = false;   // value is given, not fitted
+  bool added = false;   // not in the rig file
+  int host = -1;        // shares the coefficient of this active term (times host_sign): acts in its place
+  double host_sign = 1;
+  double value = 0, std = 0;
+};
+
+class Rows {
+ public:
+  Rows(const System& system, const std::vector<FusedRecord>& records);
+  Column column(const Term& term) const;
+  // Sets the covariance from the model's present values.
+  void weight(const std::vector<ActiveTerm>& model);
+  Series whitened(const Column& column) const;
+  Series whitened_force() const;
+  Eigen::Index size() const { return size_; }
+  const LinkMotion& link(size_t record, size_t link) const { return links_[record][link]; }
+  const System& system() const { return system_; }
+  const std::vector<FusedRecord>& records() const { return records_; }
+  bool has_force(size_t dof) const;
+
+ private:
+  using Matrix = Eigen::MatrixXcd;
+  void place(const Matrix& pattern, const Spectrum& spectrum, Eigen::Index offset, Series& out) const;
+  const System& system_;
+  const std::vector<FusedRecord>& records_;
+  std::vector<std::vector<LinkMotion>> links_;
+  std::vector<std::vector<Spectrum>> force_;       // [record][dof]
+  std::vector<std::vector<Matrix>> patterns_;      // [record][links, then dofs]: dofs x bins, whitened incidence
+  Eigen::Index size_ = 0;
+};
+
+}  // namespace diagnosis

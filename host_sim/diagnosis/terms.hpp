@@ -1,0 +1,64 @@
+// The terms of an equation of motion: those a rig file names, and the contract's vocabulary of effects it may lack.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "motion.hpp"
+
+namespace diagnosis {
+
+enum class Kind {
+  // of every rig file
+  kMass, kStiffness, kViscous, kCoulomb, kGravity,
+  // effects on a link
+  kCubicStiffness, kQuadraticStiffness, kStiffnessError, kBacklash, kEndStop, kQuadraticDamping, kCubicDamping,
+  kStribeck, kPresliding, kForceOffset, kAsymmetricViscous, kDisplacementDamping, kMissingViscous, kMissingCoulomb,
+  kDriftingViscous,
+  // effects on a DOF
+  kMassError, kResonance,
+  // faults of a channel, seen in the equation of motion
+  kForceDelay, kForceGain, kForceHumCos50, kForceHumSin50, kForceHumCos60, kForceHumSin60,
+  // outside the vocabulary: their presence makes a residual unknown
+  kUnknownPitch, kUnknownTime, kUnknownTone
+};
+
+const char* word_of(Kind kind);                 // the contract's word; base terms: "mass", "viscous", ...
+bool kind_of_word(const std::string& word, Kind* kind);
+
+struct Term {
+  Kind kind = Kind::kMass;
+  int link = -1;      // index into the system's links, or -1
+  int dof = -1;       // index from 0, or -1
+  double shape = 0;   // gap m, Stribeck velocity m/s, presliding length m, resonance Hz
+  double shape2 = 0;  // resonance: damping ratio
+  bool operator==(const Term& o) const {
+    return kind == o.kind && link == o.link && dof == o.dof && shape == o.shape && shape2 == o.shape2;
+  }
+  bool same_place(const Term& o) const { return kind == o.kind && link == o.link && dof == o.dof; }
+};
+
+// The rig file's links first, then those it might lack (every pair of DOFs, every DOF to the ground).
+struct System {
+  rig_file::RigModel rig;
+  std::vector<rig_file::Link> links;
+  size_t known_links = 0;  // links.size() of the rig file
+  size_t dofs() const { return rig.dofs.size(); }
+};
+System make_system(const rig_file::RigModel& rig);
+
+// Elongation and rate of a link, from the linear or the smoothed motion. The base is the motion after the last DOF.
+struct LinkMotion {
+  Series u, w;             // linear
+  Series smooth_u, smooth_w;
+  double w_error = 0;      // standard deviation of smooth_w
+  double u_peak = 0, u_rms = 0, w_rms = 0;  // over the equation's span
+};
+LinkMotion link_motion(const System& system, const FusedRecord& record, size_t link);
+
+// A term with coefficient one as a force over time (positive against the motion, as in M a + K x + ... = f).
+Series term_force(const Term& term, const FusedRecord& record, const std::vector<LinkMotion>& links);
+
+// Expected sgn of a rate that is known up to a Gaussian error and changes from sample to sample.
+Series soft_sign(const Series& rate, double error);
+
+}  // namespace diagnosis

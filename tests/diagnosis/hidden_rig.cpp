@@ -1,0 +1,241 @@
+// Runge-Kutta of order four between friction events; each velocity reversal is located inside its substep and ends in
+// sticking or in sliding the other way.
+#include "hidden_rig.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hidden {
+namespace {
+
+constexpr double kTwoPi = 6.283185307179586;
+
+struct Integrator {
+  const TrueRig& rig;
+  size_t n, links;
+  std::vector<int> mode;  // per link: -1 or 1 sliding that way, 0 stuck
+  std::vector<double> hold;  // friction force of a stuck link
+  std::vector<int> memory;   // per effect: index of its first extra state, or -1
+  std::vector<double> hidden;
+  size_t states;
+  double time_offset = 0, duration = 1;
+
+  explicit Integrator(const TrueRig& r) : rig(r), n(r.mass_kg.size()), links(r.links.size()) {
+    mode.assign(links, 1);
+    for (size_t l = 0; l < links; ++l) mode[l] = friction_level(l, 0) > 0 ? 0 : 1;
+    hold.assign(links, 0);
+    hidden.assign(r.effects.size(), 0);
+    states = 2 * n;
+    for (const TrueEffect& e : r.effects) {
+      memory.push_back(-1);
+      if (e.kind == "presliding_hysteresis") memory.back() = static_cast<int>(states), states += 1;
+      if (e.kind == "unmodelled_resonance") memory.back() = static_cast<int>(states), states += 2;
+    }
+  }
+  double of(const std::vector<double>& s, int dof, size_t base) const {
+    return dof < 0 ? 0.0 : s[base + static_cast<size_t>(dof)];
+  }
+  double elongation(const std::vector<double>& s, size_t l) const {
+    return of(s, rig.links[l].a, 0) - of(s, rig.links[l].b, 0);
+  }
+  double rate(const std::vector<double>& s, size_t l) const {
+    return of(s, rig.links[l].a, n) - of(s, rig.links[l].b, n);
+  }
+  const TrueEffect* on_link(size_t l, const char* kind) const {
+    for (const TrueEffect& e : rig.effects)
+      if (e.link == static_cast<int>(l) && e.kind == kind) return &e;
+    return nullptr;
+  }
+  // sliding friction level of a link at rate w
+  double friction_level(size_t l, double w) const {
+    if (on_link(l, "presliding_hysteresis")) return 0;
+    double level = rig.links[l].F;
+    if (const TrueEffect* e = on_link(l, "missing_coulomb")) level += e->strength;
+    if (const TrueEffect* e = on_link(l, "stribeck")) level += e->strength * std::exp(-std::abs(w) / e->shape);
+    return level;
+  }
+  double effect_force(size_t i, const std::vector<double>& s, double t) const {
+    const TrueEffect& e = rig.effects[i];
+    if (e.link < 0) return 0;
+    const size_t l = static_cast<size_t>(e.link);
+    const double u = elongation(s, l), w = rate(s, l), k = rig.links[l].k;
+    const std::string& kind = e.kind;
+    const auto clip = [&] { return std::clamp(u, -e.shape, e.shape); };
+    if (kind == "cubic_stiffness") return e.strength * u * u * u;
+    if (kind == "quadratic_stiffness") return e.strength * u * u;
+    if (kind == "stiffness_error") return e.strength * u;
+    if (kind == "backlash") return -k * clip();
+    if (kind == "end_stop") return e.strength * (u - clip());
+    if (kind == "quadratic_damping") return e.strength * w * std::abs(w);
+    if (kind == "cubic_damping") return e.strength * w * w * w;
+    if (kind == "force_offset") return e.strength;
+    if (kind == "asymmetric_viscous") return e.strength * std::abs(w);
+    if (kind == "displacement_dependent_damping") return e.strength * u * u * w;
+    if (kind == "missing_viscous") return e.strength * w;
+    if (kind == "drifting_viscous") return e.strength * w * (t / duration - 0.5);
+    if (kind == "cogging") return e.strength * std::sin(kTwoPi * u / e.shape);
+    if (kind == "switched_damper") return std::fmod(t, e.shape) < 0.5 * e.shape ? e.strength * w : 0.0;
+    if (kind == "pulsating_stiffness") return e.strength * u * std::sin(kTwoPi * t / e.shape);
+    if (kind == "presliding_hysteresis") return rig.links[l].F * s[static_cast<size_t>(memory[i])];
+    return 0;  // friction kinds are part of friction_level
+  }
+  // derivative of the state; also fills hold[] for stuck links
+  void slope(const std::vector<double>& s, double t, double force, std::vector<double>& d) {
+    std::fill(d.begin(), d.end(), 0.0);
+    for (size_t i = 0; i < n; ++i) d[i] = s[n + i];
+    double* push = &d[n];
+    push[0] = force;
+    double inertia[8];
+    for (size_t i = 0; i < n; ++i) inertia[i] = rig.mass_kg[i];
+    const auto add = [&](size_t l, double f) {
+      if (rig.links[l].a >= 0) push[rig.links[l].a] -= f;
+      if (rig.links[l].b >= 0) push[rig.links[l].b] += f;
+    };
+    for (size_t l = 0; l < links; ++l) {
+      const double w = rate(s, l);
+      add(l, rig.links[l].k * elongation(s, l) + rig.links[l].c * w + mode[l] * friction_level(l, w));
+    }
+    for (size_t i = 0; i < rig.effects.size(); ++i) {
+      const TrueEffect& e = rig.effects[i];
+      if (e.link >= 0) add(static_cast<size_t>(e.link), effect_force(i, s, t));
+      if (e.kind == "presliding_hysteresis") {
+        const size_t z = static_cast<size_t>(memory[i]);
+        const double w = rate(s, static_cast<size_t>(e.link));
+        d[z] = (w - std::abs(w) * s[z]) / e.shape;
+      }
+      if (e.dof < 0) continue;
+      const size_t j = static_cast<size_t>(e.dof);
+      if (e.kind == "mass_error") inertia[j] += e.strength;
+      if (e.kind == "foreign_tone") push[j] -= e.strength * std::sin(kTwoPi * e.shape * t);
+      if (e.kind == "unmodelled_resonance") {
+        const size_t z = static_cast<size_t>(memory[i]);
+        const double omega = kTwoPi * e.shape;
+        const double f = e.strength * (omega * omega * (s[j] - s[z]) + 2 * e.shape2 * omega * (s[n + j] - s[z + 1]));
+        push[j] -= f;
+        d[z] = s[z + 1];
+        d[z + 1] = f / e.strength;
+      }
+    }
+    for (size_t i = 0; i < n; ++i) push[i] /= inertia[i];
+    hold_stuck(push, inertia);
+  }
+  // friction of stuck links keeps their rates at zero (Gauss-Seidel on few unknowns)
+  void hold_stuck(double* acceleration, const double* inertia) {
+    for (size_t l = 0; l < links; ++l) hold[l] = 0;
+    bool any = false;
+    for (size_t l = 0; l < links; ++l) any = any || mode[l] == 0;
+    for (int sweep = 0; any && sweep < 60; ++sweep) {
+      double worst = 0;
+      for (size_t l = 0; l < links; ++l) {
+        if (mode[l] != 0) continue;
+        const int a = rig.links[l].a, b = rig.links[l].b;
+        double gap = 0, compliance = 0;
+        if (a >= 0) gap += acceleration[a], compliance += 1 / inertia[a];
+        if (b >= 0) gap -= acceleration[b], compliance += 1 / inertia[b];
+        const double f = gap / compliance;
+        hold[l] += f;
+        if (a >= 0) acceleration[a] -= f / inertia[a];
+        if (b >= 0) acceleration[b] += f / inertia[b];
+        worst = std::max(worst, std::abs(gap));
+      }
+      if (worst < 1e-12) break;
+    }
+  }
+  std::vector<double> k1, k2, k3, k4, tmp;
+  void runge_kutta(const std::vector<double>& s, double t, double h, double f0, double fm, double f1,
+                   std::vector<double>& out) {
+    for (auto* k : {&k1, &k2, &k3, &k4, &tmp}) k->resize(states);
+    slope(s, t, f0, k1);
+    for (size_t i = 0; i < states; ++i) tmp[i] = s[i] + 0.5 * h * k1[i];
+    slope(tmp, t + 0.5 * h, fm, k2);
+    for (size_t i = 0; i < states; ++i) tmp[i] = s[i] + 0.5 * h * k2[i];
+    slope(tmp, t + 0.5 * h, fm, k3);
+    for (size_t i = 0; i < states; ++i) tmp[i] = s[i] + h * k3[i];
+    slope(tmp, t + h, f1, k4);
+    for (size_t i = 0; i < states; ++i) out[i] = s[i] + h / 6 * (k1[i] + 2 * k2[i] + 2 * k3[i] + k4[i]);
+  }
+  int reversed_link(const std::vector<double>& s) const {
+    for (size_t l = 0; l < links; ++l)
+      if (mode[l] != 0 && mode[l] * rate(s, l) < 0 && friction_level(l, 0) > 0) return static_cast<int>(l);
+    return -1;
+  }
+  // one substep; f(r) is the force at the fraction r of the substep, quadratic through three points
+  void substep(std::vector<double>& s, double t, double h, double f0, double fm, double f1) {
+    const auto f = [&](double r) { return f0 + r * (-3 * f0 + 4 * fm - f1) + 2 * r * r * (f0 - 2 * fm + f1); };
+    std::vector<double> next(states);
+    double from = 0;
+    for (int events = 0; events < 12 && from < 1; ++events) {
+      const double rest = 1 - from;
+      runge_kutta(s, t + from * h, rest * h, f(from), f(from + 0.5 * rest), f1, next);
+      if (events == 11 || reversed_link(next) < 0) break;
+      double low = 0, high = 1;  // fractions of the rest: no reversal, reversal
+      for (int i = 0; i < 30 && high - low > 1e-9; ++i) {
+        const double r = 0.5 * (low + high);
+        runge_kutta(s, t + from * h, r * rest * h, f(from), f(from + 0.5 * r * rest), f(from + r * rest), next);
+        (reversed_link(next) < 0 ? low : high) = r;
+      }
+      runge_kutta(s, t + from * h, high * rest * h, f(from), f(from + 0.5 * high * rest), f(from + high * rest), next);
+      const size_t l = static_cast<size_t>(reversed_link(next));
+      s = next;
+      from += high * rest;
+      mode[l] = 0;
+      slope(s, t + from * h, f(from), k1);
+      if (std::abs(hold[l]) > friction_level(l, 0)) mode[l] = hold[l] > 0 ? 1 : -1;
+    }
+    s = next;
+    slope(s, t + h, f1, k1);
+    for (size_t l = 0; l < links; ++l)
+      if (mode[l] == 0 && std::abs(hold[l]) > friction_level(l, 0)) mode[l] = hold[l] > 0 ? 1 : -1;
+  }
+  double hidden_force(size_t i, const std::vector<double>& s, double t, const std::vector<double>& d) const {
+    const TrueEffect& e = rig.effects[i];
+    if (e.link >= 0) {
+      const size_t l = static_cast<size_t>(e.link);
+      const double w = rate(s, l), way = w > 0 ? 1 : -1;
+      if (e.kind == "stribeck") return mode[l] * e.strength * std::exp(-std::abs(w) / e.shape);
+      if (e.kind == "missing_coulomb") return mode[l] * e.strength;
+      if (e.kind == "presliding_hysteresis") return effect_force(i, s, t) - rig.links[l].F * way;
+      return effect_force(i, s, t);
+    }
+    const size_t j = static_cast<size_t>(e.dof);
+    if (e.kind == "mass_error") return e.strength * d[n + j];
+    if (e.kind == "foreign_tone") return e.strength * std::sin(kTwoPi * e.shape * t);
+    if (e.kind == "unmodelled_resonance") return e.strength * d[static_cast<size_t>(memory[i]) + 1];
+    return 0;
+  }
+};
+
+}  // namespace
+
+Motion integrate(const TrueRig& rig, const std::vector<double>& force, int substeps, size_t samples, size_t skip,
+                 double sample_period_s) {
+  Integrator run(rig);
+  Motion m;
+  m.x = m.v = m.a = std::vector<std::vector<double>>(run.n);
+  m.damping_force.resize(run.links);
+  m.hidden_force.resize(rig.effects.size());
+  run.duration = static_cast<double>(samples) * sample_period_s;
+  const double h = sample_period_s / substeps;
+  std::vector<double> s(run.states, 0.0), d(run.states, 0.0);
+  for (size_t sample = 0; sample < samples + skip; ++sample) {
+    const double t0 = (static_cast<double>(sample) - static_cast<double>(skip)) * sample_period_s;
+    const size_t base = sample * static_cast<size_t>(substeps) * 2;
+    if (sample >= skip) {
+      run.slope(s, t0, force[base], d);
+      for (size_t i = 0; i < run.n; ++i) m.x[i].push_back(s[i]), m.v[i].push_back(s[run.n + i]), m.a[i].push_back(d[run.n + i]);
+      for (size_t l = 0; l < run.links; ++l) {
+        const double w = run.rate(s, l);
+        const double slide = run.mode[l] == 0 ? run.hold[l] : run.mode[l] * rig.links[l].F;
+        m.damping_force[l].push_back(rig.links[l].c * w + slide);
+      }
+      for (size_t i = 0; i < rig.effects.size(); ++i) m.hidden_force[i].push_back(run.hidden_force(i, s, t0, d));
+    }
+    for (int j = 0; j < substeps; ++j) {
+      const size_t at = base + 2 * static_cast<size_t>(j);
+      run.substep(s, t0 + j * h, h, force[at], force[at + 1], force[at + 2]);
+    }
+  }
+  return m;
+}
+
+}  // namespace hidden
