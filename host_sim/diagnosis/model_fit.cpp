@@ -67,7 +67,9 @@ Fit fit_model(const Rows& rows, std::vector<ActiveTerm>& model) {
 
 Fit settle(Rows& rows, std::vector<ActiveTerm>& model, int rounds) {
   Fit fit;
+  for (ActiveTerm& t : model) rows.prepare(t);
   for (int i = 0; i < rounds; ++i) {
+    rows.hold_stuck(model);
     rows.weight(model);
     fit = fit_model(rows, model);
   }

@@ -25,14 +25,17 @@ double band_variance(const Spectrum& z, double low, double high, double energy) 
   return median(power) / kMedianOfExponential / energy;
 }
 
-// Variance s of `difference` beyond the known part: median of |difference|^2 / (s + known) as for Gaussian noise.
+// Variance s that makes s + known most likely for these powers (Whittle), outliers held back.
 double excess_variance(const std::vector<double>& power, const std::vector<double>& known, double high) {
   double low = 0;
-  for (int i = 0; i < 60; ++i) {
+  for (int i = 0; i < 50; ++i) {
     const double mid = 0.5 * (low + high);
-    std::vector<double> ratio(power.size());
-    for (size_t j = 0; j < power.size(); ++j) ratio[j] = power[j] / (mid + known[j]);
-    (median(ratio) > kMedianOfExponential ? low : high) = mid;
+    double slope = 0;
+    for (size_t j = 0; j < power.size(); ++j) {
+      const double ratio = std::min(power[j] / (mid + known[j]), 7.0);
+      slope += (ratio - 1 + std::exp(-7.0)) / (mid + known[j]);  // a clipped exponential has mean 1 - e^-7
+    }
+    (slope > 0 ? low : high) = mid;
   }
   return 0.5 * (low + high);
 }
@@ -49,12 +52,12 @@ void estimate_noise(FusedRecord& f) {
     if (s.measured[2] && (s.measured[0] || s.measured[1])) {
       const int other = s.measured[1] ? 1 : 0;
       std::vector<double> power, known;
-      for (Eigen::Index i = static_cast<Eigen::Index>(2 / f.bin_Hz()); i <= f.last_bin; ++i) {
+      for (Eigen::Index i = static_cast<Eigen::Index>(0.5 / f.bin_Hz()); i <= f.last_bin; ++i) {
         const Complex ratio = derivative(f.omega(i), 2) / derivative(f.omega(i), other);
         power.push_back(std::norm(s.z[2][i] - ratio * s.z[static_cast<size_t>(other)][i]) / energy);
         known.push_back(std::norm(ratio) * variance[static_cast<size_t>(other)]);
       }
-      variance[2] = std::max(0.02 * variance[2], excess_variance(power, known, variance[2]));
+      variance[2] = std::max(0.02 * variance[2], excess_variance(power, known, 1.2 * variance[2]));
     }
     for (size_t q = 0; q < 3; ++q)
       if (s.measured[q]) s.noise[q] = Series::Constant(s.z[q].size(), std::max(variance[q], 1e-300));

@@ -9,10 +9,6 @@ namespace {
 
 using Matrix = Eigen::MatrixXcd;
 
-Spectrum row_spectrum(const FusedRecord& f, const Series& force) {
-  return f.fourier->forward(f.inner.cwiseProduct(force), f.last_bin + 1).tail(f.last_bin + 1 - f.first_bin);
-}
-
 // Incidence of a link (or a DOF) over the DOFs.
 Eigen::VectorXd incidence(const System& s, size_t index) {
   Eigen::VectorXd b = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(s.dofs()));
@@ -27,12 +23,18 @@ Eigen::VectorXd incidence(const System& s, size_t index) {
 
 }  // namespace
 
+Spectrum row_spectrum(const FusedRecord& f, const Series& force) {
+  return f.fourier->forward(f.inner.cwiseProduct(force), f.last_bin + 1).tail(f.last_bin + 1 - f.first_bin);
+}
+
 Rows::Rows(const System& system, const std::vector<FusedRecord>& records) : system_(system), records_(records) {
   for (const FusedRecord& f : records) {
     links_.emplace_back();
     for (size_t l = 0; l < system.links.size(); ++l) links_.back().push_back(link_motion(system, f, l));
     force_.emplace_back();
     for (const Series& force : f.force) force_.back().push_back(force.size() ? row_spectrum(f, force) : Spectrum());
+    held_.emplace_back(system.links.size());
+    doubt_.emplace_back(system.links.size(), 0.0);
     size_ += 2 * static_cast<Eigen::Index>(system.dofs()) * (f.last_bin + 1 - f.first_bin);
   }
 }
@@ -83,16 +85,21 @@ void Rows::weight(const std::vector<ActiveTerm>& model) {
     }
   }
   patterns_.clear();
-  for (const FusedRecord& f : records_) {
+  for (size_t r = 0; r < records_.size(); ++r) {
+    const FusedRecord& f = records_[r];
     const Eigen::Index bins = f.last_bin + 1 - f.first_bin;
     const size_t count = system_.links.size() + system_.dofs();
     std::vector<Matrix> sigma(static_cast<size_t>(bins));
-    Matrix d(n, n);
+    Matrix d(n, n), friction = Matrix::Zero(n, n);
+    for (size_t l = 0; l < system_.links.size(); ++l) {
+      const Eigen::VectorXd b = incidence(system_, l);
+      friction += (doubt_[r][l] * b * b.transpose()).cast<Complex>();
+    }
     for (Eigen::Index i = 0; i < bins; ++i) {
       const double omega = f.omega(i + f.first_bin);
       d = (stiffness - omega * omega * mass).cast<Complex>() + Complex(0, omega) * viscous.cast<Complex>();
       Matrix& s = sigma[static_cast<size_t>(i)];
-      s = Matrix::Zero(n, n);
+      s = friction;
       for (Eigen::Index j = 0; j < n; ++j) {
         s += f.motion[static_cast<size_t>(j)].variance[i + f.first_bin] * d.col(j) * d.col(j).adjoint();
         if (f.force_noise[static_cast<size_t>(j)].size())
@@ -149,6 +156,8 @@ Series Rows::whitened_force() const {
   for (size_t r = 0; r < records_.size(); ++r) {
     for (size_t j = 0; j < system_.dofs(); ++j)
       if (force_[r][j].size()) place(patterns_[r][system_.links.size() + j], force_[r][j], offset, out);
+    for (size_t l = 0; l < held_[r].size(); ++l)
+      if (held_[r][l].size()) place(patterns_[r][l], -held_[r][l], offset, out);
     offset += 2 * static_cast<Eigen::Index>(system_.dofs()) * (records_[r].last_bin + 1 - records_[r].first_bin);
   }
   return out;

@@ -23,12 +23,20 @@ struct ActiveTerm {
   int host = -1;        // shares the coefficient of this active term (times host_sign): acts in its place
   double host_sign = 1;
   double value = 0, std = 0;
+  std::vector<Series> force;  // per record, with coefficient one; filled by Rows::prepare()
 };
+
+// Transform of a force over time under the inner weight, rows first_bin .. last_bin.
+Spectrum row_spectrum(const FusedRecord& record, const Series& force);
 
 class Rows {
  public:
   Rows(const System& system, const std::vector<FusedRecord>& records);
   Column column(const Term& term) const;
+  // Fills in what a term that joined the model lacks.
+  void prepare(ActiveTerm& term) const;
+  // The friction near velocity reversals, from the balance of the model (stick.cpp).
+  void hold_stuck(const std::vector<ActiveTerm>& model);
   // Sets the covariance from the model's present values.
   void weight(const std::vector<ActiveTerm>& model);
   Series whitened(const Column& column) const;
@@ -47,6 +55,8 @@ class Rows {
   std::vector<std::vector<LinkMotion>> links_;
   std::vector<std::vector<Spectrum>> force_;       // [record][dof]
   std::vector<std::vector<Matrix>> patterns_;      // [record][links, then dofs]: dofs x bins, whitened incidence
+  std::vector<std::vector<Spectrum>> held_;        // [record][link]: friction beyond Coulomb's; empty where none
+  std::vector<std::vector<double>> doubt_;         // [record][link]: variance per sample of what is uncertain in it
   Eigen::Index size_ = 0;
 };
 

@@ -90,13 +90,12 @@ bool swap_terms(Rows& rows, const CandidateBank& bank, std::vector<ActiveTerm>& 
     std::vector<ActiveTerm> trial = w.model;
     trial.push_back(activate(list[0].candidate, trial, list[0].gain));
     const Fit trial_fit = settle(rows, trial, 1);
-    rows.weight(model);
     if (trial_fit.chi2 < fit.chi2 - 4) {
       changed = changed || !trial.back().column.term.same_place(model[index].column.term);
       model = trial;
       fit = settle(rows, model, 2);
     } else {
-      fit = fit_model(rows, model);
+      fit = settle(rows, model, 1);
     }
   }
   return changed;
