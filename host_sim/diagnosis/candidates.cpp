@@ -36,7 +36,9 @@ std::vector<ActiveTerm> base_model(const Rows& rows) {
   const auto add = [&](const Term& term, const rig_file::Coefficient& c, bool always) {
     if (!always && !c.estimate && c.value == 0) return;
     ActiveTerm t;
-    t.column = rows.column(term);
+    Term own = term;
+    own.smooth = c.estimate;
+    t.column = rows.column(own);
     t.known = !c.estimate;
     t.value = c.estimate ? 0 : c.value;
     model.push_back(t);
@@ -64,6 +66,29 @@ CandidateBank::CandidateBank(const Rows& rows) : rows_(rows) {
   for (size_t d = 0; d < rows.system().dofs(); ++d) add_dof(static_cast<int>(d));
 }
 
+CandidateBank::Extent CandidateBank::extent(int link) const {
+  Extent e;
+  for (size_t r = 0; r < rows_.records().size(); ++r) {
+    const LinkMotion& m = rows_.link(r, static_cast<size_t>(link));
+    e.u_peak = std::max(e.u_peak, m.u_peak), e.u_rms = std::max(e.u_rms, m.u_rms), e.w_rms = std::max(e.w_rms, m.w_rms);
+  }
+  return e;
+}
+
+CandidateBank::Range CandidateBank::range(const Term& t) const {
+  if (t.kind == Kind::kResonance) {
+    const double rate = 1 / rows_.records().front().period_s;
+    return {0.002 * rate, 0.12 * rate};
+  }
+  const Extent e = extent(t.link);
+  switch (t.kind) {
+    case Kind::kBacklash: return {5e-5 * e.u_peak, 0.8 * e.u_peak};
+    case Kind::kEndStop: return {0.1 * e.u_peak, 0.97 * e.u_peak};
+    case Kind::kStribeck: return {0.03 * e.w_rms, 1.1 * e.w_rms};
+    default: return {5e-4 * e.u_rms, 1.5 * e.u_rms};
+  }
+}
+
 void CandidateBank::add_link(int link) {
   for (Kind kind : {Kind::kMissingViscous, Kind::kMissingCoulomb}) add(on_link(kind, link));
   if (static_cast<size_t>(link) >= rows_.system().known_links) return;
@@ -71,23 +96,20 @@ void CandidateBank::add_link(int link) {
                     Kind::kCubicDamping, Kind::kForceOffset, Kind::kAsymmetricViscous, Kind::kDisplacementDamping,
                     Kind::kDriftingViscous})
     add(on_link(kind, link));
-  double peak = 0, u_rms = 0, w_rms = 0;
-  for (size_t r = 0; r < rows_.records().size(); ++r) {
-    const LinkMotion& m = rows_.link(r, static_cast<size_t>(link));
-    peak = std::max(peak, m.u_peak), u_rms = std::max(u_rms, m.u_rms), w_rms = std::max(w_rms, m.w_rms);
-  }
   const rig_file::Link& given = rows_.system().links[static_cast<size_t>(link)];
-  if (peak <= 0 || w_rms <= 0) return;
+  const Extent e = extent(link);
+  if (e.u_peak <= 0 || e.w_rms <= 0) return;
   if (given.stiffness_N_m.estimate || given.stiffness_N_m.value != 0)
-    for (double gap : log_grid(1e-4 * peak, 0.5 * peak, 14)) add(on_link(Kind::kBacklash, link, gap));
-  for (double share : {0.2, 0.32, 0.43, 0.54, 0.65, 0.75, 0.85, 0.93}) add(on_link(Kind::kEndStop, link, share * peak));
-  for (double speed : log_grid(0.04 * w_rms, 1.6 * w_rms, 7)) add(on_link(Kind::kStribeck, link, speed));
-  for (double length : log_grid(1e-3 * u_rms, 1.0 * u_rms, 9)) add(on_link(Kind::kPresliding, link, length));
+    for (double gap : log_grid(1e-4 * e.u_peak, 0.5 * e.u_peak, 14)) add(on_link(Kind::kBacklash, link, gap));
+  for (double share : {0.2, 0.32, 0.43, 0.54, 0.65, 0.75, 0.85, 0.93})
+    add(on_link(Kind::kEndStop, link, share * e.u_peak));
+  for (double speed : log_grid(0.04 * e.w_rms, 1.0 * e.w_rms, 7)) add(on_link(Kind::kStribeck, link, speed));
+  for (double length : log_grid(1e-3 * e.u_rms, 1.0 * e.u_rms, 9)) add(on_link(Kind::kPresliding, link, length));
 }
 
 void CandidateBank::add_dof(int dof) {
   add(on_dof(Kind::kMassError, dof));
-  const Column mass = columns_.back();
+  const Column mass = *columns_.back();
   const FusedRecord& first = rows_.records().front();
   // Hidden resonances: on the grid by their frequency response, which is exact but for the ends of the record.
   for (double hertz : log_grid(0.003 / first.period_s, 0.11 / first.period_s, 70)) {
@@ -103,7 +125,7 @@ void CandidateBank::add_dof(int dof) {
       }
     }
     c.mass = 0;
-    columns_.push_back(c);
+    columns_.push_back(std::make_shared<const Column>(c));
   }
   if (!rows_.has_force(static_cast<size_t>(dof))) return;
   for (Kind kind : {Kind::kForceDelay, Kind::kForceGain}) add(on_dof(kind, dof));
@@ -115,7 +137,7 @@ bool CandidateBank::has_shape(Kind kind) {
 }
 
 bool CandidateBank::prepare(const std::vector<ActiveTerm>& model, Candidate& c) const {
-  const Term& t = c.column.term;
+  const Term& t = c.term();
   for (const ActiveTerm& a : model) {
     const Term& other = a.column.term;
     if (other.same_place(t)) return false;
@@ -148,7 +170,7 @@ bool CandidateBank::prepare(const std::vector<ActiveTerm>& model, Candidate& c) 
 
 std::vector<Candidate> CandidateBank::beside(const std::vector<ActiveTerm>& model) const {
   std::vector<Candidate> list;
-  for (const Column& column : columns_) {
+  for (const auto& column : columns_) {
     Candidate c;
     c.column = column;
     if (prepare(model, c)) list.push_back(c);
@@ -158,10 +180,25 @@ std::vector<Candidate> CandidateBank::beside(const std::vector<ActiveTerm>& mode
 
 Candidate CandidateBank::reshaped(const Candidate& candidate, double shape, double shape2) const {
   Candidate c = candidate;
-  Term t = candidate.column.term;
+  Term t = candidate.term();
   t.shape = shape, t.shape2 = shape2;
-  c.column = rows_.column(t);
+  c.column = std::make_shared<const Column>(rows_.column(t));
+  c.companions.clear();
+  if (t.kind != Kind::kResonance) return c;
+  for (size_t r = 0; r < rows_.records().size(); ++r)  // the hidden mass moves already when a record starts
+    for (Kind kind : {Kind::kResonanceCos, Kind::kResonanceSin}) {
+      Term start = t;
+      start.kind = kind, start.record = static_cast<int>(r);
+      c.companions.push_back(std::make_shared<const Column>(rows_.column(start)));
+    }
   return c;
+}
+
+Candidate CandidateBank::again(const Term& term, const std::vector<ActiveTerm>& model) const {
+  Candidate c;
+  c.column = std::make_shared<const Column>(Column{term, {}, 0, 0, 0});
+  prepare(model, c);
+  return reshaped(c, term.shape, term.shape2);
 }
 
 }  // namespace diagnosis

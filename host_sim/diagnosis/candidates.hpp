@@ -18,16 +18,27 @@ class CandidateBank {
   std::vector<Candidate> beside(const std::vector<ActiveTerm>& model) const;
   // One candidate of the same kind and place with another shape.
   Candidate reshaped(const Candidate& candidate, double shape, double shape2) const;
+  // The candidate that an added term came from, beside a model without it.
+  Candidate again(const Term& term, const std::vector<ActiveTerm>& model) const;
+  // Range of the first shape parameter of a kind at a place.
+  struct Range {
+    double low, high;
+  };
+  Range range(const Term& term) const;
   static bool has_shape(Kind kind);
   static bool friction_shape(Kind kind) { return kind == Kind::kStribeck || kind == Kind::kPresliding; }
 
  private:
-  void add(const Term& term) { columns_.push_back(rows_.column(term)); }
+  void add(const Term& term) { columns_.push_back(std::make_shared<const Column>(rows_.column(term))); }
+  struct Extent {
+    double u_peak = 0, u_rms = 0, w_rms = 0;
+  };
+  Extent extent(int link) const;  // the widest over the records
   void add_link(int link);
   void add_dof(int dof);
   bool prepare(const std::vector<ActiveTerm>& model, Candidate& candidate) const;
   const Rows& rows_;
-  std::vector<Column> columns_;
+  std::vector<std::shared_ptr<const Column>> columns_;
 };
 
 }  // namespace diagnosis

@@ -64,7 +64,7 @@ DofMotion fuse_dof(const DofSpectra& s, const FusedRecord& f, double energy) {
     return f.fourier->inverse(rate);
   };
   m.x = series(linear, 0), m.v = series(linear, 1), m.a = series(linear, 2);
-  m.smooth_x = series(smooth, 0), m.smooth_v = series(smooth, 1);
+  m.smooth_x = series(smooth, 0), m.smooth_v = series(smooth, 1), m.smooth_a = series(smooth, 2);
   return m;
 }
 

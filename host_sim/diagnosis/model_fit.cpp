@@ -78,7 +78,7 @@ Fit settle(Rows& rows, std::vector<ActiveTerm>& model, int rounds) {
 
 Gain gain_of(const Rows& rows, const std::vector<ActiveTerm>& model, const Fit& fit, const Candidate& c) {
   Gain gain;
-  const Series column = rows.whitened(c.column);
+  const Series column = rows.whitened(*c.column);
   const double whole = column.squaredNorm();
   Eigen::Index count = 0;
   const std::vector<Eigen::Index> own = own_columns(model, &count);
@@ -100,6 +100,19 @@ Gain gain_of(const Rows& rows, const std::vector<ActiveTerm>& model, const Fit& 
   const double free = whole - (fit.basis.transpose() * column).squaredNorm();
   if (!(free > 1e-7 * whole) || whole <= 0) return gain;
   const double moment = column.dot(fit.residual);
+  if (!c.companions.empty()) {
+    Eigen::MatrixXd group(column.size(), static_cast<Eigen::Index>(1 + c.companions.size()));
+    group.col(0) = column;
+    for (size_t i = 0; i < c.companions.size(); ++i) group.col(static_cast<Eigen::Index>(i) + 1) = rows.whitened(*c.companions[i]);
+    group -= fit.basis * (fit.basis.transpose() * group);
+    const Eigen::MatrixXd gram = group.transpose() * group;
+    const Eigen::VectorXd moments = group.transpose() * fit.residual;
+    const Eigen::LDLT<Eigen::MatrixXd> solver(gram);
+    const Eigen::VectorXd value = solver.solve(moments);
+    gain.coefficient = value[0], gain.std = 1 / std::sqrt(free);
+    gain.chi2 = gain.coefficient * c.coefficient_sign < 0 ? 0 : value.dot(moments);
+    return gain;
+  }
   gain.coefficient = c.fixed ? c.host_sign * model[static_cast<size_t>(c.host)].value : moment / free;
   gain.std = 1 / std::sqrt(free);
   if (gain.coefficient * c.coefficient_sign < 0) return Gain{0, 0, gain.std};
@@ -107,16 +120,37 @@ Gain gain_of(const Rows& rows, const std::vector<ActiveTerm>& model, const Fit& 
   return gain;
 }
 
-ActiveTerm activate(const Candidate& c, const std::vector<ActiveTerm>& model, const Gain& gain) {
+std::vector<ActiveTerm> joined(const std::vector<ActiveTerm>& model, const Candidate& c, const Gain& gain) {
+  std::vector<ActiveTerm> out = model;
   ActiveTerm t;
-  t.column = c.column;
+  t.column = *c.column;
   t.added = true;
   t.host = c.host;
   t.host_sign = c.host_sign;
   t.known = c.fixed;
   t.value = c.fixed ? c.host_sign * model[static_cast<size_t>(c.host)].value : gain.coefficient;
   t.std = gain.std;
-  return t;
+  out.push_back(t);
+  for (const auto& column : c.companions) {
+    ActiveTerm companion;
+    companion.column = *column;
+    companion.companion = static_cast<int>(model.size());
+    out.push_back(companion);
+  }
+  return out;
+}
+
+void remove_term(std::vector<ActiveTerm>& model, size_t index) {
+  model.erase(model.begin() + static_cast<std::ptrdiff_t>(index));
+  for (size_t i = model.size(); i-- > 0;) {
+    if (model[i].host == static_cast<int>(index) || model[i].companion == static_cast<int>(index)) {
+      model[i].host = model[i].companion = -1;
+      remove_term(model, i);
+      continue;
+    }
+    if (model[i].host > static_cast<int>(index)) --model[i].host;
+    if (model[i].companion > static_cast<int>(index)) --model[i].companion;
+  }
 }
 
 }  // namespace diagnosis

@@ -23,7 +23,9 @@ Fit fit_model(const Rows& rows, std::vector<ActiveTerm>& model);
 Fit settle(Rows& rows, std::vector<ActiveTerm>& model, int rounds);
 
 struct Candidate {
-  Column column;
+  std::shared_ptr<const Column> column;
+  std::vector<std::shared_ptr<const Column>> companions;  // fitted with it, free in sign
+  const Term& term() const { return column->term; }
   double coefficient_sign = 0;  // physical sign of the coefficient; 0: either
   double penalty = 0;           // chi-squared that its shape parameters may win by chance
   double threshold = 35;
@@ -39,7 +41,8 @@ struct Gain {
 };
 Gain gain_of(const Rows& rows, const std::vector<ActiveTerm>& model, const Fit& fit, const Candidate& candidate);
 
-// The candidate as a term of the model.
-ActiveTerm activate(const Candidate& candidate, const std::vector<ActiveTerm>& model, const Gain& gain);
+// The model with the candidate, its companions last.
+std::vector<ActiveTerm> joined(const std::vector<ActiveTerm>& model, const Candidate& candidate, const Gain& gain);
+void remove_term(std::vector<ActiveTerm>& model, size_t index);  // with its companions
 
 }  // namespace diagnosis

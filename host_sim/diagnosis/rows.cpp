@@ -51,7 +51,8 @@ Column Rows::column(const Term& term) const {
   double ku = 0, uu = 1e-300, cw = 0, ww = 1e-300, ma = 0, aa = 1e-300;
   for (size_t r = 0; r < records_.size(); ++r) {
     const FusedRecord& f = records_[r];
-    const Series force = term_force(term, f, links_[r]);
+    Series force = term_force(term, f, links_[r]);
+    if (term.record >= 0 && term.record != static_cast<int>(r)) force.setZero();
     c.spectra.push_back(row_spectrum(f, force));
     const Series weighted = f.inner.cwiseAbs2().cwiseProduct(force);
     if (term.link >= 0) {

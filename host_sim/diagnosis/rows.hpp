@@ -20,6 +20,7 @@ struct ActiveTerm {
   Column column;
   bool known = false;   // value is given, not fitted
   bool added = false;   // not in the rig file
+  int companion = -1;   // belongs to this active term and leaves with it
   int host = -1;        // shares the coefficient of this active term (times host_sign): acts in its place
   double host_sign = 1;
   double value = 0, std = 0;

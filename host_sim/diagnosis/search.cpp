@@ -6,11 +6,6 @@
 namespace diagnosis {
 namespace {
 
-double score_of(const Gain& gain, const Fit& fit, const Candidate& c) {
-  const double left = std::max(1.0, (fit.chi2 - gain.chi2) / fit.dof);
-  return (gain.chi2 - c.penalty) / left;
-}
-
 struct Scorer {
   const Rows& rows;
   const CandidateBank& bank;
@@ -19,20 +14,29 @@ struct Scorer {
 
   Found of(const Candidate& c) const {
     Found found{c, gain_of(rows, model, fit, c), 0};
-    found.score = score_of(found.gain, fit, c);
+    found.score = (found.gain.chi2 - c.penalty) / std::max(1.0, (fit.chi2 - found.gain.chi2) / fit.dof);
     return found;
   }
-  // Golden section on the logarithm of one shape parameter within a factor of its grid value.
+  // Golden section on the logarithm of one shape parameter within a factor of its present value.
   Found along(const Found& start, bool second, double factor, int steps) const {
-    const Term& t = start.candidate.column.term;
+    const Term t = start.candidate.term();
     const double centre = std::log(second ? t.shape2 : t.shape), golden = 0.6180339887498949;
     double low = centre - std::log(factor), high = centre + std::log(factor);
+    if (!second) {
+      const CandidateBank::Range range = bank.range(t);
+      low = std::max(low, std::log(range.low)), high = std::min(high, std::log(range.high));
+      if (low >= high) return start;
+    } else {
+      low = std::max(low, std::log(1e-4)), high = std::min(high, std::log(0.5));
+    }
     const auto at = [&](double p) {
       return of(bank.reshaped(start.candidate, second ? t.shape : std::exp(p), second ? std::exp(p) : t.shape2));
     };
     double a = high - golden * (high - low), b = low + golden * (high - low);
     Found fa = at(a), fb = at(b), best = start;
     for (int i = 0; i < steps; ++i) {
+      for (const Found& f : {fa, fb})
+        if (f.gain.chi2 > best.gain.chi2) best = f;
       if (fa.gain.chi2 > fb.gain.chi2) {
         high = b, b = a, fb = fa;
         a = high - golden * (high - low), fa = at(a);
@@ -40,37 +44,34 @@ struct Scorer {
         low = a, a = b, fa = fb;
         b = low + golden * (high - low), fb = at(b);
       }
-      for (const Found& f : {fa, fb})
-        if (f.gain.chi2 > best.gain.chi2) best = f;
     }
     return best;
   }
   Found refined(const Found& found) const {
-    const Kind kind = found.candidate.column.term.kind;
+    const Kind kind = found.candidate.term().kind;
     if (!CandidateBank::has_shape(kind)) return found;
-    if (kind != Kind::kResonance) return along(found, false, kind == Kind::kEndStop ? 1.3 : 2.0, 9);
-    const Term& t = found.candidate.column.term;
+    if (kind != Kind::kResonance) return along(found, false, kind == Kind::kEndStop ? 1.3 : 2.2, 8);
+    const Term& t = found.candidate.term();
     Found best = of(bank.reshaped(found.candidate, t.shape, t.shape2));  // from frequency response to time
-    best = along(best, false, 1.05, 8);
-    best = along(best, true, 8, 6);
-    best = along(best, false, 1.015, 6);
-    return along(best, true, 2, 4);
+    best = along(best, false, 1.05, 7);
+    best = along(best, true, 8, 5);
+    return along(best, false, 1.01, 5);
+  }
+  // a closer look around a shape that is nearly right
+  Found polished(const Found& found) const {
+    const Kind kind = found.candidate.term().kind;
+    if (kind != Kind::kResonance) return along(found, false, kind == Kind::kEndStop ? 1.06 : 1.5, 8);
+    return along(along(found, false, 1.01, 6), true, 1.6, 5);
   }
 };
 
 bool better(const Found& a, const Found& b) { return a.score > b.score; }
 
-// The model without one added term, fitted with the weights as they are.
-struct Without {
+struct State {  // a model, fitted
   std::vector<ActiveTerm> model;
   Fit fit;
+  double penalty = 0;  // of its added terms' shapes
 };
-Without without(const Rows& rows, const std::vector<ActiveTerm>& model, size_t index) {
-  Without w{model, {}};
-  remove_term(w.model, index);
-  w.fit = fit_model(rows, w.model);
-  return w;
-}
 
 std::vector<size_t> added_terms(const std::vector<ActiveTerm>& model) {
   std::vector<size_t> list;
@@ -79,40 +80,151 @@ std::vector<size_t> added_terms(const std::vector<ActiveTerm>& model) {
   return list;
 }
 
-// One round of exchanging each added term for the best in its place. True if anything changed.
-bool swap_terms(Rows& rows, const CandidateBank& bank, std::vector<ActiveTerm>& model, Fit& fit) {
-  bool changed = false;
-  for (size_t k = 0; k < added_terms(model).size(); ++k) {
-    const size_t index = added_terms(model)[k];
-    const Without w = without(rows, model, index);
-    const std::vector<Found> list = ranked(rows, bank, w.model, w.fit, 4);
-    if (list.empty()) continue;
-    std::vector<ActiveTerm> trial = w.model;
-    trial.push_back(activate(list[0].candidate, trial, list[0].gain));
-    const Fit trial_fit = settle(rows, trial, 1);
-    if (trial_fit.chi2 < fit.chi2 - 4) {
-      changed = changed || !trial.back().column.term.same_place(model[index].column.term);
-      model = trial;
-      fit = settle(rows, model, 2);
-    } else {
-      fit = settle(rows, model, 1);
+// A model whose values a rig can have: no correction as large as what it corrects.
+bool plausible(const std::vector<ActiveTerm>& model) {
+  for (const ActiveTerm& t : model) {
+    if (!t.added) continue;
+    const Term& term = t.column.term;
+    if (term.kind == Kind::kForceGain && std::abs(t.value) > 0.5) return false;
+    if (term.kind == Kind::kPresliding && t.value <= 0) return false;
+    for (const ActiveTerm& base : model) {
+      const bool stiffness = term.kind == Kind::kStiffnessError && base.column.term.kind == Kind::kStiffness &&
+                             base.column.term.link == term.link;
+      const bool mass = term.kind == Kind::kMassError && base.column.term.kind == Kind::kMass &&
+                        base.column.term.dof == term.dof;
+      if ((stiffness || mass) && t.value < -0.8 * base.value) return false;
     }
   }
-  return changed;
+  return true;
+}
+
+class Search {
+ public:
+  Search(Rows& rows, const CandidateBank& bank) : rows_(rows), bank_(bank) {}
+
+  State settled(std::vector<ActiveTerm> model, int rounds) {
+    State s{std::move(model), {}, 0};
+    s.fit = settle(rows_, s.model, rounds);
+    return s;
+  }
+  // The state without one added term, under the weights of the state itself.
+  State without(const State& state, size_t index) {
+    State w{state.model, {}, 0};
+    remove_term(w.model, index);
+    w.fit = fit_model(rows_, w.model);
+    return w;
+  }
+  // Shapes of the added terms, each with the others in place.
+  void polish(State& state) {
+    for (size_t k = 0; k < added_terms(state.model).size(); ++k) {
+      const size_t index = added_terms(state.model)[k];
+      const Term term = state.model[index].column.term;
+      if (!CandidateBank::has_shape(term.kind)) continue;
+      const State w = without(state, index);
+      const Scorer scorer{rows_, bank_, w.model, w.fit};
+      const Found best = scorer.polished(scorer.of(bank_.again(term, w.model)));
+      State trial = settled(joined(w.model, best.candidate, best.gain), 1);
+      if (trial.fit.chi2 < state.fit.chi2) state = trial;
+      else state.fit = settle(rows_, state.model, 1);
+    }
+  }
+  // The best of the leading candidates once each is fitted and shaped in full.
+  bool extend(State& state, double least_gain, size_t beam) {
+    const std::vector<Found> list = ranked(rows_, bank_, state.model, state.fit, 5);
+    State best;
+    bool found = false;
+    double cost = 0;
+    for (size_t i = 0; i < list.size() && i < beam; ++i) {
+      const Found& f = list[i];
+      if (f.score < f.candidate.threshold || f.gain.chi2 < least_gain || f.score < 0.4 * list[0].score) continue;
+      State trial = settled(joined(state.model, f.candidate, f.gain), 2);
+      if (!plausible(trial.model)) continue;
+      if (list.size() > 1 && list[1].score > 0.4 * list[0].score) polish(trial);
+      const double trial_cost = trial.fit.chi2 + f.candidate.penalty * std::max(1.0, trial.fit.ratio());
+      if (!found || trial_cost < cost) best = trial, cost = trial_cost, found = true;
+    }
+    if (found) {
+      state = best;
+      polish(state);
+    }
+    state.fit = settle(rows_, state.model, 1);
+    return found;
+  }
+  // One round of exchanging each added term for the best in its place. True if a term changed.
+  bool swap(State& state) {
+    bool changed = false;
+    for (size_t k = 0; k < added_terms(state.model).size(); ++k) {
+      const size_t index = added_terms(state.model)[k];
+      const Term mine = state.model[index].column.term;
+      State trial = without(state, index);
+      const std::vector<Found> list = ranked(rows_, bank_, trial.model, trial.fit, 3);
+      if (list.empty() || list[0].candidate.term().same_place(mine)) continue;
+      trial = settled(joined(trial.model, list[0].candidate, list[0].gain), 2);
+      polish(trial);
+      if (plausible(trial.model) && trial.fit.chi2 < state.fit.chi2 - 4) {
+        state = trial;
+        changed = true;
+      }
+      state.fit = settle(rows_, state.model, 1);
+    }
+    return changed;
+  }
+  SearchResult run();
+
+ private:
+  bool review(State& state, SearchResult& result);
+  Rows& rows_;
+  const CandidateBank& bank_;
+};
+
+// Lists each added term with its gain and its rivals. False where one was not worth its place and has been removed.
+bool Search::review(State& state, SearchResult& result) {
+  result.added.clear(), result.rivals.clear();
+  for (size_t index : added_terms(state.model)) {
+    const Term mine = state.model[index].column.term;
+    const State w = without(state, index);
+    std::vector<Found> list = ranked(rows_, bank_, w.model, w.fit, 5);
+    Found self = Scorer{rows_, bank_, w.model, w.fit}.of(bank_.again(mine, w.model));
+    const double noise = std::max(1.0, state.fit.ratio());
+    self.gain.chi2 = w.fit.chi2 - state.fit.chi2;
+    self.score = (self.gain.chi2 - self.candidate.penalty) / noise;
+    if (self.score < self.candidate.threshold) {
+      remove_term(state.model, index);
+      state.fit = settle(rows_, state.model, 2);
+      return false;
+    }
+    self.gain.coefficient = state.model[index].value, self.gain.std = state.model[index].std;
+    std::vector<Found> rivals;
+    for (const Found& f : list)
+      if (!f.candidate.term().same_place(mine) && (f.gain.chi2 - f.candidate.penalty) / noise > self.score - 12)
+        rivals.push_back(f);
+    result.added.push_back(self);
+    result.rivals.push_back(rivals);
+  }
+  return true;
+}
+
+SearchResult Search::run() {
+  SearchResult result;
+  State state = settled(base_model(rows_), 3);
+  result.base = state.model;
+  result.base_fit = state.fit;
+  const double start = state.fit.chi2;
+  double first_gain = 0;
+  while (added_terms(state.model).size() < kMostTerms) {
+    if (!extend(state, 0.002 * first_gain, 4)) break;
+    first_gain = std::max(first_gain, start - state.fit.chi2);
+    for (int i = 0; added_terms(state.model).size() > 1 && i < 3 && swap(state); ++i) {
+    }
+  }
+  while (!review(state, result)) {
+  }
+  result.model = state.model;
+  result.fit = state.fit;
+  return result;
 }
 
 }  // namespace
-
-void remove_term(std::vector<ActiveTerm>& model, size_t index) {
-  model.erase(model.begin() + static_cast<std::ptrdiff_t>(index));
-  for (size_t i = model.size(); i-- > 0;) {
-    if (model[i].host == static_cast<int>(index)) {
-      remove_term(model, i);
-      continue;
-    }
-    if (model[i].host > static_cast<int>(index)) --model[i].host;
-  }
-}
 
 std::vector<Found> ranked(const Rows& rows, const CandidateBank& bank, const std::vector<ActiveTerm>& model,
                           const Fit& fit, size_t refined) {
@@ -120,7 +232,7 @@ std::vector<Found> ranked(const Rows& rows, const CandidateBank& bank, const std
   std::vector<Found> best;
   for (const Candidate& c : bank.beside(model)) {
     Found found = scorer.of(c);
-    if (!best.empty() && best.back().candidate.column.term.same_place(c.column.term)) {
+    if (!best.empty() && best.back().candidate.term().same_place(c.term())) {
       if (found.score > best.back().score) best.back() = found;
     } else {
       best.push_back(found);
@@ -128,7 +240,7 @@ std::vector<Found> ranked(const Rows& rows, const CandidateBank& bank, const std
   }
   std::sort(best.begin(), best.end(), better);
   for (size_t i = 0, done = 0; i < best.size() && done < refined; ++i) {
-    if (!CandidateBank::has_shape(best[i].candidate.column.term.kind) || best[i].score < 0.3 * best[0].score) continue;
+    if (!CandidateBank::has_shape(best[i].candidate.term().kind) || best[i].score < 0.3 * best[0].score) continue;
     best[i] = scorer.refined(best[i]);
     ++done;
   }
@@ -136,53 +248,6 @@ std::vector<Found> ranked(const Rows& rows, const CandidateBank& bank, const std
   return best;
 }
 
-SearchResult search(Rows& rows, const CandidateBank& bank) {
-  SearchResult result;
-  result.base = base_model(rows);
-  result.base_fit = settle(rows, result.base, 3);
-  std::vector<ActiveTerm> model = result.base;
-  Fit fit = result.base_fit;
-  double first_gain = 0;
-  while (added_terms(model).size() < kMostTerms) {
-    const std::vector<Found> list = ranked(rows, bank, model, fit, 5);
-    if (list.empty() || list[0].score < list[0].candidate.threshold) break;
-    if (list[0].gain.chi2 < 0.002 * first_gain) break;
-    first_gain = std::max(first_gain, list[0].gain.chi2);
-    model.push_back(activate(list[0].candidate, model, list[0].gain));
-    fit = settle(rows, model, 2);
-    for (int i = 0; i < 3 && swap_terms(rows, bank, model, fit); ++i) {
-    }
-  }
-  // prune, then list what could stand in for each term
-  for (size_t k = 0; k < added_terms(model).size();) {
-    const size_t index = added_terms(model)[k];
-    const Without w = without(rows, model, index);
-    std::vector<Found> list = ranked(rows, bank, w.model, w.fit, 6);
-    const Term mine = model[index].column.term;
-    const auto own = std::find_if(list.begin(), list.end(),
-                                  [&](const Found& f) { return f.candidate.column.term.same_place(mine); });
-    const double gain = w.fit.chi2 - fit.chi2;
-    if (own == list.end() || (gain - own->candidate.penalty) / std::max(1.0, fit.ratio()) < own->candidate.threshold) {
-      remove_term(model, index);
-      fit = settle(rows, model, 2);
-      k = 0, result.added.clear(), result.rivals.clear();
-      continue;
-    }
-    Found self = *own;
-    self.gain.chi2 = gain;
-    self.score = std::max(self.score, (gain - self.candidate.penalty) / std::max(1.0, fit.ratio()));
-    self.gain.coefficient = model[index].value, self.gain.std = model[index].std;
-    list.erase(own);
-    std::vector<Found> rivals;
-    for (const Found& f : list)
-      if (f.score > self.score - 12) rivals.push_back(f);
-    result.added.push_back(self);
-    result.rivals.push_back(rivals);
-    ++k;
-  }
-  result.model = model;
-  result.fit = fit;
-  return result;
-}
+SearchResult search(Rows& rows, const CandidateBank& bank) { return Search(rows, bank).run(); }
 
 }  // namespace diagnosis

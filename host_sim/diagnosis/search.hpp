@@ -27,6 +27,5 @@ constexpr size_t kMostTerms = 3;
 std::vector<Found> ranked(const Rows& rows, const CandidateBank& bank, const std::vector<ActiveTerm>& model,
                           const Fit& fit, size_t refined);
 SearchResult search(Rows& rows, const CandidateBank& bank);
-void remove_term(std::vector<ActiveTerm>& model, size_t index);
 
 }  // namespace diagnosis

@@ -9,6 +9,8 @@
 namespace diagnosis {
 namespace {
 
+constexpr double kTrust = 9;  // stuck friction leans one way: a shrunken estimate of it would look like a spring
+
 // Force minus every term, per DOF and sample, averaged over five samples (the rows end at a tenth of the sampling rate).
 Eigen::MatrixXd imbalance(const System& s, const FusedRecord& f, const std::vector<ActiveTerm>& model, size_t record) {
   const Eigen::Index n = static_cast<Eigen::Index>(f.samples);
@@ -52,7 +54,10 @@ std::vector<double> friction_levels(const System& s, const std::vector<ActiveTer
 }  // namespace
 
 void Rows::prepare(ActiveTerm& t) const {
-  for (size_t r = t.force.size(); r < records_.size(); ++r) t.force.push_back(term_force(t.column.term, records_[r], links_[r]));
+  for (size_t r = t.force.size(); r < records_.size(); ++r) {
+    t.force.push_back(term_force(t.column.term, records_[r], links_[r]));
+    if (t.column.term.record >= 0 && t.column.term.record != static_cast<int>(r)) t.force.back().setZero();
+  }
 }
 
 void Rows::hold_stuck(const std::vector<ActiveTerm>& model) {
@@ -77,7 +82,7 @@ void Rows::hold_stuck(const std::vector<ActiveTerm>& model) {
       for (Eigen::Index i = 0; i < held.size(); ++i) {
         if (f.inner[i] <= 0 || std::abs(m.smooth_w[i]) > 4 * spread) continue;
         const double sign = std::erf(m.smooth_w[i] / (1.4142135623730951 * spread));
-        const double prior = level[l] * level[l] * (1 - sign * sign), keep = prior / (prior + noise);
+        const double prior = level[l] * level[l] * (1 - sign * sign), keep = kTrust * prior / (kTrust * prior + noise);
         const double balance = noise * ((a >= 0 ? trust_a * e(i, a) : 0) - (b >= 0 ? trust_b * e(i, b) : 0));
         held[i] = keep * balance;
         doubt += f.inner[i] * f.inner[i] * ((1 - keep) * (1 - keep) * prior + 2 * keep * keep * noise);

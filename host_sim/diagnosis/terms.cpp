@@ -34,6 +34,8 @@ constexpr Word kWords[] = {{Kind::kMass, "mass"},
                            {Kind::kDriftingViscous, "drifting_viscous"},
                            {Kind::kMassError, "mass_error"},
                            {Kind::kResonance, "unmodelled_resonance"},
+                           {Kind::kResonanceCos, "unmodelled_resonance"},
+                           {Kind::kResonanceSin, "unmodelled_resonance"},
                            {Kind::kForceDelay, "sensor_delay"},
                            {Kind::kForceGain, "sensor_gain"},
                            {Kind::kForceHumCos50, "mains_hum"},
@@ -78,6 +80,11 @@ Series time_axis(const FusedRecord& f) {
   return Series::LinSpaced(static_cast<Eigen::Index>(f.samples), 0, static_cast<double>(f.samples - 1) * f.period_s);
 }
 
+Series free_decay(const Term& t, const FusedRecord& f, double phase) {
+  const double omega = kTwoPi * t.shape;
+  return ((-t.shape2 * omega * time_axis(f).array()).exp() * (omega * time_axis(f).array() - phase).cos()).matrix();
+}
+
 }  // namespace
 
 const char* word_of(Kind kind) {
@@ -88,7 +95,7 @@ const char* word_of(Kind kind) {
 
 bool kind_of_word(const std::string& word, Kind* kind) {
   for (const Word& w : kWords)
-    if (word == w.text && w.kind >= Kind::kCubicStiffness) return *kind = w.kind, true;
+    if (word == w.text && w.kind >= Kind::kCubicStiffness && w.kind <= Kind::kResonance) return *kind = w.kind, true;
   return false;
 }
 
@@ -150,7 +157,10 @@ Series term_force(const Term& t, const FusedRecord& f, const std::vector<LinkMot
       return (kTwoPi * hertz * time_axis(f).array() + phase).cos().matrix();
     };
     switch (t.kind) {
-      case Kind::kMass: case Kind::kMassError: return d.a;
+      case Kind::kMass: return t.smooth ? d.smooth_a : d.a;
+      case Kind::kMassError: return d.smooth_a;
+      case Kind::kResonanceCos: return free_decay(t, f, 0);
+      case Kind::kResonanceSin: return free_decay(t, f, kTwoPi / 4);
       case Kind::kResonance: return hidden_mass(d.smooth_x, d.smooth_v, t.shape, t.shape2, f.period_s);
       case Kind::kForceGain: return *force;
       case Kind::kForceDelay: {
@@ -169,8 +179,10 @@ Series term_force(const Term& t, const FusedRecord& f, const std::vector<LinkMot
   const LinkMotion& l = links[static_cast<size_t>(t.link)];
   const auto u = l.smooth_u.array(), w = l.smooth_w.array();
   switch (t.kind) {
-    case Kind::kStiffness: case Kind::kStiffnessError: return l.u;
-    case Kind::kViscous: case Kind::kMissingViscous: return l.w;
+    case Kind::kStiffness: return t.smooth ? l.smooth_u : l.u;
+    case Kind::kStiffnessError: return l.smooth_u;
+    case Kind::kViscous: return t.smooth ? l.smooth_w : l.w;
+    case Kind::kMissingViscous: return l.smooth_w;
     case Kind::kCoulomb: case Kind::kMissingCoulomb: return soft_sign(l.smooth_w, l.w_error);
     case Kind::kGravity: return u.sin().matrix();
     case Kind::kCubicStiffness: return u.cube().matrix();
@@ -187,7 +199,7 @@ Series term_force(const Term& t, const FusedRecord& f, const std::vector<LinkMot
     case Kind::kDisplacementDamping: return (u.square() * w).matrix();
     case Kind::kDriftingViscous: {
       const Series t_s = time_axis(f);
-      return ((t_s.array() / t_s[t_s.size() - 1] - 0.5) * l.w.array()).matrix();
+      return ((t_s.array() / t_s[t_s.size() - 1] - 0.5) * w).matrix();
     }
     case Kind::kUnknownPitch: return (kTwoPi * u / t.shape + t.shape2).sin().matrix();
     case Kind::kUnknownTime: return ((kTwoPi * time_axis(f).array() / t.shape + t.shape2).sin() * l.w.array()).matrix();

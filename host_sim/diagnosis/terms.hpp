@@ -15,7 +15,7 @@ enum class Kind {
   kStribeck, kPresliding, kForceOffset, kAsymmetricViscous, kDisplacementDamping, kMissingViscous, kMissingCoulomb,
   kDriftingViscous,
   // effects on a DOF
-  kMassError, kResonance,
+  kMassError, kResonance, kResonanceCos, kResonanceSin,
   // faults of a channel, seen in the equation of motion
   kForceDelay, kForceGain, kForceHumCos50, kForceHumSin50, kForceHumCos60, kForceHumSin60,
   // outside the vocabulary: their presence makes a residual unknown
@@ -31,10 +31,14 @@ struct Term {
   int dof = -1;       // index from 0, or -1
   double shape = 0;   // gap m, Stribeck velocity m/s, presliding length m, resonance Hz
   double shape2 = 0;  // resonance: damping ratio
+  bool smooth = false;  // base terms: from the smoothed motion (where the coefficient is fitted)
+  int record = -1;      // only in this record (what is left of a resonance's start), or -1
   bool operator==(const Term& o) const {
-    return kind == o.kind && link == o.link && dof == o.dof && shape == o.shape && shape2 == o.shape2;
+    return same_place(o) && shape == o.shape && shape2 == o.shape2;
   }
-  bool same_place(const Term& o) const { return kind == o.kind && link == o.link && dof == o.dof; }
+  bool same_place(const Term& o) const {
+    return kind == o.kind && link == o.link && dof == o.dof && record == o.record;
+  }
 };
 
 // The rig file's links first, then those it might lack (every pair of DOFs, every DOF to the ground).

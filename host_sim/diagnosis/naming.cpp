@@ -1,0 +1,137 @@
+#include "naming.hpp"
+
+#include <algorithm>
+
+namespace diagnosis {
+namespace {
+
+struct Unit {
+  Kind kind;
+  const char* sliding;
+  const char* turning;
+};
+constexpr Unit kUnits[] = {{Kind::kMass, "kg", "kg m^2"},
+                           {Kind::kStiffness, "N/m", "N m/rad"},
+                           {Kind::kViscous, "N s/m", "N m s/rad"},
+                           {Kind::kCoulomb, "N", "N m"},
+                           {Kind::kGravity, "N m", "N m"},
+                           {Kind::kCubicStiffness, "N/m^3", "N m/rad^3"},
+                           {Kind::kQuadraticStiffness, "N/m^2", "N m/rad^2"},
+                           {Kind::kStiffnessError, "N/m", "N m/rad"},
+                           {Kind::kBacklash, "N/m", "N m/rad"},
+                           {Kind::kEndStop, "N/m", "N m/rad"},
+                           {Kind::kQuadraticDamping, "N s^2/m^2", "N m s^2/rad^2"},
+                           {Kind::kCubicDamping, "N s^3/m^3", "N m s^3/rad^3"},
+                           {Kind::kStribeck, "N", "N m"},
+                           {Kind::kPresliding, "N", "N m"},
+                           {Kind::kForceOffset, "N", "N m"},
+                           {Kind::kAsymmetricViscous, "N s/m", "N m s/rad"},
+                           {Kind::kDisplacementDamping, "N s/m^3", "N m s/rad^3"},
+                           {Kind::kMissingViscous, "N s/m", "N m s/rad"},
+                           {Kind::kMissingCoulomb, "N", "N m"},
+                           {Kind::kDriftingViscous, "N s/m", "N m s/rad"},
+                           {Kind::kMassError, "kg", "kg m^2"},
+                           {Kind::kResonance, "kg", "kg m^2"},
+                           {Kind::kForceDelay, "s", "s"},
+                           {Kind::kForceGain, "1", "1"}};
+
+rig_file::Effect as_effect(const Term& t, double value, bool rotating) {
+  rig_file::Effect e;
+  e.kind = word_of(t.kind);
+  e.coefficient.estimate = true;
+  e.coefficient.value = value;
+  const std::string angle = rotating ? "_rad" : "_m";
+  if (t.kind == Kind::kBacklash || t.kind == Kind::kEndStop) e.shape["gap" + angle] = t.shape;
+  if (t.kind == Kind::kStribeck) e.shape["stribeck_velocity" + angle + "_s"] = t.shape;
+  if (t.kind == Kind::kPresliding) e.shape["presliding_length" + angle] = t.shape;
+  return e;
+}
+
+}  // namespace
+
+std::string place_of(const System& s, const Term& t, const FusedRecord& f) {
+  (void)f;
+  if (t.link >= 0) return "link " + rig_file::link_label(s.links[static_cast<size_t>(t.link)]);
+  const std::string number = std::to_string(t.dof + 1);
+  if (t.kind >= Kind::kForceDelay && t.kind <= Kind::kForceHumSin60)
+    return "channel " + (rotates(s, t) ? "torque_" + number + "_N_m" : "force_" + number + "_N");
+  return "dof " + number;
+}
+
+bool rotates(const System& s, const Term& t) {
+  const int dof = t.link >= 0 ? std::max(s.links[static_cast<size_t>(t.link)].a, s.links[static_cast<size_t>(t.link)].b) - 1 : t.dof;
+  return dof >= 0 && s.rig.dofs[static_cast<size_t>(dof)].rotating;
+}
+
+std::string unit_of(Kind kind, bool rotating) {
+  for (const Unit& u : kUnits)
+    if (u.kind == kind) return rotating ? u.turning : u.sliding;
+  return "1";
+}
+
+std::string shape_name(Kind kind) {
+  switch (kind) {
+    case Kind::kBacklash: return "backlash_gap";
+    case Kind::kEndStop: return "end_stop_gap";
+    case Kind::kStribeck: return "stribeck_velocity";
+    case Kind::kPresliding: return "presliding_length";
+    case Kind::kResonance: return "resonance_frequency";
+    default: return "";
+  }
+}
+
+std::string shape_unit(Kind kind, bool rotating) {
+  if (kind == Kind::kResonance) return "Hz";
+  return std::string(rotating ? "rad" : "m") + (kind == Kind::kStribeck ? "/s" : "");
+}
+
+std::string parameter_name(const System& s, const Term& t) {
+  if (t.link >= 0)
+    return std::string(word_of(t.kind)) + "[" + rig_file::link_label(s.links[static_cast<size_t>(t.link)]) + "]";
+  return std::string(word_of(t.kind)) + "[" + std::to_string(t.dof + 1) + "]";
+}
+
+std::vector<Parameter> parameters_of_term(const System& s, const ActiveTerm& a) {
+  const Term& t = a.column.term;
+  const bool turning = rotates(s, t);
+  const std::string name = parameter_name(s, t);
+  std::vector<Parameter> list{{name, a.value, unit_of(t.kind, turning), a.known ? 0 : a.std, !a.known}};
+  const std::string place = name.substr(name.find('['));
+  if (!shape_name(t.kind).empty()) list.push_back({shape_name(t.kind) + place, t.shape, shape_unit(t.kind, turning), 0, true});
+  if (t.kind == Kind::kResonance) list.push_back({"resonance_damping_ratio" + place, t.shape2, "1", 0, true});
+  return list;
+}
+
+std::vector<Parameter> parameters_of(const System& s, const std::vector<ActiveTerm>& model) {
+  std::vector<Parameter> list;
+  for (const ActiveTerm& a : model)
+    if (a.companion < 0 && (a.added || !a.known))
+      for (const Parameter& p : parameters_of_term(s, a)) list.push_back(p);
+  return list;
+}
+
+rig_file::RigModel extended_rig(const System& s, const std::vector<ActiveTerm>& model) {
+  rig_file::RigModel rig = s.rig;
+  std::vector<rig_file::Link> extra(s.links.begin() + static_cast<std::ptrdiff_t>(s.known_links), s.links.end());
+  for (const ActiveTerm& a : model) {
+    const Term& t = a.column.term;
+    if (!a.added) continue;
+    if (t.dof >= 0) {
+      if (t.kind == Kind::kMassError) rig.dofs[static_cast<size_t>(t.dof)].mass_kg.value += a.value;
+      if (t.kind == Kind::kResonance) rig.dofs[static_cast<size_t>(t.dof)].mass_kg.value += 0;  // has no place in a rig file
+      continue;
+    }
+    const size_t l = static_cast<size_t>(t.link);
+    rig_file::Link& link = l < s.known_links ? rig.links[l] : extra[l - s.known_links];
+    if (t.kind == Kind::kMissingViscous) link.viscous_N_s_m = {a.value, true};
+    else if (t.kind == Kind::kMissingCoulomb) link.coulomb_N = {a.value, true};
+    else if (t.kind == Kind::kStiffnessError) link.stiffness_N_m.value += a.value;
+    else link.effects.push_back(as_effect(t, a.value, rotates(s, t)));
+    if (t.kind == Kind::kPresliding) link.coulomb_N = {};  // acts in its place
+  }
+  for (const rig_file::Link& link : extra)
+    if (link.viscous_N_s_m.estimate || link.coulomb_N.estimate) rig.links.push_back(link);
+  return rig;
+}
+
+}  // namespace diagnosis
