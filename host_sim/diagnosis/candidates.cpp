@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hal/configuration/effect_words.hpp"
+
 namespace diagnosis {
 namespace {
 
@@ -54,7 +56,7 @@ std::vector<ActiveTerm> base_model(const Rows& rows) {
     for (const rig_file::Effect& e : link.effects) {
       Term term = on_link(Kind::kStiffness, i);
       if (!kind_of_word(e.kind, &term.kind)) continue;
-      if (!e.shape.empty()) term.shape = e.shape.begin()->second;
+      term.shape = rig_file::first_shape(e, rig_file::link_rotates(s.rig, link));
       add(term, e.coefficient, true);
     }
   }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "hal/configuration/effect_words.hpp"
+
 namespace diagnosis {
 namespace {
 
@@ -29,7 +31,7 @@ constexpr Unit kUnits[] = {{Kind::kMass, "kg", "kg m^2"},
                            {Kind::kDisplacementDamping, "N s/m^3", "N m s/rad^3"},
                            {Kind::kMissingViscous, "N s/m", "N m s/rad"},
                            {Kind::kMissingCoulomb, "N", "N m"},
-                           {Kind::kDriftingViscous, "N s/m", "N m s/rad"},
+                           {Kind::kDriftingViscous, "N/m", "N m/rad"},
                            {Kind::kMassError, "kg", "kg m^2"},
                            {Kind::kResonance, "kg", "kg m^2"},
                            {Kind::kForceDelay, "s", "s"},
@@ -38,12 +40,16 @@ constexpr Unit kUnits[] = {{Kind::kMass, "kg", "kg m^2"},
 rig_file::Effect as_effect(const Term& t, double value, bool rotating) {
   rig_file::Effect e;
   e.kind = word_of(t.kind);
-  e.coefficient.estimate = true;
-  e.coefficient.value = value;
-  const std::string angle = rotating ? "_rad" : "_m";
-  if (t.kind == Kind::kBacklash || t.kind == Kind::kEndStop) e.shape["gap" + angle] = t.shape;
-  if (t.kind == Kind::kStribeck) e.shape["stribeck_velocity" + angle + "_s"] = t.shape;
-  if (t.kind == Kind::kPresliding) e.shape["presliding_length" + angle] = t.shape;
+  // a rig file's backlash takes its coefficient away inside the gap: as large as the stiffness, and known with it
+  const bool linear = t.kind != Kind::kBacklash && t.kind != Kind::kResonance;
+  e.coefficient = {t.kind == Kind::kBacklash ? -value : value, linear};
+  const rig_file::EffectWord* word = rig_file::find_effect_word(e.kind);
+  if (word == nullptr) return e;
+  const double shapes[] = {t.shape, t.shape2};
+  for (int i = 0; i < 2; ++i) {
+    const std::string key = rig_file::shape_key(*word, i, rotating);
+    if (!key.empty()) e.shape[key] = shapes[i];
+  }
   return e;
 }
 
@@ -59,8 +65,8 @@ std::string place_of(const System& s, const Term& t, const FusedRecord& f) {
 }
 
 bool rotates(const System& s, const Term& t) {
-  const int dof = t.link >= 0 ? std::max(s.links[static_cast<size_t>(t.link)].a, s.links[static_cast<size_t>(t.link)].b) - 1 : t.dof;
-  return dof >= 0 && s.rig.dofs[static_cast<size_t>(dof)].rotating;
+  if (t.link >= 0) return rig_file::link_rotates(s.rig, s.links[static_cast<size_t>(t.link)]);
+  return s.rig.dofs[static_cast<size_t>(t.dof)].rotating;
 }
 
 std::string unit_of(Kind kind, bool rotating) {
@@ -117,8 +123,9 @@ rig_file::RigModel extended_rig(const System& s, const std::vector<ActiveTerm>& 
     const Term& t = a.column.term;
     if (!a.added) continue;
     if (t.dof >= 0) {
-      if (t.kind == Kind::kMassError) rig.dofs[static_cast<size_t>(t.dof)].mass_kg.value += a.value;
-      if (t.kind == Kind::kResonance) rig.dofs[static_cast<size_t>(t.dof)].mass_kg.value += 0;  // has no place in a rig file
+      rig_file::Dof& dof = rig.dofs[static_cast<size_t>(t.dof)];
+      if (t.kind == Kind::kMassError) dof.mass_kg.value += a.value;
+      if (t.kind == Kind::kResonance) dof.effects.push_back(as_effect(t, a.value, dof.rotating));
       continue;
     }
     const size_t l = static_cast<size_t>(t.link);

@@ -197,10 +197,7 @@ Series term_force(const Term& t, const FusedRecord& f, const std::vector<LinkMot
     case Kind::kForceOffset: return Series::Ones(u.size());
     case Kind::kAsymmetricViscous: return w.abs().matrix();
     case Kind::kDisplacementDamping: return (u.square() * w).matrix();
-    case Kind::kDriftingViscous: {
-      const Series t_s = time_axis(f);
-      return ((t_s.array() / t_s[t_s.size() - 1] - 0.5) * w).matrix();
-    }
+    case Kind::kDriftingViscous: return (time_axis(f).array() * w).matrix();
     case Kind::kUnknownPitch: return (kTwoPi * u / t.shape + t.shape2).sin().matrix();
     case Kind::kUnknownTime: return ((kTwoPi * time_axis(f).array() / t.shape + t.shape2).sin() * l.w.array()).matrix();
     default: return Series::Zero(u.size());
