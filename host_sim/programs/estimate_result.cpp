@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <map>
+
+#include "host_sim/programs/advice.hpp"
 
 namespace host_sim {
 namespace {
@@ -16,20 +19,30 @@ double finite(firmware::Scaled value) {
   return std::isfinite(result) ? std::clamp(result, -kLargest, kLargest) : std::copysign(kLargest, result);
 }
 
-const char* remedy(EstimateStatus status) {
+// Why a parameter has no answer; empty where it has one.
+const char* reason(EstimateStatus status) {
   switch (status) {
     case EstimateStatus::kStale:
-      return "no window closed: record longer, several cycles of the lowest frequency at least";
+      return "no window closed; record several cycles of the lowest frequency at least";
     case EstimateStatus::kIllConditioned:
-      return "these data cannot separate it from the others: add a record at a second level and a second frequency "
-             "(or a random band) that moves its link differently";
+      return "these data cannot separate it from the others; a record at another level and another frequency, or of a "
+             "random band, can";
     case EstimateStatus::kNoExcitation:
-      return "its link or DOF does not move: raise the level, or drive a DOF that moves it";
+      return "what it acts on does not move; raise the level, or drive a DOF that moves it";
     case EstimateStatus::kSaturated:
-      return "a sensor reached its full scale: lower the level or widen the sensor's range, then record again";
+      return "a sensor or a sum reached its full scale; lower the level or widen the range, then record again";
     default:
       return "";
   }
+}
+
+std::string skew_note(const SkewResult& skew) {
+  char text[160];
+  std::snprintf(
+      text, sizeof text,
+      "%s is %.0f us late against the velocity (+- %.0f): a [[channel]] with delay_us in the rig file takes it away",
+      skew.channel.c_str(), skew.late_us, 2.0 * skew.std_us);
+  return text;
 }
 
 }  // namespace
@@ -71,6 +84,11 @@ EstimateResult result_of(const rig_file::RigModel& model, const firmware::Estima
   result.residual_mean_abs = finite(estimates.residual_mean_abs);
   result.condition_number = finite(estimates.condition_number);
   result.rows = estimates.rows;
+  result.skews = skews_of(model, estimates);
+  result.advice = advice_text(model, estimates);
+  result.unresolved = unresolved_text(model, estimates);
+  for (const SkewResult& skew : result.skews)
+    if (skew.significant) result.notes.push_back(skew_note(skew));
   return result;
 }
 
@@ -83,13 +101,17 @@ std::vector<double> values_of(const EstimateResult& result) {
 std::string unanswered(const EstimateResult& result) {
   std::map<EstimateStatus, std::string> names;
   for (const ParameterResult& parameter : result.parameters) {
-    if (*remedy(parameter.status) == '\0') continue;
+    if (*reason(parameter.status) == '\0') continue;
     std::string& list = names[parameter.status];
     list += (list.empty() ? "" : ", ") + parameter.info.name;
   }
   std::string text;
   for (const auto& [status, list] : names)
-    text += (text.empty() ? "" : "\n  ") + list + " is " + status_word(status) + ": " + remedy(status);
+    text += (text.empty() ? "" : "\n  ") + list + ": " + status_word(status) + ", " + reason(status);
+  if (text.empty()) return text;
+  const bool entangled = names.count(EstimateStatus::kIllConditioned) > 0 && !result.unresolved.empty();
+  if (entangled) text += "\n  hardly seen is the change " + result.unresolved;
+  if (!result.advice.empty()) text += "\n  measure instead: " + result.advice;
   return text;
 }
 

@@ -18,6 +18,13 @@ struct ParameterResult {
   std::optional<double> paper;  // the paper's own estimate
 };
 
+// How late a channel is against the velocity of its DOF, measured without any model.
+struct SkewResult {
+  std::string channel;
+  double late_us = 0.0, std_us = 0.0;
+  bool significant = false;
+};
+
 struct EstimateResult {
   std::vector<ParameterResult> parameters;
   double residual_mean_abs = 0.0;
@@ -31,6 +38,9 @@ struct EstimateResult {
   double sample_rate_Hz = 0.0;
   unsigned levels = 0, rows = 0;
   firmware::CoreHealth health;
+  std::vector<SkewResult> skews;
+  std::string advice;              // what to measure next; empty: nothing
+  std::string unresolved;          // the combination of parameters that these data show least
   std::vector<std::string> notes;  // for the reader of table and JSON
 };
 

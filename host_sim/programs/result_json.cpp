@@ -36,6 +36,12 @@ ordered_json to_json(const EstimateResult& result) {
   json["equations"] = result.rows;
   json["missed_samples"] = result.health.missed_samples;
   json["saturated_samples"] = result.health.saturated_samples;
+  json["skew_us"] = ordered_json::array();
+  for (const SkewResult& skew : result.skews)
+    json["skew_us"].push_back(
+        {{"channel", skew.channel}, {"late", skew.late_us}, {"std", skew.std_us}, {"significant", skew.significant}});
+  json["unresolved"] = result.unresolved;
+  json["advice"] = result.advice.empty() ? ordered_json::array() : ordered_json::array({result.advice});
   json["notes"] = result.notes;
   return json;
 }
