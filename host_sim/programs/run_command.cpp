@@ -23,6 +23,7 @@ struct RunArguments {
   std::string scenario = "paper_3dof_random";
   std::string can, log, json, report;
   uint64_t seed = 1;
+  bool print = false;
 };
 
 // Frames to their sink, progress to the terminal.
@@ -75,7 +76,15 @@ void print_summary(std::FILE* stream, const Scenario& scenario, const RunArgumen
                format_table(result, is_terminal(stream)).c_str());
 }
 
+void print_shipped(const std::string& name) {
+  const std::string text = shipped_scenario_text(name);
+  if (text.empty())
+    throw UsageError(name + " is not shipped, expected one of the names that host_sim run --help lists");
+  std::fputs(text.c_str(), stdout);
+}
+
 void run(const RunArguments& arguments) {
+  if (arguments.print) return print_shipped(arguments.scenario);
   if (!arguments.can.empty() && !arguments.log.empty())
     throw UsageError("--can and --log stand together, expected one of them");
   const Scenario scenario = load_scenario(arguments.scenario);
@@ -121,6 +130,8 @@ void add_run_command(CLI::App& app, Action& chosen) {
   for (const std::string& name : shipped_scenario_names()) names += "\n  " + name;
   command->add_option("--scenario", arguments->scenario, "shipped scenario or scenario file (TOML)")
       ->capture_default_str();
+  command->add_flag("--print", arguments->print,
+                    "print the shipped scenario as a file to start your own from, and stop");
   command->add_option("--can", arguments->can, "send the frames on this CAN interface, in real time");
   command->add_option("--log", arguments->log,
                       "write the frames as a candump log to this file (- is stdout); default: SCENARIO.log");
