@@ -1,12 +1,17 @@
 #include "firmware/identification/identification.hpp"
 
+#include "firmware/identification/advice.hpp"
+#include "firmware/identification/bias_check.hpp"
 #include "firmware/identification/excitation_check.hpp"
+#include "firmware/identification/skew.hpp"
 #include "firmware/identification/uncertainty.hpp"
 
 namespace firmware {
 namespace {
 
-WeightedFit fit;  // the stage's working memory
+// The stage's working memory.
+WeightedFit fit;
+BiasCheck bias;
 
 bool any_saturated(const BatchTable& table) {
   for (int l = 0; l < table.level_count; ++l)
@@ -20,14 +25,30 @@ bool any_batch(const BatchTable& table) {
   return false;
 }
 
-// Saturation outweighs all, then a link at rest, then parameters that cannot be told apart.
+bool inseparable(const Estimates& estimates, int unknown) {
+  const Scaled inflation = fit.identifiability().inflation[unknown];
+  return estimates.rows <= estimates.unknown_count || inflation.is_zero() ||
+         inflation > Scaled::from_int(kLargestInflation);
+}
+
+// Where some parameters cannot be told apart, an uncertain one beside them is not believed either.
+bool inseparable_company(const Estimates& estimates, int unknown) {
+  const ParameterEstimate& parameter = estimates.parameters[unknown];
+  if (parameter.std * Scaled::from_int(10) < abs(parameter.value)) return false;
+  for (int k = 0; k < estimates.unknown_count; ++k)
+    if (inseparable(estimates, k)) return true;
+  return false;
+}
+
+// The gravest that applies.
 EstimateStatus judge(const EquationList& list, const BatchTable& table, const CoreConfiguration& configuration,
                      int unknown, const Estimates& estimates) {
   if (any_saturated(table)) return EstimateStatus::kSaturated;
   if (!is_excited(list, table, configuration, unknown)) return EstimateStatus::kNoExcitation;
-  const Scaled inflation = fit.identifiability().inflation[unknown];
-  if (estimates.rows <= list.unknown_count || inflation.is_zero() || inflation > Scaled::from_int(kLargestInflation))
+  if (inseparable(estimates, unknown) || inseparable_company(estimates, unknown))
     return EstimateStatus::kIllConditioned;
+  if (skew_matters(list, table, configuration, unknown, estimates)) return EstimateStatus::kSkewed;
+  if (bias_suspect(bias, unknown, estimates.parameters[unknown])) return EstimateStatus::kBiasSuspect;
   return EstimateStatus::kValid;
 }
 
@@ -44,12 +65,16 @@ void identify(const CoreConfiguration& configuration, const BatchTable& table, E
   fit.solve(list, table);
   estimate_uncertainty(list, table, fit, estimates);
   estimates.condition_number = fit.identifiability().condition_number;
+  measure_skew(list, table, estimates);
+  compare_with_plain(list, table, fit, bias);
   for (int k = 0; k < list.unknown_count; ++k) {
     ParameterEstimate& parameter = estimates.parameters[k];
     parameter.variance_inflation = fit.identifiability().inflation[k];
+    parameter.plain_value = parameter.value + bias.difference[k];
     parameter.status = judge(list, table, configuration, k, estimates);
     estimates.unresolved[k] = fit.identifiability().unresolved[k];
   }
+  give_advice(list, table, configuration, estimates);
 }
 
 }  // namespace firmware

@@ -37,6 +37,8 @@ class LevelObservables {
   }                                                // of the level's own two end points, left out of deviation
   Scaled total(int c) const { return total_[c]; }  // periodic levels: sum over the batches, ends included
 
+  Scaled inverse_scale(int batch, int dof) const { return inverse_scale_[batch][dof]; }  // 1 in periodic levels
+
   // Row of one batch (divided by sqrt(V)), or of the whole periodic level.
   void row(int e, int batch, Row& row) const;
   void level_row(int e, Row& row) const;

@@ -1,0 +1,22 @@
+// The paper's plain product against the instrument: noise in the regressors shifts the first, not the second (white
+// noise). The difference is one step of the fit with plain rows in place of the instrumented ones, same weights; its
+// own scatter comes from the batches.
+#pragma once
+#include "firmware/identification/estimate.hpp"
+#include "firmware/identification/weighted_fit.hpp"
+
+namespace firmware {
+
+struct BiasCheck {
+  Scaled difference[kMaxUnknowns];  // plain minus instrumented estimate
+  Scaled deviation[kMaxUnknowns];   // its standard deviation
+};
+
+// All zero where the table holds no instrument: there is nothing to compare.
+void compare_with_plain(const EquationList& list, const BatchTable& table, WeightedFit& fit, BiasCheck& result);
+
+// A shift over three deviations, over the half width of the interval and over 5 % of the value: so much noise in this
+// parameter that its value rests on the instrument's assumption, noise independent from sample to sample.
+bool bias_suspect(const BiasCheck& check, int unknown, const ParameterEstimate& parameter);
+
+}  // namespace firmware

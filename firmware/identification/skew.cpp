@@ -1,0 +1,133 @@
+#include "firmware/identification/skew.hpp"
+
+namespace firmware {
+namespace {
+
+struct Regression {
+  Scaled weight, weighted;  // sums over levels of 1 / variance and of tau / variance
+  bool exact = false;       // a level without scatter
+};
+
+struct Sample {
+  Scaled discrepancy, ends, energy;
+};
+
+Sample read(const BatchDof& dof, int weight, bool acceleration) {
+  if (acceleration)
+    return {unpack(dof.kinetic_discrepancy[weight]), unpack(dof.kinetic_end), unpack(dof.acceleration_square)};
+  return {-unpack(dof.elastic_discrepancy[weight]), -unpack(dof.elastic_end), unpack(dof.velocity_square)};
+}
+
+// Sum of squares of discrepancy - tau * energy over the batches, with or without the end points, about its mean.
+Scaled scatter(const Level& level, int dof, int weight, bool acceleration, Scaled tau, bool ends) {
+  Scaled sum, squares;
+  for (int b = 0; b < level.batch_count; ++b) {
+    const Sample sample = read(level.batch[b].dof[dof], weight, acceleration);
+    const Scaled rest = sample.discrepancy + (ends ? sample.ends : Scaled{}) - tau * sample.energy;
+    sum = sum + rest;
+    squares = squares + rest * rest;
+  }
+  return squares - sum * sum / Scaled::from_int(level.batch_count);
+}
+
+void add_level(const Level& level, int dof, int weight, bool acceleration, Regression& regression) {
+  Scaled discrepancy, energy;
+  for (int b = 0; b < level.batch_count; ++b) {
+    const Sample sample = read(level.batch[b].dof[dof], weight, acceleration);
+    discrepancy = discrepancy + sample.discrepancy;
+    energy = energy + sample.energy;
+  }
+  if (level.batch_count < 3 || discrepancy.is_zero() || energy <= Scaled{}) return;
+  const Scaled tau = discrepancy / energy;
+  const int n = level.batch_count;
+  Scaled squares = scatter(level, dof, weight, acceleration, tau, false);
+  if (level.periodic) {  // in the sum the ends of neighbouring batches cancel, all but two
+    const Scaled without = scatter(level, dof, weight, acceleration, tau, true);
+    if (without < squares) squares = without + (squares - without) / Scaled::from_int(n);
+  }
+  const Scaled variance = squares * Scaled::ratio(n, n - 1) / (energy * energy);
+  const Scaled rounding = scale_by_power_of_two(tau * tau, -40);
+  const Scaled weight_of_level = Scaled::from_int(1) / (variance > rounding ? variance : rounding);
+  regression.weight = regression.weight + weight_of_level;
+  regression.weighted = regression.weighted + weight_of_level * tau;
+}
+
+// A friction force that changes sign inside a sample interval, at the same place of every cycle, imitates a late
+// acceleration by up to some hundredths of the sample period.
+Scaled least_skew_s(const BatchTable& table, bool acceleration) {
+  return table.sample_period_s / Scaled::from_int(acceleration ? 16 : 200);
+}
+
+SkewEstimate measure(const BatchTable& table, int dof, int weight, bool acceleration) {
+  Regression regression;
+  for (int l = 0; l < table.level_count; ++l) add_level(table.level[l], dof, weight, acceleration, regression);
+  SkewEstimate result;
+  if (regression.weight.is_zero()) return result;
+  result.measured = true;
+  result.late_s = regression.weighted / regression.weight;
+  result.std_s = Scaled::from_int(1) / sqrt(regression.weight);
+  result.significant =
+      abs(result.late_s) > Scaled::from_int(4) * result.std_s && abs(result.late_s) > least_skew_s(table, acceleration);
+  return result;
+}
+
+Scaled coefficient(const Term& term, const Estimates& estimates) {
+  return term.unknown < 0 ? term.value : estimates.parameters[term.unknown].value;
+}
+
+// Viscous coefficient that the DOF's significant skews imitate.
+Scaled imitated_damping(const CoreConfiguration& configuration, const BatchTable& table, int dof,
+                        const Estimates& estimates) {
+  Scaled stiffness, mass, motion, acceleration;
+  for (int t = 0; t < configuration.term_count; ++t) {
+    const Term& term = configuration.terms[t];
+    if (term.kind == TermKind::kMass && term.place == dof) mass = coefficient(term, estimates);
+    if (term.kind != TermKind::kStiffness) continue;
+    const LinkConfiguration& link = configuration.links[term.place];
+    if (link.node_a == dof || link.node_b == dof) stiffness = stiffness + coefficient(term, estimates);
+  }
+  for (int l = 0; l < table.level_count; ++l)
+    for (int b = 0; b < table.level[l].batch_count; ++b) {
+      motion = motion + unpack(table.level[l].batch[b].dof[dof].velocity_square);
+      acceleration = acceleration + unpack(table.level[l].batch[b].dof[dof].acceleration_square);
+    }
+  Scaled damping;
+  const SkewEstimate& x = estimates.displacement_skew[dof];
+  const SkewEstimate& a = estimates.acceleration_skew[dof];
+  if (x.significant) damping = damping + abs(stiffness * x.late_s);
+  if (a.significant && !motion.is_zero()) damping = damping + abs(mass * a.late_s) * acceleration / motion;
+  return damping;
+}
+
+}  // namespace
+
+void measure_skew(const EquationList& list, const BatchTable& table, Estimates& estimates) {
+  for (int i = 0; i < list.dof_count; ++i) {
+    const int weight = static_cast<int>(list.equation[i].weight);
+    estimates.displacement_skew[i] = measure(table, i, weight, false);
+    estimates.acceleration_skew[i] = measure(table, i, weight, true);
+  }
+}
+
+bool skew_matters(const EquationList& list, const BatchTable& table, const CoreConfiguration& configuration,
+                  int unknown, const Estimates& estimates) {
+  const ParameterEstimate& parameter = estimates.parameters[unknown];
+  for (int i = 0; i < list.dof_count; ++i) {
+    Scaled energy, motion;  // of the unknown's unit force and of the DOF
+    for (int l = 0; l < table.level_count; ++l)
+      for (int b = 0; b < table.level[l].batch_count; ++b) {
+        const Batch& batch = table.level[l].batch[b];
+        motion = motion + unpack(batch.dof[i].velocity_square);
+        for (int n = table.layout.first[i]; n < table.layout.first[i + 1]; ++n)
+          if (table.layout.unknown[n] == unknown)
+            energy = energy + unpack(batch.column[static_cast<int>(list.equation[i].weight)][n]);
+      }
+    if (energy.is_zero()) continue;
+    const Scaled shift = imitated_damping(configuration, table, i, estimates) * motion / abs(energy);
+    if (shift > scale_by_power_of_two(parameter.std, 1) && shift > abs(parameter.value) / Scaled::from_int(50))
+      return true;
+  }
+  return false;
+}
+
+}  // namespace firmware
