@@ -10,7 +10,12 @@
 
 namespace firmware {
 
+// Inflation above which a parameter is ILL_CONDITIONED.
 constexpr int kLargestInflation = 100;
+// Short rows differ from each other by noise alone, which hides the dependence: there the inflation stops at about one
+// over the relative noise of a row. So a parameter is also ILL_CONDITIONED where inflation times that noise is over 1 /
+// 2: then the bias from noise in the columns can be as large as the parameter.
+constexpr int kLargestNoiseShare = 2;
 
 struct Identifiability {
   Scaled inflation[kMaxUnknowns];   // 1 or more; 0 where the column is zero or fully dependent

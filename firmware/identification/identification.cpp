@@ -27,8 +27,9 @@ bool any_batch(const BatchTable& table) {
 
 bool inseparable(const Estimates& estimates, int unknown) {
   const Scaled inflation = fit.identifiability().inflation[unknown];
-  return estimates.rows <= estimates.unknown_count || inflation.is_zero() ||
-         inflation > Scaled::from_int(kLargestInflation);
+  return estimates.rows < estimates.unknown_count || inflation.is_zero() ||
+         inflation > Scaled::from_int(kLargestInflation) ||
+         inflation * fit.relative_noise() * Scaled::from_int(kLargestNoiseShare) > Scaled::from_int(1);
 }
 
 // Where some parameters cannot be told apart, an uncertain one beside them is not believed either.

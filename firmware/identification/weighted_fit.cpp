@@ -62,14 +62,16 @@ void WeightedFit::fill_unmeasured() {
 }
 
 void WeightedFit::measure_weights() {
-  Scaled sum[kMaxEquations];
-  int count[kMaxEquations] = {};
+  Scaled sum[kMaxEquations], noise;
+  int count[kMaxEquations] = {}, noise_count = 0;
   for (int l = 0; l < table_->level_count; ++l) {
     LevelObservables& level = load_level(l);
     level.set_residuals(parameters_);
     for (int e = 0; e < list_->count; ++e) {
       Whitening& whitening = whitening_[l][e] = measure_whitening(*list_, level, e, parameters_);
       if (!whitening.measured) continue;
+      noise = noise + whitening.relative_noise_square;
+      ++noise_count;
       const int dof = list_->equation[e].dof;
       const Scaled mean = level.motion_mean(dof);
       const Scaled motion = level.periodic() ? level.motion_total(dof) * mean : mean;
@@ -78,6 +80,7 @@ void WeightedFit::measure_weights() {
       ++count[e];
     }
   }
+  relative_noise_ = noise_count ? sqrt(noise / Scaled::from_int(noise_count)) : Scaled{};
   for (int e = 0; e < list_->count; ++e)
     if (count[e] > 0) relative_deviation_[e] = sqrt(sum[e] / Scaled::from_int(count[e]));
 }

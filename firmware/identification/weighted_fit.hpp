@@ -17,6 +17,8 @@ class WeightedFit {
   // Of the last pass.
   const Whitening& whitening(int level, int e) const { return whitening_[level][e]; }
   LevelObservables& load_level(int level);
+  // Root mean square over all equations of the noise of a row relative to its energy.
+  Scaled relative_noise() const { return relative_noise_; }
   bool all_measured() const { return all_measured_; }
 
  private:
@@ -31,6 +33,7 @@ class WeightedFit {
   Scaled
       relative_deviation_[kMaxEquations];  // deviation of a row per (integral of v^2), for levels without own scatter
   Whitening whitening_[kMaxLevels][kMaxEquations];
+  Scaled relative_noise_;
   bool all_measured_ = false;
   TriangularFactor factor_;
   Identifiability identifiability_;

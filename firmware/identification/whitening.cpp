@@ -69,7 +69,7 @@ Scaled regress(Scaled (*sums)[kSize], int predecessors, Scaled* coefficient) {
   return sums[predecessors][predecessors];
 }
 
-// The largest energy of the equation: noise far below it is rounding, not scatter.
+// Sum of squares of all energies of the equation's rows.
 Scaled energy_scale(const EquationList& list, const LevelObservables& level, int e, const Scaled* parameters) {
   Scaled sum;
   for (int b = 0; b < level.batch_count(); ++b) {
@@ -98,10 +98,14 @@ Whitening measure_whitening(const EquationList& list, const LevelObservables& le
   observable[result.count] = static_cast<uint8_t>(LevelObservables::equation(e));
   Scaled sums[kSize][kSize];
   gram(level, observable, result.count + 1, sums);
+  const Scaled unreduced = sums[result.count][result.count];
+  const Scaled energy = energy_scale(list, level, e, parameters);
+  // The energies of repeated batches add up, their noise only in squares.
+  if (!energy.is_zero())
+    result.relative_noise_square = unreduced / energy / Scaled::from_int(level.periodic() ? rows : 1);
   Scaled left = regress(sums, result.count, result.coefficient);
-  const Scaled rounding =
-      scale_by_power_of_two(energy_scale(list, level, e, parameters), -70);  // (2^-35 of the energy)^2
-  if (left < rounding) left = rounding;
+  const Scaled rounding = scale_by_power_of_two(energy, -70);  // (2^-35 of the energy)^2
+  if (left < rounding) left = rounding;                        // noise below that is rounding, not scatter
   if (left.is_zero()) return result;
   for (int j = 0; j < result.count; ++j) result.observable[j] = observable[j];
   const int freedom = rows - result.count - (level.periodic() ? 1 : 0);

@@ -18,9 +18,10 @@ struct Whitening {
   uint8_t count = 0;
   uint8_t observable[kMaxPredecessors] = {};
   Scaled coefficient[kMaxPredecessors];
-  Scaled deviation;     // standard deviation of the reduced row; 0: the row is not used
-  int16_t freedom = 0;  // degrees of freedom of deviation
-  Scaled inflation;     // variance factor for regression coefficients that are themselves estimated
+  Scaled deviation;              // standard deviation of the reduced row; 0: the row is not used
+  int16_t freedom = 0;           // degrees of freedom of deviation
+  Scaled inflation;              // variance factor for regression coefficients that are themselves estimated
+  Scaled relative_noise_square;  // (deviation of one unreduced row / its energy)^2
 };
 
 Whitening measure_whitening(const EquationList& list, const LevelObservables& level, int e, const Scaled* parameters);

@@ -1,0 +1,236 @@
+#include "tests/identification/double_reference.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "hal/configuration/scaled_double.hpp"
+
+namespace reference {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+double real(firmware::PackedScaled packed) { return rig_file::to_double(firmware::unpack(packed)); }
+
+// One level: for each batch (rows of the matrices) and DOF (columns).
+struct Data {
+  bool periodic;
+  MatrixXd rhs, kinetic, elastic, kinetic_end, elastic_end, motion, clean;
+  std::vector<MatrixXd> columns;  // per DOF: batches x unknowns
+};
+
+Data read(const firmware::BatchTable& table, int l) {
+  const firmware::Level& level = table.level[l];
+  const int dofs = table.layout.dof_count, n = level.batch_count, q = 1;
+  Data data;
+  data.periodic = level.periodic;
+  for (MatrixXd* m :
+       {&data.rhs, &data.kinetic, &data.elastic, &data.kinetic_end, &data.elastic_end, &data.motion, &data.clean})
+    m->resize(n, dofs);
+  for (int i = 0; i < dofs; ++i) {
+    data.columns.push_back(MatrixXd::Zero(n, table.layout.unknown_count));
+    for (int b = 0; b < n; ++b) {
+      const firmware::BatchDof& dof = level.batch[b].dof[i];
+      data.rhs(b, i) = real(dof.rhs[q]);
+      data.kinetic(b, i) = real(dof.kinetic_discrepancy[q]);
+      data.elastic(b, i) = real(dof.elastic_discrepancy[q]);
+      data.kinetic_end(b, i) = real(dof.kinetic_end);
+      data.elastic_end(b, i) = real(dof.elastic_end);
+      data.motion(b, i) = real(dof.velocity_square);
+      data.clean(b, i) = real(dof.velocity_instrument);
+      for (int s = table.layout.first[i]; s < table.layout.first[i + 1]; ++s)
+        data.columns[i](b, table.layout.unknown[s]) = real(level.batch[b].column[q][s]);
+    }
+  }
+  return data;
+}
+
+VectorXd centred(const VectorXd& v) { return v.array() - v.mean(); }
+
+// A discrepancy ready for use: its scatter, the value that a row subtracts, and whether it is noise alone.
+struct Control {
+  VectorXd scatter;
+  double total = 0.0, end_variance = 0.0;
+  bool valid = false;
+};
+
+Control control(const VectorXd& values, const VectorXd& ends, const VectorXd& scale, bool periodic) {
+  Control c;
+  c.total = values.sum();
+  c.scatter = values.cwiseProduct(scale);
+  if (periodic) {
+    c.scatter = centred(values);
+    const VectorXd without = centred(values + ends);
+    if (c.total != 0.0 && without.squaredNorm() < c.scatter.squaredNorm()) {
+      c.end_variance = (c.scatter.squaredNorm() - without.squaredNorm()) / static_cast<double>(values.size() - 1);
+      c.scatter = without;
+    }
+  }
+  const double sum = periodic ? c.total : c.scatter.sum();
+  const double squares = c.scatter.squaredNorm() + c.end_variance;
+  c.valid = squares > 0.0 && sum * sum < 16.0 * squares;
+  return c;
+}
+
+struct Whitened {
+  MatrixXd columns;
+  VectorXd rhs;
+  double inflation, freedom;
+};
+
+class Reference {
+ public:
+  Reference(const firmware::CoreConfiguration& configuration, const firmware::BatchTable& table)
+      : dofs_(table.layout.dof_count), unknowns_(table.layout.unknown_count) {
+    joined_ = Eigen::MatrixXi::Identity(dofs_, dofs_);
+    for (int l = 0; l < configuration.link_count; ++l) {
+      const int a = configuration.links[l].node_a, b = configuration.links[l].node_b;
+      if (a < dofs_ && b < dofs_) joined_(a, b) = joined_(b, a) = 1;
+    }
+    for (int l = 0; l < table.level_count; ++l) levels_.push_back(read(table, l));
+  }
+
+  Result solve() {
+    start();
+    for (int pass = 0; pass < 2; ++pass) reweight();
+    return result_;
+  }
+
+ private:
+  VectorXd scale(const Data& data, int i) const {
+    VectorXd s = VectorXd::Ones(data.rhs.rows());
+    if (data.periodic) return s;
+    const double mean = data.motion.col(i).mean();
+    for (Eigen::Index b = 0; b < s.size(); ++b) {
+      const double v = data.motion(b, i), z = data.clean(b, i);
+      s(b) = v > mean / 17179869184.0 && 2.0 * (v - z) < z ? 1.0 / std::sqrt(v) : 0.0;
+    }
+    return s;
+  }
+
+  void start() {
+    std::vector<Whitened> rows;
+    for (const Data& data : levels_)
+      for (int i = 0; i < dofs_; ++i) {
+        const double mean = data.motion.col(i).mean();
+        const VectorXd s = scale(data, i);
+        if (data.periodic) {
+          const double weight = 1.0 / std::sqrt(data.motion.col(i).sum() * mean);
+          rows.push_back(
+              {data.columns[i].colwise().sum() * weight, VectorXd::Constant(1, data.rhs.col(i).sum() * weight), 1, 1});
+        } else {
+          rows.push_back({s.asDiagonal() * data.columns[i] / std::sqrt(mean),
+                          s.cwiseProduct(data.rhs.col(i)) / std::sqrt(mean), 1, 1});
+        }
+      }
+    fit(rows);
+  }
+
+  void reweight() {
+    std::vector<Whitened> rows;
+    for (const Data& data : levels_) whiten(data, rows);
+    fit(rows);
+  }
+
+  void whiten(const Data& data, std::vector<Whitened>& rows) const {
+    std::vector<Control> controls;
+    std::vector<VectorXd> scales, residuals;
+    for (int i = 0; i < dofs_; ++i) {
+      scales.push_back(scale(data, i));
+      controls.push_back(control(data.kinetic.col(i), data.kinetic_end.col(i), scales[i], data.periodic));
+      controls.push_back(control(data.elastic.col(i), data.elastic_end.col(i), scales[i], data.periodic));
+      const VectorXd r = (data.rhs.col(i) - data.columns[i] * result_.value).cwiseProduct(scales[i]);
+      residuals.push_back(data.periodic ? centred(r) : r);
+    }
+    for (int i = 0; i < dofs_; ++i) whiten_row(data, i, controls, scales, residuals, rows);
+  }
+
+  void whiten_row(const Data& data, int i, const std::vector<Control>& controls, const std::vector<VectorXd>& scales,
+                  const std::vector<VectorXd>& residuals, std::vector<Whitened>& rows) const {
+    const auto used = static_cast<double>((scales[i].array() != 0.0).count());
+    const auto limit = static_cast<size_t>(std::min((used - 1.0) / 5.0, 12.0));
+    std::vector<int> chosen;  // controls 2 i + which; rows 1000 + j
+    const auto add_controls = [&](int j) {
+      for (int c : {2 * j, 2 * j + 1})
+        if (controls[c].valid) chosen.push_back(c);
+    };
+    add_controls(i);
+    for (int j = 0; j < i; ++j)
+      if (joined_(i, j)) chosen.push_back(1000 + j);
+    for (int j = 0; j < dofs_; ++j)
+      if (j != i && joined_(i, j)) add_controls(j);
+    if (chosen.size() > limit) chosen.resize(limit);
+    // Regression with the controls' end variance as one extra observation each.
+    const auto k = static_cast<Eigen::Index>(chosen.size()), n = data.rhs.rows();
+    MatrixXd x = MatrixXd::Zero(n + k, k);
+    VectorXd y = VectorXd::Zero(n + k);
+    y.head(n) = residuals[i];
+    for (Eigen::Index c = 0; c < k; ++c) {
+      const int index = chosen[static_cast<size_t>(c)];
+      x.col(c).head(n) = index >= 1000 ? residuals[index - 1000] : controls[index].scatter;
+      if (index < 1000) x(n + c, c) = std::sqrt(controls[index].end_variance);
+    }
+    const VectorXd b = k > 0 ? VectorXd(x.colPivHouseholderQr().solve(y)) : VectorXd(0);
+    const double left = (y - x * b).squaredNorm();
+    const double freedom = used - static_cast<double>(k) - (data.periodic ? 1.0 : 0.0);
+    const double deviation = std::sqrt((data.periodic ? used : 1.0) * left / freedom);
+    Whitened row{scales[i].asDiagonal() * data.columns[i], scales[i].cwiseProduct(data.rhs.col(i)), 0, freedom};
+    if (data.periodic)
+      row = {data.columns[i].colwise().sum(), VectorXd::Constant(1, data.rhs.col(i).sum()), 0, freedom};
+    for (Eigen::Index c = 0; c < k; ++c) {
+      const int index = chosen[static_cast<size_t>(c)], j = index - 1000;
+      if (index >= 1000) {
+        row.columns -= b(c) * (data.periodic ? MatrixXd(data.columns[j].colwise().sum())
+                                             : MatrixXd(scales[j].asDiagonal() * data.columns[j]));
+        row.rhs -= b(c) * (data.periodic ? VectorXd::Constant(1, data.rhs.col(j).sum())
+                                         : VectorXd(scales[j].cwiseProduct(data.rhs.col(j))));
+      } else {
+        row.rhs -= b(c) * (data.periodic ? VectorXd::Constant(1, controls[index].total) : controls[index].scatter);
+      }
+    }
+    for (Eigen::Index r = 0; r < row.rhs.size(); ++r)
+      if (!data.periodic && scales[i](r) == 0.0) row.rhs(r) = 0.0, row.columns.row(r).setZero();
+    row.columns /= deviation;
+    row.rhs /= deviation;
+    row.inflation = (used - 2.0) / (used - static_cast<double>(k) - 2.0);
+    rows.push_back(row);
+  }
+
+  void fit(const std::vector<Whitened>& rows) {
+    Eigen::Index count = 0;
+    for (const Whitened& row : rows) count += row.rhs.size();
+    MatrixXd a(count, unknowns_);
+    VectorXd y(count), inflation(count);
+    count = 0;
+    for (const Whitened& row : rows) {
+      a.middleRows(count, row.rhs.size()) = row.columns;
+      y.segment(count, row.rhs.size()) = row.rhs;
+      inflation.segment(count, row.rhs.size()).setConstant(row.inflation);
+      count += row.rhs.size();
+    }
+    result_.value = a.colPivHouseholderQr().solve(y);
+    const MatrixXd gain = a.completeOrthogonalDecomposition().pseudoInverse();
+    double used = 0.0;
+    for (Eigen::Index r = 0; r < count; ++r) used += a.row(r).squaredNorm() > 0.0 ? 1.0 : 0.0;
+    const double lost = levels_.front().periodic ? 1.0 : used / (used - unknowns_);
+    const double freedom = used - unknowns_;
+    const double misfit = freedom > 0.0 ? (y - a * result_.value).squaredNorm() / freedom : 0.0;
+    const double factor = misfit > 1.0 + std::sqrt(50.0 / freedom) + 6.0 / freedom ? std::max(misfit, lost) : lost;
+    result_.deviation = ((gain.array().square().matrix() * inflation).array() * factor).sqrt();
+  }
+
+  int dofs_, unknowns_;
+  Eigen::MatrixXi joined_;
+  std::vector<Data> levels_;
+  Result result_;
+};
+
+}  // namespace
+
+Result estimate(const firmware::CoreConfiguration& configuration, const firmware::BatchTable& table) {
+  return Reference(configuration, table).solve();
+}
+
+}  // namespace reference
