@@ -122,7 +122,15 @@ struct WindowResult {
 WindowResult window_result(const Estimates& estimates);
 
 // Numbers of the causes: kCauses in value_tables.hpp.
-enum class Cause : uint8_t { kNone = 0, kAmbiguous = 254, kUnknown = 255 };
+enum class Cause : uint8_t {
+  kNone = 0,
+  kCubicStiffness = 1,
+  kStiffnessError = 3,
+  kMassError = 16,
+  kSensorDelay = 18,
+  kAmbiguous = 254,
+  kUnknown = 255,
+};
 
 struct Diagnosis {
   Cause cause = Cause::kNone;

@@ -67,6 +67,7 @@ bool RigController::start() {
   if (state != ExcitationState::kIdle && state != ExcitationState::kDone) return false;
   core_.reset();
   estimates_ = nullptr;
+  judged_ = false;
   finished_ = false;
   if (listening_) return true;
   set_relay(true);

@@ -19,6 +19,7 @@
 #include "firmware/rig_controller/schedule.hpp"
 #include "firmware/rig_controller/sdo_server.hpp"
 #include "firmware/rig_controller/transmit_queue.hpp"
+#include "firmware/supervision/energy_watch.hpp"
 #include "firmware/supervision/supervisor.hpp"
 #include "hal/interface/can_bus.hpp"
 #include "hal/interface/clock.hpp"
@@ -59,6 +60,7 @@ class RigController final : private ObjectDictionary {
   ControllerMode mode() const;
   bool finished() const { return finished_; }  // the programme is done, or the source has ended
   const Alarm& latched_alarm() const { return supervisor_.latched(); }
+  const Diagnosis& diagnosis() const { return diagnosis_; }  // of the last judgement
   const Estimates* estimates() const { return estimates_; }  // of the last window; nullptr before the first
   const Excitation& excitation() const { return excitation_; }
   const EstimatorCore& core() const { return core_; }
@@ -95,6 +97,7 @@ class RigController final : private ObjectDictionary {
   void check_sync_edge();
   void close_window();
   void send_estimates();
+  void watch_energies();
   void run_schedule();
   void describe_some();
   void send_status();
@@ -146,7 +149,10 @@ class RigController final : private ObjectDictionary {
   uint16_t passing_faults_ = 0;  // seen since the last status frame
   uint32_t reported_drops_ = 0;
   bool store_damaged_ = false;
+  EnergyWatch watch_;
   Diagnosis diagnosis_;
+  bool judged_ = false;  // diagnosis_ holds a judgement of the last window
+  uint64_t next_judgement_ns_ = 0;
   uint8_t store_bytes_[kConfigurationBytes] = {};
 };
 

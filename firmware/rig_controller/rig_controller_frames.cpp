@@ -7,7 +7,7 @@
 namespace firmware {
 namespace {
 
-constexpr uint64_t kMillisecond_ns = 1000000;
+constexpr uint64_t kMillisecond_ns = 1000000, kJudgement_ns = 1000 * kMillisecond_ns;
 
 CanMessage to_message(const hal::CanFrame& frame) {
   CanMessage message;
@@ -76,6 +76,19 @@ void RigController::close_window() {
   samples_in_window_ = 0;
   estimates_ = &core_.solve();
   send_estimates();
+  if (now_ns_ >= next_judgement_ns_ || !measuring_) watch_energies();
+}
+
+// Once a second and at the end of each level: it reads the whole table. Told at once where it has changed.
+void RigController::watch_energies() {
+  next_judgement_ns_ = now_ns_ + kJudgement_ns;
+  Diagnosis judgement;
+  const bool judged = watch_.judge(configuration_.core, core_.table(), *estimates_, judgement);
+  const bool changed = judgement.cause != diagnosis_.cause || judgement.place_a != diagnosis_.place_a ||
+                       judgement.place_b != diagnosis_.place_b || judgement.quantity != diagnosis_.quantity;
+  if (judged && (changed || !judged_)) queue_.push(pack_diagnosis(configuration_.node.node, judgement));
+  judged_ = judged;
+  if (judged) diagnosis_ = judgement;
 }
 
 void RigController::send_estimates() {
@@ -96,7 +109,7 @@ void RigController::run_schedule() {
   if (status_.due(now_ns_)) send_status();
   if (second_.due(now_ns_)) {
     send_health();
-    queue_.push(pack_diagnosis(configuration_.node.node, diagnosis_));
+    if (judged_) queue_.push(pack_diagnosis(configuration_.node.node, diagnosis_));
     next_parameter_ = 0;
   }
   if (five_seconds_.due(now_ns_)) next_channel_ = 0;

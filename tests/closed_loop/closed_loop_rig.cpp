@@ -84,8 +84,11 @@ void ClosedLoopRig::digitise() {
     if (calibration.quantity == firmware::Quantity::kAcceleration) value = derivative[masses + dof];
     double code = value / calibration.unit_per_code;
     if (settings_.noise_codes > 0.0) code += settings_.noise_codes * noise(random_);
-    sample_.code[dof][static_cast<int>(calibration.quantity)] =
-        static_cast<int32_t>(std::lround(std::clamp(code, -kFullScaleCode, kFullScaleCode)));
+    auto rounded = static_cast<int32_t>(std::lround(std::clamp(code, -kFullScaleCode, kFullScaleCode)));
+    const bool late =
+        calibration.dof == settings_.late_displacement_dof && calibration.quantity == firmware::Quantity::kDisplacement;
+    if (late) std::swap(rounded, held_code_);
+    sample_.code[dof][static_cast<int>(calibration.quantity)] = rounded;
   }
 }
 

@@ -27,6 +27,7 @@ struct RigSettings {
   double displacement_range_m = 0.1, velocity_range_m_s = 10.0, acceleration_range_m_s2 = 1000.0;
   double noise_codes = 0.0;  // rms, white, on every channel
   uint32_t seed = 1;
+  int late_displacement_dof = 0;  // its displacement shows the motion of one sample period ago; 0: none
 };
 
 class ClosedLoopRig final : public hal::SampleSource, public hal::DriveOutput, public hal::MonotonicClock {
@@ -74,6 +75,7 @@ class ClosedLoopRig final : public hal::SampleSource, public hal::DriveOutput, p
   uint32_t sequence_ = 0;
   bool ready_ = false;
   firmware::RawSample sample_;
+  int32_t held_code_ = 0;
 };
 
 }  // namespace closed_loop

@@ -9,111 +9,11 @@
 #include "firmware/rig_controller/rig_controller.hpp"
 #include "hal/fake/fake_can_bus.hpp"
 #include "hal/fake/fake_configuration_store.hpp"
-#include "tests/closed_loop/closed_loop_rig.hpp"
+#include "tests/closed_loop/loop.hpp"
 
 namespace {
 
-using firmware::ControllerMode;
-
-constexpr double kRate_Hz = 1000.0;
-
-rig_file::Coefficient known(double value) { return {value, false}; }
-
-// Chain of masses, each linked to the next, the first and the last to ground.
-rig_file::RigModel chain(const std::vector<double>& mass_kg, double stiffness, const std::vector<double>& viscous,
-                         double coulomb) {
-  rig_file::RigModel rig;
-  rig.name = "chain";
-  for (double mass : mass_kg) rig.dofs.push_back({false, known(mass), {}});
-  const int n = static_cast<int>(mass_kg.size());
-  for (int i = 0; i <= n; ++i) {
-    rig_file::Link link;
-    link.a = i == 0 ? 1 : i;
-    link.b = i == 0 || i == n ? 0 : i + 1;
-    link.stiffness_N_m = known(stiffness);
-    link.viscous_N_s_m = known(viscous[static_cast<size_t>(i)]);
-    if (i == 0) link.coulomb_N = known(coulomb);
-    rig.links.push_back(link);
-  }
-  return rig;
-}
-
-// The same rig with its dampers and friction unknown.
-rig_file::RigModel to_estimate(rig_file::RigModel rig) {
-  for (rig_file::Link& link : rig.links) {
-    link.viscous_N_s_m.estimate = true;
-    if (link.coulomb_N.value != 0.0) link.coulomb_N.estimate = true;
-  }
-  return rig;
-}
-
-firmware::Drive part(double fraction) {
-  return firmware::Drive::from_raw(static_cast<int32_t>(fraction * 2147483647.0));
-}
-uint32_t step_of(double frequency_Hz) {
-  return static_cast<uint32_t>(std::lround(frequency_Hz / kRate_Hz * 4294967296.0));
-}
-
-firmware::ExcitationLevel sine_level(double fraction, double frequency_Hz, uint32_t cycle_samples) {
-  firmware::ExcitationLevel level;
-  level.amplitude = part(fraction);
-  level.phase_step = step_of(frequency_Hz);
-  level.ramp_samples = 200;
-  level.settle.block_samples = 2 * cycle_samples;
-  level.settle.bound_per_mille = 2;
-  level.settle.blocks = 4;
-  level.settle_limit_samples = 20000;
-  level.measure_samples = 2000;
-  return level;
-}
-
-struct Loop {
-  Loop(const closed_loop::RigSettings& settings, const firmware::ExcitationProgramme& programme,
-       firmware::WindowConfiguration window = {})
-      : rig(settings) {
-    configuration.core =
-        rig_file::compile_rig(to_estimate(settings.plant), settings.sample_period_s, rig.calibrations());
-    configuration.core.window = window;
-    configuration.programme = programme;
-    configuration.programme.start_at_boot = true;
-    const firmware::Ports ports{rig, rig, can, rig, rig.relay, lamp, stop_line, nullptr, watchdog, store};
-    controller = std::make_unique<firmware::RigController>(configuration, ports);
-  }
-  void run_sample() {
-    rig.advance();
-    controller->step();
-  }
-  bool run_until(ControllerMode mode, int limit = 200000) {
-    for (int i = 0; i < limit && controller->mode() != mode; ++i) run_sample();
-    return controller->mode() == mode;
-  }
-  // From the last frame on the bus.
-  firmware::EstimateRecord record(int index) {
-    firmware::EstimateRecord found;
-    const uint32_t id = firmware::can::frame_id(firmware::can::kEstimate.ids, 1, index);
-    const hal::CanFrame* frame = can.last(id);
-    if (frame == nullptr) return found;
-    firmware::CanMessage message;
-    message.id = frame->id;
-    message.length = frame->length;
-    for (int i = 0; i < frame->length; ++i) message.data[i] = frame->data[i];
-    int node = 0, member = 0;
-    unpack_estimate(message, node, member, found);
-    return found;
-  }
-  static double number(const firmware::EstimateRecord& record) {
-    return record.value * std::pow(10.0, record.exponent);
-  }
-
-  closed_loop::ClosedLoopRig rig;
-  firmware::ControllerConfiguration configuration;
-  hal::FakeCanBus can{rig};
-  hal::FakeOutput lamp;
-  hal::FakeInput stop_line;
-  hal::FakeWatchdog watchdog;
-  hal::FakeConfigurationStore store;
-  std::unique_ptr<firmware::RigController> controller;
-};
+using namespace closed_loop;
 
 void expect_estimates(Loop& loop, const std::vector<double>& truth, double relative_limit) {
   for (size_t i = 0; i < truth.size(); ++i) {
@@ -124,7 +24,7 @@ void expect_estimates(Loop& loop, const std::vector<double>& truth, double relat
 }
 
 TEST(ClosedLoop, OneDofSineAtThreeLevels) {
-  closed_loop::RigSettings settings;
+  RigSettings settings;
   settings.plant = chain({2.0}, 2.0e4, {15.0, 15.0}, 2.0);
   settings.plant.links.pop_back();  // one link to ground: 2 kg, 2e4 N/m (15.9 Hz), 15 N s/m, 2 N
   firmware::ExcitationProgramme programme;
@@ -144,7 +44,7 @@ TEST(ClosedLoop, OneDofSineAtThreeLevels) {
 }
 
 TEST(ClosedLoop, ThreeDofRandomAtTwoLevels) {
-  closed_loop::RigSettings settings;
+  RigSettings settings;
   settings.plant = chain({1.5, 1.3, 2.0}, 1.0e4, {20.0, 20.0, 20.0, 20.0}, 1.0);
   firmware::ExcitationProgramme programme;
   programme.level_count = 2;
@@ -164,7 +64,7 @@ TEST(ClosedLoop, ThreeDofRandomAtTwoLevels) {
 }
 
 TEST(ClosedLoop, FreeDecayAfterAPull) {
-  closed_loop::RigSettings settings;
+  RigSettings settings;
   settings.plant = chain({2.0}, 2.0e4, {6.0, 6.0}, 0.5);
   settings.plant.links.pop_back();
   firmware::ExcitationProgramme programme;
@@ -190,7 +90,7 @@ TEST(ClosedLoop, FreeDecayAfterAPull) {
 TEST(ClosedLoop, SettlingFollowsTheRig) {
   int waited[2] = {};
   for (int i = 0; i < 2; ++i) {
-    closed_loop::RigSettings settings;
+    RigSettings settings;
     settings.plant = chain({2.0}, 2.0e4, {i == 0 ? 40.0 : 4.0, 0.0}, 0.0);
     settings.plant.links.pop_back();
     firmware::ExcitationProgramme programme;
@@ -211,7 +111,7 @@ TEST(ClosedLoop, SettlingFollowsTheRig) {
 }
 
 TEST(ClosedLoop, EmergencyStopLetsTheRigCoastOut) {
-  closed_loop::RigSettings settings;
+  RigSettings settings;
   settings.plant = chain({2.0}, 2.0e4, {15.0, 0.0}, 2.0);
   settings.plant.links.pop_back();
   firmware::ExcitationProgramme programme;
