@@ -1,0 +1,135 @@
+#include "host_sim/reports/from_diagnosis.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "hal/configuration/coefficient_walk.hpp"
+#include "host_sim/reports/comparison.hpp"
+#include "host_sim/reports/numbers.hpp"
+
+namespace host_sim::reports {
+namespace {
+
+constexpr double kNone = NAN;
+constexpr double kTwoSided95 = 1.96;
+
+Interval interval_of(const diagnosis::Parameter& parameter) {
+  if (!(parameter.std > 0.0)) return {parameter.value, kNone, kNone};
+  const double half = kTwoSided95 * parameter.std;
+  return {parameter.value, parameter.value - half, parameter.value + half};
+}
+
+std::string parameter_text(const diagnosis::Parameter& parameter) {
+  const Interval interval = interval_of(parameter);
+  std::string text = parameter.name + " = " + number_text(parameter.value, 4) + " " + unit_text(parameter.unit);
+  if (std::isfinite(interval.low))
+    text += " (95 %: " + number_text(interval.low, 4) + " to " + number_text(interval.high, 4) + ")";
+  return text;
+}
+
+Cause cause_of(const diagnosis::Cause& from) {
+  Cause cause{from.effect, from.where, from.explains_percent, {}};
+  for (const diagnosis::Parameter& parameter : from.parameters) cause.parameters.push_back(parameter_text(parameter));
+  return cause;
+}
+
+const diagnosis::Parameter* find(const std::vector<diagnosis::Parameter>& parameters, const std::string& name) {
+  for (const diagnosis::Parameter& parameter : parameters)
+    if (parameter.name == name) return &parameter;
+  return nullptr;
+}
+
+// Those of the rig as given in their order, then what the extended rig adds.
+std::vector<ParameterChange> changes(const diagnosis::Diagnosis& found) {
+  std::vector<ParameterChange> out;
+  const Interval nothing{kNone, kNone, kNone};
+  for (const diagnosis::Parameter& before : found.baseline.parameters) {
+    const diagnosis::Parameter* after = find(found.extended.parameters, before.name);
+    out.push_back({before.name, before.unit, interval_of(before), after ? interval_of(*after) : nothing, ""});
+  }
+  for (const diagnosis::Parameter& after : found.extended.parameters)
+    if (find(found.baseline.parameters, after.name) == nullptr)
+      out.push_back({after.name, after.unit, nothing, interval_of(after), ""});
+  return out;
+}
+
+double at(const std::vector<double>& values, size_t index) { return index < values.size() ? values[index] : kNone; }
+
+std::vector<DofGain> gains(const diagnosis::Diagnosis& found) {
+  std::vector<DofGain> out;
+  const size_t dofs = found.baseline.holdout_nrmse_percent.size();
+  const bool extended = !found.causes.empty();
+  for (size_t i = 0; i < dofs; ++i)
+    out.push_back({static_cast<int>(i + 1), at(found.baseline.holdout_nrmse_percent, i),
+                   extended ? at(found.extended.holdout_nrmse_percent, i) : kNone,
+                   at(found.baseline.holdout_mse_percent, i),
+                   extended ? at(found.extended.holdout_mse_percent, i) : kNone});
+  return out;
+}
+
+std::vector<Candidate> candidates(const diagnosis::Diagnosis& found) {
+  std::vector<Candidate> out;
+  for (const diagnosis::Cause& cause : found.causes)
+    out.push_back({cause.effect, cause.where, cause.significance, 0.0, true, ""});
+  for (const diagnosis::Cause& cause : found.rejected)
+    out.push_back({cause.effect, cause.where, cause.significance, 0.0, false,
+                   "fits better, but simulates the held-out data worse"});
+  std::stable_sort(out.begin(), out.end(), [](const Candidate& a, const Candidate& b) { return a.score > b.score; });
+  return out;
+}
+
+std::string text(double value, const char* format) {
+  char out[64];
+  std::snprintf(out, sizeof out, format, value);
+  return out;
+}
+
+}  // namespace
+
+rig_file::RigModel with_parameters(const rig_file::RigModel& rig, const std::vector<diagnosis::Parameter>& parameters) {
+  rig_file::RigModel out = rig;
+  rig_file::walk_coefficients(out, [&](const rig_file::CoefficientSite& site, rig_file::Coefficient& coefficient) {
+    if (!coefficient.estimate) return;
+    if (const diagnosis::Parameter* parameter = find(parameters, site.name)) coefficient.value = parameter->value;
+    coefficient.estimate = false;
+  });
+  return out;
+}
+
+DiagnosisReportData diagnosis_report_data(const rig_file::RigModel& rig, const std::vector<Record>& training,
+                                          const std::vector<Record>& holdout, const diagnosis::Diagnosis& found,
+                                          double holdout_fraction) {
+  const Record& shown = holdout.empty() ? training.front() : holdout.front();
+  const double unseen_from = (1.0 - holdout_fraction) * static_cast<double>(shown.samples());
+  DiagnosisReportData data;
+  data.rig_name = rig.name.empty() ? "the rig" : rig.name;
+  for (const Record& record : training) data.files.push_back(std::filesystem::path(record.file).filename().string());
+  for (const Record& record : holdout)
+    data.facts.push_back("held out: " + std::filesystem::path(record.file).filename().string());
+  data.facts.push_back(text(static_cast<double>(shown.samples()) * shown.sample_period_s, "%g s") +
+                       text(1.0 / shown.sample_period_s, " at %g Hz"));
+  data.facts.push_back(text(found.baseline_misfit, "misfit (1 is noise alone): %.3g as given") +
+                       text(found.extended_misfit, ", %.3g extended"));
+  data.verdict = diagnosis::verdict_word(found.verdict);
+  for (const diagnosis::Cause& cause : found.causes) data.causes.push_back(cause_of(cause));
+  for (const diagnosis::NamedPlace& place : found.ambiguous_with)
+    data.ambiguous_with.push_back({place.effect, place.where});
+  data.parameters = changes(found);
+  data.gains = gains(found);
+  data.candidates = candidates(found);
+  data.score_name = "significance";
+  for (const diagnosis::DetectionLimit& limit : found.minimum_detectable)
+    data.minimum_detectable.push_back({limit.effect, limit.where, limit.unit, limit.strength});
+  data.advice = found.advice;
+  const Comparison comparison =
+      compare(shown, with_parameters(rig, found.baseline.parameters),
+              with_parameters(found.extended_rig.dofs.empty() ? rig : found.extended_rig, found.extended.parameters),
+              holdout.empty() ? static_cast<size_t>(unseen_from) : 0);
+  data.dofs = comparison.dofs;
+  data.links = comparison.links;
+  data.facts.insert(data.facts.end(), comparison.notes.begin(), comparison.notes.end());
+  return data;
+}
+
+}  // namespace host_sim::reports

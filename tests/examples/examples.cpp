@@ -1,0 +1,44 @@
+#include "tests/examples/examples.hpp"
+
+namespace examples {
+
+const std::vector<Example>& all() {
+  static const std::vector<Example> list = {
+      {"emps",
+       "A linear drive whose friction depends on the direction (EMPS)",
+       "emps.toml",
+       {"emps.csv"},
+       {},
+       "A carriage on a ball screw, moved back and forth by a motor: 24.8 s at 1 kHz, position and motor force, from "
+       "the\n"
+       "EMPS benchmark (Janot, Gautier, Brunot 2019). The rig file knows a mass with viscous and Coulomb friction, "
+       "all\n"
+       "three to be estimated.\n",
+       "The authors of the benchmark found 166.7 and 240.4 N s/m in the two directions and put it down to fatigue of "
+       "the\n"
+       "screw. Nothing holds the carriage in its place, so the simulation is judged over spans of one second.\n"},
+      {"pendulum",
+       "A pendulum that slows down by more than viscous friction",
+       "pendulum.toml",
+       {"pendulum_free_swing.csv"},
+       {},
+       "A single pendulum let go at about 1.5 rad: 55 s at 1 kHz, only the angle (Kaheman et al. 2022). Nothing drives "
+       "it.\n"
+       "The rig file has the viscous friction that its authors used.\n",
+       "At large swings the loss grows with the square of the speed (air), at small ones it stays above what viscous\n"
+       "friction takes (the bearing).\n"},
+      {"mr_damper",
+       "A magnetorheological damper",
+       "mr_damper.toml",
+       {"mr_damper_0V_record_01.csv", "mr_damper_0V_record_03.csv", "mr_damper_0V_record_05.csv"},
+       {"mr_damper_0V_record_07.csv", "mr_damper_0V_record_09.csv"},
+       "A damper at 0 V on a crank table: displacement and force at 100 Hz (labcontrol-data, Zenodo 4445334). There is "
+       "no\n"
+       "mass, so nothing can run freely: what is compared is the force that the model needs for the measured motion. "
+       "Two\n"
+       "records are held out.\n",
+       "The published Dahl model has 0.80 N/(mm/s), 50.2 N and 42.7 1/mm, and a static force.\n"}};
+  return list;
+}
+
+}  // namespace examples
