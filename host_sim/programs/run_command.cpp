@@ -9,6 +9,7 @@
 #include "host_sim/programs/commands.hpp"
 #include "host_sim/programs/estimate_frames.hpp"
 #include "host_sim/programs/human_output.hpp"
+#include "host_sim/programs/record_export.hpp"
 #include "host_sim/programs/result_json.hpp"
 #include "host_sim/programs/result_table.hpp"
 #include "host_sim/programs/run_result.hpp"
@@ -21,7 +22,7 @@ namespace {
 
 struct RunArguments {
   std::string scenario = "paper_3dof_random";
-  std::string can, log, json, report;
+  std::string can, log, json, report, records;
   uint64_t seed = 1;
   bool print = false;
 };
@@ -107,6 +108,7 @@ void run(const RunArguments& arguments) {
   if (!arguments.report.empty())
     reports::write_run_report(arguments.report,
                               reports::run_report_data(scenario, arguments.seed, outcome, convergence));
+  if (!arguments.records.empty()) export_records(arguments.records, scenario, outcome);
   sink->commit();
   nlohmann::ordered_json content = to_json(result);
   content["scenario"] = scenario.name;
@@ -115,6 +117,7 @@ void run(const RunArguments& arguments) {
   print_summary(people, scenario, arguments, result);
   if (arguments.can.empty() && log != "-")
     std::fprintf(people, "frames: %s (host_sim decode %s)\n", log.c_str(), log.c_str());
+  if (!arguments.records.empty()) std::fprintf(people, "measurements: %s\n", arguments.records.c_str());
   if (!arguments.report.empty()) std::fprintf(people, "report: %s/index.html\n", arguments.report.c_str());
   const std::string missing = unanswered(result);
   if (!missing.empty()) throw CannotAnswer(missing);
@@ -137,6 +140,9 @@ void add_run_command(CLI::App& app, Action& chosen) {
                       "write the frames as a candump log to this file (- is stdout); default: SCENARIO.log");
   command->add_option("--json", arguments->json, "write the result as JSON to this file (- is stdout)");
   command->add_option("--report", arguments->report, "write a page with pictures to this folder");
+  command->add_option(
+      "--records", arguments->records,
+      "write the simulated measurements (CSV) and the rig file to this folder, for estimate and diagnose");
   command->add_option("--seed", arguments->seed, "of all random numbers; the same seed gives the same bytes")
       ->capture_default_str();
   command->footer("Shipped scenarios:" + names +

@@ -1,0 +1,117 @@
+// host_sim estimate on data whose answer is known by hand: m = 2 kg, k = 800 N/m, c = 1.5 N s/m, free decay.
+#include <cmath>
+#include <cstdio>
+
+#include "tests/host_sim/program_test.hpp"
+
+namespace {
+
+const char* const kRig =
+    "schema = \"rig/1\"\nname = \"oscillator\"\n[[dof]]\nmass_kg = 2.0\n[[link]]\nbetween = [1, 0]\n"
+    "stiffness_N_m = 800.0\nviscous_N_s_m = \"estimate\"\n";
+
+// x = e^-dt cos(w t) with d = c / 2m, w = sqrt(k/m - d^2); late_s shifts the displacement.
+std::string free_decay(int samples, double late_s = 0.0) {
+  const double d = 1.5 / 4.0, w = std::sqrt(400.0 - d * d);
+  const auto x = [&](double t) { return 0.01 * std::exp(-d * t) * std::cos(w * t); };
+  const auto v = [&](double t) { return -0.01 * std::exp(-d * t) * (d * std::cos(w * t) + w * std::sin(w * t)); };
+  std::string text = "t_s,displacement_1_m,velocity_1_m_s\n";
+  for (int i = 0; i < samples; ++i) {
+    char row[96];
+    std::snprintf(row, sizeof row, "%.3f,%.12g,%.12g\n", i * 1e-3, x(i * 1e-3 - late_s), v(i * 1e-3));
+    text += row;
+  }
+  return text;
+}
+
+class Estimate : public test_support::ProgramTest {
+ protected:
+  void SetUp() override {
+    workspace_.write("rig.toml", kRig);
+    workspace_.write("data.csv", free_decay(4000));
+  }
+};
+
+TEST_F(Estimate, FindsTheDamperAndSaysHowWell) {
+  const auto result = host_sim({"estimate", "--rig", "rig.toml", "--data", "data.csv", "--json", "out.json"});
+  ASSERT_EQ(result.status, 0) << result.errors;
+  const auto out = json("out.json");
+  EXPECT_EQ(out["schema"], "estimate/1");
+  EXPECT_NEAR(value(out, "viscous[1-0]"), 1.5, 1.5e-4);  // codes of 24 bits: far better than this
+  EXPECT_EQ(out["parameters"][0]["status"], "VALID");
+  EXPECT_EQ(out["parameters"][0]["unit"], "N s/m");
+  EXPECT_EQ(out["samples"], 4000);
+  EXPECT_NEAR(out["sample_rate_Hz"].get<double>(), 1000.0, 1e-6);
+  EXPECT_LT(out["mse_percent"][0].get<double>(), 1e-3);  // its simulation runs as the rig did
+}
+
+TEST_F(Estimate, TableStandsOnStdoutAndNothingOnStderr) {
+  const auto result = host_sim({"estimate", "--rig", "rig.toml", "--data", "data.csv"});
+  EXPECT_EQ(result.status, 0);
+  for (const char* words :
+       {"oscillator", "viscous[1-0]", "estimate", "95 %", "N s/m", "VALID", "4000 samples at 1000 Hz"})
+    EXPECT_NE(result.output.find(words), std::string::npos) << words << " in\n" << result.output;
+  EXPECT_EQ(result.errors, "");                              // no progress bar in a pipe
+  EXPECT_EQ(result.output.find('\033'), std::string::npos);  // no colours either
+  EXPECT_EQ(workspace_.entries(), (std::set<std::string>{"data.csv", "rig.toml"}));
+}
+
+TEST_F(Estimate, JsonOnStdoutIsAlone) {
+  const auto result = host_sim({"estimate", "--rig", "rig.toml", "--data", "data.csv", "--json", "-"});
+  EXPECT_EQ(nlohmann::json::parse(result.output)["schema"], "estimate/1");
+  EXPECT_NE(result.errors.find("viscous[1-0]"), std::string::npos);
+}
+
+TEST_F(Estimate, FramesOfTheLogDecodeToTheSameEstimate) {
+  const auto estimated = host_sim({"estimate", "--rig", "rig.toml", "--data", "data.csv", "--log", "-"});
+  const auto decoded = host_sim({"decode"}, estimated.output);
+  EXPECT_EQ(decoded.status, 0);
+  EXPECT_NE(decoded.output.find("viscous[1-0]"), std::string::npos);
+  EXPECT_NE(decoded.output.find("mode = DONE"), std::string::npos);
+}
+
+TEST_F(Estimate, SameInputSameBytes) {
+  for (const char* name : {"a", "b"})
+    host_sim({"estimate", "--rig", "rig.toml", "--data", "data.csv", "--json", std::string(name) + ".json", "--log",
+              std::string(name) + ".log"});
+  EXPECT_EQ(workspace_.read("a.json"), workspace_.read("b.json"));
+  EXPECT_EQ(workspace_.read("a.log"), workspace_.read("b.log"));
+  EXPECT_GT(workspace_.read("a.log").size(), 1000u);
+}
+
+TEST_F(Estimate, SeveralRecordsAreLevelsOfOneEstimate) {
+  const auto result =
+      host_sim({"estimate", "--rig", "rig.toml", "--data", "data.csv", "--data", "data.csv", "--json", "out.json"});
+  ASSERT_EQ(result.status, 0) << result.errors;
+  EXPECT_EQ(json("out.json")["samples"], 8000);
+  EXPECT_EQ(json("out.json")["levels"], 2);
+}
+
+// A displacement late by 400 us against the velocity adds k tau = 0.32 to the damper, until the rig file says so.
+TEST_F(Estimate, SkewIsTakenAwayByTheChannelsDelay) {
+  workspace_.write("late.csv", free_decay(4000, 400e-6));
+  workspace_.write("told.toml", kRig + std::string("[[channel]]\nname = \"displacement_1_m\"\ndelay_us = 400.0\n"));
+  const auto told = host_sim({"estimate", "--rig", "told.toml", "--data", "late.csv", "--json", "told.json"});
+  ASSERT_EQ(told.status, 0) << told.errors;
+  EXPECT_NEAR(value(json("told.json"), "viscous[1-0]"), 1.5, 0.015);
+}
+
+TEST_F(Estimate, TooFewSamplesCannotAnswer) {
+  workspace_.write("short.csv", free_decay(60));
+  const auto result = host_sim({"estimate", "--rig", "rig.toml", "--data", "short.csv", "--json", "out.json"});
+  EXPECT_EQ(result.status, 3);
+  EXPECT_NE(result.errors.find("record at least"), std::string::npos) << result.errors;
+  EXPECT_FALSE(std::filesystem::exists(workspace_.path() / "out.json"));
+}
+
+TEST_F(Estimate, ARigThatDoesNotMoveCannotAnswer) {
+  std::string text = "t_s,displacement_1_m,velocity_1_m_s\n";
+  for (int i = 0; i < 2000; ++i) text += std::to_string(i * 1e-3) + ",0,0\n";
+  workspace_.write("still.csv", text);
+  const auto result = host_sim({"estimate", "--rig", "rig.toml", "--data", "still.csv", "--json", "out.json"});
+  EXPECT_EQ(result.status, 3);
+  EXPECT_NE(result.errors.find("viscous[1-0]"), std::string::npos) << result.errors;
+  EXPECT_EQ(json("out.json")["parameters"][0]["status"], "NO_EXCITATION");
+}
+
+}  // namespace
