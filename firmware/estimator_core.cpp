@@ -27,6 +27,7 @@ void EstimatorCore::reset() {
 void EstimatorCore::begin_level() {
   end_level();
   collector_.begin_level();
+  sequence_known_ = false;  // what lies between levels is not missed
   if (collector_.level_open()) aim();
 }
 

@@ -6,7 +6,7 @@
 namespace firmware {
 namespace {
 
-constexpr uint32_t kVersion = 0x52433031;  // "RC01": changes with the list of fields
+constexpr uint32_t kVersion = 0x52433032;  // "RC02": changes with the list of fields
 
 class Crc32 {
  public:
@@ -174,6 +174,7 @@ void walk_node(Archive& archive, Node& node) {
   archive.field(node.node);
   archive.field(node.can_fd);
   archive.field(node.sync_closes_window);
+  archive.field(node.listen_on_command);
   archive.field(node.drive_on_can);
   archive.field(node.heartbeat_ms);
   archive.field(node.status_ms);

@@ -14,6 +14,7 @@ struct NodeConfiguration {
   uint8_t node = 1;                // 1 to 7
   bool can_fd = false;             // estimates in CAN FD frames
   bool sync_closes_window = true;  // SYNC frame and sync edge
+  bool listen_on_command = false;  // without a programme: a level lasts from start to stop, not from the first sample
   bool drive_on_can = false;       // the drive command is also sent as a frame, each sample
   uint16_t heartbeat_ms = 100;     // 0: none
   uint16_t status_ms = 100;

@@ -62,14 +62,11 @@ void RigController::check_emergency_stop() {
 
 bool RigController::start() {
   if (!booted_ || supervisor_.tripped() || safe_pending_ || ports_.emergency_stop.active()) return false;
-  if (listening_ && !finished_) return false;
+  if (listening_) return start_listening();
   const ExcitationState state = excitation_.state();
   if (state != ExcitationState::kIdle && state != ExcitationState::kDone) return false;
-  core_.reset();
-  estimates_ = nullptr;
-  judged_ = false;
+  forget_estimates();
   finished_ = false;
-  if (listening_) return true;
   set_relay(true);
   if (supervisor_.tripped()) return false;
   supervisor_.arm(now_ns_);
@@ -77,16 +74,37 @@ bool RigController::start() {
   return true;
 }
 
+bool RigController::start_listening() {
+  if (measuring_) return false;
+  if (configuration_.node.listen_on_command) {
+    begin_measurement();
+    return true;
+  }
+  if (!finished_) return false;
+  forget_estimates();
+  finished_ = false;
+  return true;
+}
+
+void RigController::forget_estimates() {
+  core_.reset();
+  estimates_ = nullptr;
+  judged_ = false;
+}
+
 void RigController::stop() {
   end_measurement();
   excitation_.stop();
-  finished_ = finished_ || listening_;
+  finished_ = finished_ || (listening_ && !configuration_.node.listen_on_command);
 }
 
 bool RigController::reset() {
   if (ports_.emergency_stop.active() || safe_pending_) return false;
   if (supervisor_.latched().cause == AlarmCause::kConfiguration) return false;
-  if (!supervisor_.tripped()) return true;
+  if (!supervisor_.tripped()) {
+    if (listening_ && !measuring_) forget_estimates();
+    return true;
+  }
   supervisor_.reset();
   alarms_.push(emergency_of(Alarm{}, error_register()), false);
   send_status();
@@ -113,7 +131,7 @@ void RigController::take_samples() {
 
 void RigController::take_sample(const RawSample& sample) {
   handle(supervisor_.check_sample(sample, now_ns_));
-  if (listening_ && !measuring_ && !finished_) begin_measurement();
+  if (listening_ && !measuring_ && !finished_ && !configuration_.node.listen_on_command) begin_measurement();
   if (measuring_) {
     core_.push(sample);
     ++samples_in_window_;

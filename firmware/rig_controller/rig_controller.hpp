@@ -6,7 +6,9 @@
 // schedule, transmit queue, watchdog.
 //
 // With levels in the programme the controller drives: start() closes the relay and runs them. With none it listens: the
-// drive stays at zero, the relay open, and everything from the first sample to the end of the source is one level.
+// drive stays at zero, the relay open, and everything from the first sample to the end of the source is one level; or,
+// with listen_on_command, whatever lies between a start and a stop is a level, and reset() between levels forgets them
+// all.
 #pragma once
 #include <cstdint>
 
@@ -76,6 +78,8 @@ class RigController final : private ObjectDictionary {
 
   // rig_controller.cpp: the course of a step
   void boot();
+  bool start_listening();
+  void forget_estimates();
   void check_emergency_stop();
   void take_samples();
   void take_sample(const RawSample& sample);

@@ -85,6 +85,7 @@ std::vector<Change> changes() {
       [](C& c) { c.node.can_fd = true; },
       [](C& c) { c.node.sync_closes_window = false; },
       [](C& c) { c.node.drive_on_can = true; },
+      [](C& c) { c.node.listen_on_command = true; },
       [](C& c) { c.node.heartbeat_ms = 5; },
       [](C& c) { c.node.status_ms = 5; },
       [](C& c) { c.node.emergency_inhibit_ms = 5; },

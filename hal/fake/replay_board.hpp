@@ -1,0 +1,43 @@
+// A board made of fakes on which a RigController listens to samples that are already known: recordings, simulations.
+// Whoever owns the samples marks the levels and sets the time; the frames go to a bus of their choice.
+#pragma once
+#include <memory>
+
+#include "firmware/rig_controller/rig_controller.hpp"
+#include "hal/fake/fake_configuration_store.hpp"
+#include "hal/fake/fake_devices.hpp"
+#include "hal/fake/fake_sample_source.hpp"
+
+namespace hal {
+
+class ReplayBoard {
+ public:
+  // configuration.programme must be empty; levels are marked by begin_level() and end_level() alone.
+  ReplayBoard(const firmware::ControllerConfiguration& configuration, CanBus& bus);
+
+  // The controller runs at this time of its clock, without a sample; time never goes back.
+  void run_at(uint64_t time_ns);
+  void begin_level();
+  // One sample at its time. Outside a level it is looked at by supervision only. True where it closed a window.
+  bool push(const firmware::RawSample& sample, uint64_t time_ns);
+  void end_level();
+  // No more samples: the controller says that it is done.
+  void finish(uint64_t time_ns);
+
+  const firmware::RigController& controller() const { return *controller_; }
+  const firmware::EstimatorCore& core() const { return controller_->core(); }
+
+ private:
+  static firmware::ControllerConfiguration commanded(firmware::ControllerConfiguration configuration);
+
+  ManualClock clock_;
+  FakeSampleSource source_;
+  FakeDrive drive_;
+  FakeOutput relay_, lamp_;
+  FakeInput stop_line_;
+  FakeWatchdog watchdog_;
+  FakeConfigurationStore store_;
+  std::unique_ptr<firmware::RigController> controller_;  // large: not for the stack
+};
+
+}  // namespace hal

@@ -1,0 +1,94 @@
+// A replayed record: levels marked by its owner, the same estimates as from the core by itself.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "hal/fake/replay_board.hpp"
+#include "tests/rig_controller/bench.hpp"
+
+namespace {
+
+using firmware::ControllerMode;
+
+// Two levels of the bench's rig under 20 Hz, 100 samples to settle before each.
+std::vector<firmware::RawSample> level(double force_N, uint32_t& sequence) {
+  bench::OneDofRig rig;
+  std::vector<firmware::RawSample> samples;
+  for (int i = 0; i < 2000; ++i) {
+    rig.advance(force_N * std::sin(2.0 * M_PI * 20.0 * i / 1000.0), 1e-3);
+    samples.push_back(rig.sample(sequence++));
+  }
+  return samples;
+}
+
+TEST(Replay, SameEstimatesAsTheCoreAlone) {
+  const auto configuration = bench::listening();
+  hal::ManualClock clock;
+  hal::FakeCanBus bus(clock);
+  hal::ReplayBoard board(configuration, bus);
+  auto core = std::make_unique<firmware::EstimatorCore>(configuration.core);
+  uint32_t sequence = 0;
+  int windows = 0;
+  board.run_at(0);
+  for (double force_N : {20.0, 50.0}) {
+    board.begin_level();
+    core->begin_level();
+    EXPECT_EQ(board.controller().mode(), ControllerMode::kIntegrate);
+    for (const firmware::RawSample& sample : level(force_N, sequence)) {
+      windows += board.push(sample, (sample.sequence + 1) * bench::kMillisecond_ns) ? 1 : 0;
+      core->push(sample);
+    }
+    board.end_level();
+    core->end_level();
+    EXPECT_EQ(board.controller().mode(), ControllerMode::kIdle);
+  }
+  board.finish((sequence + 1) * bench::kMillisecond_ns);
+  EXPECT_EQ(board.controller().mode(), ControllerMode::kDone);
+  const firmware::Estimates& alone = core->solve();
+  ASSERT_NE(board.controller().estimates(), nullptr);
+  const firmware::Estimates& replayed = *board.controller().estimates();
+  EXPECT_EQ(windows, 4);  // two of 1000 samples in each level; the one at its end has no samples of its own
+  EXPECT_EQ(replayed.parameters[0].value.mantissa, alone.parameters[0].value.mantissa);
+  EXPECT_EQ(replayed.parameters[0].value.exponent, alone.parameters[0].value.exponent);
+  EXPECT_EQ(replayed.rows, alone.rows);
+  EXPECT_EQ(board.core().table().level_count, 2);
+  EXPECT_GE(bus.count(0x701), 40u);
+  EXPECT_EQ(bus.count(0x410), 6u);
+}
+
+TEST(Replay, SamplesBetweenLevelsAreLeftOut) {
+  hal::ManualClock clock;
+  hal::FakeCanBus bus(clock);
+  hal::ReplayBoard board(bench::listening(), bus);
+  uint32_t sequence = 0;
+  board.run_at(0);
+  for (const firmware::RawSample& sample : level(20.0, sequence))
+    board.push(sample, (sample.sequence + 1) * bench::kMillisecond_ns);
+  EXPECT_EQ(board.core().health().samples, 0u);
+  EXPECT_EQ(bus.count(0x410), 0u);
+}
+
+TEST(Replay, StartAndStopOverTheBus) {
+  auto configuration = bench::listening();
+  configuration.node.listen_on_command = true;
+  bench::Bench bench(configuration);
+  bench.run_samples(100);
+  EXPECT_EQ(bench.controller->mode(), ControllerMode::kIdle);
+  for (int round = 1; round <= 2; ++round) {
+    bench.network_command(1, 0);
+    bench.run_samples(500);
+    EXPECT_EQ(bench.controller->mode(), ControllerMode::kIntegrate);
+    bench.network_command(2, 0);
+    bench.run_samples(10);
+    EXPECT_EQ(bench.controller->mode(), ControllerMode::kIdle);
+    EXPECT_EQ(bench.controller->core().table().level_count, round);
+    EXPECT_EQ(bench.can.count(0x391), static_cast<size_t>(round));
+  }
+  EXPECT_FALSE(bench.relay.active());
+  bench.network_command(129, 0);
+  bench.run_samples(2);
+  EXPECT_EQ(bench.controller->core().table().level_count, 0);
+}
+
+}  // namespace
