@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <initializer_list>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -114,6 +115,30 @@ TEST_F(Sdo, RefusesWithTheReason) {
       {"save: wrong word", {0x23, 0x10, 0x10, 1, 'S', 'A', 'V', 'E'}, {0x80, 0x10, 0x10, 1, 0x20, 0x00, 0x00, 0x08}},
       {"segmented write", {0x21, 0x17, 0x10, 0, 2, 0, 0, 0}, {0x80, 0x17, 0x10, 0, 0x01, 0x00, 0x04, 0x05}}};
   for (const Case& c : cases) EXPECT_EQ(answer(c.bytes), c.answer) << c.what;
+}
+
+// Whatever a client sends, each request gets one answer, an abort or a value (and the sanitizers see nothing).
+TEST_F(Sdo, RandomRequestsAreAnswered) {
+  std::mt19937_64 random(7);
+  const int indices[] = {0x1000, 0x1001, 0x1005, 0x1008, 0x1009, 0x100A,
+                         0x1010, 0x1011, 0x1014, 0x1017, 0x1018, 0x2000};
+  const int commands[] = {0x40, 0x60, 0x70, 0x23, 0x2B, 0x2F, 0x22, 0x80};
+  int values = 0;
+  for (int i = 0; i < 50000; ++i) {
+    const int index = indices[random() % 12];
+    const int command = random() % 4 == 0 ? static_cast<int>(random() % 256) : commands[random() % 8];
+    const SdoResult result =
+        server_.handle(request(0x602, {command, index & 255, index >> 8, static_cast<int>(random() % 6),
+                                       static_cast<int>(random() % 256), 0, 0, 0}));
+    ASSERT_TRUE(result.handled);
+    ASSERT_EQ(result.has_reply, command != 0x80);
+    if (!result.has_reply) continue;
+    ASSERT_EQ(result.reply.id, 0x582u);
+    ASSERT_EQ(result.reply.length, 8);
+    values += result.reply.data[0] != 0x80;
+  }
+  EXPECT_GT(values, 1000);
+  EXPECT_GE(server_.values().heartbeat_ms, kShortestHeartbeat_ms);
 }
 
 TEST_F(Sdo, LeavesOtherFramesAlone) {
