@@ -3,8 +3,10 @@
 #include <cstdio>
 
 #include "hal/configuration/rig_file_error.hpp"
+#include "host_sim/diagnosis/motion.hpp"
 #include "host_sim/records/data_file_error.hpp"
 #include "host_sim/records/output_file.hpp"
+#include "host_sim/reports/report.hpp"
 
 namespace host_sim {
 namespace {
@@ -29,6 +31,10 @@ int report_failure() noexcept {
     return say(ExitStatus::kBadInput, "", error.what());
   } catch (const CannotAnswer& error) {
     return say(ExitStatus::kCannotAnswer, "the data cannot answer: ", error.what());
+  } catch (const diagnosis::CannotAnswer& error) {
+    return say(ExitStatus::kCannotAnswer, "the data cannot answer: ", error.what());
+  } catch (const reports::DrawingError& error) {
+    return say(ExitStatus::kOther, "", error.what());
   } catch (const std::exception& error) {
     return say(ExitStatus::kOther, "internal error: ", error.what());
   } catch (...) {

@@ -8,7 +8,6 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
-#include <stdexcept>
 #include <string>
 
 #include "host_sim/reports/plot.hpp"
@@ -22,8 +21,7 @@ struct Pipe {
   int read_end = -1, write_end = -1;
   Pipe() {
     int ends[2];
-    if (pipe2(ends, O_CLOEXEC) != 0)
-      throw std::runtime_error(std::string("no pipe to gnuplot: ") + std::strerror(errno));
+    if (pipe2(ends, O_CLOEXEC) != 0) throw DrawingError(std::string("no pipe to gnuplot: ") + std::strerror(errno));
     read_end = ends[0];
     write_end = ends[1];
   }
@@ -62,8 +60,8 @@ pid_t start(Pipe& in, Pipe& out, Pipe& error) {
   const int failure = posix_spawnp(&child, name, &actions, nullptr, arguments, environ);
   posix_spawn_file_actions_destroy(&actions);
   if (failure == ENOENT)
-    throw std::runtime_error("the report needs gnuplot, which is not installed (Debian: apt-get install gnuplot-nox)");
-  if (failure != 0) throw std::runtime_error(std::string("gnuplot does not start: ") + std::strerror(failure));
+    throw DrawingError("the report needs gnuplot, which is not installed (Debian: apt-get install gnuplot-nox)");
+  if (failure != 0) throw DrawingError(std::string("gnuplot does not start: ") + std::strerror(failure));
   return child;
 }
 
@@ -109,7 +107,7 @@ std::string run_gnuplot(const std::string& script) {
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
   if (!WIFEXITED(status) || WEXITSTATUS(status) != 0)
-    throw std::runtime_error("gnuplot failed: " + (messages.empty() ? std::string("no message") : messages));
+    throw DrawingError("gnuplot failed: " + (messages.empty() ? std::string("no message") : messages));
   return pictures;
 }
 

@@ -31,7 +31,7 @@ class Page {
   // Pictures side by side where there is room, one below the other where there is not; under one legend,
   // which is left out where it would repeat the one above.
   void figures(std::vector<Plot> plots);
-  // The finished document. Throws std::runtime_error as draw() does.
+  // The finished document. Throws DrawingError as draw() does.
   std::string finish() const;
 
  private:

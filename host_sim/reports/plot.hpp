@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "host_sim/reports/drawing_error.hpp"
+
 namespace host_sim::reports {
 
 // What a curve means decides its colour on every page, in light and in dark.
@@ -57,13 +59,13 @@ enum class Target {
   kStandalone,  // a picture file: own colours, background, legend and title
 };
 
-// One SVG element per plot, in order, from one run of gnuplot. Throws std::runtime_error as run_gnuplot does.
+// One SVG element per plot, in order, from one run of gnuplot. Throws DrawingError as run_gnuplot does.
 std::vector<std::string> draw(const std::vector<Plot>& plots, Target target);
 
 // The script that draws the plots, one SVG document each on stdout.
 std::string plot_script(const std::vector<Plot>& plots, Target target);
 
-// Output of gnuplot for a script. Throws std::runtime_error: gnuplot is missing (names the package), or its own
+// Output of gnuplot for a script. Throws DrawingError: gnuplot is missing (names the package), or its own
 // message.
 std::string run_gnuplot(const std::string& script);
 

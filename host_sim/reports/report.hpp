@@ -2,11 +2,12 @@
 #pragma once
 #include <string>
 
+#include "host_sim/reports/drawing_error.hpp"
 #include "host_sim/reports/report_data.hpp"
 
 namespace host_sim::reports {
 
-// Writes DIR/index.html (DIR is made where missing). Throws OutputError where that fails, std::runtime_error
+// Writes DIR/index.html (DIR is made where missing). Throws OutputError where that fails, DrawingError
 // where gnuplot is missing or fails; an earlier index.html then stays as it was and nothing half-written is left.
 void write_diagnosis_report(const std::string& directory, const DiagnosisReportData& data);
 void write_run_report(const std::string& directory, const RunReportData& data);

@@ -82,7 +82,7 @@ TEST(Gnuplot, ItsOwnMessageIsPassedOn) {
   try {
     run_gnuplot("plot nonsense(\n");
     FAIL() << "expected an error";
-  } catch (const std::runtime_error& error) {
+  } catch (const DrawingError& error) {
     EXPECT_NE(std::string(error.what()).find("gnuplot failed"), std::string::npos);
   }
 }
@@ -93,7 +93,7 @@ TEST(Gnuplot, MissingIsSaidWithThePackageToInstall) {
   std::string message;
   try {
     run_gnuplot("");
-  } catch (const std::runtime_error& error) {
+  } catch (const DrawingError& error) {
     message = error.what();
   }
   setenv("PATH", path.c_str(), 1);

@@ -104,7 +104,7 @@ TEST(WriteReport, WithoutGnuplotNothingIsLeft) {
   const fs::path folder = fresh_folder("report_without_gnuplot");
   const std::string path = std::getenv("PATH");
   setenv("PATH", "/nonexistent", 1);
-  EXPECT_THROW(write_run_report(folder.string(), made_up::run(2000)), std::runtime_error);
+  EXPECT_THROW(write_run_report(folder.string(), made_up::run(2000)), DrawingError);
   setenv("PATH", path.c_str(), 1);
   EXPECT_FALSE(fs::exists(folder));
 }

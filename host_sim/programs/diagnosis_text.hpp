@@ -1,0 +1,11 @@
+// A diagnosis as text for a terminal: the short form of the report.
+#pragma once
+#include <string>
+
+#include "host_sim/reports/report_data.hpp"
+
+namespace host_sim {
+
+std::string diagnosis_text(const reports::DiagnosisReportData& data, bool colours);
+
+}  // namespace host_sim
