@@ -12,7 +12,7 @@ class SweepCommand : public test_support::ProgramTest {};
 class HelpOption : public test_support::ProgramTest {};
 
 TEST_F(HelpOption, EveryCommandExplainsItself) {
-  for (const char* command : {"run", "estimate", "decode", "dbc", "sweep"}) {
+  for (const char* command : {"run", "estimate", "diagnose", "decode", "dbc", "sweep"}) {
     const auto result = host_sim({command, "--help"});
     EXPECT_EQ(result.status, 0) << command;
     EXPECT_NE(result.output.find("Usage"), std::string::npos) << command;
