@@ -41,7 +41,9 @@ void diagnose(const DiagnoseArguments& arguments) {
     ProgressBar bar("diagnosing");
     bar.show(0.0);
     const std::vector<Record> training = read_all(arguments.data, model), holdout = read_all(arguments.holdout, model);
-    require_same_channels(training);
+    std::vector<Record> all = training;
+    all.insert(all.end(), holdout.begin(), holdout.end());
+    require_same_channels(all);
     bar.show(0.1);
     found = diagnosis::diagnose(model, training, holdout, options);
     bar.show(0.8);
