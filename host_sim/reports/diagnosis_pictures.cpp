@@ -25,7 +25,7 @@ std::vector<double> difference(const std::vector<double>& a, const std::vector<d
   return out;
 }
 
-Plot detail(const DofView& view, const Waveform& waveform) {
+Plot detail(const DofView& view, const Waveform& waveform, size_t columns) {
   Plot plot;
   plot.title = "DOF " + std::to_string(view.dof) + " " + waveform.quantity + ": worst moment";
   plot.x_label = "time";
@@ -37,7 +37,7 @@ Plot detail(const DofView& view, const Waveform& waveform) {
   const auto add = [&](const std::vector<double>& values, const char* label, Role role, Shape shape) {
     if (values.size() == waveform.measured.size() && !values.empty())
       plot.curves.push_back(
-          styled(envelope_line(values, span, view.start_s, view.period_s, kColumns), label, role, shape));
+          styled(envelope_line(values, span, view.start_s, view.period_s, columns), label, role, shape));
   };
   add(waveform.measured, "measured", Role::kMeasured, Shape::kLine);
   add(waveform.simulated, kGiven, Role::kGiven, Shape::kLine);
@@ -45,7 +45,7 @@ Plot detail(const DofView& view, const Waveform& waveform) {
   return plot;
 }
 
-Plot errors(const DofView& view, const Waveform& waveform) {
+Plot errors(const DofView& view, const Waveform& waveform, size_t columns) {
   Plot plot;
   plot.title = "DOF " + std::to_string(view.dof) + " " + waveform.quantity + ": whole record";
   plot.x_label = "time";
@@ -56,7 +56,7 @@ Plot errors(const DofView& view, const Waveform& waveform) {
   const auto add = [&](const std::vector<double>& values, const char* label, Role role) {
     if (values.empty()) return;
     const Span whole{0, values.size()};
-    Curve band = envelope_band(values, whole, view.start_s, view.period_s, kBandColumns);
+    Curve band = envelope_band(values, whole, view.start_s, view.period_s, kBandColumns * columns / kColumns);
     band.opacity = role == Role::kMeasured ? 0.16 : 0.6;
     plot.curves.push_back(styled(std::move(band), label, role, Shape::kBand));
   };
@@ -70,7 +70,7 @@ Plot errors(const DofView& view, const Waveform& waveform) {
   return plot;
 }
 
-Plot spectra(const DofView& view, const Waveform& waveform) {
+Plot spectra(const DofView& view, const Waveform& waveform, size_t columns) {
   Plot plot;
   plot.title = "DOF " + std::to_string(view.dof) + " " + waveform.quantity + ": spectrum";
   plot.x_label = "frequency";
@@ -93,7 +93,7 @@ Plot spectra(const DofView& view, const Waveform& waveform) {
       spectrum.frequency_Hz.pop_back();
       spectrum.density.pop_back();
     }
-    const Spectrum small = reduced(spectrum, kColumns);
+    const Spectrum small = reduced(spectrum, columns);
     Curve curve;
     curve.x = small.frequency_Hz;
     curve.y = small.density;
@@ -105,11 +105,11 @@ Plot spectra(const DofView& view, const Waveform& waveform) {
   return plot;
 }
 
-Curve over_time(const std::vector<double>& time_s, const std::vector<double>& values) {
+Curve over_time(const std::vector<double>& time_s, const std::vector<double>& values, size_t columns) {
   const size_t count = std::min(time_s.size(), values.size());
   if (count < 2) return {};
   const double period_s = (time_s[count - 1] - time_s[0]) / static_cast<double>(count - 1);
-  return envelope_line(values, {0, count}, time_s[0], period_s, kColumns);
+  return envelope_line(values, {0, count}, time_s[0], period_s, columns);
 }
 
 void add_shape(Plot& plot, const std::vector<double>& x, const std::vector<double>& y, const char* label, Role role,
@@ -150,11 +150,13 @@ Plot force_against(const LinkView& link, const std::vector<double>& x, const std
 
 }  // namespace
 
-std::vector<Plot> waveform_pictures(const DofView& view, const Waveform& waveform) {
-  return {detail(view, waveform), errors(view, waveform), spectra(view, waveform)};
+size_t picture_columns(size_t dofs) { return dofs <= 6 ? kColumns : 2 * kColumns / 5; }
+
+std::vector<Plot> waveform_pictures(const DofView& view, const Waveform& waveform, size_t columns) {
+  return {detail(view, waveform, columns), errors(view, waveform, columns), spectra(view, waveform, columns)};
 }
 
-std::vector<Plot> energy_pictures(const DofView& view) {
+std::vector<Plot> energy_pictures(const DofView& view, size_t columns) {
   const EnergyBalance& energy = view.energy;
   Plot terms, left;
   terms.title = "DOF " + std::to_string(view.dof) + ": energy by term";
@@ -165,14 +167,14 @@ std::vector<Plot> energy_pictures(const DofView& view) {
   terms.y_unit = left.y_unit = "J";
   terms.zero_line = left.zero_line = true;
   for (size_t i = 0; i < energy.terms.size(); ++i)
-    terms.curves.push_back(styled(over_time(energy.time_s, energy.terms[i].values), energy.terms[i].label,
+    terms.curves.push_back(styled(over_time(energy.time_s, energy.terms[i].values, columns), energy.terms[i].label,
                                   static_cast<Role>(static_cast<int>(Role::kTerm1) + static_cast<int>(i % 8)),
                                   i < 8 ? Shape::kLine : Shape::kDashed));
-  left.curves.push_back(
-      styled(over_time(energy.time_s, energy.residual), "left by the rig as given", Role::kGiven, Shape::kLine));
+  left.curves.push_back(styled(over_time(energy.time_s, energy.residual, columns), "left by the rig as given",
+                               Role::kGiven, Shape::kLine));
   if (!energy.residual_extended.empty())
-    left.curves.push_back(styled(over_time(energy.time_s, energy.residual_extended), "left by the extended rig",
-                                 Role::kExtended, Shape::kLine));
+    left.curves.push_back(styled(over_time(energy.time_s, energy.residual_extended, columns),
+                                 "left by the extended rig", Role::kExtended, Shape::kLine));
   return {terms, left};
 }
 

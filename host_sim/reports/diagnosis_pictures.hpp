@@ -1,5 +1,6 @@
 // The pictures of the diagnosis page.
 #pragma once
+#include <cstddef>
 #include <vector>
 
 #include "host_sim/reports/plot.hpp"
@@ -7,11 +8,14 @@
 
 namespace host_sim::reports {
 
+// Columns of a curve: fewer where there are many pictures, so that the page stays small.
+size_t picture_columns(size_t dofs);
+
 // A detail where the rig as given is most wrong, the errors over the whole record, and the spectra.
-std::vector<Plot> waveform_pictures(const DofView& view, const Waveform& waveform);
+std::vector<Plot> waveform_pictures(const DofView& view, const Waveform& waveform, size_t columns);
 
 // Energies by term, and what is left over.
-std::vector<Plot> energy_pictures(const DofView& view);
+std::vector<Plot> energy_pictures(const DofView& view, size_t columns);
 
 // Unexplained force against elongation, rate and time.
 std::vector<Plot> link_pictures(const LinkView& link);

@@ -110,15 +110,16 @@ void add_pictures(Page& page, const DiagnosisReportData& data) {
                "The rig as given and the extended rig, simulated freely under the measured force. Each row shows the "
                "moment where "
                "the rig as given is most wrong, the errors over the whole record, and the spectra.");
+  const size_t columns = picture_columns(data.dofs.size());
   for (const DofView& view : data.dofs)
-    for (const Waveform& waveform : view.waveforms) page.figures(waveform_pictures(view, waveform));
+    for (const Waveform& waveform : view.waveforms) page.figures(waveform_pictures(view, waveform, columns));
   const auto has_energy = [](const DofView& view) { return !view.energy.time_s.empty(); };
   if (std::any_of(data.dofs.begin(), data.dofs.end(), has_energy)) {
     page.section(
         "energy", "Energy balance",
         "What the drive puts into each DOF, where it goes, and what no term of the rig as given accounts for.");
     for (const DofView& view : data.dofs)
-      if (has_energy(view)) page.figures(energy_pictures(view));
+      if (has_energy(view)) page.figures(energy_pictures(view, columns));
   }
   if (data.links.empty()) return;
   page.section(

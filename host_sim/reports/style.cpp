@@ -39,7 +39,7 @@ figure p{font-size:13px;color:var(--soft);margin:2px 4px 4px}
 svg{display:block;width:100%;height:auto;font-family:inherit}
 svg g,svg text{font-size:12.5px}
 .p{fill:none;stroke:currentColor;stroke-width:1;stroke-linecap:round;stroke-linejoin:round}
-.gridline{stroke-linecap:butt}
+.gridline{stroke:var(--grid);stroke-linecap:butt}.t{stroke:none;fill:var(--soft)}
 @media (min-width:760px){.row2{grid-template-columns:repeat(2,minmax(0,1fr))}.row3{grid-template-columns:repeat(2,minmax(0,1fr))}.row1{max-width:760px}}
 @media (min-width:1100px){.row3{grid-template-columns:repeat(3,minmax(0,1fr))}.row2 svg g,.row2 svg text{font-size:11px}.row3 svg g,.row3 svg text{font-size:14px}}
 .legend{list-style:none;display:flex;flex-wrap:wrap;gap:2px 20px;padding:0;margin:12px 0 8px;font-size:14px}

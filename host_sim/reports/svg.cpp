@@ -1,6 +1,7 @@
 // gnuplot's SVG documents -> elements that fit into a page, or picture files with the colours filled in.
 #include <cstdio>
 
+#include "host_sim/reports/compact_path.hpp"
 #include "host_sim/reports/plot.hpp"
 
 namespace host_sim::reports {
@@ -58,6 +59,19 @@ void remove_empty_groups(std::string& svg) {
   }
 }
 
+// What the page's style sheet says once need not be said at every mark.
+void shorten(std::string& svg) {
+  replace_all(svg,
+              "<g fill=\"none\" stroke=\"currentColor\" stroke-width=\"1.00\" stroke-linecap=\"round\" "
+              "stroke-linejoin=\"round\">",
+              "<g class=\"p\">");
+  replace_all(svg, " stroke=\"none\" fill=\"var(--soft)\" font-size=\"12.00\" ", " class=\"t\"");
+  replace_all(svg, "<path stroke='var(--grid)' class=\"gridline\" ", "<path class=\"gridline\"");
+  replace_all(svg, "\t", "");
+  replace_all(svg, "/></g>\n<g class=\"p\">\n", "/>\n");
+  replace_all(svg, "</g>\n</g>\n<g class=\"p\">\n", "</g>\n");
+}
+
 std::string finish_one(std::string svg, Target target) {
   remove_between(svg, "<defs>", "</defs>\n");
   remove_between(svg, "<title>", "</title>\n");
@@ -76,15 +90,11 @@ std::string finish_one(std::string svg, Target target) {
   replace_all(svg, "'black'", std::string("'") + ink + "'");
   replace_all(svg, "\"black\"", std::string("\"") + ink + "\"");
   remove_empty_groups(svg);
-  if (target == Target::kPage)  // the page's style sheet has this pen
-    replace_all(svg,
-                "<g fill=\"none\" stroke=\"currentColor\" stroke-width=\"1.00\" stroke-linecap=\"round\" "
-                "stroke-linejoin=\"round\">",
-                "<g class=\"p\">");
+  if (target == Target::kPage) shorten(svg);
   replace_all(svg, "<tspan >", "<tspan>");
   replace_all(svg, "\n\n", "\n");
   replace_all(svg, "  '/>", "'/>");
-  return svg;
+  return target == Target::kPage ? with_compact_paths(svg) : svg;
 }
 
 }  // namespace

@@ -63,11 +63,11 @@ std::string section(const Example& example, const DiagnosisReportData& data, con
   for (const std::string& advice : data.advice) out += "- Advice: " + advice + "\n";
   if (!data.advice.empty()) out += "\n";
   const DofView& view = data.dofs.front();
-  out += picture(example, "worst_moment", waveform_pictures(view, view.waveforms.back()).at(0), docs);
+  out += picture(example, "worst_moment", waveform_pictures(view, view.waveforms.back(), kColumns).at(0), docs);
   const std::vector<Plot> link = link_pictures(data.links.front());
   out += picture(example, "force_against_rate", link.at(1), docs);
   out += picture(example, "force_against_elongation", link.at(0), docs);
-  out += picture(example, "energy_left", energy_pictures(view).at(1), docs);
+  out += picture(example, "energy_left", energy_pictures(view, kColumns).at(1), docs);
   return out;
 }
 

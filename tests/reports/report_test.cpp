@@ -51,6 +51,14 @@ TEST(DiagnosisPage, HasEveryPart) {
 
 TEST(DiagnosisPage, StaysSmallForALongRecord) { EXPECT_LT(diagnosis_page(made_up::diagnosis(60000)).size(), 2000000u); }
 
+// 16 DOFs, the most that the core holds.
+TEST(DiagnosisPage, StaysSmallForALargeRig) {
+  DiagnosisReportData data = made_up::diagnosis();
+  while (data.dofs.size() < 16) data.dofs.push_back(data.dofs[data.dofs.size() % 3]);
+  while (data.links.size() < 17) data.links.push_back(data.links[data.links.size() % 2]);
+  EXPECT_LT(diagnosis_page(data).size(), 2000000u);
+}
+
 TEST(DiagnosisPage, IsTheSameBytesEveryTime) {
   EXPECT_EQ(diagnosis_page(made_up::diagnosis(3000)), diagnosis_page(made_up::diagnosis(3000)));
 }
