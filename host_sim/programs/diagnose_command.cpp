@@ -47,9 +47,12 @@ void diagnose(const DiagnoseArguments& arguments) {
     bar.show(0.1);
     found = diagnosis::diagnose(model, training, holdout, options);
     bar.show(0.8);
-    data = reports::diagnosis_report_data(model, training, holdout, found, options.holdout_fraction);
-    bar.show(0.9);
-    if (!arguments.report.empty()) reports::write_diagnosis_report(arguments.report, data);
+    data = reports::findings_of(model, training, holdout, found);
+    if (!arguments.report.empty()) {
+      reports::add_pictures(model, training, holdout, found, options.holdout_fraction, data);
+      bar.show(0.9);
+      reports::write_diagnosis_report(arguments.report, data);
+    }
     bar.show(1.0);
   }
   json.deliver(to_text(diagnosis::to_json(found)));

@@ -97,18 +97,16 @@ rig_file::RigModel with_parameters(const rig_file::RigModel& rig, const std::vec
   return out;
 }
 
-DiagnosisReportData diagnosis_report_data(const rig_file::RigModel& rig, const std::vector<Record>& training,
-                                          const std::vector<Record>& holdout, const diagnosis::Diagnosis& found,
-                                          double holdout_fraction) {
-  const Record& shown = holdout.empty() ? training.front() : holdout.front();
-  const double unseen_from = (1.0 - holdout_fraction) * static_cast<double>(shown.samples());
+DiagnosisReportData findings_of(const rig_file::RigModel& rig, const std::vector<Record>& training,
+                                const std::vector<Record>& holdout, const diagnosis::Diagnosis& found) {
+  const Record& first = training.front();
   DiagnosisReportData data;
   data.rig_name = rig.name.empty() ? "the rig" : rig.name;
   for (const Record& record : training) data.files.push_back(std::filesystem::path(record.file).filename().string());
   for (const Record& record : holdout)
     data.facts.push_back("held out: " + std::filesystem::path(record.file).filename().string());
-  data.facts.push_back(text(static_cast<double>(shown.samples()) * shown.sample_period_s, "%g s") +
-                       text(1.0 / shown.sample_period_s, " at %g Hz"));
+  data.facts.push_back(text(static_cast<double>(first.samples()) * first.sample_period_s, "%g s") +
+                       text(1.0 / first.sample_period_s, " at %g Hz"));
   data.facts.push_back(text(found.baseline_misfit, "misfit (1 is noise alone): %.3g as given") +
                        text(found.extended_misfit, ", %.3g extended"));
   data.verdict = diagnosis::verdict_word(found.verdict);
@@ -122,14 +120,21 @@ DiagnosisReportData diagnosis_report_data(const rig_file::RigModel& rig, const s
   for (const diagnosis::DetectionLimit& limit : found.minimum_detectable)
     data.minimum_detectable.push_back({limit.effect, limit.where, limit.unit, limit.strength});
   data.advice = found.advice;
-  const Comparison comparison =
-      compare(shown, with_parameters(rig, found.baseline.parameters),
-              with_parameters(found.extended_rig.dofs.empty() ? rig : found.extended_rig, found.extended.parameters),
-              holdout.empty() ? static_cast<size_t>(unseen_from) : 0);
+  return data;
+}
+
+void add_pictures(const rig_file::RigModel& rig, const std::vector<Record>& training,
+                  const std::vector<Record>& holdout, const diagnosis::Diagnosis& found, double holdout_fraction,
+                  DiagnosisReportData& data) {
+  const Record& shown = holdout.empty() ? training.front() : holdout.front();
+  const double unseen_from = (1.0 - holdout_fraction) * static_cast<double>(shown.samples());
+  const rig_file::RigModel& extended = found.extended_rig.dofs.empty() ? rig : found.extended_rig;
+  const Comparison comparison = compare(shown, with_parameters(rig, found.baseline.parameters),
+                                        with_parameters(extended, found.extended.parameters),
+                                        holdout.empty() ? static_cast<size_t>(unseen_from) : 0);
   data.dofs = comparison.dofs;
   data.links = comparison.links;
   data.facts.insert(data.facts.end(), comparison.notes.begin(), comparison.notes.end());
-  return data;
 }
 
 }  // namespace host_sim::reports

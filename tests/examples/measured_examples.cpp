@@ -25,8 +25,9 @@ std::string section_of(const examples::Example& example, const std::string& shar
   const std::vector<host_sim::Record> holdout = read(shared, example.holdout, rig);
   const diagnosis::Options options;
   const diagnosis::Diagnosis found = diagnosis::diagnose(rig, data, holdout, options);
-  return examples::section(
-      example, host_sim::reports::diagnosis_report_data(rig, data, holdout, found, options.holdout_fraction), docs);
+  host_sim::reports::DiagnosisReportData report = host_sim::reports::findings_of(rig, data, holdout, found);
+  host_sim::reports::add_pictures(rig, data, holdout, found, options.holdout_fraction, report);
+  return examples::section(example, report, docs);
 }
 
 constexpr char kOpening[] =

@@ -50,9 +50,15 @@ struct Case {
   }
 };
 
+reports::DiagnosisReportData data_of(const Case& c, const std::vector<Record>& holdout) {
+  reports::DiagnosisReportData data = reports::findings_of(c.given, c.records, holdout, c.found);
+  reports::add_pictures(c.given, c.records, holdout, c.found, 0.3, data);
+  return data;
+}
+
 TEST(FromDiagnosis, CarriesTheFindingsOver) {
   const Case c;
-  const reports::DiagnosisReportData data = reports::diagnosis_report_data(c.given, c.records, {}, c.found, 0.3);
+  const reports::DiagnosisReportData data = data_of(c, {});
   EXPECT_EQ(data.rig_name, "one mass");
   EXPECT_EQ(data.files, std::vector<std::string>{"decay.csv"});
   EXPECT_EQ(data.verdict, "explained");
@@ -73,7 +79,7 @@ TEST(FromDiagnosis, CarriesTheFindingsOver) {
 // The pictures are made with the parameters found: the extended rig follows the record, the given one does not.
 TEST(FromDiagnosis, PicturesUseTheParametersFound) {
   const Case c;
-  const reports::DiagnosisReportData data = reports::diagnosis_report_data(c.given, c.records, {}, c.found, 0.3);
+  const reports::DiagnosisReportData data = data_of(c, {});
   const reports::Waveform& x = data.dofs.at(0).waveforms.at(0);
   double error = 0.0, error_given = 0.0;
   for (size_t i = 0; i < x.measured.size(); ++i) {
@@ -87,7 +93,7 @@ TEST(FromDiagnosis, PicturesUseTheParametersFound) {
 
 TEST(FromDiagnosis, AHoldoutRecordIsShownWhole) {
   const Case c;
-  const reports::DiagnosisReportData data = reports::diagnosis_report_data(c.given, c.records, c.records, c.found, 0.3);
+  const reports::DiagnosisReportData data = data_of(c, c.records);
   EXPECT_EQ(data.dofs.at(0).holdout_start_s, 0.0);
   EXPECT_EQ(data.facts.at(0), "held out: decay.csv");
 }
