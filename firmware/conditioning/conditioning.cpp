@@ -5,7 +5,9 @@ namespace {
 
 constexpr int32_t kSignalLimit = 1 << 23;
 constexpr int kStateFraction = 16;
-constexpr int kSettlingTimeConstants = 4;  // of the high-pass
+// Of the high-pass, until what a level started with is forgotten. A double integration turns a start in mid-motion into
+// metres: t^2 exp(-t / tau) must fall below 1e-5 of it, which takes 16 time constants.
+constexpr int settling_time_constants(int order) { return order > 2 ? 16 : 4; }
 
 int32_t clamp32(int64_t value) {
   if (value > INT32_MAX) return INT32_MAX;
@@ -39,7 +41,8 @@ void Conditioning::configure(const CoreConfiguration& configuration) {
     }
   }
   history_samples_ = 2 * reach_;
-  if (configuration.high_pass_order > 0) history_samples_ += kSettlingTimeConstants << configuration.high_pass_shift;
+  if (configuration.high_pass_order > 0)
+    history_samples_ += settling_time_constants(configuration.high_pass_order) << configuration.high_pass_shift;
   plain_ = configuration.high_pass_order == 0;
   for (int i = 0; i < path_count_; ++i) {
     const SignalConfiguration& signal = configuration.signals[path_[i].node][path_[i].quantity];
@@ -105,7 +108,8 @@ int32_t Conditioning::filtered(Path& path, int32_t code) {
 }
 
 // First-order sections with the pole 1 - 2^-shift. The differences come first, they take the offset away before the
-// integrations sum anything; the very first sample is taken to have stood there for ever, so there is no switch-on step.
+// integrations sum anything; the very first sample is taken to have stood there for ever, so there is no switch-on
+// step.
 int32_t Conditioning::high_passed(Path& path, int integrations, int32_t code) const {
   const int shift = configuration_->high_pass_shift;
   const int differences = configuration_->high_pass_order - integrations;

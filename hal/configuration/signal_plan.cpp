@@ -15,7 +15,9 @@ using firmware::kQuantities;
 using firmware::SignalConfiguration;
 
 constexpr int kF = 0, kX = 1, kV = 2, kA = 3;
-constexpr double kHighPass_Hz = 0.2;  // the nearest power of two is taken
+// Corner for one integration and for two; the nearest power of two is taken. Two need the higher one: noise and the start of
+// a level grow with the square of the time that they are remembered.
+constexpr double kHighPass_Hz = 0.2, kDoubleHighPass_Hz = 1.0;
 constexpr double kSignalPeak = 1 << 22;
 
 // One signal as real numbers: out = sum of h * input, input = codes or their integrated codes.
@@ -39,8 +41,9 @@ class Plan {
     for (auto& node : c_.signals)
       for (SignalConfiguration& signal : node) integrations = std::max<int>(integrations, signal.integrations);
     c_.high_pass_order = static_cast<uint8_t>(integrations == 0 ? 0 : integrations + 1);
-    c_.high_pass_shift = static_cast<uint8_t>(
-        std::clamp(static_cast<int>(std::lround(std::log2(1.0 / (2.0 * M_PI * kHighPass_Hz * period_s_)))), 7, 12));
+    const double corner_Hz = integrations > 1 ? kDoubleHighPass_Hz : kHighPass_Hz;
+    const double shift = std::log2(1.0 / (2.0 * M_PI * corner_Hz * period_s_));
+    c_.high_pass_shift = static_cast<uint8_t>(std::clamp(static_cast<int>(std::lround(shift)), 7, 12));
   }
 
   bool differentiates() const {

@@ -3,7 +3,7 @@
 //   all of x, v (and a) measured, no delays   codes as they are
 //   only x                                    v and a by differences, every channel through the same low-pass
 //   v without x                               x by integration, every channel through the same high-pass (0.16 Hz at 1 kHz)
-//   only a                                    v and x by integration, likewise
+//   only a                                    v and x by integration, likewise (1.2 Hz at 1 kHz)
 //   delays (rig file's [[channel]] delay_us)  fractional shift of the late channel
 // The DOFs may differ: what one of them needs is applied to all channels, so that each equation sees one band and one delay.
 #pragma once

@@ -13,7 +13,6 @@
 
 namespace host_sim {
 
-// Sampled beyond a level's end, for filters that look ahead.
 constexpr size_t kRunOutSamples = 128;
 
 enum class LevelKind { kSine, kRandom, kFreeDecay, kBaseSine };
@@ -25,10 +24,11 @@ struct ExcitationLevel {
   double rms_N = 0.0;      // kRandom
   double frequency_Hz = 0.0;
   double low_Hz = 5.0, high_Hz = 50.0;
-  size_t settle_samples = 0;  // before the measurement
-  size_t samples = 0;         // sample periods to be measured
+  size_t settle_samples = 0;                // before the measurement
+  size_t samples = 0;                       // sample periods to be measured
+  size_t run_out_samples = kRunOutSamples;  // beyond the measurement, for filters that look further
   InitialState initial;
-  size_t recorded() const { return settle_samples + samples + 1 + kRunOutSamples; }
+  size_t recorded() const { return settle_samples + samples + 1 + run_out_samples; }
   bool periodic() const { return kind == LevelKind::kSine || kind == LevelKind::kBaseSine; }
 };
 

@@ -20,7 +20,7 @@ Excitation level_excitation(const Scenario& scenario, size_t level_number, uint6
       break;
     case LevelKind::kRandom:
       excitation.force_N[driven] = random_band({level.rms_N, level.low_Hz, level.high_Hz}, -settle_s,
-                                               static_cast<double>(level.samples + 1 + kRunOutSamples) * h,
+                                               static_cast<double>(level.samples + 1 + level.run_out_samples) * h,
                                                std::min(h, 0.05 / level.high_Hz), seed, level_number);
       break;
     case LevelKind::kFreeDecay:

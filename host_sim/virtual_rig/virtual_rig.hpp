@@ -13,7 +13,7 @@ enum class RigPhase {
   kWaiting,  // before the first sample
   kSettling,
   kMeasuring,  // the level's samples sample periods, both ends included
-  kRunOut,     // kRunOutSamples beyond
+  kRunOut,     // run_out_samples beyond
   kDone,
 };
 
@@ -30,6 +30,7 @@ class VirtualRig : public hal::SampleSource, public hal::MonotonicClock {
   // Of the last sample read.
   size_t level() const { return level_; }
   RigPhase phase() const { return phase_; }
+  size_t sample_of_level() const { return next_in_level_ - 1; }  // counted from the first of settling
   bool first_of_level() const { return next_in_level_ == 1; }
   bool last_of_level() const;
 
