@@ -102,8 +102,8 @@ TEST(Conditioning, VelocityAndAccelerationFromDisplacement) {
 }
 
 TEST(Conditioning, VelocityAndDisplacementFromAcceleration) {
-  // a = sin(w t): v = -cos / w, x = -sin / w^2, all three through the same three high-pass sections of corner
-  // fc = 1000 / (2 pi 128) = 1.24 Hz, each of gain 1 / sqrt(1 + (fc / f)^2).
+  // a = sin(w t): v = -cos / w, x = -sin / w^2, all three through the same three sections (1 - z^-1) / (1 - p z^-1) with
+  // p = 1 - 2^-7 (corner 1.24 Hz), each of gain 2 sin(w h / 2) / sqrt(1 + p^2 - 2 p cos(w h)).
   auto c = rig({Quantity::kAcceleration});
   rig_file::plan_signals(*c);
   for (double frequency_Hz : {5.0, 20.0, 50.0}) {
@@ -112,7 +112,9 @@ TEST(Conditioning, VelocityAndDisplacementFromAcceleration) {
     const auto a = complex(respond(*c, Quantity::kAcceleration, Quantity::kAcceleration, frequency_Hz, 20000));
     const auto v = complex(respond(*c, Quantity::kVelocity, Quantity::kAcceleration, frequency_Hz, 20000));
     const auto x = complex(respond(*c, Quantity::kDisplacement, Quantity::kAcceleration, frequency_Hz, 20000));
-    EXPECT_NEAR(std::abs(a), std::pow(1.0 + std::pow(1000.0 / (2.0 * M_PI * 128.0 * frequency_Hz), 2), -1.5), 0.01);
+    const double p = 1.0 - 1.0 / 128.0, turn = w * kPeriod;
+    const double gain = 2.0 * std::sin(turn / 2.0) / std::sqrt(1.0 + p * p - 2.0 * p * std::cos(turn));
+    EXPECT_NEAR(std::abs(a), std::pow(gain, 3), 1e-3);
     EXPECT_NEAR(std::abs(v / a - std::complex<double>(0.0, -1.0 / w)) * w, 0.0, 2e-4);
     EXPECT_NEAR(std::abs(x / a + 1.0 / (w * w)) * w * w, 0.0, 1e-3);
   }
