@@ -25,8 +25,10 @@ void TransmitQueue::push(const CanMessage& message, bool replace) {
   if (replace) {
     for (int rank = 0; rank < count_; ++rank) {
       if (waiting_at(rank).id != message.id) continue;
+      uint32_t& pushed_at = pushed_at_[order_[rank]];
       waiting_at(rank) = message;
-      ++given_up_;
+      given_up_ += pushed_at == flushes_ ? 0 : 1;
+      pushed_at = flushes_;
       return;
     }
   }
@@ -37,6 +39,7 @@ void TransmitQueue::push(const CanMessage& message, bool replace) {
   }
   const uint8_t place = order_[count_];
   frames_[place] = message;
+  pushed_at_[place] = flushes_;
   int rank = count_++;
   for (; rank > 0 && waiting_at(rank - 1).id > message.id; --rank) order_[rank] = order_[rank - 1];
   order_[rank] = place;
@@ -51,6 +54,7 @@ void TransmitQueue::remove_first() {
 
 hal::CanResult TransmitQueue::flush(hal::CanBus& bus) {
   hal::CanResult result = hal::CanResult::kEmpty;
+  ++flushes_;
   while (count_ > 0) {
     result = bus.send(to_frame(waiting_at(0)));
     if (result == hal::CanResult::kDone) {

@@ -31,9 +31,12 @@ class TransmitQueue {
   void remove_first();
 
   CanMessage frames_[kCapacity] = {};
+  uint32_t pushed_at_[kCapacity] =
+      {};                     // flushes_ when it came: superseded before the bus has refused it, it is no loss
   uint8_t order_[kCapacity];  // the first count_: places in frames_ by identifier, oldest first among equals; then the
                               // free places
   int count_ = 0;
+  uint32_t flushes_ = 0;
   uint32_t given_up_ = 0;
   uint32_t sent_ = 0;
 };

@@ -8,10 +8,18 @@ firmware::ControllerConfiguration ReplayBoard::commanded(firmware::ControllerCon
   return configuration;
 }
 
-ReplayBoard::ReplayBoard(const firmware::ControllerConfiguration& configuration, CanBus& bus)
-    : controller_(std::make_unique<firmware::RigController>(
+CanResult ReplayBoard::FrameBus::send(const CanFrame& frame) {
+  CanFrame stamped = frame;
+  stamped.time_ns = clock_.now_ns();
+  take_(stamped);
+  return CanResult::kDone;
+}
+
+ReplayBoard::ReplayBoard(const firmware::ControllerConfiguration& configuration, Take take)
+    : bus_(clock_, std::move(take)),
+      controller_(std::make_unique<firmware::RigController>(
           commanded(configuration),
-          firmware::Ports{clock_, source_, bus, drive_, relay_, lamp_, stop_line_, nullptr, watchdog_, store_})) {}
+          firmware::Ports{clock_, source_, bus_, drive_, relay_, lamp_, stop_line_, nullptr, watchdog_, store_})) {}
 
 void ReplayBoard::run_at(uint64_t time_ns) {
   clock_.set_ns(time_ns);

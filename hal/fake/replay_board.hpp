@@ -1,6 +1,7 @@
 // A board made of fakes on which a RigController listens to samples that are already known: recordings, simulations.
-// Whoever owns the samples marks the levels and sets the time; the frames go to a bus of their choice.
+// Whoever owns the samples marks the levels and sets the time, and is given every frame that the controller sends.
 #pragma once
+#include <functional>
 #include <memory>
 
 #include "firmware/rig_controller/rig_controller.hpp"
@@ -13,7 +14,9 @@ namespace hal {
 class ReplayBoard {
  public:
   // configuration.programme must be empty; levels are marked by begin_level() and end_level() alone.
-  ReplayBoard(const firmware::ControllerConfiguration& configuration, CanBus& bus);
+  // take: is called with each frame as it is sent, its time_ns set.
+  using Take = std::function<void(const CanFrame&)>;
+  ReplayBoard(const firmware::ControllerConfiguration& configuration, Take take);
 
   // The controller runs at this time of its clock, without a sample; time never goes back.
   void run_at(uint64_t time_ns);
@@ -28,9 +31,20 @@ class ReplayBoard {
   const firmware::EstimatorCore& core() const { return controller_->core(); }
 
  private:
+  class FrameBus final : public CanBus {
+   public:
+    FrameBus(ManualClock& clock, Take take) : clock_(clock), take_(std::move(take)) {}
+    CanResult send(const CanFrame& frame) override;
+    CanResult receive(CanFrame&) override { return CanResult::kEmpty; }
+
+   private:
+    ManualClock& clock_;
+    Take take_;
+  };
   static firmware::ControllerConfiguration commanded(firmware::ControllerConfiguration configuration);
 
   ManualClock clock_;
+  FrameBus bus_;
   FakeSampleSource source_;
   FakeDrive drive_;
   FakeOutput relay_, lamp_;

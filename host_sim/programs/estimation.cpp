@@ -5,13 +5,14 @@
 #include <sstream>
 
 #include "hal/configuration/signal_plan.hpp"
+#include "hal/fake/replay_board.hpp"
 #include "host_sim/can_log/log_writer.hpp"
-#include "host_sim/programs/estimate_frames.hpp"
 #include "host_sim/programs/failures.hpp"
 #include "host_sim/programs/fit_quality.hpp"
 #include "host_sim/records/data_file_error.hpp"
 #include "host_sim/records/digitise.hpp"
 #include "host_sim/records/record_checks.hpp"
+#include "host_sim/virtual_rig/board_configuration.hpp"
 
 namespace host_sim {
 namespace {
@@ -64,38 +65,36 @@ void fit_signals_to(const std::vector<Record>& records, const std::vector<rig_fi
   rig_file::plan_signals(configuration, rig_file::measure_ranges(configuration, samples));
 }
 
-// Feeds the records and lets the frames follow: a heartbeat every 100 ms, a window every second.
+// Replays the records on a board of fakes: one level each, the frames of the controller into the log.
 class Feed {
  public:
-  Feed(firmware::EstimatorCore& core, EstimateFrames& frames, const EstimationOptions& options, size_t total)
-      : core_(core), frames_(frames), options_(options), total_(total) {}
+  Feed(hal::ReplayBoard& board, const EstimationOptions& options, size_t total)
+      : board_(board), options_(options), total_(total) {
+    board_.run_at(0);
+  }
 
   void record(const Record& record, const std::vector<rig_file::ChannelCalibration>& calibrations) {
     RecordSampleSource source(record, calibrations);
     firmware::RawSample sample;
-    core_.begin_level();
+    board_.begin_level();
     while (source.read(sample) == hal::SampleResult::kSample) {
-      core_.push(sample);
-      after_sample(record.sample_period_s);
+      sample.sequence = static_cast<uint32_t>(done_++);  // between two records nothing is missed
+      time_ns_ = static_cast<uint64_t>(std::llround(static_cast<double>(done_) * record.sample_period_s * 1e9));
+      const bool window = board_.push(sample, time_ns_);
+      if (window && options_.progress) options_.progress(static_cast<double>(done_) / static_cast<double>(total_));
     }
-    core_.end_level();
+    board_.end_level();
   }
-  uint64_t time_ns() const { return time_ns_; }
+  // One more heartbeat and status, which says DONE.
+  void finish() {
+    board_.finish(time_ns_);
+    board_.run_at(time_ns_ + kHeartbeat_ns);
+  }
 
  private:
-  static constexpr uint64_t kHeartbeat_ns = 100000000, kWindow_ns = 1000000000;
+  static constexpr uint64_t kHeartbeat_ns = 100000000;
 
-  void after_sample(double period_s) {
-    const uint64_t before_ns = time_ns_;
-    time_ns_ = static_cast<uint64_t>(std::llround(static_cast<double>(++done_) * period_s * 1e9));
-    if (time_ns_ / kHeartbeat_ns != before_ns / kHeartbeat_ns) frames_.heartbeat(time_ns_);
-    if (time_ns_ / kWindow_ns == before_ns / kWindow_ns) return;
-    frames_.window(time_ns_, core_.solve(), core_.health(), false);
-    if (options_.progress) options_.progress(static_cast<double>(done_) / static_cast<double>(total_));
-  }
-
-  firmware::EstimatorCore& core_;
-  EstimateFrames& frames_;
+  hal::ReplayBoard& board_;
   const EstimationOptions& options_;
   size_t total_, done_ = 0;
   uint64_t time_ns_ = 0;
@@ -111,24 +110,23 @@ Estimation estimate_records(const rig_file::RigModel& model, const std::vector<R
       rig_file::compile_rig(model, records.front().sample_period_s, calibrations);
   fit_signals_to(records, calibrations, configuration);
   configuration.window = window_of(records.front(), options);
-  const auto core = std::make_unique<firmware::EstimatorCore>(configuration);
   std::ostringstream log_text;
   can_log::LogWriter log(log_text, "can0");
-  EstimateFrames frames([&log](const firmware::CanMessage& message, uint64_t time_ns) { log.write(message, time_ns); });
-  frames.begin(model, configuration);
+  hal::ReplayBoard board(board_configuration(model, configuration, records.front().sample_period_s),
+                         [&log](const hal::CanFrame& frame) { log.write(frame); });
   size_t samples = 0;
   for (const Record& record : records) samples += record.samples();
-  Feed feed(*core, frames, options, samples);
+  Feed feed(board, options, samples);
   for (const Record& record : records) feed.record(record, calibrations);
-  const firmware::Estimates& estimates = core->solve();
-  frames.window(feed.time_ns(), estimates, core->health(), true);
+  feed.finish();
+  const firmware::Estimates& estimates = *board.controller().estimates();
 
   Estimation estimation;
   estimation.result = result_of(model, estimates);
   estimation.result.samples = samples;
   estimation.result.sample_rate_Hz = 1.0 / records.front().sample_period_s;
   estimation.result.levels = static_cast<unsigned>(records.size());
-  estimation.result.health = core->health();
+  estimation.result.health = board.core().health();
   if (const std::string plan = rig_file::describe_plan(configuration); !plan.empty())
     estimation.result.notes.push_back(plan);
   for (const std::string& name : rig_file::simulator_only_effects(model))

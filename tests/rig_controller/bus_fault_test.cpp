@@ -183,6 +183,43 @@ TEST(BusFaults, EveryFrameIsSentOrCounted) {
   EXPECT_EQ(bench.can.count(kStatusId), 100u);
 }
 
+// The queue by itself, worked out by hand.
+TEST(TransmitQueue, OnlyFramesThatTheBusRefusedCountAsGivenUp) {
+  hal::ManualClock clock;
+  hal::FakeCanBus bus(clock);
+  firmware::TransmitQueue queue;
+  firmware::CanMessage message;
+  message.id = 0x181;
+  queue.push(message);
+  queue.push(message);  // superseded before the bus was asked: no loss
+  EXPECT_EQ(queue.given_up(), 0u);
+  EXPECT_EQ(queue.waiting(), 1);
+  bus.fail(hal::BusFailure::kQueueFull);
+  queue.flush(bus);
+  queue.push(message);  // the bus has refused the one before
+  EXPECT_EQ(queue.given_up(), 1u);
+  for (uint32_t i = 0; i < 95; ++i) {
+    message.id = 0x200 + i;
+    queue.push(message);
+  }
+  EXPECT_EQ(queue.waiting(), 96);
+  EXPECT_EQ(queue.given_up(), 1u);
+  message.id = 0x700;  // less urgent than all that wait
+  queue.push(message);
+  EXPECT_EQ(queue.given_up(), 2u);
+  message.id = 0x081;  // the most urgent: 0x200 + 94 goes
+  queue.push(message);
+  EXPECT_EQ(queue.given_up(), 3u);
+  EXPECT_EQ(queue.find(0x200 + 94), nullptr);
+  bus.fail(hal::BusFailure::kNone);
+  EXPECT_EQ(queue.flush(bus), hal::CanResult::kDone);
+  ASSERT_EQ(bus.sent().size(), 96u);
+  EXPECT_EQ(bus.sent()[0].id, 0x081u);
+  EXPECT_EQ(bus.sent()[1].id, 0x181u);
+  EXPECT_EQ(bus.sent()[95].id, 0x200u + 93);
+  EXPECT_EQ(queue.sent(), 96u);
+}
+
 TEST(BusFaults, UrgentFramesGoFirst) {
   Bench bench(bench::listening());
   bench.run_samples(10);

@@ -11,6 +11,18 @@ namespace {
 
 using firmware::ControllerMode;
 
+struct Recorder {
+  std::vector<hal::CanFrame> frames;
+  hal::ReplayBoard::Take take() {
+    return [this](const hal::CanFrame& frame) { frames.push_back(frame); };
+  }
+  size_t count(uint32_t id) const {
+    size_t found = 0;
+    for (const hal::CanFrame& frame : frames) found += frame.id == id ? 1 : 0;
+    return found;
+  }
+};
+
 // Two levels of the bench's rig under 20 Hz, 100 samples to settle before each.
 std::vector<firmware::RawSample> level(double force_N, uint32_t& sequence) {
   bench::OneDofRig rig;
@@ -24,9 +36,8 @@ std::vector<firmware::RawSample> level(double force_N, uint32_t& sequence) {
 
 TEST(Replay, SameEstimatesAsTheCoreAlone) {
   const auto configuration = bench::listening();
-  hal::ManualClock clock;
-  hal::FakeCanBus bus(clock);
-  hal::ReplayBoard board(configuration, bus);
+  Recorder bus;
+  hal::ReplayBoard board(configuration, bus.take());
   auto core = std::make_unique<firmware::EstimatorCore>(configuration.core);
   uint32_t sequence = 0;
   int windows = 0;
@@ -55,12 +66,12 @@ TEST(Replay, SameEstimatesAsTheCoreAlone) {
   EXPECT_EQ(board.core().table().level_count, 2);
   EXPECT_GE(bus.count(0x701), 40u);
   EXPECT_EQ(bus.count(0x410), 6u);
+  for (size_t i = 1; i < bus.frames.size(); ++i) EXPECT_LE(bus.frames[i - 1].time_ns, bus.frames[i].time_ns);
 }
 
 TEST(Replay, SamplesBetweenLevelsAreLeftOut) {
-  hal::ManualClock clock;
-  hal::FakeCanBus bus(clock);
-  hal::ReplayBoard board(bench::listening(), bus);
+  Recorder bus;
+  hal::ReplayBoard board(bench::listening(), bus.take());
   uint32_t sequence = 0;
   board.run_at(0);
   for (const firmware::RawSample& sample : level(20.0, sequence))
