@@ -3,7 +3,7 @@
 //   code - offset -> [high-pass and integrations] -> [FIR] -> rounded shift -> column of the frame
 //
 // Formats: code 24 bits; section states Q16 in int64, below 2^57 for two integrations at the slowest corner (shift 12);
-// FIR: 45 taps of 30 bits times codes of 24 bits, or of 25 bits times 31, stay below 2^62. Signals leave with |value| <= 2^23; a signal at that limit and a code at
+// FIR: 57 taps of 30 bits times codes of 24 bits, or of 25 bits times 31, stay below 2^62. Signals leave with |value| <= 2^23; a signal at that limit and a code at
 // its channel's full scale count as saturated.
 #pragma once
 #include <cstdint>

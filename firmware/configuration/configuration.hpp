@@ -25,7 +25,7 @@ struct ChannelConfiguration {
 //   ->  rounded shift  ->  signal, saturated to +-2^23 (which counts as SATURATED).
 // half_length 0 with a first tap of 0 is a plain copy. The same delay (the plan's longest half_length) holds for all signals.
 // An integration's output is the running sum of its input, divided by 2^(high_pass_shift - kIntegrationExtraBits).
-constexpr int kFilterHalf = 22;
+constexpr int kFilterHalf = 28;
 constexpr int kIntegrationExtraBits = 6;
 struct SignalConfiguration {
   bool available = false;

@@ -1,5 +1,6 @@
 #include "hal/configuration/filter_design.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace rig_file {
@@ -12,14 +13,13 @@ double kaiser(double position, double beta) {  // -1 <= position <= 1
   return inside < 0.0 ? 0.0 : std::cyl_bessel_i(0.0, beta * std::sqrt(inside)) / std::cyl_bessel_i(0.0, beta);
 }
 
-// cutoff in cycles per sample; gain at rest made exactly 1.
-Impulse windowed_sinc(int half, double cutoff, double beta, double advance) {
+// Low-pass of unit gain at rest; cutoff in cycles per sample.
+Impulse windowed_sinc(int half, double cutoff, double beta) {
   Impulse h(static_cast<size_t>(2 * half + 1));
   double sum = 0.0;
   for (int k = -half; k <= half; ++k) {
-    const double x = k - advance;
-    const double sinc = std::fabs(x) < 1e-12 ? 2.0 * cutoff : std::sin(2.0 * kPi * cutoff * x) / (kPi * x);
-    h[static_cast<size_t>(k + half)] = sinc * kaiser(x / (half + 1.0), beta);
+    const double sinc = k == 0 ? 2.0 * cutoff : std::sin(2.0 * kPi * cutoff * k) / (kPi * k);
+    h[static_cast<size_t>(k + half)] = sinc * kaiser(k / (half + 1.0), beta);
     sum += h[static_cast<size_t>(k + half)];
   }
   for (double& tap : h) tap /= sum;
@@ -28,11 +28,22 @@ Impulse windowed_sinc(int half, double cutoff, double beta, double advance) {
 
 }  // namespace
 
-Impulse low_pass(double advance) { return windowed_sinc(kLowPassHalf, 0.15, 3.8, advance); }
+Impulse low_pass(double advance) { return convolve(windowed_sinc(kLowPassHalf, 0.15, 3.8), shifted_all_pass(advance)); }
 
 Impulse shifted_all_pass(double advance) {
   if (advance == 0.0) return {1.0};
-  return windowed_sinc(15, 0.5, 5.0, advance);
+  // Lagrange's polynomial through the 12 samples around the wanted instant.
+  constexpr int kSide = 6;
+  const int before = static_cast<int>(std::floor(advance)) - kSide + 1, after = before + 2 * kSide - 1;
+  const int half = std::max(-before, after);
+  Impulse h(static_cast<size_t>(2 * half + 1), 0.0);
+  for (int k = before; k <= after; ++k) {
+    double weight = 1.0;
+    for (int j = before; j <= after; ++j)
+      if (j != k) weight *= (advance - j) / (k - j);
+    h[static_cast<size_t>(k + half)] = weight;
+  }
+  return h;
 }
 
 Impulse first_difference() {

@@ -1,8 +1,8 @@
 // The linear-phase filters that derive missing quantities, all with one band and one delay.
 //
-// Every filter is a product of: a low-pass (Kaiser-windowed sinc, pass band to a tenth of the sample rate) or an all-pass,
-// either shifted by a fraction of a sample; central differences of eighth order; six-point integration (error 3e-6 at a
-// twentieth of the sample rate). Because derivative and low-pass are separate factors, a signal and its derivative are
+// Every filter is a product of: a low-pass (Kaiser-windowed sinc, pass band to a tenth of the sample rate); a shift by a
+// fraction of a sample (Lagrange through 12 samples: error below 2e-6 up to an eighth of the sample rate); central differences
+// of eighth order; six-point integration (error 3e-6 at a twentieth of the sample rate). Because derivative and low-pass are separate factors, a signal and its derivative are
 // filtered by exactly the same low-pass, whatever the order of the difference formula.
 #pragma once
 #include <vector>
@@ -14,9 +14,9 @@ using Impulse = std::vector<double>;
 
 constexpr int kLowPassHalf = 12;
 
-// Low-pass with unit gain at rest that takes the signal's value `advance` samples later (|advance| < 1 works best).
+// Low-pass with unit gain at rest that takes the signal's value `advance` samples later, |advance| <= 3.
 Impulse low_pass(double advance);
-// All frequencies up to 0.4 of the sample rate, shifted; for advance 0 the single tap 1.
+// Unit gain, shifted; for advance 0 the single tap 1.
 Impulse shifted_all_pass(double advance);
 Impulse first_difference();   // per sample: divide by the sample period
 Impulse second_difference();  // per sample squared
