@@ -1,0 +1,91 @@
+// host_sim diagnose end to end: a hardening spring that the rig file does not know. What is found in which noise is the
+// business of tests/diagnosis; here it is what a user gets.
+#include <cmath>
+#include <cstdio>
+#include <random>
+
+#include "tests/host_sim/program_test.hpp"
+
+namespace {
+
+const char* const kRig =
+    "schema = \"rig/1\"\nname = \"oscillator\"\n[[dof]]\nmass_kg = 2.0\n[[link]]\nbetween = [1, 0]\n"
+    "stiffness_N_m = 800.0\nviscous_N_s_m = \"estimate\"\n";
+
+// A motion of five sines, and the force that it needs: f = 2 a + 800 x + 6 v + cubic x^3; 0.1 % of noise on each.
+std::string record(double cubic) {
+  constexpr double kHz[] = {3.1, 5.3, 7.7, 11.9, 17.3}, kAmplitude_m[] = {6e-3, 4e-3, 3e-3, 1.5e-3, 1e-3};
+  std::mt19937 random(7);
+  const auto noise = [&](double rms) {
+    return rms * std::sqrt(3.0) * (static_cast<double>(random()) / 2147483648.0 - 1.0);
+  };
+  std::string text = "t_s,force_1_N,displacement_1_m,velocity_1_m_s,acceleration_1_m_s2\n";
+  for (int i = 0; i < 20000; ++i) {
+    double x = 0.0, v = 0.0, a = 0.0;
+    for (int k = 0; k < 5; ++k) {
+      const double w = 2.0 * M_PI * kHz[k], phase = w * i * 1e-3 + k * k;
+      x += kAmplitude_m[k] * std::sin(phase);
+      v += kAmplitude_m[k] * w * std::cos(phase);
+      a -= kAmplitude_m[k] * w * w * std::sin(phase);
+    }
+    const double force = 2.0 * a + 800.0 * x + 6.0 * v + cubic * x * x * x;
+    char row[160];
+    std::snprintf(row, sizeof row, "%.3f,%.9g,%.9g,%.9g,%.9g\n", i * 1e-3, force + noise(0.02), x + noise(6e-6),
+                  v + noise(2.5e-4), a + noise(0.015));
+    text += row;
+  }
+  return text;
+}
+
+class Diagnose : public test_support::ProgramTest {
+ protected:
+  void SetUp() override {
+    workspace_.write("rig.toml", kRig);
+    workspace_.write("hidden.csv", record(4.0e6));
+  }
+};
+
+TEST_F(Diagnose, NamesTheHiddenSpringAndWritesAllThatWasAskedFor) {
+  const auto result = host_sim({"diagnose", "--rig", "rig.toml", "--data", "hidden.csv", "--json", "out.json",
+                                "--report", "report", "--extended-rig", "extended.toml"});
+  ASSERT_EQ(result.status, 0) << result.errors;
+  const auto out = json("out.json");
+  EXPECT_EQ(out["schema"], "diagnosis/1");
+  EXPECT_EQ(out["verdict"], "explained") << out.dump(1);
+  ASSERT_EQ(out["causes"].size(), 1u) << out.dump(1);
+  EXPECT_EQ(out["causes"][0]["effect"], "cubic_stiffness");
+  EXPECT_EQ(out["causes"][0]["where"], "link 1-0");
+  EXPECT_NE(result.output.find("cubic stiffness on link 1-0"), std::string::npos) << result.output;
+  EXPECT_EQ(result.errors, "");  // no progress bar in a pipe
+  const std::string page = workspace_.read("report/index.html");
+  EXPECT_NE(page.find("cubic stiffness on link 1-0"), std::string::npos);
+  EXPECT_NE(page.find("<h2 id=\"links\">"), std::string::npos);
+  EXPECT_EQ(page.find("http"), std::string::npos);
+  EXPECT_EQ(workspace_.entries(),
+            (std::set<std::string>{"extended.toml", "hidden.csv", "out.json", "report/index.html", "rig.toml"}));
+}
+
+TEST_F(Diagnose, TheExtendedRigIsEstimatedByTheCore) {
+  ASSERT_EQ(
+      host_sim({"diagnose", "--rig", "rig.toml", "--data", "hidden.csv", "--extended-rig", "extended.toml"}).status, 0);
+  const auto result = host_sim({"estimate", "--rig", "extended.toml", "--data", "hidden.csv", "--json", "out.json"});
+  ASSERT_EQ(result.status, 0) << result.errors;
+  EXPECT_NEAR(value(json("out.json"), "cubic_stiffness[1-0]"), 4.0e6, 4.0e5);
+}
+
+TEST_F(Diagnose, AFailedRunLeavesNothing) {
+  const auto result = host_sim({"diagnose", "--rig", "rig.toml", "--data", "missing.csv", "--json", "out.json",
+                                "--report", "report", "--extended-rig", "extended.toml"});
+  EXPECT_EQ(result.status, 2);
+  EXPECT_NE(result.errors.find("missing.csv"), std::string::npos) << result.errors;
+  EXPECT_EQ(workspace_.entries(), (std::set<std::string>{"hidden.csv", "rig.toml"}));
+}
+
+TEST_F(Diagnose, HoldoutRecordsMustHaveTheSameChannels) {
+  workspace_.write("other.csv", "t_s,displacement_1_m\n0,1\n0.001,2\n0.002,3\n");
+  const auto result = host_sim({"diagnose", "--rig", "rig.toml", "--data", "hidden.csv", "--holdout", "other.csv"});
+  EXPECT_EQ(result.status, 2);
+  EXPECT_NE(result.errors.find("other.csv"), std::string::npos) << result.errors;
+}
+
+}  // namespace
