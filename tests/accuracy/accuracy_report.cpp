@@ -1,0 +1,85 @@
+// Measures every case of the accuracy report and writes the page.  accuracy_report [--draws N] [--only NAME] [FILE]
+// FILE: where the page goes, whole or not at all (default: standard output). Exit status 2: bad usage.
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <iostream>
+
+#include "tests/accuracy/report.hpp"
+
+namespace {
+
+struct Options {
+  int draws = 200;
+  std::string only, file;
+};
+
+bool parse(int count, char** arguments, Options& options) {
+  for (int i = 1; i < count; ++i) {
+    const bool more = i + 1 < count;
+    if (std::strcmp(arguments[i], "--draws") == 0 && more) {
+      options.draws = std::atoi(arguments[++i]);
+    } else if (std::strcmp(arguments[i], "--only") == 0 && more) {
+      options.only = arguments[++i];
+    } else if (arguments[i][0] != '-' && options.file.empty()) {
+      options.file = arguments[i];
+    } else {
+      return false;
+    }
+  }
+  return options.draws >= 2;
+}
+
+bool wanted(const Options& options, const std::string& name) {
+  return options.only.empty() || name.find(options.only) != std::string::npos;
+}
+
+std::string measure_all(const Options& options) {
+  std::string page = accuracy::page_head(options.draws);
+  std::vector<accuracy::CleanRow> clean;
+  for (const accuracy::CleanCase& c : accuracy::clean_cases())
+    if (wanted(options, c.name))
+      clean.push_back({c.name, accuracy::clean_error_percent(c.scenario), c.limit_percent, c.paper_percent});
+  page += accuracy::clean_section(clean);
+  for (const accuracy::Case& c : accuracy::noisy_cases()) {
+    if (!wanted(options, c.name)) continue;
+    std::fprintf(stderr, "accuracy_report: %s\n", c.name.c_str());
+    page += accuracy::case_section(c, accuracy::measure_case(c.scenario, 1000, options.draws));
+  }
+  if (!options.only.empty()) return page;
+  const std::vector<std::string> names = rig_file::parameter_names(accuracy::clean_cases()[3].scenario.rig);
+  std::fprintf(stderr, "accuracy_report: skew, sensor sets, advice\n");
+  page += accuracy::skew_section(accuracy::measure_skew(options.draws), names);
+  page += accuracy::sensor_section(accuracy::measure_sensor_sets(options.draws / 4 + 1), options.draws / 4 + 1);
+  page += accuracy::advice_section(accuracy::follow_advice(options.draws / 4 + 1));
+  return page;
+}
+
+bool write_whole(const std::string& file, const std::string& page) {
+  const std::string temporary = file + ".part";
+  {
+    std::ofstream stream(temporary, std::ios::binary);
+    stream << page;
+    if (!stream.flush()) return false;
+  }
+  return std::rename(temporary.c_str(), file.c_str()) == 0;
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  Options options;
+  if (!parse(count, arguments, options)) {
+    std::cerr << "usage: accuracy_report [--draws N, 2 or more] [--only NAME] [FILE]\n";
+    return 2;
+  }
+  const std::string page = measure_all(options);
+  if (options.file.empty()) {
+    std::cout << page;
+    return 0;
+  }
+  if (write_whole(options.file, page)) return 0;
+  std::cerr << "accuracy_report: " << options.file << " cannot be written, expected a writable folder\n";
+  return 1;
+}

@@ -1,0 +1,22 @@
+// The measurements as a Markdown page.
+#pragma once
+#include <string>
+
+#include "tests/accuracy/special_cases.hpp"
+#include "tests/accuracy/statistics.hpp"
+
+namespace accuracy {
+
+struct CleanRow {
+  std::string name;
+  double error_percent = 0.0, limit_percent = 0.0, paper_percent = 0.0;
+};
+
+std::string page_head(int draws);
+std::string clean_section(const std::vector<CleanRow>& rows);
+std::string case_section(const Case& measured, const CaseStatistics& statistics);
+std::string skew_section(const SkewMeasurement& skew, const std::vector<std::string>& names);
+std::string sensor_section(const std::vector<SensorSet>& sets, int draws);
+std::string advice_section(const FollowedAdvice& advice);
+
+}  // namespace accuracy
