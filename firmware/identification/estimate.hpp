@@ -30,7 +30,7 @@ struct ParameterEstimate {
 // How late a channel of a DOF is against its velocity, from identities that need no model of the rig.
 struct SkewEstimate {
   bool measured = false;     // both channels are there and move
-  bool significant = false;  // over four standard deviations and over what friction imitates
+  bool significant = false;  // over twice its 95 % interval and over what friction imitates
   Scaled late_s;             // positive: the channel is late against the velocity
   Scaled std_s;
 };

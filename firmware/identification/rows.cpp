@@ -73,7 +73,7 @@ bool moves(const BatchDof& dof, bool instrument, Scaled mean_motion) {
   if (energy <= scale_by_power_of_two(mean_motion, -34)) return false;
   if (!instrument) return true;
   const Scaled clean = unpack(dof.velocity_instrument);
-  return scale_by_power_of_two(energy - clean, 1) < clean;
+  return energy - clean < clean;
 }
 
 }  // namespace firmware

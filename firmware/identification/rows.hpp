@@ -40,7 +40,7 @@ void add_batch_row(const RowLayout& layout, const Batch& batch, Equation equatio
 // rhs - sum of column * p of one batch.
 Scaled batch_residual(const RowLayout& layout, const Batch& batch, Equation equation, const Scaled* parameters);
 // The DOF moves in this batch: over 2^-34 of its mean motion energy in the level (a DOF held by friction does not
-// move), and with an instrument, whose noise is its own, the noise-free part of the energy is at least twice the noise.
+// move), and with an instrument, whose noise is its own, the noise-free part of the energy is more than the noise.
 bool moves(const BatchDof& dof, bool instrument, Scaled mean_motion);
 
 }  // namespace firmware

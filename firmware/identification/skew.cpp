@@ -1,11 +1,13 @@
 #include "firmware/identification/skew.hpp"
 
+#include "firmware/identification/student_quantile.hpp"
+
 namespace firmware {
 namespace {
 
 struct Regression {
   Scaled weight, weighted;  // sums over levels of 1 / variance and of tau / variance
-  bool exact = false;       // a level without scatter
+  Scaled freedom;           // sum over levels of (sum of energy)^2 / sum of energy^2 - 1
 };
 
 struct Sample {
@@ -31,11 +33,12 @@ Scaled scatter(const Level& level, int dof, int weight, bool acceleration, Scale
 }
 
 void add_level(const Level& level, int dof, int weight, bool acceleration, Regression& regression) {
-  Scaled discrepancy, energy;
+  Scaled discrepancy, energy, energy_square;
   for (int b = 0; b < level.batch_count; ++b) {
     const Sample sample = read(level.batch[b].dof[dof], weight, acceleration);
     discrepancy = discrepancy + sample.discrepancy;
     energy = energy + sample.energy;
+    energy_square = energy_square + sample.energy * sample.energy;
   }
   if (level.batch_count < 3 || discrepancy.is_zero() || energy <= Scaled{}) return;
   const Scaled tau = discrepancy / energy;
@@ -45,7 +48,11 @@ void add_level(const Level& level, int dof, int weight, bool acceleration, Regre
     const Scaled without = scatter(level, dof, weight, acceleration, tau, true);
     if (without < squares) squares = without + (squares - without) / Scaled::from_int(n);
   }
-  const Scaled variance = squares * Scaled::ratio(n, n - 1) / (energy * energy);
+  // Where few batches carry the motion, the fitted tau takes most of their scatter with it.
+  const Scaled count = energy * energy / energy_square, spare = count - Scaled::from_int(1);
+  if (spare <= Scaled::ratio(1, 4)) return;
+  regression.freedom = regression.freedom + spare;
+  const Scaled variance = squares * count / spare / (energy * energy);
   const Scaled rounding = scale_by_power_of_two(tau * tau, -40);
   const Scaled weight_of_level = Scaled::from_int(1) / (variance > rounding ? variance : rounding);
   regression.weight = regression.weight + weight_of_level;

@@ -11,7 +11,7 @@ namespace firmware {
 
 constexpr int kMaxPredecessors = 12;
 constexpr int kLeastBatches = 4;           // fewer show no usable scatter
-constexpr int kBatchesPerCoefficient = 5;  // regression coefficients are limited to batches / 5
+constexpr int kBatchesPerCoefficient = 7;  // regression coefficients are limited to batches / 7
 
 struct Whitening {
   bool measured = false;  // deviation is from this level's own scatter

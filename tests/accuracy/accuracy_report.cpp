@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iostream>
 
+#include "hal/configuration/compile_rig.hpp"
 #include "tests/accuracy/report.hpp"
 
 namespace {

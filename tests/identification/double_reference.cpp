@@ -105,7 +105,7 @@ class Reference {
     const double mean = data.motion.col(i).mean();
     for (Eigen::Index b = 0; b < s.size(); ++b) {
       const double v = data.motion(b, i), z = data.clean(b, i);
-      s(b) = v > mean / 17179869184.0 && 2.0 * (v - z) < z ? 1.0 / std::sqrt(v) : 0.0;
+      s(b) = v > mean / 17179869184.0 && v - z < z ? 1.0 / std::sqrt(v) : 0.0;
     }
     return s;
   }
@@ -150,7 +150,7 @@ class Reference {
   void whiten_row(const Data& data, int i, const std::vector<Control>& controls, const std::vector<VectorXd>& scales,
                   const std::vector<VectorXd>& residuals, std::vector<Whitened>& rows) const {
     const auto used = static_cast<double>((scales[i].array() != 0.0).count());
-    const auto limit = static_cast<size_t>(std::min((used - 1.0) / 5.0, 12.0));
+    const auto limit = static_cast<size_t>(std::min((used - 1.0) / 7.0, 12.0));
     std::vector<int> chosen;  // controls 2 i + which; rows 1000 + j
     const auto add_controls = [&](int j) {
       for (int c : {2 * j, 2 * j + 1})
