@@ -5,6 +5,7 @@
 #include <cstring>
 #include <fstream>
 #include <iostream>
+#include <map>
 
 #include "hal/configuration/compile_rig.hpp"
 #include "tests/accuracy/report.hpp"
@@ -36,6 +37,29 @@ bool wanted(const Options& options, const std::string& name) {
   return options.only.empty() || name.find(options.only) != std::string::npos;
 }
 
+// Shares of intervals that hold, pooled over parameters by kind of excitation.
+class Coverage {
+ public:
+  void add(host_sim::LevelKind kind, const accuracy::CaseStatistics& statistics) {
+    for (const accuracy::ParameterStatistics& p : statistics.parameters) {
+      sum_[kind] += p.coverage_percent;
+      count_[kind] += 1.0;
+    }
+  }
+  std::vector<std::pair<std::string, double>> percent() const {
+    std::vector<std::pair<std::string, double>> result;
+    for (const auto& [kind, sum] : sum_)
+      result.emplace_back(kind == host_sim::LevelKind::kRandom      ? "random"
+                          : kind == host_sim::LevelKind::kFreeDecay ? "free decay"
+                                                                    : "periodic",
+                          sum / count_.at(kind));
+    return result;
+  }
+
+ private:
+  std::map<host_sim::LevelKind, double> sum_, count_;
+};
+
 std::string measure_all(const Options& options) {
   std::string page = accuracy::page_head(options.draws);
   std::vector<accuracy::CleanRow> clean;
@@ -43,11 +67,15 @@ std::string measure_all(const Options& options) {
     if (wanted(options, c.name))
       clean.push_back({c.name, accuracy::clean_error_percent(c.scenario), c.limit_percent, c.paper_percent});
   page += accuracy::clean_section(clean);
+  Coverage coverage;
   for (const accuracy::Case& c : accuracy::noisy_cases()) {
     if (!wanted(options, c.name)) continue;
     std::fprintf(stderr, "accuracy_report: %s\n", c.name.c_str());
-    page += accuracy::case_section(c, accuracy::measure_case(c.scenario, 1000, options.draws));
+    const accuracy::CaseStatistics statistics = accuracy::measure_case(c.scenario, 1000, options.draws);
+    page += accuracy::case_section(c, statistics);
+    coverage.add(c.scenario.levels.front().kind, statistics);
   }
+  page += accuracy::coverage_section(coverage.percent());
   if (!options.only.empty()) return page;
   const std::vector<std::string> names = rig_file::parameter_names(accuracy::clean_cases()[3].scenario.rig);
   std::fprintf(stderr, "accuracy_report: skew, sensor sets, advice\n");

@@ -80,9 +80,17 @@ std::string case_section(const Case& measured, const CaseStatistics& statistics)
   }
   result += "\nBias under 0.2 % + 0.2 std: " + verdict(unbiased) +
             ". Rms within 1.1 of the bound: " + verdict(efficient) +
-            text(". Intervals hold in %.1f %%, all parameters together: ", coverage) +
-            verdict(coverage >= 93.5 && coverage <= 96.5) + ".\n\n";
+            text(". Intervals hold in %.1f %%, all parameters together.\n\n", coverage);
   return result;
+}
+
+std::string coverage_section(const std::vector<std::pair<std::string, double>>& coverage) {
+  std::string result =
+      "## Intervals by kind of excitation\n\n| excitation | 95 % intervals that hold, all cases and parameters | "
+      "|\n|---|---|---|\n";
+  for (const auto& [kind, percent] : coverage)
+    result += text("| %s | %.1f | ", kind.c_str(), percent) + verdict(percent >= 93.5 && percent <= 96.5) + " |\n";
+  return result + "\n";
 }
 
 std::string skew_section(const SkewMeasurement& skew, const std::vector<std::string>& names) {

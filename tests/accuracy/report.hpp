@@ -1,6 +1,8 @@
 // The measurements as a Markdown page.
 #pragma once
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "tests/accuracy/special_cases.hpp"
 #include "tests/accuracy/statistics.hpp"
@@ -15,6 +17,8 @@ struct CleanRow {
 std::string page_head(int draws);
 std::string clean_section(const std::vector<CleanRow>& rows);
 std::string case_section(const Case& measured, const CaseStatistics& statistics);
+// Pooled share of intervals that hold, per kind of excitation.
+std::string coverage_section(const std::vector<std::pair<std::string, double>>& coverage);
 std::string skew_section(const SkewMeasurement& skew, const std::vector<std::string>& names);
 std::string sensor_section(const std::vector<SensorSet>& sets, int draws);
 std::string advice_section(const FollowedAdvice& advice);
