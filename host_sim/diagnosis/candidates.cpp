@@ -45,7 +45,17 @@ std::vector<ActiveTerm> base_model(const Rows& rows) {
     t.value = c.estimate ? 0 : c.value;
     model.push_back(t);
   };
-  for (size_t i = 0; i < s.dofs(); ++i) add(on_dof(Kind::kMass, static_cast<int>(i)), s.rig.dofs[i].mass_kg, false);
+  for (size_t i = 0; i < s.dofs(); ++i) {
+    add(on_dof(Kind::kMass, static_cast<int>(i)), s.rig.dofs[i].mass_kg, false);
+    for (const rig_file::Effect& e : s.rig.dofs[i].effects) {
+      Term term = on_dof(Kind::kMass, static_cast<int>(i));
+      if (!kind_of_word(e.kind, &term.kind)) continue;
+      term.given = true;
+      if (e.shape.count("resonance_Hz")) term.shape = e.shape.at("resonance_Hz");
+      if (e.shape.count("damping_ratio")) term.shape2 = e.shape.at("damping_ratio");
+      add(term, e.coefficient, true);
+    }
+  }
   for (size_t l = 0; l < s.known_links; ++l) {
     const rig_file::Link& link = s.links[l];
     const int i = static_cast<int>(l);
@@ -56,6 +66,7 @@ std::vector<ActiveTerm> base_model(const Rows& rows) {
     for (const rig_file::Effect& e : link.effects) {
       Term term = on_link(Kind::kStiffness, i);
       if (!kind_of_word(e.kind, &term.kind)) continue;
+      term.given = true;
       term.shape = rig_file::first_shape(e, rig_file::link_rotates(s.rig, link));
       add(term, e.coefficient, true);
     }

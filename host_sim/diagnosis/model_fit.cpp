@@ -49,7 +49,7 @@ Fit fit_model(const Rows& rows, std::vector<ActiveTerm>& model) {
     variance = inverse.rowwise().squaredNorm();
   }
   fit.residual = fit.target - scaled * value;
-  fit.chi2 = fit.residual.squaredNorm();
+  fit.chi2 = fit.residual.squaredNorm() + rows.absorbed();
   fit.dof = static_cast<double>(std::max<Eigen::Index>(1, rows.size() - count));
   const double widen = std::sqrt(std::max(1.0, fit.ratio()));
   for (size_t i = 0; i < model.size(); ++i)
@@ -92,7 +92,7 @@ Gain gain_of(const Rows& rows, const std::vector<ActiveTerm>& model, const Fit& 
     const Eigen::VectorXd moment = columns.transpose() * fit.target;
     const Eigen::LDLT<Eigen::MatrixXd> solver(gram);
     const Eigen::VectorXd value = solver.solve(moment);
-    gain.chi2 = fit.chi2 - (fit.target - columns * value).squaredNorm();
+    gain.chi2 = fit.chi2 - rows.absorbed() - (fit.target - columns * value).squaredNorm();
     gain.coefficient = c.host_sign * value[host] * scale[host];
     gain.std = model[static_cast<size_t>(c.host)].std;
     return gain;

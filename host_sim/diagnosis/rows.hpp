@@ -43,6 +43,7 @@ class Rows {
   Series whitened(const Column& column) const;
   Series whitened_force() const;
   Eigen::Index size() const { return size_; }
+  double absorbed() const { return absorbed_; }  // how much chi-squared hold_stuck() takes up, were it all noise
   const LinkMotion& link(size_t record, size_t link) const { return links_[record][link]; }
   const System& system() const { return system_; }
   const std::vector<FusedRecord>& records() const { return records_; }
@@ -59,6 +60,7 @@ class Rows {
   std::vector<std::vector<Spectrum>> held_;        // [record][link]: friction beyond Coulomb's; empty where none
   std::vector<std::vector<double>> doubt_;         // [record][link]: variance per sample of what is uncertain in it
   Eigen::Index size_ = 0;
+  double absorbed_ = 0;
 };
 
 }  // namespace diagnosis

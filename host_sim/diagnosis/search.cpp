@@ -210,10 +210,13 @@ SearchResult Search::run() {
   result.base = state.model;
   result.base_fit = state.fit;
   const double start = state.fit.chi2;
-  double first_gain = 0;
+  // What a later term must bring of the first one's gain: friction near reversals is known to a few percent only.
+  double first_gain = 0, least_share = 0.002;
   while (added_terms(state.model).size() < kMostTerms) {
-    if (!extend(state, 0.002 * first_gain, 4)) break;
+    if (!extend(state, least_share * first_gain, 4)) break;
     first_gain = std::max(first_gain, start - state.fit.chi2);
+    for (size_t index : added_terms(state.model))
+      if (CandidateBank::friction_shape(state.model[index].column.term.kind)) least_share = 0.04;
     for (int i = 0; added_terms(state.model).size() > 1 && i < 3 && swap(state); ++i) {
     }
   }

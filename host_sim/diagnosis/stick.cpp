@@ -62,6 +62,7 @@ void Rows::prepare(ActiveTerm& t) const {
 
 void Rows::hold_stuck(const std::vector<ActiveTerm>& model) {
   const std::vector<double> level = friction_levels(system_, model);
+  absorbed_ = 0;
   for (size_t r = 0; r < records_.size(); ++r) {
     const FusedRecord& f = records_[r];
     doubt_[r].assign(level.size(), 0.0);
@@ -85,6 +86,7 @@ void Rows::hold_stuck(const std::vector<ActiveTerm>& model) {
         const double prior = level[l] * level[l] * (1 - sign * sign), keep = kTrust * prior / (kTrust * prior + noise);
         const double balance = noise * ((a >= 0 ? trust_a * e(i, a) : 0) - (b >= 0 ? trust_b * e(i, b) : 0));
         held[i] = keep * balance;
+        absorbed_ += keep * f.inner[i] * 2 * static_cast<double>(f.last_bin) / static_cast<double>(f.samples);
         doubt += f.inner[i] * f.inner[i] * ((1 - keep) * (1 - keep) * prior + 2 * keep * keep * noise);
         if (a >= 0) e(i, a) -= held[i];
         if (b >= 0) e(i, b) += held[i];

@@ -187,13 +187,15 @@ Series term_force(const Term& t, const FusedRecord& f, const std::vector<LinkMot
     case Kind::kGravity: return u.sin().matrix();
     case Kind::kCubicStiffness: return u.cube().matrix();
     case Kind::kQuadraticStiffness: return u.square().matrix();
-    case Kind::kBacklash: return u.max(-t.shape).min(t.shape).matrix();
+    case Kind::kBacklash: return (t.given ? -1.0 : 1.0) * u.max(-t.shape).min(t.shape).matrix();
     case Kind::kEndStop: return (u - u.max(-t.shape).min(t.shape)).matrix();
     case Kind::kQuadraticDamping: return (w * w.abs()).matrix();
     case Kind::kCubicDamping: return w.cube().matrix();
     case Kind::kStribeck:
       return ((-w.abs() / t.shape).exp() * soft_sign(l.smooth_w, l.w_error).array()).matrix();
-    case Kind::kPresliding: return dahl(l.smooth_w, t.shape, f.period_s) - soft_sign(l.smooth_w, l.w_error);
+    case Kind::kPresliding:
+      if (t.given) return dahl(l.smooth_w, t.shape, f.period_s);
+      return dahl(l.smooth_w, t.shape, f.period_s) - soft_sign(l.smooth_w, l.w_error);
     case Kind::kForceOffset: return Series::Ones(u.size());
     case Kind::kAsymmetricViscous: return w.abs().matrix();
     case Kind::kDisplacementDamping: return (u.square() * w).matrix();

@@ -32,6 +32,7 @@ struct Term {
   double shape = 0;   // gap m, Stribeck velocity m/s, presliding length m, resonance Hz
   double shape2 = 0;  // resonance: damping ratio
   bool smooth = false;  // base terms: from the smoothed motion (where the coefficient is fitted)
+  bool given = false;   // an effect of the rig file: backlash and presliding as forces of their own
   int record = -1;      // only in this record (what is left of a resonance's start), or -1
   bool operator==(const Term& o) const {
     return same_place(o) && shape == o.shape && shape2 == o.shape2;
