@@ -142,6 +142,13 @@ void CandidateBank::add_dof(int dof) {
   }
   if (!rows_.has_force(static_cast<size_t>(dof))) return;
   for (Kind kind : {Kind::kForceDelay, Kind::kForceGain}) add(on_dof(kind, dof));
+  const double top_Hz = first.omega(first.last_bin) / 6.283185307179586;
+  const Kind hums[][2] = {{Kind::kForceHumCos50, Kind::kForceHumSin50}, {Kind::kForceHumCos60, Kind::kForceHumSin60}};
+  for (size_t i = 0; i < 2; ++i) {
+    if ((i == 0 ? 50 : 60) > top_Hz || rows_.records().size() > 1) continue;  // its phase differs between records
+    add(on_dof(hums[i][0], dof));
+    partner_[columns_.back().get()] = std::make_shared<const Column>(rows_.column(on_dof(hums[i][1], dof)));
+  }
 }
 
 bool CandidateBank::has_shape(Kind kind) {
@@ -186,6 +193,8 @@ std::vector<Candidate> CandidateBank::beside(const std::vector<ActiveTerm>& mode
   for (const auto& column : columns_) {
     Candidate c;
     c.column = column;
+    const auto partner = partner_.find(column.get());
+    if (partner != partner_.end()) c.companions.push_back(partner->second), c.penalty = 6;
     if (prepare(model, c)) list.push_back(c);
   }
   return list;

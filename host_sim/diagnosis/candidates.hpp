@@ -37,6 +37,7 @@ class CandidateBank {
   void add_link(int link);
   void add_dof(int dof);
   bool prepare(const std::vector<ActiveTerm>& model, Candidate& candidate) const;
+  std::map<const Column*, std::shared_ptr<const Column>> partner_;  // of a hum's cosine: its sine
   const Rows& rows_;
   std::vector<std::shared_ptr<const Column>> columns_;
 };

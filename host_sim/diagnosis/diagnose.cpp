@@ -5,6 +5,7 @@
 
 #include "naming.hpp"
 #include "search.hpp"
+#include "sensor_check.hpp"
 
 namespace diagnosis {
 
@@ -19,7 +20,23 @@ Diagnosis diagnose(const rig_file::RigModel& rig, const std::vector<host_sim::Re
   std::vector<FusedRecord> records;
   for (const host_sim::Record& r : training) {
     records.push_back(read_record(rig, r, options.top_of_band));
-    estimate_noise(records.back());
+    const SensorCheck check = check_sensors(records.back());
+    for (size_t i = 0; i < check.faults.size(); ++i) {
+      const SensorFault& fault = check.faults[i];
+      Cause c;
+      c.effect = fault.kind == FaultKind::kDelay ? "sensor_delay" : fault.kind == FaultKind::kGain ? "sensor_gain" : "mains_hum";
+      c.where = "channel " + fault.channel;
+      c.significance = fault.score;
+      const bool hum = fault.kind == FaultKind::kHum50 || fault.kind == FaultKind::kHum60;
+      c.parameters.push_back({c.effect + "[" + fault.channel + "]",
+                              hum ? std::hypot(fault.value, fault.quadrature) : fault.value,
+                              fault.kind == FaultKind::kDelay ? "s" : "1", fault.std, true});
+      if (hum) c.parameters.push_back({"mains_frequency", fault.kind == FaultKind::kHum50 ? 50.0 : 60.0, "Hz", 0, false});
+      d.causes.push_back(c);
+      for (const SensorFault& rival : check.rivals[i])
+        d.ambiguous_with.push_back({rival.kind == FaultKind::kDelay ? "sensor_delay" : rival.kind == FaultKind::kGain ? "sensor_gain" : "mains_hum",
+                                    "channel " + rival.channel});
+    }
     fuse(records.back());
   }
   Rows rows(system, records);

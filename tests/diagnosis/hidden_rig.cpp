@@ -154,9 +154,17 @@ struct Integrator {
     slope(tmp, t + h, f1, k4);
     for (size_t i = 0; i < states; ++i) out[i] = s[i] + h / 6 * (k1[i] + 2 * k2[i] + 2 * k3[i] + k4[i]);
   }
-  int reversed_link(const std::vector<double>& s) const {
-    for (size_t l = 0; l < links; ++l)
+  // A link that has reversed, or that its friction no longer holds; -1: none.
+  int event_link(const std::vector<double>& s, double t, double force) {
+    bool any_stuck = false;
+    for (size_t l = 0; l < links; ++l) {
+      any_stuck = any_stuck || mode[l] == 0;
       if (mode[l] != 0 && mode[l] * rate(s, l) < 0 && friction_level(l, 0) > 0) return static_cast<int>(l);
+    }
+    if (!any_stuck) return -1;
+    slope(s, t, force, tmp);
+    for (size_t l = 0; l < links; ++l)
+      if (mode[l] == 0 && std::abs(hold[l]) > friction_level(l, 0)) return static_cast<int>(l);
     return -1;
   }
   // one substep; f(r) is the force at the fraction r of the substep, quadratic through three points
@@ -166,26 +174,24 @@ struct Integrator {
     double from = 0;
     for (int events = 0; events < 12 && from < 1; ++events) {
       const double rest = 1 - from;
-      runge_kutta(s, t + from * h, rest * h, f(from), f(from + 0.5 * rest), f1, next);
-      if (events == 11 || reversed_link(next) < 0) break;
-      double low = 0, high = 1;  // fractions of the rest: no reversal, reversal
-      for (int i = 0; i < 30 && high - low > 1e-9; ++i) {
-        const double r = 0.5 * (low + high);
+      const auto advance = [&](double r) {
         runge_kutta(s, t + from * h, r * rest * h, f(from), f(from + 0.5 * r * rest), f(from + r * rest), next);
-        (reversed_link(next) < 0 ? low : high) = r;
+        return event_link(next, t + (from + r * rest) * h, f(from + r * rest));
+      };
+      if (advance(1) < 0 || events == 11) break;
+      double low = 0, high = 1;  // fractions of the rest: no event, event
+      for (int i = 0; i < 30 && high - low > 1e-7; ++i) {
+        const double r = 0.5 * (low + high);
+        (advance(r) < 0 ? low : high) = r;
       }
-      runge_kutta(s, t + from * h, high * rest * h, f(from), f(from + 0.5 * high * rest), f(from + high * rest), next);
-      const size_t l = static_cast<size_t>(reversed_link(next));
+      const size_t l = static_cast<size_t>(advance(high));
       s = next;
       from += high * rest;
       mode[l] = 0;
-      slope(s, t + from * h, f(from), k1);
+      slope(s, t + from * h, f(from), tmp);
       if (std::abs(hold[l]) > friction_level(l, 0)) mode[l] = hold[l] > 0 ? 1 : -1;
     }
     s = next;
-    slope(s, t + h, f1, k1);
-    for (size_t l = 0; l < links; ++l)
-      if (mode[l] == 0 && std::abs(hold[l]) > friction_level(l, 0)) mode[l] = hold[l] > 0 ? 1 : -1;
   }
   double hidden_force(size_t i, const std::vector<double>& s, double t, const std::vector<double>& d) const {
     const TrueEffect& e = rig.effects[i];

@@ -1,0 +1,163 @@
+#include "sensor_check.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+namespace diagnosis {
+namespace {
+
+constexpr double kTwoPi = 6.283185307179586;
+constexpr double kThreshold = 30;  // fall of chi-squared that names a fault
+constexpr int kMostFaults = 3;
+
+// Fourier rows of one DOF's channels with the common motion projected out, whitened.
+class Consistency {
+ public:
+  Consistency(const FusedRecord& f, size_t dof) : f_(f), s_(f.spectra[dof]) {
+    first_ = static_cast<Eigen::Index>(std::ceil(1.0 / f.bin_Hz()));
+    energy_ = f.outer.weight.squaredNorm();
+    motion_ = Spectrum::Zero(f.last_bin + 1);
+    for (Eigen::Index i = first_; i <= f.last_bin; ++i) {
+      Complex sum = 0;
+      for (size_t q = 0; q < 3; ++q)
+        if (s_.measured[q]) sum += std::conj(derivative(f.omega(i), static_cast<int>(q))) * s_.z[q][i] / s_.noise[q][i];
+      motion_[i] = sum / information(i);
+    }
+  }
+  Series residual() const {
+    return rows([&](Eigen::Index i, size_t q) { return s_.z[q][i]; });
+  }
+  // Row of a disturbance of one channel.
+  template <typename Value>
+  Series disturbance(size_t channel, Value value) const {
+    return rows([&](Eigen::Index i, size_t q) { return q == channel ? value(i) : Complex(0, 0); });
+  }
+  Complex seen(Eigen::Index i, size_t q) const { return derivative(f_.omega(i), static_cast<int>(q)) * motion_[i]; }
+  double dof() const { return 2.0 * static_cast<double>((f_.last_bin + 1 - first_) * (s_.count() - 1)); }
+
+ private:
+  double information(Eigen::Index i) const {
+    double sum = 0;
+    for (size_t q = 0; q < 3; ++q)
+      if (s_.measured[q]) sum += std::norm(derivative(f_.omega(i), static_cast<int>(q))) / s_.noise[q][i];
+    return sum;
+  }
+  template <typename Value>
+  Series rows(Value value) const {
+    Series out = Series::Zero(6 * (f_.last_bin + 1 - first_));
+    for (Eigen::Index i = first_; i <= f_.last_bin; ++i) {
+      Complex common = 0;
+      for (size_t q = 0; q < 3; ++q)
+        if (s_.measured[q]) common += std::conj(derivative(f_.omega(i), static_cast<int>(q))) * value(i, q) / s_.noise[q][i];
+      common /= information(i);
+      for (size_t q = 0; q < 3; ++q) {
+        if (!s_.measured[q]) continue;
+        const Complex left = (value(i, q) - derivative(f_.omega(i), static_cast<int>(q)) * common) *
+                             std::sqrt(2 / (s_.noise[q][i] * energy_));
+        const Eigen::Index at = 6 * (i - first_) + 2 * static_cast<Eigen::Index>(q);
+        out[at] = left.real(), out[at + 1] = left.imag();
+      }
+    }
+    return out;
+  }
+  const FusedRecord& f_;
+  const DofSpectra& s_;
+  Spectrum motion_;
+  Eigen::Index first_ = 0;
+  double energy_ = 1;
+};
+
+double hum_Hz(FaultKind kind) { return kind == FaultKind::kHum50 ? 50 : 60; }
+
+Spectrum hum(const FusedRecord& f, double hertz, double cosine, double sine) {
+  Series wave(static_cast<Eigen::Index>(f.samples));
+  for (Eigen::Index i = 0; i < wave.size(); ++i) {
+    const double phase = kTwoPi * hertz * static_cast<double>(i) * f.period_s;
+    wave[i] = f.outer.weight[i] * (cosine * std::cos(phase) + sine * std::sin(phase));
+  }
+  return f.fourier->forward(wave);
+}
+
+std::vector<SensorFault> candidates(const FusedRecord& f, size_t dof) {
+  const DofSpectra& s = f.spectra[dof];
+  const Consistency rows(f, dof);
+  const Series residual = rows.residual();
+  std::vector<SensorFault> list;
+  for (size_t q = 0; q < 3; ++q) {
+    if (!s.measured[q]) continue;
+    for (FaultKind kind : {FaultKind::kDelay, FaultKind::kGain, FaultKind::kHum50, FaultKind::kHum60}) {
+      const bool is_hum = kind == FaultKind::kHum50 || kind == FaultKind::kHum60;
+      if (is_hum && hum_Hz(kind) > f.omega(f.last_bin) / kTwoPi) continue;
+      Eigen::MatrixXd columns(residual.size(), is_hum ? 2 : 1);
+      if (kind == FaultKind::kGain) {
+        columns.col(0) = rows.disturbance(q, [&](Eigen::Index i) { return rows.seen(i, q); });
+      } else if (kind == FaultKind::kDelay) {
+        columns.col(0) = rows.disturbance(q, [&](Eigen::Index i) { return Complex(0, -f.omega(i)) * rows.seen(i, q); });
+      } else {
+        const Spectrum cosine = hum(f, hum_Hz(kind), 1, 0), sine = hum(f, hum_Hz(kind), 0, 1);
+        columns.col(0) = rows.disturbance(q, [&](Eigen::Index i) { return cosine[i]; });
+        columns.col(1) = rows.disturbance(q, [&](Eigen::Index i) { return sine[i]; });
+      }
+      const Eigen::MatrixXd gram = columns.transpose() * columns;
+      const Eigen::VectorXd moment = columns.transpose() * residual, value = gram.ldlt().solve(moment);
+      const double gain = value.dot(moment);
+      const double left = std::max(1.0, (residual.squaredNorm() - gain) / rows.dof());
+      SensorFault fault{kind, dof, q, s.channel[q], value[0], is_hum ? value[1] : 0, std::sqrt(left / gram(0, 0)), gain / left};
+      if (std::isfinite(fault.score)) list.push_back(fault);
+    }
+  }
+  std::sort(list.begin(), list.end(), [](const SensorFault& a, const SensorFault& b) { return a.score > b.score; });
+  return list;
+}
+
+void correct(FusedRecord& f, const SensorFault& fault) {
+  Spectrum& z = f.spectra[fault.dof].z[fault.quantity];
+  if (fault.kind == FaultKind::kGain) {
+    z /= 1 + std::clamp(fault.value, -0.5, 1.0);
+  } else if (fault.kind == FaultKind::kDelay) {
+    for (Eigen::Index i = 0; i < z.size(); ++i) z[i] *= std::exp(Complex(0, f.omega(i) * fault.value));
+  } else {
+    z -= hum(f, hum_Hz(fault.kind), fault.value, fault.quadrature);
+  }
+}
+
+bool same(const SensorFault& a, const SensorFault& b) { return a.kind == b.kind && a.quantity == b.quantity; }
+
+// Adds a further correction of the same fault (a delay or a gain is found in steps).
+void accumulate(SensorFault& total, const SensorFault& step) {
+  if (total.kind == FaultKind::kGain) total.value = (1 + total.value) * (1 + step.value) - 1;
+  else total.value += step.value, total.quadrature += step.quadrature;
+  total.std = step.std;
+}
+
+}  // namespace
+
+SensorCheck check_sensors(FusedRecord& f) {
+  SensorCheck check;
+  estimate_noise(f);
+  for (size_t dof = 0; dof < f.spectra.size(); ++dof) {
+    if (f.spectra[dof].count() < 2) continue;
+    std::vector<SensorFault> found;
+    for (int round = 0; round < 8; ++round) {
+      const std::vector<SensorFault> list = candidates(f, dof);
+      if (list.empty() || list[0].score < kThreshold) break;
+      const auto known = std::find_if(found.begin(), found.end(), [&](const SensorFault& s) { return same(s, list[0]); });
+      if (known == found.end() && found.size() == kMostFaults) break;
+      correct(f, list[0]);
+      estimate_noise(f);
+      if (known != found.end()) {
+        accumulate(*known, list[0]);
+        continue;
+      }
+      found.push_back(list[0]);
+      check.rivals.emplace_back();
+      for (size_t i = 1; i < list.size(); ++i)
+        if (list[i].score > list[0].score - 12) check.rivals.back().push_back(list[i]);
+    }
+    check.faults.insert(check.faults.end(), found.begin(), found.end());
+  }
+  return check;
+}
+
+}  // namespace diagnosis

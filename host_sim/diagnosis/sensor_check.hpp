@@ -1,0 +1,32 @@
+// Sensors judged before any rig model: what of a DOF's displacement, velocity and acceleration is not one motion seen
+// three times is the fault of a channel.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "motion.hpp"
+
+namespace diagnosis {
+
+enum class FaultKind { kDelay, kGain, kHum50, kHum60 };
+
+struct SensorFault {
+  FaultKind kind = FaultKind::kDelay;
+  size_t dof = 0;       // index into FusedRecord::spectra
+  size_t quantity = 0;  // displacement, velocity, acceleration
+  std::string channel;
+  double value = 0;     // delay s; gain error 1; hum: amplitude of the cosine, channel's unit
+  double quadrature = 0;  // hum: amplitude of the sine
+  double std = 0;
+  double score = 0;     // gain of chi-squared over the noise that remains
+};
+
+struct SensorCheck {
+  std::vector<SensorFault> faults;
+  std::vector<std::vector<SensorFault>> rivals;  // per fault: others that explain it as well
+};
+
+// Finds faults, corrects the record's spectra for them and leaves its noise estimated anew.
+SensorCheck check_sensors(FusedRecord& record);
+
+}  // namespace diagnosis
