@@ -6,6 +6,7 @@
 #include "naming.hpp"
 #include "search.hpp"
 #include "sensor_check.hpp"
+#include "sharpen.hpp"
 
 namespace diagnosis {
 
@@ -38,6 +39,12 @@ Diagnosis diagnose(const rig_file::RigModel& rig, const std::vector<host_sim::Re
                                     "channel " + rival.channel});
     }
     fuse(records.back());
+  }
+  for (int pass = 0; pass < 2; ++pass) {
+    Rows first(system, records);
+    std::vector<ActiveTerm> model = base_model(first);
+    settle(first, model, 3);
+    sharpen(records, system, model);
   }
   Rows rows(system, records);
   const CandidateBank bank(rows);

@@ -51,10 +51,13 @@ DofMotion fuse_dof(const DofSpectra& s, const FusedRecord& f, double energy) {
   const double pass = 1.3 * static_cast<double>(f.last_bin), stop = 1.8 * static_cast<double>(f.last_bin);
   Spectrum linear(bins), smooth(bins), rate(bins);
   double error = 0;
+  m.raw = y;
+  m.trust = Series::Zero(bins);
   for (Eigen::Index i = 0; i < bins; ++i) {
     const double truth = std::max(power[i] - m.variance[i], 0.0);
     const double weight = truth / (truth + m.variance[i] + 1e-300);
     smooth[i] = weight * y[i];
+    m.trust[i] = weight;
     linear[i] = s.measured[2] ? y[i] : low_pass(i, pass, stop) * y[i];
     error += std::pow(f.omega(i), 2) * weight * m.variance[i] * (i == 0 ? 1 : 2);
   }

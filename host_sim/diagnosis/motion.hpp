@@ -33,6 +33,8 @@ struct DofMotion {
   bool measured = false;
   Series x, v, a;        // fused; right where the outer ramp is 1
   Series smooth_x, smooth_v, smooth_a;  // with the least expected error, for functions that are not linear
+  Spectrum raw;          // fused displacement under the outer weight
+  Series trust;          // per bin: share of the raw spectrum in the smooth signals
   Series variance;       // per bin: variance of the displacement error per sample
   double smooth_v_error = 0;  // standard deviation of smooth_v
 };

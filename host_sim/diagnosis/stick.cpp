@@ -4,31 +4,18 @@
 #include <algorithm>
 #include <cmath>
 
-#include "rows.hpp"
+#include "sharpen.hpp"
 
 namespace diagnosis {
 namespace {
 
 constexpr double kTrust = 9;  // stuck friction leans one way: a shrunken estimate of it would look like a spring
 
-// Force minus every term, per DOF and sample, averaged over five samples (the rows end at a tenth of the sampling rate).
-Eigen::MatrixXd imbalance(const System& s, const FusedRecord& f, const std::vector<ActiveTerm>& model, size_t record) {
-  const Eigen::Index n = static_cast<Eigen::Index>(f.samples);
-  Eigen::MatrixXd e = Eigen::MatrixXd::Zero(n, static_cast<Eigen::Index>(s.dofs()));
-  for (size_t j = 0; j < s.dofs(); ++j)
-    if (f.force[j].size()) e.col(static_cast<Eigen::Index>(j)) = f.force[j];
-  for (const ActiveTerm& t : model) {
-    const Term& term = t.column.term;
-    if (term.dof >= 0) {
-      e.col(term.dof) -= t.value * t.force[record];
-      continue;
-    }
-    const rig_file::Link& l = s.links[static_cast<size_t>(term.link)];
-    if (l.a > 0) e.col(l.a - 1) -= t.value * t.force[record];
-    if (l.b > 0) e.col(l.b - 1) += t.value * t.force[record];
-  }
+// Averaged over five samples: the rows end at a tenth of the sampling rate.
+Eigen::MatrixXd averaged(const Eigen::MatrixXd& e) {
   Eigen::MatrixXd mean = e;
-  for (Eigen::Index i = 2; i + 2 < n; ++i) mean.row(i) = 0.2 * (e.row(i - 2) + e.row(i - 1) + e.row(i) + e.row(i + 1) + e.row(i + 2));
+  for (Eigen::Index i = 2; i + 2 < e.rows(); ++i)
+    mean.row(i) = 0.2 * (e.row(i - 2) + e.row(i - 1) + e.row(i) + e.row(i + 1) + e.row(i + 2));
   return mean;
 }
 
@@ -68,7 +55,7 @@ void Rows::hold_stuck(const std::vector<ActiveTerm>& model) {
     doubt_[r].assign(level.size(), 0.0);
     for (auto& spectrum : held_[r]) spectrum.resize(0);
     if (std::all_of(level.begin(), level.end(), [](double v) { return v <= 0; })) continue;
-    Eigen::MatrixXd e = imbalance(system_, f, model, r);
+    Eigen::MatrixXd e = averaged(imbalance(system_, f, model, r, false));
     const Eigen::VectorXd variance = ((e.cwiseAbs2().transpose() * f.inner) / f.inner.sum()).cwiseMax(1e-300);
     for (size_t l = 0; l < level.size(); ++l) {
       if (level[l] <= 0) continue;

@@ -1,0 +1,15 @@
+// Sharper motion from a first model. Smoothing rounds the kink that friction puts into a velocity, which shifts its
+// reversals in time; where the sensors are weaker than their noise the model's own acceleration takes their place.
+#pragma once
+#include "rows.hpp"
+
+namespace diagnosis {
+
+// Renews smooth_x, smooth_v, smooth_a of DOFs with a mass. Terms of the model must have been prepared.
+void sharpen(std::vector<FusedRecord>& records, const System& system, const std::vector<ActiveTerm>& model);
+
+// Force minus every term of the model, samples x DOFs; terms of mass are left out where `without_mass`.
+Eigen::MatrixXd imbalance(const System& system, const FusedRecord& record, const std::vector<ActiveTerm>& model,
+                          size_t index, bool without_mass);
+
+}  // namespace diagnosis
