@@ -188,6 +188,22 @@ bool CandidateBank::prepare(const std::vector<ActiveTerm>& model, Candidate& c) 
   return true;
 }
 
+// Friction near velocity reversals is known to about one percent only: an effect beside it must bring more than that.
+double CandidateBank::reversal_doubt(const std::vector<ActiveTerm>& model, const Term& t) const {
+  double largest = 0;
+  const auto& links = rows_.system().links;
+  const auto touches = [&](const rig_file::Link& l, int dof) { return dof > 0 && (l.a == dof || l.b == dof); };
+  for (const ActiveTerm& a : model) {
+    const Term& own = a.column.term;
+    if ((own.kind != Kind::kCoulomb && own.kind != Kind::kMissingCoulomb && own.kind != Kind::kStribeck) || !(a.std > 0)) continue;
+    const rig_file::Link& l = links[static_cast<size_t>(own.link)];
+    const bool near = t.dof >= 0 ? touches(l, t.dof + 1)
+                                 : touches(l, links[static_cast<size_t>(t.link)].a) || touches(l, links[static_cast<size_t>(t.link)].b);
+    if (near) largest = std::max(largest, std::pow(a.value / a.std, 2));
+  }
+  return 1e-4 * largest;
+}
+
 std::vector<Candidate> CandidateBank::beside(const std::vector<ActiveTerm>& model) const {
   std::vector<Candidate> list;
   for (const auto& column : columns_) {
@@ -195,7 +211,9 @@ std::vector<Candidate> CandidateBank::beside(const std::vector<ActiveTerm>& mode
     c.column = column;
     const auto partner = partner_.find(column.get());
     if (partner != partner_.end()) c.companions.push_back(partner->second), c.penalty = 6;
-    if (prepare(model, c)) list.push_back(c);
+    if (!prepare(model, c)) continue;
+    c.threshold += reversal_doubt(model, c.term());
+    list.push_back(c);
   }
   return list;
 }

@@ -36,6 +36,7 @@ class CandidateBank {
   Extent extent(int link) const;  // the widest over the records
   void add_link(int link);
   void add_dof(int dof);
+  double reversal_doubt(const std::vector<ActiveTerm>& model, const Term& term) const;
   bool prepare(const std::vector<ActiveTerm>& model, Candidate& candidate) const;
   std::map<const Column*, std::shared_ptr<const Column>> partner_;  // of a hum's cosine: its sine
   const Rows& rows_;

@@ -1,76 +1,171 @@
-#include "diagnosis.hpp"
-
 #include <algorithm>
 #include <cmath>
 
+#include "advice.hpp"
+#include "diagnosis.hpp"
+#include "judge.hpp"
+#include "limits.hpp"
 #include "naming.hpp"
-#include "search.hpp"
 #include "sensor_check.hpp"
 #include "sharpen.hpp"
 
 namespace diagnosis {
+namespace {
 
-const char* verdict_word(Verdict v) {
-  return v == Verdict::kNone ? "none" : v == Verdict::kExplained ? "explained" : v == Verdict::kAmbiguous ? "ambiguous" : "unknown";
+const char* fault_word(FaultKind kind) {
+  return kind == FaultKind::kDelay ? "sensor_delay" : kind == FaultKind::kGain ? "sensor_gain" : "mains_hum";
 }
 
-Diagnosis diagnose(const rig_file::RigModel& rig, const std::vector<host_sim::Record>& training,
-                   const std::vector<host_sim::Record>&, const Options& options) {
-  Diagnosis d;
-  const System system = make_system(rig);
-  std::vector<FusedRecord> records;
-  for (const host_sim::Record& r : training) {
-    records.push_back(read_record(rig, r, options.top_of_band));
-    const SensorCheck check = check_sensors(records.back());
-    for (size_t i = 0; i < check.faults.size(); ++i) {
-      const SensorFault& fault = check.faults[i];
-      Cause c;
-      c.effect = fault.kind == FaultKind::kDelay ? "sensor_delay" : fault.kind == FaultKind::kGain ? "sensor_gain" : "mains_hum";
-      c.where = "channel " + fault.channel;
-      c.significance = fault.score;
-      const bool hum = fault.kind == FaultKind::kHum50 || fault.kind == FaultKind::kHum60;
-      c.parameters.push_back({c.effect + "[" + fault.channel + "]",
-                              hum ? std::hypot(fault.value, fault.quadrature) : fault.value,
-                              fault.kind == FaultKind::kDelay ? "s" : "1", fault.std, true});
-      if (hum) c.parameters.push_back({"mains_frequency", fault.kind == FaultKind::kHum50 ? 50.0 : 60.0, "Hz", 0, false});
-      d.causes.push_back(c);
-      for (const SensorFault& rival : check.rivals[i])
-        d.ambiguous_with.push_back({rival.kind == FaultKind::kDelay ? "sensor_delay" : rival.kind == FaultKind::kGain ? "sensor_gain" : "mains_hum",
-                                    "channel " + rival.channel});
-    }
-    fuse(records.back());
+Cause fault_cause(const SensorFault& fault) {
+  Cause c;
+  c.effect = fault_word(fault.kind);
+  c.where = "channel " + fault.channel;
+  c.significance = fault.score;
+  const bool hum = fault.kind == FaultKind::kHum50 || fault.kind == FaultKind::kHum60;
+  const std::string unit = fault.kind == FaultKind::kDelay ? "s" : hum ? "channel unit" : "1";
+  c.parameters.push_back({c.effect + "[" + fault.channel + "]",
+                          hum ? std::hypot(fault.value, fault.quadrature) : fault.value, unit, fault.std, true});
+  if (hum)
+    c.parameters.push_back({"mains_frequency[" + fault.channel + "]", fault.kind == FaultKind::kHum50 ? 50.0 : 60.0, "Hz", 0, false});
+  return c;
+}
+
+// Fused records, corrected for the sensor faults that are found (collected where `faults` is given).
+std::vector<FusedRecord> ready(const rig_file::RigModel& rig, const std::vector<host_sim::Record>& records,
+                               const Options& options, std::vector<SensorCheck>* checks) {
+  std::vector<FusedRecord> list;
+  for (const host_sim::Record& r : records) {
+    list.push_back(read_record(rig, r, options.top_of_band));
+    const SensorCheck check = check_sensors(list.back());
+    if (checks) checks->push_back(check);
+    fuse(list.back());
   }
+  return list;
+}
+
+// Two rounds of fitting the rig as given and sharpening the motion by it.
+void sharpen_all(const System& system, std::vector<FusedRecord>& records) {
   for (int pass = 0; pass < 2; ++pass) {
-    Rows first(system, records);
-    std::vector<ActiveTerm> model = base_model(first);
-    settle(first, model, 3);
+    Rows rows(system, records);
+    std::vector<ActiveTerm> model = base_model(rows);
+    settle(rows, model, 3);
     sharpen(records, system, model);
   }
-  Rows rows(system, records);
-  const CandidateBank bank(rows);
-  const SearchResult found = search(rows, bank);
-  d.baseline_misfit = found.base_fit.ratio();
-  d.extended_misfit = found.fit.ratio();
+}
+
+std::vector<host_sim::Record> first_parts(const std::vector<host_sim::Record>& records, double share) {
+  std::vector<host_sim::Record> list = records;
+  for (host_sim::Record& r : list) {
+    const size_t keep = static_cast<size_t>(share * static_cast<double>(r.samples()));
+    for (host_sim::Channel& c : r.channels) c.values.resize(keep);
+  }
+  return list;
+}
+
+void report_faults(const std::vector<SensorCheck>& checks, Diagnosis& d) {
+  for (const SensorCheck& check : checks)
+    for (size_t i = 0; i < check.faults.size(); ++i) {
+      const Cause cause = fault_cause(check.faults[i]);
+      const auto same = [&](const Cause& c) { return c.effect == cause.effect && c.where == cause.where; };
+      if (std::any_of(d.causes.begin(), d.causes.end(), same)) continue;  // the same fault in a further record
+      d.causes.push_back(cause);
+      for (const SensorFault& rival : check.rivals[i])
+        d.ambiguous_with.push_back({fault_word(rival.kind), "channel " + rival.channel});
+    }
+}
+
+void report_terms(const System& system, const Rows& rows, const SearchResult& found, Diagnosis& d) {
+  const double excess = std::max(1.0, found.base_fit.chi2 - found.fit.dof);
   for (size_t i = 0; i < found.added.size(); ++i) {
     const Term& t = found.added[i].candidate.term();
     Cause c;
     c.effect = word_of(t.kind);
-    c.where = place_of(system, t, records[0]);
+    c.where = place_of(system, t, rows.records()[0]);
     c.significance = found.added[i].score;
+    c.explains_percent = std::clamp(100 * found.added[i].gain.chi2 / excess, 0.0, 100.0);
     for (const ActiveTerm& active : found.model)
       if (active.added && active.column.term.same_place(t)) c.parameters = parameters_of_term(system, active);
     d.causes.push_back(c);
-    for (const Found& r : found.rivals[i])
-      d.ambiguous_with.push_back({word_of(r.candidate.term().kind), place_of(system, r.candidate.term(), records[0])});
+    for (const Found& r : found.rivals[i]) {
+      const Term& other = r.candidate.term();
+      d.ambiguous_with.push_back({word_of(other.kind), place_of(system, other, rows.records()[0])});
+    }
   }
+}
+
+// Removes terms that make the free simulation of unseen data worse. True if one was removed.
+bool reject_worse(const System& system, const Judge& judge, const Rows& rows, SearchResult& found, Diagnosis& d) {
+  const HoldoutScore with = judge.score(judge.fitted(found.model));
+  for (size_t i = 0; i < found.added.size(); ++i) {
+    std::vector<ActiveTerm> model = found.model;
+    const Term mine = found.added[i].candidate.term();
+    for (size_t k = 0; k < model.size(); ++k)
+      if (model[k].added && model[k].column.term.same_place(mine)) {
+        remove_term(model, k);
+        break;
+      }
+    const HoldoutScore without = judge.score(judge.fitted(model));
+    if (mean(with.nrmse_percent) < 1.03 * mean(without.nrmse_percent)) continue;
+    Cause c;
+    c.effect = word_of(mine.kind), c.where = place_of(system, mine, rows.records()[0]);
+    c.significance = found.added[i].score;
+    d.rejected.push_back(c);
+    found.model = model;
+    found.added.erase(found.added.begin() + static_cast<std::ptrdiff_t>(i));
+    found.rivals.erase(found.rivals.begin() + static_cast<std::ptrdiff_t>(i));
+    return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+const char* verdict_word(Verdict v) {
+  constexpr const char* kWords[] = {"none", "explained", "ambiguous", "unknown"};
+  return kWords[static_cast<size_t>(v)];
+}
+
+Diagnosis diagnose(const rig_file::RigModel& rig, const std::vector<host_sim::Record>& training,
+                   const std::vector<host_sim::Record>& holdout, const Options& options) {
+  if (training.empty()) throw CannotAnswer("no record to diagnose");
+  Diagnosis d;
+  const System system = make_system(rig);
+  std::vector<SensorCheck> checks;
+  std::vector<FusedRecord> records = ready(rig, training, options, &checks);
+  report_faults(checks, d);
+  sharpen_all(system, records);
+  Rows rows(system, records);
+  const CandidateBank bank(rows);
+  SearchResult found = search(rows, bank);
+  if (options.simulate) {
+    const double share = holdout.empty() ? 1 - options.holdout_fraction : 1.0;
+    std::vector<FusedRecord> early = holdout.empty() ? ready(rig, first_parts(training, share), options, nullptr) : records;
+    if (holdout.empty()) sharpen_all(system, early);
+    std::vector<FusedRecord> unseen = ready(rig, holdout, options, nullptr);
+    const Judge judge(system, records, std::move(early), std::move(unseen), share);
+    bool rejected = false;
+    while (reject_worse(system, judge, rows, found, d)) rejected = true;
+    if (rejected) found.fit = settle(rows, found.model, 2);
+    const HoldoutScore before = judge.score(judge.fitted(found.base));
+    const HoldoutScore after = found.added.empty() ? before : judge.score(judge.fitted(found.model));
+    d.baseline.holdout_nrmse_percent = before.nrmse_percent, d.baseline.holdout_mse_percent = before.mse_percent;
+    d.extended.holdout_nrmse_percent = after.nrmse_percent, d.extended.holdout_mse_percent = after.mse_percent;
+    for (size_t j = 0; j < system.dofs(); ++j)
+      d.gain.push_back(before.nrmse_percent[j] / std::max(1e-12, after.nrmse_percent[j]));
+  }
+  report_terms(system, rows, found, d);
+  d.baseline_misfit = found.base_fit.ratio();
+  d.extended_misfit = found.fit.ratio();
   d.baseline.parameters = parameters_of(system, found.base);
   d.extended.parameters = parameters_of(system, found.model);
   d.extended_rig = extended_rig(system, found.model);
+  d.minimum_detectable = detection_limits(rows, bank, found.model, found.fit);
   const double drop = (found.base_fit.chi2 - found.fit.chi2) / found.fit.dof;
   const bool noise_only = found.fit.ratio() - 1 < 0.25 + 0.003 * drop;
   d.verdict = !noise_only ? Verdict::kUnknown
               : d.causes.empty() ? Verdict::kNone
               : d.ambiguous_with.empty() ? Verdict::kExplained : Verdict::kAmbiguous;
+  d.advice = advice_for(d);
   return d;
 }
 

@@ -1,0 +1,212 @@
+#include "free_run.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sharpen.hpp"
+
+namespace diagnosis {
+namespace {
+
+constexpr double kTwoPi = 6.283185307179586;
+constexpr int kSteps = 8;
+
+struct Simulator {
+  const System& system;
+  const std::vector<ActiveTerm>& model;
+  const FusedRecord& record;
+  size_t n;
+  std::vector<double> inertia, x, v, last_a, push;
+  std::vector<double> level;              // friction of each link
+  std::vector<double> dahl, hidden_x, hidden_v;  // states per term
+
+  Simulator(const System& s, const std::vector<ActiveTerm>& m, const FusedRecord& f, Eigen::Index from)
+      : system(s), model(m), record(f), n(s.dofs()), inertia(n, 0.0), x(n), v(n), last_a(n), push(n),
+        level(s.links.size()), dahl(m.size(), 0.0), hidden_x(m.size()), hidden_v(m.size()) {
+    for (const ActiveTerm& t : model)
+      if (t.column.term.kind == Kind::kMass || t.column.term.kind == Kind::kMassError)
+        inertia[static_cast<size_t>(t.column.term.dof)] += t.value;
+    for (size_t j = 0; j < n; ++j) {
+      x[j] = f.motion[j].smooth_x[from], v[j] = f.motion[j].smooth_v[from], last_a[j] = f.motion[j].smooth_a[from];
+    }
+    for (size_t i = 0; i < model.size(); ++i) {
+      const Term& t = model[i].column.term;
+      if (t.kind == Kind::kResonance) {
+        const size_t j = static_cast<size_t>(t.dof);
+        hidden_x[i] = x[j], hidden_v[i] = v[j];
+        lead_in(i, from);
+      }
+      if (t.kind == Kind::kPresliding) dahl[i] = rate(v, static_cast<size_t>(t.link)) < 0 ? -1 : 1;
+    }
+  }
+  // the hidden mass has moved before the start: let it follow the record up to there
+  void lead_in(size_t i, Eigen::Index from) {
+    const size_t j = static_cast<size_t>(model[i].column.term.dof);
+    const Eigen::Index begin = std::max<Eigen::Index>(0, from - static_cast<Eigen::Index>(3 / record.period_s));
+    hidden_x[i] = record.motion[j].smooth_x[begin], hidden_v[i] = record.motion[j].smooth_v[begin];
+    for (Eigen::Index k = begin; k < from; ++k)
+      for (int step = 0; step < kSteps; ++step) {
+        const double r = (step + 0.5) / kSteps;
+        hidden_force(i, record.motion[j].smooth_x[k] * (1 - r) + record.motion[j].smooth_x[k + 1] * r,
+                     record.motion[j].smooth_v[k] * (1 - r) + record.motion[j].smooth_v[k + 1] * r, record.period_s / kSteps);
+      }
+  }
+  double hidden_force(size_t i, double motion, double speed, double h) {
+    const Term& t = model[i].column.term;
+    const double omega = kTwoPi * t.shape;
+    const double a = omega * omega * (motion - hidden_x[i]) + 2 * t.shape2 * omega * (speed - hidden_v[i]);
+    hidden_v[i] += h * a;
+    hidden_x[i] += h * hidden_v[i];
+    return model[i].value * a;
+  }
+  double end(const std::vector<double>& values, int dof, double base) const {
+    return dof > 0 ? values[static_cast<size_t>(dof - 1)] : dof == rig_file::kBase ? base : 0.0;
+  }
+  double base_x = 0, base_v = 0;
+  double elongation(const std::vector<double>& p, size_t l) const {
+    return end(p, system.links[l].a, base_x) - end(p, system.links[l].b, base_x);
+  }
+  double rate(const std::vector<double>& s, size_t l) const {
+    return end(s, system.links[l].a, base_v) - end(s, system.links[l].b, base_v);
+  }
+  void pull(size_t l, double force) {
+    if (system.links[l].a > 0) push[static_cast<size_t>(system.links[l].a - 1)] -= force;
+    if (system.links[l].b > 0) push[static_cast<size_t>(system.links[l].b - 1)] += force;
+  }
+  // every force but friction at motion p, s; friction levels on the way
+  void forces(const std::vector<double>& p, const std::vector<double>& s, double t_s, double h) {
+    std::fill(level.begin(), level.end(), 0.0);
+    for (size_t i = 0; i < model.size(); ++i) {
+      const Term& t = model[i].column.term;
+      const double q = model[i].value;
+      if (t.kind == Kind::kMass || t.kind == Kind::kMassError || model[i].companion >= 0) continue;
+      if (t.dof >= 0) {
+        const size_t j = static_cast<size_t>(t.dof);
+        if (t.kind == Kind::kResonance) push[j] -= hidden_force(i, p[j], s[j], h);
+        continue;
+      }
+      const size_t l = static_cast<size_t>(t.link);
+      const double u = elongation(p, l), w = rate(s, l), clip = std::clamp(u, -t.shape, t.shape);
+      switch (t.kind) {
+        case Kind::kCoulomb: case Kind::kMissingCoulomb: level[l] += q; break;
+        case Kind::kStribeck: level[l] += q * std::exp(-std::abs(w) / t.shape); break;
+        case Kind::kStiffness: case Kind::kStiffnessError: pull(l, q * u); break;
+        case Kind::kViscous: case Kind::kMissingViscous: pull(l, q * w); break;
+        case Kind::kGravity: pull(l, q * std::sin(u)); break;
+        case Kind::kCubicStiffness: pull(l, q * u * u * u); break;
+        case Kind::kQuadraticStiffness: pull(l, q * u * u); break;
+        case Kind::kBacklash: pull(l, (t.given ? -q : q) * clip); break;
+        case Kind::kEndStop: pull(l, q * (u - clip)); break;
+        case Kind::kQuadraticDamping: pull(l, q * w * std::abs(w)); break;
+        case Kind::kCubicDamping: pull(l, q * w * w * w); break;
+        case Kind::kForceOffset: pull(l, q); break;
+        case Kind::kAsymmetricViscous: pull(l, q * std::abs(w)); break;
+        case Kind::kDisplacementDamping: pull(l, q * u * u * w); break;
+        case Kind::kDriftingViscous: pull(l, q * w * t_s); break;
+        case Kind::kPresliding: {
+          const double way = w < 0 ? -1 : 1;
+          dahl[i] = way + (dahl[i] - way) * std::exp(-std::abs(w) * h / t.shape);
+          pull(l, q * dahl[i]);
+          if (!t.given) level[l] -= q;  // in place of Coulomb friction
+          break;
+        }
+        default: break;
+      }
+    }
+  }
+  void step(Eigen::Index sample, int part, double h) {
+    const double r = (part + 0.5) / kSteps, t_s = (static_cast<double>(sample) + r) * record.period_s;
+    for (size_t j = 0; j < n; ++j) {
+      const Series& f = record.force[j];
+      push[j] = f.size() ? f[sample] * (1 - r) + f[sample + 1] * r : 0;
+    }
+    if (record.motion[n].measured) {
+      base_x = record.motion[n].x[sample] * (1 - r) + record.motion[n].x[sample + 1] * r;
+      base_v = record.motion[n].v[sample] * (1 - r) + record.motion[n].v[sample + 1] * r;
+    }
+    std::vector<double> p = x, s = v;
+    for (size_t j = 0; j < n; ++j) p[j] += 0.5 * h * v[j] + 0.125 * h * h * last_a[j], s[j] += 0.5 * h * last_a[j];
+    forces(p, s, t_s, h);
+    std::vector<double> next = v;
+    for (size_t j = 0; j < n; ++j) next[j] += h * push[j] / inertia[j];
+    std::vector<double> impulse(level.size(), 0.0);
+    for (int sweep = 0; sweep < 12; ++sweep) {
+      double moved = 0;
+      for (size_t l = 0; l < level.size(); ++l) {
+        if (level[l] <= 0) continue;
+        const int a = system.links[l].a, b = system.links[l].b;
+        const double ia = a > 0 ? 1 / inertia[static_cast<size_t>(a - 1)] : 0, ib = b > 0 ? 1 / inertia[static_cast<size_t>(b - 1)] : 0;
+        const double wanted = impulse[l] + rate(next, l) / (ia + ib), limit = h * level[l];
+        const double change = std::clamp(wanted, -limit, limit) - impulse[l];
+        impulse[l] += change;
+        if (a > 0) next[static_cast<size_t>(a - 1)] -= change * ia;
+        if (b > 0) next[static_cast<size_t>(b - 1)] += change * ib;
+        moved = std::max(moved, std::abs(change) / limit);
+      }
+      if (moved < 1e-9) break;
+    }
+    for (size_t j = 0; j < n; ++j) {
+      last_a[j] = (next[j] - v[j]) / h;
+      x[j] += 0.5 * h * (v[j] + next[j]);
+      v[j] = next[j];
+    }
+  }
+};
+
+double variance(const Series& s) { return (s.array() - s.mean()).square().mean(); }
+
+bool massless(const std::vector<ActiveTerm>& model, size_t dof) {
+  for (const ActiveTerm& t : model)
+    if (t.column.term.kind == Kind::kMass && t.column.term.dof == static_cast<int>(dof) && t.value > 0) return false;
+  return true;
+}
+
+}  // namespace
+
+FreeRun free_run(const System& system, const std::vector<ActiveTerm>& model, const FusedRecord& f, Eigen::Index from,
+                 Eigen::Index to) {
+  Simulator run(system, model, f, from);
+  FreeRun out;
+  out.x = out.v = out.a = std::vector<Series>(run.n, Series::Zero(to - from));
+  for (Eigen::Index i = from; i < to; ++i) {
+    for (size_t j = 0; j < run.n; ++j) {
+      out.x[j][i - from] = run.x[j], out.v[j][i - from] = run.v[j], out.a[j][i - from] = run.last_a[j];
+      out.finite = out.finite && std::isfinite(run.x[j]) && std::abs(run.x[j]) < 1e6;
+    }
+    if (!out.finite || i + 1 >= to) break;
+    for (int part = 0; part < kSteps; ++part) run.step(i, part, f.period_s / kSteps);
+  }
+  return out;
+}
+
+HoldoutScore score_free_run(const System& system, const std::vector<ActiveTerm>& model, const FusedRecord& f,
+                            Eigen::Index from, Eigen::Index to) {
+  HoldoutScore score;
+  bool simulated = true;
+  for (size_t j = 0; j < system.dofs(); ++j) simulated = simulated && !massless(model, j);
+  if (!simulated) {
+    std::vector<ActiveTerm> prepared = model;
+    std::vector<FusedRecord> one{f};
+    const Rows rows(system, one);
+    for (ActiveTerm& t : prepared) t.force.clear(), rows.prepare(t);
+    const Eigen::MatrixXd e = imbalance(system, f, prepared, 0, false);
+    for (size_t j = 0; j < system.dofs(); ++j) {
+      const Series left = e.col(static_cast<Eigen::Index>(j)).segment(from, to - from);
+      const double whole = f.force[j].size() ? variance(f.force[j].segment(from, to - from)) : 0;
+      const double ratio = left.squaredNorm() / static_cast<double>(left.size()) / std::max(whole, 1e-300);
+      score.nrmse_percent.push_back(100 * std::sqrt(ratio)), score.mse_percent.push_back(100 * ratio);
+    }
+    return score;
+  }
+  const FreeRun run = free_run(system, model, f, from, to);
+  for (size_t j = 0; j < system.dofs(); ++j) {
+    const Series x = f.motion[j].x.segment(from, to - from), a = f.motion[j].a.segment(from, to - from);
+    const double nrmse = std::sqrt((run.x[j] - x).squaredNorm() / static_cast<double>(x.size()) / std::max(variance(x), 1e-300));
+    const double mse = (run.a[j] - a).squaredNorm() / static_cast<double>(a.size()) / std::max(variance(a), 1e-300);
+    score.nrmse_percent.push_back(run.finite ? std::min(1e6, 100 * nrmse) : 1e6);
+    score.mse_percent.push_back(run.finite ? std::min(1e6, 100 * mse) : 1e6);
+  }
+  return score;
+}
+
+}  // namespace diagnosis

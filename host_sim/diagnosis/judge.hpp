@@ -1,0 +1,31 @@
+// What a model is worth on data that its fit has not seen.
+#pragma once
+#include <vector>
+
+#include "diagnosis.hpp"
+#include "free_run.hpp"
+#include "search.hpp"
+
+namespace diagnosis {
+
+// Fits base and extended model on the first part of each record (or on all of it where there are hold-out records) and
+// simulates both freely on the rest.
+class Judge {
+ public:
+  // `full` are the training records, fused; `early` their first parts, fused; `unseen` the hold-out records, fused.
+  Judge(const System& system, const std::vector<FusedRecord>& full, std::vector<FusedRecord> early,
+        std::vector<FusedRecord> unseen, double early_share);
+  // A model's terms, fitted on what may be seen.
+  std::vector<ActiveTerm> fitted(const std::vector<ActiveTerm>& model) const;
+  HoldoutScore score(const std::vector<ActiveTerm>& fitted_model) const;
+
+ private:
+  const System& system_;
+  const std::vector<FusedRecord>& full_;
+  std::vector<FusedRecord> early_, unseen_;
+  double early_share_;
+};
+
+double mean(const std::vector<double>& values);
+
+}  // namespace diagnosis

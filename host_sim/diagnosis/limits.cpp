@@ -1,0 +1,84 @@
+#include "limits.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "naming.hpp"
+
+namespace diagnosis {
+namespace {
+
+double rms_of(const Column& c, const Rows& rows, double coefficient) {
+  double power = 0, samples = 0;
+  for (size_t r = 0; r < c.spectra.size(); ++r) {
+    const FusedRecord& f = rows.records()[r];
+    power += 2 * c.spectra[r].squaredNorm() / f.inner_energy;
+    samples += static_cast<double>(f.samples);
+  }
+  return std::abs(coefficient) * std::sqrt(power / samples);
+}
+
+// rms of what the model's dampers take on a link; for a DOF the largest of its links.
+double damping_rms(const Rows& rows, const std::vector<ActiveTerm>& model, const Term& place) {
+  double largest = 0;
+  for (size_t l = 0; l < rows.system().links.size(); ++l) {
+    const rig_file::Link& link = rows.system().links[l];
+    const bool here = place.link >= 0 ? static_cast<int>(l) == place.link : link.a == place.dof + 1 || link.b == place.dof + 1;
+    if (!here) continue;
+    double power = 0;
+    for (const ActiveTerm& t : model) {
+      const Kind kind = t.column.term.kind;
+      if (t.column.term.link == static_cast<int>(l) && (kind == Kind::kViscous || kind == Kind::kCoulomb))
+        power += std::pow(rms_of(t.column, rows, t.value), 2);
+    }
+    largest = std::max(largest, std::sqrt(power));
+  }
+  return largest;
+}
+
+}  // namespace
+
+std::vector<DetectionLimit> detection_limits(const Rows& rows, const CandidateBank& bank,
+                                             const std::vector<ActiveTerm>& model, const Fit& fit) {
+  std::vector<DetectionLimit> list;
+  std::vector<double> force;
+  Term last;
+  for (const Candidate& c : bank.beside(model)) {
+    const Gain gain = gain_of(rows, model, fit, c);
+    if (gain.std <= 0 && c.host < 0) continue;
+    const double steps = std::sqrt(c.threshold + c.penalty) + 1.645;  // in standard deviations
+    const bool rotating = rotates(rows.system(), c.term());
+    DetectionLimit limit{word_of(c.term().kind), place_of(rows.system(), c.term(), rows.records()[0]), 0, "", 0};
+    const double noise = steps * std::sqrt(std::max(1.0, fit.ratio()));
+    double coefficient = noise * gain.std;
+    if (c.term().kind == Kind::kBacklash || c.term().kind == Kind::kPresliding) {
+      // its coefficient is the host's: what is sought is the shape at which that is enough; nearly linear where small
+      Candidate free = c;
+      free.host = -1, free.fixed = false;
+      const double host = std::abs(model[static_cast<size_t>(c.host)].value);
+      const double power = c.term().kind == Kind::kBacklash ? 1.0 : 2.0;
+      if (host <= 0) continue;
+      coefficient = host;
+      const double std = gain_of(rows, model, fit, free).std;
+      limit.strength = c.term().shape * std::pow(noise * std / host, power);
+      limit.unit = shape_unit(c.term().kind, rotating);
+      limit.percent_of_damping_force = 100 * rms_of(*c.column, rows, noise * std);
+    } else {
+      limit.strength = coefficient;
+      limit.unit = unit_of(c.term().kind, rotating);
+      limit.percent_of_damping_force = 100 * rms_of(*c.column, rows, coefficient);
+    }
+    const double damping = damping_rms(rows, model, c.term());
+    limit.percent_of_damping_force = damping > 0 ? limit.percent_of_damping_force / damping : 0;
+    // of the shapes on the grid the easiest to see is quoted
+    if (!list.empty() && last.same_place(c.term())) {
+      if (limit.percent_of_damping_force < list.back().percent_of_damping_force) list.back() = limit;
+    } else {
+      list.push_back(limit);
+    }
+    last = c.term();
+  }
+  return list;
+}
+
+}  // namespace diagnosis
