@@ -47,11 +47,17 @@ class GpioInput final : public DigitalInput {
   std::string open(const std::string& line, const LineOptions& options) { return line_.request_input(line, options); }
   // A line that cannot be read counts as active: for a stop line that is the safe side.
   bool active() override { return line_.get() != 0; }
-  bool next_edge(LineEdge& edge) override { return line_.next_edge(edge); }
+  bool next_edge(LineEdge& edge) override {
+    if (!line_.next_edge(edge)) return false;
+    if (edge.rising) last_rise_ns_ = edge.time_ns;
+    return true;
+  }
+  uint64_t last_rise_ns() const { return last_rise_ns_; }  // of the edges taken; 0: none yet
   int descriptor() const { return line_.descriptor(); }
 
  private:
   GpioLine line_;
+  uint64_t last_rise_ns_ = 0;
 };
 
 class GpioOutput final : public DigitalOutput {

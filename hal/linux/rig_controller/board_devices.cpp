@@ -14,6 +14,9 @@ BoardDevices::BoardDevices(const BoardFile& file)
 std::string BoardDevices::open() {
   hal::SocketCan::Options options;
   options.fd = file_.controller.node.can_fd;
+  // Network commands, SYNC, requests to this node. The sensors' frames have a socket of their own.
+  const uint32_t ids[] = {0x000, 0x080, 0x600u + file_.controller.node.node};
+  bus_.receive_only(ids, 3);
   std::string fault = bus_.open(file_.can_interface, options);
   if (fault.empty()) fault = open_samples();
   if (fault.empty() && file_.drive == DriveKind::kIio) fault = iio_drive_.open(file_.iio_drive);

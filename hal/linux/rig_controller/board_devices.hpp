@@ -35,6 +35,8 @@ class BoardDevices {
 
   // Drive zero, relay off, whatever the controller thinks.
   void make_safe();
+  // When the kernel saw the stop line become active; 0: never.
+  uint64_t stop_edge_ns() const { return stop_line_.last_rise_ns(); }
   hal::SystemdWatchdog& systemd() { return systemd_; }
   void stop_watchdog() { device_watchdog_.disarm(); }
   const hal::SocketCan& bus() const { return bus_; }

@@ -107,12 +107,16 @@ class Loop {
     const firmware::ControllerMode mode = controller_.mode();
     const firmware::AlarmCause cause = controller_.latched_alarm().cause;
     if (mode == mode_ && cause == cause_) return;
+    const uint64_t safe_ns = hal::read_clock_ns(CLOCK_MONOTONIC);
     mode_ = mode;
     cause_ = cause;
     static constexpr const char* kModes[] = {"starting",   "idle", "ramp",           "settling", "measuring",
                                              "free decay", "done", "emergency stop", "fault"};
     say("rig_controller: %s%s\n", kModes[static_cast<int>(mode)],
         cause == firmware::AlarmCause::kNone ? "" : " (drive zero, relay off)");
+    if (cause == firmware::AlarmCause::kEmergencyStop && devices_.stop_edge_ns() > 0)
+      say("rig_controller: drive zero and relay off %llu us after the edge\n",
+          static_cast<unsigned long long>((safe_ns - devices_.stop_edge_ns()) / 1000));
     devices_.systemd().status(kModes[static_cast<int>(mode)]);
   }
 

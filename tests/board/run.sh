@@ -1,0 +1,130 @@
+#!/usr/bin/env bash
+# The emulated boards: AST2600 (armhf: GPIO and ADC by the kernel's own drivers, vcan) and arm64 virt (two SJA1000 CAN
+# controllers, PL061 GPIO), with Debian's kernels and the cross-built rig_controller. Called by tests/run.sh --board.
+#   --bench       the endurance test takes 10 minutes of guest time instead of one
+#   --only TEST   one test (hal, replay, stop, faults, samples, endurance) instead of all
+# Downloads go to ${XDG_CACHE_HOME:-~/.cache}/rig_damping/board, results to build/board.
+set -euo pipefail
+cd "$(dirname "$0")/../.."
+. host_sim/prepare.sh
+
+seconds=60 only=
+while [ $# -gt 0 ]; do
+  case $1 in
+    --bench) seconds=600 ;;
+    --only) only=$2; shift ;;
+    *) echo "tests/board/run.sh: unknown option $1, expected --bench or --only TEST" >&2; exit 2 ;;
+  esac
+  shift
+done
+
+cache=${XDG_CACHE_HOME:-$HOME/.cache}/rig_damping/board
+results=build/board
+here=tests/board
+rm -rf $results
+mkdir -p $results "$cache"
+
+skipped() {
+  echo "tests/board/run.sh: SKIPPED, $*"
+  exit 0
+}
+
+# ---- What the boards are made of
+packages=(busybox-static libstdc++6 can-utils gpiod libgpiod-dev iproute2 libgtest-dev)
+fetch() {
+  local status=0
+  $here/fetch_packages.sh "$1" "$cache" "$2" "${packages[@]}" || status=$?
+  [ $status -ne 75 ] || skipped "the Debian packages of the $1 board could not be downloaded (message above)"
+  return $status
+}
+fetch armhf linux-image-armmp
+fetch arm64 linux-image-arm64
+
+declare -A preset=([armhf]=arm-linux-gnueabihf [arm64]=aarch64-linux-gnu)
+targets=(rig_controller rig_controller_guarded hal_test sensor_player)
+configure host
+build host record_sensors board_reference host_sim
+for arch in armhf arm64; do
+  cmake --preset ${preset[$arch]} $([ -e build/${preset[$arch]}/CMakeCache.txt ] || echo -G Ninja) \
+    -DRIG_SYSROOT="$cache/$arch/root" -DRIG_GUEST_TESTS=ON >&2
+  build ${preset[$arch]} "${targets[@]}"
+done
+
+# ---- What is played and what must come back
+declare -A bus=([armhf]=vcan0 [arm64]=can0)
+for arch in armhf arm64; do
+  sed -e "s/@INTERFACE@/${bus[$arch]}/" -e '/@GPIO@/d' $here/board_head.toml >$results/head.toml
+  build/host/bin/record_sensors paper_3dof_random 0.5 4 $results/sensors.log $results/head.toml $results/${arch}_board.toml
+  { sed -e "s/@INTERFACE@/${bus[$arch]}/" -e "/@GPIO@/{r $here/${arch}_gpio.toml
+d}" $here/drive_head.toml; sed -n '/^\[\[channel/,$p' $results/${arch}_board.toml; } >$results/${arch}_drive.toml
+done
+sed 's/^rate_Hz = .*/rate_Hz = 1000/' $here/iio.toml >$results/iio_fast.toml
+build/host/bin/board_reference $results/armhf_board.toml $results/sensors.log >$results/reference.log
+
+# ---- The boards
+dtb=$results/ast2600.dtb
+cp "$cache"/armhf/root/usr/lib/linux-image-*/aspeed-ast2600-evb.dtb $dtb
+for node in 1e6e9000 1e6e9100; do
+  fdtput -t s $dtb /ahb/apb/adc@$node status okay
+  fdtput -t u $dtb /ahb/apb/adc@$node aspeed,int-vref-microvolt 2500000
+done
+# The lines' names as a board's device tree gives them: gpioB0 is line 8, the next ones follow.
+fdtput -t s $dtb /ahb/apb/gpio@1e780000 gpio-line-names "" "" "" "" "" "" "" "" \
+  emergency_stop shaker_enable ready_lamp sync
+
+make_initrd() {
+  local arch=$1 arguments=() file
+  shift
+  for file in usr/bin/{candump,cansend,canplayer,cangen,gpioinfo} sbin/{ip,tc}; do arguments+=(--program $file); done
+  for file in $here/guest/*.sh; do arguments+=(--file "$file=/tests/$(basename "$file")"); done
+  for file in "${targets[@]}"; do arguments+=(--file build/${preset[$arch]}/bin/$file=/usr/bin/$file); done
+  python3 $here/initrd.py --root "$cache/$arch/root" --out $results/$arch.gz --init $here/guest/init.sh \
+    "${arguments[@]}" --file $results/sensors.log=/sensors.log --file $results/${arch}_board.toml=/board.toml \
+    --file $results/${arch}_drive.toml=/drive.toml --file $here/iio.toml=/iio.toml --file $results/iio_fast.toml=/iio_fast.toml "$@"
+}
+make_initrd armhf --module gpio-aspeed --module aspeed_adc --module vcan --module can-raw --module sch_tbf
+make_initrd arm64 --module kvaser_pci --module vcan --module can-raw --module sch_tbf
+
+# run ARCH TEST [option...]
+passed=0 failed=0
+board_test() {
+  local arch=$1 test=$2
+  shift 2
+  [ -z "$only" ] || [ "$only" = "$test" ] || return 0
+  if python3 $here/board_tests.py $arch $test --packages "$cache" --initrd $results/$arch.gz --results $results \
+    --bus ${bus[$arch]} --seconds $seconds $([ $arch = armhf ] && echo --dtb $dtb) "$@"; then
+    passed=$((passed + 1))
+  else
+    failed=$((failed + 1))
+  fi
+}
+
+# The estimates' frames of a board against those of this machine: identifier and data, in their order.
+estimates() { grep -oE ' 4[0-7][0-9A-F]#[0-9A-F]+' "$1" || true; }
+compare() {
+  [ -z "$only" ] || [ "$only" = replay ] || return 0
+  local log=$results/$1_replay_estimates.log count
+  count=$(estimates $results/reference.log | wc -l)
+  if [ "$count" -gt 0 ] && cmp <(estimates $results/reference.log) <(estimates "$log"); then
+    echo "$1 replay: $count estimate frames are those of this machine, byte for byte"
+    passed=$((passed + 1))
+  else
+    echo "$1 replay: FAILED, estimate frames differ: $results/reference.log, $log"
+    failed=$((failed + 1))
+  fi
+}
+
+for arch in arm64 armhf; do
+  board_test $arch hal
+  board_test $arch replay
+  compare $arch
+  board_test $arch stop
+done
+board_test armhf faults
+board_test arm64 faults
+board_test armhf samples
+board_test arm64 endurance --limit 900
+board_test armhf endurance --limit 900
+
+echo "tests/board/run.sh: $passed passed, $failed failed"
+[ $failed -eq 0 ]
