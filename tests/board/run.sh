@@ -30,20 +30,19 @@ skipped() {
 }
 
 # ---- What the boards are made of
-packages=(busybox-static libstdc++6 can-utils gpiod libgpiod-dev iproute2 libgtest-dev)
 fetch() {
   local status=0
-  $here/fetch_packages.sh "$1" "$cache" "$2" "${packages[@]}" || status=$?
+  $here/sysroot.sh "$1" >/dev/null || status=$?
   [ $status -ne 75 ] || skipped "the Debian packages of the $1 board could not be downloaded (message above)"
   return $status
 }
-fetch armhf linux-image-armmp
-fetch arm64 linux-image-arm64
+fetch armhf
+fetch arm64
 
 declare -A preset=([armhf]=arm-linux-gnueabihf [arm64]=aarch64-linux-gnu)
 targets=(rig_controller rig_controller_guarded hal_test sensor_player)
 configure host
-build host record_sensors board_reference host_sim
+build host record_sensors board_reference
 for arch in armhf arm64; do
   cmake --preset ${preset[$arch]} $([ -e build/${preset[$arch]}/CMakeCache.txt ] || echo -G Ninja) \
     -DRIG_SYSROOT="$cache/$arch/root" -DRIG_GUEST_TESTS=ON >&2

@@ -28,6 +28,7 @@ constexpr int kDone = 0, kFailed = 1, kBadInput = 2;
 constexpr const char* kHelp =
     "usage: rig_controller BOARD.toml            run until stopped (SIGTERM, Ctrl-C)\n"
     "       rig_controller --check BOARD.toml    say what the file makes the board do, and what is wrong with it\n"
+    "       rig_controller --bytes BOARD.toml    the same as bytes for a board without Linux (docs/porting.md)\n"
     "  --until-done   end when the excitation programme is through\n"
     "  --for SECONDS  end after that time\n"
     "  --version, --help\n"
@@ -36,19 +37,27 @@ constexpr const char* kHelp =
 struct Arguments {
   const char* file = nullptr;
   bool check = false;
+  bool bytes = false;
   board::RunOptions run;
 };
 
 // Returns -1 to go on, else the exit status.
 int parse(int count, char** words, Arguments& arguments) {
-  const option options[] = {{"check", no_argument, nullptr, 'c'},     {"until-done", no_argument, nullptr, 'u'},
-                            {"for", required_argument, nullptr, 'f'}, {"version", no_argument, nullptr, 'v'},
-                            {"help", no_argument, nullptr, 'h'},      {nullptr, 0, nullptr, 0}};
+  const option options[] = {{"check", no_argument, nullptr, 'c'},
+                            {"bytes", no_argument, nullptr, 'b'},
+                            {"until-done", no_argument, nullptr, 'u'},
+                            {"for", required_argument, nullptr, 'f'},
+                            {"version", no_argument, nullptr, 'v'},
+                            {"help", no_argument, nullptr, 'h'},
+                            {nullptr, 0, nullptr, 0}};
   for (int letter; (letter = getopt_long(count, words, "ch", options, nullptr)) != -1;) {
     char* end = nullptr;
     switch (letter) {
       case 'c':
         arguments.check = true;
+        break;
+      case 'b':
+        arguments.bytes = true;
         break;
       case 'u':
         arguments.run.until_done = true;
@@ -78,8 +87,19 @@ int parse(int count, char** words, Arguments& arguments) {
   return -1;
 }
 
+// The elements of an array of bytes, sixteen a line.
+void print_bytes(const firmware::ControllerConfiguration& configuration) {
+  const auto bytes = std::make_unique<uint8_t[][firmware::kConfigurationBytes]>(1);
+  const size_t size = firmware::encode(configuration, bytes[0]);
+  for (size_t i = 0; i < size; ++i) std::printf("0x%02X,%c", bytes[0][i], i % 16 == 15 || i + 1 == size ? '\n' : ' ');
+}
+
 int run_board(const Arguments& arguments) {
   const board::BoardFile file = board::read_board_file(arguments.file);
+  if (arguments.bytes) {
+    print_bytes(file.controller);
+    return kDone;
+  }
   if (arguments.check) {
     std::fputs(board::describe(file).c_str(), stdout);
     return kDone;

@@ -54,7 +54,8 @@ int main(int count, char** words) {
   for (firmware::RawSample sample; sample.sequence < samples; ++sample.sequence) {
     for (int dof = 0; dof < 3; ++dof)
       for (uint32_t quantity = 0; quantity < 4; ++quantity)
-        sample.code[dof][quantity] = triangle(sample.sequence, 40 + 14 * quantity + 6 * static_cast<uint32_t>(dof), 20000);
+        sample.code[dof][quantity] =
+            triangle(sample.sequence, 40 + 14 * quantity + 6 * static_cast<uint32_t>(dof), 20000);
     firmware::CanMessage messages[firmware::kMaxSensorFrames];
     const int frames = firmware::pack_sample(plan, sample, messages);
     for (int i = 0; i < frames; ++i) refused += send(bus, messages[i]) ? 0 : 1;

@@ -1,0 +1,218 @@
+// The board's file: what a good one makes of the controller, and what a bad one is told.
+#include "hal/linux/rig_controller/board_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include "hal/configuration/rig_file_error.hpp"
+
+namespace {
+
+constexpr char kGood[] = R"(schema = "rig/1"
+[node]
+id = 3
+window_s = 0.5
+[can]
+interface = "vcan1"
+[samples]
+source = "can"
+wiring = "24"
+rate_Hz = 2000
+timeout_ms = 2.5
+[gpio]
+emergency_stop = { line = "stop", active_low = true, bias = "pull_up" }
+relay = "gpiochip0:4"
+[drive]
+output = "can"
+limit = 0.5
+slew_per_s = 100
+[[excitation.level]]
+kind = "sine"
+amplitude = 0.25
+frequency_Hz = 5
+ramp_s = 2
+measure_s = 30
+[[dof]]
+mass_kg = 1.0
+[[link]]
+between = [1, 0]
+stiffness_N_m = 100.0
+viscous_N_s_m = "estimate"
+[[channel]]
+name = "force_1_N"
+unit_per_code = 0.01
+limit_code = 7000000
+[[channel]]
+name = "displacement_1_m"
+unit_per_code = 1e-8
+offset_code = -12
+)";
+
+class BoardFileTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    char folder[] = "/tmp/board_file_XXXXXX";
+    ASSERT_NE(mkdtemp(folder), nullptr);
+    folder_ = folder;
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  board::BoardFile read(const std::string& text) const {
+    std::ofstream(folder_ + "/board.toml") << text;
+    return board::read_board_file(folder_ + "/board.toml");
+  }
+  // kGood with the first `from` replaced.
+  static std::string changed(const std::string& from, const std::string& to) {
+    std::string text = kGood;
+    const size_t at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    return text.replace(at, from.size(), to);
+  }
+  std::string folder_;
+};
+
+TEST_F(BoardFileTest, AGoodFileBecomesIntegers) {
+  const board::BoardFile board = read(kGood);
+  const firmware::ControllerConfiguration& controller = board.controller;
+  EXPECT_EQ(controller.node.node, 3);
+  EXPECT_EQ(controller.node.window_samples, 1000u);  // 0.5 s of 2 kHz
+  EXPECT_TRUE(controller.node.drive_on_can);
+  EXPECT_EQ(board.can_interface, "vcan1");
+  EXPECT_EQ(board.samples.wiring, firmware::SensorWiring::k24);
+  EXPECT_EQ(controller.limits.sample_timeout_us, 2500u);
+  EXPECT_EQ(controller.limits.response_limit_code[0][0], 7000000);
+  EXPECT_EQ(controller.core.channels[0][1].offset_code, -12);
+  EXPECT_EQ(board.emergency_stop.line, "stop");
+  EXPECT_TRUE(board.emergency_stop.options.active_low);
+  EXPECT_EQ(board.emergency_stop.options.bias, hal::LineBias::kPullUp);
+  EXPECT_EQ(board.relay.line, "gpiochip0:4");
+  EXPECT_FALSE(board.relay.options.active_low);
+  EXPECT_EQ(controller.programme.level_count, 1);
+  EXPECT_FALSE(controller.programme.start_at_boot);
+  EXPECT_EQ(controller.programme.limits.magnitude.raw, 1 << 30);          // 0.5 of 2^31
+  EXPECT_EQ(controller.programme.limits.step_per_sample.raw, 107374182);  // 100 / 2000 = 0.05 of 2^31, rounded
+  const firmware::ExcitationLevel& level = controller.programme.levels[0];
+  EXPECT_EQ(level.amplitude.raw, 1 << 29);  // 0.25 of 2^31
+  EXPECT_EQ(level.phase_step, 10737418u);   // 2^32 * 5 / 2000 = 10737418.24
+  EXPECT_EQ(level.ramp_samples, 4000u);
+  EXPECT_EQ(level.measure_samples, 60000u);
+  EXPECT_EQ(level.settle.block_samples, 1200u);  // 0.5 s is 2.5 cycles: three whole ones, 0.6 s
+  EXPECT_EQ(controller.core.window.mode, firmware::WindowMode::kWholeCycles);
+  // 400 samples a cycle, as a fraction.
+  EXPECT_EQ(controller.core.window.cycle_samples_numerator, 400u * controller.core.window.cycle_samples_denominator);
+}
+
+TEST_F(BoardFileTest, TheShippedExampleIsGood) {
+  const board::BoardFile board =
+      board::read_board_file(std::string(RIG_SOURCE_DIR) + "/hal/linux/packaging/board.example.toml");
+  EXPECT_EQ(board.controller.programme.level_count, 2);
+  EXPECT_EQ(board.controller.core.window.mode, firmware::WindowMode::kInterval);
+}
+
+TEST_F(BoardFileTest, IioChannelsNameTheirElement) {
+  std::string text = kGood;
+  const auto replace = [&](const std::string& from, const std::string& to) {
+    text.replace(text.find(from), from.size(), to);
+  };
+  replace("source = \"can\"\nwiring = \"24\"", "source = \"iio\"\ndevice = \"ads8688\"\ntrigger = \"timer0\"");
+  replace("name = \"force_1_N\"", "name = \"force_1_N\"\nelement = \"in_voltage3\"");
+  replace("name = \"displacement_1_m\"", "name = \"displacement_1_m\"\nelement = \"in_voltage0\"");
+  const board::BoardFile board = read(text);
+  EXPECT_EQ(board.samples.kind, board::SampleKind::kIioBuffer);
+  EXPECT_EQ(board.samples.device, "ads8688");
+  EXPECT_EQ(board.samples.trigger, "timer0");
+  ASSERT_EQ(board.samples.channels.size(), 2u);
+  EXPECT_EQ(board.samples.channels[0].element, "in_voltage3");
+  EXPECT_EQ(board.samples.channels[1].quantity, firmware::Quantity::kDisplacement);
+}
+
+struct Broken {
+  const char* from;
+  const char* to;
+  std::vector<const char*> message;  // all of these are in it
+};
+
+const Broken kBroken[] = {
+    {"id = 3", "id = 8", {":3:", "node", "\"id\"", "expected"}},
+    {"id = 3", "id = \"three\"", {":3:", "\"id\"", "expected"}},
+    {"id = 3", "identity = 3", {":3:", "\"identity\"", "\"id\""}},
+    {"window_s = 0.5", "window_s = 0.01", {":4:", "\"window_s\"", "0.05 to 60"}},
+    {"[node]\n", "[node]\nheartbeat_ms = -1\n", {"\"heartbeat_ms\"", "expected"}},
+    {"[node]\n", "[nodes]\n", {"\"nodes\"", "did you mean \"node\""}},
+    {"interface = \"vcan1\"", "interface = 1", {":6:", "\"interface\"", "expected"}},
+    {"interface = \"vcan1\"", "interface = \"vcan1\"\nfd = 1", {"\"fd\"", "true nor false"}},
+    {"[can]\ninterface = \"vcan1\"", "can = \"vcan1\"", {"\"can\"", "expected [can]"}},
+    {"source = \"can\"", "source = \"serial\"", {":8:", "\"source\"", "\"can\", \"iio\", \"iio_direct\""}},
+    {"wiring = \"24\"", "wiring = \"32\"", {":9:", "\"wiring\"", "\"16\", \"24\", \"fd\""}},
+    {"wiring = \"24\"", "device = \"adc\"", {":9:", "\"device\"", "IIO source only"}},
+    {"source = \"can\"\nwiring = \"24\"", "source = \"iio\"", {"\"device\"", "is missing"}},
+    {"source = \"can\"\nwiring = \"24\"",
+     "source = \"iio\"\ndevice = \"adc\"",
+     {"channel 1", "\"element\"", "in_voltage0"}},
+    {"unit_per_code = 0.01", "unit_per_code = 0.01\nelement = \"in_voltage0\"", {"\"element\"", "IIO source only"}},
+    {"rate_Hz = 2000", "rate_Hz = 0", {":10:", "\"rate_Hz\"", "10 to 20000"}},
+    {"timeout_ms = 2.5", "timeout_ms = nan", {":11:", "\"timeout_ms\"", "expected"}},
+    {"{ line = \"stop\", ", "{ ", {":13:", "\"line\"", "is missing"}},
+    {"bias = \"pull_up\"", "bias = \"up\"", {":13:", "\"bias\"", "\"pull_up\""}},
+    {"relay = \"gpiochip0:4\"\n", "", {"\"relay\"", "is missing"}},
+    {"emergency_stop = { line = \"stop\", active_low = true, bias = \"pull_up\" }\n",
+     "",
+     {"\"emergency_stop\"", "is missing"}},
+    {"output = \"can\"\n", "", {"\"output\"", "the excitation programme has levels"}},
+    {"output = \"can\"", "output = \"iio\"", {"\"device\"", "is missing"}},
+    {"output = \"can\"", "output = \"can\"\nelement = \"out_voltage0\"", {"\"element\"", "\"iio\" only"}},
+    {"limit = 0.5", "limit = 0.2", {"excitation level 1", "[drive] limit"}},
+    {"slew_per_s = 100", "slew_per_s = 1", {"excitation level 1", "slew_per_s"}},
+    {"kind = \"sine\"", "kind = \"chirp\"", {":20:", "\"kind\"", "\"sine\", \"random\", \"free_decay\""}},
+    {"amplitude = 0.25\n", "", {"excitation level 1", "\"amplitude\"", "is missing"}},
+    {"frequency_Hz = 5\n", "", {"\"frequency_Hz\"", "is missing"}},
+    {"frequency_Hz = 5", "frequency_Hz = 1500", {":22:", "\"frequency_Hz\"", "0 to 1000"}},
+    {"kind = \"sine\"", "kind = \"random\"\nlow_Hz = 50", {"\"high_Hz\"", "is missing"}},
+    {"kind = \"sine\"", "kind = \"random\"\nlow_Hz = 50\nhigh_Hz = 5", {"low_Hz < high_Hz"}},
+    {"measure_s = 30", "measure_s = 0", {":24:", "\"measure_s\"", "expected"}},
+    {"unit_per_code = 0.01\n", "", {"channel 1", "\"unit_per_code\"", "is missing"}},
+    {"\"force_1_N\"", "\"force_2_N\"", {"channel 1", "\"name\""}},
+    {"viscous_N_s_m = \"estimate\"", "viscous_N_s_m = 2.0", {"nothing to estimate"}},
+    {"schema = \"rig/1\"\n", "", {"\"schema\"", "is missing"}},
+    {"[samples]", "[samples", {":7:", "not valid TOML"}},
+};
+
+TEST_F(BoardFileTest, ABadFileIsToldWhere) {
+  for (const Broken& broken : kBroken) {
+    try {
+      read(changed(broken.from, broken.to));
+      ADD_FAILURE() << "was accepted: " << broken.to;
+    } catch (const rig_file::RigFileError& error) {
+      const std::string message = error.what();
+      EXPECT_EQ(message.find(folder_ + "/board.toml"), 0u) << message;
+      for (const char* part : broken.message)
+        EXPECT_NE(message.find(part), std::string::npos) << part << " | " << message;
+    }
+  }
+  EXPECT_THROW(board::read_board_file(folder_ + "/none.toml"), rig_file::RigFileError);
+}
+
+int status_of(const std::string& command) {
+  const int status = std::system((command + " >/dev/null 2>&1").c_str());
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+TEST_F(BoardFileTest, TheProgramsExitStatus) {
+  const std::string program = RIG_CONTROLLER;
+  std::ofstream(folder_ + "/good.toml") << kGood;
+  std::ofstream(folder_ + "/bad.toml") << changed("id = 3", "id = 9");
+  EXPECT_EQ(status_of(program + " --help"), 0);
+  EXPECT_EQ(status_of(program + " --version"), 0);
+  EXPECT_EQ(status_of(program + " --check " + folder_ + "/good.toml"), 0);
+  EXPECT_EQ(status_of(program + " --check " + folder_ + "/bad.toml"), 2);
+  EXPECT_EQ(status_of(program + " --check " + folder_ + "/none.toml"), 2);
+  EXPECT_EQ(status_of(program + " --check"), 2);
+  EXPECT_EQ(status_of(program + " --for soon " + folder_ + "/good.toml"), 2);
+  EXPECT_EQ(status_of(program + " --frobnicate " + folder_ + "/good.toml"), 2);
+  EXPECT_EQ(status_of(program + " " + folder_ + "/good.toml"), 1);  // no interface vcan1 here
+}
+
+}  // namespace

@@ -1,0 +1,13 @@
+#!/usr/bin/env bash
+# Fetches what the cross compiler and the emulated board of an architecture need, and prints the sysroot's folder.
+# usage: sysroot.sh armhf|arm64
+set -euo pipefail
+cd "$(dirname "$0")"
+case ${1-} in
+  armhf) kernel=linux-image-armmp ;;
+  arm64) kernel=linux-image-arm64 ;;
+  *) echo "usage: sysroot.sh armhf|arm64" >&2; exit 2 ;;
+esac
+cache=${XDG_CACHE_HOME:-$HOME/.cache}/rig_damping/board
+./fetch_packages.sh "$1" "$cache" $kernel busybox-static libstdc++6 can-utils gpiod libgpiod-dev iproute2 libgtest-dev >&2
+echo "$cache/$1/root"
