@@ -31,7 +31,7 @@ check stop_is_noticed await grep -q "after the edge" /tmp/controller.log
 check relay_off_after_stop line_is lo
 grep "after the edge" /tmp/controller.log
 usleep 50000
-grep -m 1 -B 40 -A 60 " 081#01FF" /tmp/frames.log >/tmp/stop.log
+grep -B 40 -A 60 " 081#01FF" /tmp/frames.log >/tmp/stop.log
 send_file /tmp/stop.log
 kill $player
 wait $player
