@@ -42,6 +42,17 @@ TEST(GoodInput, IsAccepted) {
   EXPECT_EQ(workspace.entries(), (std::set<std::string>{"data.csv", "out.json", "out.log", "rig.toml"}));
 }
 
+TEST(GoodInput, ScenarioIsAccepted) {
+  const test_support::Workspace workspace;
+  workspace.write("rig.toml", bad_input::good_rig());
+  workspace.write("shaker.toml",
+                  "schema = \"scenario/1\"\nrig = \"rig.toml\"\n[[level]]\nkind = \"sine\"\namplitude_N = 1\n"
+                  "frequency_Hz = 2\ncycles = 10\n[truth]\n\"viscous[1-0]\" = 1.5\n");
+  const auto result =
+      test_support::run_program({HOST_SIM, "run", "--scenario", "shaker.toml", "--log", "out.log"}, workspace.path());
+  EXPECT_EQ(result.status, 0) << result.errors;
+}
+
 std::string name_of(const ::testing::TestParamInfo<Case>& info) { return info.param.name; }
 
 INSTANTIATE_TEST_SUITE_P(Rigs, BadInput, ::testing::ValuesIn(bad_input::broken_rigs()), name_of);

@@ -51,6 +51,18 @@ Case two_files(const std::string& name, const std::string& second, std::vector<s
   result.arguments.insert(result.arguments.end(), {"--data", "second.csv"});
   return result;
 }
+// Whole cycles of a rig file that stands beside it; `rest` follows.
+Case scenario(const std::string& name, const std::string& rest, std::vector<std::string> says) {
+  says.push_back("shaker.toml");
+  const std::string text = "schema = \"scenario/1\"\nrig = \"rig.toml\"\n" + rest + "[truth]\n\"viscous[1-0]\" = 1.5\n";
+  return Case{name,
+              {{"rig.toml", good_rig()}, {"shaker.toml", text}},
+              {"run", "--scenario", "shaker.toml", "--json", "out.json", "--log", "out.log", "--records", "measured"},
+              "",
+              std::move(says)};
+}
+const std::string kLevel = "[[level]]\nkind = \"sine\"\namplitude_N = 1\nfrequency_Hz = 2\ncycles = 10\n";
+
 Case command(const std::string& name, std::vector<std::string> arguments, std::vector<std::string> says) {
   return Case{name, {{"rig.toml", good_rig()}, {"data.csv", good_data()}}, std::move(arguments), "", std::move(says)};
 }
@@ -152,6 +164,39 @@ std::vector<Case> broken_commands() {
       command("RigAndDataExchanged", {"estimate", "--rig", "data.csv", "--data", "rig.toml", "--json", "out.json"},
               {"data.csv:1", "TOML"}),
       command("LogToDecodeIsMissing", {"decode", "nowhere.log"}, {"nowhere.log"}),
+      command("ScenarioIsUnknown", {"run", "--scenario", "paper_4dof", "--json", "out.json", "--log", "out.log"},
+              {"paper_4dof", "paper_3dof_random"}),
+      command("ScenarioFileIsARig", {"run", "--scenario", "rig.toml", "--json", "out.json", "--log", "out.log"},
+              {"rig.toml:1", "schema", "scenario/1"}),
+      scenario("ScenarioHasNoLevel", "", {"level"}),
+      scenario("ScenarioLevelIsUnknown",
+               "[[level]]\nkind = \"sinus\"\namplitude_N = 1\nfrequency_Hz = 2\ncycles = 10\n", {"kind", "sine"}),
+      scenario("ScenarioKeyIsUnknown", kLevel + "[sensors]\nbitz = 16\n", {"bitz", "did you mean \"bits\""}),
+      scenario("ScenarioNoiseIsNegative", kLevel + "[sensors]\nnoise_percent = -1.0\n", {"noise_percent"}),
+      scenario("ScenarioLevelOfMissingDof",
+               "[[level]]\nkind = \"sine\"\ndof = 4\namplitude_N = 1\nfrequency_Hz = 2\ncycles = 10\n",
+               {"dof", "expected"}),
+      command("CanAndLogTogether", {"run", "--can", "can0", "--log", "out.log"}, {"--can", "--log"}),
+      command("CanInterfaceIsMissing", {"run", "--can", "no_such_can", "--json", "out.json"}, {"--log"}),
+      command("SeedIsText", {"run", "--seed", "lucky", "--log", "out.log"}, {"--seed"}),
+      command("RunLogFolderIsMissing", {"run", "--log", "no/out.log", "--json", "out.json"}, {"no/out.log"}),
+      command("SweepWithoutSeeds", {"sweep", "--scenario", "paper_1dof", "--json", "out.json"}, {"--seeds"}),
+      command("SweepSeedsRunBack", {"sweep", "--scenario", "paper_1dof", "--seeds", "9..1", "--json", "out.json"},
+              {"--seeds", "FIRST..LAST"}),
+      command("SweepSeedsAreOneNumber", {"sweep", "--scenario", "paper_1dof", "--seeds", "7", "--json", "out.json"},
+              {"--seeds", "FIRST..LAST"}),
+      command("SweepScenarioIsUnknown", {"sweep", "--scenario", "nope", "--seeds", "1..2", "--json", "out.json"},
+              {"nope"}),
+      command("SweepWorkersAreZero",
+              {"sweep", "--scenario", "paper_1dof", "--seeds", "1..2", "--workers", "0", "--json", "out.json"},
+              {"--workers"}),
+      command("DiagnoseWithoutData", {"diagnose", "--rig", "rig.toml", "--json", "out.json"}, {"--data"}),
+      command("DiagnoseDataIsMissing",
+              {"diagnose", "--rig", "rig.toml", "--data", "nowhere.csv", "--json", "out.json", "--report", "page"},
+              {"nowhere.csv"}),
+      command("DiagnoseHoldoutIsMissing",
+              {"diagnose", "--rig", "rig.toml", "--data", "data.csv", "--holdout", "nowhere.csv", "--json", "out.json"},
+              {"nowhere.csv"}),
   };
 }
 
