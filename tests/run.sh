@@ -20,7 +20,9 @@ install_packages "${build_packages[@]}" "${test_packages[@]}"
 
 if [ $board = yes ]; then
   [ -x tests/board/run.sh ] || { echo "tests/run.sh: SKIPPED, no tests/board/run.sh in this checkout" >&2; exit 0; }
-  exec tests/board/run.sh
+  arguments=()
+  [ $bench = no ] || arguments=(--bench)
+  exec tests/board/run.sh "${arguments[@]}"
 fi
 
 configure host
