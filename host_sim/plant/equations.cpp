@@ -77,12 +77,7 @@ void Equations::net_forces(double t_s, const double* y, const double* force, con
 }
 
 void Equations::accelerations(const double* net, const Motion& base, const Modes& modes, double* a) const {
-  std::vector<bool> joined;
-  for (size_t l = 0; l < links_.size(); ++l)
-    if (links_[l].watch_rate && links_[l].hold > 0.0 && modes.rate_sign[l] == 0) {
-      joined.resize(links_.size(), false);
-      joined[l] = true;
-    }
+  const std::vector<bool> joined = stuck_links(modes);
   for (size_t i = 0; i < masses(); ++i) a[i] = net[i] / mass_[i];
   if (joined.empty()) return;
   const std::vector<size_t> body = bodies(joined);

@@ -80,7 +80,6 @@ class Equations {
   Modes start_modes(double t_s, double* y, const double* force, const Motion& base) const;
   // Corrects signs that the state contradicts (two events inside one step); true where a friction link was among them.
   bool resync(double* y, const Motion& base, Modes& modes) const;
-  bool any_stuck(const Modes& modes) const;
   // Updates modes from ARKODE's root directions, and says which links may now be at rest.
   std::vector<bool> apply_roots(const int* direction, Modes& modes) const;
   // Decides for every link marked resting whether it sticks or slides and where to (velocities of the marked links are
@@ -107,6 +106,9 @@ class Equations {
   void unbounded_hold(const double* net, const Motion& base, const std::vector<size_t>& links,
                       std::vector<double>& hold) const;
   void gap_roots(const double* y, const Motion& base, double* g) const;
+  bool stuck(size_t link, const Modes& modes) const { return links_[link].hold > 0.0 && modes.rate_sign[link] == 0; }
+  // Links that are stuck; empty where none is.
+  std::vector<bool> stuck_links(const Modes& modes) const;
   size_t ground() const { return masses(); }
   size_t base_node() const { return masses() + 1; }
   friend class EquationsBuilder;
