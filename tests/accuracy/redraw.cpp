@@ -1,7 +1,9 @@
 #include "tests/accuracy/redraw.hpp"
 
+#include <algorithm>
 #include <cmath>
 
+#include "hal/configuration/signal_plan.hpp"
 #include "host_sim/plant/random_numbers.hpp"
 #include "host_sim/records/digitise.hpp"
 #include "host_sim/virtual_rig/run_scenario.hpp"
@@ -22,34 +24,71 @@ double noise_percent(const host_sim::Scenario& scenario, const std::string& chan
   return (found == scenario.sensors.channel.end() ? scenario.sensors.every : found->second).noise_percent;
 }
 
-double rms(const std::vector<double>& values, size_t count) {
+double rms(const std::vector<double>& values) {
   double sum = 0.0;
-  for (size_t k = 0; k < count; ++k) sum += values[k] * values[k];
-  return std::sqrt(sum / static_cast<double>(count));
+  for (double value : values) sum += value * value;
+  return std::sqrt(sum / static_cast<double>(values.size()));
+}
+
+// The filters' margin follows from which channels there are, not from their ranges.
+size_t filter_margin(const host_sim::Scenario& scenario) {
+  std::vector<rig_file::ChannelCalibration> calibrations;
+  for (const host_sim::Channel& channel : host_sim::measured_channels(scenario)) {
+    calibrations.emplace_back();
+    calibrations.back().quantity = static_cast<firmware::Quantity>(channel.quantity);
+    calibrations.back().dof = channel.dof;
+    for (const rig_file::ChannelEntry& entry : scenario.rig.channels)
+      if (entry.name == channel.name) calibrations.back().delay_s = entry.delay_us * 1e-6;
+  }
+  const firmware::CoreConfiguration configuration =
+      rig_file::compile_rig(scenario.rig, scenario.sample_period_s(), calibrations);
+  return static_cast<size_t>(std::make_unique<firmware::EstimatorCore>(configuration)->margin_samples());
+}
+
+std::vector<firmware::RawSample> to_codes(const host_sim::Record& record,
+                                          const std::vector<rig_file::ChannelCalibration>& calibrations) {
+  host_sim::RecordSampleSource source(record, calibrations);
+  std::vector<firmware::RawSample> samples(record.samples());
+  for (firmware::RawSample& sample : samples) source.read(sample);
+  return samples;
 }
 
 }  // namespace
 
 Redraw::Redraw(const host_sim::Scenario& scenario) : scenario_(scenario) {
-  host_sim::MeasuredLevels measured = host_sim::measure(without_noise(scenario), kPlantSeed);
+  const size_t margin = filter_margin(scenario);
+  host_sim::Scenario clean = without_noise(scenario);
+  for (host_sim::ExcitationLevel& level : clean.levels)
+    level.run_out_samples = std::max(host_sim::kRunOutSamples, margin - std::min(margin, level.settle_samples));
+  host_sim::MeasuredLevels measured = host_sim::measure(clean, kPlantSeed);
   calibrations_ = measured.calibrations;
   for (rig_file::ChannelCalibration& calibration : calibrations_) calibration.unit_per_code *= 2.0;  // room for noise
   configuration_ = rig_file::compile_rig(scenario.rig, scenario.sample_period_s(), calibrations_);
   configuration_.window = host_sim::scenario_window(scenario);
-  core_ = std::make_unique<firmware::EstimatorCore>(configuration_);
   for (size_t l = 0; l < measured.measured.size(); ++l) {
     host_sim::Record& record = measured.measured[l];
     const host_sim::ExcitationLevel& level = scenario.levels[l];
-    const auto from = static_cast<std::ptrdiff_t>(level.settle_samples);
-    const auto count = static_cast<std::ptrdiff_t>(level.samples) + core_->margin_samples();
+    // What the filters need comes from the settling where there is enough of it, as in a run.
+    const auto from = static_cast<std::ptrdiff_t>(level.settle_samples - std::min(margin, level.settle_samples));
+    const auto count = static_cast<std::ptrdiff_t>(level.samples + margin);
     deviation_.emplace_back();
     for (host_sim::Channel& channel : record.channels) {
       channel.values = std::vector<double>(channel.values.begin() + from, channel.values.begin() + from + count);
-      deviation_.back().push_back(0.01 * noise_percent(scenario, channel.name) * rms(channel.values, level.samples));
+      deviation_.back().push_back(0.01 * noise_percent(scenario, channel.name) * rms(channel.values));
     }
     clean_.push_back(record);
   }
   noisy_ = clean_;
+  if (!rig_file::describe_plan(configuration_).empty()) fit_derived_signals();
+  core_ = std::make_unique<firmware::EstimatorCore>(configuration_);
+}
+
+// Signals that must be derived get the resolution that one noisy draw allows, and as much again.
+void Redraw::fit_derived_signals() {
+  draw(0, true);
+  std::vector<std::vector<firmware::RawSample>> samples;
+  for (const host_sim::Record& record : noisy_) samples.push_back(to_codes(record, calibrations_));
+  rig_file::plan_signals(configuration_, rig_file::measure_ranges(configuration_, samples));
 }
 
 void Redraw::draw(uint64_t seed, bool noisy) {
@@ -68,18 +107,11 @@ const firmware::Estimates& Redraw::run(uint64_t seed, bool noisy) {
   draw(seed, noisy);
   core_->reset();
   for (const host_sim::Record& record : noisy_) {
-    host_sim::RecordSampleSource source(record, calibrations_);
-    firmware::RawSample sample;
     core_->begin_level();
-    uint32_t sequence = 0;
-    bool first = true;
-    while (source.read(sample) == hal::SampleResult::kSample) {
-      if (first) sequence = next_sequence_;
-      first = false;
-      sample.sequence = sequence++;
+    for (firmware::RawSample& sample : to_codes(record, calibrations_)) {
+      sample.sequence = next_sequence_++;
       core_->push(sample);
     }
-    next_sequence_ = sequence;
     core_->end_level();
   }
   return core_->solve();

@@ -23,6 +23,7 @@ class Redraw {
 
  private:
   void draw(uint64_t seed, bool noisy);
+  void fit_derived_signals();
 
   host_sim::Scenario scenario_;
   std::vector<host_sim::Record> clean_, noisy_;  // measured part and the core's margin
