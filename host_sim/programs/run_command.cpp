@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <cctype>
 
-#include "host_sim/can_log/candump_line.hpp"
 #include "host_sim/plant/plant_error.hpp"
 #include "host_sim/programs/can_output.hpp"
 #include "host_sim/programs/commands.hpp"
-#include "host_sim/programs/estimate_frames.hpp"
 #include "host_sim/programs/human_output.hpp"
 #include "host_sim/programs/record_export.hpp"
 #include "host_sim/programs/result_json.hpp"
@@ -30,29 +28,16 @@ struct RunArguments {
 // Frames to their sink, progress to the terminal.
 class RunSink : public ProgressSink {
  public:
-  explicit RunSink(FrameSink& sink)
-      : sink_(sink),
-        frames_([this](const firmware::CanMessage& message, uint64_t time_ns) {
-          sink_.write(can_log::to_frame(message, time_ns));
-        }),
-        bar_("simulating") {}
+  explicit RunSink(FrameSink& sink) : sink_(sink), bar_("simulating") {}
 
-  void begin(const Scenario& scenario, const firmware::CoreConfiguration& configuration) override {
-    frames_.begin(scenario.rig, configuration);
-  }
   void progress(double share) override { bar_.show(share); }
-  void tick(uint64_t time_ns) override {
-    sink_.until(time_ns);
-    frames_.heartbeat(time_ns);
-  }
-  void window(uint64_t time_ns, const firmware::Estimates& estimates, const firmware::CoreHealth& health,
-              bool last) override {
-    frames_.window(time_ns, estimates, health, last);
+  void frame(const hal::CanFrame& frame) override {
+    sink_.until(frame.time_ns);
+    sink_.write(frame);
   }
 
  private:
   FrameSink& sink_;
-  EstimateFrames frames_;
   ProgressBar bar_;
 };
 

@@ -11,7 +11,7 @@ class ConvergenceRecorder : public ProgressSink {
   explicit ConvergenceRecorder(ProgressSink& next) : next_(next) {}
   void begin(const Scenario& scenario, const firmware::CoreConfiguration& configuration) override;
   void progress(double share) override { next_.progress(share); }
-  void tick(uint64_t time_ns) override { next_.tick(time_ns); }
+  void frame(const hal::CanFrame& frame) override { next_.frame(frame); }
   void window(uint64_t time_ns, const firmware::Estimates& estimates, const firmware::CoreHealth& health,
               bool last) override;
   // One per unknown.

@@ -5,47 +5,47 @@
 namespace host_sim {
 namespace {
 
-constexpr uint64_t kTick_ns = 100000000, kWindow_ns = 1000000000;
+constexpr uint64_t kHeartbeat_ns = 100000000;
 
 }  // namespace
 
 void LevelFeed::run() {
   firmware::RawSample sample;
-  uint64_t last_ns = 0;
+  board_.run_at(0);
   while (rig_.read(sample) == hal::SampleResult::kSample) {
     ++read_;
     if (rig_.first_of_level()) begin_level();
-    if (wanted()) push(sample);
-    const uint64_t now_ns = rig_.now_ns();
-    if (now_ns / kTick_ns != last_ns / kTick_ns) tell(now_ns, now_ns / kWindow_ns != last_ns / kWindow_ns);
-    last_ns = now_ns;
+    take(sample);
     if (rig_.last_of_level()) {
-      core_.end_level();
-      sink_.window(now_ns, core_.solve(), core_.health(), false);
+      board_.end_level();
+      tell_window();
     }
   }
+  board_.finish(rig_.now_ns());
+  board_.run_at(rig_.now_ns() + kHeartbeat_ns);
 }
 
 void LevelFeed::begin_level() {
-  core_.begin_level();
   const ExcitationLevel& level = rig_.scenario().levels[rig_.level()];
-  const size_t margin = static_cast<size_t>(core_.margin_samples());
+  const size_t margin = static_cast<size_t>(board_.core().margin_samples());
   first_ = level.settle_samples - std::min(margin, level.settle_samples);
   end_ = first_ + level.samples + margin;
 }
 
 bool LevelFeed::wanted() const { return rig_.sample_of_level() >= first_ && rig_.sample_of_level() < end_; }
 
-void LevelFeed::push(firmware::RawSample& sample) {
+// Settling and run-out pass by with the controller running, but unseen by it: it is not started yet, or stopped again.
+void LevelFeed::take(firmware::RawSample& sample) {
+  if (!wanted()) return board_.run_at(rig_.now_ns());
+  if (rig_.sample_of_level() == first_) board_.begin_level();
   sample.sequence = static_cast<uint32_t>(pushed_++);  // what is left out between levels is not missed
-  core_.push(sample);
+  if (!board_.push(sample, rig_.now_ns())) return;
+  tell_window();
+  sink_.progress(static_cast<double>(read_) / static_cast<double>(rig_.total_samples()));
 }
 
-void LevelFeed::tell(uint64_t now_ns, bool window) {
-  sink_.tick(now_ns);
-  sink_.progress(static_cast<double>(read_) / static_cast<double>(rig_.total_samples()));
-  if (window && rig_.phase() != RigPhase::kSettling && wanted())
-    sink_.window(now_ns, core_.solve(), core_.health(), false);
+void LevelFeed::tell_window() const {
+  sink_.window(rig_.now_ns(), *board_.controller().estimates(), board_.core().health(), false);
 }
 
 }  // namespace host_sim

@@ -1,5 +1,6 @@
-// Feeds the virtual rig's samples to the core, level by level.
+// Feeds the virtual rig's samples to the controller on its board of fakes, level by level.
 #pragma once
+#include "hal/fake/replay_board.hpp"
 #include "host_sim/virtual_rig/run_scenario.hpp"
 
 namespace host_sim {
@@ -8,18 +9,18 @@ namespace host_sim {
 // from the end of settling, the rest from the run-out.
 class LevelFeed {
  public:
-  LevelFeed(VirtualRig& rig, firmware::EstimatorCore& core, ProgressSink& sink) : rig_(rig), core_(core), sink_(sink) {}
-  void run();  // to the rig's end
+  LevelFeed(VirtualRig& rig, hal::ReplayBoard& board, ProgressSink& sink) : rig_(rig), board_(board), sink_(sink) {}
+  void run();  // to the rig's end, and one more heartbeat and status, which says DONE
   size_t pushed() const { return pushed_; }
 
  private:
   void begin_level();
   bool wanted() const;
-  void push(firmware::RawSample& sample);
-  void tell(uint64_t now_ns, bool window);
+  void take(firmware::RawSample& sample);
+  void tell_window() const;
 
   VirtualRig& rig_;
-  firmware::EstimatorCore& core_;
+  hal::ReplayBoard& board_;
   ProgressSink& sink_;
   size_t first_ = 0, end_ = 0;  // samples of the level
   size_t read_ = 0, pushed_ = 0;

@@ -8,6 +8,7 @@
 #include "hal/configuration/compile_rig.hpp"
 #include "hal/configuration/signal_plan.hpp"
 #include "host_sim/plant/plant_error.hpp"
+#include "host_sim/virtual_rig/board_configuration.hpp"
 #include "host_sim/virtual_rig/level_feed.hpp"
 #include "host_sim/virtual_rig/resimulation.hpp"
 
@@ -98,18 +99,19 @@ RunResult run_scenario(const Scenario& scenario, uint64_t seed, ProgressSink& si
       rig_file::compile_rig(scenario.rig, scenario.sample_period_s(), rig.measured().calibrations);
   configuration.window = scenario_window(scenario);
   fit_derived_signals(rig.measured(), configuration);
-  const auto core = std::make_unique<firmware::EstimatorCore>(configuration);
+  hal::ReplayBoard board(board_configuration(scenario.rig, configuration, scenario.sample_period_s()),
+                         [&sink](const hal::CanFrame& frame) { sink.frame(frame); });
   sink.begin(scenario, configuration);
-  LevelFeed feed(rig, *core, sink);
+  LevelFeed feed(rig, board, sink);
   feed.run();
-  const firmware::Estimates& estimates = core->solve();
+  const firmware::Estimates& estimates = *board.controller().estimates();
   sink.progress(1.0);
-  sink.window(rig.now_ns(), estimates, core->health(), true);
+  sink.window(rig.now_ns(), estimates, board.core().health(), true);
   RunResult result;
   fill_parameters(scenario, estimates, result);
   result.samples = feed.pushed();
   result.sample_rate_Hz = scenario.sample_rate_Hz;
-  result.health = core->health();
+  result.health = board.core().health();
   result.measured = rig.measured();
   judge_by_resimulation(rig.scenario(), seed, result);
   return result;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "firmware/estimator_core.hpp"
+#include "hal/interface/can_bus.hpp"
 #include "host_sim/virtual_rig/virtual_rig.hpp"
 
 namespace host_sim {
@@ -16,7 +17,7 @@ class ProgressSink {
   // Before the first sample, with what the core was configured with (which lives until run_scenario returns).
   virtual void begin(const Scenario&, const firmware::CoreConfiguration&) {}
   virtual void progress(double /*share of all samples, 0 to 1*/) {}
-  virtual void tick(uint64_t /*time_ns*/) {}  // every 100 ms of simulated time: heartbeats
+  virtual void frame(const hal::CanFrame&) {}  // sent by the controller at frame.time_ns, in order
   // Every second of simulated time while a level is measured, at the end of each level, and once more at the end
   // (last).
   virtual void window(uint64_t /*time_ns*/, const firmware::Estimates&, const firmware::CoreHealth&, bool /*last*/) {}

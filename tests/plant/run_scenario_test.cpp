@@ -71,17 +71,17 @@ TEST(RunScenario, MovingBaseGivesTheSameEstimatesAsItsForce) {
 TEST(RunScenario, ProgressIsToldInOrder) {
   struct Sink : host_sim::ProgressSink {
     double share = 0.0;
-    uint64_t last_tick = 0;
-    int ticks = 0, windows = 0, lasts = 0, begins = 0;
+    uint64_t last_frame = 0;
+    int heartbeats = 0, windows = 0, lasts = 0, begins = 0;
     void begin(const host_sim::Scenario&, const firmware::CoreConfiguration& c) override { begins += c.dof_count; }
     void progress(double value) override {
       EXPECT_GE(value, share);
       share = value;
     }
-    void tick(uint64_t time_ns) override {
-      EXPECT_GT(time_ns, last_tick);
-      last_tick = time_ns;
-      ++ticks;
+    void frame(const hal::CanFrame& frame) override {
+      EXPECT_GE(frame.time_ns, last_frame);
+      last_frame = frame.time_ns;
+      heartbeats += frame.id == 0x701 ? 1 : 0;
     }
     void window(uint64_t, const firmware::Estimates& e, const firmware::CoreHealth&, bool last) override {
       EXPECT_EQ(e.unknown_count, 1);
@@ -92,8 +92,8 @@ TEST(RunScenario, ProgressIsToldInOrder) {
   host_sim::run_scenario(host_sim::parse_scenario(plant_test::small_scenario(), "small.toml"), 1, sink);
   EXPECT_EQ(sink.begins, 1);
   EXPECT_EQ(sink.share, 1.0);
-  EXPECT_EQ(sink.ticks, 31);   // 3.128 s
-  EXPECT_EQ(sink.windows, 3);  // at 2 and 3 s (settling ends at 1 s), and at the level's end
+  EXPECT_EQ(sink.heartbeats, 33);  // boot-up at 0, each 100 ms of 3.128 s, one when all is done
+  EXPECT_EQ(sink.windows, 3);  // after 1000 and 2000 samples, and at the level's end
   EXPECT_EQ(sink.lasts, 1);
 }
 
