@@ -28,6 +28,9 @@ class CandidateBank {
   static bool has_shape(Kind kind);
   static bool friction_shape(Kind kind) { return kind == Kind::kStribeck || kind == Kind::kPresliding; }
 
+  // Added to the threshold of an effect that shares a DOF with a link of strong friction.
+  double reversal_doubt(const std::vector<ActiveTerm>& model, const Term& term) const;
+
  private:
   void add(const Term& term) { columns_.push_back(std::make_shared<const Column>(rows_.column(term))); }
   struct Extent {
@@ -36,7 +39,6 @@ class CandidateBank {
   Extent extent(int link) const;  // the widest over the records
   void add_link(int link);
   void add_dof(int dof);
-  double reversal_doubt(const std::vector<ActiveTerm>& model, const Term& term) const;
   bool prepare(const std::vector<ActiveTerm>& model, Candidate& candidate) const;
   std::map<const Column*, std::shared_ptr<const Column>> partner_;  // of a hum's cosine: its sine
   const Rows& rows_;

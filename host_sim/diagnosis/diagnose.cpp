@@ -6,6 +6,7 @@
 #include "judge.hpp"
 #include "limits.hpp"
 #include "naming.hpp"
+#include "outsiders.hpp"
 #include "sensor_check.hpp"
 #include "sharpen.hpp"
 
@@ -118,6 +119,25 @@ bool reject_worse(const System& system, const Judge& judge, const Rows& rows, Se
   return false;
 }
 
+// A trace from outside the vocabulary that the final model leaves, or that explains more than one of its terms does.
+Outsider outsider_of(const Rows& rows, const CandidateBank& bank, const SearchResult& found) {
+  Outsider best = strongest_outsider(rows, bank, found.model, found.fit);
+  for (size_t i = 0; i < found.added.size() && !best.present(); ++i) {
+    if (found.added[i].score > 20000) continue;  // nothing else comes near it
+    std::vector<ActiveTerm> model = found.model;
+    for (size_t k = 0; k < model.size(); ++k)
+      if (model[k].added && model[k].column.term.same_place(found.added[i].candidate.term())) {
+        remove_term(model, k);
+        break;
+      }
+    const Fit fit = fit_model(rows, model);
+    Outsider other = strongest_outsider(rows, bank, model, fit);
+    other.threshold = std::max(other.threshold, (fit.chi2 - found.fit.chi2) / std::max(1.0, found.fit.ratio()) + 20);
+    if (other.present()) best = other;
+  }
+  return best;
+}
+
 }  // namespace
 
 const char* verdict_word(Verdict v) {
@@ -161,7 +181,9 @@ Diagnosis diagnose(const rig_file::RigModel& rig, const std::vector<host_sim::Re
   d.extended_rig = extended_rig(system, found.model);
   d.minimum_detectable = detection_limits(rows, bank, found.model, found.fit);
   const double drop = (found.base_fit.chi2 - found.fit.chi2) / found.fit.dof;
-  const bool noise_only = found.fit.ratio() - 1 < 0.25 + 0.003 * drop;
+  bool noise_only = found.fit.ratio() - 1 < 0.25 + 0.003 * drop;
+  const Outsider outsider = outsider_of(rows, bank, found);
+  if (outsider.present()) noise_only = false, d.unknown_trace = outsider.description;
   d.verdict = !noise_only ? Verdict::kUnknown
               : d.causes.empty() ? Verdict::kNone
               : d.ambiguous_with.empty() ? Verdict::kExplained : Verdict::kAmbiguous;

@@ -151,6 +151,30 @@ Series Rows::whitened(const Column& c) const {
   return out;
 }
 
+std::vector<Tone> Rows::loudest_tones(const Series& residual) const {
+  std::vector<Tone> list;
+  Eigen::Index offset = 0;
+  const Eigen::Index n = static_cast<Eigen::Index>(system_.dofs());
+  for (size_t r = 0; r < records_.size(); ++r) {
+    const FusedRecord& f = records_[r];
+    for (Eigen::Index j = 0; j < n; ++j) {
+      Tone best;
+      const Matrix& pattern = patterns_[r][system_.links.size() + static_cast<size_t>(j)];
+      for (Eigen::Index i = 0; i < pattern.cols(); ++i) {
+        if (f.omega(i + f.first_bin) < 6.283) continue;
+        Complex sum = 0;
+        for (Eigen::Index k = 0; k < n; ++k)
+          sum += std::conj(pattern(k, i)) * Complex(residual[offset + 2 * (i * n + k)], residual[offset + 2 * (i * n + k) + 1]);
+        const double gain = std::norm(sum) / pattern.col(i).squaredNorm();
+        if (gain > best.gain) best = {f.omega(i + f.first_bin) / 6.283185307179586, gain, static_cast<int>(j)};
+      }
+      list.push_back(best);
+    }
+    offset += 2 * n * (f.last_bin + 1 - f.first_bin);
+  }
+  return list;
+}
+
 Series Rows::whitened_force() const {
   Series out = Series::Zero(size_);
   Eigen::Index offset = 0;

@@ -30,6 +30,11 @@ struct ActiveTerm {
 // Transform of a force over time under the inner weight, rows first_bin .. last_bin.
 Spectrum row_spectrum(const FusedRecord& record, const Series& force);
 
+struct Tone {
+  double hertz = 0, gain = 0;
+  int dof = 0;
+};
+
 class Rows {
  public:
   Rows(const System& system, const std::vector<FusedRecord>& records);
@@ -48,6 +53,8 @@ class Rows {
   const System& system() const { return system_; }
   const std::vector<FusedRecord>& records() const { return records_; }
   bool has_force(size_t dof) const;
+  // Per record and DOF the bin that explains most of a whitened residual.
+  std::vector<Tone> loudest_tones(const Series& residual) const;
 
  private:
   using Matrix = Eigen::MatrixXcd;

@@ -38,7 +38,7 @@ json to_json(const ModelScore& s) {
 json to_json(const Diagnosis& d) {
   json j{{"schema", "diagnosis/1"}, {"verdict", verdict_word(d.verdict)}, {"baseline", to_json(d.baseline)},
          {"extended", to_json(d.extended)}, {"gain", d.gain}, {"advice", d.advice},
-         {"baseline_misfit", d.baseline_misfit}, {"extended_misfit", d.extended_misfit}};
+         {"unknown_trace", d.unknown_trace}, {"baseline_misfit", d.baseline_misfit}, {"extended_misfit", d.extended_misfit}};
   j["causes"] = j["ambiguous_with"] = j["minimum_detectable"] = j["rejected"] = json::array();
   for (const Cause& c : d.causes) j["causes"].push_back(to_json(c));
   for (const Cause& c : d.rejected) j["rejected"].push_back(to_json(c));
