@@ -121,7 +121,12 @@ bool reject_worse(const System& system, const Judge& judge, const Rows& rows, Se
 
 // A trace from outside the vocabulary that the final model leaves, or that explains more than one of its terms does.
 Outsider outsider_of(const Rows& rows, const CandidateBank& bank, const SearchResult& found) {
+  // What a strong effect leaves by its imperfect shape is no trace of another.
+  const double residue = 3e-5 * std::max(0.0, found.base_fit.chi2 - found.fit.chi2);
+  bool reversals = false;
+  for (const Found& f : found.added) reversals = reversals || CandidateBank::friction_shape(f.candidate.term().kind);
   Outsider best = strongest_outsider(rows, bank, found.model, found.fit);
+  best.threshold = (reversals ? 5 : 1) * best.threshold + residue;
   for (size_t i = 0; i < found.added.size() && !best.present(); ++i) {
     if (found.added[i].score > 20000) continue;  // nothing else comes near it
     std::vector<ActiveTerm> model = found.model;
