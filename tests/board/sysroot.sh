@@ -3,11 +3,12 @@
 # usage: sysroot.sh armhf|arm64
 set -euo pipefail
 cd "$(dirname "$0")"
+packages=(busybox-static libstdc++6 can-utils gpiod libgpiod-dev iproute2 libgtest-dev)
 case ${1-} in
   armhf) kernel=linux-image-armmp ;;
-  arm64) kernel=linux-image-arm64 ;;
+  arm64) kernel=linux-image-arm64 packages+=(systemd udev) ;;
   *) echo "usage: sysroot.sh armhf|arm64" >&2; exit 2 ;;
 esac
 cache=${XDG_CACHE_HOME:-$HOME/.cache}/rig_damping/board
-./fetch_packages.sh "$1" "$cache" $kernel busybox-static libstdc++6 can-utils gpiod libgpiod-dev iproute2 libgtest-dev >&2
+./fetch_packages.sh "$1" "$cache" $kernel "${packages[@]}" >&2
 echo "$cache/$1/root"

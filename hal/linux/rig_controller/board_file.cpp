@@ -20,6 +20,7 @@ void read_node(const Section& section, BoardFile& board) {
   const double window_s = section.number("window_s", 1.0, 0.05, 60.0);
   node.window_samples = static_cast<uint32_t>(window_s * board.samples.rate_Hz + 0.5);
   node.sync_closes_window = section.flag("sync_closes_window", true);
+  node.listen_on_command = section.flag("listen_on_command", false);
   for (size_t i = 0; i < board.rig.dofs.size(); ++i)
     if (board.rig.dofs[i].rotating) node.rotating_nodes |= 1u << i;
   board.state_folder = section.text("state_folder", "/var/lib/rig_controller");
@@ -154,9 +155,10 @@ BoardFile read_board_file(const std::string& path) {
   const Section samples = section("samples", {"source", "rate_Hz", "wiring", "device", "trigger", "saturated_in_row",
                                               "lost_in_row", "timeout_ms", "cycle_Hz"});
   read_samples(samples, board);
-  read_node(section("node", {"id", "heartbeat_ms", "status_ms", "emergency_inhibit_ms", "window_s",
-                             "sync_closes_window", "state_folder", "priority", "watchdog", "watchdog_timeout_s"}),
-            board);
+  read_node(
+      section("node", {"id", "heartbeat_ms", "status_ms", "emergency_inhibit_ms", "window_s", "sync_closes_window",
+                       "listen_on_command", "state_folder", "priority", "watchdog", "watchdog_timeout_s"}),
+      board);
   read_can(section("can", {"interface", "fd"}), board);
   read_gpio(section("gpio", {"emergency_stop", "relay", "ready_lamp", "sync"}), board);
   const Section drive =

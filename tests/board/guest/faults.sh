@@ -2,7 +2,7 @@
 interface_up "$bus"
 [ "$bus" = can0 ] && interface_up can1
 start_controller /board.toml
-candump -L "$bus,081:7FF,281:7EF,701:7FF" >/tmp/frames.log &
+candump -D -L "$bus,081:7FF,281:7EF,701:7FF" >/tmp/frames.log &
 logger=$!
 await grep -q " 281#" /tmp/frames.log
 descriptors=$(ls /proc/$controller/fd | wc -l)

@@ -1,7 +1,8 @@
 # What the tests in the guest share. Lines that start with MARK are for the runner on the host.
 
-# busybox has an own `ip`, which knows no CAN, and prefers it to the real one.
+# busybox has an own `ip` and `tc`, which know less, and prefers them to the real ones.
 ip() { /sbin/ip "$@"; }
+tc() { /sbin/tc "$@"; }
 
 # Nothing more can be tested.
 give_up() {

@@ -1,8 +1,14 @@
 # The rig is driven, then the emergency stop is pressed from outside: drive zero and relay off before the next sample, seen
 # on the bus and on the line. Then the sensors fall silent, with the same result.
 relay=$(sed -n 's/^relay = "\(.*\)"/\1/p' /drive.toml)
-# The lines of debugfs name what rig_controller holds; on a chip without names the relay is its first output.
-level() { grep rig_controller /sys/kernel/debug/gpio | grep -E "${relay#*:}|gpio-[0-9]*.* out" | head -n 1 | grep -oE ' (hi|lo)' | tr -d ' '; }
+# A line without a name is known to debugfs by its number: that of the chip's first line plus its offset.
+case $relay in
+  gpiochip0:*)
+    first=$(grep -o 'GPIOs [0-9]*' /sys/kernel/debug/gpio | head -n 1 | cut -d' ' -f2)
+    relay="gpio-$((first + ${relay#*:}))"
+    ;;
+esac
+level() { grep "$relay " /sys/kernel/debug/gpio | grep -oE ' (hi|lo)' | tr -d ' '; }
 
 sensors=$bus
 interface_up "$bus"

@@ -1,0 +1,39 @@
+# A first session (docs/board_session.md): can0 comes up by the shipped network file, the estimates of a rig whose sensors
+# play on the bus are logged, the emergency stop is pressed.
+echo "root:x:0:0:root:/root:/bin/sh" >/etc/passwd
+echo "systemd-network:x:101:101::/:/bin/false" >>/etc/passwd
+echo "root:x:0:" >/etc/group
+echo "systemd-network:x:101:" >>/etc/group
+mkdir -p /run/systemd /run/udev
+/lib/systemd/systemd-udevd --daemon
+udevadm trigger --type=devices --action=add
+udevadm settle --timeout=30
+SYSTEMD_LOG_LEVEL=info /lib/systemd/systemd-networkd >/tmp/networkd.log 2>&1 &
+brought_up() { ip -d link show can0 | grep -q "state UP" && ip -d link show can0 | grep -q "bitrate 500000"; }
+check can0_comes_up_by_the_network_file await brought_up
+cat /tmp/networkd.log
+ip -d link show can0
+check restart_after_bus_off sh -c '/sbin/ip -d link show can0 | grep -q "restart-ms 100"'
+check bus_errors_reported sh -c '/sbin/ip -d link show can0 | grep -q BERR-REPORTING'
+
+interface_up can1 2>/dev/null # up already, by the same file
+rig_controller --check /drive.toml
+start_controller /drive.toml
+candump -L can0,081:7FF,181:7FF,201:7FF,400:780,681:7FF,701:7FF >/tmp/frames.log &
+canplayer -I /sensors.log can1=vcan0 &
+player=$!
+sleep 0.1
+cansend can1 000#0101
+sleep 3.5
+echo "MARK outside press"
+check stop_is_noticed await grep -q "after the edge" /tmp/controller.log
+sleep 0.5
+kill $player
+end_controller
+cat /tmp/controller.log
+# All but the drive commands, of which there is one for each sample: a few at the start and around the stop.
+grep -v " 201#" /tmp/frames.log >/tmp/session.log
+grep " 201#" /tmp/frames.log | tail -n 5 >>/tmp/session.log
+sort /tmp/session.log >/tmp/sorted.log
+mv /tmp/sorted.log /tmp/session.log
+send_file /tmp/session.log
