@@ -40,13 +40,16 @@ fetch armhf
 fetch arm64
 
 declare -A preset=([armhf]=arm-linux-gnueabihf [arm64]=aarch64-linux-gnu)
-targets=(rig_controller rig_controller_guarded hal_test sensor_player)
+guest_programs=(rig_controller_guarded hal_test sensor_player)
 configure host
 build host record_sensors board_reference
 for arch in armhf arm64; do
   cmake --preset ${preset[$arch]} $([ -e build/${preset[$arch]}/CMakeCache.txt ] || echo -G Ninja) \
     -DRIG_SYSROOT="$cache/$arch/root" -DRIG_GUEST_TESTS=ON >&2
-  build ${preset[$arch]} "${targets[@]}"
+  build ${preset[$arch]} package "${guest_programs[@]}"
+  # The boards run what a user installs: the program and the network file out of the Debian package.
+  rm -rf $results/$arch && mkdir $results/$arch
+  dpkg-deb -x build/${preset[$arch]}/rig-controller_*_$arch.deb $results/$arch
 done
 
 # ---- What is played and what must come back
@@ -76,14 +79,14 @@ make_initrd() {
   shift
   for file in usr/bin/{candump,cansend,canplayer,cangen,gpioinfo} sbin/{ip,tc}; do arguments+=(--program $file); done
   for file in $here/guest/*.sh; do arguments+=(--file "$file=/tests/$(basename "$file")"); done
-  for file in "${targets[@]}"; do arguments+=(--file build/${preset[$arch]}/bin/$file=/usr/bin/$file); done
+  for file in "${guest_programs[@]}"; do arguments+=(--file build/${preset[$arch]}/bin/$file=/usr/bin/$file); done
   python3 $here/initrd.py --root "$cache/$arch/root" --out $results/$arch.gz --init $here/guest/init.sh \
-    "${arguments[@]}" --file $results/sensors.log=/sensors.log --file $results/${arch}_board.toml=/board.toml \
+    "${arguments[@]}" --file $results/$arch/usr/bin/rig_controller=/usr/bin/rig_controller --file $results/sensors.log=/sensors.log --file $results/${arch}_board.toml=/board.toml \
     --file $results/${arch}_drive.toml=/drive.toml --file $here/iio.toml=/iio.toml --file $results/iio_fast.toml=/iio_fast.toml "$@"
 }
 make_initrd armhf --module gpio-aspeed --module aspeed_adc --module vcan --module can-raw --module sch_tbf
 make_initrd arm64 --program lib/systemd/systemd-networkd --program lib/systemd/systemd-udevd --program bin/udevadm \
-  --file hal/linux/packaging/80-rig-can.network=/lib/systemd/network/80-rig-can.network --module kvaser_pci --module vcan --module can-raw --module sch_tbf
+  --file $results/arm64/usr/lib/systemd/network/80-rig-can.network=/lib/systemd/network/80-rig-can.network --module kvaser_pci --module vcan --module can-raw --module sch_tbf
 
 # board_test ARCH TEST [option...]
 board_test() {
