@@ -6,7 +6,7 @@ build_packages=(g++ cmake ninja-build pkg-config libsundials-dev libeigen3-dev l
 # What the tests need on top: test and benchmark libraries, peers for the logs, cross compilers and emulators.
 test_packages=(libgtest-dev libbenchmark-dev can-utils tshark python3 libiio-dev libgpiod-dev
   g++-arm-linux-gnueabihf g++-aarch64-linux-gnu gcc-arm-none-eabi libnewlib-arm-none-eabi
-  libstdc++-arm-none-eabi-newlib qemu-system-arm qemu-user)
+  libstdc++-arm-none-eabi-newlib qemu-system-arm qemu-user device-tree-compiler)
 
 # Prints the packages of its arguments that are not installed.
 missing_packages() {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -139,7 +140,7 @@ const Broken kBroken[] = {
     {"id = 3", "id = 8", {":3:", "node", "\"id\"", "expected"}},
     {"id = 3", "id = \"three\"", {":3:", "\"id\"", "expected"}},
     {"id = 3", "identity = 3", {":3:", "\"identity\"", "expected one of id,"}},
-    {"window_s = 0.5", "window_s = 0.01", {":4:", "\"window_s\"", "0.05 to 60"}},
+    {"window_s = 0.5", "window_s = 0.01", {":4:", "\"window_s\"", "0.05 to 1"}},
     {"[node]\n", "[node]\nheartbeat_ms = -1\n", {"\"heartbeat_ms\"", "expected"}},
     {"[node]\n", "[nodes]\n", {"\"nodes\"", "did you mean \"node\""}},
     {"interface = \"vcan1\"", "interface = 1", {":6:", "\"interface\"", "expected"}},
@@ -215,6 +216,21 @@ TEST_F(BoardFileTest, TheProgramsExitStatus) {
   EXPECT_EQ(status_of(program + " --for soon " + folder_ + "/good.toml"), 2);
   EXPECT_EQ(status_of(program + " --frobnicate " + folder_ + "/good.toml"), 2);
   EXPECT_EQ(status_of(program + " " + folder_ + "/good.toml"), 1);  // no interface vcan1 here
+}
+
+// The bytes for a board without Linux are the same configuration.
+TEST_F(BoardFileTest, BytesComeBackAsTheConfiguration) {
+  const firmware::ControllerConfiguration expected = read(kGood).controller;
+  FILE* output = ::popen((std::string(RIG_CONTROLLER) + " --bytes " + folder_ + "/board.toml").c_str(), "r");
+  ASSERT_NE(output, nullptr);
+  std::vector<uint8_t> bytes;
+  for (unsigned value = 0; std::fscanf(output, " 0x%x,", &value) == 1;) bytes.push_back(static_cast<uint8_t>(value));
+  EXPECT_EQ(::pclose(output), 0);
+  firmware::ControllerConfiguration decoded;
+  ASSERT_TRUE(firmware::decode(bytes.data(), bytes.size(), decoded));
+  EXPECT_EQ(firmware::configuration_crc(decoded), firmware::configuration_crc(expected));
+  EXPECT_EQ(decoded.node.node, 3);
+  EXPECT_EQ(decoded.programme.levels[0].measure_samples, 60000u);
 }
 
 }  // namespace

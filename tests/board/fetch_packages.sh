@@ -62,9 +62,16 @@ for deb in "$home"/archives/*.deb; do
   dpkg-deb -x "$deb" "$root"
 done
 # Absolute links of development packages would point out of the sysroot.
-find "$root" -type l -lname '/*' | while read -r link; do
-  target=$(readlink "$link")
-  ln -sfn "$(realpath -m --relative-to="$(dirname "$link")" "$root$target")" "$link"
-done
+python3 - "$root" <<'PY'
+import os
+import sys
+root = sys.argv[1]
+for folder, folders, files in os.walk(root):
+    for path in (os.path.join(folder, name) for name in folders + files):
+        if os.path.islink(path) and os.readlink(path).startswith("/"):
+            target = os.path.relpath(root + os.readlink(path), folder)
+            os.unlink(path)
+            os.symlink(target, path)
+PY
 rm -f "$home"/archives/*.deb
 echo "$want" >"$home/stamp"

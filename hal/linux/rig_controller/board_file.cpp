@@ -17,7 +17,7 @@ void read_node(const Section& section, BoardFile& board) {
   node.heartbeat_ms = static_cast<uint16_t>(section.whole("heartbeat_ms", 100, 0, 65535));
   node.status_ms = static_cast<uint16_t>(section.whole("status_ms", 100, 10, 65535));
   node.emergency_inhibit_ms = static_cast<uint16_t>(section.whole("emergency_inhibit_ms", 100, 0, 65535));
-  const double window_s = section.number("window_s", 1.0, 0.05, 60.0);
+  const double window_s = section.number("window_s", 1.0, 0.05, 1.0);
   node.window_samples = static_cast<uint32_t>(window_s * board.samples.rate_Hz + 0.5);
   node.sync_closes_window = section.flag("sync_closes_window", true);
   node.listen_on_command = section.flag("listen_on_command", false);
