@@ -49,7 +49,7 @@ apt=(apt-get -q -y
 "${apt[@]}" update >"$home/update.log" 2>&1 || echo "apt-get update was incomplete, see $home/update.log" >&2
 
 # The kernel package alone: its dependencies build a disk boot, which these boards do not have.
-kernel=$("${apt[@]}" -s install "$kernel_meta" 2>/dev/null | sed -n 's/^Inst \(linux-image-[0-9][^ ]*\) .*/\1/p' | head -n 1)
+kernel=$("${apt[@]}" -s install "$kernel_meta" 2>/dev/null | sed -n 's/^Inst \(linux-image-[0-9][^ ]*\) .*/\1/p' | head -n 1 || true)
 [[ -n $kernel ]] || unavailable "no kernel behind $kernel_meta"
 "${apt[@]}" install --download-only "${packages[@]}" >"$home/download.log" 2>&1 ||
   unavailable "the download of ${packages[*]} failed, see $home/download.log"
