@@ -36,7 +36,7 @@ void Conditioning::configure(const CoreConfiguration& configuration) {
       path.node = static_cast<uint8_t>(node);
       path.quantity = static_cast<uint8_t>(quantity);
       path.source = signal.source;
-      path.place = static_cast<uint16_t>(signal_column(node, static_cast<Quantity>(quantity)) * kFrameStride);
+      path.column = static_cast<uint16_t>(signal_column(node, static_cast<Quantity>(quantity)));
       if (signal.half_length > reach_) reach_ = signal.half_length;
     }
   }
@@ -76,7 +76,7 @@ bool Conditioning::append(const RawSample& sample, Frame& frame, int at) {
 bool Conditioning::filter(const RawSample& sample, Frame& frame, int at) {
   for (int i = 0; i < path_count_; ++i) {
     Path& path = path_[i];
-    frame.column[0][path.place + at] =
+    frame.column[path.column][at] =
         filtered(path, sample.code[path.node][path.source] - offset_[path.node][path.source]);
   }
   if (++history_at_ == kHistory) history_at_ = 0;
@@ -86,7 +86,7 @@ bool Conditioning::filter(const RawSample& sample, Frame& frame, int at) {
 
 void Conditioning::move_frame(Frame& frame, int count, int kept) const {
   for (int p = 0; p < path_count_; ++p) {
-    int32_t* column = &frame.column[0][path_[p].place];
+    int32_t* column = frame.column[path_[p].column];
     for (int i = 0; i < kept; ++i) column[i] = column[i + count];
   }
 }

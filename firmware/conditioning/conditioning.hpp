@@ -29,7 +29,7 @@ class Conditioning {
   static constexpr int kMaxSections = 3;
   struct Path {  // one signal
     uint8_t node = 0, quantity = 0, source = 0;
-    uint16_t place = 0;                   // first entry of its column in the frame
+    uint16_t column = 0;                  // of the frame
     int32_t history[2 * kHistory] = {};   // every entry twice, so that a window is contiguous
     int64_t section[kMaxSections] = {};   // Q16
     int64_t previous[kMaxSections] = {};  // Q16, last input of a difference section
