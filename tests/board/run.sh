@@ -120,7 +120,7 @@ test_board() {
   board_test $arch stop
   board_test $arch faults
   if [ $arch = arm64 ]; then board_test $arch session; else board_test $arch samples; fi
-  board_test $arch endurance --limit 1200
+  board_test $arch endurance --limit $((15 * seconds + 300))
 }
 test_board arm64 >$results/arm64.out 2>&1 &
 test_board armhf 2>&1 | tee $results/armhf.out

@@ -208,6 +208,25 @@ TEST_F(IioDevice, DriveBecomesAConverterCode) {
   EXPECT_FALSE(missing.write(0));
 }
 
+// The converter of the emulated AST2600 board, through the kernel's driver: ten bits, each conversion a little higher
+// than the one before.
+TEST(OnConverter, SamplesComeThroughTheDriver) {
+  if (hal::find_iio_device({}, "ast2600-adc0").empty()) GTEST_SKIP() << "this machine has no ast2600-adc0";
+  TestClock clock;
+  hal::IioDirectSource source(clock);
+  ASSERT_EQ(source.open({"ast2600-adc0", 1000.0}, {{"in_voltage0", 0, Quantity::kForce}}), "");
+  firmware::RawSample first, second;
+  ASSERT_EQ(source.read(first), SampleResult::kSample);
+  clock.time_ns = 1000000;
+  ASSERT_EQ(source.read(second), SampleResult::kSample);
+  EXPECT_GT(first.code[0][0], 0);
+  EXPECT_GT(second.code[0][0], first.code[0][0]);
+  EXPECT_LT(second.code[0][0], 1024);
+  hal::IioBufferSource buffered;
+  EXPECT_NE(buffered.open({"ast2600-adc0", "", 1000.0, 64}, {{"in_voltage0", 0, Quantity::kForce}}).find("iio_direct"),
+            std::string::npos);
+}
+
 TEST(IioCode, WideSamplesKeepTheirUpper24Bits) {
   EXPECT_EQ(hal::code_of(-8388608, 24), -8388608);
   EXPECT_EQ(hal::code_of(INT32_MIN, 32), -8388608);
