@@ -167,4 +167,14 @@ TEST(EnergyWatch, MissingFrictionIsSeen) {
   EXPECT_GT(said.unexplained_permille, 30);
 }
 
+TEST(EnergyWatch, LateSensorIsNamed) {
+  RigSettings settings = three_dof();
+  settings.late_displacement_dof = 2;  // by one sample period
+  Loop loop(settings, two_random_levels(1));
+  const Diagnosis said = watch(loop);
+  EXPECT_EQ(said.cause, Cause::kSensorDelay);
+  EXPECT_EQ(said.place_a, 2);
+  EXPECT_EQ(said.quantity, 1);
+}
+
 }  // namespace

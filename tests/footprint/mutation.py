@@ -25,7 +25,7 @@ SWAPS = [(r" \+ ", " - "), (r" - ", " + "), (r" \* ", " + "), (r" / ", " * "), (
          (r" < ", " <= "), (r" <= ", " < "), (r" > ", " >= "), (r" >= ", " > "), (r" == ", " != "), (r" != ", " == "),
          (r" && ", " || "), (r" \|\| ", " && "), (r" \+= ", " -= "), (r" -= ", " += "), (r"\btrue\b", "false"),
          (r"\bfalse\b", "true"), (r"(?<![\w.])-(?=[a-z(])", "")]
-NUMBER = re.compile(r"(?<![\w.'])(\d+)(?![\w.'])")
+NUMBER = re.compile(r"(?<![\w.'\[])(\d+)(?![\w.'\]])")  # array sizes are left alone
 SKIP = re.compile(r"^\s*(//|#|using |static_assert|template|namespace|case |\}|class |struct )")
 
 

@@ -19,13 +19,13 @@ TEST(Sine, WorstErrorOverTheWholeTurnIsBelowTheStatedBound) {
   for (uint64_t phase = 0; phase < (uint64_t{1} << 32); phase += 65521) {
     worst = std::max(worst, std::fabs(error_at(static_cast<uint32_t>(phase))));
   }
-  EXPECT_LT(worst, 1e-8);  // stated in sine.hpp; the issue asks for 1e-6
+  EXPECT_LT(worst, 2e-8);  // stated in sine.hpp; the issue asks for 1e-6
 }
 
 TEST(Sine, CornersOfTheFold) {
   for (uint32_t corner : {0u, 0x40000000u, 0x80000000u, 0xC0000000u}) {
     for (int32_t offset = -3; offset <= 3; ++offset) {
-      EXPECT_LT(std::fabs(error_at(corner + static_cast<uint32_t>(offset))), 1e-8) << corner << " " << offset;
+      EXPECT_LT(std::fabs(error_at(corner + static_cast<uint32_t>(offset))), 2e-8) << corner << " " << offset;
     }
   }
 }
@@ -33,10 +33,10 @@ TEST(Sine, CornersOfTheFold) {
 TEST(Sine, HandSizedValues) {
   EXPECT_EQ(firmware::sine(0).raw, 0);
   EXPECT_EQ(firmware::sine(0x80000000u).raw, 0);
-  EXPECT_NEAR(firmware::sine(0x40000000u).raw, 2147483647, 20);           // sin 90 deg = 1
-  EXPECT_NEAR(firmware::sine(0xC0000000u).raw, -2147483647, 20);          // sin 270 deg = -1
-  EXPECT_NEAR(firmware::sine(0xFFFFFFFFu / 12 + 1).raw, 1073741824, 20);  // sin 30 deg = 1/2
-  EXPECT_NEAR(firmware::cosine(0).raw, 2147483647, 20);
+  EXPECT_NEAR(firmware::sine(0x40000000u).raw, 2147483647, 43);           // sin 90 deg = 1
+  EXPECT_NEAR(firmware::sine(0xC0000000u).raw, -2147483647, 43);          // sin 270 deg = -1
+  EXPECT_NEAR(firmware::sine(0xFFFFFFFFu / 12 + 1).raw, 1073741824, 43);  // sin 30 deg = 1/2
+  EXPECT_NEAR(firmware::cosine(0).raw, 2147483647, 43);
 }
 
 TEST(Sine, IsOdd) {
