@@ -49,7 +49,7 @@ void diagnose(const DiagnoseArguments& arguments) {
     bar.show(0.8);
     data = reports::findings_of(model, training, holdout, found);
     if (!arguments.report.empty()) {
-      reports::add_pictures(model, training, holdout, found, options.holdout_fraction, data);
+      reports::add_pictures(model, training, holdout, found, data);
       bar.show(0.9);
       reports::write_diagnosis_report(arguments.report, data);
     }

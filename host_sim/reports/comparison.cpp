@@ -19,24 +19,22 @@ struct Simulations {
   Record given, extended;
 };
 
-std::vector<size_t> start_samples(const Record& record, const rig_file::RigModel& rig, size_t holdout_from) {
+std::vector<size_t> start_samples(const Record& record, const rig_file::RigModel& rig) {
   std::vector<size_t> starts = {0};
   if (!held_in_place(rig)) {
     const size_t step = std::max<size_t>(2, static_cast<size_t>(std::lround(kRestart_s / record.sample_period_s)));
     for (size_t at = step; at + step <= record.samples(); at += step) starts.push_back(at);
-  } else if (holdout_from > 0 && holdout_from + 1 < record.samples()) {
-    starts.push_back(holdout_from);
   }
   return starts;
 }
 
-Record try_to_simulate(const rig_file::RigModel& rig, const Record& record, size_t holdout_from, const char* name,
+Record try_to_simulate(const rig_file::RigModel& rig, const Record& record, const char* name,
                        std::vector<std::string>& notes) {
   const bool massless = std::any_of(rig.dofs.begin(), rig.dofs.end(),
                                     [](const rig_file::Dof& dof) { return !(dof.mass_kg.value > 0.0); });
   if (massless) return {};
   try {
-    return simulate_from(rig, record, start_samples(record, rig, holdout_from));
+    return simulate_from(rig, record, start_samples(record, rig));
   } catch (const PlantError& error) {
     notes.push_back(std::string("the ") + name + " cannot be simulated: " + error.what());
     return {};
@@ -200,13 +198,12 @@ rig_file::RigModel with_links_of(rig_file::RigModel rig, const rig_file::RigMode
 
 }  // namespace
 
-Comparison compare(const Record& record, const rig_file::RigModel& given_rig, const rig_file::RigModel& extended,
-                   size_t holdout_from) {
+Comparison compare(const Record& record, const rig_file::RigModel& given_rig, const rig_file::RigModel& extended) {
   Comparison out;
   const rig_file::RigModel given = with_links_of(given_rig, extended);
   const double period_s = record.sample_period_s;
-  const Simulations simulated{try_to_simulate(given, record, holdout_from, "rig as given", out.notes),
-                              try_to_simulate(extended, record, holdout_from, "extended rig", out.notes)};
+  const Simulations simulated{try_to_simulate(given, record, "rig as given", out.notes),
+                              try_to_simulate(extended, record, "extended rig", out.notes)};
   const bool free = !simulated.given.channels.empty();
   if (free && !held_in_place(given))
     out.notes.push_back(
@@ -221,7 +218,6 @@ Comparison compare(const Record& record, const rig_file::RigModel& given_rig, co
     view.dof = dof;
     view.start_s = free ? record.start_s : time_s.front();
     view.period_s = period_s;
-    view.holdout_start_s = holdout_from > 0 ? record.start_s + static_cast<double>(holdout_from) * period_s : 0.0;
     view.waveforms = free ? waveforms(record, simulated, dof, given.dofs[i].rotating)
                           : std::vector<Waveform>{force_waveform(before, after, i, given.dofs[i].rotating)};
     view.energy = energy_balance(given, before, after, dof, time_s, period_s);

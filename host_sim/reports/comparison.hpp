@@ -19,7 +19,6 @@ struct Comparison {
 // start from the measured state at the record's start and again at sample holdout_from (0: no such part), and at every
 // second where nothing holds a DOF in its place (there any error of the state grows for ever). A rig that cannot run
 // freely (a DOF without mass) is compared by the force that it would need for the measured motion.
-Comparison compare(const Record& record, const rig_file::RigModel& given, const rig_file::RigModel& extended,
-                   size_t holdout_from);
+Comparison compare(const Record& record, const rig_file::RigModel& given, const rig_file::RigModel& extended);
 
 }  // namespace host_sim::reports

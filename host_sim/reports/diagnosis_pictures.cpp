@@ -63,10 +63,6 @@ Plot errors(const DofView& view, const Waveform& waveform, size_t columns) {
   add(waveform.measured, "measured, its range", Role::kMeasured);
   add(difference(waveform.simulated, waveform.measured), "error of the rig as given", Role::kGiven);
   add(difference(waveform.extended, waveform.measured), "error of the extended rig", Role::kExtended);
-  if (view.holdout_start_s > view.start_s) {
-    plot.mark_x = view.holdout_start_s;
-    plot.mark_label = "not seen by the fit →";
-  }
   return plot;
 }
 

@@ -124,16 +124,15 @@ DiagnosisReportData findings_of(const rig_file::RigModel& rig, const std::vector
 }
 
 void add_pictures(const rig_file::RigModel& rig, const std::vector<Record>& training,
-                  const std::vector<Record>& holdout, const diagnosis::Diagnosis& found, double holdout_fraction,
-                  DiagnosisReportData& data) {
+                  const std::vector<Record>& holdout, const diagnosis::Diagnosis& found, DiagnosisReportData& data) {
   const Record& shown = holdout.empty() ? training.front() : holdout.front();
-  const double unseen_from = (1.0 - holdout_fraction) * static_cast<double>(shown.samples());
   const rig_file::RigModel& extended = found.extended_rig.dofs.empty() ? rig : found.extended_rig;
   const Comparison comparison = compare(shown, with_parameters(rig, found.baseline.parameters),
-                                        with_parameters(extended, found.extended.parameters),
-                                        holdout.empty() ? static_cast<size_t>(unseen_from) : 0);
+                                        with_parameters(extended, found.extended.parameters));
   data.dofs = comparison.dofs;
   data.links = comparison.links;
+  data.facts.push_back("pictures: " + std::filesystem::path(shown.file).filename().string() +
+                       (holdout.empty() ? ", which the fit has seen" : ", which the fit has not seen"));
   data.facts.insert(data.facts.end(), comparison.notes.begin(), comparison.notes.end());
 }
 

@@ -11,11 +11,10 @@ namespace host_sim::reports {
 DiagnosisReportData findings_of(const rig_file::RigModel& rig, const std::vector<Record>& training,
                                 const std::vector<Record>& holdout, const diagnosis::Diagnosis& found);
 
-// Simulates both rigs for the pictures. They show the first hold-out record, or, where there is none, the first record,
-// whose last holdout_fraction the fit has not seen.
+// Simulates both rigs for the pictures. They show the first hold-out record, or, where there is none, the first record
+// (which the fit has seen: the parameters come from all of it).
 void add_pictures(const rig_file::RigModel& rig, const std::vector<Record>& training,
-                  const std::vector<Record>& holdout, const diagnosis::Diagnosis& found, double holdout_fraction,
-                  DiagnosisReportData& data);
+                  const std::vector<Record>& holdout, const diagnosis::Diagnosis& found, DiagnosisReportData& data);
 
 // The rig with every unknown replaced: by the parameter of its name, else by the start value that the rig carries.
 rig_file::RigModel with_parameters(const rig_file::RigModel& rig, const std::vector<diagnosis::Parameter>& parameters);

@@ -43,8 +43,6 @@ struct Plot {
   bool log_y = false;
   bool scale_units = true;  // let "m" become "mm" where the numbers ask for it
   bool zero_line = false;
-  double mark_x = 0.0;  // a vertical line with mark_label, where mark_label is not empty
-  std::string mark_label;
   std::vector<Curve> curves;
 };
 

@@ -125,12 +125,6 @@ std::string one_plot(const Plot& plot, Target target, size_t index) {
   out += plot.log_y ? "set logscale y 10\nset format y '10^{%L}'\n" : "unset logscale y\nset format y '%g'\n";
   out += axis("x", x, x_prefix.factor, false) + axis("y", y, y_prefix.factor, plot.log_y);
   out += plot.zero_line ? "set xzeroaxis lw 1 dt solid lc rgb '#000070'\n" : "unset xzeroaxis\n";
-  out += "unset arrow\nunset label\n";
-  if (!plot.mark_label.empty()) {
-    const std::string at = number(plot.mark_x * x_prefix.factor);
-    out += "set arrow from " + at + ",graph 0 to " + at + ",graph 1 nohead lw 1 dt (2,3) lc rgb '#000072'\n";
-    out += "set label " + text(plot.mark_label) + " at " + at + ",graph 1.04 center noenhanced tc rgb '#000072'\n";
-  }
   std::string commands;
   for (size_t i = 0; i < plot.curves.size(); ++i) {
     const std::string name = "$D" + std::to_string(index) + "_" + std::to_string(i);

@@ -38,7 +38,6 @@ struct EnergyBalance {
 struct DofView {
   int dof = 1;
   double start_s = 0.0, period_s = 0.0;
-  double holdout_start_s = 0.0;  // from here the fit has not seen the data; 0: no such part
   std::vector<Waveform> waveforms;
   EnergyBalance energy;
 };

@@ -26,7 +26,7 @@ std::string section_of(const examples::Example& example, const std::string& shar
   const diagnosis::Options options;
   const diagnosis::Diagnosis found = diagnosis::diagnose(rig, data, holdout, options);
   host_sim::reports::DiagnosisReportData report = host_sim::reports::findings_of(rig, data, holdout, found);
-  host_sim::reports::add_pictures(rig, data, holdout, found, options.holdout_fraction, report);
+  host_sim::reports::add_pictures(rig, data, holdout, found, report);
   return examples::section(example, report, docs);
 }
 

@@ -1,7 +1,7 @@
 // Paths made shorter: worked out by hand.
-#include <gtest/gtest.h>
-
 #include "host_sim/reports/compact_path.hpp"
+
+#include <gtest/gtest.h>
 
 namespace {
 

@@ -43,7 +43,6 @@ inline DiagnosisReportData diagnosis(size_t samples = 20000) {
     DofView view;
     view.dof = dof;
     view.period_s = period_s;
-    view.holdout_start_s = 14.0;
     const double phase = dof;
     const auto clean = sines(samples, period_s, 2e-3 / dof, phase, 1.0);
     view.waveforms.push_back({"displacement", "m", noisy(clean, 2e-5, 1u + static_cast<unsigned>(dof)),
