@@ -7,6 +7,7 @@
 #include "limits.hpp"
 #include "naming.hpp"
 #include "outsiders.hpp"
+#include "ranking.hpp"
 #include "sensor_check.hpp"
 #include "sharpen.hpp"
 
@@ -179,6 +180,7 @@ Diagnosis diagnose(const rig_file::RigModel& rig, const std::vector<host_sim::Re
       d.gain.push_back(before.nrmse_percent[j] / std::max(1e-12, after.nrmse_percent[j]));
   }
   report_terms(system, rows, found, d);
+  d.ranked = ranking(system, rows, bank, found, 12);
   d.baseline_misfit = found.base_fit.ratio();
   d.extended_misfit = found.fit.ratio();
   d.baseline.parameters = parameters_of(system, found.base);

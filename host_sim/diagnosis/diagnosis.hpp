@@ -40,6 +40,13 @@ struct DetectionLimit {
   double percent_of_damping_force = 0;  // its rms force over that of its link's damping
 };
 
+// What one effect alone would bring beside the rig as given.
+struct RankedCandidate {
+  std::string effect, where;
+  double score = 0;      // fall of chi-squared per unit of the noise that remains, less what chance may bring
+  double threshold = 0;  // a score that it needs to be named
+};
+
 struct ModelScore {
   std::vector<Parameter> parameters;
   std::vector<double> holdout_nrmse_percent;  // displacement, per DOF
@@ -59,6 +66,7 @@ struct Diagnosis {
   double baseline_misfit = 0;   // chi-squared per degree of freedom: 1 is noise alone
   double extended_misfit = 0;
   rig_file::RigModel extended_rig;
+  std::vector<RankedCandidate> ranked;  // the first twelve, best first
 };
 
 struct Options {

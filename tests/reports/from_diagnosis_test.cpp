@@ -38,6 +38,9 @@ struct Case {
     found.extended.parameters = {{"viscous[1-0]", 4.0, "N s/m", 0.1, true},
                                  {"cubic_stiffness[1-0]", 5.0e5, "N/m^3", 1e3, true}};
     found.causes = {{"cubic_stiffness", "link 1-0", {found.extended.parameters[1]}, 99.0, 1234.0}};
+    found.ranked = {{"end_stop", "link 1-0", 2000.0, 35.0},
+                    {"cubic_stiffness", "link 1-0", 1234.0, 35.0},
+                    {"mass_error", "dof 1", 12.0, 35.0}};
     found.rejected = {{"end_stop", "link 1-0", {}, 80.0, 2000.0}};
     found.baseline.holdout_nrmse_percent = {30.0};
     found.baseline.holdout_mse_percent = {9.0};
@@ -69,10 +72,13 @@ TEST(FromDiagnosis, CarriesTheFindingsOver) {
   EXPECT_EQ(data.parameters[1].after.value, 5.0e5);
   ASSERT_EQ(data.gains.size(), 1u);
   EXPECT_EQ(data.gains[0].nrmse_after_percent, 1.5);
-  ASSERT_EQ(data.candidates.size(), 2u);
+  ASSERT_EQ(data.candidates.size(), 3u);
   EXPECT_EQ(data.candidates[0].effect, "end_stop");  // ranked first, and yet refused
   EXPECT_FALSE(data.candidates[0].chosen);
+  EXPECT_EQ(data.candidates[0].remark, "fits better, but simulates the held-out data worse");
   EXPECT_TRUE(data.candidates[1].chosen);
+  EXPECT_EQ(data.candidates[2].remark, "not more than noise would bring");
+  EXPECT_EQ(data.candidates[2].threshold, 35.0);
   EXPECT_NE(reports::diagnosis_page(data).find("falls by a factor of 20"), std::string::npos);
 }
 
