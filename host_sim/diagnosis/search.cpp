@@ -235,6 +235,7 @@ std::vector<Found> ranked(const Rows& rows, const CandidateBank& bank, const std
   std::vector<Found> best;
   for (const Candidate& c : bank.beside(model)) {
     Found found = scorer.of(c);
+    if (!plausible(joined(model, c, found.gain))) continue;  // a gain of -1 "explains" any force that is all unknown
     if (!best.empty() && best.back().candidate.term().same_place(c.term())) {
       if (found.score > best.back().score) best.back() = found;
     } else {
