@@ -28,8 +28,15 @@ command -v dpkg-deb >/dev/null || unavailable "no dpkg-deb on this machine"
 keyring=/usr/share/keyrings/debian-archive-keyring.gpg
 signed=""
 [[ -f $keyring ]] && signed="[signed-by=$keyring] "
-sources=$(apt-get indextargets --format '$(ORIGIN)|$(CREATED_BY)|deb '"$signed"'$(REPO_URI) $(RELEASE) $(COMPONENT)' |
-  sed -n 's/^Debian|Packages|//p' | sort -u)
+debian_sources() {
+  apt-get indextargets --format '$(ORIGIN)|$(CREATED_BY)|deb '"$signed"'$(REPO_URI) $(RELEASE) $(COMPONENT)' |
+    sed -n 's/^Debian|Packages|//p' | sort -u
+}
+sources=$(debian_sources)
+if [[ -z $sources ]]; then
+  apt-get -q update >/dev/null 2>&1 || true  # a machine without package lists; needs root
+  sources=$(debian_sources)
+fi
 [[ -n $sources ]] || unavailable "no Debian source with a package list; run 'apt-get update' first"
 
 mkdir -p "$home/state/lists/partial" "$home/archives/partial" "$home/etc/parts"
