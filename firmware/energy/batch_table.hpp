@@ -5,7 +5,7 @@
 // so that  sum_k column[k] * p_k = rhs  holds for noise-free data. All in SI units (energies in J per unit of the coefficient).
 //
 // Weights q: the velocity itself (plain: the paper's), an instrument for the velocity whose noise is independent of the
-// sample's own (interpolated from its neighbours), and the displacement (shows masses and stiffnesses).
+// sample's own (interpolated from its neighbours), and the displacement, interpolated likewise (shows masses and stiffnesses).
 //
 // Kinematic discrepancies: identities that hold for any rig, so what they show is sensor noise and skew alone.
 //   velocity weights:  kinetic = integral(q a) - (v_end^2 - v_start^2) / 2       per unit mass

@@ -52,6 +52,10 @@ void EnergySums::fill_instruments(Frame& frame, int from, int to) {
     const int32_t* v = frame.column[signal_column(node, Quantity::kVelocity)];
     int32_t* z = frame.column[kInstrumentColumn + node];
     for (int i = from; i < to; ++i) z[i] = 4 * (v[i - 1] + v[i + 1]) - (v[i - 2] + v[i + 2]);
+    if (weights_ <= kDisplacement || node >= configuration_->dof_count) continue;
+    const int32_t* x = frame.column[signal_column(node, Quantity::kDisplacement)];
+    int32_t* y = frame.column[kDisplacementInstrumentColumn + node];
+    for (int i = from; i < to; ++i) y[i] = 4 * (x[i - 1] + x[i + 1]) - (x[i - 2] + x[i + 2]);
   }
 }
 
@@ -121,7 +125,7 @@ void EnergySums::clear_crossings() {
 
 int EnergySums::weight_column(int dof, int weight) const {
   if (weight == kInstrument) return kInstrumentColumn + dof;
-  return signal_column(dof, weight == kPlain ? Quantity::kVelocity : Quantity::kDisplacement);
+  return weight == kPlain ? signal_column(dof, Quantity::kVelocity) : kDisplacementInstrumentColumn + dof;
 }
 
 void EnergySums::read_integrals() {
@@ -160,7 +164,7 @@ Scaled EnergySums::kinetic_energy(int dof, int weight) const {
   }
   const int64_t change = end_.displacement[dof] * v1 - start_.displacement[dof] * v0;
   return plan_.column_unit[displacement] * plan_.column_unit[velocity] * Scaled::from_int(change) -
-         integral(products.velocity_square);
+         integral(products.velocity_instrument);
 }
 
 Scaled EnergySums::energy(const Incidence& incidence, int weight) const {
@@ -205,7 +209,7 @@ void EnergySums::close_dof(int i, const EndPoint& end, Batch& batch) const {
         dof.elastic_discrepancy[q] = pack(integral(products.displacement[q]) - elastic_end);
     } else if (both) {
       dof.kinetic_discrepancy[q] = pack(integral(products.acceleration[q]) +
-                                        integral(products.velocity_square) -
+                                        integral(products.velocity_instrument) -
                                         unit_x * unit_v * Scaled::from_int(x1 * v1 - x0 * v0));
     }
   }

@@ -60,7 +60,8 @@ class Planner {
   }
   int weight_column(int i, int weight) const {
     if (weight == static_cast<int>(Weight::kInstrument)) return kInstrumentColumn + i;
-    return signal_column(i, weight == static_cast<int>(Weight::kPlain) ? Quantity::kVelocity : Quantity::kDisplacement);
+    if (weight == static_cast<int>(Weight::kPlain)) return signal_column(i, Quantity::kVelocity);
+    return kDisplacementInstrumentColumn + i;
   }
   int16_t weighted_column(int i, int weight, int column) {
     const Quantity needed = weight == static_cast<int>(Weight::kDisplacement) ? Quantity::kDisplacement : Quantity::kVelocity;
@@ -81,7 +82,9 @@ void set_column_units(const CoreConfiguration& configuration, EquationPlan& plan
     for (int quantity = 0; quantity < kQuantities; ++quantity)
       plan.column_unit[node * kQuantities + quantity] = configuration.signals[node][quantity].unit_per_code;
     const Scaled velocity = configuration.signals[node][static_cast<int>(Quantity::kVelocity)].unit_per_code;
+    const Scaled displacement = configuration.signals[node][static_cast<int>(Quantity::kDisplacement)].unit_per_code;
     plan.column_unit[kInstrumentColumn + node] = velocity / Scaled::from_int(6);
+    plan.column_unit[kDisplacementInstrumentColumn + node] = displacement / Scaled::from_int(6);
   }
   for (int link = 0; link < kMaxLinks; ++link)
     plan.column_unit[kSignColumn + link] = plan.column_unit[kSmoothSignColumn + link] = Scaled::from_int(1);
