@@ -4,62 +4,67 @@ namespace firmware {
 namespace {
 
 constexpr int kSweeps = 12;  // Jacobi converges quadratically; 16 by 16 needs about 6
-using Matrix = Scaled[kMaxDofs][kMaxDofs];
 
-bool assemble(const CoreConfiguration& configuration, const Estimates& estimates, Matrix& matrix) {
+// A symmetric matrix, its lower triangle alone: half the stack of a full one.
+class SymmetricMatrix {
+ public:
+  Scaled& at(int i, int j) { return i >= j ? entry_[i * (i + 1) / 2 + j] : entry_[j * (j + 1) / 2 + i]; }
+
+ private:
+  Scaled entry_[kMaxDofs * (kMaxDofs + 1) / 2] = {};
+};
+
+bool assemble(const CoreConfiguration& configuration, const Estimates& estimates, SymmetricMatrix& matrix) {
   const int n = configuration.dof_count;
   Scaled mass[kMaxDofs];
-  for (int i = 0; i < n; ++i)
-    for (int j = 0; j < n; ++j) matrix[i][j] = Scaled{};
   for (int t = 0; t < configuration.term_count; ++t) {
     const Term& term = configuration.terms[t];
     const Scaled value = term.unknown < 0 ? term.value : estimates.parameters[term.unknown].value;
     if (term.kind == TermKind::kMass) mass[term.place] = value;
     if (term.kind != TermKind::kStiffness && term.kind != TermKind::kGravity) continue;
     const int a = configuration.links[term.place].node_a, b = configuration.links[term.place].node_b;
-    if (a < n) matrix[a][a] = matrix[a][a] + value;
-    if (b < n) matrix[b][b] = matrix[b][b] + value;
-    if (a >= n || b >= n) continue;
-    matrix[a][b] = matrix[a][b] - value;
-    matrix[b][a] = matrix[b][a] - value;
+    if (a < n) matrix.at(a, a) = matrix.at(a, a) + value;
+    if (b < n) matrix.at(b, b) = matrix.at(b, b) + value;
+    if (a < n && b < n) matrix.at(a, b) = matrix.at(a, b) - value;
   }
   for (int i = 0; i < n; ++i)
     if (mass[i] <= Scaled{}) return false;
   for (int i = 0; i < n; ++i)
-    for (int j = 0; j < n; ++j) matrix[i][j] = matrix[i][j] / sqrt(mass[i] * mass[j]);
+    for (int j = 0; j <= i; ++j) matrix.at(i, j) = matrix.at(i, j) / sqrt(mass[i] * mass[j]);
   return true;
 }
 
-void rotate(Matrix& matrix, int n, int p, int q) {
-  if (matrix[p][q].is_zero()) return;
-  // tan of the angle: t = sgn(h) / (|h| + sqrt(h^2 + 1)), h = (a_qq - a_pp) / (2 a_pq)
+// Makes a_pq zero: a_pp - t a_pq, a_qq + t a_pq, and each other row's two entries turned by the angle with tangent t.
+void rotate(SymmetricMatrix& matrix, int n, int p, int q) {
+  const Scaled coupling = matrix.at(p, q);
+  if (coupling.is_zero()) return;
+  // t = sgn(h) / (|h| + sqrt(h^2 + 1)), h = (a_qq - a_pp) / (2 a_pq)
   const Scaled one = Scaled::from_int(1);
-  const Scaled half = scale_by_power_of_two((matrix[q][q] - matrix[p][p]) / matrix[p][q], -1);
+  const Scaled half = scale_by_power_of_two((matrix.at(q, q) - matrix.at(p, p)) / coupling, -1);
   Scaled tangent = one / (abs(half) + sqrt(half * half + one));
   if (half.is_negative()) tangent = -tangent;
   const Scaled cosine = one / sqrt(tangent * tangent + one), sine = tangent * cosine;
+  matrix.at(p, p) = matrix.at(p, p) - tangent * coupling;
+  matrix.at(q, q) = matrix.at(q, q) + tangent * coupling;
+  matrix.at(p, q) = Scaled{};
   for (int k = 0; k < n; ++k) {
-    const Scaled left = matrix[k][p], right = matrix[k][q];
-    matrix[k][p] = cosine * left - sine * right;
-    matrix[k][q] = sine * left + cosine * right;
-  }
-  for (int k = 0; k < n; ++k) {
-    const Scaled left = matrix[p][k], right = matrix[q][k];
-    matrix[p][k] = cosine * left - sine * right;
-    matrix[q][k] = sine * left + cosine * right;
+    if (k == p || k == q) continue;
+    const Scaled left = matrix.at(k, p), right = matrix.at(k, q);
+    matrix.at(k, p) = cosine * left - sine * right;
+    matrix.at(k, q) = sine * left + cosine * right;
   }
 }
 
 }  // namespace
 
 bool natural_frequencies_Hz(const CoreConfiguration& configuration, const Estimates& estimates, Scaled* frequencies) {
-  Matrix matrix;
+  SymmetricMatrix matrix;
   if (!assemble(configuration, estimates, matrix)) return false;
   const int n = configuration.dof_count;
   for (int sweep = 0; sweep < kSweeps; ++sweep)
     for (int p = 0; p < n; ++p)
       for (int q = p + 1; q < n; ++q) rotate(matrix, n, p, q);
-  for (int i = 0; i < n; ++i) frequencies[i] = sqrt(matrix[i][i]) / Scaled::ratio(710, 113);  // 2 pi to 8e-8
+  for (int i = 0; i < n; ++i) frequencies[i] = sqrt(matrix.at(i, i)) / Scaled::ratio(710, 113);  // 2 pi to 8e-8
   return true;
 }
 

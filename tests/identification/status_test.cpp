@@ -1,6 +1,7 @@
 // Statuses and advice on tables small enough to see why.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "firmware/identification/natural_frequencies.hpp"
@@ -150,4 +151,23 @@ TEST(NaturalFrequencies, ChainOfTwo) {
   const double a = rig_file::to_double(frequencies[0]), b = rig_file::to_double(frequencies[1]);
   EXPECT_NEAR(std::min(a, b), 0.159155, 1e-6);
   EXPECT_NEAR(std::max(a, b), 0.275664, 1e-6);
+}
+
+// Three masses of 1 kg between four springs of 1 N/m: omega^2 = 2 - sqrt 2, 2 and 2 + sqrt 2.
+TEST(NaturalFrequencies, ChainOfThree) {
+  HandTable t(3, {TermKind::kViscous}, {{0}});
+  t.link(0, firmware::kGroundNode);
+  t.link(0, 1);
+  t.link(1, 2);
+  t.link(2, firmware::kGroundNode);
+  for (int i : {0, 1, 2}) t.known(TermKind::kMass, i, 1.0);
+  for (int l : {0, 1, 2, 3}) t.known(TermKind::kStiffness, l, 1.0);
+  firmware::Scaled frequencies[firmware::kMaxDofs];
+  ASSERT_TRUE(firmware::natural_frequencies_Hz(t.configuration, *t.estimates, frequencies));
+  double found[3];
+  for (int i = 0; i < 3; ++i) found[i] = rig_file::to_double(frequencies[i]);
+  std::sort(found, found + 3);
+  EXPECT_NEAR(found[0], 0.121812, 1e-6);
+  EXPECT_NEAR(found[1], 0.225079, 1e-6);
+  EXPECT_NEAR(found[2], 0.294080, 1e-6);
 }
