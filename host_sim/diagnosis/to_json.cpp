@@ -8,13 +8,13 @@ namespace {
 
 using nlohmann::json;
 
+// Shapes and given values have no scatter of their own: an interval of no width.
 json to_json(const Parameter& p) {
-  json j{{"name", p.name}, {"value", p.value}, {"unit", p.unit}};
-  if (p.std > 0) {
-    j["std"] = p.std;
-    j["ci95"] = {p.value - 1.96 * p.std, p.value + 1.96 * p.std};
-  }
-  return j;
+  return {{"name", p.name},
+          {"value", p.value},
+          {"unit", p.unit},
+          {"std", p.std},
+          {"ci95", {p.value - 1.96 * p.std, p.value + 1.96 * p.std}}};
 }
 
 json to_json(const std::vector<Parameter>& list) {
@@ -24,28 +24,44 @@ json to_json(const std::vector<Parameter>& list) {
 }
 
 json to_json(const Cause& c) {
-  return {{"effect", c.effect}, {"where", c.where}, {"parameters", to_json(c.parameters)},
-          {"explains_percent", c.explains_percent}, {"significance", c.significance}};
+  return {{"effect", c.effect},
+          {"where", c.where},
+          {"parameters", to_json(c.parameters)},
+          {"explains_percent", c.explains_percent},
+          {"significance", c.significance}};
 }
 
-json to_json(const ModelScore& s) {
-  return {{"parameters", to_json(s.parameters)}, {"holdout_nrmse_percent", s.holdout_nrmse_percent},
+// Where the model leaves more than noise, its numbers have taken up some of that.
+json to_json(const ModelScore& s, bool fits) {
+  json parameters = to_json(s.parameters);
+  for (json& p : parameters) p["status"] = fits ? "VALID" : "BIAS_SUSPECT";
+  return {{"parameters", std::move(parameters)},
+          {"holdout_nrmse_percent", s.holdout_nrmse_percent},
           {"holdout_mse_percent", s.holdout_mse_percent}};
 }
 
 }  // namespace
 
 json to_json(const Diagnosis& d) {
-  json j{{"schema", "diagnosis/1"}, {"verdict", verdict_word(d.verdict)}, {"baseline", to_json(d.baseline)},
-         {"extended", to_json(d.extended)}, {"gain", d.gain}, {"advice", d.advice},
-         {"unknown_trace", d.unknown_trace}, {"baseline_misfit", d.baseline_misfit}, {"extended_misfit", d.extended_misfit}};
+  json j{{"schema", "diagnosis/1"},
+         {"verdict", verdict_word(d.verdict)},
+         {"baseline", to_json(d.baseline, d.verdict == Verdict::kNone)},
+         {"extended", to_json(d.extended, d.verdict != Verdict::kUnknown)},
+         {"gain", d.gain},
+         {"advice", d.advice},
+         {"unknown_trace", d.unknown_trace},
+         {"baseline_misfit", d.baseline_misfit},
+         {"extended_misfit", d.extended_misfit}};
   j["causes"] = j["ambiguous_with"] = j["minimum_detectable"] = j["rejected"] = json::array();
   for (const Cause& c : d.causes) j["causes"].push_back(to_json(c));
   for (const Cause& c : d.rejected) j["rejected"].push_back(to_json(c));
   for (const NamedPlace& p : d.ambiguous_with) j["ambiguous_with"].push_back({p.effect, p.where});
   for (const DetectionLimit& l : d.minimum_detectable)
-    j["minimum_detectable"].push_back({{"effect", l.effect}, {"where", l.where}, {"strength", l.strength},
-                                       {"unit", l.unit}, {"percent_of_damping_force", l.percent_of_damping_force}});
+    j["minimum_detectable"].push_back({{"effect", l.effect},
+                                       {"where", l.where},
+                                       {"strength", l.strength},
+                                       {"unit", l.unit},
+                                       {"percent_of_damping_force", l.percent_of_damping_force}});
   return j;
 }
 

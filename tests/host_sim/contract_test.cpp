@@ -18,4 +18,6 @@ class Contract : public test_support::ProgramTest {
 
 TEST_F(Contract, EstimateDecodeDbcAndErrors) { expect_kept("estimate,run,decode,dbc,errors"); }
 
+TEST_F(Contract, Diagnose) { expect_kept("diagnose"); }
+
 }  // namespace
