@@ -5,6 +5,7 @@
 
 #include "tests/accuracy/cases.hpp"
 #include "tests/accuracy/redraw.hpp"
+#include "tests/accuracy/skew_bound.hpp"
 
 namespace accuracy {
 namespace {
@@ -69,6 +70,8 @@ SkewMeasurement measure_skew(int draws) {
   SkewMeasurement result;
   std::vector<double> sum(3, 0.0), square(3, 0.0);
   result.error_before_percent.assign(scenario.truth.size(), 0.0);
+  redraw.run(0, false);
+  for (int dof = 1; dof <= 3; ++dof) result.bound_us.push_back(1e6 * skew_bound_s(redraw.records(), dof, 5.0));
   for (int d = 0; d < draws; ++d) {
     const firmware::Estimates& estimates = redraw.run(static_cast<uint64_t>(d + 1));
     bool marked = false;

@@ -10,6 +10,7 @@ namespace accuracy {
 // paper_3dof_random with 5 % noise, 10 s a level, all displacements late by 250 us.
 struct SkewMeasurement {
   std::vector<double> mean_us, deviation_us;  // per DOF
+  std::vector<double> bound_us;               // Cramer-Rao bound of the deviation, per DOF
   double within_15_us_percent = 0.0;          // share of all measurements
   double marked_percent = 0.0;                // share of draws in which some parameter is SKEWED
   std::vector<double> error_before_percent,

@@ -218,7 +218,8 @@ class Reference {
     const double freedom = used - unknowns_;
     const double misfit = freedom > 0.0 ? (y - a * result_.value).squaredNorm() / freedom : 0.0;
     const double factor = misfit > 1.0 + std::sqrt(50.0 / freedom) + 6.0 / freedom ? std::max(misfit, lost) : lost;
-    result_.deviation = ((gain.array().square().matrix() * inflation).array() * factor).sqrt();
+    const Eigen::ArrayXd repeated = result_.value.array() / 1048576.0;  // errors that no scatter shows: 2^-20
+    result_.deviation = ((gain.array().square().matrix() * inflation).array() * factor + repeated.square()).sqrt();
   }
 
   int dofs_, unknowns_;

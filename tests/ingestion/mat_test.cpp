@@ -1,5 +1,6 @@
 // MAT files: written with libmatio, read back; structs, number classes, and what is refused.
 #include <gtest/gtest.h>
+#include <unistd.h>
 #include <matio.h>
 
 #include <cmath>
@@ -23,7 +24,7 @@ using test_rigs::refusal;
 class MatFile {
  public:
   explicit MatFile(mat_ft version = MAT_FT_MAT5)
-      : path_((std::filesystem::path(testing::TempDir()) / "written_by_test.mat").string()),
+      : path_(testing::TempDir() + "written_by_test_" + std::to_string(getpid()) + ".mat"),
         file_(Mat_CreateVer(path_.c_str(), nullptr, version)) {}
   ~MatFile() {
     close();

@@ -2,6 +2,7 @@
 #include "host_sim/plant/scenario.hpp"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cstdio>
 #include <filesystem>
@@ -61,7 +62,7 @@ TEST(Scenario, LengthsAreSecondsOrCycles) {
 }
 
 TEST(Scenario, RigAndPlantMayStandInFilesBesideIt) {
-  const std::filesystem::path folder = std::filesystem::temp_directory_path() / "scenario_test_files";
+  const std::filesystem::path folder = std::filesystem::temp_directory_path() / ("scenario_test_" + std::to_string(getpid()));
   std::filesystem::create_directories(folder);
   const std::string rig =
       "schema = \"rig/1\"\n[[dof]]\nmass_kg = 1.0\n[[link]]\nbetween = [1, 0]\nstiffness_N_m = 100.0\nviscous_N_s_m = "

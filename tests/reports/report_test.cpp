@@ -2,6 +2,7 @@
 #include "host_sim/reports/report.hpp"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -24,11 +25,15 @@ std::string content(const fs::path& path) {
   return out.str();
 }
 
-fs::path fresh_folder(const char* name) {
-  const fs::path folder = fs::path(testing::TempDir()) / name;
-  fs::remove_all(folder);
-  return folder;
-}
+// A place of this process's own, gone at the end of the test.
+class FreshPlace {
+ public:
+  explicit FreshPlace(const char* name) : path(testing::TempDir() + name + std::to_string(getpid())) {
+    fs::remove_all(path);
+  }
+  ~FreshPlace() { fs::remove_all(path); }
+  const fs::path path;
+};
 
 // Nothing that a browser would fetch, and no script.
 void expect_offline(const std::string& page) {
@@ -100,7 +105,8 @@ TEST(Verdict, OneSentenceEach) {
 }
 
 TEST(WriteReport, MakesTheFolderAndReplacesAnEarlierPage) {
-  const fs::path folder = fresh_folder("report_written") / "deep";
+  const FreshPlace place("report_written");
+  const fs::path folder = place.path / "deep";
   write_diagnosis_report(folder.string(), made_up::diagnosis(3000));
   EXPECT_TRUE(contains(content(folder / "index.html"), "cubic stiffness"));
   write_run_report(folder.string(), made_up::run(2000));
@@ -109,7 +115,8 @@ TEST(WriteReport, MakesTheFolderAndReplacesAnEarlierPage) {
 }
 
 TEST(WriteReport, WithoutGnuplotNothingIsLeft) {
-  const fs::path folder = fresh_folder("report_without_gnuplot");
+  const FreshPlace place("report_without_gnuplot");
+  const fs::path& folder = place.path;
   const std::string path = std::getenv("PATH");
   setenv("PATH", "/nonexistent", 1);
   EXPECT_THROW(write_run_report(folder.string(), made_up::run(2000)), DrawingError);
@@ -118,7 +125,8 @@ TEST(WriteReport, WithoutGnuplotNothingIsLeft) {
 }
 
 TEST(WriteReport, AFileInTheWayIsNamed) {
-  const fs::path folder = fresh_folder("report_in_the_way");
+  const FreshPlace place("report_in_the_way");
+  const fs::path& folder = place.path;
   std::ofstream(folder) << "not a folder";
   try {
     write_run_report(folder.string(), made_up::run(2000));
