@@ -158,6 +158,12 @@ bool CandidateBank::has_shape(Kind kind) {
 
 bool CandidateBank::prepare(const std::vector<ActiveTerm>& model, Candidate& c) const {
   const Term& t = c.term();
+  // Without a known coefficient the force sets the scale of all others; without a force a single mass does.
+  bool scale_known = false, forced = false;
+  for (const ActiveTerm& a : model) scale_known = scale_known || (!a.added && a.known && a.value != 0);
+  for (size_t j = 0; j < rows_.system().dofs(); ++j) forced = forced || rows_.has_force(j);
+  if (t.kind == Kind::kForceGain && !scale_known) return false;
+  if (t.kind == Kind::kMassError && !forced && rows_.system().dofs() == 1) return false;
   for (const ActiveTerm& a : model) {
     const Term& other = a.column.term;
     if (other.same_place(t)) return false;

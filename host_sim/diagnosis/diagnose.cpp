@@ -1,9 +1,10 @@
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "advice.hpp"
+#include "beyond_noise.hpp"
 #include "diagnosis.hpp"
-#include "judge.hpp"
 #include "limits.hpp"
 #include "naming.hpp"
 #include "outsiders.hpp"
@@ -13,6 +14,8 @@
 
 namespace diagnosis {
 namespace {
+
+constexpr double kFarBeyondNoise = 4;  // chi-squared per degree of freedom
 
 const char* fault_word(FaultKind kind) {
   return kind == FaultKind::kDelay ? "sensor_delay" : kind == FaultKind::kGain ? "sensor_gain" : "mains_hum";
@@ -44,6 +47,27 @@ std::vector<FusedRecord> ready(const rig_file::RigModel& rig, const std::vector<
   }
   return list;
 }
+
+// Records and what is laid over them.
+struct Bench {
+  const System& system;
+  std::vector<FusedRecord> records;
+  std::unique_ptr<Rows> rows;
+  std::unique_ptr<CandidateBank> bank;
+  void lay_out() {
+    rows = std::make_unique<Rows>(system, records);
+    bank = std::make_unique<CandidateBank>(*rows);
+  }
+  // For a rig that is far from any model: the motion as measured, where there is motion, and weights to match.
+  void look_wide() {
+    for (FusedRecord& f : records) {
+      fuse(f);
+      f.last_bin = end_of_motion(f);
+    }
+    lay_out();
+    colour_by_vocabulary(*rows, *bank);
+  }
+};
 
 // Two rounds of fitting the rig as given and sharpening the motion by it.
 void sharpen_all(const System& system, std::vector<FusedRecord>& records) {
@@ -144,6 +168,30 @@ Outsider outsider_of(const Rows& rows, const CandidateBank& bank, const SearchRe
   return best;
 }
 
+// What the search's model leaves over, against sensor noise.
+struct Remainder {
+  bool noise_only = true;
+  std::string trace;
+};
+Remainder remainder_of(const Bench& bench, const SearchResult& found) {
+  const double drop = (found.base_fit.chi2 - found.fit.chi2) / found.fit.dof;
+  Remainder left{found.fit.ratio() - 1 < 0.25 + 0.003 * drop && found.fit.ratio() < kFarBeyondNoise, ""};
+  const Outsider outsider = outsider_of(*bench.rows, *bench.bank, found);
+  if (outsider.present()) left = {false, outsider.description};
+  return left;
+}
+
+void score_both(const Judge& judge, const std::vector<ActiveTerm>& base, const std::vector<ActiveTerm>& model, Diagnosis& d) {
+  const HoldoutScore before = judge.score(base), after = judge.score(model);
+  const auto take = [](const HoldoutScore& score, ModelScore& to) {
+    to.holdout_nrmse_percent = score.nrmse_percent, to.holdout_mse_percent = score.mse_percent;
+    to.holdout_velocity_nrmse_percent = score.velocity_percent;
+  };
+  take(before, d.baseline), take(after, d.extended);
+  for (size_t j = 0; j < before.nrmse_percent.size(); ++j)
+    d.gain.push_back(before.nrmse_percent[j] / std::max(1e-12, after.nrmse_percent[j]));
+}
+
 }  // namespace
 
 const char* verdict_word(Verdict v) {
@@ -157,41 +205,41 @@ Diagnosis diagnose(const rig_file::RigModel& rig, const std::vector<host_sim::Re
   Diagnosis d;
   const System system = make_system(rig);
   std::vector<SensorCheck> checks;
-  std::vector<FusedRecord> records = ready(rig, training, options, &checks);
+  Bench bench{system, ready(rig, training, options, &checks), nullptr, nullptr};
   report_faults(checks, d);
-  sharpen_all(system, records);
-  Rows rows(system, records);
-  const CandidateBank bank(rows);
-  SearchResult found = search(rows, bank);
+  sharpen_all(system, bench.records);
+  bench.lay_out();
+  SearchResult found = search(*bench.rows, *bench.bank);
+  d.baseline_misfit = found.base_fit.ratio(), d.extended_misfit = found.fit.ratio();
+  Remainder remainder = remainder_of(bench, found);
   if (options.simulate) {
     const double share = holdout.empty() ? 1 - options.holdout_fraction : 1.0;
-    std::vector<FusedRecord> early = holdout.empty() ? ready(rig, first_parts(training, share), options, nullptr) : records;
-    if (holdout.empty()) sharpen_all(system, early);
-    std::vector<FusedRecord> unseen = ready(rig, holdout, options, nullptr);
-    const Judge judge(system, records, std::move(early), std::move(unseen), share);
-    bool rejected = false;
-    while (reject_worse(system, judge, rows, found, d)) rejected = true;
-    if (rejected) found.fit = settle(rows, found.model, 2);
-    const HoldoutScore before = judge.score(judge.fitted(found.base));
-    const HoldoutScore after = found.added.empty() ? before : judge.score(judge.fitted(found.model));
-    d.baseline.holdout_nrmse_percent = before.nrmse_percent, d.baseline.holdout_mse_percent = before.mse_percent;
-    d.extended.holdout_nrmse_percent = after.nrmse_percent, d.extended.holdout_mse_percent = after.mse_percent;
-    for (size_t j = 0; j < system.dofs(); ++j)
-      d.gain.push_back(before.nrmse_percent[j] / std::max(1e-12, after.nrmse_percent[j]));
+    Bench early{system, holdout.empty() ? ready(rig, first_parts(training, share), options, nullptr) : bench.records, nullptr, nullptr};
+    if (holdout.empty()) sharpen_all(system, early.records);
+    const Judge judge(system, bench.records, early.records, ready(rig, holdout, options, nullptr), share);
+    const bool beyond_noise = !remainder.noise_only && found.fit.ratio() > kFarBeyondNoise;
+    if (beyond_noise) {
+      early.look_wide(), bench.look_wide();
+      const SearchResult seen = search_by_simulation(*early.rows, *early.bank, judge);
+      score_both(judge, seen.base, seen.model, d);
+      found = transferred(seen, *bench.rows, *bench.bank);
+    } else {
+      bool rejected = false;
+      while (reject_worse(system, judge, *bench.rows, found, d)) rejected = true;
+      if (rejected) found.fit = settle(*bench.rows, found.model, 2), remainder = remainder_of(bench, found);
+      if (rejected) d.extended_misfit = found.fit.ratio();
+      score_both(judge, judge.fitted(found.base), judge.fitted(found.model), d);
+    }
   }
+  const Rows& rows = *bench.rows;
   report_terms(system, rows, found, d);
-  d.ranked = ranking(system, rows, bank, found, 12);
-  d.baseline_misfit = found.base_fit.ratio();
-  d.extended_misfit = found.fit.ratio();
+  d.ranked = ranking(system, rows, *bench.bank, found, 12);
   d.baseline.parameters = parameters_of(system, found.base);
   d.extended.parameters = parameters_of(system, found.model);
   d.extended_rig = extended_rig(system, found.model);
-  d.minimum_detectable = detection_limits(rows, bank, found.model, found.fit);
-  const double drop = (found.base_fit.chi2 - found.fit.chi2) / found.fit.dof;
-  bool noise_only = found.fit.ratio() - 1 < 0.25 + 0.003 * drop;
-  const Outsider outsider = outsider_of(rows, bank, found);
-  if (outsider.present()) noise_only = false, d.unknown_trace = outsider.description;
-  d.verdict = !noise_only ? Verdict::kUnknown
+  d.minimum_detectable = detection_limits(rows, *bench.bank, found.model, found.fit);
+  d.unknown_trace = remainder.trace;
+  d.verdict = !remainder.noise_only ? Verdict::kUnknown
               : d.causes.empty() ? Verdict::kNone
               : d.ambiguous_with.empty() ? Verdict::kExplained : Verdict::kAmbiguous;
   d.advice = advice_for(d);

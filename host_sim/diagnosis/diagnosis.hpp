@@ -50,6 +50,7 @@ struct RankedCandidate {
 struct ModelScore {
   std::vector<Parameter> parameters;
   std::vector<double> holdout_nrmse_percent;  // displacement, per DOF
+  std::vector<double> holdout_velocity_nrmse_percent;
   std::vector<double> holdout_mse_percent;    // acceleration, Eq. 13, per DOF
 };
 

@@ -9,20 +9,20 @@ namespace diagnosis {
 namespace {
 
 constexpr double kTwoPi = 6.283185307179586;
-constexpr int kSteps = 8;
+constexpr int kLeadInSteps = 8;
 
 struct Simulator {
   const System& system;
   const std::vector<ActiveTerm>& model;
   const FusedRecord& record;
   size_t n;
-  std::vector<double> inertia, x, v, last_a, push;
-  std::vector<double> level;              // friction of each link
+  std::vector<double> inertia, x, v, last_a, push, mid_x, mid_v, next;
+  std::vector<double> level, impulse;     // friction of each link
   std::vector<double> dahl, hidden_x, hidden_v;  // states per term
 
   Simulator(const System& s, const std::vector<ActiveTerm>& m, const FusedRecord& f, Eigen::Index from)
       : system(s), model(m), record(f), n(s.dofs()), inertia(n, 0.0), x(n), v(n), last_a(n), push(n),
-        level(s.links.size()), dahl(m.size(), 0.0), hidden_x(m.size()), hidden_v(m.size()) {
+        level(s.links.size()), impulse(level.size()), dahl(m.size(), 0.0), hidden_x(m.size()), hidden_v(m.size()) {
     for (const ActiveTerm& t : model)
       if (t.column.term.kind == Kind::kMass || t.column.term.kind == Kind::kMassError)
         inertia[static_cast<size_t>(t.column.term.dof)] += t.value;
@@ -45,10 +45,10 @@ struct Simulator {
     const Eigen::Index begin = std::max<Eigen::Index>(0, from - static_cast<Eigen::Index>(3 / record.period_s));
     hidden_x[i] = record.motion[j].smooth_x[begin], hidden_v[i] = record.motion[j].smooth_v[begin];
     for (Eigen::Index k = begin; k < from; ++k)
-      for (int step = 0; step < kSteps; ++step) {
-        const double r = (step + 0.5) / kSteps;
+      for (int step = 0; step < kLeadInSteps; ++step) {
+        const double r = (step + 0.5) / kLeadInSteps;
         hidden_force(i, record.motion[j].smooth_x[k] * (1 - r) + record.motion[j].smooth_x[k + 1] * r,
-                     record.motion[j].smooth_v[k] * (1 - r) + record.motion[j].smooth_v[k + 1] * r, record.period_s / kSteps);
+                     record.motion[j].smooth_v[k] * (1 - r) + record.motion[j].smooth_v[k + 1] * r, record.period_s / kLeadInSteps);
       }
   }
   double hidden_force(size_t i, double motion, double speed, double h) {
@@ -114,8 +114,8 @@ struct Simulator {
       }
     }
   }
-  void step(Eigen::Index sample, int part, double h) {
-    const double r = (part + 0.5) / kSteps, t_s = (static_cast<double>(sample) + r) * record.period_s;
+  void step(Eigen::Index sample, double r, double h) {
+    const double t_s = (static_cast<double>(sample) + r) * record.period_s;
     for (size_t j = 0; j < n; ++j) {
       const Series& f = record.force[j];
       push[j] = f.size() ? f[sample] * (1 - r) + f[sample + 1] * r : 0;
@@ -124,12 +124,12 @@ struct Simulator {
       base_x = record.motion[n].x[sample] * (1 - r) + record.motion[n].x[sample + 1] * r;
       base_v = record.motion[n].v[sample] * (1 - r) + record.motion[n].v[sample + 1] * r;
     }
-    std::vector<double> p = x, s = v;
-    for (size_t j = 0; j < n; ++j) p[j] += 0.5 * h * v[j] + 0.125 * h * h * last_a[j], s[j] += 0.5 * h * last_a[j];
-    forces(p, s, t_s, h);
-    std::vector<double> next = v;
+    mid_x = x, mid_v = v;
+    for (size_t j = 0; j < n; ++j) mid_x[j] += 0.5 * h * v[j] + 0.125 * h * h * last_a[j], mid_v[j] += 0.5 * h * last_a[j];
+    forces(mid_x, mid_v, t_s, h);
+    next = v;
     for (size_t j = 0; j < n; ++j) next[j] += h * push[j] / inertia[j];
-    std::vector<double> impulse(level.size(), 0.0);
+    std::fill(impulse.begin(), impulse.end(), 0.0);
     for (int sweep = 0; sweep < 12; ++sweep) {
       double moved = 0;
       for (size_t l = 0; l < level.size(); ++l) {
@@ -153,18 +153,10 @@ struct Simulator {
   }
 };
 
-double variance(const Series& s) { return (s.array() - s.mean()).square().mean(); }
-
-bool massless(const std::vector<ActiveTerm>& model, size_t dof) {
-  for (const ActiveTerm& t : model)
-    if (t.column.term.kind == Kind::kMass && t.column.term.dof == static_cast<int>(dof) && t.value > 0) return false;
-  return true;
-}
-
 }  // namespace
 
 FreeRun free_run(const System& system, const std::vector<ActiveTerm>& model, const FusedRecord& f, Eigen::Index from,
-                 Eigen::Index to) {
+                 Eigen::Index to, int steps) {
   Simulator run(system, model, f, from);
   FreeRun out;
   out.x = out.v = out.a = std::vector<Series>(run.n, Series::Zero(to - from));
@@ -174,39 +166,9 @@ FreeRun free_run(const System& system, const std::vector<ActiveTerm>& model, con
       out.finite = out.finite && std::isfinite(run.x[j]) && std::abs(run.x[j]) < 1e6;
     }
     if (!out.finite || i + 1 >= to) break;
-    for (int part = 0; part < kSteps; ++part) run.step(i, part, f.period_s / kSteps);
+    for (int part = 0; part < steps; ++part) run.step(i, (part + 0.5) / steps, f.period_s / steps);
   }
   return out;
-}
-
-HoldoutScore score_free_run(const System& system, const std::vector<ActiveTerm>& model, const FusedRecord& f,
-                            Eigen::Index from, Eigen::Index to) {
-  HoldoutScore score;
-  bool simulated = true;
-  for (size_t j = 0; j < system.dofs(); ++j) simulated = simulated && !massless(model, j);
-  if (!simulated) {
-    std::vector<ActiveTerm> prepared = model;
-    std::vector<FusedRecord> one{f};
-    const Rows rows(system, one);
-    for (ActiveTerm& t : prepared) t.force.clear(), rows.prepare(t);
-    const Eigen::MatrixXd e = imbalance(system, f, prepared, 0, false);
-    for (size_t j = 0; j < system.dofs(); ++j) {
-      const Series left = e.col(static_cast<Eigen::Index>(j)).segment(from, to - from);
-      const double whole = f.force[j].size() ? variance(f.force[j].segment(from, to - from)) : 0;
-      const double ratio = left.squaredNorm() / static_cast<double>(left.size()) / std::max(whole, 1e-300);
-      score.nrmse_percent.push_back(100 * std::sqrt(ratio)), score.mse_percent.push_back(100 * ratio);
-    }
-    return score;
-  }
-  const FreeRun run = free_run(system, model, f, from, to);
-  for (size_t j = 0; j < system.dofs(); ++j) {
-    const Series x = f.motion[j].x.segment(from, to - from), a = f.motion[j].a.segment(from, to - from);
-    const double nrmse = std::sqrt((run.x[j] - x).squaredNorm() / static_cast<double>(x.size()) / std::max(variance(x), 1e-300));
-    const double mse = (run.a[j] - a).squaredNorm() / static_cast<double>(a.size()) / std::max(variance(a), 1e-300);
-    score.nrmse_percent.push_back(run.finite ? std::min(1e6, 100 * nrmse) : 1e6);
-    score.mse_percent.push_back(run.finite ? std::min(1e6, 100 * mse) : 1e6);
-  }
-  return score;
 }
 
 }  // namespace diagnosis

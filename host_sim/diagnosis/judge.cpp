@@ -7,9 +7,9 @@
 
 namespace diagnosis {
 
-Judge::Judge(const System& system, const std::vector<FusedRecord>& full, std::vector<FusedRecord> early,
+Judge::Judge(const System& system, const std::vector<FusedRecord>& full, const std::vector<FusedRecord>& early,
              std::vector<FusedRecord> unseen, double early_share)
-    : system_(system), full_(full), early_(std::move(early)), unseen_(std::move(unseen)), early_share_(early_share) {}
+    : system_(system), full_(full), early_(early), unseen_(std::move(unseen)), early_share_(early_share) {}
 
 std::vector<ActiveTerm> Judge::fitted(const std::vector<ActiveTerm>& model) const {
   Rows rows(system_, early_);
@@ -24,22 +24,27 @@ std::vector<ActiveTerm> Judge::fitted(const std::vector<ActiveTerm>& model) cons
   return copy;
 }
 
-HoldoutScore Judge::score(const std::vector<ActiveTerm>& model) const {
-  const std::vector<FusedRecord>& records = unseen_.empty() ? full_ : unseen_;
+HoldoutScore Judge::over(const std::vector<FusedRecord>& records, const std::vector<ActiveTerm>& model, double from_share) const {
   HoldoutScore total;
-  total.nrmse_percent.assign(system_.dofs(), 0.0), total.mse_percent = total.nrmse_percent;
+  total.nrmse_percent.assign(system_.dofs(), 0.0), total.mse_percent = total.velocity_percent = total.nrmse_percent;
   for (const FusedRecord& f : records) {
     const Eigen::Index n = static_cast<Eigen::Index>(f.samples);
     const Eigen::Index ramp = static_cast<Eigen::Index>((f.outer.weight.array() < 1).count() / 2 + 8);
-    const Eigen::Index from = unseen_.empty() ? static_cast<Eigen::Index>(early_share_ * static_cast<double>(n)) : ramp;
+    const Eigen::Index from = std::max(ramp, static_cast<Eigen::Index>(from_share * static_cast<double>(n)));
     const HoldoutScore one = score_free_run(system_, model, f, from, n - ramp);
     for (size_t j = 0; j < system_.dofs(); ++j) {
       total.nrmse_percent[j] += std::pow(one.nrmse_percent[j], 2) / static_cast<double>(records.size());
+      total.velocity_percent[j] += std::pow(one.velocity_percent[j], 2) / static_cast<double>(records.size());
       total.mse_percent[j] += one.mse_percent[j] / static_cast<double>(records.size());
     }
   }
   for (double& v : total.nrmse_percent) v = std::sqrt(v);
+  for (double& v : total.velocity_percent) v = std::sqrt(v);
   return total;
+}
+
+HoldoutScore Judge::score(const std::vector<ActiveTerm>& model) const {
+  return unseen_.empty() ? over(full_, model, early_share_) : over(unseen_, model, 0);
 }
 
 double mean(const std::vector<double>& values) {

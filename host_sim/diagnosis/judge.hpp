@@ -13,16 +13,17 @@ namespace diagnosis {
 class Judge {
  public:
   // `full` are the training records, fused; `early` their first parts, fused; `unseen` the hold-out records, fused.
-  Judge(const System& system, const std::vector<FusedRecord>& full, std::vector<FusedRecord> early,
+  Judge(const System& system, const std::vector<FusedRecord>& full, const std::vector<FusedRecord>& early,
         std::vector<FusedRecord> unseen, double early_share);
   // A model's terms, fitted on what may be seen.
   std::vector<ActiveTerm> fitted(const std::vector<ActiveTerm>& model) const;
-  HoldoutScore score(const std::vector<ActiveTerm>& fitted_model) const;
+  HoldoutScore score(const std::vector<ActiveTerm>& fitted_model) const;  // on what the fit has not seen
 
  private:
+  HoldoutScore over(const std::vector<FusedRecord>& records, const std::vector<ActiveTerm>& model, double from_share) const;
   const System& system_;
-  const std::vector<FusedRecord>& full_;
-  std::vector<FusedRecord> early_, unseen_;
+  const std::vector<FusedRecord>&full_, &early_;
+  std::vector<FusedRecord> unseen_;
   double early_share_;
 };
 

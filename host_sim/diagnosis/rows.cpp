@@ -35,6 +35,7 @@ Rows::Rows(const System& system, const std::vector<FusedRecord>& records) : syst
     for (const Series& force : f.force) force_.back().push_back(force.size() ? row_spectrum(f, force) : Spectrum());
     held_.emplace_back(system.links.size());
     doubt_.emplace_back(system.links.size(), 0.0);
+    inflation_.push_back(Series::Ones(f.last_bin + 1 - f.first_bin));
     size_ += 2 * static_cast<Eigen::Index>(system.dofs()) * (f.last_bin + 1 - f.first_bin);
   }
 }
@@ -121,11 +122,28 @@ void Rows::weight(const std::vector<ActiveTerm>& model) {
         s += w * sigma[static_cast<size_t>(i + k)];
         weights += w;
       }
-      s *= f.inner_energy / (2 * weights);
+      s *= inflation_[r][i] * f.inner_energy / (2 * weights);
       s.diagonal().array() += 1e-12 * s.diagonal().real().sum() + 1e-280;
       const Eigen::LLT<Matrix> cholesky(s);
       for (size_t p = 0; p < count; ++p) patterns_.back()[p].col(i) = cholesky.matrixL().solve(incidences[p]);
     }
+  }
+}
+
+void Rows::colour(const Series& residual, double freedom) {
+  Eigen::Index offset = 0;
+  const Eigen::Index n = static_cast<Eigen::Index>(system_.dofs());
+  for (Series& factor : inflation_) {
+    const Eigen::Index bins = factor.size();
+    Series total(bins + 1);
+    total[0] = 0;
+    for (Eigen::Index i = 0; i < bins; ++i)
+      total[i + 1] = total[i] + factor[i] * residual.segment(offset + 2 * i * n, 2 * n).squaredNorm() / (2.0 * static_cast<double>(n));
+    for (Eigen::Index i = 0; i < bins; ++i) {
+      const Eigen::Index reach = 6 + i / 8, low = std::max<Eigen::Index>(0, i - reach), high = std::min(bins, i + reach + 1);
+      factor[i] = std::max(1.0, (total[high] - total[low]) / static_cast<double>(high - low) / freedom);
+    }
+    offset += 2 * n * bins;
   }
 }
 

@@ -45,6 +45,9 @@ class Rows {
   void hold_stuck(const std::vector<ActiveTerm>& model);
   // Sets the covariance from the model's present values.
   void weight(const std::vector<ActiveTerm>& model);
+  // Real rigs differ from any model by more than sensor noise: widens the covariance, per frequency, to the residual
+  // (whitened by the present one) that a fit left over; `freedom` is the share of rows that the fit did not use up.
+  void colour(const Series& residual, double freedom);
   Series whitened(const Column& column) const;
   Series whitened_force() const;
   Eigen::Index size() const { return size_; }
@@ -66,6 +69,7 @@ class Rows {
   std::vector<std::vector<Matrix>> patterns_;      // [record][links, then dofs]: dofs x bins, whitened incidence
   std::vector<std::vector<Spectrum>> held_;        // [record][link]: friction beyond Coulomb's; empty where none
   std::vector<std::vector<double>> doubt_;         // [record][link]: variance per sample of what is uncertain in it
+  std::vector<Series> inflation_;                  // [record]: factor of the covariance per row bin, 1 or more
   Eigen::Index size_ = 0;
   double absorbed_ = 0;
 };

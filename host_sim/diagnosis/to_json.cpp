@@ -37,6 +37,7 @@ json to_json(const ModelScore& s, bool fits) {
   for (json& p : parameters) p["status"] = fits ? "VALID" : "BIAS_SUSPECT";
   return {{"parameters", std::move(parameters)},
           {"holdout_nrmse_percent", s.holdout_nrmse_percent},
+          {"holdout_velocity_nrmse_percent", s.holdout_velocity_nrmse_percent},
           {"holdout_mse_percent", s.holdout_mse_percent}};
 }
 
