@@ -93,7 +93,23 @@ void LevelObservables::set_residuals(const Scaled* parameters) {
     for (int b = 0; b < level_->batch_count; ++b)
       values[b] = inverse_scale_[b][dof] * batch_residual(*layout_, level_->batch[b], list_->equation[e], parameters);
     if (level_->periodic && level_->batch_count > 1) remove_mean(values, level_->batch_count);
+    energy_square_[e] = sum_energy_square(e, parameters);
+    scatters_[e] = sum_of_squares(values, level_->batch_count) > rounding_square(e);
   }
+}
+
+Scaled LevelObservables::sum_energy_square(int e, const Scaled* parameters) const {
+  Scaled sum;
+  for (int b = 0; b < level_->batch_count; ++b) {
+    Row terms;
+    row(e, b, terms);
+    sum = sum + terms.rhs * terms.rhs;
+    for (int k = 0; k < list_->unknown_count; ++k) {
+      const Scaled energy = terms.column[k] * parameters[k];
+      sum = sum + energy * energy;
+    }
+  }
+  return sum;
 }
 
 void LevelObservables::row(int e, int batch, Row& row) const {

@@ -20,6 +20,11 @@ class LevelObservables {
   // Reads the discrepancies and the scale of every batch. The level must outlive the object's use.
   void load(const EquationList& list, const RowLayout& layout, const Level& level);
   void set_residuals(const Scaled* parameters);
+  // Sum of squares of all energies of the equation's rows, as of set_residuals.
+  Scaled energy_square(int e) const { return energy_square_[e]; }
+  // Sums of squares up to this are rounding, not scatter: (2^-35 of the energy)^2.
+  Scaled rounding_square(int e) const { return scale_by_power_of_two(energy_square_[e], -70); }
+  bool scatters(int e) const { return scatters_[e]; }  // the residuals do, beyond rounding
 
   bool periodic() const { return level_->periodic; }
   int batch_count() const { return level_->batch_count; }
@@ -49,6 +54,7 @@ class LevelObservables {
   void load_scale(int dof);
   void load_control(int dof, int which);
   void judge_control(int c);
+  Scaled sum_energy_square(int e, const Scaled* parameters) const;
 
   const EquationList* list_ = nullptr;
   const RowLayout* layout_ = nullptr;
@@ -60,6 +66,8 @@ class LevelObservables {
   Scaled deviation_[kMaxObservables][kMaxBatches];
   Scaled end_variance_[kMaxControls];
   Scaled total_[kMaxControls];
+  Scaled energy_square_[kMaxEquations];
+  bool scatters_[kMaxEquations];
   Scaled motion_mean_[kMaxDofs], motion_total_[kMaxDofs];
 };
 

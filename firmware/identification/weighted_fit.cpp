@@ -68,7 +68,7 @@ void WeightedFit::measure_weights() {
     LevelObservables& level = load_level(l);
     level.set_residuals(parameters_);
     for (int e = 0; e < list_->count; ++e) {
-      Whitening& whitening = whitening_[l][e] = measure_whitening(*list_, level, e, parameters_);
+      Whitening& whitening = whitening_[l][e] = measure_whitening(*list_, level, e);
       if (!whitening.measured) continue;
       noise = noise + whitening.relative_noise_square;
       ++noise_count;

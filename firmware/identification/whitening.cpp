@@ -20,7 +20,8 @@ int list_predecessors(const EquationList& list, const LevelObservables& level, i
   };
   add_controls(equation.dof);
   for (int before = 0; before < e; ++before)
-    if (list.neighbours[equation.dof] >> list.equation[before].dof & 1u) add(LevelObservables::equation(before));
+    if ((list.neighbours[equation.dof] >> list.equation[before].dof & 1u) && level.scatters(before))
+      add(LevelObservables::equation(before));
   for (int j = 0; j < list.dof_count; ++j)
     if (j != equation.dof && (list.neighbours[equation.dof] >> j & 1u)) add_controls(j);
   return count;
@@ -69,24 +70,9 @@ Scaled regress(Scaled (*sums)[kSize], int predecessors, Scaled* coefficient) {
   return sums[predecessors][predecessors];
 }
 
-// Sum of squares of all energies of the equation's rows.
-Scaled energy_scale(const EquationList& list, const LevelObservables& level, int e, const Scaled* parameters) {
-  Scaled sum;
-  for (int b = 0; b < level.batch_count(); ++b) {
-    Row row;
-    level.row(e, b, row);
-    sum = sum + row.rhs * row.rhs;
-    for (int k = 0; k < list.unknown_count; ++k) {
-      const Scaled energy = row.column[k] * parameters[k];
-      sum = sum + energy * energy;
-    }
-  }
-  return sum;
-}
-
 }  // namespace
 
-Whitening measure_whitening(const EquationList& list, const LevelObservables& level, int e, const Scaled* parameters) {
+Whitening measure_whitening(const EquationList& list, const LevelObservables& level, int e) {
   Whitening result;
   const int dof = list.equation[e].dof, rows = level.rows_used(dof);
   result.inflation = Scaled::from_int(1);
@@ -99,13 +85,12 @@ Whitening measure_whitening(const EquationList& list, const LevelObservables& le
   Scaled sums[kSize][kSize];
   gram(level, observable, result.count + 1, sums);
   const Scaled unreduced = sums[result.count][result.count];
-  const Scaled energy = energy_scale(list, level, e, parameters);
+  const Scaled energy = level.energy_square(e);
   // The energies of repeated batches add up, their noise only in squares.
   if (!energy.is_zero())
     result.relative_noise_square = unreduced / energy / Scaled::from_int(level.periodic() ? rows : 1);
   Scaled left = regress(sums, result.count, result.coefficient);
-  const Scaled rounding = scale_by_power_of_two(energy, -70);  // (2^-35 of the energy)^2
-  if (left < rounding) left = rounding;                        // noise below that is rounding, not scatter
+  if (left < level.rounding_square(e)) left = level.rounding_square(e);
   if (left.is_zero()) return result;
   for (int j = 0; j < result.count; ++j) result.observable[j] = observable[j];
   const int freedom = rows - result.count - (level.periodic() ? 1 : 0);

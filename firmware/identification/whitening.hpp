@@ -24,7 +24,7 @@ struct Whitening {
   Scaled relative_noise_square;  // (deviation of one unreduced row / its energy)^2
 };
 
-Whitening measure_whitening(const EquationList& list, const LevelObservables& level, int e, const Scaled* parameters);
+Whitening measure_whitening(const EquationList& list, const LevelObservables& level, int e);
 // Row of batch b (or, with b < 0, of the whole periodic level), reduced and divided by its deviation.
 // Returns false when it is not to be used.
 bool whitened_row(const EquationList& list, const LevelObservables& level, const Whitening& whitening, int e, int batch,

@@ -106,9 +106,11 @@ void Redraw::draw(uint64_t seed, bool noisy) {
 const firmware::Estimates& Redraw::run(uint64_t seed, bool noisy) {
   draw(seed, noisy);
   core_->reset();
+  codes_.clear();
   for (const host_sim::Record& record : noisy_) {
+    codes_.push_back(to_codes(record, calibrations_));
     core_->begin_level();
-    for (firmware::RawSample& sample : to_codes(record, calibrations_)) {
+    for (firmware::RawSample& sample : codes_.back()) {
       sample.sequence = next_sequence_++;
       core_->push(sample);
     }

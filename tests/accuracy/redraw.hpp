@@ -17,6 +17,8 @@ class Redraw {
   // The records stay until the next call.
   const firmware::Estimates& run(uint64_t seed, bool noisy = true);
   const std::vector<host_sim::Record>& records() const { return noisy_; }
+  // The samples of the last run, a list per level.
+  const std::vector<std::vector<firmware::RawSample>>& codes() const { return codes_; }
   const firmware::BatchTable& table() const { return core_->table(); }
   const firmware::CoreConfiguration& configuration() const { return configuration_; }
   const host_sim::Scenario& scenario() const { return scenario_; }
@@ -27,6 +29,7 @@ class Redraw {
 
   host_sim::Scenario scenario_;
   std::vector<host_sim::Record> clean_, noisy_;  // measured part and the core's margin
+  std::vector<std::vector<firmware::RawSample>> codes_;
   std::vector<std::vector<double>> deviation_;   // of the noise, per level and channel
   std::vector<rig_file::ChannelCalibration> calibrations_;
   firmware::CoreConfiguration configuration_;

@@ -14,23 +14,13 @@ using Eigen::VectorXd;
 
 double real(firmware::PackedScaled packed) { return rig_file::to_double(firmware::unpack(packed)); }
 
-// One level: for each batch (rows of the matrices) and DOF (columns).
-struct Data {
-  bool periodic;
-  MatrixXd rhs, kinetic, elastic, kinetic_end, elastic_end, motion, clean;
-  std::vector<MatrixXd> columns;  // per DOF: batches x unknowns
-};
+using Data = LevelEnergies;
 
 Data read(const firmware::BatchTable& table, int l) {
   const firmware::Level& level = table.level[l];
   const int dofs = table.layout.dof_count, n = level.batch_count, q = 1;
-  Data data;
-  data.periodic = level.periodic;
-  for (MatrixXd* m :
-       {&data.rhs, &data.kinetic, &data.elastic, &data.kinetic_end, &data.elastic_end, &data.motion, &data.clean})
-    m->resize(n, dofs);
-  for (int i = 0; i < dofs; ++i) {
-    data.columns.push_back(MatrixXd::Zero(n, table.layout.unknown_count));
+  Data data(level.periodic, n, dofs, table.layout.unknown_count);
+  for (int i = 0; i < dofs; ++i)
     for (int b = 0; b < n; ++b) {
       const firmware::BatchDof& dof = level.batch[b].dof[i];
       data.rhs(b, i) = real(dof.rhs[q]);
@@ -43,7 +33,6 @@ Data read(const firmware::BatchTable& table, int l) {
       for (int s = table.layout.first[i]; s < table.layout.first[i + 1]; ++s)
         data.columns[i](b, table.layout.unknown[s]) = real(level.batch[b].column[q][s]);
     }
-  }
   return data;
 }
 
@@ -82,14 +71,13 @@ struct Whitened {
 
 class Reference {
  public:
-  Reference(const firmware::CoreConfiguration& configuration, const firmware::BatchTable& table)
-      : dofs_(table.layout.dof_count), unknowns_(table.layout.unknown_count) {
+  Reference(const firmware::CoreConfiguration& configuration, const std::vector<Data>& levels)
+      : dofs_(configuration.dof_count), unknowns_(configuration.unknown_count), levels_(levels) {
     joined_ = Eigen::MatrixXi::Identity(dofs_, dofs_);
     for (int l = 0; l < configuration.link_count; ++l) {
       const int a = configuration.links[l].node_a, b = configuration.links[l].node_b;
       if (a < dofs_ && b < dofs_) joined_(a, b) = joined_(b, a) = 1;
     }
-    for (int l = 0; l < table.level_count; ++l) levels_.push_back(read(table, l));
   }
 
   Result solve() {
@@ -134,6 +122,12 @@ class Reference {
     fit(rows);
   }
 
+  // A sum of squares below this is no scatter: 2^-35 of the rows' energies.
+  double rounding(const Data& data, const VectorXd& scales, int i) const {
+    const MatrixXd works = scales.asDiagonal() * data.columns[i] * result_.value.asDiagonal();
+    return std::ldexp(works.squaredNorm() + scales.cwiseProduct(data.rhs.col(i)).squaredNorm(), -70);
+  }
+
   void whiten(const Data& data, std::vector<Whitened>& rows) const {
     std::vector<Control> controls;
     std::vector<VectorXd> scales, residuals;
@@ -158,7 +152,7 @@ class Reference {
     };
     add_controls(i);
     for (int j = 0; j < i; ++j)
-      if (joined_(i, j)) chosen.push_back(1000 + j);
+      if (joined_(i, j) && residuals[j].squaredNorm() > rounding(data, scales[j], j)) chosen.push_back(1000 + j);
     for (int j = 0; j < dofs_; ++j)
       if (j != i && joined_(i, j)) add_controls(j);
     if (chosen.size() > limit) chosen.resize(limit);
@@ -173,7 +167,7 @@ class Reference {
       if (index < 1000) x(n + c, c) = std::sqrt(controls[index].end_variance);
     }
     const VectorXd b = k > 0 ? VectorXd(x.colPivHouseholderQr().solve(y)) : VectorXd(0);
-    const double left = (y - x * b).squaredNorm();
+    const double left = std::max((y - x * b).squaredNorm(), rounding(data, scales[i], i));
     const double freedom = used - static_cast<double>(k) - (data.periodic ? 1.0 : 0.0);
     const double deviation = std::sqrt((data.periodic ? used : 1.0) * left / freedom);
     Whitened row{scales[i].asDiagonal() * data.columns[i], scales[i].cwiseProduct(data.rhs.col(i)), 0, freedom};
@@ -230,8 +224,19 @@ class Reference {
 
 }  // namespace
 
+LevelEnergies::LevelEnergies(bool is_periodic, Eigen::Index batches, int dofs, int unknowns) : periodic(is_periodic) {
+  for (MatrixXd* m : {&rhs, &kinetic, &elastic, &kinetic_end, &elastic_end, &motion, &clean}) m->setZero(batches, dofs);
+  columns.assign(static_cast<size_t>(dofs), MatrixXd::Zero(batches, unknowns));
+}
+
+Result estimate(const firmware::CoreConfiguration& configuration, const std::vector<LevelEnergies>& levels) {
+  return Reference(configuration, levels).solve();
+}
+
 Result estimate(const firmware::CoreConfiguration& configuration, const firmware::BatchTable& table) {
-  return Reference(configuration, table).solve();
+  std::vector<LevelEnergies> levels;
+  for (int l = 0; l < table.level_count; ++l) levels.push_back(read(table, l));
+  return estimate(configuration, levels);
 }
 
 }  // namespace reference
