@@ -49,6 +49,13 @@ void EstimatorCore::push(const RawSample& sample) {
   if (filled_ == full_) process(full_ - kLevelMarginSamples);
 }
 
+bool EstimatorCore::merges_with(const RawSample& next) const {
+  if (!collector_.next_merges()) return false;
+  const bool gap = sequence_known_ && next.sequence != next_sequence_;
+  const uint32_t block = static_cast<uint32_t>(full_ - kLevelMarginSamples);
+  return gap || (filled_ + 1 >= full_ && level_samples_ + block == aim_);
+}
+
 // A block ends where the batch ends, at the latest after kBlockSamples.
 void EstimatorCore::choose_block() {
   const uint32_t rest = aim_ - level_samples_;

@@ -30,7 +30,11 @@ class EstimatorCore {
   // per sample on average; the work is done every kBlockSamples samples.
   void push(const RawSample& sample);
   void end_level();                     // closes the window
+  // The table's batches would be merged, which takes about as long as a hundred batches.
+  bool merges_with(const RawSample& next) const;
+  bool merges_at_end() const { return collector_.next_merges(); }
   const Estimates& solve();             // from everything since reset(); may be called at any time
+  const Estimates& estimates() const { return estimates_; }  // of the last solve
   const CoreHealth& health() const { return health_; }
   const BatchTable& table() const { return table_; }
   // A level of n samples makes a window of n - margin_samples() sample intervals: filters and end corrections look further.

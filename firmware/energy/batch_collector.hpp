@@ -17,6 +17,7 @@ class BatchCollector {
   uint32_t unit_end(uint32_t unit) const;    // samples from the level's start to the end of this many units
   uint32_t units_wanted() const;             // the next call of add() should bring this many units, at the most
   void add(const Batch& batch, uint32_t units);  // in the order of time; units 0: an incomplete one
+  bool next_merges() const { return open_ && level().batch_count == kMaxBatches; }  // the next add() may take long
   void mark_saturated();
   // Whole cycles: what follows the last whole cycle is dropped, unless there was not even one.
   void end_level();

@@ -9,10 +9,10 @@ RigController::RigController(const ControllerConfiguration& configuration, const
     : configuration_(configuration),
       default_node_(configuration.node),
       ports_(ports),
-      core_(configuration_.core),
+      estimation_(configuration_.core, ports.worker),
       sdo_(*this) {
   excitation_.configure(configuration_.programme, configuration_.core.dof_count,
-                        static_cast<uint32_t>(core_.margin_samples()));
+                        static_cast<uint32_t>(core().margin_samples()));
   supervisor_.configure(configuration_.core, configuration_.limits, configuration_.programme.limits);
   listening_ = configuration_.programme.level_count == 0;
 }
@@ -23,6 +23,8 @@ void RigController::step() {
   check_emergency_stop();
   handle(supervisor_.check_time(now_ns_));
   receive_frames();
+  estimation_.advance();
+  take_results();
   take_samples();
   check_sync_edge();
   if (safe_pending_) make_safe();
@@ -87,7 +89,7 @@ bool RigController::start_listening() {
 }
 
 void RigController::forget_estimates() {
-  core_.reset();
+  estimation_.reset();
   estimates_ = nullptr;
   judged_ = false;
 }
@@ -133,7 +135,7 @@ void RigController::take_sample(const RawSample& sample) {
   handle(supervisor_.check_sample(sample, now_ns_));
   if (listening_ && !measuring_ && !finished_ && !configuration_.node.listen_on_command) begin_measurement();
   if (measuring_) {
-    core_.push(sample);
+    estimation_.push(sample);
     ++samples_in_window_;
   }
   if (supervisor_.armed()) {
@@ -194,14 +196,14 @@ void RigController::follow(ExcitationEvent event) {
 }
 
 void RigController::begin_measurement() {
-  core_.begin_level();
+  estimation_.begin_level();
   measuring_ = true;
   samples_in_window_ = 0;
 }
 
 void RigController::end_measurement() {
   if (!measuring_) return;
-  core_.end_level();
+  estimation_.end_level();
   measuring_ = false;
   close_window();
 }
@@ -235,7 +237,7 @@ void RigController::make_safe() {
     queue_.push(pack_drive(configuration_.node.node, {0, 0, DriveState::kStopped}));
   }
   if (!measuring_ || listening_) return;
-  core_.end_level();
+  estimation_.end_level();
   measuring_ = false;
 }
 

@@ -13,15 +13,14 @@
 #include <cstdint>
 
 #include "firmware/can_protocol/messages.hpp"
-#include "firmware/estimator_core.hpp"
 #include "firmware/excitation/excitation.hpp"
 #include "firmware/rig_controller/alarm_message.hpp"
 #include "firmware/rig_controller/bus_monitor.hpp"
 #include "firmware/rig_controller/controller_configuration.hpp"
+#include "firmware/rig_controller/estimation.hpp"
 #include "firmware/rig_controller/schedule.hpp"
 #include "firmware/rig_controller/sdo_server.hpp"
 #include "firmware/rig_controller/transmit_queue.hpp"
-#include "firmware/supervision/energy_watch.hpp"
 #include "firmware/supervision/supervisor.hpp"
 #include "hal/interface/can_bus.hpp"
 #include "hal/interface/clock.hpp"
@@ -45,6 +44,7 @@ struct Ports {
   hal::DigitalInput* sync_edge;       // rising edge closes the window; nullptr: none
   hal::Watchdog& watchdog;
   hal::ConfigurationStore& store;
+  hal::Worker* worker = nullptr;  // the estimates are worked out there; nullptr: within step(), which then takes long
 };
 
 class RigController final : private ObjectDictionary {
@@ -60,12 +60,13 @@ class RigController final : private ObjectDictionary {
   bool reset();  // command 129: forgets the latched fault. False: its cause is still there
 
   ControllerMode mode() const;
-  bool finished() const { return finished_; }  // the programme is done, or the source has ended
+  // The programme is done, or the source has ended, and all estimates are out.
+  bool finished() const { return finished_ && estimation_.idle(); }
   const Alarm& latched_alarm() const { return supervisor_.latched(); }
   const Diagnosis& diagnosis() const { return diagnosis_; }  // of the last judgement
   const Estimates* estimates() const { return estimates_; }  // of the last window; nullptr before the first
   const Excitation& excitation() const { return excitation_; }
-  const EstimatorCore& core() const { return core_; }
+  const EstimatorCore& core() const { return estimation_.core(); }
   const BusMonitor& bus() const { return bus_; }
   const TransmitQueue& transmit_queue() const { return queue_; }
   const SupervisionCounters& counters() const { return supervisor_.counters(); }
@@ -100,8 +101,9 @@ class RigController final : private ObjectDictionary {
   void follow(const NetworkCommand& command);
   void check_sync_edge();
   void close_window();
+  void take_results();
   void send_estimates();
-  void watch_energies();
+  void tell_judgement(bool judged, const Diagnosis& judgement);
   void run_schedule();
   void describe_some();
   void send_status();
@@ -123,7 +125,7 @@ class RigController final : private ObjectDictionary {
   ControllerConfiguration configuration_;
   const NodeConfiguration default_node_;  // as given at start
   Ports ports_;
-  EstimatorCore core_;
+  Estimation estimation_;
   Excitation excitation_;
   Supervisor supervisor_;
   const Estimates* estimates_ = nullptr;
@@ -153,7 +155,6 @@ class RigController final : private ObjectDictionary {
   uint16_t passing_faults_ = 0;  // seen since the last status frame
   uint32_t reported_drops_ = 0;
   bool store_damaged_ = false;
-  EnergyWatch watch_;
   Diagnosis diagnosis_;
   bool judged_ = false;  // diagnosis_ holds a judgement of the last window
   uint64_t next_judgement_ns_ = 0;

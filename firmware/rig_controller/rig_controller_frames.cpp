@@ -74,16 +74,23 @@ void RigController::check_sync_edge() {
 
 void RigController::close_window() {
   samples_in_window_ = 0;
-  estimates_ = &core_.solve();
-  send_estimates();
-  if (now_ns_ >= next_judgement_ns_ || !measuring_) watch_energies();
+  // The energy watch reads the whole table: once a second and at the end of each level.
+  const bool judge = now_ns_ >= next_judgement_ns_ || !measuring_;
+  if (judge) next_judgement_ns_ = now_ns_ + kJudgement_ns;
+  estimation_.solve(judge);
+  take_results();
 }
 
-// Once a second and at the end of each level: it reads the whole table. Told at once where it has changed.
-void RigController::watch_energies() {
-  next_judgement_ns_ = now_ns_ + kJudgement_ns;
-  Diagnosis judgement;
-  const bool judged = watch_.judge(configuration_.core, core_.table(), *estimates_, judgement);
+void RigController::take_results() {
+  if (!estimation_.take_result()) return;
+  const Estimation::Results& results = estimation_.results();
+  estimates_ = &results.estimates;
+  send_estimates();
+  if (results.judge_asked) tell_judgement(results.judged, results.judgement);
+}
+
+// At once where it has changed.
+void RigController::tell_judgement(bool judged, const Diagnosis& judgement) {
   const bool changed = judgement.cause != diagnosis_.cause || judgement.place_a != diagnosis_.place_a ||
                        judgement.place_b != diagnosis_.place_b || judgement.quantity != diagnosis_.quantity;
   if (judged && (changed || !judged_)) queue_.push(pack_diagnosis(configuration_.node.node, judgement));
@@ -182,13 +189,14 @@ void RigController::send_health() {
   const uint8_t node = configuration_.node.node;
   NodeHealth health;
   health.uptime_s = static_cast<uint32_t>((now_ns_ - boot_ns_) / 1000000000);
-  health.core = core_.health();
-  health.core.missed_samples = supervisor_.counters().missed_samples;
+  health.core = estimation_.health();
+  health.core.missed_samples = supervisor_.counters().missed_samples + estimation_.dropped_samples();
   health.core.saturated_samples = supervisor_.counters().saturated_samples;
   health.bus_off = bus_.bus_off_count();
   queue_.push(pack_health(node, health));
   BusHealth bus_health = bus_.health();
   bus_health.frames_not_sent = queue_.given_up();
+  bus_health.sensor_frames_lost = ports_.samples.frames_lost();
   queue_.push(pack_bus_health(node, bus_health));
   Identity identity;
   identity.version_major = kVersionMajor;

@@ -89,6 +89,7 @@ SdoAbort RigController::write(uint16_t index, uint8_t subindex, uint32_t value, 
       if (subindex != 1) return subindex == 0 ? SdoAbort::kReadOnly : SdoAbort::kNoSubindex;
       if (size != 0 && size != 4) return SdoAbort::kLength;
       if (value != (index == 0x1010 ? kSaveSignature : kLoadSignature)) return SdoAbort::kNotStored;
+      if (supervisor_.armed()) return SdoAbort::kDeviceState;  // a store may take longer than a sample period
       if (index == 0x1011) {
         configuration_.node = default_node_;
         apply_node_settings();

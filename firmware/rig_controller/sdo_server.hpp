@@ -19,6 +19,7 @@ enum class SdoAbort : uint32_t {
   kNoSubindex = 0x06090011,
   kValue = 0x06090030,
   kNotStored = 0x08000020,
+  kDeviceState = 0x08000022,  // not now
 };
 
 // What the node offers.

@@ -20,6 +20,7 @@ class FakeSampleSource final : public SampleSource {
   explicit FakeSampleSource(std::vector<firmware::RawSample> samples) : samples_(std::move(samples)) {}
 
   SampleResult read(firmware::RawSample& sample) override;
+  uint32_t frames_lost() const override { return frames_lost_; }
 
   // Makes the next `count` samples of the array ready; after the last one the source answers kEnd.
   void release(size_t count) { ready_ += count; }
@@ -29,6 +30,7 @@ class FakeSampleSource final : public SampleSource {
     has_offer_ = true;
   }
   void fail(SampleFailure failure) { failure_ = failure; }
+  void lose_frames(uint32_t count) { frames_lost_ += count; }
 
  private:
   std::vector<firmware::RawSample> samples_;
@@ -37,6 +39,7 @@ class FakeSampleSource final : public SampleSource {
   firmware::RawSample offered_;
   bool has_offer_ = false;
   SampleFailure failure_ = SampleFailure::kNone;
+  uint32_t frames_lost_ = 0;
 };
 
 }  // namespace hal

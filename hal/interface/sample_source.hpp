@@ -14,6 +14,9 @@ enum class SampleResult : uint8_t {
 class SampleSource {
  public:
   virtual SampleResult read(firmware::RawSample& sample) = 0;  // never blocks
+  // Parts of samples that never came, where samples come in parts (sensor frames on CAN); since start.
+  virtual uint32_t frames_lost() const { return 0; }
+
  protected:
   ~SampleSource() = default;
 };

@@ -15,6 +15,7 @@ class CanSampleSource final : public SampleSource {
 
   // A bus that is down delivers no samples; that is no fault of the source: it goes on when the bus is back.
   SampleResult read(firmware::RawSample& sample) override;
+  uint32_t frames_lost() const override { return assembler_.health().lost_frames; }
   const firmware::AssemblyHealth& health() const { return assembler_.health(); }
 
  private:

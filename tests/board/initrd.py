@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 """Builds the initial file system of an emulated board: an uncompressed or gzip-packed "newc" cpio archive.
 
-usage: initrd.py --root SYSROOT --out FILE --init SCRIPT [--program PATH_IN_ROOT]... [--module NAME]... [--file SOURCE=TARGET]...
+usage: initrd.py --root SYSROOT... --out FILE --init SCRIPT [--program PATH_IN_ROOT]... [--module NAME]... [--file SOURCE=TARGET]...
 
-Programs from the sysroot and files given with --file come with the shared libraries they need, modules with the modules they
-need, in loading order in /etc/modules. The archive depends on its contents alone: no dates, no owners.
+Programs from the first sysroot and files given with --file come with the shared libraries they need (from any sysroot, the first
+that has one), modules with the modules they need, in loading order in /etc/modules. The archive depends on its contents alone: no dates, no owners.
 """
 import argparse
 import gzip
@@ -25,13 +25,13 @@ def needed_libraries(path):
     return names + ([os.path.basename(loader.group(1))] if loader else [])
 
 
-def find_library(root, name):
-    """The folder in the sysroot that holds a library."""
-    for folder in ("lib", "usr/lib", "usr/local/lib"):
-        for base, _, files in os.walk(os.path.join(root, folder)):
+def find_library(roots, name):
+    """A library's path in the first sysroot that holds it."""
+    for folder in (os.path.join(root, place) for root in roots for place in ("lib", "usr/lib", "usr/local/lib")):
+        for base, _, files in os.walk(folder):
             if name in files and "modules" not in base:
                 return os.path.join(base, name)
-    sys.exit(f"initrd.py: no library {name} in {root}")
+    sys.exit(f"initrd.py: no library {name} in {roots}")
 
 
 def module_index(root):
@@ -101,7 +101,7 @@ class Archive:
 
 def main():
     parser = argparse.ArgumentParser()
-    parser.add_argument("--root", required=True)
+    parser.add_argument("--root", required=True, action="append")
     parser.add_argument("--out", required=True)
     parser.add_argument("--init", required=True)
     parser.add_argument("--program", action="append", default=[])
@@ -127,12 +127,12 @@ def main():
     add_file(options.init, "init")
     archive.add("init", 0o100755, archive.entries["init"][1])
     for program in ["bin/busybox"] + options.program:
-        path = os.path.join(options.root, program.lstrip("/"))
+        path = os.path.join(options.root[0], program.lstrip("/"))
         add_file(path, program)
     for pair in options.file:
         source, target = pair.split("=", 1)
         add_file(source, target)
-    index = module_index(options.root)
+    index = module_index(options.root[0])
     order = loading_order(index, options.module)
     for name in order:
         add_file(index[name], f"lib/modules/{name}.ko")

@@ -44,6 +44,16 @@ TEST(Schedule, TenSecondsOfListening) {
   EXPECT_EQ(boot_ups, 1);
 }
 
+TEST(Schedule, LostSensorFramesAreToldWithTheBusHealth) {
+  Bench bench(bench::listening());
+  bench.run_samples(1500);
+  EXPECT_EQ(bench.can.last(kBusHealth)->data[6], 0);
+  bench.source.lose_frames(258);
+  bench.run_samples(1000);
+  EXPECT_EQ(bench.can.last(kBusHealth)->data[6], 2);  // 258 = 0x0102, low byte first
+  EXPECT_EQ(bench.can.last(kBusHealth)->data[7], 1);
+}
+
 TEST(Schedule, WindowLengthAndOtherNodes) {
   auto configuration = bench::listening();
   configuration.node.node = 7;

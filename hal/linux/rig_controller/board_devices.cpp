@@ -24,6 +24,7 @@ std::string BoardDevices::open() {
   if (fault.empty()) fault = files_.open(file_.state_folder);
   if (fault.empty() && !file_.watchdog_device.empty())
     fault = device_watchdog_.open(file_.watchdog_device, file_.watchdog_timeout_s);
+  if (fault.empty()) fault = worker_.open(file_.priority > 0);
   return fault;
 }
 
@@ -84,7 +85,8 @@ firmware::Ports BoardDevices::ports() {
           input(file_.emergency_stop, stop_line_),
           file_.sync.line.empty() ? nullptr : &sync_line_,
           watchdog_,
-          store_};
+          store_,
+          &worker_};
 }
 
 int BoardDevices::waits(pollfd (&waits)[kMaxWaits]) const {

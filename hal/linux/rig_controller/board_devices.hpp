@@ -18,6 +18,7 @@
 #include "hal/linux/rig_controller/board_file.hpp"
 #include "hal/linux/socket_can.hpp"
 #include "hal/linux/watchdogs.hpp"
+#include "hal/linux/worker_thread.hpp"
 
 namespace board {
 
@@ -39,6 +40,7 @@ class BoardDevices {
   uint64_t stop_edge_ns() const { return stop_line_.last_rise_ns(); }
   hal::SystemdWatchdog& systemd() { return systemd_; }
   void stop_watchdog() { device_watchdog_.disarm(); }
+  hal::Worker& worker() { return worker_; }
   const hal::SocketCan& bus() const { return bus_; }
   const hal::SocketCan& sensor_bus() const { return sensor_bus_; }
   const firmware::AssemblyHealth* assembly() const { return can_samples_ ? &can_samples_->health() : nullptr; }
@@ -64,6 +66,7 @@ class BoardDevices {
   hal::BoardWatchdog watchdog_;
   hal::PosixFileOperations files_;
   hal::FileConfigurationStore store_;
+  hal::WorkerThread worker_;
 };
 
 }  // namespace board

@@ -38,6 +38,10 @@ void say(const char* format, Values... values) {
     static_cast<void>(!::write(STDERR_FILENO, text, std::min<size_t>(static_cast<size_t>(size), sizeof text - 1)));
 }
 
+bool measures(firmware::ControllerMode mode) {
+  return mode == firmware::ControllerMode::kIntegrate || mode == firmware::ControllerMode::kFreeDecay;
+}
+
 class Loop {
  public:
   Loop(const BoardFile& file, BoardDevices& devices)
@@ -53,7 +57,11 @@ class Loop {
     const auto limit_ns = static_cast<uint64_t>(options.seconds * 1e9);
     devices_.systemd().ready();
     while (!asked_to_end()) {
+      const firmware::ControllerMode before = controller_.mode();
+      const uint64_t woken_ns = hal::read_clock_ns(CLOCK_MONOTONIC);
       controller_.step();
+      const uint64_t taken_ns = hal::read_clock_ns(CLOCK_MONOTONIC) - woken_ns;
+      if (measures(before) && controller_.mode() == before) longest_step_ns_ = std::max(longest_step_ns_, taken_ns);
       tell_changes();
       if (options.until_done && controller_.finished() && controller_.transmit_queue().waiting() == 0) return;
       if (limit_ns > 0 && hal::read_clock_ns(CLOCK_MONOTONIC) - start_ns >= limit_ns) return;
@@ -64,9 +72,10 @@ class Loop {
 
   void report() const {
     const firmware::CoreHealth& core = controller_.core().health();
-    say("rig_controller: %u samples, %u missed, %u saturated; %llu ticks, %llu late\n", core.samples,
-        core.missed_samples, core.saturated_samples, static_cast<unsigned long long>(ticker_.ticks()),
-        static_cast<unsigned long long>(ticker_.missed()));
+    say("rig_controller: %u samples, %u missed, %u saturated; %llu ticks, %llu late; longest step while measuring %llu "
+        "us\n",
+        core.samples, core.missed_samples, core.saturated_samples, static_cast<unsigned long long>(ticker_.ticks()),
+        static_cast<unsigned long long>(ticker_.missed()), static_cast<unsigned long long>(longest_step_ns_ / 1000));
     const hal::SocketCanCounters& bus = devices_.bus().counters();
     say("rig_controller: CAN %llu sent, %llu received, %llu error frames, %llu refused by a full queue, %llu times "
         "down, %u "
@@ -110,9 +119,22 @@ class Loop {
     const uint64_t safe_ns = hal::read_clock_ns(CLOCK_MONOTONIC);
     mode_ = mode;
     cause_ = cause;
+    // As in docs/controller.md, "What stops the drive".
+    static constexpr const char* kCauses[] = {"",
+                                              ": emergency stop",
+                                              ": sensor saturated",
+                                              ": samples lost",
+                                              ": source failed",
+                                              ": drive limit",
+                                              ": response limit",
+                                              ": run late",
+                                              ": drive refused",
+                                              ": relay refused",
+                                              ": bad programme"};
     static constexpr const char* kModes[] = {"starting",   "idle", "ramp",           "settling", "measuring",
                                              "free decay", "done", "emergency stop", "fault"};
-    say("rig_controller: %s%s\n", kModes[static_cast<int>(mode)],
+    const bool fault = mode == firmware::ControllerMode::kFault && firmware::stops_drive(cause);
+    say("rig_controller: %s%s%s\n", kModes[static_cast<int>(mode)], fault ? kCauses[static_cast<int>(cause)] : "",
         cause == firmware::AlarmCause::kNone ? "" : " (drive zero, relay off)");
     if (cause == firmware::AlarmCause::kEmergencyStop && devices_.stop_edge_ns() > 0)
       say("rig_controller: drive zero and relay off %llu us after the edge\n",
@@ -124,6 +146,7 @@ class Loop {
   firmware::RigController controller_;
   hal::FileDescriptor end_;
   Ticker ticker_;
+  uint64_t longest_step_ns_ = 0;
   firmware::ControllerMode mode_ = firmware::ControllerMode::kInitialising;
   firmware::AlarmCause cause_ = firmware::AlarmCause::kNone;
 };
@@ -145,6 +168,7 @@ bool run(const BoardFile& file, BoardDevices& devices, const RunOptions& options
   devices.systemd().stopping();
   devices.make_safe();
   devices.stop_watchdog();
+  devices.worker().wait();  // it works on what the loop owns
   loop->report();
   return true;
 }

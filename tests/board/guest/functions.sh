@@ -30,6 +30,12 @@ send_file() {
   echo "MARK file-end"
 }
 
+# outside REQUEST: done outside the board when this returns; what was heard there is in $answer
+outside() {
+  echo "MARK outside $*"
+  read -r answer
+}
+
 # Waits (in guest time) until a command succeeds, ten seconds at most.
 await() {
   tries=0

@@ -1,5 +1,7 @@
-// Sensors of a 3-DOF rig on a CAN bus: 16-bit sensor frames at 1 kHz, as regular as the kernel's timer.
-// usage: sensor_player INTERFACE SECONDS
+// Sensors of a 3-DOF rig on a CAN bus: 16-bit sensor frames at 1 kHz, as regular as the kernel's timer. Real sensors do
+// not share the board's processor: it runs before everything that is not as urgent as the controller itself. usage:
+// sensor_player INTERFACE SECONDS
+#include <sched.h>
 #include <time.h>
 
 #include <cstdio>
@@ -40,6 +42,9 @@ bool send(hal::SocketCan& bus, const firmware::CanMessage& message) {
 
 int main(int count, char** words) {
   if (count != 3) return 2;
+  sched_param urgent{};
+  urgent.sched_priority = 70;
+  if (::sched_setscheduler(0, SCHED_FIFO, &urgent) != 0) return 1;
   hal::SocketCan bus;
   const std::string fault = bus.open(words[1], {});
   if (!fault.empty()) {

@@ -25,7 +25,7 @@ player=$!
 sleep 0.1
 cansend can1 000#0101
 sleep 3.5
-echo "MARK outside press"
+outside press
 check stop_is_noticed await grep -q "after the edge" /tmp/controller.log
 sleep 0.5
 kill $player

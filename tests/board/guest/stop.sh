@@ -25,6 +25,12 @@ play() {
 # The mode is the low half of byte 2 of the status frame: modes 2 to 5 drive, 7 is the emergency stop, 8 a fault.
 mode_is() { grep " 181#" /tmp/frames.log | tail -n 1 | cut -d'#' -f2 | cut -c6 | grep -q "$1"; }
 line_is() { [ "$(level)" = "$1" ]; }
+# relay_outside on|off: the relay's line as the world outside sees it, where it can
+relay_outside() {
+  [ "$relay" = shaker_enable ] || return 0
+  outside line gpioB1
+  check "relay_seen_${1}_from_outside" test "$answer" = "$1"
+}
 
 cat /sys/kernel/debug/gpio
 check relay_off_before_start line_is lo
@@ -32,9 +38,11 @@ play
 sleep 1.5
 check driving mode_is '[2345]'
 check relay_on_while_driving line_is hi
-echo "MARK outside press"
+relay_outside on
+outside press
 check stop_is_noticed await grep -q "after the edge" /tmp/controller.log
 check relay_off_after_stop line_is lo
+relay_outside off
 grep "after the edge" /tmp/controller.log
 usleep 50000
 grep -B 40 -A 60 " 081#01FF" /tmp/frames.log >/tmp/stop.log
@@ -42,7 +50,7 @@ send_file /tmp/stop.log
 kill $player
 wait $player
 
-echo "MARK outside release"
+outside release
 sleep 0.5
 cansend "$sensors" 000#8101
 sleep 0.3
@@ -52,7 +60,7 @@ sleep 1
 check drives_again line_is hi
 kill $player
 wait $player
-check silent_sensors_are_noticed await grep -q "fault (drive zero" /tmp/controller.log
+check silent_sensors_are_noticed await grep -q "fault: samples lost (drive zero" /tmp/controller.log
 check relay_off_without_sensors line_is lo
 end_controller
 cat /tmp/controller.log

@@ -1,0 +1,94 @@
+// The estimator core and the energy watch as the controller uses them. Two things take longer than a sample period: a
+// solve (3 DOF, full table: some 50 million instructions of a 32-bit processor) and the merging of a full table's
+// batches. They run on a worker while samples, drive and stop line go on.
+//
+// What the controller asks for is done at once while nothing runs; else it waits in a ring and is done afterwards, in
+// the order of asking. So the estimates do not depend on how long a solve takes, to the last bit, only the time of
+// their arrival does. Without a worker everything is done at once.
+//
+// Where the ring is full, samples are dropped: the core sees the gap in their sequence and splits the window, as with
+// any missed sample. At most one solve waits; a later one takes its place.
+#pragma once
+#include <cstdint>
+
+#include "firmware/can_protocol/messages.hpp"
+#include "firmware/estimator_core.hpp"
+#include "firmware/supervision/energy_watch.hpp"
+#include "hal/interface/worker.hpp"
+
+namespace firmware {
+
+#ifdef FIRMWARE_MAX_WAITING
+constexpr int kMaxWaiting = FIRMWARE_MAX_WAITING;  // a board without a worker needs no more than 64
+#else
+constexpr int kMaxWaiting = 1024;  // samples that come during one solve
+#endif
+
+class Estimation {
+ public:
+  struct Results {
+    Estimates estimates;
+    bool judge_asked = false;
+    bool judged = false;  // the data allowed a judgement
+    Diagnosis judgement;
+  };
+
+  // worker: nullptr where there is none. Both must outlive this.
+  Estimation(const CoreConfiguration& configuration, hal::Worker* worker)
+      : configuration_(configuration), core_(configuration), worker_(worker) {}
+
+  // As in EstimatorCore.
+  void reset();
+  void begin_level() { ask(Kind::kBeginLevel); }
+  void push(const RawSample& sample);
+  void end_level() { ask(Kind::kEndLevel); }
+  // judge: let the energy watch look as well.
+  void solve(bool judge) { ask(judge ? Kind::kSolveAndJudge : Kind::kSolve); }
+
+  void advance();      // goes on with what waits
+  bool take_result();  // true: results() are of a solve that has ended since the last call
+  bool idle() const { return !working_ && count_ == 0; }
+
+  const Results& results() const { return results_; }
+  uint32_t dropped_samples() const { return dropped_samples_; }
+  CoreHealth health() const { return working_ ? health_ : core_.health(); }
+  const EstimatorCore& core() const { return core_; }  // not while working
+
+ private:
+  enum class Kind : uint8_t { kNothing, kReset, kBeginLevel, kEndLevel, kSolve, kSolveAndJudge, kSample };
+  struct Entry {
+    Kind kind = Kind::kNothing;
+    RawSample sample;
+  };
+  static constexpr int kKeptForOthers = 32;  // places that samples do not take
+  static constexpr int kSamplesPerAdvance = 64;
+  static_assert(kMaxWaiting > kKeptForOthers, "see FIRMWARE_MAX_WAITING");
+
+  void ask(Kind kind);
+  Entry& append(Kind kind);
+  void append_solve(Kind kind);
+  void perform(const Entry& entry);  // here or on the worker
+  bool takes_long(const Entry& entry) const;
+  void run(const Entry& entry);
+  void finish();
+  static void work(void* self);
+
+  const CoreConfiguration& configuration_;
+  EstimatorCore core_;
+  EnergyWatch watch_;
+  hal::Worker* worker_;
+  bool working_ = false;  // the core belongs to the worker
+  bool discard_ = false;  // what runs has been forgotten meanwhile
+  Entry job_;
+  CoreHealth health_;  // when it was begun
+  bool judged_ = false;
+  Diagnosis judgement_;
+  bool fresh_ = false;
+  Results results_;
+  uint32_t dropped_samples_ = 0;
+  Entry ring_[kMaxWaiting];
+  int first_ = 0, count_ = 0;
+  int waiting_solve_ = -1;  // its place in the ring
+};
+
+}  // namespace firmware
