@@ -113,10 +113,20 @@ class Loop {
   }
 
   void tell_changes() {
+    tell_changed_mode();
+    // The line's level may be seen before the kernel delivers the edge with its time.
+    if (stopped_ns_ == 0 || devices_.stop_edge_ns() <= told_edge_ns_) return;
+    told_edge_ns_ = devices_.stop_edge_ns();
+    say("rig_controller: drive zero and relay off %llu us after the edge\n",
+        static_cast<unsigned long long>((std::max(stopped_ns_, told_edge_ns_) - told_edge_ns_) / 1000));
+    stopped_ns_ = 0;
+  }
+
+  void tell_changed_mode() {
     const firmware::ControllerMode mode = controller_.mode();
     const firmware::AlarmCause cause = controller_.latched_alarm().cause;
     if (mode == mode_ && cause == cause_) return;
-    const uint64_t safe_ns = hal::read_clock_ns(CLOCK_MONOTONIC);
+    if (cause == firmware::AlarmCause::kEmergencyStop) stopped_ns_ = hal::read_clock_ns(CLOCK_MONOTONIC);
     mode_ = mode;
     cause_ = cause;
     // As in docs/controller.md, "What stops the drive".
@@ -136,9 +146,6 @@ class Loop {
     const bool fault = mode == firmware::ControllerMode::kFault && firmware::stops_drive(cause);
     say("rig_controller: %s%s%s\n", kModes[static_cast<int>(mode)], fault ? kCauses[static_cast<int>(cause)] : "",
         cause == firmware::AlarmCause::kNone ? "" : " (drive zero, relay off)");
-    if (cause == firmware::AlarmCause::kEmergencyStop && devices_.stop_edge_ns() > 0)
-      say("rig_controller: drive zero and relay off %llu us after the edge\n",
-          static_cast<unsigned long long>((safe_ns - devices_.stop_edge_ns()) / 1000));
     devices_.systemd().status(kModes[static_cast<int>(mode)]);
   }
 
@@ -147,6 +154,8 @@ class Loop {
   hal::FileDescriptor end_;
   Ticker ticker_;
   uint64_t longest_step_ns_ = 0;
+  uint64_t stopped_ns_ = 0;    // of an emergency stop whose edge has not been told; else 0
+  uint64_t told_edge_ns_ = 0;  // the last one
   firmware::ControllerMode mode_ = firmware::ControllerMode::kInitialising;
   firmware::AlarmCause cause_ = firmware::AlarmCause::kNone;
 };
