@@ -9,6 +9,7 @@ namespace {
 
 constexpr uint32_t kSaveSignature = 0x65766173;  // "save"
 constexpr uint32_t kLoadSignature = 0x64616F6C;  // "load"
+constexpr uint32_t kShortestHeartbeat_ms = 10;   // 0: none
 constexpr uint32_t kDeviceType = 0;              // CiA 301: follows no device profile
 constexpr uint32_t kVersionWord = uint32_t{kVersionMajor} << 16 | kVersionMinor;
 constexpr char kDeviceName[] = "rig_controller";
@@ -98,6 +99,7 @@ SdoAbort RigController::write(uint16_t index, uint8_t subindex, uint32_t value, 
     case 0x1017:
       if (subindex != 0) return SdoAbort::kNoSubindex;
       if (size != 0 && size != 2) return SdoAbort::kLength;
+      if (value != 0 && value < kShortestHeartbeat_ms) return SdoAbort::kValue;
       configuration_.node.heartbeat_ms = static_cast<uint16_t>(value);
       heartbeat_.change_period(now_ns_, uint64_t{configuration_.node.heartbeat_ms} * 1000000);
       configuration_crc_ = firmware::configuration_crc(configuration_);

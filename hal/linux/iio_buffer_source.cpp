@@ -62,7 +62,7 @@ std::string IioBufferSource::open(const Options& options, const std::vector<IioC
   if (!fault.empty()) return "IIO device \"" + options.device + "\": " + fault;
   device_ = FileDescriptor(::open((roots.character_devices + "/" + id).c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
   if (!device_) return "IIO device " + roots.character_devices + "/" + id + ": " + std::strerror(errno);
-  return start(options, folder);
+  return start(options, folder, roots);
 }
 
 // Switches the wanted elements on and all others off, and works out where they lie in a scan.
@@ -103,16 +103,24 @@ std::string IioBufferSource::lay_out(const std::string& folder, const std::vecto
   return scan_bytes_ > kMaxScanBytes ? "a scan is longer than " + std::to_string(kMaxScanBytes) + " bytes" : "";
 }
 
-std::string IioBufferSource::start(const Options& options, const std::string& folder) {
+// folder: of the device or of its trigger, whichever has a rate to set.
+std::string IioBufferSource::set_rate(const Options& options, const std::string& folder) {
+  const std::string path = folder + "/sampling_frequency";
+  if (!file_exists(path) || write_text(path, std::to_string(std::llround(options.sample_rate_Hz)))) return "";
+  return "sampling frequency " + std::to_string(options.sample_rate_Hz) + " Hz is not taken by " + path +
+         ", expected one of: " + read_text(folder + "/sampling_frequency_available");
+}
+
+std::string IioBufferSource::start(const Options& options, const std::string& folder, const IioRoots& roots) {
   if (!options.trigger.empty() && !write_text(folder + "/trigger/current_trigger", options.trigger))
     return "IIO trigger \"" + options.trigger +
            "\" is not taken, expected a name from /sys/bus/iio/devices/trigger*/name";
   if (options.sample_rate_Hz > 0.0) {
     period_ns_ = 1e9 / options.sample_rate_Hz;
-    const std::string path = folder + "/sampling_frequency";
-    if (file_exists(path) && !write_text(path, std::to_string(std::llround(options.sample_rate_Hz))))
-      return "sampling frequency " + std::to_string(options.sample_rate_Hz) +
-             " Hz is not taken, expected one of: " + read_text(folder + "/sampling_frequency_available");
+    std::string fault = set_rate(options, folder);
+    const std::string trigger = options.trigger.empty() ? "" : find_iio_device(roots, options.trigger);
+    if (fault.empty() && !trigger.empty()) fault = set_rate(options, roots.devices + "/" + trigger);
+    if (!fault.empty()) return fault;
   }
   write_text(folder + "/current_timestamp_clock", "monotonic");
   write_text(folder + "/buffer/length", std::to_string(options.buffer_scans));

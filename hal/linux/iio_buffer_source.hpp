@@ -18,7 +18,7 @@ class IioBufferSource final : public SampleSource {
   struct Options {
     std::string device;           // name or iio:deviceN
     std::string trigger;          // name of the trigger; empty: the driver's own
-    double sample_rate_Hz = 0.0;  // also written to sampling_frequency where the device has one
+    double sample_rate_Hz = 0.0;  // also written to sampling_frequency where device or trigger has one
     size_t buffer_scans = 256;
   };
 
@@ -39,7 +39,8 @@ class IioBufferSource final : public SampleSource {
     uint8_t quantity = 0;
   };
   std::string lay_out(const std::string& folder, const std::vector<IioChannel>& channels);
-  std::string start(const Options& options, const std::string& folder);
+  std::string set_rate(const Options& options, const std::string& folder);
+  std::string start(const Options& options, const std::string& folder, const IioRoots& roots);
   void count_on(uint64_t time_ns, firmware::RawSample& sample);
 
   std::string enable_path_;

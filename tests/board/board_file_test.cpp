@@ -142,6 +142,7 @@ const Broken kBroken[] = {
     {"id = 3", "identity = 3", {":3:", "\"identity\"", "expected one of id,"}},
     {"window_s = 0.5", "window_s = 0.01", {":4:", "\"window_s\"", "0.05 to 1"}},
     {"[node]\n", "[node]\nheartbeat_ms = -1\n", {"\"heartbeat_ms\"", "expected"}},
+    {"[node]\n", "[node]\nheartbeat_ms = 9\n", {":3:", "\"heartbeat_ms\"", "0 (none) or 10 to 65535"}},
     {"[node]\n", "[nodes]\n", {"\"nodes\"", "did you mean \"node\""}},
     {"interface = \"vcan1\"", "interface = 1", {":6:", "\"interface\"", "expected"}},
     {"interface = \"vcan1\"", "interface = \"vcan1\"\nfd = 1", {"\"fd\"", "true nor false"}},

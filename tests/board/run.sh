@@ -2,7 +2,8 @@
 # The emulated boards: AST2600 (armhf: GPIO and ADC by the kernel's own drivers, vcan) and arm64 virt (two SJA1000 CAN
 # controllers, PL061 GPIO), with Debian's kernels and the cross-built rig_controller. Called by tests/run.sh --board.
 #   --bench       the endurance test takes 10 minutes of guest time instead of one
-#   --only TEST   one test (package, hal, replay, stop, gpiod2, faults, samples, session, endurance) instead of all
+#   --only TEST   one test (package, hal, replay, stop, settings, faults, session, samples,
+#                 gpiod2, endurance) instead of all
 # Downloads go to ${XDG_CACHE_HOME:-~/.cache}/rig_damping/board, results to build/board.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
@@ -146,6 +147,7 @@ test_board() {
   board_test $arch replay
   compare $arch
   board_test $arch stop
+  board_test $arch settings
   board_test $arch faults
   if [ $arch = arm64 ]; then
     board_test $arch session

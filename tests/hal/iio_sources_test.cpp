@@ -103,6 +103,18 @@ TEST_F(IioDevice, BufferedSamplesArriveOnTheirChannels) {
   EXPECT_EQ(source.read(sample), SampleResult::kNone);
 }
 
+// A timer trigger (hrtimer) has the rate, not the converter.
+TEST_F(IioDevice, TheTriggersRateIsSet) {
+  add_buffer();
+  std::filesystem::remove(roots_.devices + "/iio:device1/sampling_frequency");
+  put("trigger3/name", "timer500");
+  put("trigger3/sampling_frequency", "100");
+  hal::IioBufferSource source;
+  ASSERT_EQ(source.open({"adc16", "timer500", 500.0, 128}, channels_, roots_), "");
+  EXPECT_EQ(hal::read_text(roots_.devices + "/trigger3/sampling_frequency"), "500");
+  EXPECT_EQ(get("trigger/current_trigger"), "timer500");
+}
+
 TEST_F(IioDevice, AHoleInTheStampsIsAHoleInTheSequence) {
   add_buffer();
   hal::IioBufferSource source;

@@ -86,8 +86,7 @@ Bench::Bench(const firmware::ControllerConfiguration& asked) : configuration(ask
 }
 
 void Bench::restart() {
-  const firmware::Ports ports{clock, source, can, drive, relay, lamp, stop_line, &sync_line, watchdog, store,
-                              worker};
+  const firmware::Ports ports{clock, source, can, drive, relay, lamp, stop_line, &sync_line, watchdog, store, worker};
   controller = std::make_unique<firmware::RigController>(configuration, ports);
 }
 

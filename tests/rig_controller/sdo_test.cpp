@@ -132,6 +132,36 @@ TEST(Sdo, HeartbeatTimeChangesAtOnceAndZeroSilencesIt) {
   EXPECT_EQ(bench.can.count(0x701), beats);
 }
 
+TEST(Sdo, AHeartbeatThatWouldFillTheBusIsRefused) {
+  Bench bench(bench::listening());
+  bench.step();
+  const auto reply = bench.sdo(kWrite2, 0x1017, 0, 9);
+  EXPECT_EQ(reply.command, 0x80);
+  EXPECT_EQ(reply.value, 0x06090030u);  // CiA 301: value range exceeded
+  EXPECT_EQ(bench.sdo(kRead, 0x1017, 0).value, 100u);
+  EXPECT_EQ(bench.sdo(kWrite2, 0x1017, 0, 10).command, kWritten);
+}
+
+// Writing may take longer than a sample period. CiA 301, 0x08000022: not in this device state.
+TEST(Store, NothingIsSavedOrLoadedWhileDriving) {
+  Bench bench(bench::driving());
+  bench.step();
+  bench.sdo(kWrite2, 0x1017, 0, 250);
+  ASSERT_TRUE(bench.controller->start());
+  bench.run_samples(10);
+  for (const auto& [index, signature] : {std::pair(0x1010, kSave), std::pair(0x1011, kLoad)}) {
+    const auto reply = bench.sdo(kWrite4, static_cast<uint16_t>(index), 1, signature);
+    EXPECT_EQ(reply.command, 0x80);
+    EXPECT_EQ(reply.value, 0x08000022u);
+  }
+  EXPECT_EQ(bench.sdo(kRead, 0x1017, 0).value, 250u);
+  uint8_t stored[firmware::kConfigurationBytes];
+  EXPECT_EQ(bench.store.load(stored, sizeof stored), 0u);
+  bench.stop_line.pulse(0);
+  bench.run_samples(2);
+  EXPECT_EQ(bench.sdo(kWrite4, 0x1010, 1, kSave).command, kWritten);
+}
+
 TEST(Store, SavedHeartbeatSurvivesARestartLoadTakesItBack) {
   Bench bench(bench::listening());
   bench.step();

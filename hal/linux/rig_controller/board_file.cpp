@@ -15,6 +15,8 @@ void read_node(const Section& section, BoardFile& board) {
   firmware::NodeConfiguration& node = board.controller.node;
   node.node = static_cast<uint8_t>(section.whole("id", 1, 1, 7));
   node.heartbeat_ms = static_cast<uint16_t>(section.whole("heartbeat_ms", 100, 0, 65535));
+  if (node.heartbeat_ms != 0 && node.heartbeat_ms < 10)
+    section.refuse("heartbeat_ms", "would fill the bus, expected 0 (none) or 10 to 65535");
   node.status_ms = static_cast<uint16_t>(section.whole("status_ms", 100, 10, 65535));
   node.emergency_inhibit_ms = static_cast<uint16_t>(section.whole("emergency_inhibit_ms", 100, 0, 65535));
   const double window_s = section.number("window_s", 1.0, 0.05, 1.0);
