@@ -79,6 +79,12 @@ CandidateBank::CandidateBank(const Rows& rows) : rows_(rows) {
   for (size_t d = 0; d < rows.system().dofs(); ++d) add_dof(static_cast<int>(d));
 }
 
+void CandidateBank::add(const Term& term) {
+  columns_.push_back(std::make_shared<const Column>(rows_.column(term)));
+  for (const Term& other : companions_of(term))
+    partner_[columns_.back().get()].push_back(std::make_shared<const Column>(rows_.column(other)));
+}
+
 CandidateBank::Extent CandidateBank::extent(int link) const {
   Extent e;
   for (size_t r = 0; r < rows_.records().size(); ++r) {
@@ -143,12 +149,9 @@ void CandidateBank::add_dof(int dof) {
   if (!rows_.has_force(static_cast<size_t>(dof))) return;
   for (Kind kind : {Kind::kForceDelay, Kind::kForceGain}) add(on_dof(kind, dof));
   const double top_Hz = first.omega(first.last_bin) / 6.283185307179586;
-  const Kind hums[][2] = {{Kind::kForceHumCos50, Kind::kForceHumSin50}, {Kind::kForceHumCos60, Kind::kForceHumSin60}};
-  for (size_t i = 0; i < 2; ++i) {
-    if ((i == 0 ? 50 : 60) > top_Hz || rows_.records().size() > 1) continue;  // its phase differs between records
-    add(on_dof(hums[i][0], dof));
-    partner_[columns_.back().get()] = std::make_shared<const Column>(rows_.column(on_dof(hums[i][1], dof)));
-  }
+  if (rows_.records().size() > 1) return;  // the phase of a hum differs between records
+  if (top_Hz > 50) add(on_dof(Kind::kForceHumCos50, dof));
+  if (top_Hz > 60) add(on_dof(Kind::kForceHumCos60, dof));
 }
 
 bool CandidateBank::has_shape(Kind kind) {
@@ -164,6 +167,7 @@ bool CandidateBank::prepare(const std::vector<ActiveTerm>& model, Candidate& c) 
   for (size_t j = 0; j < rows_.system().dofs(); ++j) forced = forced || rows_.has_force(j);
   if (t.kind == Kind::kForceGain && !scale_known) return false;
   if (t.kind == Kind::kMassError && !forced && rows_.system().dofs() == 1) return false;
+  if (t.kind == Kind::kForceOffset && !rows_.absolute()) return false;  // a static force shows in a static displacement
   for (const ActiveTerm& a : model) {
     const Term& other = a.column.term;
     if (other.same_place(t)) return false;
@@ -216,11 +220,29 @@ std::vector<Candidate> CandidateBank::beside(const std::vector<ActiveTerm>& mode
     Candidate c;
     c.column = column;
     const auto partner = partner_.find(column.get());
-    if (partner != partner_.end()) c.companions.push_back(partner->second), c.penalty = 6;
+    if (partner != partner_.end()) c.companions = partner->second, c.penalty = c.term().kind == Kind::kQuadraticStiffness ? 24 : 6;
     if (!prepare(model, c)) continue;
+    // integrated motion drifts, and drift looks like much, most of all like a hidden mass with a spring of its own
+    if (!rows_.absolute()) c.threshold *= c.term().kind == Kind::kResonance ? 10 : 2;
     c.threshold += reversal_doubt(model, c.term());
     list.push_back(c);
   }
+  return list;
+}
+
+std::vector<Term> CandidateBank::companions_of(const Term& t) const {
+  std::vector<Term> list;
+  const auto also = [&](Kind kind, int record) {
+    Term other = t;
+    other.kind = kind, other.record = record;
+    list.push_back(other);
+  };
+  if (t.kind == Kind::kForceHumCos50) also(Kind::kForceHumSin50, -1);
+  if (t.kind == Kind::kForceHumCos60) also(Kind::kForceHumSin60, -1);
+  if (t.kind == Kind::kResonance)  // the hidden mass moves already when a record starts
+    for (size_t r = 0; r < rows_.records().size(); ++r)
+      also(Kind::kResonanceCos, static_cast<int>(r)), also(Kind::kResonanceSin, static_cast<int>(r));
+  if (t.kind == Kind::kQuadraticStiffness && !rows_.absolute()) also(Kind::kStiffnessError, -1);  // about a mean that is not known
   return list;
 }
 
@@ -230,13 +252,7 @@ Candidate CandidateBank::reshaped(const Candidate& candidate, double shape, doub
   t.shape = shape, t.shape2 = shape2;
   c.column = std::make_shared<const Column>(rows_.column(t));
   c.companions.clear();
-  if (t.kind != Kind::kResonance) return c;
-  for (size_t r = 0; r < rows_.records().size(); ++r)  // the hidden mass moves already when a record starts
-    for (Kind kind : {Kind::kResonanceCos, Kind::kResonanceSin}) {
-      Term start = t;
-      start.kind = kind, start.record = static_cast<int>(r);
-      c.companions.push_back(std::make_shared<const Column>(rows_.column(start)));
-    }
+  for (const Term& other : companions_of(t)) c.companions.push_back(std::make_shared<const Column>(rows_.column(other)));
   return c;
 }
 

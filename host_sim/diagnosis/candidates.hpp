@@ -32,7 +32,8 @@ class CandidateBank {
   double reversal_doubt(const std::vector<ActiveTerm>& model, const Term& term) const;
 
  private:
-  void add(const Term& term) { columns_.push_back(std::make_shared<const Column>(rows_.column(term))); }
+  void add(const Term& term);
+  std::vector<Term> companions_of(const Term& term) const;  // fitted with it: a hum's sine, a resonance's start, ...
   struct Extent {
     double u_peak = 0, u_rms = 0, w_rms = 0;
   };
@@ -40,7 +41,7 @@ class CandidateBank {
   void add_link(int link);
   void add_dof(int dof);
   bool prepare(const std::vector<ActiveTerm>& model, Candidate& candidate) const;
-  std::map<const Column*, std::shared_ptr<const Column>> partner_;  // of a hum's cosine: its sine
+  std::map<const Column*, std::vector<std::shared_ptr<const Column>>> partner_;  // companions of those on the grid
   const Rows& rows_;
   std::vector<std::shared_ptr<const Column>> columns_;
 };

@@ -147,7 +147,7 @@ bool reject_worse(const System& system, const Judge& judge, const Rows& rows, Se
 // A trace from outside the vocabulary that the final model leaves, or that explains more than one of its terms does.
 Outsider outsider_of(const Rows& rows, const CandidateBank& bank, const SearchResult& found) {
   // What a strong effect leaves by its imperfect shape is no trace of another.
-  const double residue = 3e-5 * std::max(0.0, found.base_fit.chi2 - found.fit.chi2);
+  const double residue = (rows.absolute() ? 3e-5 : 1e-3) * std::max(0.0, found.base_fit.chi2 - found.fit.chi2);
   bool reversals = false;
   for (const Found& f : found.added) reversals = reversals || CandidateBank::friction_shape(f.candidate.term().kind);
   Outsider best = strongest_outsider(rows, bank, found.model, found.fit);
@@ -175,7 +175,7 @@ struct Remainder {
 };
 Remainder remainder_of(const Bench& bench, const SearchResult& found) {
   const double drop = (found.base_fit.chi2 - found.fit.chi2) / found.fit.dof;
-  Remainder left{found.fit.ratio() - 1 < 0.25 + 0.003 * drop && found.fit.ratio() < kFarBeyondNoise, ""};
+  Remainder left{found.fit.ratio() - 1 < 0.25 + (bench.rows->absolute() ? 0.003 : 0.01) * drop && found.fit.ratio() < kFarBeyondNoise, ""};
   const Outsider outsider = outsider_of(*bench.rows, *bench.bank, found);
   if (outsider.present()) left = {false, outsider.description};
   return left;
@@ -225,7 +225,7 @@ Diagnosis diagnose(const rig_file::RigModel& rig, const std::vector<host_sim::Re
       found = transferred(seen, *bench.rows, *bench.bank);
     } else {
       bool rejected = false;
-      while (reject_worse(system, judge, *bench.rows, found, d)) rejected = true;
+      while (bench.rows->absolute() && reject_worse(system, judge, *bench.rows, found, d)) rejected = true;
       if (rejected) found.fit = settle(*bench.rows, found.model, 2), remainder = remainder_of(bench, found);
       if (rejected) d.extended_misfit = found.fit.ratio();
       score_both(judge, judge.fitted(found.base), judge.fitted(found.model), d);

@@ -41,6 +41,7 @@ struct Scan {
   const Fit& fit;
   Outsider best;
 
+  double base() const { return rows.absolute() ? 60 : 150; }
   void consider(double gain, double threshold, const std::string& description) {
     const double score = gain / std::max(1.0, (fit.chi2 - gain) / fit.dof);
     if (score - threshold > best.score - best.threshold) best = {score, threshold, description};
@@ -53,13 +54,13 @@ struct Scan {
   }
   void tones() {
     for (const Tone& t : rows.loudest_tones(fit.residual))
-      consider(t.gain, 60, "a tone of " + number(t.hertz) + " Hz on dof " + std::to_string(t.dof + 1));
+      consider(t.gain, base(), "a tone of " + number(t.hertz) + " Hz on dof " + std::to_string(t.dof + 1));
   }
   void link(int l) {
     Term term;
     term.link = l;
     const std::string place = place_of(rows.system(), term, rows.records()[0]);
-    const double threshold = 60 + bank.reversal_doubt(model, term);
+    const double threshold = base() + bank.reversal_doubt(model, term);
     const FusedRecord& f = rows.records()[0];
     const double length_s = static_cast<double>(f.samples) * f.period_s;
     for (Kind kind : {Kind::kMissingViscous, Kind::kStiffnessError}) {

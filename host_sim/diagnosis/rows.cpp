@@ -9,6 +9,9 @@ namespace {
 
 using Matrix = Eigen::MatrixXcd;
 
+// Sampling, smoothing and the reversals of friction leave this share of a link's damping force wrong, noise or not.
+constexpr double kKnownDamping = 0.004;
+
 // Incidence of a link (or a DOF) over the DOFs.
 Eigen::VectorXd incidence(const System& s, size_t index) {
   Eigen::VectorXd b = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(s.dofs()));
@@ -46,6 +49,10 @@ bool Rows::has_force(size_t dof) const {
   return true;
 }
 
+bool Rows::absolute() const {
+  return std::all_of(records_.begin(), records_.end(), [](const FusedRecord& f) { return f.first_bin == 0; });
+}
+
 Column Rows::column(const Term& term) const {
   Column c;
   c.term = term;
@@ -75,10 +82,17 @@ Column Rows::column(const Term& term) const {
 void Rows::weight(const std::vector<ActiveTerm>& model) {
   const Eigen::Index n = static_cast<Eigen::Index>(system_.dofs());
   Eigen::MatrixXd mass = Eigen::MatrixXd::Zero(n, n), stiffness = mass, viscous = mass;
+  struct Damping {
+    double viscous = 0, friction = 0;
+    double operator()(const LinkMotion& m) const { return std::hypot(viscous * m.w_rms, friction); }
+  };
+  std::vector<Damping> damping(system_.links.size());
   for (const ActiveTerm& t : model) {
     const Term& term = t.column.term;
     const double value = t.host >= 0 ? t.host_sign * model[static_cast<size_t>(t.host)].value : t.value;
     if (term.link >= 0) {
+      if (term.kind == Kind::kViscous || term.kind == Kind::kMissingViscous) damping[static_cast<size_t>(term.link)].viscous += value;
+      if (term.kind == Kind::kCoulomb || term.kind == Kind::kMissingCoulomb) damping[static_cast<size_t>(term.link)].friction += value;
       const Eigen::VectorXd b = incidence(system_, static_cast<size_t>(term.link));
       stiffness += value * t.column.stiffness * b * b.transpose();
       viscous += value * t.column.viscous * b * b.transpose();
@@ -95,7 +109,8 @@ void Rows::weight(const std::vector<ActiveTerm>& model) {
     Matrix d(n, n), friction = Matrix::Zero(n, n);
     for (size_t l = 0; l < system_.links.size(); ++l) {
       const Eigen::VectorXd b = incidence(system_, l);
-      friction += (doubt_[r][l] * b * b.transpose()).cast<Complex>();
+      const double floor = std::pow(kKnownDamping * damping[l](links_[r][l]), 2) * static_cast<double>(f.samples) / (2.0 * static_cast<double>(f.last_bin));
+      friction += ((doubt_[r][l] + floor) * b * b.transpose()).cast<Complex>();
     }
     for (Eigen::Index i = 0; i < bins; ++i) {
       const double omega = f.omega(i + f.first_bin);

@@ -56,6 +56,7 @@ class Rows {
   const System& system() const { return system_; }
   const std::vector<FusedRecord>& records() const { return records_; }
   bool has_force(size_t dof) const;
+  bool absolute() const;  // displacements are known with their constant
   // Per record and DOF the bin that explains most of a whitened residual.
   std::vector<Tone> loudest_tones(const Series& residual) const;
 
