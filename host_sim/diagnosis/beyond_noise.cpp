@@ -112,14 +112,7 @@ class Selection {
 }  // namespace
 
 Eigen::Index end_of_motion(const FusedRecord& f) {
-  Series power = Series::Zero(f.last_bin + 1);
-  for (const DofMotion& m : f.motion)
-    for (Eigen::Index i = 0; m.measured && i <= f.last_bin; ++i) power[i] += std::pow(f.omega(i), 2) * std::norm(m.raw[i]);
-  const double whole = power.sum();
-  double sum = 0;
-  Eigen::Index i = 0;
-  while (i < f.last_bin && sum < 0.99 * whole) sum += power[i++];
-  return std::min(f.last_bin, std::max<Eigen::Index>(60, 10 * i));
+  return std::min(f.last_bin, std::max<Eigen::Index>(60, 10 * motion_bin(f, 0.99)));
 }
 
 void colour_by_vocabulary(Rows& rows, const CandidateBank& bank) {

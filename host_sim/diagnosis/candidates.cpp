@@ -75,6 +75,10 @@ std::vector<ActiveTerm> base_model(const Rows& rows) {
 }
 
 CandidateBank::CandidateBank(const Rows& rows) : rows_(rows) {
+  // Where nothing moves no resonance shows; one far above the motion is a mass.
+  for (const FusedRecord& f : rows.records())
+    highest_Hz_ = std::max(highest_Hz_, 1.4 * f.omega(motion_bin(f, 0.99)) / 6.283185307179586);
+  highest_Hz_ = std::clamp(highest_Hz_, 0.006 / rows.records().front().period_s, 0.11 / rows.records().front().period_s);
   for (size_t l = 0; l < rows.system().links.size(); ++l) add_link(static_cast<int>(l));
   for (size_t d = 0; d < rows.system().dofs(); ++d) add_dof(static_cast<int>(d));
 }
@@ -96,8 +100,7 @@ CandidateBank::Extent CandidateBank::extent(int link) const {
 
 CandidateBank::Range CandidateBank::range(const Term& t) const {
   if (t.kind == Kind::kResonance) {
-    const double rate = 1 / rows_.records().front().period_s;
-    return {0.002 * rate, 0.12 * rate};
+    return {0.002 / rows_.records().front().period_s, 1.1 * highest_Hz_};
   }
   const Extent e = extent(t.link);
   switch (t.kind) {
@@ -131,7 +134,7 @@ void CandidateBank::add_dof(int dof) {
   const Column mass = *columns_.back();
   const FusedRecord& first = rows_.records().front();
   // Hidden resonances: on the grid by their frequency response, which is exact but for the ends of the record.
-  for (double hertz : log_grid(0.003 / first.period_s, 0.11 / first.period_s, 70)) {
+  for (double hertz : log_grid(0.003 / first.period_s, highest_Hz_, 70)) {
     Column c = mass;
     c.term = on_dof(Kind::kResonance, dof, hertz, 0.02);
     for (size_t r = 0; r < rows_.records().size(); ++r) {

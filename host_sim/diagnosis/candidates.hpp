@@ -43,6 +43,7 @@ class CandidateBank {
   bool prepare(const std::vector<ActiveTerm>& model, Candidate& candidate) const;
   std::map<const Column*, std::vector<std::shared_ptr<const Column>>> partner_;  // companions of those on the grid
   const Rows& rows_;
+  double highest_Hz_ = 0;  // of a hidden resonance
   std::vector<std::shared_ptr<const Column>> columns_;
 };
 

@@ -15,7 +15,8 @@
 namespace diagnosis {
 namespace {
 
-constexpr double kFarBeyondNoise = 4;  // chi-squared per degree of freedom
+constexpr double kFarBeyondNoise = 4;     // chi-squared per degree of freedom
+constexpr double kWorthSharpening = 1.2;  // likewise
 
 const char* fault_word(FaultKind kind) {
   return kind == FaultKind::kDelay ? "sensor_delay" : kind == FaultKind::kGain ? "sensor_gain" : "mains_hum";
@@ -151,7 +152,7 @@ Outsider outsider_of(const Rows& rows, const CandidateBank& bank, const SearchRe
   bool reversals = false;
   for (const Found& f : found.added) reversals = reversals || CandidateBank::friction_shape(f.candidate.term().kind);
   Outsider best = strongest_outsider(rows, bank, found.model, found.fit);
-  best.threshold = (reversals ? 5 : 1) * best.threshold + residue;
+  best.threshold = (reversals ? 5 : 1) * best.threshold + (reversals ? 10 : 1) * residue;
   for (size_t i = 0; i < found.added.size() && !best.present(); ++i) {
     if (found.added[i].score > 20000) continue;  // nothing else comes near it
     std::vector<ActiveTerm> model = found.model;
@@ -205,11 +206,19 @@ Diagnosis diagnose(const rig_file::RigModel& rig, const std::vector<host_sim::Re
   Diagnosis d;
   const System system = make_system(rig);
   std::vector<SensorCheck> checks;
-  Bench bench{system, ready(rig, training, options, &checks), nullptr, nullptr};
+  auto owner = std::make_unique<Bench>(Bench{system, ready(rig, training, options, &checks), nullptr, nullptr});
   report_faults(checks, d);
-  sharpen_all(system, bench.records);
-  bench.lay_out();
-  SearchResult found = search(*bench.rows, *bench.bank);
+  sharpen_all(system, owner->records);
+  owner->lay_out();
+  SearchResult found = search(*owner->rows, *owner->bank);
+  if (!found.added.empty() && found.base_fit.ratio() > kWorthSharpening) {  // what it found moves the reversals of friction
+    auto sharper = std::make_unique<Bench>(Bench{system, owner->records, nullptr, nullptr});
+    sharpen(sharper->records, system, found.model);
+    sharper->lay_out();
+    const SearchResult again = search(*sharper->rows, *sharper->bank);
+    if (again.fit.ratio() < found.fit.ratio()) found = again, owner = std::move(sharper);
+  }
+  Bench& bench = *owner;
   d.baseline_misfit = found.base_fit.ratio(), d.extended_misfit = found.fit.ratio();
   Remainder remainder = remainder_of(bench, found);
   if (options.simulate) {

@@ -73,6 +73,17 @@ DofMotion fuse_dof(const DofSpectra& s, const FusedRecord& f, double energy) {
 
 }  // namespace
 
+Eigen::Index motion_bin(const FusedRecord& f, double share) {
+  Series power = Series::Zero(f.last_bin + 1);
+  for (const DofMotion& m : f.motion)
+    for (Eigen::Index i = 0; m.measured && i <= f.last_bin; ++i) power[i] += std::pow(f.omega(i), 2) * std::norm(m.raw[i]);
+  const double whole = power.sum();
+  double sum = 0;
+  Eigen::Index i = 0;
+  while (i < f.last_bin && sum < share * whole) sum += power[i++];
+  return i;
+}
+
 void fuse(FusedRecord& f) {
   const double energy = f.outer.weight.squaredNorm();
   f.motion.clear();

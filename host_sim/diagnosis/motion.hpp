@@ -59,6 +59,9 @@ struct FusedRecord {
 // Transforms every channel. Throws CannotAnswer where a DOF of the rig has no motion channel or the record is too short.
 FusedRecord read_record(const rig_file::RigModel& rig, const host_sim::Record& record, double top_of_band);
 
+// First bin below which this share of the velocities' power lies.
+Eigen::Index motion_bin(const FusedRecord& record, double share);
+
 // (jw)^quantity: what turns the spectrum of a displacement into that of a velocity or an acceleration.
 Complex derivative(double omega, int quantity);
 

@@ -10,7 +10,7 @@ namespace {
 using Matrix = Eigen::MatrixXcd;
 
 // Sampling, smoothing and the reversals of friction leave this share of a link's damping force wrong, noise or not.
-constexpr double kKnownDamping = 0.004;
+constexpr double kKnownDamping = 0.006;
 
 // Incidence of a link (or a DOF) over the DOFs.
 Eigen::VectorXd incidence(const System& s, size_t index) {

@@ -6,6 +6,8 @@
 namespace diagnosis {
 namespace {
 
+constexpr double kLeastGain = 35;  // of chi-squared, for one more term
+
 struct Scorer {
   const Rows& rows;
   const CandidateBank& bank;
@@ -88,6 +90,8 @@ bool plausible(const std::vector<ActiveTerm>& model) {
     if (term.kind == Kind::kForceGain && std::abs(t.value) > 0.5) return false;
     if (term.kind == Kind::kPresliding && t.value <= 0) return false;
     for (const ActiveTerm& base : model) {
+      const bool friction = term.kind == Kind::kStribeck && base.column.term.kind == Kind::kCoulomb && base.column.term.link == term.link;
+      if (friction && !base.known && base.value < -3 * base.std) return false;  // friction that pushes
       const bool stiffness = term.kind == Kind::kStiffnessError && base.column.term.kind == Kind::kStiffness &&
                              base.column.term.link == term.link;
       const bool mass = term.kind == Kind::kMassError && base.column.term.kind == Kind::kMass &&
@@ -169,6 +173,33 @@ class Search {
     }
     return changed;
   }
+  // Two terms may stand for one that was passed over when it was their first's turn. True if one took their place.
+  bool merge(State& state) {
+    const std::vector<size_t> terms = added_terms(state.model);
+    for (size_t i = 0; i < terms.size(); ++i)
+      for (size_t j = i + 1; j < terms.size(); ++j) {
+        State base = without(state, terms[j]);
+        base = without(base, terms[i]);
+        const std::vector<Found> list = ranked(rows_, bank_, base.model, base.fit, 4);
+        const double noise = std::max(1.0, state.fit.ratio());
+        State best;
+        double cost = state.fit.chi2 + kLeastGain * noise;
+        bool found = false;
+        for (size_t k = 0; k < list.size() && k < 4; ++k) {
+          State trial = settled(joined(base.model, list[k].candidate, list[k].gain), 1);
+          polish(trial);
+          const double trial_cost = trial.fit.chi2 + list[k].candidate.penalty * noise;
+          if (plausible(trial.model) && trial_cost < cost) best = trial, cost = trial_cost, found = true;
+        }
+        if (found) {
+          state = best;
+          state.fit = settle(rows_, state.model, 1);
+          return true;
+        }
+        state.fit = settle(rows_, state.model, 1);
+      }
+    return false;
+  }
   SearchResult run();
 
  private:
@@ -219,6 +250,8 @@ SearchResult Search::run() {
       if (CandidateBank::friction_shape(state.model[index].column.term.kind)) least_share = 0.04;
     for (int i = 0; added_terms(state.model).size() > 1 && i < 3 && swap(state); ++i) {
     }
+  }
+  while (added_terms(state.model).size() > 1 && merge(state)) {
   }
   while (!review(state, result)) {
   }
