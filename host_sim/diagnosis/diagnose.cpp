@@ -232,6 +232,7 @@ Diagnosis diagnose(const rig_file::RigModel& rig, const std::vector<host_sim::Re
       const SearchResult seen = search_by_simulation(*early.rows, *early.bank, judge);
       score_both(judge, seen.base, seen.model, d);
       found = transferred(seen, *bench.rows, *bench.bank);
+      if (!found.added.empty()) remainder.trace.clear();  // it was of the model before
     } else {
       bool rejected = false;
       while (bench.rows->absolute() && reject_worse(system, judge, *bench.rows, found, d)) rejected = true;

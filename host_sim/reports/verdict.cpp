@@ -55,8 +55,8 @@ std::string verdict_sentence(const DiagnosisReportData& data) {
   }
   if (causes.empty())
     return "The rig file does not explain the measurement, and no effect in the vocabulary explains what is left.";
-  return "The rig file lacks " + listed(causes, "and") +
-         ", and a residual beyond noise remains that no effect in the vocabulary explains.";
+  return "The rig file lacks " + listed(causes, "and") + gain_text(data.gains) +
+         ". A residual beyond noise remains that no effect in the vocabulary explains.";
 }
 
 }  // namespace host_sim::reports

@@ -101,7 +101,7 @@ TEST(Verdict, OneSentenceEach) {
   data.verdict = "none";
   EXPECT_TRUE(contains(verdict_sentence(data), "nothing is left beyond measurement noise"));
   data.verdict = "unknown";
-  EXPECT_TRUE(contains(verdict_sentence(data), "and a residual beyond noise remains"));
+  EXPECT_TRUE(contains(verdict_sentence(data), "A residual beyond noise remains"));
 }
 
 TEST(WriteReport, MakesTheFolderAndReplacesAnEarlierPage) {
