@@ -78,8 +78,10 @@ void Equations::net_forces(double t_s, const double* y, const double* force, con
 
 void Equations::accelerations(const double* net, const Motion& base, const Modes& modes, double* a) const {
   const std::vector<bool> joined = stuck_links(modes);
-  for (size_t i = 0; i < masses(); ++i) a[i] = net[i] / mass_[i];
-  if (joined.empty()) return;
+  if (joined.empty()) {
+    for (size_t i = 0; i < masses(); ++i) a[i] = net[i] / mass_[i];
+    return;
+  }
   const std::vector<size_t> body = bodies(joined);
   std::vector<double> sum(masses() + 2, 0.0), inertia(masses() + 2, 0.0);
   for (size_t i = 0; i < masses(); ++i) {

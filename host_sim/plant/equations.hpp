@@ -20,6 +20,11 @@ struct Modes {
   std::vector<int> gap_side;   // per gap term: -1 below -gap, 0 inside, +1 above gap
 };
 
+// How large motion is so far: what an elongation or a rate near zero is measured against.
+struct MotionScale {
+  double displacement = 1.0, velocity = 1.0;
+};
+
 enum class TermShape {  // what an effect adds to its link, p = its shape parameter
   kCubicStiffness,
   kQuadraticStiffness,
@@ -72,9 +77,10 @@ class Equations {
   void derivative(double t_s, const double* y, const double* force, const Motion& base, const Modes& modes,
                   double* dy) const;
 
-  // g[] = one function per watched link (its rate; while stuck, what its hold has in reserve), two per gap term.
+  // g[] = one function per watched link (its rate; while stuck, what its hold has in reserve), two per gap term. All are
+  // shares of `scale` or of the hold: the integrator takes anything below 1e-10 for zero.
   void root_functions(double t_s, const double* y, const double* force, const Motion& base, const Modes& modes,
-                      double* g) const;
+                      const MotionScale& scale, double* g) const;
 
   // Modes of a state that no event led to: signs of the rates, of the accelerations where a rate is zero.
   Modes start_modes(double t_s, double* y, const double* force, const Motion& base) const;
@@ -105,7 +111,7 @@ class Equations {
   // The same without bounds; where loops of links leave it open, shared in proportion to the holds.
   void unbounded_hold(const double* net, const Motion& base, const std::vector<size_t>& links,
                       std::vector<double>& hold) const;
-  void gap_roots(const double* y, const Motion& base, double* g) const;
+  void gap_roots(const double* y, const Motion& base, const MotionScale& scale, double* g) const;
   bool stuck(size_t link, const Modes& modes) const { return links_[link].hold > 0.0 && modes.rate_sign[link] == 0; }
   // Links that are stuck; empty where none is.
   std::vector<bool> stuck_links(const Modes& modes) const;

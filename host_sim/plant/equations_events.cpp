@@ -8,19 +8,20 @@ namespace {
 
 // A held link lets go a hair above its level, so that it then certainly moves off in the direction it is pulled.
 constexpr double kReleaseMargin = 1e-10;
+constexpr double kReserveGain = 10.0;  // makes that hair more than zero to the integrator
 
 int sign_of(double value) { return (value > 0.0) - (value < 0.0); }
 
 }  // namespace
 
 void Equations::root_functions(double t_s, const double* y, const double* force, const Motion& base, const Modes& modes,
-                               double* g) const {
+                               const MotionScale& scale, double* g) const {
   std::vector<size_t> held, held_root;
   size_t root = 0;
   for (size_t l = 0; l < links_.size(); ++l) {
     const PlantLink& link = links_[l];
     if (!link.watch_rate) continue;
-    g[root] = node(y, base, link.a).v - node(y, base, link.b).v;
+    g[root] = (node(y, base, link.a).v - node(y, base, link.b).v) / scale.velocity;
     if (stuck(l, modes)) {
       held.push_back(l);
       held_root.push_back(root);
@@ -32,18 +33,18 @@ void Equations::root_functions(double t_s, const double* y, const double* force,
     net_forces(t_s, y, force, base, modes, net.data());
     unbounded_hold(net.data(), base, held, hold);
     for (size_t j = 0; j < held.size(); ++j)
-      g[held_root[j]] = links_[held[j]].hold * (1.0 + kReleaseMargin) - std::fabs(hold[j]);
+      g[held_root[j]] = kReserveGain * (1.0 + kReleaseMargin - std::fabs(hold[j]) / links_[held[j]].hold);
   }
-  gap_roots(y, base, g + root);
+  gap_roots(y, base, scale, g + root);
 }
 
-void Equations::gap_roots(const double* y, const Motion& base, double* g) const {
+void Equations::gap_roots(const double* y, const Motion& base, const MotionScale& scale, double* g) const {
   for (const PlantLink& link : links_)
     for (const EffectTerm& term : link.effects)
       if (term.shape == TermShape::kBacklash || term.shape == TermShape::kEndStop) {
         const double u = node(y, base, link.a).x - node(y, base, link.b).x;
-        g[2 * term.index] = u - term.p;
-        g[2 * term.index + 1] = u + term.p;
+        g[2 * term.index] = (u - term.p) / scale.displacement;
+        g[2 * term.index + 1] = (u + term.p) / scale.displacement;
       }
 }
 

@@ -18,6 +18,7 @@ struct Integrator::Working {
   IntegratorOptions options;
   double t = 0.0, period = 0.0;
   std::vector<double> y, scale, force;
+  MotionScale root_scale;
   Motion base;
   Modes modes;
   std::string message;
@@ -51,7 +52,7 @@ struct Integrator::Working {
   static int roots(realtype time_s, N_Vector state, realtype* g, void* user) {
     Working& w = *static_cast<Working*>(user);
     w.excite(time_s);
-    w.equations.root_functions(time_s, N_VGetArrayPointer(state), w.force.data(), w.base, w.modes, g);
+    w.equations.root_functions(time_s, N_VGetArrayPointer(state), w.force.data(), w.base, w.modes, w.root_scale, g);
     return 0;
   }
   static int weights(N_Vector, N_Vector weight, void* user) {
@@ -96,6 +97,7 @@ void Integrator::Working::first_scale() {
     scale[i] = largest_x;
     scale[n + i] = largest_v;
   }
+  root_scale = {largest_x, largest_v};
 }
 
 void Integrator::Working::grow_scale() {
@@ -105,6 +107,8 @@ void Integrator::Working::grow_scale() {
                        std::to_string(i % equations.masses() + 1) +
                        " is no longer finite (negative damping or stiffness?)");
     scale[i] = std::max(scale[i], std::fabs(y[i]));
+    double& largest = i < equations.masses() ? root_scale.displacement : root_scale.velocity;
+    largest = std::max(largest, scale[i]);
   }
 }
 

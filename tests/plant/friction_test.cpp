@@ -1,6 +1,7 @@
 // Friction where it is hard: loops of held links, stick-slip, many events, negative levels.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "host_sim/plant/simulate.hpp"
@@ -125,6 +126,44 @@ TEST(Friction, AChainComesToRest) {
     last = energy;
   }
   for (int dof = 1; dof <= 4; ++dof) EXPECT_EQ(channel(record, Quantity::kVelocity, dof).back(), 0.0);
+}
+
+// 2 kg and 6 kg held to each other by F = 10 N, free otherwise, 4 N on the first: both go with 4 / 8 = 0.5 m/s^2, and
+// the link carries 6 * 0.5 = 3 N.
+TEST(Friction, HeldBodiesOfUnequalMassMoveAsOne) {
+  rig_file::RigModel rig = plant_test::oscillator(2.0, 0.0, 0.0, 10.0, 2);
+  rig.dofs.push_back(rig.dofs[0]);
+  rig.dofs[1].mass_kg.value = 6.0;
+  host_sim::Excitation excitation;
+  excitation.force_N = {host_sim::cosine(4.0, 0.0), nullptr};
+  const host_sim::Record record = host_sim::simulate(rig, {}, excitation, {1e-3, 0, 0, 1001});
+  for (const int dof : {1, 2}) {
+    EXPECT_NEAR(record.find(host_sim::Quantity::kAcceleration, dof)->values[1000], 0.5, 1e-12);
+    EXPECT_NEAR(record.find(host_sim::Quantity::kDisplacement, dof)->values[1000], 0.25, 1e-9);
+  }
+}
+
+// A rig with friction between two masses, sticking again and again, and the same with every mass, coefficient and force
+// multiplied by 1e-9 or by 1e9: the motion is the same.
+TEST(Friction, MotionDoesNotDependOnTheScaleOfForces) {
+  const auto motion = [](double scale) {
+    rig_file::RigModel rig = plant_test::oscillator(1.5 * scale, 1e4 * scale, 2.0 * scale);
+    rig.dofs.push_back(rig.dofs[0]);
+    rig.dofs[1].mass_kg.value = 1.3 * scale;
+    rig.links.push_back(plant_test::oscillator(1.0, 1e4 * scale, 2.0 * scale, 5.0 * scale, 2).links[0]);
+    host_sim::Excitation excitation;
+    excitation.force_N = {host_sim::random_band({20.0 * scale, 2.0, 30.0}, 0.0, 2.0, 1e-3, 7, 0), nullptr};
+    return host_sim::simulate(rig, {}, excitation, {1e-3, 0, 0, 1001})
+        .find(host_sim::Quantity::kDisplacement, 2)
+        ->values;
+  };
+  const std::vector<double> one = motion(1.0), small = motion(1e-9), large = motion(1e9);
+  const double largest = std::fabs(
+      *std::max_element(one.begin(), one.end(), [](double a, double b) { return std::fabs(a) < std::fabs(b); }));
+  for (size_t k = 0; k < one.size(); ++k) {
+    EXPECT_NEAR(small[k], one[k], 1e-6 * largest) << k;
+    EXPECT_NEAR(large[k], one[k], 1e-6 * largest) << k;
+  }
 }
 
 }  // namespace
