@@ -39,9 +39,10 @@ down_and_up() {
   usleep 200000
   ip link set "$bus" up
 }
+# A frame takes 16 bytes: two at once, two waiting, one each 160 ms. At least 12 are due in the 600 ms.
 full_queue() {
-  tc qdisc add dev "$bus" root tbf rate 800bit burst 40 limit 64
-  usleep 400000
+  tc qdisc add dev "$bus" root tbf rate 800bit burst 40 limit 32
+  usleep 600000
   tc qdisc del dev "$bus" root
 }
 
