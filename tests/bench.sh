@@ -28,4 +28,4 @@ if measured bench_core; then
   mv build/host/speed.md docs/speed.md
 fi
 if measured accuracy_report; then "$bin/accuracy_report" docs/accuracy.md; fi
-if measured diagnosis_report; then "$bin/diagnosis_report" docs/diagnosis.md; fi
+if measured diagnosis_report; then "$bin/diagnosis_report" --jobs "$(nproc)" docs/diagnosis.md; fi

@@ -151,4 +151,10 @@ SearchResult transferred(const SearchResult& found, Rows& rows, const CandidateB
   return out;
 }
 
+double misfit(Rows& rows, const std::vector<ActiveTerm>& model) {
+  std::vector<ActiveTerm> copy = model;
+  for (ActiveTerm& t : copy) t.column = rows.column(t.column.term), t.force.clear();
+  return settle(rows, copy, 2).ratio();
+}
+
 }  // namespace diagnosis

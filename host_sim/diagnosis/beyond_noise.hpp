@@ -19,4 +19,7 @@ SearchResult search_by_simulation(Rows& rows, const CandidateBank& bank, const J
 // The same terms, fitted to other rows of the same rig.
 SearchResult transferred(const SearchResult& found, Rows& rows, const CandidateBank& bank);
 
+// Chi-squared per degree of freedom of a model's terms, fitted to rows that sensor noise weighs.
+double misfit(Rows& rows, const std::vector<ActiveTerm>& model);
+
 }  // namespace diagnosis

@@ -233,6 +233,8 @@ Diagnosis diagnose(const rig_file::RigModel& rig, const std::vector<host_sim::Re
       score_both(judge, seen.base, seen.model, d);
       found = transferred(seen, *bench.rows, *bench.bank);
       if (!found.added.empty()) remainder.trace.clear();  // it was of the model before
+      Rows plain(system, bench.records);
+      d.baseline_misfit = misfit(plain, found.base), d.extended_misfit = misfit(plain, found.model);
     } else {
       bool rejected = false;
       while (bench.rows->absolute() && reject_worse(system, judge, *bench.rows, found, d)) rejected = true;

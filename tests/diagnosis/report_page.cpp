@@ -67,7 +67,7 @@ void limits(std::ostream& out, const std::vector<Line>& lines, const std::vector
 void write_page(std::ostream& out, const std::vector<Line>& lines, const std::vector<Tally>& tallies, uint64_t seed) {
   int draws = 0;
   for (const Tally& t : tallies) draws += t.draws;
-  put(out, "# What the diagnosis finds\n\nWritten by `build/host/bin/diagnosis_report docs/diagnosis.md`: %d draws of chains of one to four masses, "
+  put(out, "# What the diagnosis finds\n\nWritten by `build/host/bin/diagnosis_report --jobs 2 docs/diagnosis.md` (`--share 0.1`: a tenth of the draws): %d draws of chains of one to four masses, "
       "force of 5 to 50 Hz on DOF 1,\n20 s at 1 kHz. The seeds of every line count from %llu; none is left out. Strength of an effect: rms of its "
       "force 0.05 to 0.6 of that of its\nlink's damping. *Exact*: every hidden effect by name and place and nothing else. *In a set*: named as one of "
       "several that fit equally;\nthis counts in up to a tenth of the draws. CPU time is of one core and a whole diagnosis.\n\n",
