@@ -1,5 +1,7 @@
 // Many blind draws per class, and what the diagnosis says of them, as a Markdown page (docs/diagnosis.md).
-//   diagnosis_report [--share S] [--first-seed S] [--jobs N] FILE.md
+//   diagnosis_report [--share S] [--first-seed S] [--jobs N] [--finished-only] FILE.md
+// Every finished line is kept beside the page as FILE.md.partN: a run that was stopped goes on from there with the same
+// options; --finished-only writes the page of the lines that are there and leaves them.
 // or one line:  diagnosis_report line [key value ...]  (noise, n, seed, sensors, corner, bits, kind, low, high, hide,
 // dofs, seconds). Jobs are processes: a line is the unit of work.
 #include <sys/wait.h>
@@ -55,9 +57,14 @@ std::string part_of(const std::string& page, size_t line) { return page + ".part
 // Lines job, job + jobs, ... each into its part.
 void work(const std::vector<Line>& lines, const std::string& page, uint64_t seed, size_t job, size_t jobs) {
   for (size_t i = job; i < lines.size(); i += jobs) {
+    if (std::filesystem::exists(part_of(page, i))) continue;
     const Tally t = run_line(lines[i], seed, nullptr);
-    std::ofstream out(part_of(page, i));
-    write(out, t);
+    const std::string whole = part_of(page, i), begun = whole + ".begun";
+    {
+      std::ofstream out(begun);
+      write(out, t);
+    }
+    std::filesystem::rename(begun, whole);
     std::cout << lines[i].title << ": exact " << t.exact << ", set " << t.set << " of " << t.draws << "\n" << std::flush;
   }
 }
@@ -70,32 +77,37 @@ int main(int argc, char** argv) {
   size_t jobs = 1;
   uint64_t seed = 100000;
   std::string page;
+  bool finished_only = false;
   for (int i = 1; i < argc; ++i) {
     const std::string key = argv[i];
     if (key == "--share" && i + 1 < argc) share = std::atof(argv[++i]);
     else if (key == "--first-seed" && i + 1 < argc) seed = std::strtoull(argv[++i], nullptr, 10);
     else if (key == "--jobs" && i + 1 < argc) jobs = std::max<size_t>(1, std::strtoull(argv[++i], nullptr, 10));
+    else if (key == "--finished-only") finished_only = true;
     else page = key;
   }
   if (page.empty()) return std::cerr << "diagnosis_report: needs the name of the page to write\n", 2;
-  const std::vector<Line> lines = hidden::report_lines(share);
+  const std::vector<Line> all = hidden::report_lines(share);
   std::vector<pid_t> children;
-  for (size_t job = 1; job < jobs; ++job) {
+  for (size_t job = 1; job < jobs && !finished_only; ++job) {
     const pid_t child = fork();
     if (child == 0) {
-      work(lines, page, seed, job, jobs);
+      work(all, page, seed, job, jobs);
       std::exit(0);
     }
     children.push_back(child);
   }
-  work(lines, page, seed, 0, jobs);
+  if (!finished_only) work(all, page, seed, 0, jobs);
   for (pid_t child : children) waitpid(child, nullptr, 0);
+  std::vector<Line> lines;
   std::vector<Tally> tallies;
-  for (size_t i = 0; i < lines.size(); ++i) {
+  for (size_t i = 0; i < all.size(); ++i) {
     std::ifstream in(part_of(page, i));
-    if (!in) return std::cerr << "diagnosis_report: no result of \"" << lines[i].title << "\"\n", 1;
+    if (!in && finished_only) continue;
+    if (!in) return std::cerr << "diagnosis_report: no result of \"" << all[i].title << "\"\n", 1;
+    lines.push_back(all[i]);
     tallies.push_back(hidden::read_tally(in));
-    std::filesystem::remove(part_of(page, i));
+    if (!finished_only) std::filesystem::remove(part_of(page, i));
   }
   std::ofstream out(page);
   write_page(out, lines, tallies, seed);
