@@ -54,6 +54,13 @@ int one_line(int argc, char** argv) {
 
 std::string part_of(const std::string& page, size_t line) { return page + ".part" + std::to_string(line); }
 
+int usage(bool asked) {
+  (asked ? std::cout : std::cerr)
+      << "usage: diagnosis_report [--share S] [--first-seed S] [--jobs N] [--finished-only] FILE.md\n"
+         "       diagnosis_report line [noise N] [n DRAWS] [seed S] [sensors xva] [hide none|one|two|outside|fault] ...\n";
+  return asked ? 0 : 2;
+}
+
 // Lines job, job + jobs, ... each into its part.
 void work(const std::vector<Line>& lines, const std::string& page, uint64_t seed, size_t job, size_t jobs) {
   for (size_t i = job; i < lines.size(); i += jobs) {
@@ -84,9 +91,10 @@ int main(int argc, char** argv) {
     else if (key == "--first-seed" && i + 1 < argc) seed = std::strtoull(argv[++i], nullptr, 10);
     else if (key == "--jobs" && i + 1 < argc) jobs = std::max<size_t>(1, std::strtoull(argv[++i], nullptr, 10));
     else if (key == "--finished-only") finished_only = true;
+    else if (key[0] == '-' || !page.empty()) return usage(key == "--help" || key == "-h");
     else page = key;
   }
-  if (page.empty()) return std::cerr << "diagnosis_report: needs the name of the page to write\n", 2;
+  if (page.empty()) return usage(false);
   const std::vector<Line> all = hidden::report_lines(share);
   std::vector<pid_t> children;
   for (size_t job = 1; job < jobs && !finished_only; ++job) {
