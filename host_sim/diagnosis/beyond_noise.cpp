@@ -85,7 +85,7 @@ class Selection {
     }
     const auto best = std::min_element(trials.begin(), trials.end(), [](const Trial& a, const Trial& b) { return a.unseen < b.unseen; });
     if (best == trials.end()) return false;
-    for (size_t i = model_.size(); i <= start.size(); ++i) take(best->model[i].column.term, best->found);
+    for (size_t i = model_.size(); i <= start.size(); ++i) take(best->model[i].term, best->found);
     for (const Trial& t : trials)
       if (&t != &*best && t.unseen < kAsGood * best->unseen) result_.rivals.back().push_back(t.found);
     present_ = *best;
@@ -153,7 +153,7 @@ SearchResult transferred(const SearchResult& found, Rows& rows, const CandidateB
 
 double misfit(Rows& rows, const std::vector<ActiveTerm>& model) {
   std::vector<ActiveTerm> copy = model;
-  for (ActiveTerm& t : copy) t.column = rows.column(t.column.term), t.force.clear();
+  for (ActiveTerm& t : copy) t.column = rows.column(t.term), t.force.reset();
   return settle(rows, copy, 2).ratio();
 }
 

@@ -24,7 +24,7 @@ bool is_friction(Kind kind) { return kind == Kind::kCoulomb || kind == Kind::kMi
 template <typename Test>
 int host_on(const std::vector<ActiveTerm>& model, int link, Test test) {
   for (size_t i = 0; i < model.size(); ++i)
-    if (model[i].column.term.link == link && test(model[i].column.term.kind) && model[i].host < 0 &&
+    if (model[i].term.link == link && test(model[i].term.kind) && model[i].host < 0 &&
         (!model[i].known || model[i].value != 0))
       return static_cast<int>(i);
   return -1;
@@ -40,6 +40,7 @@ std::vector<ActiveTerm> base_model(const Rows& rows) {
     ActiveTerm t;
     Term own = term;
     own.smooth = c.estimate;
+    t.term = own;
     t.column = rows.column(own);
     t.known = !c.estimate;
     t.value = c.estimate ? 0 : c.value;
@@ -84,9 +85,9 @@ CandidateBank::CandidateBank(const Rows& rows) : rows_(rows) {
 }
 
 void CandidateBank::add(const Term& term) {
-  columns_.push_back(std::make_shared<const Column>(rows_.column(term)));
+  columns_.push_back(rows_.column(term));
   for (const Term& other : companions_of(term))
-    partner_[columns_.back().get()].push_back(std::make_shared<const Column>(rows_.column(other)));
+    partner_[columns_.back().get()].push_back(rows_.column(other));
 }
 
 CandidateBank::Extent CandidateBank::extent(int link) const {
@@ -172,7 +173,7 @@ bool CandidateBank::prepare(const std::vector<ActiveTerm>& model, Candidate& c) 
   if (t.kind == Kind::kMassError && !forced && rows_.system().dofs() == 1) return false;
   if (t.kind == Kind::kForceOffset && !rows_.absolute()) return false;  // a static force shows in a static displacement
   for (const ActiveTerm& a : model) {
-    const Term& other = a.column.term;
+    const Term& other = a.term;
     if (other.same_place(t)) return false;
     if (other.link == t.link && t.link >= 0) {
       if (t.kind == Kind::kMissingViscous && other.kind == Kind::kViscous && !a.known) return false;
@@ -207,7 +208,7 @@ double CandidateBank::reversal_doubt(const std::vector<ActiveTerm>& model, const
   const auto& links = rows_.system().links;
   const auto touches = [&](const rig_file::Link& l, int dof) { return dof > 0 && (l.a == dof || l.b == dof); };
   for (const ActiveTerm& a : model) {
-    const Term& own = a.column.term;
+    const Term& own = a.term;
     if ((own.kind != Kind::kCoulomb && own.kind != Kind::kMissingCoulomb && own.kind != Kind::kStribeck) || !(a.std > 0)) continue;
     const rig_file::Link& l = links[static_cast<size_t>(own.link)];
     const bool near = t.dof >= 0 ? touches(l, t.dof + 1)
@@ -253,9 +254,9 @@ Candidate CandidateBank::reshaped(const Candidate& candidate, double shape, doub
   Candidate c = candidate;
   Term t = candidate.term();
   t.shape = shape, t.shape2 = shape2;
-  c.column = std::make_shared<const Column>(rows_.column(t));
+  c.column = rows_.column(t);
   c.companions.clear();
-  for (const Term& other : companions_of(t)) c.companions.push_back(std::make_shared<const Column>(rows_.column(other)));
+  for (const Term& other : companions_of(t)) c.companions.push_back(rows_.column(other));
   return c;
 }
 

@@ -111,7 +111,7 @@ void report_terms(const System& system, const Rows& rows, const SearchResult& fo
     c.significance = found.added[i].score;
     c.explains_percent = std::clamp(100 * found.added[i].gain.chi2 / excess, 0.0, 100.0);
     for (const ActiveTerm& active : found.model)
-      if (active.added && active.column.term.same_place(t)) c.parameters = parameters_of_term(system, active);
+      if (active.added && active.term.same_place(t)) c.parameters = parameters_of_term(system, active);
     d.causes.push_back(c);
     for (const Found& r : found.rivals[i]) {
       const Term& other = r.candidate.term();
@@ -127,7 +127,7 @@ bool reject_worse(const System& system, const Judge& judge, const Rows& rows, Se
     std::vector<ActiveTerm> model = found.model;
     const Term mine = found.added[i].candidate.term();
     for (size_t k = 0; k < model.size(); ++k)
-      if (model[k].added && model[k].column.term.same_place(mine)) {
+      if (model[k].added && model[k].term.same_place(mine)) {
         remove_term(model, k);
         break;
       }
@@ -157,7 +157,7 @@ Outsider outsider_of(const Rows& rows, const CandidateBank& bank, const SearchRe
     if (found.added[i].score > 20000) continue;  // nothing else comes near it
     std::vector<ActiveTerm> model = found.model;
     for (size_t k = 0; k < model.size(); ++k)
-      if (model[k].added && model[k].column.term.same_place(found.added[i].candidate.term())) {
+      if (model[k].added && model[k].term.same_place(found.added[i].candidate.term())) {
         remove_term(model, k);
         break;
       }

@@ -24,13 +24,13 @@ struct Simulator {
       : system(s), model(m), record(f), n(s.dofs()), inertia(n, 0.0), x(n), v(n), last_a(n), push(n),
         level(s.links.size()), impulse(level.size()), dahl(m.size(), 0.0), hidden_x(m.size()), hidden_v(m.size()) {
     for (const ActiveTerm& t : model)
-      if (t.column.term.kind == Kind::kMass || t.column.term.kind == Kind::kMassError)
-        inertia[static_cast<size_t>(t.column.term.dof)] += t.value;
+      if (t.term.kind == Kind::kMass || t.term.kind == Kind::kMassError)
+        inertia[static_cast<size_t>(t.term.dof)] += t.value;
     for (size_t j = 0; j < n; ++j) {
       x[j] = f.motion[j].smooth_x[from], v[j] = f.motion[j].smooth_v[from], last_a[j] = f.motion[j].smooth_a[from];
     }
     for (size_t i = 0; i < model.size(); ++i) {
-      const Term& t = model[i].column.term;
+      const Term& t = model[i].term;
       if (t.kind == Kind::kResonance) {
         const size_t j = static_cast<size_t>(t.dof);
         hidden_x[i] = x[j], hidden_v[i] = v[j];
@@ -41,7 +41,7 @@ struct Simulator {
   }
   // the hidden mass has moved before the start: let it follow the record up to there
   void lead_in(size_t i, Eigen::Index from) {
-    const size_t j = static_cast<size_t>(model[i].column.term.dof);
+    const size_t j = static_cast<size_t>(model[i].term.dof);
     const Eigen::Index begin = std::max<Eigen::Index>(0, from - static_cast<Eigen::Index>(3 / record.period_s));
     hidden_x[i] = record.motion[j].smooth_x[begin], hidden_v[i] = record.motion[j].smooth_v[begin];
     for (Eigen::Index k = begin; k < from; ++k)
@@ -52,7 +52,7 @@ struct Simulator {
       }
   }
   double hidden_force(size_t i, double motion, double speed, double h) {
-    const Term& t = model[i].column.term;
+    const Term& t = model[i].term;
     const double omega = kTwoPi * t.shape;
     const double a = omega * omega * (motion - hidden_x[i]) + 2 * t.shape2 * omega * (speed - hidden_v[i]);
     hidden_v[i] += h * a;
@@ -77,7 +77,7 @@ struct Simulator {
   void forces(const std::vector<double>& p, const std::vector<double>& s, double t_s, double h) {
     std::fill(level.begin(), level.end(), 0.0);
     for (size_t i = 0; i < model.size(); ++i) {
-      const Term& t = model[i].column.term;
+      const Term& t = model[i].term;
       const double q = model[i].value;
       if (t.kind == Kind::kMass || t.kind == Kind::kMassError || model[i].companion >= 0) continue;
       if (t.dof >= 0) {

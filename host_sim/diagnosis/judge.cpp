@@ -16,8 +16,8 @@ std::vector<ActiveTerm> Judge::fitted(const std::vector<ActiveTerm>& model) cons
   std::vector<ActiveTerm> copy;
   for (const ActiveTerm& t : model) {
     ActiveTerm term = t;
-    term.column = rows.column(t.column.term);
-    term.force.clear();
+    term.column = rows.column(t.term);
+    term.force.reset();
     copy.push_back(term);
   }
   settle(rows, copy, 2);

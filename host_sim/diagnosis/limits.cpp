@@ -27,13 +27,19 @@ double damping_rms(const Rows& rows, const std::vector<ActiveTerm>& model, const
     if (!here) continue;
     double power = 0;
     for (const ActiveTerm& t : model) {
-      const Kind kind = t.column.term.kind;
-      if (t.column.term.link == static_cast<int>(l) && (kind == Kind::kViscous || kind == Kind::kCoulomb))
-        power += std::pow(rms_of(t.column, rows, t.value), 2);
+      const Kind kind = t.term.kind;
+      if (t.term.link == static_cast<int>(l) && (kind == Kind::kViscous || kind == Kind::kCoulomb))
+        power += std::pow(rms_of(*t.column, rows, t.value), 2);
     }
     largest = std::max(largest, std::sqrt(power));
   }
   return largest;
+}
+
+// Without the term in whose place they act: coefficients of their own.
+std::vector<Candidate> freed(std::vector<Candidate> candidates) {
+  for (Candidate& c : candidates) c.host = -1, c.fixed = false;
+  return candidates;
 }
 
 }  // namespace
@@ -41,10 +47,12 @@ double damping_rms(const Rows& rows, const std::vector<ActiveTerm>& model, const
 std::vector<DetectionLimit> detection_limits(const Rows& rows, const CandidateBank& bank,
                                              const std::vector<ActiveTerm>& model, const Fit& fit) {
   std::vector<DetectionLimit> list;
-  std::vector<double> force;
   Term last;
-  for (const Candidate& c : bank.beside(model)) {
-    const Gain gain = gain_of(rows, model, fit, c);
+  const std::vector<Candidate> candidates = bank.beside(model);
+  const std::vector<Gain> gains = gains_of(rows, model, fit, candidates), free_gains = gains_of(rows, model, fit, freed(candidates));
+  for (size_t i = 0; i < candidates.size(); ++i) {
+    const Candidate& c = candidates[i];
+    const Gain& gain = gains[i];
     if (gain.std <= 0 && c.host < 0) continue;
     const double steps = std::sqrt(c.threshold + c.penalty) + 1.645;  // in standard deviations
     const bool rotating = rotates(rows.system(), c.term());
@@ -53,13 +61,11 @@ std::vector<DetectionLimit> detection_limits(const Rows& rows, const CandidateBa
     double coefficient = noise * gain.std;
     if (c.term().kind == Kind::kBacklash || c.term().kind == Kind::kPresliding) {
       // its coefficient is the host's: what is sought is the shape at which that is enough; nearly linear where small
-      Candidate free = c;
-      free.host = -1, free.fixed = false;
       const double host = std::abs(model[static_cast<size_t>(c.host)].value);
       const double power = c.term().kind == Kind::kBacklash ? 1.0 : 2.0;
       if (host <= 0) continue;
       coefficient = host;
-      const double std = gain_of(rows, model, fit, free).std;
+      const double std = free_gains[i].std;
       limit.strength = c.term().shape * std::pow(noise * std / host, power);
       limit.unit = shape_unit(c.term().kind, rotating);
       limit.percent_of_damping_force = 100 * rms_of(*c.column, rows, noise * std);

@@ -1,19 +1,19 @@
-// Least squares of the present model over whitened rows, and what one more term would gain.
+// Least squares of the present model over the weighted rows, and what one more term would gain.
 #pragma once
 #include <vector>
 
-#include "rows.hpp"
+#include "projection.hpp"
 
 namespace diagnosis {
 
+// A fit and what it takes to see at once what one more column would change: the inner products of any column with those
+// fitted (orthonormalised) and with the residual, under the weights of the fit.
 struct Fit {
-  double chi2 = 0;           // squared whitened residual
+  double chi2 = 0;           // squared weighted residual
   double dof = 1;            // real rows minus fitted values
-  Eigen::MatrixXd basis;     // orthonormal columns that span the fitted terms
-  Series residual;
-  Eigen::MatrixXd columns;   // the fitted terms, whitened
-  Series target;             // force minus the known terms
   double ratio() const { return chi2 / dof; }
+  std::vector<Balance> residual;
+  std::shared_ptr<const Projection> projection;
 };
 
 // Fits the unknown values in place (value and std; std is widened where the residual is beyond noise).
@@ -40,6 +40,9 @@ struct Gain {
   double std = 0;
 };
 Gain gain_of(const Rows& rows, const std::vector<ActiveTerm>& model, const Fit& fit, const Candidate& candidate);
+// The same for many, place by place: much faster than one by one.
+std::vector<Gain> gains_of(const Rows& rows, const std::vector<ActiveTerm>& model, const Fit& fit,
+                           const std::vector<Candidate>& candidates);
 
 // The model with the candidate, its companions last.
 std::vector<ActiveTerm> joined(const std::vector<ActiveTerm>& model, const Candidate& candidate, const Gain& gain);

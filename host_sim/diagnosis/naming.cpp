@@ -98,7 +98,7 @@ std::string parameter_name(const System& s, const Term& t) {
 }
 
 std::vector<Parameter> parameters_of_term(const System& s, const ActiveTerm& a) {
-  const Term& t = a.column.term;
+  const Term& t = a.term;
   const bool turning = rotates(s, t);
   const std::string name = parameter_name(s, t);
   std::vector<Parameter> list{{name, a.value, unit_of(t.kind, turning), a.known ? 0 : a.std, !a.known}};
@@ -120,7 +120,7 @@ rig_file::RigModel extended_rig(const System& s, const std::vector<ActiveTerm>& 
   rig_file::RigModel rig = s.rig;
   std::vector<rig_file::Link> extra(s.links.begin() + static_cast<std::ptrdiff_t>(s.known_links), s.links.end());
   for (const ActiveTerm& a : model) {
-    const Term& t = a.column.term;
+    const Term& t = a.term;
     if (!a.added) continue;
     if (t.dof >= 0) {
       rig_file::Dof& dof = rig.dofs[static_cast<size_t>(t.dof)];

@@ -1,5 +1,6 @@
 #include "outsiders.hpp"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -34,6 +35,8 @@ Column modulated(const Column& c, const Rows& rows, Eigen::Index shift, bool sin
   return out;
 }
 
+constexpr Eigen::Index kSlowest = 48;  // periods in a record of what changes with time
+
 struct Scan {
   const Rows& rows;
   const CandidateBank& bank;
@@ -46,11 +49,22 @@ struct Scan {
     const double score = gain / std::max(1.0, (fit.chi2 - gain) / fit.dof);
     if (score - threshold > best.score - best.threshold) best = {score, threshold, description};
   }
-  double pair_gain(const Column& a, const Column& b) const {
-    Candidate c;
-    c.column = std::make_shared<const Column>(a);
-    c.companions.push_back(std::make_shared<const Column>(b));
-    return gain_of(rows, model, fit, c).chi2;
+  // Gains of pairs of columns (a cosine and its sine) at one place.
+  std::vector<double> pair_gains(const Place& place, const std::vector<Column>& columns) const {
+    std::vector<const Spectra*> list;
+    for (const Column& c : columns) list.push_back(&c.spectra);
+    const Projection::Products p = fit.projection->products(place, list);
+    std::vector<double> gains;
+    for (Eigen::Index i = 0; i + 1 < p.residual.size(); i += 2) {
+      const size_t k = static_cast<size_t>(i);
+      Eigen::Matrix2d gram = -p.fitted.middleCols(i, 2).transpose() * p.fitted.middleCols(i, 2);
+      const double both = fit.projection->inner(place, *list[k], *list[k + 1]);
+      gram(0, 0) += p.square[i], gram(1, 1) += p.square[i + 1], gram(0, 1) += both, gram(1, 0) += both;
+      const bool free = gram(0, 0) > 1e-7 * p.square[i];
+      const Eigen::Vector2d moment = p.residual.segment(i, 2);
+      gains.push_back(free ? moment.dot(gram.ldlt().solve(moment)) : 0);
+    }
+    return gains;
   }
   void tones() {
     for (const Tone& t : rows.loudest_tones(fit.residual))
@@ -65,23 +79,31 @@ struct Scan {
     const double length_s = static_cast<double>(f.samples) * f.period_s;
     for (Kind kind : {Kind::kMissingViscous, Kind::kStiffnessError}) {
       term.kind = kind;
-      const Column column = rows.column(term);
+      const Column column = *rows.column(term);
       if (rows.records().size() > 1) break;  // the phase differs between records
-      for (Eigen::Index k = 1; k <= 48; ++k)
-        consider(pair_gain(modulated(column, rows, k, false), modulated(column, rows, k, true)), threshold,
+      std::vector<Column> columns;
+      for (Eigen::Index k = 1; k <= kSlowest; ++k) columns.push_back(modulated(column, rows, k, false)), columns.push_back(modulated(column, rows, k, true));
+      const std::vector<double> gains = pair_gains(rows.place(term), columns);
+      for (size_t k = 0; k < gains.size(); ++k)
+        consider(gains[k], threshold,
                  std::string(kind == Kind::kMissingViscous ? "a damping" : "a stiffness") + " of " + place +
-                     " that changes with time, period near " + number(length_s / static_cast<double>(k)) + " s");
+                     " that changes with time, period near " + number(length_s / static_cast<double>(k + 1)) + " s");
     }
     double peak = 0;
     for (size_t r = 0; r < rows.records().size(); ++r) peak = std::max(peak, rows.link(r, static_cast<size_t>(l)).u_peak);
+    std::vector<Column> columns;
+    std::vector<double> pitches;
     for (double share = 1.3; peak > 0 && share > 0.1; share *= 0.8) {
-      term.kind = Kind::kUnknownPitch;
-      term.shape = share * peak;
-      Term cosine = term;
-      cosine.shape2 = 1.5707963267948966;
-      const double gain = pair_gain(rows.column(term), rows.column(cosine));
-      consider(gain, threshold, "a force of " + place + " that repeats with the elongation, pitch near " + number(term.shape));
+      pitches.push_back(share * peak);
+      term.kind = Kind::kUnknownPitch, term.shape = pitches.back();
+      for (double phase : {0.0, 1.5707963267948966}) {
+        term.shape2 = phase;
+        columns.push_back(*rows.column(term));
+      }
     }
+    const std::vector<double> gains = pair_gains(rows.place(term), columns);
+    for (size_t i = 0; i < gains.size(); ++i)
+      consider(gains[i], threshold, "a force of " + place + " that repeats with the elongation, pitch near " + number(pitches[i]));
   }
 };
 

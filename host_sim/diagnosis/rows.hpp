@@ -1,8 +1,10 @@
-// The equation error of every DOF in Fourier rows, whitened with its own covariance per frequency:
+// The equation error of every DOF in Fourier rows, each bin weighed with its own covariance over the DOFs:
 // Sigma = S_force + D P D^H, D = K - w^2 M + j w C of the model as it stands, P the error of the fused displacements.
 #pragma once
+#include <memory>
 #include <vector>
 
+#include "information.hpp"
 #include "terms.hpp"
 
 namespace diagnosis {
@@ -17,60 +19,59 @@ struct Column {
 
 // A term of the present model.
 struct ActiveTerm {
-  Column column;
+  Term term;
+  std::shared_ptr<const Column> column;
   bool known = false;   // value is given, not fitted
   bool added = false;   // not in the rig file
   int companion = -1;   // belongs to this active term and leaves with it
   int host = -1;        // shares the coefficient of this active term (times host_sign): acts in its place
   double host_sign = 1;
   double value = 0, std = 0;
-  std::vector<Series> force;  // per record, with coefficient one; filled by Rows::prepare()
+  std::shared_ptr<const std::vector<Series>> force;  // per record, with coefficient one; filled by Rows::prepare()
 };
 
 // Transform of a force over time under the inner weight, rows first_bin .. last_bin.
 Spectrum row_spectrum(const FusedRecord& record, const Series& force);
 
-struct Tone {
-  double hertz = 0, gain = 0;
-  int dof = 0;
-};
+using Weights = std::vector<Information>;  // per record
 
 class Rows {
  public:
   Rows(const System& system, const std::vector<FusedRecord>& records);
-  Column column(const Term& term) const;
+  std::shared_ptr<const Column> column(const Term& term) const;
   // Fills in what a term that joined the model lacks.
   void prepare(ActiveTerm& term) const;
   // The friction near velocity reversals, from the balance of the model (stick.cpp).
   void hold_stuck(const std::vector<ActiveTerm>& model);
-  // Sets the covariance from the model's present values.
+  // Sets the weights from the model's present values.
   void weight(const std::vector<ActiveTerm>& model);
   // Real rigs differ from any model by more than sensor noise: widens the covariance, per frequency, to the residual
-  // (whitened by the present one) that a fit left over; `freedom` is the share of rows that the fit did not use up.
-  void colour(const Series& residual, double freedom);
-  Series whitened(const Column& column) const;
-  Series whitened_force() const;
-  Eigen::Index size() const { return size_; }
+  // (weighed by the present one) that a fit left over; `freedom` is the share of rows that the fit did not use up.
+  void colour(const std::vector<Balance>& residual, double freedom);
+  std::shared_ptr<const Weights> weights() const { return weights_; }
+  Place place(const Term& term) const;
+  // What the motion needs beyond the known forces: measured force less the friction held near reversals, per record.
+  std::vector<Balance> force() const;
+  Eigen::Index size() const { return size_; }    // real rows
   double absorbed() const { return absorbed_; }  // how much chi-squared hold_stuck() takes up, were it all noise
   const LinkMotion& link(size_t record, size_t link) const { return links_[record][link]; }
   const System& system() const { return system_; }
   const std::vector<FusedRecord>& records() const { return records_; }
   bool has_force(size_t dof) const;
   bool absolute() const;  // displacements are known with their constant
-  // Per record and DOF the bin that explains most of a whitened residual.
-  std::vector<Tone> loudest_tones(const Series& residual) const;
+  // Per record and DOF the bin that explains most of a residual.
+  std::vector<Tone> loudest_tones(const std::vector<Balance>& residual) const;
 
  private:
-  using Matrix = Eigen::MatrixXcd;
-  void place(const Matrix& pattern, const Spectrum& spectrum, Eigen::Index offset, Series& out) const;
+  Eigen::Index bins(size_t record) const { return records_[record].last_bin + 1 - records_[record].first_bin; }
   const System& system_;
   const std::vector<FusedRecord>& records_;
   std::vector<std::vector<LinkMotion>> links_;
   std::vector<std::vector<Spectrum>> force_;       // [record][dof]
-  std::vector<std::vector<Matrix>> patterns_;      // [record][links, then dofs]: dofs x bins, whitened incidence
   std::vector<std::vector<Spectrum>> held_;        // [record][link]: friction beyond Coulomb's; empty where none
   std::vector<std::vector<double>> doubt_;         // [record][link]: variance per sample of what is uncertain in it
   std::vector<Series> inflation_;                  // [record]: factor of the covariance per row bin, 1 or more
+  std::shared_ptr<const Weights> weights_;         // shared with the fits made under them
   Eigen::Index size_ = 0;
   double absorbed_ = 0;
 };

@@ -14,7 +14,7 @@ double variance(const Series& s) { return (s.array() - s.mean()).square().mean()
 
 bool massless(const std::vector<ActiveTerm>& model, size_t dof) {
   for (const ActiveTerm& t : model)
-    if (t.column.term.kind == Kind::kMass && t.column.term.dof == static_cast<int>(dof) && t.value > 0) return false;
+    if (t.term.kind == Kind::kMass && t.term.dof == static_cast<int>(dof) && t.value > 0) return false;
   return true;
 }
 
@@ -40,7 +40,7 @@ Eigen::MatrixXd force_errors(const System& system, const std::vector<ActiveTerm>
   std::vector<ActiveTerm> prepared = model;
   std::vector<LinkMotion> links;
   for (size_t l = 0; l < system.links.size(); ++l) links.push_back(link_motion(system, f, l));
-  for (ActiveTerm& t : prepared) t.force = {term_force(t.column.term, f, links)};
+  for (ActiveTerm& t : prepared) t.force = std::make_shared<std::vector<Series>>(1, term_force(t.term, f, links));
   return imbalance(system, f, prepared, 0, false).middleRows(from, to - from);
 }
 

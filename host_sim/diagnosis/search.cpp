@@ -14,8 +14,9 @@ struct Scorer {
   const std::vector<ActiveTerm>& model;
   const Fit& fit;
 
-  Found of(const Candidate& c) const {
-    Found found{c, gain_of(rows, model, fit, c), 0};
+  Found of(const Candidate& c) const { return scored(c, gain_of(rows, model, fit, c)); }
+  Found scored(const Candidate& c, const Gain& gain) const {
+    Found found{c, gain, 0};
     found.score = (found.gain.chi2 - c.penalty) / std::max(1.0, (fit.chi2 - found.gain.chi2) / fit.dof);
     return found;
   }
@@ -86,16 +87,16 @@ std::vector<size_t> added_terms(const std::vector<ActiveTerm>& model) {
 bool plausible(const std::vector<ActiveTerm>& model) {
   for (const ActiveTerm& t : model) {
     if (!t.added) continue;
-    const Term& term = t.column.term;
+    const Term& term = t.term;
     if (term.kind == Kind::kForceGain && std::abs(t.value) > 0.5) return false;
     if (term.kind == Kind::kPresliding && t.value <= 0) return false;
     for (const ActiveTerm& base : model) {
-      const bool friction = term.kind == Kind::kStribeck && base.column.term.kind == Kind::kCoulomb && base.column.term.link == term.link;
+      const bool friction = term.kind == Kind::kStribeck && base.term.kind == Kind::kCoulomb && base.term.link == term.link;
       if (friction && !base.known && base.value < -3 * base.std) return false;  // friction that pushes
-      const bool stiffness = term.kind == Kind::kStiffnessError && base.column.term.kind == Kind::kStiffness &&
-                             base.column.term.link == term.link;
-      const bool mass = term.kind == Kind::kMassError && base.column.term.kind == Kind::kMass &&
-                        base.column.term.dof == term.dof;
+      const bool stiffness = term.kind == Kind::kStiffnessError && base.term.kind == Kind::kStiffness &&
+                             base.term.link == term.link;
+      const bool mass = term.kind == Kind::kMassError && base.term.kind == Kind::kMass &&
+                        base.term.dof == term.dof;
       if ((stiffness || mass) && t.value < -0.8 * base.value) return false;
     }
   }
@@ -122,7 +123,7 @@ class Search {
   void polish(State& state) {
     for (size_t k = 0; k < added_terms(state.model).size(); ++k) {
       const size_t index = added_terms(state.model)[k];
-      const Term term = state.model[index].column.term;
+      const Term term = state.model[index].term;
       if (!CandidateBank::has_shape(term.kind)) continue;
       const State w = without(state, index);
       const Scorer scorer{rows_, bank_, w.model, w.fit};
@@ -159,7 +160,7 @@ class Search {
     bool changed = false;
     for (size_t k = 0; k < added_terms(state.model).size(); ++k) {
       const size_t index = added_terms(state.model)[k];
-      const Term mine = state.model[index].column.term;
+      const Term mine = state.model[index].term;
       State trial = without(state, index);
       const std::vector<Found> list = ranked(rows_, bank_, trial.model, trial.fit, 3);
       if (list.empty() || list[0].candidate.term().same_place(mine)) continue;
@@ -212,7 +213,7 @@ class Search {
 bool Search::review(State& state, SearchResult& result) {
   result.added.clear(), result.rivals.clear();
   for (size_t index : added_terms(state.model)) {
-    const Term mine = state.model[index].column.term;
+    const Term mine = state.model[index].term;
     const State w = without(state, index);
     std::vector<Found> list = ranked(rows_, bank_, w.model, w.fit, 5);
     Found self = Scorer{rows_, bank_, w.model, w.fit}.of(bank_.again(mine, w.model));
@@ -247,7 +248,7 @@ SearchResult Search::run() {
     if (!extend(state, least_share * first_gain, 4)) break;
     first_gain = std::max(first_gain, start - state.fit.chi2);
     for (size_t index : added_terms(state.model))
-      if (CandidateBank::friction_shape(state.model[index].column.term.kind)) least_share = 0.04;
+      if (CandidateBank::friction_shape(state.model[index].term.kind)) least_share = 0.04;
     for (int i = 0; added_terms(state.model).size() > 1 && i < 3 && swap(state); ++i) {
     }
   }
@@ -266,8 +267,11 @@ std::vector<Found> ranked(const Rows& rows, const CandidateBank& bank, const std
                           const Fit& fit, size_t refined) {
   const Scorer scorer{rows, bank, model, fit};
   std::vector<Found> best;
-  for (const Candidate& c : bank.beside(model)) {
-    Found found = scorer.of(c);
+  const std::vector<Candidate> candidates = bank.beside(model);
+  const std::vector<Gain> gains = gains_of(rows, model, fit, candidates);
+  for (size_t i = 0; i < candidates.size(); ++i) {
+    const Candidate& c = candidates[i];
+    const Found found = scorer.scored(c, gains[i]);
     if (!plausible(joined(model, c, found.gain))) continue;  // a gain of -1 "explains" any force that is all unknown
     if (!best.empty() && best.back().candidate.term().same_place(c.term())) {
       if (found.score > best.back().score) best.back() = found;

@@ -11,15 +11,15 @@ Eigen::MatrixXd imbalance(const System& s, const FusedRecord& f, const std::vect
   for (size_t j = 0; j < s.dofs(); ++j)
     if (f.force[j].size()) e.col(static_cast<Eigen::Index>(j)) = f.force[j];
   for (const ActiveTerm& t : model) {
-    const Term& term = t.column.term;
+    const Term& term = t.term;
     if (term.dof >= 0) {
       const bool mass = term.kind == Kind::kMass || term.kind == Kind::kMassError;
-      if (!(mass && without_mass)) e.col(term.dof) -= t.value * t.force[record];
+      if (!(mass && without_mass)) e.col(term.dof) -= t.value * (*t.force)[record];
       continue;
     }
     const rig_file::Link& l = s.links[static_cast<size_t>(term.link)];
-    if (l.a > 0) e.col(l.a - 1) -= t.value * t.force[record];
-    if (l.b > 0) e.col(l.b - 1) += t.value * t.force[record];
+    if (l.a > 0) e.col(l.a - 1) -= t.value * (*t.force)[record];
+    if (l.b > 0) e.col(l.b - 1) += t.value * (*t.force)[record];
   }
   return e;
 }
@@ -32,7 +32,7 @@ void sharpen(std::vector<FusedRecord>& records, const System& system, const std:
       DofMotion& m = f.motion[j];
       double mass = 0;
       for (const ActiveTerm& t : model) {
-        const Term& term = t.column.term;
+        const Term& term = t.term;
         if (term.dof == static_cast<int>(j) && (term.kind == Kind::kMass || term.kind == Kind::kMassError)) mass += t.value;
       }
       if (!(mass > 0) || m.raw.size() == 0) continue;

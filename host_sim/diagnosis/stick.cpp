@@ -22,7 +22,7 @@ Eigen::MatrixXd averaged(const Eigen::MatrixXd& e) {
 double inverse_mass(const std::vector<ActiveTerm>& model, int end) {
   double mass = 0;
   for (const ActiveTerm& t : model)
-    if (t.column.term.dof == end - 1 && t.column.term.kind == Kind::kMass) mass += t.value;
+    if (t.term.dof == end - 1 && t.term.kind == Kind::kMass) mass += t.value;
   return end > 0 && mass > 0 ? 1 / mass : 0;
 }
 
@@ -30,9 +30,9 @@ double inverse_mass(const std::vector<ActiveTerm>& model, int end) {
 std::vector<double> friction_levels(const System& s, const std::vector<ActiveTerm>& model) {
   std::vector<double> level(s.links.size(), 0.0);
   for (const ActiveTerm& t : model) {
-    const Kind kind = t.column.term.kind;
+    const Kind kind = t.term.kind;
     if (kind == Kind::kCoulomb || kind == Kind::kMissingCoulomb || kind == Kind::kStribeck)
-      level[static_cast<size_t>(t.column.term.link)] += t.value;
+      level[static_cast<size_t>(t.term.link)] += t.value;
   }
   for (double& l : level) l = std::max(l, 0.0);
   return level;
@@ -41,10 +41,13 @@ std::vector<double> friction_levels(const System& s, const std::vector<ActiveTer
 }  // namespace
 
 void Rows::prepare(ActiveTerm& t) const {
-  for (size_t r = t.force.size(); r < records_.size(); ++r) {
-    t.force.push_back(term_force(t.column.term, records_[r], links_[r]));
-    if (t.column.term.record >= 0 && t.column.term.record != static_cast<int>(r)) t.force.back().setZero();
+  if (t.force) return;
+  const auto force = std::make_shared<std::vector<Series>>();
+  for (size_t r = 0; r < records_.size(); ++r) {
+    force->push_back(term_force(t.term, records_[r], links_[r]));
+    if (t.term.record >= 0 && t.term.record != static_cast<int>(r)) force->back().setZero();
   }
+  t.force = force;
 }
 
 void Rows::hold_stuck(const std::vector<ActiveTerm>& model) {

@@ -4,32 +4,56 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <stdexcept>
 
 namespace hidden {
 namespace {
 
 constexpr double kTwoPi = 6.283185307179586;
 
+enum class Kind {
+  kCubicStiffness, kQuadraticStiffness, kStiffnessError, kBacklash, kEndStop,
+  kQuadraticDamping, kCubicDamping, kForceOffset, kAsymmetricViscous, kDisplacementDependentDamping,
+  kMissingViscous, kDriftingViscous, kCogging, kSwitchedDamper, kPulsatingStiffness,
+  kPreslidingHysteresis, kMissingCoulomb, kStribeck, kMassError, kForeignTone,
+  kUnmodelledResonance
+};
+constexpr const char* kWords[] = {
+    "cubic_stiffness", "quadratic_stiffness", "stiffness_error", "backlash", "end_stop",
+    "quadratic_damping", "cubic_damping", "force_offset", "asymmetric_viscous", "displacement_dependent_damping",
+    "missing_viscous", "drifting_viscous", "cogging", "switched_damper", "pulsating_stiffness",
+    "presliding_hysteresis", "missing_coulomb", "stribeck", "mass_error", "foreign_tone",
+    "unmodelled_resonance"};  // in the order of Kind
+
+Kind kind_of(const std::string& word) {
+  const auto found = std::find(std::begin(kWords), std::end(kWords), word);
+  if (found == std::end(kWords)) throw std::invalid_argument("no hidden effect is called " + word);
+  return static_cast<Kind>(found - std::begin(kWords));
+}
+
 struct Integrator {
   const TrueRig& rig;
   size_t n, links;
   std::vector<int> mode;  // per link: -1 or 1 sliding that way, 0 stuck
   std::vector<double> hold;  // friction force of a stuck link
+  std::vector<Kind> kind;    // per effect
   std::vector<int> memory;   // per effect: index of its first extra state, or -1
   std::vector<double> hidden;
   size_t states;
   double time_offset = 0, duration = 1;
 
   explicit Integrator(const TrueRig& r) : rig(r), n(r.mass_kg.size()), links(r.links.size()) {
+    for (const TrueEffect& e : r.effects) kind.push_back(kind_of(e.kind));
     mode.assign(links, 1);
     for (size_t l = 0; l < links; ++l) mode[l] = friction_level(l, 0) > 0 ? 0 : 1;
     hold.assign(links, 0);
     hidden.assign(r.effects.size(), 0);
     states = 2 * n;
-    for (const TrueEffect& e : r.effects) {
+    for (Kind k : kind) {
       memory.push_back(-1);
-      if (e.kind == "presliding_hysteresis") memory.back() = static_cast<int>(states), states += 1;
-      if (e.kind == "unmodelled_resonance") memory.back() = static_cast<int>(states), states += 2;
+      if (k == Kind::kPreslidingHysteresis) memory.back() = static_cast<int>(states), states += 1;
+      if (k == Kind::kUnmodelledResonance) memory.back() = static_cast<int>(states), states += 2;
     }
   }
   double of(const std::vector<double>& s, int dof, size_t base) const {
@@ -41,17 +65,17 @@ struct Integrator {
   double rate(const std::vector<double>& s, size_t l) const {
     return of(s, rig.links[l].a, n) - of(s, rig.links[l].b, n);
   }
-  const TrueEffect* on_link(size_t l, const char* kind) const {
-    for (const TrueEffect& e : rig.effects)
-      if (e.link == static_cast<int>(l) && e.kind == kind) return &e;
+  const TrueEffect* on_link(size_t l, Kind wanted) const {
+    for (size_t i = 0; i < kind.size(); ++i)
+      if (rig.effects[i].link == static_cast<int>(l) && kind[i] == wanted) return &rig.effects[i];
     return nullptr;
   }
   // sliding friction level of a link at rate w
   double friction_level(size_t l, double w) const {
-    if (on_link(l, "presliding_hysteresis")) return 0;
+    if (on_link(l, Kind::kPreslidingHysteresis)) return 0;
     double level = rig.links[l].F;
-    if (const TrueEffect* e = on_link(l, "missing_coulomb")) level += e->strength;
-    if (const TrueEffect* e = on_link(l, "stribeck")) level += e->strength * std::exp(-std::abs(w) / e->shape);
+    if (const TrueEffect* e = on_link(l, Kind::kMissingCoulomb)) level += e->strength;
+    if (const TrueEffect* e = on_link(l, Kind::kStribeck)) level += e->strength * std::exp(-std::abs(w) / e->shape);
     return level;
   }
   double effect_force(size_t i, const std::vector<double>& s, double t) const {
@@ -59,25 +83,26 @@ struct Integrator {
     if (e.link < 0) return 0;
     const size_t l = static_cast<size_t>(e.link);
     const double u = elongation(s, l), w = rate(s, l), k = rig.links[l].k;
-    const std::string& kind = e.kind;
     const auto clip = [&] { return std::clamp(u, -e.shape, e.shape); };
-    if (kind == "cubic_stiffness") return e.strength * u * u * u;
-    if (kind == "quadratic_stiffness") return e.strength * u * u;
-    if (kind == "stiffness_error") return e.strength * u;
-    if (kind == "backlash") return -k * clip();
-    if (kind == "end_stop") return e.strength * (u - clip());
-    if (kind == "quadratic_damping") return e.strength * w * std::abs(w);
-    if (kind == "cubic_damping") return e.strength * w * w * w;
-    if (kind == "force_offset") return e.strength;
-    if (kind == "asymmetric_viscous") return e.strength * std::abs(w);
-    if (kind == "displacement_dependent_damping") return e.strength * u * u * w;
-    if (kind == "missing_viscous") return e.strength * w;
-    if (kind == "drifting_viscous") return e.strength * w * (t / duration - 0.5);
-    if (kind == "cogging") return e.strength * std::sin(kTwoPi * u / e.shape);
-    if (kind == "switched_damper") return std::fmod(t, e.shape) < 0.5 * e.shape ? e.strength * w : 0.0;
-    if (kind == "pulsating_stiffness") return e.strength * u * std::sin(kTwoPi * t / e.shape);
-    if (kind == "presliding_hysteresis") return rig.links[l].F * s[static_cast<size_t>(memory[i])];
-    return 0;  // friction kinds are part of friction_level
+    switch (kind[i]) {
+      case Kind::kCubicStiffness: return e.strength * u * u * u;
+      case Kind::kQuadraticStiffness: return e.strength * u * u;
+      case Kind::kStiffnessError: return e.strength * u;
+      case Kind::kBacklash: return -k * clip();
+      case Kind::kEndStop: return e.strength * (u - clip());
+      case Kind::kQuadraticDamping: return e.strength * w * std::abs(w);
+      case Kind::kCubicDamping: return e.strength * w * w * w;
+      case Kind::kForceOffset: return e.strength;
+      case Kind::kAsymmetricViscous: return e.strength * std::abs(w);
+      case Kind::kDisplacementDependentDamping: return e.strength * u * u * w;
+      case Kind::kMissingViscous: return e.strength * w;
+      case Kind::kDriftingViscous: return e.strength * w * (t / duration - 0.5);
+      case Kind::kCogging: return e.strength * std::sin(kTwoPi * u / e.shape);
+      case Kind::kSwitchedDamper: return std::fmod(t, e.shape) < 0.5 * e.shape ? e.strength * w : 0.0;
+      case Kind::kPulsatingStiffness: return e.strength * u * std::sin(kTwoPi * t / e.shape);
+      case Kind::kPreslidingHysteresis: return rig.links[l].F * s[static_cast<size_t>(memory[i])];
+      default: return 0;  // friction kinds are part of friction_level
+    }
   }
   // derivative of the state; also fills hold[] for stuck links
   void slope(const std::vector<double>& s, double t, double force, std::vector<double>& d) {
@@ -98,16 +123,16 @@ struct Integrator {
     for (size_t i = 0; i < rig.effects.size(); ++i) {
       const TrueEffect& e = rig.effects[i];
       if (e.link >= 0) add(static_cast<size_t>(e.link), effect_force(i, s, t));
-      if (e.kind == "presliding_hysteresis") {
+      if (kind[i] == Kind::kPreslidingHysteresis) {
         const size_t z = static_cast<size_t>(memory[i]);
         const double w = rate(s, static_cast<size_t>(e.link));
         d[z] = (w - std::abs(w) * s[z]) / e.shape;
       }
       if (e.dof < 0) continue;
       const size_t j = static_cast<size_t>(e.dof);
-      if (e.kind == "mass_error") inertia[j] += e.strength;
-      if (e.kind == "foreign_tone") push[j] -= e.strength * std::sin(kTwoPi * e.shape * t);
-      if (e.kind == "unmodelled_resonance") {
+      if (kind[i] == Kind::kMassError) inertia[j] += e.strength;
+      if (kind[i] == Kind::kForeignTone) push[j] -= e.strength * std::sin(kTwoPi * e.shape * t);
+      if (kind[i] == Kind::kUnmodelledResonance) {
         const size_t z = static_cast<size_t>(memory[i]);
         const double omega = kTwoPi * e.shape;
         const double f = e.strength * (omega * omega * (s[j] - s[z]) + 2 * e.shape2 * omega * (s[n + j] - s[z + 1]));
@@ -198,15 +223,15 @@ struct Integrator {
     if (e.link >= 0) {
       const size_t l = static_cast<size_t>(e.link);
       const double w = rate(s, l), way = w > 0 ? 1 : -1;
-      if (e.kind == "stribeck") return mode[l] * e.strength * std::exp(-std::abs(w) / e.shape);
-      if (e.kind == "missing_coulomb") return mode[l] * e.strength;
-      if (e.kind == "presliding_hysteresis") return effect_force(i, s, t) - rig.links[l].F * way;
+      if (kind[i] == Kind::kStribeck) return mode[l] * e.strength * std::exp(-std::abs(w) / e.shape);
+      if (kind[i] == Kind::kMissingCoulomb) return mode[l] * e.strength;
+      if (kind[i] == Kind::kPreslidingHysteresis) return effect_force(i, s, t) - rig.links[l].F * way;
       return effect_force(i, s, t);
     }
     const size_t j = static_cast<size_t>(e.dof);
-    if (e.kind == "mass_error") return e.strength * d[n + j];
-    if (e.kind == "foreign_tone") return e.strength * std::sin(kTwoPi * e.shape * t);
-    if (e.kind == "unmodelled_resonance") return e.strength * d[static_cast<size_t>(memory[i]) + 1];
+    if (kind[i] == Kind::kMassError) return e.strength * d[n + j];
+    if (kind[i] == Kind::kForeignTone) return e.strength * std::sin(kTwoPi * e.shape * t);
+    if (kind[i] == Kind::kUnmodelledResonance) return e.strength * d[static_cast<size_t>(memory[i]) + 1];
     return 0;
   }
 };
