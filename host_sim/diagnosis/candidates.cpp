@@ -80,14 +80,17 @@ CandidateBank::CandidateBank(const Rows& rows) : rows_(rows) {
   for (const FusedRecord& f : rows.records())
     highest_Hz_ = std::max(highest_Hz_, 1.4 * f.omega(motion_bin(f, 0.99)) / 6.283185307179586);
   highest_Hz_ = std::clamp(highest_Hz_, 0.006 / rows.records().front().period_s, 0.11 / rows.records().front().period_s);
-  for (size_t l = 0; l < rows.system().links.size(); ++l) add_link(static_cast<int>(l));
+  for (size_t l = 0; l < rows.system().links.size(); ++l) {
+    const int link = static_cast<int>(l);
+    for (Kind kind : {Kind::kMissingViscous, Kind::kMissingCoulomb}) add(on_link(kind, link), columns_);
+    if (l < rows.system().known_links) add_effects(link, columns_);
+  }
   for (size_t d = 0; d < rows.system().dofs(); ++d) add_dof(static_cast<int>(d));
 }
 
-void CandidateBank::add(const Term& term) {
-  columns_.push_back(rows_.column(term));
-  for (const Term& other : companions_of(term))
-    partner_[columns_.back().get()].push_back(rows_.column(other));
+void CandidateBank::add(const Term& term, Columns& columns) const {
+  columns.push_back(rows_.column(term));
+  for (const Term& other : companions_of(term)) partner_[columns.back().get()].push_back(rows_.column(other));
 }
 
 CandidateBank::Extent CandidateBank::extent(int link) const {
@@ -112,26 +115,30 @@ CandidateBank::Range CandidateBank::range(const Term& t) const {
   }
 }
 
-void CandidateBank::add_link(int link) {
-  for (Kind kind : {Kind::kMissingViscous, Kind::kMissingCoulomb}) add(on_link(kind, link));
-  if (static_cast<size_t>(link) >= rows_.system().known_links) return;
+void CandidateBank::add_effects(int link, Columns& columns) const {
   for (Kind kind : {Kind::kCubicStiffness, Kind::kQuadraticStiffness, Kind::kStiffnessError, Kind::kQuadraticDamping,
                     Kind::kCubicDamping, Kind::kForceOffset, Kind::kAsymmetricViscous, Kind::kDisplacementDamping,
                     Kind::kDriftingViscous})
-    add(on_link(kind, link));
+    add(on_link(kind, link), columns);
   const rig_file::Link& given = rows_.system().links[static_cast<size_t>(link)];
   const Extent e = extent(link);
   if (e.u_peak <= 0 || e.w_rms <= 0) return;
   if (given.stiffness_N_m.estimate || given.stiffness_N_m.value != 0)
-    for (double gap : log_grid(1e-4 * e.u_peak, 0.5 * e.u_peak, 14)) add(on_link(Kind::kBacklash, link, gap));
+    for (double gap : log_grid(1e-4 * e.u_peak, 0.5 * e.u_peak, 14)) add(on_link(Kind::kBacklash, link, gap), columns);
   for (double share : {0.2, 0.32, 0.43, 0.54, 0.65, 0.75, 0.85, 0.93})
-    add(on_link(Kind::kEndStop, link, share * e.u_peak));
-  for (double speed : log_grid(0.04 * e.w_rms, 1.0 * e.w_rms, 7)) add(on_link(Kind::kStribeck, link, speed));
-  for (double length : log_grid(1e-3 * e.u_rms, 1.0 * e.u_rms, 9)) add(on_link(Kind::kPresliding, link, length));
+    add(on_link(Kind::kEndStop, link, share * e.u_peak), columns);
+  for (double speed : log_grid(0.04 * e.w_rms, 1.0 * e.w_rms, 7)) add(on_link(Kind::kStribeck, link, speed), columns);
+  for (double length : log_grid(1e-3 * e.u_rms, 1.0 * e.u_rms, 9)) add(on_link(Kind::kPresliding, link, length), columns);
+}
+
+const CandidateBank::Columns& CandidateBank::effects_of_unlisted(int link) const {
+  Columns& columns = unlisted_[link];
+  if (columns.empty()) add_effects(link, columns);
+  return columns;
 }
 
 void CandidateBank::add_dof(int dof) {
-  add(on_dof(Kind::kMassError, dof));
+  add(on_dof(Kind::kMassError, dof), columns_);
   const Column mass = *columns_.back();
   const FusedRecord& first = rows_.records().front();
   // Hidden resonances: on the grid by their frequency response, which is exact but for the ends of the record.
@@ -151,11 +158,11 @@ void CandidateBank::add_dof(int dof) {
     columns_.push_back(std::make_shared<const Column>(c));
   }
   if (!rows_.has_force(static_cast<size_t>(dof))) return;
-  for (Kind kind : {Kind::kForceDelay, Kind::kForceGain}) add(on_dof(kind, dof));
+  for (Kind kind : {Kind::kForceDelay, Kind::kForceGain}) add(on_dof(kind, dof), columns_);
   const double top_Hz = first.omega(first.last_bin) / 6.283185307179586;
   if (rows_.records().size() > 1) return;  // the phase of a hum differs between records
-  if (top_Hz > 50) add(on_dof(Kind::kForceHumCos50, dof));
-  if (top_Hz > 60) add(on_dof(Kind::kForceHumCos60, dof));
+  if (top_Hz > 50) add(on_dof(Kind::kForceHumCos50, dof), columns_);
+  if (top_Hz > 60) add(on_dof(Kind::kForceHumCos60, dof), columns_);
 }
 
 bool CandidateBank::has_shape(Kind kind) {
@@ -219,8 +226,15 @@ double CandidateBank::reversal_doubt(const std::vector<ActiveTerm>& model, const
 }
 
 std::vector<Candidate> CandidateBank::beside(const std::vector<ActiveTerm>& model) const {
+  Columns columns = columns_;
+  for (const ActiveTerm& a : model) {  // a link that the rig file lacks may have more to it than its damper
+    const bool damper = a.term.kind == Kind::kMissingViscous || a.term.kind == Kind::kMissingCoulomb;
+    if (!damper || static_cast<size_t>(a.term.link) < rows_.system().known_links) continue;
+    const Columns& more = effects_of_unlisted(a.term.link);
+    columns.insert(columns.end(), more.begin(), more.end());
+  }
   std::vector<Candidate> list;
-  for (const auto& column : columns_) {
+  for (const auto& column : columns) {
     Candidate c;
     c.column = column;
     const auto partner = partner_.find(column.get());

@@ -32,19 +32,22 @@ class CandidateBank {
   double reversal_doubt(const std::vector<ActiveTerm>& model, const Term& term) const;
 
  private:
-  void add(const Term& term);
+  using Columns = std::vector<std::shared_ptr<const Column>>;
+  void add(const Term& term, Columns& columns) const;
   std::vector<Term> companions_of(const Term& term) const;  // fitted with it: a hum's sine, a resonance's start, ...
   struct Extent {
     double u_peak = 0, u_rms = 0, w_rms = 0;
   };
   Extent extent(int link) const;  // the widest over the records
-  void add_link(int link);
+  void add_effects(int link, Columns& columns) const;
+  const Columns& effects_of_unlisted(int link) const;  // made when they are first asked for
   void add_dof(int dof);
   bool prepare(const std::vector<ActiveTerm>& model, Candidate& candidate) const;
-  std::map<const Column*, std::vector<std::shared_ptr<const Column>>> partner_;  // companions of those on the grid
+  mutable std::map<const Column*, Columns> partner_;  // companions of those on the grid
   const Rows& rows_;
   double highest_Hz_ = 0;  // of a hidden resonance
-  std::vector<std::shared_ptr<const Column>> columns_;
+  Columns columns_;
+  mutable std::map<int, Columns> unlisted_;  // per link that the rig file does not list
 };
 
 }  // namespace diagnosis

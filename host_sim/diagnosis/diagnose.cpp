@@ -122,7 +122,7 @@ void report_terms(const System& system, const Rows& rows, const SearchResult& fo
 
 // Removes terms that make the free simulation of unseen data worse. True if one was removed.
 bool reject_worse(const System& system, const Judge& judge, const Rows& rows, SearchResult& found, Diagnosis& d) {
-  const HoldoutScore with = judge.score(judge.fitted(found.model));
+  const std::vector<ActiveTerm> fitted = judge.fitted(found.model);
   for (size_t i = 0; i < found.added.size(); ++i) {
     std::vector<ActiveTerm> model = found.model;
     const Term mine = found.added[i].candidate.term();
@@ -131,8 +131,7 @@ bool reject_worse(const System& system, const Judge& judge, const Rows& rows, Se
         remove_term(model, k);
         break;
       }
-    const HoldoutScore without = judge.score(judge.fitted(model));
-    if (mean(with.nrmse_percent) < 1.03 * mean(without.nrmse_percent)) continue;
+    if (!judge.clearly_worse(fitted, judge.fitted(model))) continue;
     Cause c;
     c.effect = word_of(mine.kind), c.where = place_of(system, mine, rows.records()[0]);
     c.significance = found.added[i].score;

@@ -6,6 +6,12 @@
 #include "sharpen.hpp"
 
 namespace diagnosis {
+namespace {
+
+constexpr int kSteps = 4;         // of a simulation per sample
+constexpr double kWorse = 0.06;   // of the error's square: less is no difference
+
+}  // namespace
 
 Judge::Judge(const System& system, const std::vector<FusedRecord>& full, const std::vector<FusedRecord>& early,
              std::vector<FusedRecord> unseen, double early_share)
@@ -24,14 +30,21 @@ std::vector<ActiveTerm> Judge::fitted(const std::vector<ActiveTerm>& model) cons
   return copy;
 }
 
-HoldoutScore Judge::over(const std::vector<FusedRecord>& records, const std::vector<ActiveTerm>& model, double from_share) const {
-  HoldoutScore total;
-  total.nrmse_percent.assign(system_.dofs(), 0.0), total.mse_percent = total.velocity_percent = total.nrmse_percent;
+std::vector<Judge::Span> Judge::spans(const std::vector<FusedRecord>& records, double from_share) const {
+  std::vector<Span> list;
   for (const FusedRecord& f : records) {
     const Eigen::Index n = static_cast<Eigen::Index>(f.samples);
     const Eigen::Index ramp = static_cast<Eigen::Index>((f.outer.weight.array() < 1).count() / 2 + 8);
-    const Eigen::Index from = std::max(ramp, static_cast<Eigen::Index>(from_share * static_cast<double>(n)));
-    const HoldoutScore one = score_free_run(system_, model, f, from, n - ramp);
+    list.push_back({f, std::max(ramp, static_cast<Eigen::Index>(from_share * static_cast<double>(n))), n - ramp});
+  }
+  return list;
+}
+
+HoldoutScore Judge::over(const std::vector<FusedRecord>& records, const std::vector<ActiveTerm>& model, double from_share) const {
+  HoldoutScore total;
+  total.nrmse_percent.assign(system_.dofs(), 0.0), total.mse_percent = total.velocity_percent = total.nrmse_percent;
+  for (const Span& s : spans(records, from_share)) {
+    const HoldoutScore one = score_free_run(system_, model, s.record, s.from, s.to);
     for (size_t j = 0; j < system_.dofs(); ++j) {
       total.nrmse_percent[j] += std::pow(one.nrmse_percent[j], 2) / static_cast<double>(records.size());
       total.velocity_percent[j] += std::pow(one.velocity_percent[j], 2) / static_cast<double>(records.size());
@@ -45,6 +58,29 @@ HoldoutScore Judge::over(const std::vector<FusedRecord>& records, const std::vec
 
 HoldoutScore Judge::score(const std::vector<ActiveTerm>& model) const {
   return unseen_.empty() ? over(full_, model, early_share_) : over(unseen_, model, 0);
+}
+
+// With errors e of the one and e + d of the other the squares differ by d'd + 2 e'd. Were the one right, e would be noise
+// that knows nothing of d: then e'd has no mean, and its variance follows from the power of both, frequency by frequency.
+bool Judge::clearly_worse(const std::vector<ActiveTerm>& model, const std::vector<ActiveTerm>& other) const {
+  double better = 0, variance = 0, square = 0;
+  const std::vector<Span> list = unseen_.empty() ? spans(full_, early_share_) : spans(unseen_, 0);
+  for (const Span& s : list) {
+    const Series mine = run_errors(system_, model, s.record, s.from, s.to, kSteps);
+    const Series others = run_errors(system_, other, s.record, s.from, s.to, kSteps);
+    if (others.size() == 0) continue;
+    if (mine.size() == 0) return true;  // does not stay finite
+    const Eigen::Index length = s.to - s.from, dofs = static_cast<Eigen::Index>(system_.dofs());
+    const Fourier fourier(static_cast<size_t>(length));
+    Spectrum cross = Spectrum::Zero(fourier.bins());
+    for (Eigen::Index j = 0; j < dofs; ++j) {
+      const Series e = mine.segment(j * length, length), d = others.segment(j * length, length) - e;
+      better += d.squaredNorm() + 2 * e.dot(d), square += e.squaredNorm();
+      cross += fourier.forward(e).conjugate().cwiseProduct(fourier.forward(d));
+    }
+    variance += 8 * cross.squaredNorm() / std::pow(static_cast<double>(length), 2);
+  }
+  return better < -kWorse * square && better < -2 * std::sqrt(variance);
 }
 
 double mean(const std::vector<double>& values) {

@@ -18,8 +18,15 @@ class Judge {
   // A model's terms, fitted on what may be seen.
   std::vector<ActiveTerm> fitted(const std::vector<ActiveTerm>& model) const;
   HoldoutScore score(const std::vector<ActiveTerm>& fitted_model) const;  // on what the fit has not seen
+  // The first fitted model simulates that worse than the second, and by more than chance.
+  bool clearly_worse(const std::vector<ActiveTerm>& model, const std::vector<ActiveTerm>& other) const;
 
  private:
+  struct Span {
+    const FusedRecord& record;
+    Eigen::Index from, to;
+  };
+  std::vector<Span> spans(const std::vector<FusedRecord>& records, double from_share) const;
   HoldoutScore over(const std::vector<FusedRecord>& records, const std::vector<ActiveTerm>& model, double from_share) const;
   const System& system_;
   const std::vector<FusedRecord>&full_, &early_;

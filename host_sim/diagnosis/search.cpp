@@ -243,7 +243,7 @@ SearchResult Search::run() {
   result.base_fit = state.fit;
   const double start = state.fit.chi2;
   // What a later term must bring of the first one's gain: friction near reversals is known to a few percent only.
-  double first_gain = 0, least_share = 0.002;
+  double first_gain = 0, least_share = 0.0002;
   while (added_terms(state.model).size() < kMostTerms) {
     if (!extend(state, least_share * first_gain, 4)) break;
     first_gain = std::max(first_gain, start - state.fit.chi2);

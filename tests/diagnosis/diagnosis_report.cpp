@@ -49,6 +49,8 @@ int one_line(int argc, char** argv) {
   }
   const Tally t = run_line(line, seed, &std::cout);
   std::printf("exact %d set %d of %d; CPU mean %.2f s, slowest %.2f s\n", t.exact, t.set, t.draws, t.seconds / t.draws, t.slowest);
+  for (const auto& limit : t.limits)  // what every "none" printed, % of the damping force
+    std::printf("%-32s %.2f\n", limit.first.c_str(), hidden::quantile(limit.second, 0.5));
   return 0;
 }
 

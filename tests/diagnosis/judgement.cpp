@@ -44,6 +44,7 @@ std::string told(const Draw& draw, const diagnosis::Diagnosis& d) {
   line += diagnosis::verdict_word(d.verdict);
   for (const diagnosis::Cause& c : d.causes) line += " " + c.effect + " on " + c.where;
   for (const diagnosis::NamedPlace& p : d.ambiguous_with) line += " | or " + p.effect + " on " + p.where;
+  for (const diagnosis::Cause& c : d.rejected) line += "; rejected: " + c.effect + " on " + c.where;
   if (!d.unknown_trace.empty()) line += "; trace: " + d.unknown_trace;
   return line;
 }

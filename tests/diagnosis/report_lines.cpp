@@ -124,6 +124,12 @@ Tally run_line(const Line& line, uint64_t first_seed, std::ostream* list) {
   return t;
 }
 
+double quantile(std::vector<double> v, double share) {
+  if (v.empty()) return 0;
+  std::sort(v.begin(), v.end());
+  return v[static_cast<size_t>(share * static_cast<double>(v.size() - 1))];
+}
+
 void write(std::ostream& out, const Tally& t) {
   out << nlohmann::json{{"draws", t.draws}, {"exact", t.exact}, {"set", t.set}, {"seconds", t.seconds}, {"slowest", t.slowest},
                         {"confusion", t.confusion}, {"power", t.power}, {"gain_shares", t.gain_shares}, {"limits", t.limits},

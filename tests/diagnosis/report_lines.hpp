@@ -31,6 +31,8 @@ std::vector<Line> report_lines(double share);  // share of the full number of dr
 
 Tally run_line(const Line& line, uint64_t first_seed, std::ostream* list);
 
+double quantile(std::vector<double> values, double share);  // the value that this share of them does not exceed
+
 void write(std::ostream& out, const Tally& tally);
 Tally read_tally(std::istream& in);
 

@@ -20,12 +20,6 @@ constexpr Limit kMarks[] = {{"cubic_stiffness", 0.21, 1.05}, {"stiffness_error",
                             {"missing_coulomb", 0.82, 4.0}, {"cubic_damping", 0.94, 4.6}, {"force_offset", 1.3, 6.5},
                             {"quadratic_damping", 1.4, 6.8}, {"stribeck", 1.6, 8.3}};
 
-double quantile(std::vector<double> v, double share) {
-  if (v.empty()) return 0;
-  std::sort(v.begin(), v.end());
-  return v[static_cast<size_t>(share * static_cast<double>(v.size() - 1))];
-}
-
 template <typename... Values>
 void put(std::ostream& out, const char* format, Values... values) {
   char text[1200];
