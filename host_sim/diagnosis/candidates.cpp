@@ -209,7 +209,8 @@ bool CandidateBank::prepare(const std::vector<ActiveTerm>& model, Candidate& c) 
   return true;
 }
 
-// Friction near velocity reversals is known to about one percent only: an effect beside it must bring more than that.
+// Friction near velocity reversals is known to some percent only: an effect beside it must bring more than that, or show
+// with the reversals left out of account.
 double CandidateBank::reversal_doubt(const std::vector<ActiveTerm>& model, const Term& t) const {
   double largest = 0;
   const auto& links = rows_.system().links;
@@ -222,7 +223,8 @@ double CandidateBank::reversal_doubt(const std::vector<ActiveTerm>& model, const
                                  : touches(l, links[static_cast<size_t>(t.link)].a) || touches(l, links[static_cast<size_t>(t.link)].b);
     if (near) largest = std::max(largest, std::pow(a.value / a.std, 2));
   }
-  return 1e-4 * largest;
+  if (friction_shape(t.kind)) return 1e-4 * largest;
+  return (rows_.reversals() == Rows::Reversals::kWide ? 1e-5 : 1e-3) * largest;
 }
 
 std::vector<Candidate> CandidateBank::beside(const std::vector<ActiveTerm>& model) const {
@@ -241,7 +243,8 @@ std::vector<Candidate> CandidateBank::beside(const std::vector<ActiveTerm>& mode
     if (partner != partner_.end()) c.companions = partner->second, c.penalty = c.term().kind == Kind::kQuadraticStiffness ? 24 : 6;
     if (!prepare(model, c)) continue;
     // integrated motion drifts, and drift looks like much, most of all like a hidden mass with a spring of its own
-    if (!rows_.absolute()) c.threshold *= c.term().kind == Kind::kResonance ? 10 : 2;
+    if (!rows_.absolute()) c.threshold *= c.term().kind == Kind::kResonance ? 80 : 4;
+    else if (!rows_.redundant()) c.threshold *= 2;  // noise that no second channel bears out
     c.threshold += reversal_doubt(model, c.term());
     list.push_back(c);
   }

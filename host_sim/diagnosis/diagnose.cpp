@@ -175,7 +175,7 @@ struct Remainder {
 };
 Remainder remainder_of(const Bench& bench, const SearchResult& found) {
   const double drop = (found.base_fit.chi2 - found.fit.chi2) / found.fit.dof;
-  Remainder left{found.fit.ratio() - 1 < 0.25 + (bench.rows->absolute() ? 0.003 : 0.01) * drop && found.fit.ratio() < kFarBeyondNoise, ""};
+  Remainder left{found.fit.ratio() - 1 < (bench.rows->absolute() ? 0.4 + 0.003 * drop : 0.6 + 0.01 * drop) && found.fit.ratio() < kFarBeyondNoise, ""};
   const Outsider outsider = outsider_of(*bench.rows, *bench.bank, found);
   if (outsider.present()) left = {false, outsider.description};
   return left;
@@ -242,7 +242,7 @@ Diagnosis diagnose(const rig_file::RigModel& rig, const std::vector<host_sim::Re
       score_both(judge, judge.fitted(found.base), judge.fitted(found.model), d);
     }
   }
-  const Rows& rows = *bench.rows;
+  Rows& rows = *bench.rows;
   report_terms(system, rows, found, d);
   d.ranked = ranking(system, rows, *bench.bank, found, 12);
   d.baseline.parameters = parameters_of(system, found.base);

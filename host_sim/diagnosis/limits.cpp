@@ -18,13 +18,15 @@ double rms_of(const Column& c, const Rows& rows, double coefficient) {
   return std::abs(coefficient) * std::sqrt(power / samples);
 }
 
-// rms of what the model's dampers take on a link; for a DOF the largest of its links.
+// rms of what the model's dampers take on a link; for a DOF or a link that the rig file lacks the largest nearby.
 double damping_rms(const Rows& rows, const std::vector<ActiveTerm>& model, const Term& place) {
   double largest = 0;
   for (size_t l = 0; l < rows.system().links.size(); ++l) {
     const rig_file::Link& link = rows.system().links[l];
-    const bool here = place.link >= 0 ? static_cast<int>(l) == place.link : link.a == place.dof + 1 || link.b == place.dof + 1;
-    if (!here) continue;
+    const auto touches = [&](int dof) { return dof > 0 && (link.a == dof || link.b == dof); };
+    const rig_file::Link* own = place.link >= 0 ? &rows.system().links[static_cast<size_t>(place.link)] : nullptr;
+    const bool listed = own && static_cast<size_t>(place.link) < rows.system().known_links;
+    if (!(listed ? &link == own : own ? touches(own->a) || touches(own->b) : touches(place.dof + 1))) continue;
     double power = 0;
     for (const ActiveTerm& t : model) {
       const Kind kind = t.term.kind;
@@ -42,10 +44,7 @@ std::vector<Candidate> freed(std::vector<Candidate> candidates) {
   return candidates;
 }
 
-}  // namespace
-
-std::vector<DetectionLimit> detection_limits(const Rows& rows, const CandidateBank& bank,
-                                             const std::vector<ActiveTerm>& model, const Fit& fit) {
+std::vector<DetectionLimit> limits_of(const Rows& rows, const CandidateBank& bank, const std::vector<ActiveTerm>& model, const Fit& fit) {
   std::vector<DetectionLimit> list;
   Term last;
   const std::vector<Candidate> candidates = bank.beside(model);
@@ -84,6 +83,23 @@ std::vector<DetectionLimit> detection_limits(const Rows& rows, const CandidateBa
     }
     last = c.term();
   }
+  return list;
+}
+
+}  // namespace
+
+std::vector<DetectionLimit> detection_limits(Rows& rows, const CandidateBank& bank, const std::vector<ActiveTerm>& model,
+                                             const Fit& fit) {
+  std::vector<DetectionLimit> list = limits_of(rows, bank, model, fit);
+  std::vector<ActiveTerm> copy = model;
+  rows.look_at(Rows::Reversals::kWide);
+  const Fit wide = settle(rows, copy, 2);
+  for (const DetectionLimit& other : limits_of(rows, bank, copy, wide)) {
+    const bool shape_of_friction = other.effect == word_of(Kind::kStribeck) || other.effect == word_of(Kind::kPresliding);
+    for (DetectionLimit& own : list)  // either look suffices to name it
+      if (own.effect == other.effect && own.where == other.where && other.strength < own.strength && !shape_of_friction) own = other;
+  }
+  rows.look_at(Rows::Reversals::kNarrow);
   return list;
 }
 

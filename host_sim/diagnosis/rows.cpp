@@ -37,6 +37,13 @@ bool Rows::absolute() const {
   return std::all_of(records_.begin(), records_.end(), [](const FusedRecord& f) { return f.first_bin == 0; });
 }
 
+bool Rows::redundant() const {
+  for (const FusedRecord& f : records_)
+    for (size_t j = 0; j < system_.dofs(); ++j)
+      if (f.spectra[j].count() < 2) return false;
+  return true;
+}
+
 std::shared_ptr<const Column> Rows::column(const Term& term) const {
   const auto column = std::make_shared<Column>();
   Column& c = *column;

@@ -41,6 +41,11 @@ class Rows {
   std::shared_ptr<const Column> column(const Term& term) const;
   // Fills in what a term that joined the model lacks.
   void prepare(ActiveTerm& term) const;
+  // How far from a reversal of the rate friction is taken as uncertain. Narrow: its shape shows. Wide: what reversals
+  // leave over looks like no other effect.
+  enum class Reversals { kNarrow, kWide };
+  void look_at(Reversals reversals) { reversals_ = reversals; }
+  Reversals reversals() const { return reversals_; }
   // The friction near velocity reversals, from the balance of the model (stick.cpp).
   void hold_stuck(const std::vector<ActiveTerm>& model);
   // Sets the weights from the model's present values.
@@ -59,6 +64,7 @@ class Rows {
   const std::vector<FusedRecord>& records() const { return records_; }
   bool has_force(size_t dof) const;
   bool absolute() const;  // displacements are known with their constant
+  bool redundant() const;  // every DOF has two channels of motion or more
   // Per record and DOF the bin that explains most of a residual.
   std::vector<Tone> loudest_tones(const std::vector<Balance>& residual) const;
 
@@ -74,6 +80,7 @@ class Rows {
   std::shared_ptr<const Weights> weights_;         // shared with the fits made under them
   Eigen::Index size_ = 0;
   double absorbed_ = 0;
+  Reversals reversals_ = Reversals::kNarrow;
 };
 
 }  // namespace diagnosis

@@ -6,7 +6,10 @@
 namespace diagnosis {
 namespace {
 
-constexpr double kLeastGain = 35;  // of chi-squared, for one more term
+constexpr double kLeastGain = 17;  // of chi-squared, for two terms in place of one
+// What a later term must bring of the first one's gain: more where a shape was not met, most where it is friction's, which
+// near reversals is known to a few percent only.
+constexpr double kLeastShare = 0.0002, kLeastBesideShape = 0.0005, kLeastBesideFriction = 0.04;
 
 struct Scorer {
   const Rows& rows;
@@ -138,10 +141,12 @@ class Search {
     const std::vector<Found> list = ranked(rows_, bank_, state.model, state.fit, 5);
     State best;
     bool found = false;
-    double cost = 0;
-    for (size_t i = 0; i < list.size() && i < beam; ++i) {
-      const Found& f = list[i];
-      if (f.score < f.candidate.threshold || f.gain.chi2 < least_gain || f.score < 0.4 * list[0].score) continue;
+    double cost = 0, leading = 0;  // score of the first that passes
+    size_t tried = 0;
+    for (const Found& f : list) {
+      if (f.score < f.candidate.threshold || f.gain.chi2 < least_gain) continue;
+      leading = std::max(leading, f.score);
+      if (f.score < 0.4 * leading || ++tried > beam) break;
       State trial = settled(joined(state.model, f.candidate, f.gain), 2);
       if (!plausible(trial.model)) continue;
       if (list.size() > 1 && list[1].score > 0.4 * list[0].score) polish(trial);
@@ -154,6 +159,36 @@ class Search {
     }
     state.fit = settle(rows_, state.model, 1);
     return found;
+  }
+  // The best candidate that shows away from velocity reversals, where little else disturbs it.
+  bool extend_beside_reversals(State& state, double least_gain) {
+    rows_.look_at(Rows::Reversals::kWide);
+    State wide = settled(state.model, 2), best;
+    bool found = false;
+    for (const Found& f : ranked(rows_, bank_, wide.model, wide.fit, 3)) {
+      if (CandidateBank::friction_shape(f.candidate.term().kind)) continue;
+      if (f.score < f.candidate.threshold || f.gain.chi2 < least_gain) continue;
+      best = settled(joined(wide.model, f.candidate, f.gain), 2);
+      found = plausible(best.model);
+      break;
+    }
+    rows_.look_at(Rows::Reversals::kNarrow);
+    if (found) state = best, polish(state);
+    state.fit = settle(rows_, state.model, 1);
+    return found;
+  }
+  // What an added term brings where velocity reversals count for little, and what it must bring there.
+  bool holds_beside_reversals(const State& state, size_t index) {
+    const Term mine = state.model[index].term;
+    if (CandidateBank::friction_shape(mine.kind)) return false;
+    rows_.look_at(Rows::Reversals::kWide);
+    const State wide = settled(state.model, 2), w = without(wide, index);
+    const Candidate c = bank_.again(mine, w.model);
+    const double score = (w.fit.chi2 - wide.fit.chi2 - c.penalty) / std::max(1.0, wide.fit.ratio());
+    const bool holds = score >= c.threshold;
+    rows_.look_at(Rows::Reversals::kNarrow);
+    settled(state.model, 1);
+    return holds;
   }
   // One round of exchanging each added term for the best in its place. True if a term changed.
   bool swap(State& state) {
@@ -220,7 +255,7 @@ bool Search::review(State& state, SearchResult& result) {
     const double noise = std::max(1.0, state.fit.ratio());
     self.gain.chi2 = w.fit.chi2 - state.fit.chi2;
     self.score = (self.gain.chi2 - self.candidate.penalty) / noise;
-    if (self.score < self.candidate.threshold) {
+    if (self.score < self.candidate.threshold && !holds_beside_reversals(state, index)) {
       remove_term(state.model, index);
       state.fit = settle(rows_, state.model, 2);
       return false;
@@ -242,13 +277,16 @@ SearchResult Search::run() {
   result.base = state.model;
   result.base_fit = state.fit;
   const double start = state.fit.chi2;
-  // What a later term must bring of the first one's gain: friction near reversals is known to a few percent only.
-  double first_gain = 0, least_share = 0.0002;
+  double first_gain = 0, least_share = kLeastShare;
   while (added_terms(state.model).size() < kMostTerms) {
-    if (!extend(state, least_share * first_gain, 4)) break;
+    const double least_gain = least_share * first_gain;
+    if (!extend(state, least_gain, 4) && !extend_beside_reversals(state, least_gain)) break;
     first_gain = std::max(first_gain, start - state.fit.chi2);
-    for (size_t index : added_terms(state.model))
-      if (CandidateBank::friction_shape(state.model[index].term.kind)) least_share = 0.04;
+    for (size_t index : added_terms(state.model)) {
+      const Kind kind = state.model[index].term.kind;
+      if (CandidateBank::has_shape(kind))
+        least_share = std::max(least_share, CandidateBank::friction_shape(kind) ? kLeastBesideFriction : kLeastBesideShape);
+    }
     for (int i = 0; added_terms(state.model).size() > 1 && i < 3 && swap(state); ++i) {
     }
   }

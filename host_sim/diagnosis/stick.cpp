@@ -9,6 +9,7 @@
 namespace diagnosis {
 namespace {
 
+constexpr double kNarrow = 0.125, kWide = 2;  // in changes of the rate per sample that friction makes at a reversal
 constexpr double kTrust = 9;  // stuck friction leans one way: a shrunken estimate of it would look like a spring
 
 // Averaged over five samples: the rows end at a tenth of the sampling rate.
@@ -52,6 +53,7 @@ void Rows::prepare(ActiveTerm& t) const {
 
 void Rows::hold_stuck(const std::vector<ActiveTerm>& model) {
   const std::vector<double> level = friction_levels(system_, model);
+  const double reach = reversals_ == Reversals::kWide ? kWide : kNarrow;
   absorbed_ = 0;
   for (size_t r = 0; r < records_.size(); ++r) {
     const FusedRecord& f = records_[r];
@@ -67,7 +69,7 @@ void Rows::hold_stuck(const std::vector<ActiveTerm>& model) {
       const double noise = 1 / (trust_a + trust_b);
       const LinkMotion& m = links_[r][l];
       const double jump = 2 * level[l] * (inverse_mass(model, a + 1) + inverse_mass(model, b + 1)) * f.period_s;
-      const double spread = std::min(std::max(m.w_error, jump / 8), 0.1 * m.w_rms);
+      const double spread = std::min(std::max(m.w_error, reach * jump), 0.1 * m.w_rms);
       Series held = Series::Zero(static_cast<Eigen::Index>(f.samples));
       double doubt = 0;
       for (Eigen::Index i = 0; i < held.size(); ++i) {

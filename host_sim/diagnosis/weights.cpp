@@ -7,8 +7,8 @@
 namespace diagnosis {
 namespace {
 
-// Sampling, smoothing and the reversals of friction leave this share of a link's damping force wrong, noise or not.
-constexpr double kKnownDamping = 0.006;
+// Sampling and smoothing leave this share of a link's damping wrong, noise or not.
+constexpr double kKnownFriction = 0.006, kKnownViscous = 0.002;
 // The inner weight's spectrum is a few bins wide: so far reaches the noise of a bin, and so strongly.
 constexpr Eigen::Index kReach = 2;
 double share_of(Eigen::Index distance) { return distance == 0 ? 0.6 : 0.1; }
@@ -18,7 +18,9 @@ struct Dynamics {
   Eigen::MatrixXd mass, stiffness, viscous;
   std::vector<double> damper, friction;  // per link
   Dynamics(const Rows& rows, const std::vector<ActiveTerm>& model);
-  double damping_force(const LinkMotion& m, size_t link) const { return std::hypot(damper[link] * m.w_rms, friction[link]); }
+  double unknown_damping(const LinkMotion& m, size_t link) const {
+    return std::pow(kKnownViscous * damper[link] * m.w_rms, 2) + std::pow(kKnownFriction * friction[link], 2);
+  }
   void stiffness_at(double omega, SmallMatrix& out) const {
     out = (stiffness - omega * omega * mass).cast<Complex>() + Complex(0, omega) * viscous.cast<Complex>();
   }
@@ -60,7 +62,7 @@ void Rows::weight(const std::vector<ActiveTerm>& model) {
     for (size_t l = 0; l < system_.links.size(); ++l) {
       Term term;
       term.link = static_cast<int>(l);
-      const double floor = std::pow(kKnownDamping * dynamics.damping_force(links_[r][l], l), 2) * static_cast<double>(f.samples) / (2.0 * static_cast<double>(f.last_bin));
+      const double floor = dynamics.unknown_damping(links_[r][l], l) * static_cast<double>(f.samples) / (2.0 * static_cast<double>(f.last_bin));
       add(known, place(term), doubt_[r][l] + floor);
     }
     std::array<SmallMatrix, 2 * kReach + 1> near;  // covariances of the bins around the present one
@@ -88,6 +90,7 @@ void Rows::weight(const std::vector<ActiveTerm>& model) {
         shares += share_of(k);
       }
       sum *= inflation_[r][i] * f.inner_energy / (2 * shares);
+      if (i + f.first_bin == 0) sum *= 2;  // the mean is real: all its noise is in one of the two rows
       weights->back().set(i, sum);
     }
   }

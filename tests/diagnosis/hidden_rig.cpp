@@ -11,6 +11,7 @@ namespace hidden {
 namespace {
 
 constexpr double kTwoPi = 6.283185307179586;
+constexpr double kAtRest = 1e-6;  // m/s; a located reversal is a thousand times closer to rest
 
 enum class Kind {
   kCubicStiffness, kQuadraticStiffness, kStiffnessError, kBacklash, kEndStop,
@@ -166,6 +167,21 @@ struct Integrator {
       if (worst < 1e-12) break;
     }
   }
+  // Takes from stuck links the rates that locating their reversals left: of the wrong sign they would end the next slide.
+  void bring_to_rest(std::vector<double>& s) const {
+    for (int sweep = 0; sweep < 60; ++sweep) {
+      double worst = 0;
+      for (size_t l = 0; l < links; ++l) {
+        if (mode[l] != 0) continue;
+        const int a = rig.links[l].a, b = rig.links[l].b;
+        const double w = rate(s, l), ia = a >= 0 ? 1 / rig.mass_kg[static_cast<size_t>(a)] : 0, ib = b >= 0 ? 1 / rig.mass_kg[static_cast<size_t>(b)] : 0;
+        if (a >= 0) s[n + static_cast<size_t>(a)] -= w * ia / (ia + ib);
+        if (b >= 0) s[n + static_cast<size_t>(b)] += w * ib / (ia + ib);
+        worst = std::max(worst, std::abs(w));
+      }
+      if (worst < 1e-18) break;
+    }
+  }
   std::vector<double> k1, k2, k3, k4, tmp;
   void runge_kutta(const std::vector<double>& s, double t, double h, double f0, double fm, double f1,
                    std::vector<double>& out) {
@@ -212,7 +228,12 @@ struct Integrator {
       const size_t l = static_cast<size_t>(advance(high));
       s = next;
       from += high * rest;
+      if (std::abs(rate(s, l)) > kAtRest) {  // it slides the other way since before: too many events at once
+        mode[l] = rate(s, l) > 0 ? 1 : -1;
+        continue;
+      }
       mode[l] = 0;
+      bring_to_rest(s);
       slope(s, t + from * h, f(from), tmp);
       if (std::abs(hold[l]) > friction_level(l, 0)) mode[l] = hold[l] > 0 ? 1 : -1;
     }
