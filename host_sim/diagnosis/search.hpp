@@ -2,15 +2,9 @@
 #pragma once
 #include <vector>
 
-#include "candidates.hpp"
+#include "scoring.hpp"
 
 namespace diagnosis {
-
-struct Found {
-  Candidate candidate;
-  Gain gain;
-  double score = 0;  // (gain - penalty) / max(1, chi2 / dof)
-};
 
 struct SearchResult {
   std::vector<ActiveTerm> base;    // the rig file's terms, fitted alone
@@ -23,9 +17,6 @@ struct SearchResult {
 
 constexpr size_t kMostTerms = 3;
 
-// Candidates beside a fitted model, best first, one per kind and place, the leading ones with refined shape.
-std::vector<Found> ranked(const Rows& rows, const CandidateBank& bank, const std::vector<ActiveTerm>& model,
-                          const Fit& fit, size_t refined);
 SearchResult search(Rows& rows, const CandidateBank& bank);
 
 }  // namespace diagnosis

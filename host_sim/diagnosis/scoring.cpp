@@ -1,0 +1,112 @@
+// How well a candidate fits beside a model, and with which shape.
+#include "scoring.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace diagnosis {
+namespace {
+
+bool better(const Found& a, const Found& b) { return a.score > b.score; }
+
+}  // namespace
+
+Found Scorer::scored(const Candidate& c, const Gain& gain) const {
+  Found found{c, gain, 0};
+  found.score = (found.gain.chi2 - c.penalty) / std::max(1.0, (fit.chi2 - found.gain.chi2) / fit.dof);
+  return found;
+}
+
+Found Scorer::along(const Found& start, bool second, double factor, int steps) const {
+  const Term t = start.candidate.term();
+  const double centre = std::log(second ? t.shape2 : t.shape), golden = 0.6180339887498949;
+  double low = centre - std::log(factor), high = centre + std::log(factor);
+  if (!second) {
+    const CandidateBank::Range range = bank.range(t);
+    low = std::max(low, std::log(range.low)), high = std::min(high, std::log(range.high));
+    if (low >= high) return start;
+  } else {
+    low = std::max(low, std::log(1e-4)), high = std::min(high, std::log(0.5));
+  }
+  const auto at = [&](double p) {
+    return of(bank.reshaped(start.candidate, second ? t.shape : std::exp(p), second ? std::exp(p) : t.shape2));
+  };
+  double a = high - golden * (high - low), b = low + golden * (high - low);
+  Found fa = at(a), fb = at(b), best = start;
+  for (int i = 0; i < steps; ++i) {
+    for (const Found& f : {fa, fb})
+      if (f.gain.chi2 > best.gain.chi2) best = f;
+    if (fa.gain.chi2 > fb.gain.chi2) {
+      high = b, b = a, fb = fa;
+      a = high - golden * (high - low), fa = at(a);
+    } else {
+      low = a, a = b, fa = fb;
+      b = low + golden * (high - low), fb = at(b);
+    }
+  }
+  return best;
+}
+
+Found Scorer::refined(const Found& found) const {
+  const Kind kind = found.candidate.term().kind;
+  if (!CandidateBank::has_shape(kind)) return found;
+  if (kind != Kind::kResonance) return along(found, false, kind == Kind::kEndStop ? 1.3 : 2.2, 8);
+  const Term& t = found.candidate.term();
+  Found best = of(bank.reshaped(found.candidate, t.shape, t.shape2));  // from frequency response to time
+  best = along(best, false, 1.05, 7);
+  best = along(best, true, 8, 5);
+  return along(best, false, 1.01, 5);
+}
+
+Found Scorer::polished(const Found& found) const {
+  const Kind kind = found.candidate.term().kind;
+  if (kind != Kind::kResonance) return along(found, false, kind == Kind::kEndStop ? 1.06 : 1.5, 8);
+  return along(along(found, false, 1.01, 6), true, 1.6, 5);
+}
+
+bool plausible(const std::vector<ActiveTerm>& model) {
+  for (const ActiveTerm& t : model) {
+    if (!t.added) continue;
+    const Term& term = t.term;
+    if (term.kind == Kind::kForceGain && std::abs(t.value) > 0.5) return false;
+    if (term.kind == Kind::kPresliding && t.value <= 0) return false;
+    for (const ActiveTerm& base : model) {
+      const bool friction = term.kind == Kind::kStribeck && base.term.kind == Kind::kCoulomb && base.term.link == term.link;
+      if (friction && !base.known && base.value < -3 * base.std) return false;  // friction that pushes
+      const bool stiffness = term.kind == Kind::kStiffnessError && base.term.kind == Kind::kStiffness &&
+                             base.term.link == term.link;
+      const bool mass = term.kind == Kind::kMassError && base.term.kind == Kind::kMass &&
+                        base.term.dof == term.dof;
+      if ((stiffness || mass) && t.value < -0.8 * base.value) return false;
+    }
+  }
+  return true;
+}
+
+std::vector<Found> ranked(const Rows& rows, const CandidateBank& bank, const std::vector<ActiveTerm>& model,
+                          const Fit& fit, size_t refined) {
+  const Scorer scorer{rows, bank, model, fit};
+  std::vector<Found> best;
+  const std::vector<Candidate> candidates = bank.beside(model);
+  const std::vector<Gain> gains = gains_of(rows, model, fit, candidates);
+  for (size_t i = 0; i < candidates.size(); ++i) {
+    const Candidate& c = candidates[i];
+    const Found found = scorer.scored(c, gains[i]);
+    if (!plausible(joined(model, c, found.gain))) continue;  // a gain of -1 "explains" any force that is all unknown
+    if (!best.empty() && best.back().candidate.term().same_place(c.term())) {
+      if (found.score > best.back().score) best.back() = found;
+    } else {
+      best.push_back(found);
+    }
+  }
+  std::sort(best.begin(), best.end(), better);
+  for (size_t i = 0, done = 0; i < best.size() && done < refined; ++i) {
+    if (!CandidateBank::has_shape(best[i].candidate.term().kind) || best[i].score < 0.3 * best[0].score) continue;
+    best[i] = scorer.refined(best[i]);
+    ++done;
+  }
+  std::sort(best.begin(), best.end(), better);
+  return best;
+}
+
+}  // namespace diagnosis
