@@ -121,7 +121,7 @@ void colour_by_vocabulary(Rows& rows, const CandidateBank& bank) {
     settle(rows, model, 2);
     for (const Candidate& c : spanning(rows, bank, model)) model = joined(model, c, {});
     const Fit fit = fit_model(rows, model);
-    rows.colour(fit.residual, fit.dof / static_cast<double>(rows.size()));
+    rows.colour(fit.projection->residual(), fit.dof / static_cast<double>(rows.size()));
   }
 }
 

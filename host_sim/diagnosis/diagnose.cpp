@@ -124,13 +124,8 @@ void report_terms(const System& system, const Rows& rows, const SearchResult& fo
 bool reject_worse(const System& system, const Judge& judge, const Rows& rows, SearchResult& found, Diagnosis& d) {
   const std::vector<ActiveTerm> fitted = judge.fitted(found.model);
   for (size_t i = 0; i < found.added.size(); ++i) {
-    std::vector<ActiveTerm> model = found.model;
     const Term mine = found.added[i].candidate.term();
-    for (size_t k = 0; k < model.size(); ++k)
-      if (model[k].added && model[k].term.same_place(mine)) {
-        remove_term(model, k);
-        break;
-      }
+    const std::vector<ActiveTerm> model = without_added(found.model, mine);
     if (!judge.clearly_worse(fitted, judge.fitted(model))) continue;
     Cause c;
     c.effect = word_of(mine.kind), c.where = place_of(system, mine, rows.records()[0]);
@@ -154,12 +149,7 @@ Outsider outsider_of(const Rows& rows, const CandidateBank& bank, const SearchRe
   best.threshold = (reversals ? 5 : 1) * best.threshold + (reversals ? 10 : 1) * residue;
   for (size_t i = 0; i < found.added.size() && !best.present(); ++i) {
     if (found.added[i].score > 20000) continue;  // nothing else comes near it
-    std::vector<ActiveTerm> model = found.model;
-    for (size_t k = 0; k < model.size(); ++k)
-      if (model[k].added && model[k].term.same_place(found.added[i].candidate.term())) {
-        remove_term(model, k);
-        break;
-      }
+    std::vector<ActiveTerm> model = without_added(found.model, found.added[i].candidate.term());
     const Fit fit = fit_model(rows, model);
     Outsider other = strongest_outsider(rows, bank, model, fit);
     other.threshold = std::max(other.threshold, (fit.chi2 - found.fit.chi2) / std::max(1.0, found.fit.ratio()) + 20);

@@ -39,13 +39,9 @@ Gain group_gain(const Fit& fit, const Place& place, const Candidate& c) {
   std::vector<const Spectra*> list{&c.column->spectra};
   for (const auto& companion : c.companions) list.push_back(&companion->spectra);
   const Projection::Products p = fit.projection->products(place, list);
-  const Eigen::Index n = static_cast<Eigen::Index>(list.size());
-  Eigen::MatrixXd gram = -p.fitted.transpose() * p.fitted;
-  for (Eigen::Index i = 0; i < n; ++i)
-    for (Eigen::Index j = 0; j < n; ++j)
-      gram(i, j) += i == j ? p.square[i] : fit.projection->inner(place, *list[static_cast<size_t>(i)], *list[static_cast<size_t>(j)]);
   const Shared own = column_of(p, 0);
   if (!(own.free() > 1e-7 * own.whole)) return {};
+  const Eigen::MatrixXd gram = fit.projection->free_gram(place, list, p, 0, p.residual.size());
   const Eigen::VectorXd value = gram.ldlt().solve(p.residual);
   Gain gain{value.dot(p.residual), value[0], 1 / std::sqrt(own.free())};
   if (gain.coefficient * c.coefficient_sign < 0) gain.chi2 = 0;
@@ -74,16 +70,16 @@ Gain single_gain(const std::vector<ActiveTerm>& model, const Fit& fit, const Can
 std::vector<Gain> gains_of(const Rows& rows, const std::vector<ActiveTerm>& model, const Fit& fit,
                            const std::vector<Candidate>& candidates) {
   std::vector<Gain> gains(candidates.size());
-  std::map<std::pair<int, int>, std::vector<size_t>> places;
+  std::map<Place, std::vector<size_t>> places;
   for (size_t i = 0; i < candidates.size(); ++i) {
     const Place place = rows.place(candidates[i].term());
     if (!candidates[i].companions.empty()) gains[i] = group_gain(fit, place, candidates[i]);
-    else places[{place.plus, place.minus}].push_back(i);
+    else places[place].push_back(i);
   }
   for (const auto& here : places) {
     std::vector<const Spectra*> columns;
     for (size_t i : here.second) columns.push_back(&candidates[i].column->spectra);
-    const Projection::Products p = fit.projection->products({here.first.first, here.first.second}, columns);
+    const Projection::Products p = fit.projection->products(here.first, columns);
     for (size_t k = 0; k < here.second.size(); ++k)
       gains[here.second[k]] = single_gain(model, fit, candidates[here.second[k]], column_of(p, static_cast<Eigen::Index>(k)));
   }

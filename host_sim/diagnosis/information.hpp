@@ -11,6 +11,7 @@ namespace diagnosis {
 // Where a force acts: with + on one DOF (index from 0), with - on another; -1: on none (ground, base).
 struct Place {
   int plus = -1, minus = -1;
+  bool operator<(const Place& o) const { return plus != o.plus ? plus < o.plus : minus < o.minus; }
 };
 
 // Covariances of a bin: as large as the largest rig, without a heap.

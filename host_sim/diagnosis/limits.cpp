@@ -92,14 +92,13 @@ std::vector<DetectionLimit> detection_limits(Rows& rows, const CandidateBank& ba
                                              const Fit& fit) {
   std::vector<DetectionLimit> list = limits_of(rows, bank, model, fit);
   std::vector<ActiveTerm> copy = model;
-  rows.look_at(Rows::Reversals::kWide);
+  const Rows::Look look(rows, Rows::Reversals::kWide);
   const Fit wide = settle(rows, copy, 2);
   for (const DetectionLimit& other : limits_of(rows, bank, copy, wide)) {
     const bool shape_of_friction = other.effect == word_of(Kind::kStribeck) || other.effect == word_of(Kind::kPresliding);
     for (DetectionLimit& own : list)  // either look suffices to name it
       if (own.effect == other.effect && own.where == other.where && other.strength < own.strength && !shape_of_friction) own = other;
   }
-  rows.look_at(Rows::Reversals::kNarrow);
   return list;
 }
 

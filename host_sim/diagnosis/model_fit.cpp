@@ -47,7 +47,6 @@ Fit fit_model(const Rows& rows, std::vector<ActiveTerm>& model) {
   const auto projection = std::make_shared<Projection>(rows.weights(), std::move(columns), target);
   Fit fit;
   fit.projection = projection;
-  fit.residual = projection->residual();
   fit.chi2 = projection->chi2() + rows.absorbed();
   fit.dof = static_cast<double>(std::max<Eigen::Index>(1, rows.size() - count));
   const double widen = std::sqrt(std::max(1.0, fit.ratio()));
@@ -105,6 +104,15 @@ void remove_term(std::vector<ActiveTerm>& model, size_t index) {
     if (model[i].host > static_cast<int>(index)) --model[i].host;
     if (model[i].companion > static_cast<int>(index)) --model[i].companion;
   }
+}
+
+std::vector<ActiveTerm> without_added(std::vector<ActiveTerm> model, const Term& term) {
+  for (size_t i = 0; i < model.size(); ++i) {
+    if (!model[i].added || !model[i].term.same_place(term)) continue;
+    remove_term(model, i);
+    break;
+  }
+  return model;
 }
 
 }  // namespace diagnosis

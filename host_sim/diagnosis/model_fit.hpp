@@ -6,13 +6,11 @@
 
 namespace diagnosis {
 
-// A fit and what it takes to see at once what one more column would change: the inner products of any column with those
-// fitted (orthonormalised) and with the residual, under the weights of the fit.
+// A fit; its projection shows at once what one more column would change.
 struct Fit {
   double chi2 = 0;           // squared weighted residual
   double dof = 1;            // real rows minus fitted values
   double ratio() const { return chi2 / dof; }
-  std::vector<Balance> residual;
   std::shared_ptr<const Projection> projection;
 };
 
@@ -47,5 +45,7 @@ std::vector<Gain> gains_of(const Rows& rows, const std::vector<ActiveTerm>& mode
 // The model with the candidate, its companions last.
 std::vector<ActiveTerm> joined(const std::vector<ActiveTerm>& model, const Candidate& candidate, const Gain& gain);
 void remove_term(std::vector<ActiveTerm>& model, size_t index);  // with its companions
+// The model without the added term of this kind and place.
+std::vector<ActiveTerm> without_added(std::vector<ActiveTerm> model, const Term& term);
 
 }  // namespace diagnosis

@@ -56,10 +56,7 @@ struct Scan {
     const Projection::Products p = fit.projection->products(place, list);
     std::vector<double> gains;
     for (Eigen::Index i = 0; i + 1 < p.residual.size(); i += 2) {
-      const size_t k = static_cast<size_t>(i);
-      Eigen::Matrix2d gram = -p.fitted.middleCols(i, 2).transpose() * p.fitted.middleCols(i, 2);
-      const double both = fit.projection->inner(place, *list[k], *list[k + 1]);
-      gram(0, 0) += p.square[i], gram(1, 1) += p.square[i + 1], gram(0, 1) += both, gram(1, 0) += both;
+      const Eigen::Matrix2d gram = fit.projection->free_gram(place, list, p, i, 2);
       const bool free = gram(0, 0) > 1e-7 * p.square[i];
       const Eigen::Vector2d moment = p.residual.segment(i, 2);
       gains.push_back(free ? moment.dot(gram.ldlt().solve(moment)) : 0);
@@ -67,7 +64,7 @@ struct Scan {
     return gains;
   }
   void tones() {
-    for (const Tone& t : rows.loudest_tones(fit.residual))
+    for (const Tone& t : rows.loudest_tones(fit.projection->residual()))
       consider(t.gain, base(), "a tone of " + number(t.hertz) + " Hz on dof " + std::to_string(t.dof + 1));
   }
   void link(int l) {

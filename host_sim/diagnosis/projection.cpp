@@ -12,8 +12,6 @@ constexpr Eigen::Index kBlock = 1024;  // real rows that are worked on at a time
 using RealView = Eigen::Map<const Series>;
 RealView real_view(const Spectrum& s) { return {reinterpret_cast<const double*>(s.data()), 2 * s.size()}; }
 
-std::pair<int, int> key_of(const Place& p) { return {p.plus, p.minus}; }
-
 }  // namespace
 
 Projection::Projection(std::shared_ptr<const Weights> weights, std::vector<FittedColumn> columns, const std::vector<Balance>& target)
@@ -28,7 +26,7 @@ Projection::Projection(std::shared_ptr<const Weights> weights, std::vector<Fitte
       for (size_t r = 0; r < residual_.size(); ++r)
         act(residual_[r], columns_[i].place, (*columns_[i].spectra)[r], -step[static_cast<Eigen::Index>(i)]);
   }
-  for (auto& seen : views_) add_residual({seen.first.first, seen.first.second}, seen.second);
+  for (auto& seen : views_) add_residual(seen.first, seen.second);
 }
 
 double Projection::chi2() const {
@@ -42,7 +40,7 @@ Eigen::MatrixXd Projection::gram() const {
   Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(count, count);
   for (Eigen::Index i = 0; i < count; ++i) {
     const FittedColumn& c = columns_[static_cast<size_t>(i)];
-    std::vector<View>& views = views_[key_of(c.place)];
+    std::vector<View>& views = views_[c.place];
     if (views.empty()) views = fitted_from(c.place);
     for (size_t r = 0; r < views.size(); ++r)
       matrix.row(i) += real_view((*c.spectra)[r]).transpose() * views[r].pulled.leftCols(count);
@@ -70,9 +68,9 @@ void Projection::factorise(Eigen::MatrixXd normal) {
 
 Eigen::VectorXd Projection::moments(const std::vector<Balance>& balance) const {
   Eigen::VectorXd out = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(columns_.size()));
-  std::map<std::pair<int, int>, Spectra> pulled;
+  std::map<Place, Spectra> pulled;
   for (size_t i = 0; i < columns_.size(); ++i) {
-    Spectra& here = pulled[key_of(columns_[i].place)];
+    Spectra& here = pulled[columns_[i].place];
     for (size_t r = 0; r < balance.size(); ++r) {
       if (here.size() == r) here.push_back((*weights_)[r].pulled(columns_[i].place, balance[r]));
       out[static_cast<Eigen::Index>(i)] += real_view((*columns_[i].spectra)[r]).dot(real_view(here[r]));
@@ -87,10 +85,10 @@ std::vector<Projection::View> Projection::fitted_from(const Place& place) const 
   for (size_t r = 0; r < weights_->size(); ++r) {
     const Information& information = (*weights_)[r];
     views.push_back({Eigen::MatrixXd(2 * information.bins(), count + 1), information.weight(place)});
-    std::map<std::pair<int, int>, Spectrum> between;
+    std::map<Place, Spectrum> between;
     for (Eigen::Index i = 0; i < count; ++i) {
       const FittedColumn& c = columns_[static_cast<size_t>(i)];
-      Spectrum& weight = between[key_of(c.place)];
+      Spectrum& weight = between[c.place];
       if (weight.size() == 0) weight = information.between(place, c.place);
       Spectrum::Map(reinterpret_cast<Complex*>(views[r].pulled.col(i).data()), information.bins()) = weight.cwiseProduct((*c.spectra)[r]);
     }
@@ -104,7 +102,7 @@ void Projection::add_residual(const Place& place, std::vector<View>& views) cons
 }
 
 const std::vector<Projection::View>& Projection::seen_from(const Place& place) const {
-  std::vector<View>& views = views_[key_of(place)];
+  std::vector<View>& views = views_[place];
   if (views.empty()) {
     views = fitted_from(place);
     add_residual(place, views);
@@ -139,6 +137,21 @@ double Projection::inner(const Place& place, const Spectra& a, const Spectra& b)
   for (size_t r = 0; r < views.size(); ++r)
     sum += (views[r].weight.array() * (a[r].conjugate().array() * b[r].array()).real()).sum();
   return sum;
+}
+
+Eigen::MatrixXd Projection::free_gram(const Place& place, const std::vector<const Spectra*>& list, const Products& p,
+                                      Eigen::Index first, Eigen::Index count) const {
+  const auto fitted = p.fitted.middleCols(first, count);
+  Eigen::MatrixXd gram = -fitted.transpose() * fitted;
+  const auto column = [&](Eigen::Index i) -> const Spectra& { return *list[static_cast<size_t>(first + i)]; };
+  for (Eigen::Index i = 0; i < count; ++i) {
+    gram(i, i) += p.square[first + i];
+    for (Eigen::Index j = 0; j < i; ++j) {
+      const double both = inner(place, column(i), column(j));
+      gram(i, j) += both, gram(j, i) += both;
+    }
+  }
+  return gram;
 }
 
 }  // namespace diagnosis

@@ -32,8 +32,9 @@ class Projection {
     Eigen::VectorXd residual, square;
   };
   Products products(const Place& place, const std::vector<const Spectra*>& columns) const;
-  // Inner product of two columns at one place.
-  double inner(const Place& place, const Spectra& a, const Spectra& b) const;
+  // Of `count` of these columns, from `first` on: the Gram matrix of what the fitted columns cannot make of them.
+  Eigen::MatrixXd free_gram(const Place& place, const std::vector<const Spectra*>& columns, const Products& products,
+                            Eigen::Index first, Eigen::Index count) const;
   // By how much the value of fitted column i falls per unit of a further column with these products.
   double answer(Eigen::Index i, const Eigen::VectorXd& fitted) const { return scale_[i] * inverse_.row(i).dot(fitted); }
 
@@ -47,6 +48,7 @@ class Projection {
   std::vector<View> fitted_from(const Place& place) const;  // the residual's column left open
   void add_residual(const Place& place, std::vector<View>& views) const;
   const std::vector<View>& seen_from(const Place& place) const;
+  double inner(const Place& place, const Spectra& a, const Spectra& b) const;
   Eigen::MatrixXd gram() const;
   Eigen::VectorXd moments(const std::vector<Balance>& balance) const;
   void factorise(Eigen::MatrixXd gram);
@@ -56,7 +58,7 @@ class Projection {
   std::vector<Balance> residual_;
   Eigen::VectorXd scale_, value_;
   Eigen::MatrixXd inverse_;  // of the triangular factor R of the scaled columns' normal matrix R' R
-  mutable std::map<std::pair<int, int>, std::vector<View>> views_;
+  mutable std::map<Place, std::vector<View>> views_;
 };
 
 }  // namespace diagnosis

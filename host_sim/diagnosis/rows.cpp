@@ -1,9 +1,11 @@
+// Columns of the rows: forces of terms, and what the measured force leaves for them.
 #include "rows.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace diagnosis {
+
 Spectrum row_spectrum(const FusedRecord& f, const Series& force) {
   return f.fourier->forward(f.inner.cwiseProduct(force), f.last_bin + 1).tail(f.last_bin + 1 - f.first_bin);
 }
@@ -22,8 +24,11 @@ Rows::Rows(const System& system, const std::vector<FusedRecord>& records) : syst
 }
 
 Place Rows::place(const Term& term) const {
-  if (term.link < 0) return {term.dof, -1};
-  const rig_file::Link& link = system_.links[static_cast<size_t>(term.link)];
+  return term.link < 0 ? Place{term.dof, -1} : place_of_link(static_cast<size_t>(term.link));
+}
+
+Place Rows::place_of_link(size_t index) const {
+  const rig_file::Link& link = system_.links[index];
   return {link.a > 0 ? link.a - 1 : -1, link.b > 0 ? link.b - 1 : -1};
 }
 
@@ -44,6 +49,18 @@ bool Rows::redundant() const {
   return true;
 }
 
+Series Rows::force_of(const Term& term, size_t record) const {
+  if (term.record >= 0 && term.record != static_cast<int>(record)) return Series::Zero(static_cast<Eigen::Index>(records_[record].samples));
+  return term_force(term, records_[record], links_[record]);
+}
+
+void Rows::prepare(ActiveTerm& t) const {
+  if (t.force) return;
+  const auto force = std::make_shared<std::vector<Series>>();
+  for (size_t r = 0; r < records_.size(); ++r) force->push_back(force_of(t.term, r));
+  t.force = force;
+}
+
 std::shared_ptr<const Column> Rows::column(const Term& term) const {
   const auto column = std::make_shared<Column>();
   Column& c = *column;
@@ -51,8 +68,7 @@ std::shared_ptr<const Column> Rows::column(const Term& term) const {
   double ku = 0, uu = 1e-300, cw = 0, ww = 1e-300, ma = 0, aa = 1e-300;
   for (size_t r = 0; r < records_.size(); ++r) {
     const FusedRecord& f = records_[r];
-    Series force = term_force(term, f, links_[r]);
-    if (term.record >= 0 && term.record != static_cast<int>(r)) force.setZero();
+    const Series force = force_of(term, r);
     c.spectra.push_back(row_spectrum(f, force));
     const Series weighted = f.inner.cwiseAbs2().cwiseProduct(force);
     if (term.link >= 0) {
@@ -77,11 +93,8 @@ std::vector<Balance> Rows::force() const {
     list.emplace_back(Balance::Zero(bins(r), static_cast<Eigen::Index>(system_.dofs())));
     for (size_t j = 0; j < system_.dofs(); ++j)
       if (force_[r][j].size()) list.back().col(static_cast<Eigen::Index>(j)) += force_[r][j];
-    for (size_t l = 0; l < held_[r].size(); ++l) {
-      Term term;
-      term.link = static_cast<int>(l);
-      if (held_[r][l].size()) act(list.back(), place(term), held_[r][l], -1);
-    }
+    for (size_t l = 0; l < held_[r].size(); ++l)
+      if (held_[r][l].size()) act(list.back(), place_of_link(l), held_[r][l], -1);
   }
   return list;
 }

@@ -44,8 +44,19 @@ class Rows {
   // How far from a reversal of the rate friction is taken as uncertain. Narrow: its shape shows. Wide: what reversals
   // leave over looks like no other effect.
   enum class Reversals { kNarrow, kWide };
-  void look_at(Reversals reversals) { reversals_ = reversals; }
   Reversals reversals() const { return reversals_; }
+  // As long as one lives, the rows look at reversals its way (from the next settle() on).
+  class Look {
+   public:
+    Look(Rows& rows, Reversals reversals) : rows_(rows), before_(rows.reversals_) { rows.reversals_ = reversals; }
+    ~Look() { rows_.reversals_ = before_; }
+    Look(const Look&) = delete;
+    Look& operator=(const Look&) = delete;
+
+   private:
+    Rows& rows_;
+    Reversals before_;
+  };
   // The friction near velocity reversals, from the balance of the model (stick.cpp).
   void hold_stuck(const std::vector<ActiveTerm>& model);
   // Sets the weights from the model's present values.
@@ -55,6 +66,7 @@ class Rows {
   void colour(const std::vector<Balance>& residual, double freedom);
   std::shared_ptr<const Weights> weights() const { return weights_; }
   Place place(const Term& term) const;
+  Place place_of_link(size_t link) const;
   // What the motion needs beyond the known forces: measured force less the friction held near reversals, per record.
   std::vector<Balance> force() const;
   Eigen::Index size() const { return size_; }    // real rows
@@ -69,6 +81,7 @@ class Rows {
   std::vector<Tone> loudest_tones(const std::vector<Balance>& residual) const;
 
  private:
+  Series force_of(const Term& term, size_t record) const;  // with coefficient one
   Eigen::Index bins(size_t record) const { return records_[record].last_bin + 1 - records_[record].first_bin; }
   const System& system_;
   const std::vector<FusedRecord>& records_;

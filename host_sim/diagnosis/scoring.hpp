@@ -22,6 +22,7 @@ struct Scorer {
   Found scored(const Candidate& c, const Gain& gain) const;
   Found refined(const Found& found) const;   // from a shape on the grid to the best nearby
   Found polished(const Found& found) const;  // a closer look around a shape that is nearly right
+
   // Golden section on the logarithm of one shape parameter within a factor of its present value.
   Found along(const Found& start, bool second, double factor, int steps) const;
 };

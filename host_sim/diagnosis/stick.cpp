@@ -41,16 +41,6 @@ std::vector<double> friction_levels(const System& s, const std::vector<ActiveTer
 
 }  // namespace
 
-void Rows::prepare(ActiveTerm& t) const {
-  if (t.force) return;
-  const auto force = std::make_shared<std::vector<Series>>();
-  for (size_t r = 0; r < records_.size(); ++r) {
-    force->push_back(term_force(t.term, records_[r], links_[r]));
-    if (t.term.record >= 0 && t.term.record != static_cast<int>(r)) force->back().setZero();
-  }
-  t.force = force;
-}
-
 void Rows::hold_stuck(const std::vector<ActiveTerm>& model) {
   const std::vector<double> level = friction_levels(system_, model);
   const double reach = reversals_ == Reversals::kWide ? kWide : kNarrow;

@@ -60,10 +60,8 @@ void Rows::weight(const std::vector<ActiveTerm>& model) {
     const FusedRecord& f = records_[r];
     Eigen::MatrixXd known = Eigen::MatrixXd::Zero(n, n);  // variance per sample of friction, the same in every bin
     for (size_t l = 0; l < system_.links.size(); ++l) {
-      Term term;
-      term.link = static_cast<int>(l);
       const double floor = dynamics.unknown_damping(links_[r][l], l) * static_cast<double>(f.samples) / (2.0 * static_cast<double>(f.last_bin));
-      add(known, place(term), doubt_[r][l] + floor);
+      add(known, place_of_link(l), doubt_[r][l] + floor);
     }
     std::array<SmallMatrix, 2 * kReach + 1> near;  // covariances of the bins around the present one
     SmallMatrix d(n, n), sum(n, n);

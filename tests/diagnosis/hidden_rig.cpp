@@ -40,16 +40,14 @@ struct Integrator {
   std::vector<double> hold;  // friction force of a stuck link
   std::vector<Kind> kind;    // per effect
   std::vector<int> memory;   // per effect: index of its first extra state, or -1
-  std::vector<double> hidden;
   size_t states;
-  double time_offset = 0, duration = 1;
+  double duration = 1;
 
   explicit Integrator(const TrueRig& r) : rig(r), n(r.mass_kg.size()), links(r.links.size()) {
     for (const TrueEffect& e : r.effects) kind.push_back(kind_of(e.kind));
     mode.assign(links, 1);
     for (size_t l = 0; l < links; ++l) mode[l] = friction_level(l, 0) > 0 ? 0 : 1;
     hold.assign(links, 0);
-    hidden.assign(r.effects.size(), 0);
     states = 2 * n;
     for (Kind k : kind) {
       memory.push_back(-1);

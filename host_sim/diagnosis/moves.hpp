@@ -1,0 +1,43 @@
+// The moves of the search from one fitted model to another.
+#pragma once
+#include <vector>
+
+#include "scoring.hpp"
+
+namespace diagnosis {
+
+struct State {  // a model, fitted
+  std::vector<ActiveTerm> model;
+  Fit fit;
+};
+
+// Indices of the terms that are not in the rig file.
+std::vector<size_t> added_terms(const std::vector<ActiveTerm>& model);
+
+class Moves {
+ public:
+  Moves(Rows& rows, const CandidateBank& bank) : rows_(rows), bank_(bank) {}
+  State settled(std::vector<ActiveTerm> model, int rounds);
+  // The state without one added term, under the weights of the state itself.
+  State without(const State& state, size_t index);
+  // Shapes of the added terms, each with the others in place.
+  void polish(State& state);
+  // The best of the leading candidates once each is fitted and shaped in full.
+  bool extend(State& state, double least_gain, size_t beam);
+  // The best candidate that shows away from velocity reversals, where little else disturbs it.
+  bool extend_beside_reversals(State& state, double least_gain);
+  // What an added term brings where velocity reversals count for little, and what it must bring there.
+  bool holds_beside_reversals(const State& state, size_t index);
+  // One round of exchanging each added term for the best in its place. True if a term changed.
+  bool swap(State& state);
+  // Two terms may stand for one that was passed over when it was their first's turn. True if one took their place.
+  bool merge(State& state);
+
+ private:
+  bool extend_wide(State& state, double least_gain);
+  bool holds_wide(const State& state, size_t index);
+  Rows& rows_;
+  const CandidateBank& bank_;
+};
+
+}  // namespace diagnosis
