@@ -170,15 +170,28 @@ bool CandidateBank::has_shape(Kind kind) {
          kind == Kind::kResonance;
 }
 
-bool CandidateBank::prepare(const std::vector<ActiveTerm>& model, Candidate& c) const {
-  const Term& t = c.term();
+bool CandidateBank::observable(const std::vector<ActiveTerm>& model, const Term& t) const {
   // Without a known coefficient the force sets the scale of all others; without a force a single mass does.
   bool scale_known = false, forced = false;
   for (const ActiveTerm& a : model) scale_known = scale_known || (!a.added && a.known && a.value != 0);
   for (size_t j = 0; j < rows_.system().dofs(); ++j) forced = forced || rows_.has_force(j);
-  if (t.kind == Kind::kForceGain && !scale_known) return false;
-  if (t.kind == Kind::kMassError && !forced && rows_.system().dofs() == 1) return false;
-  if (t.kind == Kind::kForceOffset && !rows_.absolute()) return false;  // a static force shows in a static displacement
+  if (t.kind == Kind::kForceGain) return scale_known;
+  if (t.kind == Kind::kMassError) return forced || rows_.system().dofs() > 1;
+  return t.kind != Kind::kForceOffset || rows_.absolute();  // a static force shows in a static displacement
+}
+
+std::vector<Term> CandidateBank::unseen(const std::vector<ActiveTerm>& model) const {
+  std::vector<Term> list;
+  for (const auto& column : columns_)
+    if (!observable(model, column->term)) list.push_back(column->term);
+  return list;
+}
+
+bool CandidateBank::prepare(const std::vector<ActiveTerm>& model, Candidate& c) const {
+  const Term& t = c.term();
+  if (!observable(model, t)) return false;
+  for (const Term& b : barred_)
+    if (b.same_place(t)) return false;
   for (const ActiveTerm& a : model) {
     const Term& other = a.term;
     if (other.same_place(t)) return false;

@@ -16,6 +16,10 @@ class CandidateBank {
   explicit CandidateBank(const Rows& rows);
   // Those that make sense beside the present model (no second copy of a term, hosts found).
   std::vector<Candidate> beside(const std::vector<ActiveTerm>& model) const;
+  // Leaves a term out from now on: one that simulates unseen data worse than the rig without it.
+  void bar(const Term& term) { barred_.push_back(term); }
+  // Terms that these records cannot show at any strength, which is why they are not among the candidates.
+  std::vector<Term> unseen(const std::vector<ActiveTerm>& model) const;
   // One candidate of the same kind and place with another shape.
   Candidate reshaped(const Candidate& candidate, double shape, double shape2) const;
   // The candidate that an added term came from, beside a model without it.
@@ -42,9 +46,11 @@ class CandidateBank {
   void add_effects(int link, Columns& columns) const;
   const Columns& effects_of_unlisted(int link) const;  // made when they are first asked for
   void add_dof(int dof);
+  bool observable(const std::vector<ActiveTerm>& model, const Term& term) const;
   bool prepare(const std::vector<ActiveTerm>& model, Candidate& candidate) const;
   mutable std::map<const Column*, Columns> partner_;  // companions of those on the grid
   const Rows& rows_;
+  std::vector<Term> barred_;
   double highest_Hz_ = 0;  // of a hidden resonance
   Columns columns_;
   mutable std::map<int, Columns> unlisted_;  // per link that the rig file does not list

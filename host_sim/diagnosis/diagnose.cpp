@@ -5,11 +5,11 @@
 #include "advice.hpp"
 #include "beyond_noise.hpp"
 #include "diagnosis.hpp"
+#include "fault_report.hpp"
 #include "limits.hpp"
 #include "naming.hpp"
 #include "outsiders.hpp"
 #include "ranking.hpp"
-#include "sensor_check.hpp"
 #include "sharpen.hpp"
 
 namespace diagnosis {
@@ -17,24 +17,6 @@ namespace {
 
 constexpr double kFarBeyondNoise = 4;     // chi-squared per degree of freedom
 constexpr double kWorthSharpening = 1.2;  // likewise
-
-const char* fault_word(FaultKind kind) {
-  return kind == FaultKind::kDelay ? "sensor_delay" : kind == FaultKind::kGain ? "sensor_gain" : "mains_hum";
-}
-
-Cause fault_cause(const SensorFault& fault) {
-  Cause c;
-  c.effect = fault_word(fault.kind);
-  c.where = "channel " + fault.channel;
-  c.significance = fault.score;
-  const bool hum = fault.kind == FaultKind::kHum50 || fault.kind == FaultKind::kHum60;
-  const std::string unit = fault.kind == FaultKind::kDelay ? "s" : hum ? "channel unit" : "1";
-  c.parameters.push_back({c.effect + "[" + fault.channel + "]",
-                          hum ? std::hypot(fault.value, fault.quadrature) : fault.value, unit, fault.std, true});
-  if (hum)
-    c.parameters.push_back({"mains_frequency[" + fault.channel + "]", fault.kind == FaultKind::kHum50 ? 50.0 : 60.0, "Hz", 0, false});
-  return c;
-}
 
 // Fused records, corrected for the sensor faults that are found (collected where `faults` is given).
 std::vector<FusedRecord> ready(const rig_file::RigModel& rig, const std::vector<host_sim::Record>& records,
@@ -89,18 +71,6 @@ std::vector<host_sim::Record> first_parts(const std::vector<host_sim::Record>& r
   return list;
 }
 
-void report_faults(const std::vector<SensorCheck>& checks, Diagnosis& d) {
-  for (const SensorCheck& check : checks)
-    for (size_t i = 0; i < check.faults.size(); ++i) {
-      const Cause cause = fault_cause(check.faults[i]);
-      const auto same = [&](const Cause& c) { return c.effect == cause.effect && c.where == cause.where; };
-      if (std::any_of(d.causes.begin(), d.causes.end(), same)) continue;  // the same fault in a further record
-      d.causes.push_back(cause);
-      for (const SensorFault& rival : check.rivals[i])
-        d.ambiguous_with.push_back({fault_word(rival.kind), "channel " + rival.channel});
-    }
-}
-
 void report_terms(const System& system, const Rows& rows, const SearchResult& found, Diagnosis& d) {
   const double excess = std::max(1.0, found.base_fit.chi2 - found.fit.dof);
   for (size_t i = 0; i < found.added.size(); ++i) {
@@ -120,8 +90,8 @@ void report_terms(const System& system, const Rows& rows, const SearchResult& fo
   }
 }
 
-// Removes terms that make the free simulation of unseen data worse. True if one was removed.
-bool reject_worse(const System& system, const Judge& judge, const Rows& rows, SearchResult& found, Diagnosis& d) {
+// Bars the first term that makes the free simulation of unseen data worse. True if there was one.
+bool reject_worse(const System& system, const Judge& judge, const Rows& rows, CandidateBank& bank, const SearchResult& found, Diagnosis& d) {
   const std::vector<ActiveTerm> fitted = judge.fitted(found.model);
   for (size_t i = 0; i < found.added.size(); ++i) {
     const Term mine = found.added[i].candidate.term();
@@ -131,9 +101,7 @@ bool reject_worse(const System& system, const Judge& judge, const Rows& rows, Se
     c.effect = word_of(mine.kind), c.where = place_of(system, mine, rows.records()[0]);
     c.significance = found.added[i].score;
     d.rejected.push_back(c);
-    found.model = model;
-    found.added.erase(found.added.begin() + static_cast<std::ptrdiff_t>(i));
-    found.rivals.erase(found.rivals.begin() + static_cast<std::ptrdiff_t>(i));
+    bank.bar(mine);
     return true;
   }
   return false;
@@ -215,8 +183,14 @@ Diagnosis diagnose(const rig_file::RigModel& rig, const std::vector<host_sim::Re
     Bench early{system, holdout.empty() ? ready(rig, first_parts(training, share), options, nullptr) : bench.records, nullptr, nullptr};
     if (holdout.empty()) sharpen_all(system, early.records);
     const Judge judge(system, bench.records, early.records, ready(rig, holdout, options, nullptr), share);
-    const bool beyond_noise = !remainder.noise_only && found.fit.ratio() > kFarBeyondNoise;
-    if (beyond_noise) {
+    const auto beyond_noise = [&] { return !remainder.noise_only && found.fit.ratio() > kFarBeyondNoise; };
+    while (!beyond_noise() && bench.rows->absolute() && d.rejected.size() < kMostTerms &&
+           reject_worse(system, judge, *bench.rows, *bench.bank, found, d)) {
+      found = search(*bench.rows, *bench.bank);  // without it another may take its place
+      d.extended_misfit = found.fit.ratio();
+      remainder = remainder_of(bench, found);
+    }
+    if (beyond_noise()) {
       early.look_wide(), bench.look_wide();
       const SearchResult seen = search_by_simulation(*early.rows, *early.bank, judge);
       score_both(judge, seen.base, seen.model, d);
@@ -225,10 +199,6 @@ Diagnosis diagnose(const rig_file::RigModel& rig, const std::vector<host_sim::Re
       Rows plain(system, bench.records);
       d.baseline_misfit = misfit(plain, found.base), d.extended_misfit = misfit(plain, found.model);
     } else {
-      bool rejected = false;
-      while (bench.rows->absolute() && reject_worse(system, judge, *bench.rows, found, d)) rejected = true;
-      if (rejected) found.fit = settle(*bench.rows, found.model, 2), remainder = remainder_of(bench, found);
-      if (rejected) d.extended_misfit = found.fit.ratio();
       score_both(judge, judge.fitted(found.base), judge.fitted(found.model), d);
     }
   }
@@ -239,6 +209,7 @@ Diagnosis diagnose(const rig_file::RigModel& rig, const std::vector<host_sim::Re
   d.extended.parameters = parameters_of(system, found.model);
   d.extended_rig = extended_rig(system, found.model);
   d.minimum_detectable = detection_limits(rows, *bench.bank, found.model, found.fit);
+  for (const DetectionLimit& limit : fault_limits(checks)) d.minimum_detectable.push_back(limit);
   d.unknown_trace = remainder.trace;
   d.verdict = !remainder.noise_only ? Verdict::kUnknown
               : d.causes.empty() ? Verdict::kNone

@@ -35,7 +35,7 @@ struct NamedPlace {
 
 struct DetectionLimit {
   std::string effect, where;
-  double strength = 0;  // smallest coefficient that would have been named in 95 of 100 such records
+  double strength = 0;  // smallest that would have been named in 95 of 100 such records; infinity: these cannot show it
   std::string unit;
   double percent_of_damping_force = 0;  // its rms force over that of its link's damping
 };
@@ -56,6 +56,8 @@ struct ModelScore {
 
 struct Diagnosis {
   Verdict verdict = Verdict::kNone;
+  bool baseline_fits() const { return verdict == Verdict::kNone; }
+  bool extended_fits() const { return verdict != Verdict::kUnknown; }
   std::vector<Cause> causes;
   std::vector<NamedPlace> ambiguous_with;
   std::vector<Cause> rejected;  // fitted better, simulated worse on held-out data
@@ -75,6 +77,9 @@ struct Options {
   double holdout_fraction = 0.3;    // of each training record, where no hold-out records are given
   bool simulate = true;             // free-running simulation on held-out data
 };
+
+// Status of a fitted parameter: where the model leaves more than noise, its numbers have taken up some of that.
+inline const char* status_word(bool model_fits) { return model_fits ? "VALID" : "BIAS_SUSPECT"; }
 
 // Throws CannotAnswer (motion.hpp) where the records cannot tell.
 Diagnosis diagnose(const rig_file::RigModel& rig, const std::vector<host_sim::Record>& training,

@@ -1,6 +1,7 @@
 #include "information.hpp"
 
 #include <Eigen/Cholesky>
+#include <cmath>
 
 namespace diagnosis {
 
@@ -12,16 +13,19 @@ void act(Balance& balance, const Place& place, const Spectrum& force, double fac
 Information::Information(Eigen::Index bins, Eigen::Index dofs)
     : bins_(bins), dofs_(static_cast<int>(dofs)), entries_(static_cast<size_t>(dofs * dofs), Spectrum(bins)) {}
 
-void Information::set(Eigen::Index bin, const SmallMatrix& covariance) {
+double Information::set(Eigen::Index bin, const SmallMatrix& covariance) {
   if (dofs_ == 1) {
-    entries_[0][bin] = 1 / (covariance(0, 0).real() * (1 + 1e-12) + 1e-280);
-    return;
+    const double variance = covariance(0, 0).real() * (1 + 1e-12) + 1e-280;
+    entries_[0][bin] = 1 / variance;
+    return std::log(variance);
   }
   SmallMatrix s = covariance, inverse = SmallMatrix::Identity(dofs_, dofs_);
   s.diagonal().array() += 1e-12 * s.diagonal().real().sum() + 1e-280;
-  Eigen::LLT<SmallMatrix>(s).solveInPlace(inverse);
+  const Eigen::LLT<SmallMatrix> factor(s);
+  factor.solveInPlace(inverse);
   for (int j = 0; j < dofs_; ++j)
     for (int k = 0; k < dofs_; ++k) entries_[static_cast<size_t>(j * dofs_ + k)][bin] = inverse(j, k);
+  return 2 * factor.matrixLLT().diagonal().real().array().log().sum();
 }
 
 Spectrum Information::between(const Place& p, const Place& q) const {

@@ -31,8 +31,8 @@ struct Tone {
 class Information {
  public:
   Information(Eigen::Index bins, Eigen::Index dofs);
-  // The weights of a bin from its covariance (Hermitian; kept from being singular).
-  void set(Eigen::Index bin, const SmallMatrix& covariance);
+  // The weights of a bin from its covariance (Hermitian; kept from being singular). Returns the logarithm of its determinant.
+  double set(Eigen::Index bin, const SmallMatrix& covariance);
   Spectrum between(const Place& p, const Place& q) const;          // p' L q per bin
   Series weight(const Place& p) const;                             // p' L p per bin
   Spectrum pulled(const Place& p, const Balance& balance) const;   // p' L balance per bin

@@ -10,6 +10,16 @@ namespace {
 
 constexpr int kSteps = 4;         // of a simulation per sample
 constexpr double kWorse = 0.06;   // of the error's square: less is no difference
+constexpr double kMuchWorse = 0.3;
+constexpr double kBeyondNoise = 9;  // of the noise's square: such an error is not noise
+
+// Square of the noise of a DOF's fused displacement, in the units of run_errors(), over so many samples.
+double noise_square(const FusedRecord& f, const DofMotion& m, Eigen::Index from, Eigen::Index length) {
+  const Eigen::Index top = std::min(m.variance.size(), f.last_bin + f.last_bin / 2);
+  const Series x = m.x.segment(from, length);
+  const double power = (x.array() - x.mean()).square().mean();
+  return 2 * m.variance.head(top).sum() / static_cast<double>(f.samples) * static_cast<double>(length) / std::max(power, 1e-300);
+}
 
 }  // namespace
 
@@ -62,8 +72,9 @@ HoldoutScore Judge::score(const std::vector<ActiveTerm>& model) const {
 
 // With errors e of the one and e + d of the other the squares differ by d'd + 2 e'd. Were the one right, e would be noise
 // that knows nothing of d: then e'd has no mean, and its variance follows from the power of both, frequency by frequency.
+// Where e is far beyond noise there is no such excuse.
 bool Judge::clearly_worse(const std::vector<ActiveTerm>& model, const std::vector<ActiveTerm>& other) const {
-  double better = 0, variance = 0, square = 0;
+  double better = 0, variance = 0, square = 0, noise = 0;
   const std::vector<Span> list = unseen_.empty() ? spans(full_, early_share_) : spans(unseen_, 0);
   for (const Span& s : list) {
     const Series mine = run_errors(system_, model, s.record, s.from, s.to, kSteps);
@@ -76,10 +87,12 @@ bool Judge::clearly_worse(const std::vector<ActiveTerm>& model, const std::vecto
     for (Eigen::Index j = 0; j < dofs; ++j) {
       const Series e = mine.segment(j * length, length), d = others.segment(j * length, length) - e;
       better += d.squaredNorm() + 2 * e.dot(d), square += e.squaredNorm();
+      noise += noise_square(s.record, s.record.motion[static_cast<size_t>(j)], s.from, length);
       cross += fourier.forward(e).conjugate().cwiseProduct(fourier.forward(d));
     }
     variance += 8 * cross.squaredNorm() / std::pow(static_cast<double>(length), 2);
   }
+  if (square > kBeyondNoise * noise && better < -kMuchWorse * square) return true;
   return better < -kWorse * square && better < -2 * std::sqrt(variance);
 }
 

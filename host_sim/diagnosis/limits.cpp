@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "naming.hpp"
 
 namespace diagnosis {
 namespace {
+
+constexpr double kNever = std::numeric_limits<double>::infinity();
 
 double rms_of(const Column& c, const Rows& rows, double coefficient) {
   double power = 0, samples = 0;
@@ -83,6 +86,8 @@ std::vector<DetectionLimit> limits_of(const Rows& rows, const CandidateBank& ban
     }
     last = c.term();
   }
+  for (const Term& t : bank.unseen(model))
+    list.push_back({word_of(t.kind), place_of(rows.system(), t, rows.records()[0]), kNever, unit_of(t.kind, rotates(rows.system(), t)), kNever});
   return list;
 }
 

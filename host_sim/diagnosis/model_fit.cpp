@@ -48,6 +48,7 @@ Fit fit_model(const Rows& rows, std::vector<ActiveTerm>& model) {
   Fit fit;
   fit.projection = projection;
   fit.chi2 = projection->chi2() + rows.absorbed();
+  fit.cost = fit.chi2 + rows.log_determinant();
   fit.dof = static_cast<double>(std::max<Eigen::Index>(1, rows.size() - count));
   const double widen = std::sqrt(std::max(1.0, fit.ratio()));
   for (size_t i = 0; i < model.size(); ++i)

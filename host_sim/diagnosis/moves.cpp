@@ -39,9 +39,38 @@ void Moves::polish(State& state) {
     const Scorer scorer{rows_, bank_, w.model, w.fit};
     const Found best = scorer.polished(scorer.of(bank_.again(term, w.model)));
     State trial = settled(joined(w.model, best.candidate, best.gain), 1);
-    if (trial.fit.chi2 < state.fit.chi2) state = trial;
+    if (trial.fit.cost < state.fit.cost) state = trial;
     else state.fit = settle(rows_, state.model, 1);
   }
+}
+
+void Moves::settle_friction_shapes(State& state) {
+  for (size_t k = 0; k < added_terms(state.model).size(); ++k) {
+    const size_t index = added_terms(state.model)[k];
+    const Term term = state.model[index].term;
+    if (!CandidateBank::friction_shape(term.kind)) continue;
+    const CandidateBank::Range range = bank_.range(term);
+    const auto reshaped = [&](double logarithm) {
+      State trial = state;
+      ActiveTerm& t = trial.model[index];
+      t.column = bank_.reshaped({t.column, {}}, std::clamp(std::exp(logarithm), range.low, range.high), 0).column;
+      t.term = t.column->term, t.force.reset();
+      trial.fit = settle(rows_, trial.model, 2);
+      return trial;
+    };
+    double centre = std::log(term.shape), step = 0.4;
+    for (int i = 0; i < 7; ++i) {  // downhill, in smaller steps where neither side is better
+      bool moved = false;
+      for (double way : {step, -step}) {
+        State trial = reshaped(centre + way);
+        if (trial.fit.cost >= state.fit.cost || !plausible(trial.model)) continue;
+        state = trial, centre += way, moved = true;
+        break;
+      }
+      if (!moved) step *= 0.4;
+    }
+  }
+  state.fit = settle(rows_, state.model, 1);
 }
 
 bool Moves::extend(State& state, double least_gain, size_t beam) {
@@ -57,7 +86,7 @@ bool Moves::extend(State& state, double least_gain, size_t beam) {
     State trial = settled(joined(state.model, f.candidate, f.gain), 2);
     if (!plausible(trial.model)) continue;
     if (list.size() > 1 && list[1].score > 0.4 * list[0].score) polish(trial);
-    const double trial_cost = trial.fit.chi2 + f.candidate.penalty * std::max(1.0, trial.fit.ratio());
+    const double trial_cost = trial.fit.cost + f.candidate.penalty * std::max(1.0, trial.fit.ratio());
     if (!found || trial_cost < cost) best = trial, cost = trial_cost, found = true;
   }
   if (found) {
@@ -113,7 +142,7 @@ bool Moves::swap(State& state) {
     if (list.empty() || list[0].candidate.term().same_place(mine)) continue;
     trial = settled(joined(trial.model, list[0].candidate, list[0].gain), 2);
     polish(trial);
-    if (plausible(trial.model) && trial.fit.chi2 < state.fit.chi2 - 4) {
+    if (plausible(trial.model) && trial.fit.cost < state.fit.cost - 4) {
       state = trial;
       changed = true;
     }
@@ -131,12 +160,12 @@ bool Moves::merge(State& state) {
       const std::vector<Found> list = ranked(rows_, bank_, base.model, base.fit, 4);
       const double noise = std::max(1.0, state.fit.ratio());
       State best;
-      double cost = state.fit.chi2 + kLeastGain * noise;
+      double cost = state.fit.cost + kLeastGain * noise;
       bool found = false;
       for (size_t k = 0; k < list.size() && k < 4; ++k) {
         State trial = settled(joined(base.model, list[k].candidate, list[k].gain), 1);
         polish(trial);
-        const double trial_cost = trial.fit.chi2 + list[k].candidate.penalty * noise;
+        const double trial_cost = trial.fit.cost + list[k].candidate.penalty * noise;
         if (plausible(trial.model) && trial_cost < cost) best = trial, cost = trial_cost, found = true;
       }
       if (found) {

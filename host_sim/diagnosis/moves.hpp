@@ -22,6 +22,8 @@ class Moves {
   State without(const State& state, size_t index);
   // Shapes of the added terms, each with the others in place.
   void polish(State& state);
+  // The shape of friction, which moves the friction held near reversals: by the cost of whole fits.
+  void settle_friction_shapes(State& state);
   // The best of the leading candidates once each is fitted and shaped in full.
   bool extend(State& state, double least_gain, size_t beam);
   // The best candidate that shows away from velocity reversals, where little else disturbs it.

@@ -71,6 +71,8 @@ class Rows {
   std::vector<Balance> force() const;
   Eigen::Index size() const { return size_; }    // real rows
   double absorbed() const { return absorbed_; }  // how much chi-squared hold_stuck() takes up, were it all noise
+  // Logarithm of the determinant of the rows' covariance: what a model pays in likelihood for what it leaves open.
+  double log_determinant() const { return log_determinant_; }
   const LinkMotion& link(size_t record, size_t link) const { return links_[record][link]; }
   const System& system() const { return system_; }
   const std::vector<FusedRecord>& records() const { return records_; }
@@ -92,7 +94,7 @@ class Rows {
   std::vector<Series> inflation_;                  // [record]: factor of the covariance per row bin, 1 or more
   std::shared_ptr<const Weights> weights_;         // shared with the fits made under them
   Eigen::Index size_ = 0;
-  double absorbed_ = 0;
+  double absorbed_ = 0, log_determinant_ = 0;
   Reversals reversals_ = Reversals::kNarrow;
 };
 

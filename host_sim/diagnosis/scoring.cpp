@@ -7,6 +7,8 @@
 namespace diagnosis {
 namespace {
 
+constexpr double kPush = 0.15;  // of Stribeck's force
+
 bool better(const Found& a, const Found& b) { return a.score > b.score; }
 
 }  // namespace
@@ -72,7 +74,8 @@ bool plausible(const std::vector<ActiveTerm>& model) {
     if (term.kind == Kind::kPresliding && t.value <= 0) return false;
     for (const ActiveTerm& base : model) {
       const bool friction = term.kind == Kind::kStribeck && base.term.kind == Kind::kCoulomb && base.term.link == term.link;
-      if (friction && !base.known && base.value < -3 * base.std) return false;  // friction that pushes
+      // friction that pushes, by more than a Stribeck velocity a little off would make it
+      if (friction && !base.known && base.value < -3 * base.std - kPush * t.value) return false;
       const bool stiffness = term.kind == Kind::kStiffnessError && base.term.kind == Kind::kStiffness &&
                              base.term.link == term.link;
       const bool mass = term.kind == Kind::kMassError && base.term.kind == Kind::kMass &&

@@ -53,6 +53,7 @@ SearchResult search(Rows& rows, const CandidateBank& bank) {
   while (added_terms(state.model).size() < kMostTerms) {
     const double least_gain = least_share * first_gain;
     if (!moves.extend(state, least_gain, 4) && !moves.extend_beside_reversals(state, least_gain)) break;
+    moves.settle_friction_shapes(state);
     first_gain = std::max(first_gain, start - state.fit.chi2);
     for (size_t index : added_terms(state.model)) {
       const Kind kind = state.model[index].term.kind;
@@ -64,6 +65,7 @@ SearchResult search(Rows& rows, const CandidateBank& bank) {
   }
   while (added_terms(state.model).size() > 1 && moves.merge(state)) {
   }
+  moves.settle_friction_shapes(state);
   while (!review(rows, bank, state, result)) {
   }
   result.model = state.model;

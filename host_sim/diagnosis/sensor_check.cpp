@@ -3,12 +3,13 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace diagnosis {
 namespace {
 
 constexpr double kTwoPi = 6.283185307179586;
-constexpr double kThreshold = 30;  // fall of chi-squared that names a fault
+constexpr double kThreshold = 25;  // fall of chi-squared that names a fault
 constexpr int kMostFaults = 3;
 
 // Fourier rows of one DOF's channels with the common motion projected out, whitened.
@@ -79,6 +80,15 @@ Spectrum hum(const FusedRecord& f, double hertz, double cosine, double sine) {
   return f.fourier->forward(wave);
 }
 
+bool is_hum(FaultKind kind) { return kind == FaultKind::kHum50 || kind == FaultKind::kHum60; }
+
+std::vector<FaultKind> kinds_of(const FusedRecord& f) {
+  std::vector<FaultKind> list{FaultKind::kDelay, FaultKind::kGain};
+  for (FaultKind hum : {FaultKind::kHum50, FaultKind::kHum60})
+    if (hum_Hz(hum) <= f.omega(f.last_bin) / kTwoPi) list.push_back(hum);
+  return list;
+}
+
 std::vector<SensorFault> candidates(const FusedRecord& f, size_t dof) {
   const DofSpectra& s = f.spectra[dof];
   const Consistency rows(f, dof);
@@ -86,10 +96,8 @@ std::vector<SensorFault> candidates(const FusedRecord& f, size_t dof) {
   std::vector<SensorFault> list;
   for (size_t q = 0; q < 3; ++q) {
     if (!s.measured[q]) continue;
-    for (FaultKind kind : {FaultKind::kDelay, FaultKind::kGain, FaultKind::kHum50, FaultKind::kHum60}) {
-      const bool is_hum = kind == FaultKind::kHum50 || kind == FaultKind::kHum60;
-      if (is_hum && hum_Hz(kind) > f.omega(f.last_bin) / kTwoPi) continue;
-      Eigen::MatrixXd columns(residual.size(), is_hum ? 2 : 1);
+    for (FaultKind kind : kinds_of(f)) {
+      Eigen::MatrixXd columns(residual.size(), is_hum(kind) ? 2 : 1);
       if (kind == FaultKind::kGain) {
         columns.col(0) = rows.disturbance(q, [&](Eigen::Index i) { return rows.seen(i, q); });
       } else if (kind == FaultKind::kDelay) {
@@ -103,7 +111,7 @@ std::vector<SensorFault> candidates(const FusedRecord& f, size_t dof) {
       const Eigen::VectorXd moment = columns.transpose() * residual, value = gram.ldlt().solve(moment);
       const double gain = value.dot(moment);
       const double left = std::max(1.0, (residual.squaredNorm() - gain) / rows.dof());
-      SensorFault fault{kind, dof, q, s.channel[q], value[0], is_hum ? value[1] : 0, std::sqrt(left / gram(0, 0)), gain / left};
+      SensorFault fault{kind, dof, q, s.channel[q], value[0], is_hum(kind) ? value[1] : 0, std::sqrt(left / gram(0, 0)), gain / left};
       if (std::isfinite(fault.score)) list.push_back(fault);
     }
   }
@@ -131,15 +139,28 @@ void accumulate(SensorFault& total, const SensorFault& step) {
   total.std = step.std;
 }
 
+std::vector<SensorFault> smallest_faults(const FusedRecord& f, size_t dof) {
+  std::vector<SensorFault> list;
+  if (f.spectra[dof].count() > 1) {
+    list = candidates(f, dof);
+    for (SensorFault& fault : list) fault.value = (std::sqrt(kThreshold) + 1.645) * fault.std;
+    return list;
+  }
+  for (size_t q = 0; q < 3; ++q)
+    for (FaultKind kind : kinds_of(f))
+      if (f.spectra[dof].measured[q])
+        list.push_back({kind, dof, q, f.spectra[dof].channel[q], std::numeric_limits<double>::infinity(), 0, 0, 0});
+  return list;
+}
+
 }  // namespace
 
 SensorCheck check_sensors(FusedRecord& f) {
   SensorCheck check;
   estimate_noise(f);
   for (size_t dof = 0; dof < f.spectra.size(); ++dof) {
-    if (f.spectra[dof].count() < 2) continue;
     std::vector<SensorFault> found;
-    for (int round = 0; round < 8; ++round) {
+    for (int round = 0; round < 8 && f.spectra[dof].count() > 1; ++round) {
       const std::vector<SensorFault> list = candidates(f, dof);
       if (list.empty() || list[0].score < kThreshold) break;
       const auto known = std::find_if(found.begin(), found.end(), [&](const SensorFault& s) { return same(s, list[0]); });
@@ -156,6 +177,8 @@ SensorCheck check_sensors(FusedRecord& f) {
         if (list[i].score > list[0].score - 12) check.rivals.back().push_back(list[i]);
     }
     check.faults.insert(check.faults.end(), found.begin(), found.end());
+    const std::vector<SensorFault> smallest = smallest_faults(f, dof);
+    check.smallest.insert(check.smallest.end(), smallest.begin(), smallest.end());
   }
   return check;
 }

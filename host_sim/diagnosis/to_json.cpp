@@ -31,10 +31,9 @@ json to_json(const Cause& c) {
           {"significance", c.significance}};
 }
 
-// Where the model leaves more than noise, its numbers have taken up some of that.
 json to_json(const ModelScore& s, bool fits) {
   json parameters = to_json(s.parameters);
-  for (json& p : parameters) p["status"] = fits ? "VALID" : "BIAS_SUSPECT";
+  for (json& p : parameters) p["status"] = status_word(fits);
   return {{"parameters", std::move(parameters)},
           {"holdout_nrmse_percent", s.holdout_nrmse_percent},
           {"holdout_velocity_nrmse_percent", s.holdout_velocity_nrmse_percent},
@@ -46,8 +45,8 @@ json to_json(const ModelScore& s, bool fits) {
 json to_json(const Diagnosis& d) {
   json j{{"schema", "diagnosis/1"},
          {"verdict", verdict_word(d.verdict)},
-         {"baseline", to_json(d.baseline, d.verdict == Verdict::kNone)},
-         {"extended", to_json(d.extended, d.verdict != Verdict::kUnknown)},
+         {"baseline", to_json(d.baseline, d.baseline_fits())},
+         {"extended", to_json(d.extended, d.extended_fits())},
          {"gain", d.gain},
          {"advice", d.advice},
          {"unknown_trace", d.unknown_trace},

@@ -56,6 +56,7 @@ void Rows::weight(const std::vector<ActiveTerm>& model) {
   const Eigen::Index n = static_cast<Eigen::Index>(system_.dofs());
   const Dynamics dynamics(*this, model);
   auto weights = std::make_shared<Weights>();
+  log_determinant_ = 0;
   for (size_t r = 0; r < records_.size(); ++r) {
     const FusedRecord& f = records_[r];
     Eigen::MatrixXd known = Eigen::MatrixXd::Zero(n, n);  // variance per sample of friction, the same in every bin
@@ -89,7 +90,7 @@ void Rows::weight(const std::vector<ActiveTerm>& model) {
       }
       sum *= inflation_[r][i] * f.inner_energy / (2 * shares);
       if (i + f.first_bin == 0) sum *= 2;  // the mean is real: all its noise is in one of the two rows
-      weights->back().set(i, sum);
+      log_determinant_ += 2 * weights->back().set(i, sum);
     }
   }
   weights_ = weights;

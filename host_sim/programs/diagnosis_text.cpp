@@ -69,7 +69,7 @@ std::string limits_text(const reports::DiagnosisReportData& data) {
   std::vector<Row> rows = {{"would have been seen from", "", ""}};
   for (const reports::Detectable& limit : data.minimum_detectable)
     rows.push_back({reports::cause_text(limit.effect, limit.where), reports::number_text(limit.strength, 2),
-                    reports::unit_text(limit.unit)});
+                    std::isfinite(limit.strength) ? reports::unit_text(limit.unit) : "not in these data"});
   return "\n" + table(rows);
 }
 

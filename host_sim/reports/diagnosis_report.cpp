@@ -134,13 +134,13 @@ void add_detectable(Page& page, const DiagnosisReportData& data) {
   page.section(
       "detectable", "What would have been seen",
       "The smallest strength of each effect that these data would have shown in 95 % of cases. Anything weaker "
-      "may be there.");
+      "may be there; what no strength would show is marked as not in these data.");
   HtmlTable table;
   table.heading = {"effect", "where", "smallest strength seen", "unit"};
   table.numeric = {false, false, true, false};
   for (const Detectable& limit : data.minimum_detectable)
     table.rows.push_back({escaped(cause_text(limit.effect, "")), escaped(limit.where), number_html(limit.strength, 3),
-                          escaped(unit_text(limit.unit))});
+                          std::isfinite(limit.strength) ? escaped(unit_text(limit.unit)) : "not in these data"});
   page.html(table_html(table));
 }
 

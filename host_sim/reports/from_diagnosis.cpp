@@ -41,16 +41,22 @@ const diagnosis::Parameter* find(const std::vector<diagnosis::Parameter>& parame
 }
 
 // Those of the rig as given in their order, then what the extended rig adds.
+// Given values have no status.
+std::string status_of(const diagnosis::Parameter& p, bool model_fits) {
+  return p.std > 0.0 ? diagnosis::status_word(model_fits) : "";
+}
+
 std::vector<ParameterChange> changes(const diagnosis::Diagnosis& found) {
   std::vector<ParameterChange> out;
   const Interval nothing{kNone, kNone, kNone};
   for (const diagnosis::Parameter& before : found.baseline.parameters) {
     const diagnosis::Parameter* after = find(found.extended.parameters, before.name);
-    out.push_back({before.name, before.unit, interval_of(before), after ? interval_of(*after) : nothing, ""});
+    out.push_back({before.name, before.unit, interval_of(before), after ? interval_of(*after) : nothing,
+                   after ? status_of(*after, found.extended_fits()) : status_of(before, found.baseline_fits())});
   }
   for (const diagnosis::Parameter& after : found.extended.parameters)
     if (find(found.baseline.parameters, after.name) == nullptr)
-      out.push_back({after.name, after.unit, nothing, interval_of(after), ""});
+      out.push_back({after.name, after.unit, nothing, interval_of(after), status_of(after, found.extended_fits())});
   return out;
 }
 

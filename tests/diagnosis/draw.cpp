@@ -182,6 +182,13 @@ int floating_dof(Dice& dice, const TrueRig& rig) {
   return -1;
 }
 
+// Two effects of one link's friction of which the second would not act (a Dahl element stands in for all dry friction) or
+// would not be missing (what bends Coulomb friction is drawn on a link whose friction the rig file knows).
+bool one_friction(const std::string& a, const std::string& b) {
+  const auto bends = [](const std::string& kind) { return kind == "stribeck" || kind == "presliding_hysteresis"; };
+  return (bends(a) || a == "missing_coulomb") && (bends(b) || b == "missing_coulomb");
+}
+
 bool hide_effect(Dice& dice, Scene& scene, Motion& plain, const Settings& s, bool outside) {
   const size_t count = outside ? std::size(kOutside) : std::size(kVocabulary);
   const size_t pick = static_cast<size_t>(dice.below(static_cast<int>(count)));
@@ -195,7 +202,7 @@ bool hide_effect(Dice& dice, Scene& scene, Motion& plain, const Settings& s, boo
   if (on_dof) e.dof = dice.below(static_cast<int>(scene.rig.mass_kg.size()));
   else e.link = dice.below(static_cast<int>(scene.rig.links.size()));
   for (const TrueEffect& other : scene.rig.effects)
-    if (other.kind == e.kind && other.link == e.link && other.dof == e.dof) return false;
+    if (other.link == e.link && other.dof == e.dof && (other.kind == e.kind || one_friction(other.kind, e.kind))) return false;
   const double rho = dice.between(s.rho_low, s.rho_high);
   if (e.kind == "missing_viscous" || (e.kind == "missing_coulomb" && dice.chance(0.5))) {
     TrueLink link;

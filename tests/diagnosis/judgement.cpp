@@ -1,5 +1,6 @@
 #include "judgement.hpp"
 
+#include <cmath>
 #include <cstdio>
 
 namespace hidden {
@@ -45,6 +46,9 @@ std::string told(const Draw& draw, const diagnosis::Diagnosis& d) {
   for (const diagnosis::Cause& c : d.causes) line += " " + c.effect + " on " + c.where;
   for (const diagnosis::NamedPlace& p : d.ambiguous_with) line += " | or " + p.effect + " on " + p.where;
   for (const diagnosis::Cause& c : d.rejected) line += "; rejected: " + c.effect + " on " + c.where;
+  for (const Hidden& h : draw.truth)
+    for (const diagnosis::DetectionLimit& l : d.minimum_detectable)
+      if (l.effect == h.effect && l.where == h.where && std::isinf(l.strength)) line += "; said not to show in these data";
   if (!d.unknown_trace.empty()) line += "; trace: " + d.unknown_trace;
   return line;
 }

@@ -7,6 +7,7 @@
 #include <ostream>
 
 #include "hal/configuration/effect_words.hpp"
+#include "sensors.hpp"
 
 namespace hidden {
 namespace {
@@ -56,6 +57,25 @@ void compare_gain(const Draw& draw, const diagnosis::Diagnosis& answer, Tally& t
   if (!add_truth(draw, truth)) return;
   const diagnosis::Diagnosis best = diagnosis::diagnose(truth, {draw.record}, {});
   t.gain_shares.push_back(mean(best.baseline.holdout_nrmse_percent) / mean(answer.extended.holdout_nrmse_percent));
+}
+
+bool of_motion_channel(const diagnosis::DetectionLimit& l) {
+  return l.where.rfind("channel ", 0) == 0 && l.where.rfind("channel force", 0) != 0;
+}
+
+// "sensor_gain of a motion sensor" is another quantity than that of the force.
+std::string limit_name(const diagnosis::DetectionLimit& l) {
+  return of_motion_channel(l) ? l.effect + " of motion" : l.effect;
+}
+
+// Percent of the damping force; of a motion channel: a delay in us, a gain in percent, a hum in percent of the channel's rms.
+double percent_of(const host_sim::Record& record, const diagnosis::DetectionLimit& l) {
+  if (!of_motion_channel(l)) return l.percent_of_damping_force;
+  if (l.effect == "sensor_delay") return 1e6 * l.strength;
+  if (l.effect == "sensor_gain") return 100 * l.strength;
+  for (const host_sim::Channel& c : record.channels)
+    if (l.where == "channel " + c.name) return 100 * l.strength / rms(c.values);
+  return 0;
 }
 
 }  // namespace
@@ -111,8 +131,11 @@ Tally run_line(const Line& line, uint64_t first_seed, std::ostream* list) {
       auto& bin = t.power[static_cast<int>(draw.truth[0].rho * 10)];
       ++bin.second, bin.first += outcome != Outcome::kWrong;
     }
-    for (const diagnosis::DetectionLimit& l : answer.minimum_detectable)
-      if (answer.verdict == diagnosis::Verdict::kNone && l.percent_of_damping_force > 0) t.limits[l.effect].push_back(l.percent_of_damping_force);
+    if (answer.verdict == diagnosis::Verdict::kNone)
+      for (const diagnosis::DetectionLimit& l : answer.minimum_detectable) {
+        const double percent = percent_of(draw.record, l);
+        if (percent > 0 && std::isfinite(percent)) t.limits[limit_name(l)].push_back(percent);
+      }
     if (outcome == Outcome::kExact && line.settings.hide == Hide::kOne && line.settings.sensors == "xva" && i % 4 == 0)
       compare_gain(draw, answer, t);
     if (outcome == Outcome::kExact) continue;

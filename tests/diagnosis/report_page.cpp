@@ -8,7 +8,8 @@
 namespace hidden {
 namespace {
 
-// Smallest strength named in 95 % by the prototype that sets the marks: rho in percent at 1 % and at 5 % noise.
+// The marks: smallest strength named in 95 %, rho in percent at 1 % and at 5 % noise; faults of motion channels: us, %, % of
+// the channel's rms.
 struct Limit {
   const char* effect;
   double at_1, at_5;
@@ -18,7 +19,8 @@ constexpr Limit kMarks[] = {{"cubic_stiffness", 0.21, 1.05}, {"stiffness_error",
                             {"missing_viscous", 0.39, 1.9}, {"mass_error", 0.43, 2.2}, {"backlash", 0.4, 2.0},
                             {"displacement_dependent_damping", 0.63, 3.1}, {"unmodelled_resonance", 0.66, 3.3},
                             {"missing_coulomb", 0.82, 4.0}, {"cubic_damping", 0.94, 4.6}, {"force_offset", 1.3, 6.5},
-                            {"quadratic_damping", 1.4, 6.8}, {"stribeck", 1.6, 8.3}};
+                            {"quadratic_damping", 1.4, 6.8}, {"stribeck", 1.6, 8.3},
+                            {"sensor_delay of motion", 9.8, 48}, {"sensor_gain of motion", 0.07, 0.36}, {"mains_hum of motion", 0.07, 0.36}};
 
 template <typename... Values>
 void put(std::ostream& out, const char* format, Values... values) {
@@ -48,7 +50,7 @@ void limits(std::ostream& out, const std::vector<Line>& lines, const std::vector
   }
   if (!low || !high) return;
   out << "\n## What would have been seen\n\nThe strengths that every \"none\" prints, rms of the hidden force in percent of its link's damping "
-         "force: median over the draws above\nin which nothing was hidden, beside the mark.\n\n"
+         "force: median over the draws above\nin which nothing was hidden, beside the mark. Faults \"of motion\" are those of a displacement, velocity or acceleration channel:\ndelay in us, gain error in percent, hum in percent of the channel's rms.\n\n"
          "| effect | 1 % noise | mark | 5 % noise | mark |\n|---|---|---|---|---|\n";
   for (const Limit& m : kMarks) {
     const auto median = [&](const Tally* t) { return t->limits.count(m.effect) ? quantile(t->limits.at(m.effect), 0.5) : 0.0; };

@@ -1,0 +1,62 @@
+#include "fault_report.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace diagnosis {
+namespace {
+
+bool is_hum(FaultKind kind) { return kind == FaultKind::kHum50 || kind == FaultKind::kHum60; }
+
+const char* word_of(FaultKind kind) {
+  return kind == FaultKind::kDelay ? "sensor_delay" : kind == FaultKind::kGain ? "sensor_gain" : "mains_hum";
+}
+
+// A hum has the unit of its channel.
+std::string unit_of(const SensorFault& fault) {
+  constexpr const char* kUnits[] = {"m", "m/s", "m/s^2"}, *kAngles[] = {"rad", "rad/s", "rad/s^2"};
+  if (!is_hum(fault.kind)) return fault.kind == FaultKind::kDelay ? "s" : "1";
+  return (fault.channel.find("_rad") != std::string::npos ? kAngles : kUnits)[fault.quantity];
+}
+
+Cause cause_of(const SensorFault& fault) {
+  Cause c;
+  c.effect = word_of(fault.kind);
+  c.where = "channel " + fault.channel;
+  c.significance = fault.score;
+  const double value = is_hum(fault.kind) ? std::hypot(fault.value, fault.quadrature) : fault.value;
+  c.parameters.push_back({c.effect + "[" + fault.channel + "]", value, unit_of(fault), fault.std, true});
+  if (is_hum(fault.kind))
+    c.parameters.push_back({"mains_frequency[" + fault.channel + "]", fault.kind == FaultKind::kHum50 ? 50.0 : 60.0, "Hz", 0, false});
+  return c;
+}
+
+}  // namespace
+
+void report_faults(const std::vector<SensorCheck>& checks, Diagnosis& d) {
+  for (const SensorCheck& check : checks)
+    for (size_t i = 0; i < check.faults.size(); ++i) {
+      const Cause cause = cause_of(check.faults[i]);
+      const auto same = [&](const Cause& c) { return c.effect == cause.effect && c.where == cause.where; };
+      if (std::any_of(d.causes.begin(), d.causes.end(), same)) continue;  // the same fault in a further record
+      d.causes.push_back(cause);
+      for (const SensorFault& rival : check.rivals[i])
+        d.ambiguous_with.push_back({word_of(rival.kind), "channel " + rival.channel});
+    }
+}
+
+std::vector<DetectionLimit> fault_limits(const std::vector<SensorCheck>& checks) {
+  std::vector<DetectionLimit> list;
+  for (const SensorCheck& check : checks)
+    for (const SensorFault& f : check.smallest) {
+      const DetectionLimit limit{word_of(f.kind), "channel " + f.channel, f.value, unit_of(f), 0};
+      const auto known = std::find_if(list.begin(), list.end(), [&](const DetectionLimit& l) {
+        return l.effect == limit.effect && l.where == limit.where;  // the two mains frequencies are one effect
+      });
+      if (known == list.end()) list.push_back(limit);
+      else known->strength = std::min(known->strength, limit.strength);
+    }
+  return list;
+}
+
+}  // namespace diagnosis
