@@ -5,6 +5,7 @@
 #include "advice.hpp"
 #include "beyond_noise.hpp"
 #include "diagnosis.hpp"
+#include "drive_hold.hpp"
 #include "fault_report.hpp"
 #include "limits.hpp"
 #include "naming.hpp"
@@ -24,6 +25,8 @@ std::vector<FusedRecord> ready(const rig_file::RigModel& rig, const std::vector<
   std::vector<FusedRecord> list;
   for (const host_sim::Record& r : records) {
     list.push_back(read_record(rig, r, options.top_of_band));
+    estimate_noise(list.back());
+    correct_hold(list.back());
     const SensorCheck check = check_sensors(list.back());
     if (checks) checks->push_back(check);
     fuse(list.back());

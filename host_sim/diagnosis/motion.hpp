@@ -39,6 +39,9 @@ struct DofMotion {
   double smooth_v_error = 0;  // standard deviation of smooth_v
 };
 
+// A force between its samples: smooth, straight from one to the next, or each held until the next.
+enum class Hold { kSmooth, kLinear, kSteps };
+
 struct FusedRecord {
   std::string file;
   size_t samples = 0;
@@ -51,6 +54,7 @@ struct FusedRecord {
   std::vector<DofSpectra> spectra;   // per DOF, then the base
   std::vector<DofMotion> motion;     // per DOF, then the base
   std::vector<Series> force;         // per DOF; empty where not measured
+  Hold hold = Hold::kSmooth;         // of the forces
   std::vector<Series> force_noise;   // per bin: variance per sample; empty where not measured
   double bin_Hz() const { return 1.0 / (static_cast<double>(samples) * period_s); }
   double omega(Eigen::Index bin) const { return 6.283185307179586 * static_cast<double>(bin) * bin_Hz(); }

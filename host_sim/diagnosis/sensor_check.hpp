@@ -29,6 +29,9 @@ struct SensorCheck {
   std::vector<SensorFault> smallest;
 };
 
+// What the strongest fault of a DOF's channels would explain (fall of chi-squared over the noise that remains).
+double strongest_fault(const FusedRecord& record, size_t dof);
+
 // Finds faults, corrects the record's spectra for them and leaves its noise estimated anew.
 SensorCheck check_sensors(FusedRecord& record);
 

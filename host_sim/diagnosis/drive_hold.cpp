@@ -1,0 +1,73 @@
+#include "drive_hold.hpp"
+
+#include <cmath>
+
+#include "consistency.hpp"
+#include "sensor_check.hpp"
+
+namespace diagnosis {
+namespace {
+
+constexpr double kThreshold = 60;  // fall of chi-squared that tells a hold from a smooth force
+
+// Transfer from the samples of a force to the force itself, s = j omega T.
+Complex transfer(Hold hold, Complex s) {
+  if (hold == Hold::kSmooth || std::abs(s) < 1e-6) return 1;
+  if (hold == Hold::kSteps) return (1.0 - std::exp(-s)) / s;
+  return (std::exp(s) - 2.0 + std::exp(-s)) / (s * s);
+}
+
+// What folds back into the samples of a mass's motion per force and inverse mass: sampled response less that to the force
+// below half the sampling rate. Of the displacement it is nothing, of the velocity under a linear hold likewise.
+Complex folded(Hold hold, Complex s, size_t quantity, double period_s) {
+  if (quantity == 2) return 1.0 - transfer(hold, s);
+  if (quantity == 0 || hold != Hold::kSteps) return 0;
+  if (std::abs(s) < 0.01) return -period_s * s / 12.0;
+  return period_s * (1.0 / (std::exp(s) - 1.0) - transfer(hold, s) / s);
+}
+
+Complex step_of(const FusedRecord& f, Eigen::Index bin) { return {0, f.omega(bin) * f.period_s}; }
+
+struct Evidence {
+  double gain = 0, inverse_mass = 0;
+};
+
+Evidence evidence(const FusedRecord& f, size_t dof, const Spectrum& force, Hold hold) {
+  const Consistency rows(f, dof);
+  const Series residual = rows.residual();
+  const Series column = rows.rows([&](Eigen::Index i, size_t q) { return folded(hold, step_of(f, i), q, f.period_s) * force[i]; });
+  const double square = column.squaredNorm(), moment = column.dot(residual);
+  if (!(square > 0) || moment <= 0) return {};
+  const double gain = moment * moment / square;
+  return {gain / std::max(1.0, (residual.squaredNorm() - gain) / rows.dof()), moment / square};
+}
+
+void correct(FusedRecord& f, size_t dof, const Spectrum& force, double inverse_mass) {
+  DofSpectra& s = f.spectra[dof];
+  for (size_t q = 0; q < 3; ++q)
+    for (Eigen::Index i = 0; s.measured[q] && i < s.z[q].size(); ++i)
+      s.z[q][i] -= inverse_mass * folded(f.hold, step_of(f, i), q, f.period_s) * force[i];
+}
+
+}  // namespace
+
+void correct_hold(FusedRecord& f) {
+  for (size_t dof = 0; dof < f.force.size(); ++dof) {
+    if (f.force[dof].size() == 0 || f.spectra[dof].count() < 2 || !f.spectra[dof].measured[2]) continue;
+    const Spectrum force = f.fourier->forward(f.outer.weight.cwiseProduct(f.force[dof]));
+    Evidence best;
+    Hold hold = Hold::kSmooth;
+    for (Hold trial : {Hold::kLinear, Hold::kSteps}) {
+      const Evidence e = evidence(f, dof, force, trial);
+      if (e.gain > best.gain) best = e, hold = trial;
+    }
+    if (best.gain < kThreshold + strongest_fault(f, dof)) continue;
+    f.hold = hold;
+    correct(f, dof, force, best.inverse_mass);
+    Spectrum acting = force;
+    for (Eigen::Index i = 0; i <= 2 * f.last_bin; ++i) acting[i] *= transfer(hold, step_of(f, i));
+    f.force[dof] = f.fourier->inverse(acting);  // right where the outer weight is 1; above, its noise stays as it is
+  }
+}
+
+}  // namespace diagnosis
