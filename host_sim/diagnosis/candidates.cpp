@@ -109,10 +109,16 @@ CandidateBank::Range CandidateBank::range(const Term& t) const {
   const Extent e = extent(t.link);
   switch (t.kind) {
     case Kind::kBacklash: return {5e-5 * e.u_peak, 0.8 * e.u_peak};
+    case Kind::kDriftingViscous: return {0.02 * duration_s(), 2 * duration_s()};
     case Kind::kEndStop: return {0.1 * e.u_peak, 0.97 * e.u_peak};
     case Kind::kStribeck: return {0.03 * e.w_rms, 1.1 * e.w_rms};
     default: return {5e-4 * e.u_rms, 1.5 * e.u_rms};
   }
+}
+
+CandidateBank::Range CandidateBank::second_range(const Term& t) const {
+  if (t.kind == Kind::kResonance) return {1e-4, 0.5};
+  return {0.02 * slide_s(t), 50 * slide_s(t)};
 }
 
 void CandidateBank::add_effects(int link, Columns& columns) const {
@@ -120,6 +126,7 @@ void CandidateBank::add_effects(int link, Columns& columns) const {
                     Kind::kCubicDamping, Kind::kForceOffset, Kind::kAsymmetricViscous, Kind::kDisplacementDamping,
                     Kind::kDriftingViscous})
     add(on_link(kind, link), columns);
+  for (double share : {0.05, 0.12, 0.3, 0.7}) add(on_link(Kind::kDriftingViscous, link, share * duration_s()), columns);
   const rig_file::Link& given = rows_.system().links[static_cast<size_t>(link)];
   const Extent e = extent(link);
   if (e.u_peak <= 0 || e.w_rms <= 0) return;
@@ -128,7 +135,12 @@ void CandidateBank::add_effects(int link, Columns& columns) const {
   for (double share : {0.2, 0.32, 0.43, 0.54, 0.65, 0.75, 0.85, 0.93})
     add(on_link(Kind::kEndStop, link, share * e.u_peak), columns);
   for (double speed : log_grid(0.04 * e.w_rms, 1.0 * e.w_rms, 7)) add(on_link(Kind::kStribeck, link, speed), columns);
-  for (double length : log_grid(1e-3 * e.u_rms, 1.0 * e.u_rms, 9)) add(on_link(Kind::kPresliding, link, length), columns);
+  for (double length : log_grid(1e-3 * e.u_rms, 1.0 * e.u_rms, 9))
+    for (double slides : {0.0, 0.7, 5.0}) {
+      Term term = on_link(Kind::kPresliding, link, length);
+      term.shape2 = slides * length / e.w_rms;
+      add(term, columns);
+    }
 }
 
 const CandidateBank::Columns& CandidateBank::effects_of_unlisted(int link) const {
@@ -165,8 +177,9 @@ void CandidateBank::add_dof(int dof) {
   if (top_Hz > 60) add(on_dof(Kind::kForceHumCos60, dof), columns_);
 }
 
-bool CandidateBank::has_shape(Kind kind) {
-  return kind == Kind::kBacklash || kind == Kind::kEndStop || kind == Kind::kStribeck || kind == Kind::kPresliding ||
+bool CandidateBank::has_shape(const Term& t) {
+  const Kind kind = t.kind;
+  return (kind == Kind::kDriftingViscous && t.shape > 0) || kind == Kind::kBacklash || kind == Kind::kEndStop || kind == Kind::kStribeck || kind == Kind::kPresliding ||
          kind == Kind::kResonance;
 }
 
@@ -209,10 +222,11 @@ bool CandidateBank::prepare(const std::vector<ActiveTerm>& model, Candidate& c) 
       break;
     case Kind::kPresliding:
       c.host = host_on(model, t.link, is_friction), c.host_sign = 1;
-      c.penalty = 6, c.threshold = 100;
+      c.penalty = t.shape2 > 0 ? 12 : 6, c.threshold = 100;
       break;
     case Kind::kStribeck: c.coefficient_sign = 1, c.penalty = 6, c.threshold = 100; return true;
     case Kind::kEndStop: c.coefficient_sign = 1, c.penalty = 6; return true;
+    case Kind::kDriftingViscous: c.penalty = t.shape > 0 ? 6 : 0; return true;
     case Kind::kResonance: c.coefficient_sign = 1, c.penalty = 12; return true;
     case Kind::kMissingViscous: case Kind::kMissingCoulomb: c.coefficient_sign = 1; return true;
     default: return true;
@@ -257,7 +271,7 @@ std::vector<Candidate> CandidateBank::beside(const std::vector<ActiveTerm>& mode
     if (!prepare(model, c)) continue;
     // integrated motion drifts, and drift looks like much, most of all like a hidden mass with a spring of its own
     if (!rows_.absolute()) c.threshold *= c.term().kind == Kind::kResonance ? 80 : 4;
-    else if (!rows_.redundant()) c.threshold *= 2;  // noise that no second channel bears out
+    else if (!rows_.redundant()) c.threshold *= friction_shape(c.term().kind) ? 6 : 2;  // noise that no second channel bears out
     c.threshold += reversal_doubt(model, c.term());
     list.push_back(c);
   }

@@ -24,12 +24,14 @@ class CandidateBank {
   Candidate reshaped(const Candidate& candidate, double shape, double shape2) const;
   // The candidate that an added term came from, beside a model without it.
   Candidate again(const Term& term, const std::vector<ActiveTerm>& model) const;
-  // Range of the first shape parameter of a kind at a place.
+  // Range of the shape parameters of a kind at a place.
   struct Range {
     double low, high;
   };
   Range range(const Term& term) const;
-  static bool has_shape(Kind kind);
+  Range second_range(const Term& term) const;
+  double slide_s(const Term& presliding) const { return presliding.shape / extent(presliding.link).w_rms; }  // over its length
+  static bool has_shape(const Term& term);
   static bool friction_shape(Kind kind) { return kind == Kind::kStribeck || kind == Kind::kPresliding; }
 
   // Added to the threshold of an effect that shares a DOF with a link of strong friction.
@@ -43,6 +45,7 @@ class CandidateBank {
     double u_peak = 0, u_rms = 0, w_rms = 0;
   };
   Extent extent(int link) const;  // the widest over the records
+  double duration_s() const { return static_cast<double>(rows_.records().front().samples) * rows_.records().front().period_s; }
   void add_effects(int link, Columns& columns) const;
   const Columns& effects_of_unlisted(int link) const;  // made when they are first asked for
   void add_dof(int dof);

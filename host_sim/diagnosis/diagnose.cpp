@@ -168,6 +168,8 @@ Diagnosis diagnose(const rig_file::RigModel& rig, const std::vector<host_sim::Re
   std::vector<SensorCheck> checks;
   auto owner = std::make_unique<Bench>(Bench{system, ready(rig, training, options, &checks), nullptr, nullptr});
   report_faults(checks, d);
+  for (const FusedRecord& f : owner->records)
+    if (f.hold != Hold::kSmooth) d.force_between_samples = f.hold == Hold::kLinear ? "linear" : "steps";
   sharpen_all(system, owner->records);
   owner->lay_out();
   SearchResult found = search(*owner->rows, *owner->bank);
@@ -210,7 +212,8 @@ Diagnosis diagnose(const rig_file::RigModel& rig, const std::vector<host_sim::Re
   d.ranked = ranking(system, rows, *bench.bank, found, 12);
   d.baseline.parameters = parameters_of(system, found.base);
   d.extended.parameters = parameters_of(system, found.model);
-  d.extended_rig = extended_rig(system, found.model);
+  const FusedRecord& first = bench.records.front();
+  d.extended_rig = extended_rig(system, found.model, static_cast<double>(first.samples) * first.period_s);
   d.minimum_detectable = detection_limits(rows, *bench.bank, found.model, found.fit);
   for (const DetectionLimit& limit : fault_limits(checks)) d.minimum_detectable.push_back(limit);
   d.unknown_trace = remainder.trace;

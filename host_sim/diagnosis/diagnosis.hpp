@@ -65,6 +65,7 @@ struct Diagnosis {
   std::vector<double> gain;     // baseline / extended NRMSE per DOF
   std::vector<DetectionLimit> minimum_detectable;
   std::vector<std::string> advice;
+  std::string force_between_samples = "smooth";  // or "linear", "steps": how it acts there, as the motion tells
   std::string unknown_trace;    // what the unexplained force looks like, where it leaves a plain trace
   double baseline_misfit = 0;   // chi-squared per degree of freedom: 1 is noise alone
   double extended_misfit = 0;

@@ -102,11 +102,11 @@ struct Simulator {
         case Kind::kForceOffset: pull(l, q); break;
         case Kind::kAsymmetricViscous: pull(l, q * std::abs(w)); break;
         case Kind::kDisplacementDamping: pull(l, q * u * u * w); break;
-        case Kind::kDriftingViscous: pull(l, q * w * t_s); break;
+        case Kind::kDriftingViscous: pull(l, q * w * drift(t, t_s)); break;
         case Kind::kPresliding: {
           const double way = w < 0 ? -1 : 1;
           dahl[i] = way + (dahl[i] - way) * std::exp(-std::abs(w) * h / t.shape);
-          pull(l, q * dahl[i]);
+          pull(l, q * (dahl[i] + t.shape2 * (w - std::abs(w) * dahl[i]) / t.shape));
           if (!t.given) level[l] -= q;  // in place of Coulomb friction
           break;
         }

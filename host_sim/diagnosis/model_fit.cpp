@@ -6,6 +6,9 @@
 namespace diagnosis {
 namespace {
 
+// The friction held near reversals is in the covariance and, as what it absorbs, in chi-squared: each counts half.
+constexpr double kShareOfDeterminant = 0.5;
+
 // Index of each active term's own column, or -1.
 std::vector<Eigen::Index> own_columns(const std::vector<ActiveTerm>& model, Eigen::Index* count) {
   std::vector<Eigen::Index> own(model.size(), -1);
@@ -48,7 +51,7 @@ Fit fit_model(const Rows& rows, std::vector<ActiveTerm>& model) {
   Fit fit;
   fit.projection = projection;
   fit.chi2 = projection->chi2() + rows.absorbed();
-  fit.cost = fit.chi2 + rows.log_determinant();
+  fit.cost = fit.chi2 + kShareOfDeterminant * rows.log_determinant();
   fit.dof = static_cast<double>(std::max<Eigen::Index>(1, rows.size() - count));
   const double widen = std::sqrt(std::max(1.0, fit.ratio()));
   for (size_t i = 0; i < model.size(); ++i)

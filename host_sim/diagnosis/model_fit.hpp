@@ -11,7 +11,7 @@ struct Fit {
   double chi2 = 0;           // squared weighted residual
   double dof = 1;            // real rows minus fitted values
   double ratio() const { return chi2 / dof; }
-  double cost = 0;           // -2 log likelihood but for a constant: compares models whose weights differ
+  double cost = 0;           // chi-squared and what the width of the weights costs: compares shapes of friction
   std::shared_ptr<const Projection> projection;
 };
 

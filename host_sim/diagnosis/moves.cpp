@@ -7,6 +7,14 @@ namespace diagnosis {
 namespace {
 
 constexpr double kLeastGain = 17;  // of chi-squared, for two terms in place of one
+constexpr double kLeftOver = 1.1;  // chi-squared per degree of freedom that says a shape is not met
+constexpr size_t kTried = 4;
+
+bool shaped_on(const std::vector<ActiveTerm>& model, int link) {
+  for (const ActiveTerm& t : model)
+    if (t.added && link >= 0 && t.term.link == link && CandidateBank::has_shape(t.term)) return true;
+  return false;
+}
 
 }  // namespace
 
@@ -34,7 +42,7 @@ void Moves::polish(State& state) {
   for (size_t k = 0; k < added_terms(state.model).size(); ++k) {
     const size_t index = added_terms(state.model)[k];
     const Term term = state.model[index].term;
-    if (!CandidateBank::has_shape(term.kind)) continue;
+    if (!CandidateBank::has_shape(term)) continue;
     const State w = without(state, index);
     const Scorer scorer{rows_, bank_, w.model, w.fit};
     const Found best = scorer.polished(scorer.of(bank_.again(term, w.model)));
@@ -44,31 +52,39 @@ void Moves::polish(State& state) {
   }
 }
 
+void Moves::settle_friction_shape(State& state, size_t index, Axis axis) {
+  const auto reshaped = [&](double logarithm) {
+    const Term t = moved(state.model[index].term, axis, logarithm);
+    State trial = state;
+    ActiveTerm& active = trial.model[index];
+    active.column = bank_.reshaped({active.column, {}}, t.shape, t.shape2).column;
+    active.term = active.column->term, active.force.reset();
+    trial.fit = settle(rows_, trial.model, 2);
+    return trial;
+  };
+  const auto within = [](double value, const CandidateBank::Range& r) { return value > r.low && value < r.high; };
+  double step = 0.4;
+  for (int i = 0; i < 7; ++i) {  // downhill, in smaller steps where neither side is better
+    bool better = false;
+    for (double way : {step, -step}) {
+      const Term t = moved(state.model[index].term, axis, way);
+      if (!within(t.shape, bank_.range(t))) continue;
+      const State trial = reshaped(way);
+      if (trial.fit.cost >= state.fit.cost || !plausible(trial.model)) continue;
+      state = trial, better = true;
+      break;
+    }
+    if (!better) step *= 0.4;
+  }
+}
+
 void Moves::settle_friction_shapes(State& state) {
-  for (size_t k = 0; k < added_terms(state.model).size(); ++k) {
-    const size_t index = added_terms(state.model)[k];
+  for (size_t index : added_terms(state.model)) {
     const Term term = state.model[index].term;
     if (!CandidateBank::friction_shape(term.kind)) continue;
-    const CandidateBank::Range range = bank_.range(term);
-    const auto reshaped = [&](double logarithm) {
-      State trial = state;
-      ActiveTerm& t = trial.model[index];
-      t.column = bank_.reshaped({t.column, {}}, std::clamp(std::exp(logarithm), range.low, range.high), 0).column;
-      t.term = t.column->term, t.force.reset();
-      trial.fit = settle(rows_, trial.model, 2);
-      return trial;
-    };
-    double centre = std::log(term.shape), step = 0.4;
-    for (int i = 0; i < 7; ++i) {  // downhill, in smaller steps where neither side is better
-      bool moved = false;
-      for (double way : {step, -step}) {
-        State trial = reshaped(centre + way);
-        if (trial.fit.cost >= state.fit.cost || !plausible(trial.model)) continue;
-        state = trial, centre += way, moved = true;
-        break;
-      }
-      if (!moved) step *= 0.4;
-    }
+    if (term.shape2 > 0)
+      for (Axis axis : {Axis::kBoth, Axis::kSecond}) settle_friction_shape(state, index, axis);
+    settle_friction_shape(state, index, Axis::kFirst);
   }
   state.fit = settle(rows_, state.model, 1);
 }
@@ -86,7 +102,7 @@ bool Moves::extend(State& state, double least_gain, size_t beam) {
     State trial = settled(joined(state.model, f.candidate, f.gain), 2);
     if (!plausible(trial.model)) continue;
     if (list.size() > 1 && list[1].score > 0.4 * list[0].score) polish(trial);
-    const double trial_cost = trial.fit.cost + f.candidate.penalty * std::max(1.0, trial.fit.ratio());
+    const double trial_cost = trial.fit.chi2 + f.candidate.penalty * std::max(1.0, trial.fit.ratio());
     if (!found || trial_cost < cost) best = trial, cost = trial_cost, found = true;
   }
   if (found) {
@@ -132,19 +148,31 @@ bool Moves::holds_wide(const State& state, size_t index) {
   return (w.fit.chi2 - wide.fit.chi2 - c.penalty) / std::max(1.0, wide.fit.ratio()) >= c.threshold;
 }
 
+// Shapes on one link answer to each other: in turns until neither gains.
+void Moves::polish_together(State& state) {
+  for (int round = 0; round < 5; ++round) {
+    const double before = state.fit.cost;
+    polish(state);
+    if (state.fit.cost > before - 10) break;
+  }
+}
+
 bool Moves::swap(State& state) {
   bool changed = false;
   for (size_t k = 0; k < added_terms(state.model).size(); ++k) {
     const size_t index = added_terms(state.model)[k];
     const Term mine = state.model[index].term;
-    State trial = without(state, index);
-    const std::vector<Found> list = ranked(rows_, bank_, trial.model, trial.fit, 3);
-    if (list.empty() || list[0].candidate.term().same_place(mine)) continue;
-    trial = settled(joined(trial.model, list[0].candidate, list[0].gain), 2);
-    polish(trial);
-    if (plausible(trial.model) && trial.fit.cost < state.fit.cost - 4) {
+    const State base = without(state, index);
+    const std::vector<Found> list = ranked(rows_, bank_, base.model, base.fit, 3);
+    const bool left = state.fit.ratio() > kLeftOver && shaped_on(base.model, mine.link);
+    for (size_t i = 0; i < list.size() && i < (left ? kTried : 1); ++i) {
+      const bool same = list[i].candidate.term().same_place(mine);
+      if (same && !left) break;
+      State trial = settled(joined(base.model, list[i].candidate, list[i].gain), 2);
+      left ? polish_together(trial) : polish(trial);
+      if (!plausible(trial.model) || trial.fit.chi2 >= state.fit.chi2 - 4) continue;
       state = trial;
-      changed = true;
+      changed = changed || !same;
     }
     state.fit = settle(rows_, state.model, 1);
   }
@@ -160,12 +188,13 @@ bool Moves::merge(State& state) {
       const std::vector<Found> list = ranked(rows_, bank_, base.model, base.fit, 4);
       const double noise = std::max(1.0, state.fit.ratio());
       State best;
-      double cost = state.fit.cost + kLeastGain * noise;
+      double cost = state.fit.chi2 + kLeastGain * noise;
       bool found = false;
       for (size_t k = 0; k < list.size() && k < 4; ++k) {
         State trial = settled(joined(base.model, list[k].candidate, list[k].gain), 1);
         polish(trial);
-        const double trial_cost = trial.fit.cost + list[k].candidate.penalty * noise;
+          if (CandidateBank::friction_shape(list[k].candidate.term().kind)) settle_friction_shapes(trial);
+        const double trial_cost = trial.fit.chi2 + list[k].candidate.penalty * noise;
         if (plausible(trial.model) && trial_cost < cost) best = trial, cost = trial_cost, found = true;
       }
       if (found) {

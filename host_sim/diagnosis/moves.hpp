@@ -36,6 +36,8 @@ class Moves {
   bool merge(State& state);
 
  private:
+  void polish_together(State& state);
+  void settle_friction_shape(State& state, size_t index, Axis axis);
   bool extend_wide(State& state, double least_gain);
   bool holds_wide(const State& state, size_t index);
   Rows& rows_;

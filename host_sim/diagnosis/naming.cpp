@@ -1,6 +1,7 @@
 #include "naming.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "hal/configuration/effect_words.hpp"
 
@@ -82,12 +83,14 @@ std::string shape_name(Kind kind) {
     case Kind::kStribeck: return "stribeck_velocity";
     case Kind::kPresliding: return "presliding_length";
     case Kind::kResonance: return "resonance_frequency";
+    case Kind::kDriftingViscous: return "drift_time";
     default: return "";
   }
 }
 
 std::string shape_unit(Kind kind, bool rotating) {
   if (kind == Kind::kResonance) return "Hz";
+  if (kind == Kind::kDriftingViscous) return "s";
   return std::string(rotating ? "rad" : "m") + (kind == Kind::kStribeck ? "/s" : "");
 }
 
@@ -103,7 +106,8 @@ std::vector<Parameter> parameters_of_term(const System& s, const ActiveTerm& a) 
   const std::string name = parameter_name(s, t);
   std::vector<Parameter> list{{name, a.value, unit_of(t.kind, turning), a.known ? 0 : a.std, !a.known}};
   const std::string place = name.substr(name.find('['));
-  if (!shape_name(t.kind).empty()) list.push_back({shape_name(t.kind) + place, t.shape, shape_unit(t.kind, turning), 0, true});
+  if (!shape_name(t.kind).empty() && t.shape > 0) list.push_back({shape_name(t.kind) + place, t.shape, shape_unit(t.kind, turning), 0, true});
+  if (t.kind == Kind::kPresliding && t.shape2 > 0) list.push_back({"bristle_time" + place, t.shape2, "s", 0, true});
   if (t.kind == Kind::kResonance) list.push_back({"resonance_damping_ratio" + place, t.shape2, "1", 0, true});
   return list;
 }
@@ -116,7 +120,14 @@ std::vector<Parameter> parameters_of(const System& s, const std::vector<ActiveTe
   return list;
 }
 
-rig_file::RigModel extended_rig(const System& s, const std::vector<ActiveTerm>& model) {
+// Slope of the straight line that is nearest to a drift over a record, per unit coefficient.
+double straight_slope(const Term& t, double duration_s) {
+  if (!(t.shape > 0)) return 1;
+  const double x = duration_s / t.shape, left = std::exp(-x);
+  return -12 / (x * x * x) * ((1 - left * (1 + x)) - 0.5 * x * (1 - left));
+}
+
+rig_file::RigModel extended_rig(const System& s, const std::vector<ActiveTerm>& model, double duration_s) {
   rig_file::RigModel rig = s.rig;
   std::vector<rig_file::Link> extra(s.links.begin() + static_cast<std::ptrdiff_t>(s.known_links), s.links.end());
   for (const ActiveTerm& a : model) {
@@ -133,7 +144,7 @@ rig_file::RigModel extended_rig(const System& s, const std::vector<ActiveTerm>& 
     if (t.kind == Kind::kMissingViscous) link.viscous_N_s_m = {a.value, true};
     else if (t.kind == Kind::kMissingCoulomb) link.coulomb_N = {a.value, true};
     else if (t.kind == Kind::kStiffnessError) link.stiffness_N_m.value += a.value;
-    else link.effects.push_back(as_effect(t, a.value, rotates(s, t)));
+    else link.effects.push_back(as_effect(t, t.kind == Kind::kDriftingViscous ? a.value * straight_slope(t, duration_s) : a.value, rotates(s, t)));
     if (t.kind == Kind::kPresliding) link.coulomb_N = {};  // acts in its place
   }
   for (const rig_file::Link& link : extra)

@@ -13,26 +13,30 @@ bool better(const Found& a, const Found& b) { return a.score > b.score; }
 
 }  // namespace
 
+Term moved(const Term& term, Axis axis, double logarithm) {
+  Term t = term;
+  if (axis != Axis::kSecond) t.shape *= std::exp(logarithm);
+  if (axis != Axis::kFirst) t.shape2 *= std::exp(logarithm);
+  return t;
+}
+
 Found Scorer::scored(const Candidate& c, const Gain& gain) const {
   Found found{c, gain, 0};
   found.score = (found.gain.chi2 - c.penalty) / std::max(1.0, (fit.chi2 - found.gain.chi2) / fit.dof);
   return found;
 }
 
-Found Scorer::along(const Found& start, bool second, double factor, int steps) const {
+Found Scorer::along(const Found& start, Axis axis, double factor, int steps) const {
   const Term t = start.candidate.term();
-  const double centre = std::log(second ? t.shape2 : t.shape), golden = 0.6180339887498949;
-  double low = centre - std::log(factor), high = centre + std::log(factor);
-  if (!second) {
-    const CandidateBank::Range range = bank.range(t);
-    low = std::max(low, std::log(range.low)), high = std::min(high, std::log(range.high));
-    if (low >= high) return start;
-  } else {
-    low = std::max(low, std::log(1e-4)), high = std::min(high, std::log(0.5));
-  }
-  const auto at = [&](double p) {
-    return of(bank.reshaped(start.candidate, second ? t.shape : std::exp(p), second ? std::exp(p) : t.shape2));
+  const double golden = 0.6180339887498949;
+  double low = -std::log(factor), high = -low;  // logarithm of what the shapes are multiplied by
+  const auto keep_within = [&](double shape, const CandidateBank::Range& range) {
+    low = std::max(low, std::log(range.low / shape)), high = std::min(high, std::log(range.high / shape));
   };
+  if (axis != Axis::kSecond) keep_within(t.shape, bank.range(t));
+  if (axis != Axis::kFirst) keep_within(t.shape2, bank.second_range(t));
+  if (low >= high) return start;
+  const auto at = [&](double p) { return of(bank.reshaped(start.candidate, moved(t, axis, p).shape, moved(t, axis, p).shape2)); };
   double a = high - golden * (high - low), b = low + golden * (high - low);
   Found fa = at(a), fb = at(b), best = start;
   for (int i = 0; i < steps; ++i) {
@@ -49,21 +53,33 @@ Found Scorer::along(const Found& start, bool second, double factor, int steps) c
   return best;
 }
 
+Found Scorer::bristles(const Found& found, double factor) const {
+  Found best = along(found, Axis::kFirst, factor, 8);
+  Term damped = best.candidate.term();
+  if (!(damped.shape2 > 0)) damped.shape2 = bank.slide_s(damped);
+  Found other = of(bank.again(damped, model));
+  for (int round = 0; round < 3; ++round)
+    for (Axis axis : {Axis::kBoth, Axis::kSecond, Axis::kFirst}) other = along(other, axis, round == 0 ? factor : 1.4, 5);
+  return other.score > best.score ? other : best;
+}
+
 Found Scorer::refined(const Found& found) const {
   const Kind kind = found.candidate.term().kind;
-  if (!CandidateBank::has_shape(kind)) return found;
-  if (kind != Kind::kResonance) return along(found, false, kind == Kind::kEndStop ? 1.3 : 2.2, 8);
+  if (!CandidateBank::has_shape(found.candidate.term())) return found;
+  if (kind == Kind::kPresliding) return bristles(found, 2.2);
+  if (kind != Kind::kResonance) return along(found, Axis::kFirst, kind == Kind::kEndStop ? 1.3 : 2.2, 8);
   const Term& t = found.candidate.term();
   Found best = of(bank.reshaped(found.candidate, t.shape, t.shape2));  // from frequency response to time
-  best = along(best, false, 1.05, 7);
-  best = along(best, true, 8, 5);
-  return along(best, false, 1.01, 5);
+  best = along(best, Axis::kFirst, 1.05, 7);
+  best = along(best, Axis::kSecond, 8, 5);
+  return along(best, Axis::kFirst, 1.01, 5);
 }
 
 Found Scorer::polished(const Found& found) const {
   const Kind kind = found.candidate.term().kind;
-  if (kind != Kind::kResonance) return along(found, false, kind == Kind::kEndStop ? 1.06 : 1.5, 8);
-  return along(along(found, false, 1.01, 6), true, 1.6, 5);
+  if (kind == Kind::kPresliding) return bristles(found, 1.5);
+  if (kind != Kind::kResonance) return along(found, Axis::kFirst, kind == Kind::kEndStop ? 1.06 : 1.5, 8);
+  return along(along(found, Axis::kFirst, 1.01, 6), Axis::kSecond, 1.6, 5);
 }
 
 bool plausible(const std::vector<ActiveTerm>& model) {
@@ -104,7 +120,7 @@ std::vector<Found> ranked(const Rows& rows, const CandidateBank& bank, const std
   }
   std::sort(best.begin(), best.end(), better);
   for (size_t i = 0, done = 0; i < best.size() && done < refined; ++i) {
-    if (!CandidateBank::has_shape(best[i].candidate.term().kind) || best[i].score < 0.3 * best[0].score) continue;
+    if (!CandidateBank::has_shape(best[i].candidate.term()) || best[i].score < 0.3 * best[0].score) continue;
     best[i] = scorer.refined(best[i]);
     ++done;
   }

@@ -12,6 +12,11 @@ struct Found {
   double score = 0;  // (gain - penalty) / max(1, chi2 / dof)
 };
 
+// Which shape parameters change together.
+enum class Axis { kFirst, kSecond, kBoth };
+// The term with these multiplied by exp(logarithm).
+Term moved(const Term& term, Axis axis, double logarithm);
+
 struct Scorer {
   const Rows& rows;
   const CandidateBank& bank;
@@ -23,8 +28,11 @@ struct Scorer {
   Found refined(const Found& found) const;   // from a shape on the grid to the best nearby
   Found polished(const Found& found) const;  // a closer look around a shape that is nearly right
 
-  // Golden section on the logarithm of one shape parameter within a factor of its present value.
-  Found along(const Found& start, bool second, double factor, int steps) const;
+  // Golden section on the logarithm of shape parameters within a factor of their present value.
+  Found along(const Found& start, Axis axis, double factor, int steps) const;
+
+ private:
+  Found bristles(const Found& found, double factor) const;  // Dahl's or LuGre's, whichever scores
 };
 
 // A model whose values a rig can have: no correction as large as what it corrects.

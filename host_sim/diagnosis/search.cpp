@@ -10,7 +10,7 @@ namespace {
 
 // What a later term must bring of the first one's gain: more where a shape was not met, most where it is friction's, which
 // near reversals is known to a few percent only.
-constexpr double kLeastShare = 0.0002, kLeastBesideShape = 0.0005, kLeastBesideFriction = 0.04;
+constexpr double kLeastShare = 0.00005,  kLeastBesideShape = 0.0005, kLeastBesideFriction = 0.04;
 
 // Lists each added term with its gain and its rivals. False where one was not worth its place and has been removed.
 bool review(Rows& rows, const CandidateBank& bank, State& state, SearchResult& result) {
@@ -57,7 +57,7 @@ SearchResult search(Rows& rows, const CandidateBank& bank) {
     first_gain = std::max(first_gain, start - state.fit.chi2);
     for (size_t index : added_terms(state.model)) {
       const Kind kind = state.model[index].term.kind;
-      if (CandidateBank::has_shape(kind))
+      if (CandidateBank::has_shape(state.model[index].term))
         least_share = std::max(least_share, CandidateBank::friction_shape(kind) ? kLeastBesideFriction : kLeastBesideShape);
     }
     for (int i = 0; added_terms(state.model).size() > 1 && i < 3 && moves.swap(state); ++i) {

@@ -46,12 +46,13 @@ constexpr Word kWords[] = {{Kind::kMass, "mass"},
                            {Kind::kUnknownTime, "unknown"},
                            {Kind::kUnknownTone, "unknown"}};
 
-Series dahl(const Series& w, double length, double period_s) {
+// Friction of unit level from bristles that bend over a length: z of Dahl, and of LuGre what damps the bristles.
+Series bristles(const Series& w, double length, double time_s, double period_s) {
   Series z(w.size());
   double state = 0;
   for (Eigen::Index i = 0; i < w.size(); ++i) {
     const double next = i + 1 < w.size() ? w[i + 1] : w[i];
-    z[i] = state;
+    z[i] = state + time_s * (w[i] - std::abs(w[i]) * state) / length;
     // exact over a sample with the mean rate: z relaxes towards sgn(w) over the length
     const double mean = 0.5 * (w[i] + next), way = mean < 0 ? -1 : 1;
     state = way + (state - way) * std::exp(-std::abs(mean) * period_s / length);
@@ -86,6 +87,8 @@ Series free_decay(const Term& t, const FusedRecord& f, double phase) {
 }
 
 }  // namespace
+
+double drift(const Term& t, double t_s) { return t.shape > 0 ? t.shape * -std::expm1(-t_s / t.shape) : t_s; }
 
 const char* word_of(Kind kind) {
   for (const Word& w : kWords)
@@ -194,12 +197,12 @@ Series term_force(const Term& t, const FusedRecord& f, const std::vector<LinkMot
     case Kind::kStribeck:
       return ((-w.abs() / t.shape).exp() * soft_sign(l.smooth_w, l.w_error).array()).matrix();
     case Kind::kPresliding:
-      if (t.given) return dahl(l.smooth_w, t.shape, f.period_s);
-      return dahl(l.smooth_w, t.shape, f.period_s) - soft_sign(l.smooth_w, l.w_error);
+      if (t.given) return bristles(l.smooth_w, t.shape, t.shape2, f.period_s);
+      return bristles(l.smooth_w, t.shape, t.shape2, f.period_s) - soft_sign(l.smooth_w, l.w_error);
     case Kind::kForceOffset: return Series::Ones(u.size());
     case Kind::kAsymmetricViscous: return w.abs().matrix();
     case Kind::kDisplacementDamping: return (u.square() * w).matrix();
-    case Kind::kDriftingViscous: return (time_axis(f).array() * w).matrix();
+    case Kind::kDriftingViscous: return time_axis(f).unaryExpr([&](double t_s) { return drift(t, t_s); }).cwiseProduct(l.smooth_w);
     case Kind::kUnknownPitch: return (kTwoPi * u / t.shape + t.shape2).sin().matrix();
     case Kind::kUnknownTime: return ((kTwoPi * time_axis(f).array() / t.shape + t.shape2).sin() * l.w.array()).matrix();
     default: return Series::Zero(u.size());

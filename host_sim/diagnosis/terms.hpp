@@ -25,12 +25,16 @@ enum class Kind {
 const char* word_of(Kind kind);                 // the contract's word; base terms: "mass", "viscous", ...
 bool kind_of_word(const std::string& word, Kind* kind);
 
+struct Term;
+// How far a drifting coefficient has gone after a time, in s: t, or tau (1 - exp(-t / tau)).
+double drift(const Term& term, double t_s);
+
 struct Term {
   Kind kind = Kind::kMass;
   int link = -1;      // index into the system's links, or -1
   int dof = -1;       // index from 0, or -1
-  double shape = 0;   // gap m, Stribeck velocity m/s, presliding length m, resonance Hz
-  double shape2 = 0;  // resonance: damping ratio
+  double shape = 0;   // gap m, Stribeck velocity m/s, presliding length m, resonance Hz, time constant of a drift s (0: straight)
+  double shape2 = 0;  // resonance: damping ratio; presliding: time constant of the bristles' own damping s (LuGre; 0: Dahl)
   bool smooth = false;  // base terms: from the smoothed motion (where the coefficient is fitted)
   bool given = false;   // an effect of the rig file: backlash and presliding as forces of their own
   int record = -1;      // only in this record (what is left of a resonance's start), or -1

@@ -49,6 +49,7 @@ json to_json(const Diagnosis& d) {
          {"extended", to_json(d.extended, d.extended_fits())},
          {"gain", d.gain},
          {"advice", d.advice},
+         {"force_between_samples", d.force_between_samples},
          {"unknown_trace", d.unknown_trace},
          {"baseline_misfit", d.baseline_misfit},
          {"extended_misfit", d.extended_misfit}};

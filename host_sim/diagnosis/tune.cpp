@@ -24,7 +24,7 @@ std::vector<Knob> knobs_of(const std::vector<ActiveTerm>& model) {
     const ActiveTerm& t = model[i];
     if (t.companion >= 0) continue;
     if (!t.known && t.host < 0) list.push_back({i, false, std::max({1e-4 * std::abs(t.value), 0.1 * t.std, 1e-12})});
-    if (t.added && CandidateBank::has_shape(t.term.kind)) list.push_back({i, true, 0.02 * t.term.shape});
+    if (t.added && CandidateBank::has_shape(t.term)) list.push_back({i, true, 0.02 * t.term.shape});
   }
   return list;
 }

@@ -3,7 +3,7 @@
 // Every finished line is kept beside the page as FILE.md.partN: a run that was stopped goes on from there with the same
 // options; --finished-only writes the page of the lines that are there and leaves them.
 // or one line:  diagnosis_report line [key value ...]  (noise, n, seed, sensors, corner, bits, kind, low, high, hide,
-// dofs, seconds). Jobs are processes: a line is the unit of work.
+// dofs, seconds, drive). Jobs are processes: a line is the unit of work.
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -44,6 +44,7 @@ int one_line(int argc, char** argv) {
     else if (key == "high") s.rho_high = std::atof(value.c_str());
     else if (key == "dofs") s.dofs = std::atoi(value.c_str());
     else if (key == "seconds") s.seconds = std::atof(value.c_str());
+    else if (key == "drive") s.drive = value == "steps" ? hidden::Drive::kSteps : value == "linear" ? hidden::Drive::kLinear : hidden::Drive::kSmooth;
     else if (key == "hide") s.hide = hide_of(value);
     else return std::cerr << "unknown key " << key << "\n", 2;
   }
@@ -59,7 +60,7 @@ std::string part_of(const std::string& page, size_t line) { return page + ".part
 int usage(bool asked) {
   (asked ? std::cout : std::cerr)
       << "usage: diagnosis_report [--share S] [--first-seed S] [--jobs N] [--finished-only] FILE.md\n"
-         "       diagnosis_report line [noise N] [n DRAWS] [seed S] [sensors xva] [hide none|one|two|outside|fault] ...\n";
+         "       diagnosis_report line [noise N] [n DRAWS] [seed S] [sensors xva] [hide none|one|two|outside|fault] [drive smooth|linear|steps] ...\n";
   return asked ? 0 : 2;
 }
 

@@ -91,7 +91,8 @@ struct Scene {
   TrueRig rig;
   Values force;  // at half substeps of 4 substeps a sample
   size_t samples;
-  Motion run() const { return integrate(rig, force, 4, samples, kSkip, kPeriod); }
+  Drive drive;
+  Motion run() const { return integrate(rig, force, 4, samples, kSkip, kPeriod, drive); }
 };
 
 Values difference(const std::vector<Values>& rows, const TrueLink& l) {
@@ -132,8 +133,14 @@ bool shape_effect(Dice& dice, TrueEffect& e, const TrueRig& rig, const Motion& m
       for (double value : u) sum += std::pow(std::clamp(value, -gap, gap), 2);
       return link.k * std::sqrt(sum / static_cast<double>(u.size()));
     });
-  if (e.kind == "presliding_hysteresis")
-    return bisect(1e-3 * ru, 0.5 * ru, [&](double length) { return link.F * dahl_deficit(w, length); });
+  if (e.kind == "drifting_viscous" && dice.chance(0.5))  // levels off, as heating does
+    e.shape = dice.log_between(0.1, 0.6) * static_cast<double>(motion.x[0].size()) * kPeriod;
+  if (e.kind == "presliding_hysteresis") {
+    const double slides = dice.chance(0.5) ? dice.log_between(0.3, 5) : 0;  // LuGre's bristles are damped, Dahl's are not
+    const bool shaped = bisect(1e-3 * ru, 0.5 * ru, [&](double length) { return link.F * dahl_deficit(w, length); });
+    e.shape2 = slides * e.shape / rw;
+    return shaped;
+  }
   const double sign = dice.sign();
   if (e.kind == "end_stop") e.shape = dice.between(0.35, 0.75) * peak;
   if (e.kind == "stribeck") e.shape = dice.between(0.1, 0.6) * rw;
@@ -262,6 +269,7 @@ Draw make_draw(uint64_t seed, const Settings& s) {
   Dice dice(seed);
   for (;;) {
     Scene scene;
+    scene.drive = s.drive;
     scene.samples = static_cast<size_t>(s.seconds / kPeriod + 0.5);
     scene.rig = draw_rig(dice, s.dofs);
     scene.force = band_force(dice, (scene.samples + kSkip + 2) * 8, kPeriod / 8, dice.log_between(10, 40));

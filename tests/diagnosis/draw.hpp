@@ -19,6 +19,7 @@ struct Settings {
   double noise_corner_Hz = 0;     // first-order coloured noise with this corner; 0: white
   int bits = 0;                   // quantised to this many bits over 1.25 times the channel's peak; 0: not at all
   double seconds = 20;
+  Drive drive = Drive::kSmooth;
   double rho_low = 0.05, rho_high = 0.6;
   std::string kind;               // only this effect
   int dofs = 0;                   // only this many masses

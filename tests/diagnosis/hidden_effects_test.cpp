@@ -51,17 +51,4 @@ TEST(HiddenEffects, GainOnUnseenDataIsThatOfTheTrueModel) {
   EXPECT_EQ(answer.extended_rig.links[0].effects[0].kind, "cubic_stiffness");
 }
 
-TEST(HiddenEffects, NoneListsWhatWouldHaveBeenSeen) {
-  hidden::Settings settings;
-  settings.hide = hidden::Hide::kNothing;
-  const hidden::Draw draw = hidden::make_draw(12, settings);
-  const diagnosis::Diagnosis answer = diagnosis::diagnose(draw.rig, {draw.record}, {});
-  ASSERT_EQ(answer.verdict, diagnosis::Verdict::kNone) << hidden::told(draw, answer);
-  EXPECT_GE(answer.minimum_detectable.size(), 10u);
-  for (const diagnosis::DetectionLimit& limit : answer.minimum_detectable) {
-    EXPECT_GT(limit.strength, 0) << limit.effect << " " << limit.where;
-    EXPECT_FALSE(limit.unit.empty());
-  }
-}
-
 }  // namespace

@@ -77,6 +77,11 @@ struct Integrator {
     if (const TrueEffect* e = on_link(l, Kind::kStribeck)) level += e->strength * std::exp(-std::abs(w) / e->shape);
     return level;
   }
+  // from -0.5 to 0.5 in a straight line, or levelling off; without a mean over the record
+  double drift(double tau, double t) const {
+    if (!(tau > 0)) return t / duration - 0.5;
+    return tau / duration * (1 - std::exp(-duration / tau)) - std::exp(-t / tau);
+  }
   double effect_force(size_t i, const std::vector<double>& s, double t) const {
     const TrueEffect& e = rig.effects[i];
     if (e.link < 0) return 0;
@@ -95,11 +100,14 @@ struct Integrator {
       case Kind::kAsymmetricViscous: return e.strength * std::abs(w);
       case Kind::kDisplacementDependentDamping: return e.strength * u * u * w;
       case Kind::kMissingViscous: return e.strength * w;
-      case Kind::kDriftingViscous: return e.strength * w * (t / duration - 0.5);
+      case Kind::kDriftingViscous: return e.strength * w * drift(e.shape, std::max(t, 0.0));
       case Kind::kCogging: return e.strength * std::sin(kTwoPi * u / e.shape);
       case Kind::kSwitchedDamper: return std::fmod(t, e.shape) < 0.5 * e.shape ? e.strength * w : 0.0;
       case Kind::kPulsatingStiffness: return e.strength * u * std::sin(kTwoPi * t / e.shape);
-      case Kind::kPreslidingHysteresis: return rig.links[l].F * s[static_cast<size_t>(memory[i])];
+      case Kind::kPreslidingHysteresis: {
+        const double z = s[static_cast<size_t>(memory[i])];
+        return rig.links[l].F * (z + e.shape2 * (w - std::abs(w) * z) / e.shape);
+      }
       default: return 0;  // friction kinds are part of friction_level
     }
   }
@@ -258,7 +266,7 @@ struct Integrator {
 }  // namespace
 
 Motion integrate(const TrueRig& rig, const std::vector<double>& force, int substeps, size_t samples, size_t skip,
-                 double sample_period_s) {
+                 double sample_period_s, Drive drive) {
   Integrator run(rig);
   Motion m;
   m.x = m.v = m.a = std::vector<std::vector<double>>(run.n);
@@ -281,8 +289,13 @@ Motion integrate(const TrueRig& rig, const std::vector<double>& force, int subst
       for (size_t i = 0; i < rig.effects.size(); ++i) m.hidden_force[i].push_back(run.hidden_force(i, s, t0, d));
     }
     for (int j = 0; j < substeps; ++j) {
-      const size_t at = base + 2 * static_cast<size_t>(j);
-      run.substep(s, t0 + j * h, h, force[at], force[at + 1], force[at + 2]);
+      const size_t at = base + 2 * static_cast<size_t>(j), end = base + 2 * static_cast<size_t>(substeps);
+      const auto between = [&](size_t i) {
+        if (drive == Drive::kSmooth) return force[i];
+        if (drive == Drive::kSteps) return force[base];
+        return force[base] + (force[end] - force[base]) * static_cast<double>(i - base) / static_cast<double>(end - base);
+      };
+      run.substep(s, t0 + j * h, h, between(at), between(at + 1), between(at + 2));
     }
   }
   return m;

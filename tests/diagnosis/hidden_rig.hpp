@@ -18,8 +18,8 @@ struct TrueEffect {
   int link = -1;        // link effects
   int dof = -1;         // DOF effects
   double strength = 0;  // coefficient in SI units: N/m^3, N, kg, ...
-  double shape = 0;     // gap m, Stribeck velocity m/s, presliding length m, resonance Hz, pitch m, period s
-  double shape2 = 0;    // resonance: damping ratio
+  double shape = 0;     // gap m, Stribeck velocity m/s, presliding length m, resonance Hz, pitch m, period s, drift's time constant s
+  double shape2 = 0;    // resonance: damping ratio; presliding: sigma1 / sigma0 of LuGre's bristles s (0: Dahl)
 };
 
 struct TrueRig {
@@ -34,9 +34,12 @@ struct Motion {  // one row per DOF or link, one value per sample
   std::vector<std::vector<double>> hidden_force;   // per effect
 };
 
+// The force between its samples: as drawn; straight lines; held until the next sample.
+enum class Drive { kSmooth, kLinear, kSteps };
+
 // force on DOF 0, given at half substeps: sample s, stage j at [(s * substeps * 2) + j]; the first `skip` samples are
 // simulated from rest and dropped.
 Motion integrate(const TrueRig& rig, const std::vector<double>& force_half_steps, int substeps, size_t samples,
-                 size_t skip, double sample_period_s);
+                 size_t skip, double sample_period_s, Drive drive = Drive::kSmooth);
 
 }  // namespace hidden

@@ -119,6 +119,13 @@ TEST(Projection, AColumnThatOthersMakeUpIsLeftOut) {
   EXPECT_NEAR(again.chi2(), fit.chi2(), 1e-8);
 }
 
+TEST(Projection, AWeightTellsTheDeterminantOfItsCovariance) {
+  const Problem p;
+  Information information(1, kDofs);
+  const Eigen::MatrixXcd full = p.covariance[0];
+  EXPECT_NEAR(information.set(0, p.covariance[0]), std::log(full.determinant().real()), 1e-9);
+}
+
 // Every candidate of the vocabulary, among them those that take the place of a spring or of friction.
 TEST(Projection, EveryPredictedGainIsWhatARefitShows) {
   hidden::Settings settings;
@@ -135,6 +142,9 @@ TEST(Projection, EveryPredictedGainIsWhatARefitShows) {
   const std::vector<Candidate> candidates = bank.beside(model);
   const std::vector<Gain> gains = gains_of(rows, model, fit, candidates);
   int hosted = 0;
+  CandidateBank barring(rows);
+  barring.bar(candidates[0].term());
+  EXPECT_EQ(barring.beside(model).size() + 1, candidates.size());  // the first has no shapes on a grid
   for (size_t i = 0; i < candidates.size(); ++i) {
     if (candidates[i].coefficient_sign != 0 && gains[i].chi2 == 0) continue;  // against its physical sign
     std::vector<ActiveTerm> more = joined(model, candidates[i], gains[i]);

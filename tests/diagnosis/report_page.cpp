@@ -80,7 +80,7 @@ void write_page(std::ostream& out, const std::vector<Line>& lines, const std::ve
   limits(out, lines, tallies);
   out << "\n## Confusion and power\n";
   for (size_t i = 0; i < lines.size(); ++i) {
-    if (lines[i].settings.hide != Hide::kOne || lines[i].settings.sensors != "xva" || lines[i].settings.dofs) continue;
+    if (lines[i].settings.hide != Hide::kOne || lines[i].settings.sensors != "xva" || lines[i].settings.dofs || lines[i].settings.drive != Drive::kSmooth) continue;
     out << "\n### " << lines[i].title << "\n\n| hidden | said (times) |\n|---|---|\n";
     for (const auto& row : tallies[i].confusion) {
       out << "| `" << row.first << "` |";
