@@ -1,9 +1,8 @@
+// The columns of the candidates, shapes on a grid.
 #include "candidates.hpp"
 
 #include <algorithm>
 #include <cmath>
-
-#include "hal/configuration/effect_words.hpp"
 
 namespace diagnosis {
 namespace {
@@ -17,63 +16,7 @@ std::vector<double> log_grid(double low, double high, int count) {
   return grid;
 }
 
-bool is_stiffness(Kind kind) { return kind == Kind::kStiffness; }
-bool is_friction(Kind kind) { return kind == Kind::kCoulomb || kind == Kind::kMissingCoulomb; }
-
-// The term of the model that a shape effect bends, or -1.
-template <typename Test>
-int host_on(const std::vector<ActiveTerm>& model, int link, Test test) {
-  for (size_t i = 0; i < model.size(); ++i)
-    if (model[i].term.link == link && test(model[i].term.kind) && model[i].host < 0 &&
-        (!model[i].known || model[i].value != 0))
-      return static_cast<int>(i);
-  return -1;
-}
-
 }  // namespace
-
-std::vector<ActiveTerm> base_model(const Rows& rows) {
-  const System& s = rows.system();
-  std::vector<ActiveTerm> model;
-  const auto add = [&](const Term& term, const rig_file::Coefficient& c, bool always) {
-    if (!always && !c.estimate && c.value == 0) return;
-    ActiveTerm t;
-    Term own = term;
-    own.smooth = c.estimate;
-    t.term = own;
-    t.column = rows.column(own);
-    t.known = !c.estimate;
-    t.value = c.estimate ? 0 : c.value;
-    model.push_back(t);
-  };
-  for (size_t i = 0; i < s.dofs(); ++i) {
-    add(on_dof(Kind::kMass, static_cast<int>(i)), s.rig.dofs[i].mass_kg, false);
-    for (const rig_file::Effect& e : s.rig.dofs[i].effects) {
-      Term term = on_dof(Kind::kMass, static_cast<int>(i));
-      if (!kind_of_word(e.kind, &term.kind)) continue;
-      term.given = true;
-      if (e.shape.count("resonance_Hz")) term.shape = e.shape.at("resonance_Hz");
-      if (e.shape.count("damping_ratio")) term.shape2 = e.shape.at("damping_ratio");
-      add(term, e.coefficient, true);
-    }
-  }
-  for (size_t l = 0; l < s.known_links; ++l) {
-    const rig_file::Link& link = s.links[l];
-    const int i = static_cast<int>(l);
-    add(on_link(Kind::kStiffness, i), link.stiffness_N_m, false);
-    add(on_link(Kind::kViscous, i), link.viscous_N_s_m, false);
-    add(on_link(Kind::kCoulomb, i), link.coulomb_N, false);
-    add(on_link(Kind::kGravity, i), link.gravity_torque_N_m, false);
-    for (const rig_file::Effect& e : link.effects) {
-      Term term = on_link(Kind::kStiffness, i);
-      if (!kind_of_word(e.kind, &term.kind)) continue;
-      term.given = true;
-      term.shape = rig_file::first_shape(e, rig_file::link_rotates(s.rig, link));
-      add(term, e.coefficient, true);
-    }
-  }
-  return model;
-}
 
 CandidateBank::CandidateBank(const Rows& rows) : rows_(rows) {
   // Where nothing moves no resonance shows; one far above the motion is a mass.
@@ -177,107 +120,6 @@ void CandidateBank::add_dof(int dof) {
   if (top_Hz > 60) add(on_dof(Kind::kForceHumCos60, dof), columns_);
 }
 
-bool CandidateBank::has_shape(const Term& t) {
-  const Kind kind = t.kind;
-  return (kind == Kind::kDriftingViscous && t.shape > 0) || kind == Kind::kBacklash || kind == Kind::kEndStop || kind == Kind::kStribeck || kind == Kind::kPresliding ||
-         kind == Kind::kResonance;
-}
-
-bool CandidateBank::observable(const std::vector<ActiveTerm>& model, const Term& t) const {
-  // Without a known coefficient the force sets the scale of all others; without a force a single mass does.
-  bool scale_known = false, forced = false;
-  for (const ActiveTerm& a : model) scale_known = scale_known || (!a.added && a.known && a.value != 0);
-  for (size_t j = 0; j < rows_.system().dofs(); ++j) forced = forced || rows_.has_force(j);
-  if (t.kind == Kind::kForceGain) return scale_known;
-  if (t.kind == Kind::kMassError) return forced || rows_.system().dofs() > 1;
-  return t.kind != Kind::kForceOffset || rows_.absolute();  // a static force shows in a static displacement
-}
-
-std::vector<Term> CandidateBank::unseen(const std::vector<ActiveTerm>& model) const {
-  std::vector<Term> list;
-  for (const auto& column : columns_)
-    if (!observable(model, column->term)) list.push_back(column->term);
-  return list;
-}
-
-bool CandidateBank::prepare(const std::vector<ActiveTerm>& model, Candidate& c) const {
-  const Term& t = c.term();
-  if (!observable(model, t)) return false;
-  for (const Term& b : barred_)
-    if (b.same_place(t)) return false;
-  for (const ActiveTerm& a : model) {
-    const Term& other = a.term;
-    if (other.same_place(t)) return false;
-    if (other.link == t.link && t.link >= 0) {
-      if (t.kind == Kind::kMissingViscous && other.kind == Kind::kViscous && !a.known) return false;
-      if (t.kind == Kind::kMissingCoulomb && other.kind == Kind::kCoulomb) return false;
-      if (t.kind == Kind::kStiffnessError && other.kind == Kind::kStiffness && !a.known) return false;
-    }
-    if (t.kind == Kind::kMassError && other.kind == Kind::kMass && other.dof == t.dof && !a.known) return false;
-  }
-  switch (t.kind) {
-    case Kind::kBacklash:
-      c.host = host_on(model, t.link, is_stiffness), c.host_sign = -1;
-      c.penalty = 6;
-      break;
-    case Kind::kPresliding:
-      c.host = host_on(model, t.link, is_friction), c.host_sign = 1;
-      c.penalty = t.shape2 > 0 ? 12 : 6, c.threshold = 100;
-      break;
-    case Kind::kStribeck: c.coefficient_sign = 1, c.penalty = 6, c.threshold = 100; return true;
-    case Kind::kEndStop: c.coefficient_sign = 1, c.penalty = 6; return true;
-    case Kind::kDriftingViscous: c.penalty = t.shape > 0 ? 6 : 0; return true;
-    case Kind::kResonance: c.coefficient_sign = 1, c.penalty = 12; return true;
-    case Kind::kMissingViscous: case Kind::kMissingCoulomb: c.coefficient_sign = 1; return true;
-    default: return true;
-  }
-  if (c.host < 0) return false;
-  c.fixed = model[static_cast<size_t>(c.host)].known;
-  return true;
-}
-
-// Friction near velocity reversals is known to some percent only: an effect beside it must bring more than that, or show
-// with the reversals left out of account.
-double CandidateBank::reversal_doubt(const std::vector<ActiveTerm>& model, const Term& t) const {
-  double largest = 0;
-  const auto& links = rows_.system().links;
-  const auto touches = [&](const rig_file::Link& l, int dof) { return dof > 0 && (l.a == dof || l.b == dof); };
-  for (const ActiveTerm& a : model) {
-    const Term& own = a.term;
-    if ((own.kind != Kind::kCoulomb && own.kind != Kind::kMissingCoulomb && own.kind != Kind::kStribeck) || !(a.std > 0)) continue;
-    const rig_file::Link& l = links[static_cast<size_t>(own.link)];
-    const bool near = t.dof >= 0 ? touches(l, t.dof + 1)
-                                 : touches(l, links[static_cast<size_t>(t.link)].a) || touches(l, links[static_cast<size_t>(t.link)].b);
-    if (near) largest = std::max(largest, std::pow(a.value / a.std, 2));
-  }
-  if (friction_shape(t.kind)) return 1e-4 * largest;
-  return (rows_.reversals() == Rows::Reversals::kWide ? 1e-5 : 1e-3) * largest;
-}
-
-std::vector<Candidate> CandidateBank::beside(const std::vector<ActiveTerm>& model) const {
-  Columns columns = columns_;
-  for (const ActiveTerm& a : model) {  // a link that the rig file lacks may have more to it than its damper
-    const bool damper = a.term.kind == Kind::kMissingViscous || a.term.kind == Kind::kMissingCoulomb;
-    if (!damper || static_cast<size_t>(a.term.link) < rows_.system().known_links) continue;
-    const Columns& more = effects_of_unlisted(a.term.link);
-    columns.insert(columns.end(), more.begin(), more.end());
-  }
-  std::vector<Candidate> list;
-  for (const auto& column : columns) {
-    Candidate c;
-    c.column = column;
-    const auto partner = partner_.find(column.get());
-    if (partner != partner_.end()) c.companions = partner->second, c.penalty = c.term().kind == Kind::kQuadraticStiffness ? 24 : 6;
-    if (!prepare(model, c)) continue;
-    // integrated motion drifts, and drift looks like much, most of all like a hidden mass with a spring of its own
-    if (!rows_.absolute()) c.threshold *= c.term().kind == Kind::kResonance ? 80 : 4;
-    else if (!rows_.redundant()) c.threshold *= friction_shape(c.term().kind) ? 6 : 2;  // noise that no second channel bears out
-    c.threshold += reversal_doubt(model, c.term());
-    list.push_back(c);
-  }
-  return list;
-}
-
 std::vector<Term> CandidateBank::companions_of(const Term& t) const {
   std::vector<Term> list;
   const auto also = [&](Kind kind, int record) {
@@ -292,23 +134,6 @@ std::vector<Term> CandidateBank::companions_of(const Term& t) const {
       also(Kind::kResonanceCos, static_cast<int>(r)), also(Kind::kResonanceSin, static_cast<int>(r));
   if (t.kind == Kind::kQuadraticStiffness && !rows_.absolute()) also(Kind::kStiffnessError, -1);  // about a mean that is not known
   return list;
-}
-
-Candidate CandidateBank::reshaped(const Candidate& candidate, double shape, double shape2) const {
-  Candidate c = candidate;
-  Term t = candidate.term();
-  t.shape = shape, t.shape2 = shape2;
-  c.column = rows_.column(t);
-  c.companions.clear();
-  for (const Term& other : companions_of(t)) c.companions.push_back(rows_.column(other));
-  return c;
-}
-
-Candidate CandidateBank::again(const Term& term, const std::vector<ActiveTerm>& model) const {
-  Candidate c;
-  c.column = std::make_shared<const Column>(Column{term, {}, 0, 0, 0});
-  prepare(model, c);
-  return reshaped(c, term.shape, term.shape2);
 }
 
 }  // namespace diagnosis

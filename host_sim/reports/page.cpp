@@ -1,6 +1,7 @@
 #include "host_sim/reports/page.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdio>
 
@@ -18,6 +19,17 @@ const char* swatch(Shape shape) {
     default:
       return "line";
   }
+}
+
+// "link 1-0" stays on one line: its hyphen is one that does not break.
+std::string unbroken(const std::string& html) {
+  std::string out;
+  for (size_t i = 0; i < html.size(); ++i) {
+    const bool between_digits = html[i] == '-' && i > 0 && i + 1 < html.size() && std::isdigit(static_cast<unsigned char>(html[i - 1])) &&
+                                std::isdigit(static_cast<unsigned char>(html[i + 1]));
+    out += between_digits ? "&#8209;" : std::string(1, html[i]);
+  }
+  return out;
 }
 
 // The legend of a row of pictures: every label once, in order of appearance.
@@ -129,7 +141,7 @@ std::string Page::finish() const {
          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
          escaped(title_) + "</title>\n<style>" + page_style() +
          "</style></head>\n<body><main>\n<header><p class=\"kicker\">" + escaped(kicker_) + "</p><h1>" +
-         escaped(title_) + "</h1>\n" + lead_ + "</header>\n<nav>" + contents_ + "</nav>\n" + body +
+         unbroken(escaped(title_)) + "</h1>\n" + lead_ + "</header>\n<nav>" + contents_ + "</nav>\n" + body +
          "</main></body></html>\n";
 }
 
