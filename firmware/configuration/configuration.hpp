@@ -62,7 +62,7 @@ enum class TermKind : uint8_t {
   kForceOffset,                    // F0
   kAsymmetricViscous,              // c_a |w|: c + c_a for w > 0, c - c_a for w < 0
   kDisplacementDependentDamping,   // c_u u^2 w
-  kDriftingViscous,                // c_t w t, t in s since the start of the level
+  kDriftingViscous,                // c_t w t, t in s since the start of the level; shape = time constant tau: c_t w tau (1 - exp(-t / tau))
 };
 
 struct Term {

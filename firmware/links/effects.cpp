@@ -69,7 +69,7 @@ Scaled Effects::unit(const Effect& effect) {
     case TermKind::kCubicDamping: exponent = 3 * w; break;
     case TermKind::kAsymmetricViscous: exponent = w; break;
     case TermKind::kDisplacementDependentDamping: exponent = 2 * u + w; break;
-    case TermKind::kDriftingViscous: exponent = w + kTimeBits; break;
+    case TermKind::kDriftingViscous: exponent = effect.shape.mantissa != 0 ? w : w + kTimeBits; break;
     default: break;  // gravity, friction shapes and the offset are pure numbers
   }
   return Scaled::from_int(1, exponent - kFraction);
@@ -91,9 +91,12 @@ void Effects::configure(const CoreConfiguration& configuration, Scaled* column_u
     if (term.kind == TermKind::kStribeck && !term.shape.is_zero()) effect.shape = ratio(log2_e() * range_w / term.shape);
     if (term.kind == TermKind::kPreslidingHysteresis && !term.shape.is_zero())
       effect.shape = ratio(log2_e() * range_u / term.shape);
+    // of a drift per sample, in Q26
+    if (term.kind == TermKind::kDriftingViscous && !term.shape.is_zero())
+      effect.shape = ratio(log2_e() * configuration.sample_period_s / term.shape * Scaled::from_int(1, kFraction));
     effect.gap_q26 = to_fixed(term.shape, kFraction - effect.elongation.range_exponent);
     Scaled column = unit(effect);
-    if (term.kind == TermKind::kDriftingViscous) column = column * configuration.sample_period_s;
+    if (term.kind == TermKind::kDriftingViscous) column = column * (term.shape.is_zero() ? configuration.sample_period_s : term.shape);
     column_unit[kEffectColumn + count_++] = column;
   }
 }
@@ -121,6 +124,8 @@ int32_t Effects::force(const Effect& effect, const Frame& frame, int at, uint32_
     case TermKind::kAsymmetricViscous: return static_cast<int32_t>(magnitude(w));
     case TermKind::kDisplacementDependentDamping: return static_cast<int32_t>(product(product(u, u), w));
     case TermKind::kDriftingViscous: {
+      if (effect.shape.mantissa != 0)  // tau (1 - exp(-t / tau)), in units of tau
+        return static_cast<int32_t>(product(w, kOne - exponential_q26(times(effect.shape, time))));
       const int64_t limited = time < (1u << kTimeBits) ? time : (1 << kTimeBits);
       return static_cast<int32_t>((w * limited) >> kTimeBits);
     }

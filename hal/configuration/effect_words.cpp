@@ -41,7 +41,7 @@ const std::vector<EffectWord>& effect_words() {
        "N m s/rad^3"},
       {"missing_viscous", kLink, true, TermKind::kViscous, {}, {}, {}, "N s/m", "N m s/rad"},
       {"missing_coulomb", kLink, true, TermKind::kCoulomb, {}, {}, {}, "N", "N m"},
-      {"drifting_viscous", kLink, true, TermKind::kDriftingViscous, {}, {}, {}, "N/m", "N m/rad"},
+      {"drifting_viscous", kLink, true, TermKind::kDriftingViscous, {"drift_time"}, {"s"}, {"s"}, "N/m", "N m/rad"},
       {"mass_error", kDof, true, TermKind::kMass, {}, {}, {}, "kg", "kg m^2"},
       {"unmodelled_resonance",
        kDof,

@@ -1,5 +1,6 @@
 #include "advice.hpp"
 
+#include <cmath>
 #include <set>
 
 namespace diagnosis {
@@ -53,6 +54,13 @@ std::vector<std::string> advice_for(const Diagnosis& d) {
         "and record with one suspected part removed or held");
   if (d.verdict == Verdict::kNone)
     say("nothing beyond measurement noise: to see weaker effects than those listed, record longer or at a higher level");
+  bool offset = false, fault = false;  // that no strength would show
+  for (const DetectionLimit& l : d.minimum_detectable) {
+    offset = offset || (std::isinf(l.strength) && l.effect == "force_offset");
+    fault = fault || (std::isinf(l.strength) && l.where.rfind("channel ", 0) == 0);
+  }
+  if (d.verdict == Verdict::kNone && offset) say("a constant force shows in a displacement only: measure that of every DOF");
+  if (d.verdict == Verdict::kNone && fault) say("a sensor's fault shows against a second channel of its DOF only: add one");
   if (!d.rejected.empty())
     say("a term that fits better but simulates worse was rejected: record more data at the level where it should act");
   return list;

@@ -212,8 +212,7 @@ Diagnosis diagnose(const rig_file::RigModel& rig, const std::vector<host_sim::Re
   d.ranked = ranking(system, rows, *bench.bank, found, 12);
   d.baseline.parameters = parameters_of(system, found.base);
   d.extended.parameters = parameters_of(system, found.model);
-  const FusedRecord& first = bench.records.front();
-  d.extended_rig = extended_rig(system, found.model, static_cast<double>(first.samples) * first.period_s);
+  d.extended_rig = extended_rig(system, found.model);
   d.minimum_detectable = detection_limits(rows, *bench.bank, found.model, found.fit);
   for (const DetectionLimit& limit : fault_limits(checks)) d.minimum_detectable.push_back(limit);
   d.unknown_trace = remainder.trace;

@@ -49,7 +49,6 @@ std::vector<Candidate> freed(std::vector<Candidate> candidates) {
 
 std::vector<DetectionLimit> limits_of(const Rows& rows, const CandidateBank& bank, const std::vector<ActiveTerm>& model, const Fit& fit) {
   std::vector<DetectionLimit> list;
-  Term last;
   const std::vector<Candidate> candidates = bank.beside(model);
   const std::vector<Gain> gains = gains_of(rows, model, fit, candidates), free_gains = gains_of(rows, model, fit, freed(candidates));
   for (size_t i = 0; i < candidates.size(); ++i) {
@@ -78,13 +77,10 @@ std::vector<DetectionLimit> limits_of(const Rows& rows, const CandidateBank& ban
     }
     const double damping = damping_rms(rows, model, c.term());
     limit.percent_of_damping_force = damping > 0 ? limit.percent_of_damping_force / damping : 0;
-    // of the shapes on the grid the easiest to see is quoted
-    if (!list.empty() && last.same_place(c.term())) {
-      if (limit.percent_of_damping_force < list.back().percent_of_damping_force) list.back() = limit;
-    } else {
-      list.push_back(limit);
-    }
-    last = c.term();
+    // of the shapes on the grid, and of the two mains frequencies, the easiest to see is quoted
+    const auto known = std::find_if(list.begin(), list.end(), [&](const DetectionLimit& l) { return l.effect == limit.effect && l.where == limit.where; });
+    if (known == list.end()) list.push_back(limit);
+    else if (limit.percent_of_damping_force < known->percent_of_damping_force) *known = limit;
   }
   for (const Term& t : bank.unseen(model))
     list.push_back({word_of(t.kind), place_of(rows.system(), t, rows.records()[0]), kNever, unit_of(t.kind, rotates(rows.system(), t)), kNever});

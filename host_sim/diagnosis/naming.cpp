@@ -1,7 +1,6 @@
 #include "naming.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "hal/configuration/effect_words.hpp"
 
@@ -35,6 +34,8 @@ constexpr Unit kUnits[] = {{Kind::kMass, "kg", "kg m^2"},
                            {Kind::kDriftingViscous, "N/m", "N m/rad"},
                            {Kind::kMassError, "kg", "kg m^2"},
                            {Kind::kResonance, "kg", "kg m^2"},
+                           {Kind::kForceHumCos50, "N", "N m"},
+                           {Kind::kForceHumCos60, "N", "N m"},
                            {Kind::kForceDelay, "s", "s"},
                            {Kind::kForceGain, "1", "1"}};
 
@@ -49,7 +50,7 @@ rig_file::Effect as_effect(const Term& t, double value, bool rotating) {
   const double shapes[] = {t.shape, t.shape2};
   for (int i = 0; i < 2; ++i) {
     const std::string key = rig_file::shape_key(*word, i, rotating);
-    if (!key.empty()) e.shape[key] = shapes[i];
+    if (!key.empty() && (shapes[i] > 0 || t.kind == Kind::kResonance)) e.shape[key] = shapes[i];
   }
   return e;
 }
@@ -120,14 +121,7 @@ std::vector<Parameter> parameters_of(const System& s, const std::vector<ActiveTe
   return list;
 }
 
-// Slope of the straight line that is nearest to a drift over a record, per unit coefficient.
-double straight_slope(const Term& t, double duration_s) {
-  if (!(t.shape > 0)) return 1;
-  const double x = duration_s / t.shape, left = std::exp(-x);
-  return -12 / (x * x * x) * ((1 - left * (1 + x)) - 0.5 * x * (1 - left));
-}
-
-rig_file::RigModel extended_rig(const System& s, const std::vector<ActiveTerm>& model, double duration_s) {
+rig_file::RigModel extended_rig(const System& s, const std::vector<ActiveTerm>& model) {
   rig_file::RigModel rig = s.rig;
   std::vector<rig_file::Link> extra(s.links.begin() + static_cast<std::ptrdiff_t>(s.known_links), s.links.end());
   for (const ActiveTerm& a : model) {
@@ -144,7 +138,7 @@ rig_file::RigModel extended_rig(const System& s, const std::vector<ActiveTerm>& 
     if (t.kind == Kind::kMissingViscous) link.viscous_N_s_m = {a.value, true};
     else if (t.kind == Kind::kMissingCoulomb) link.coulomb_N = {a.value, true};
     else if (t.kind == Kind::kStiffnessError) link.stiffness_N_m.value += a.value;
-    else link.effects.push_back(as_effect(t, t.kind == Kind::kDriftingViscous ? a.value * straight_slope(t, duration_s) : a.value, rotates(s, t)));
+    else link.effects.push_back(as_effect(t, a.value, rotates(s, t)));
     if (t.kind == Kind::kPresliding) link.coulomb_N = {};  // acts in its place
   }
   for (const rig_file::Link& link : extra)

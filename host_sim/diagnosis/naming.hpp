@@ -17,6 +17,6 @@ std::vector<Parameter> parameters_of(const System& system, const std::vector<Act
 std::vector<Parameter> parameters_of_term(const System& system, const ActiveTerm& term);
 
 // The rig file with every fitted value as a start, the added terms as effects, links it lacked added.
-rig_file::RigModel extended_rig(const System& system, const std::vector<ActiveTerm>& model, double duration_s);
+rig_file::RigModel extended_rig(const System& system, const std::vector<ActiveTerm>& model);
 
 }  // namespace diagnosis

@@ -77,7 +77,7 @@ double effect_shape(TermKind kind, double u, double w, double t_s, double shape,
     case TermKind::kDisplacementDependentDamping:
       return u * u * w;
     case TermKind::kDriftingViscous:
-      return w * t_s;
+      return w * (shape > 0.0 ? -shape * std::expm1(-t_s / shape) : t_s);
     default:
       return 0.0;
   }

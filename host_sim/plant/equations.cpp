@@ -1,5 +1,6 @@
 #include "host_sim/plant/equations.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace host_sim {
@@ -56,7 +57,7 @@ double Equations::sliding_force(const PlantLink& link, size_t link_index, double
         f += q * u * u * w;
         break;
       case TermShape::kDrifting:
-        f += q * w * t_s;
+        f += q * w * (term.p > 0.0 ? -term.p * std::expm1(-std::max(t_s, 0.0) / term.p) : t_s);
         break;
     }
   }

@@ -43,7 +43,7 @@ enum class TermShape {  // what an effect adds to its link, p = its shape parame
 struct EffectTerm {
   TermShape shape = TermShape::kCubicStiffness;
   double coefficient = 0.0;
-  double p = 0.0;    // gap, Stribeck velocity or presliding length
+  double p = 0.0;    // gap, Stribeck velocity, presliding length or drift time
   size_t index = 0;  // which gap side (backlash, end stop) or which z (presliding)
 };
 

@@ -149,6 +149,7 @@ class EquationsBuilder {
     term.shape = word->second.shape;
     term.coefficient = value;
     if (word->second.key != nullptr) term.p = shape_of(effect, where, word->second.key);
+    if (const auto time = effect.shape.find("drift_time_s"); time != effect.shape.end()) term.p = time->second;
     if (value == 0.0) return;
     if (term.shape == TermShape::kBacklash || term.shape == TermShape::kEndStop) term.index = target_.gaps_++;
     if (term.shape == TermShape::kPresliding) term.index = target_.presliding_++;

@@ -36,6 +36,7 @@ TEST(Limits, NoneListsWhatWouldHaveBeenSeen) {
     for (const char* channel : {"channel displacement_1_m", "channel velocity_1_m_s", "channel acceleration_1_m_s2", "channel force_1_N"})
       EXPECT_NE(find(answer, fault, channel), nullptr) << fault << " of " << channel;
   for (const DetectionLimit& limit : answer.minimum_detectable) {
+    EXPECT_EQ(find(answer, limit.effect, limit.where), &limit) << limit.effect << " twice on " << limit.where;
     EXPECT_GT(limit.strength, 0) << limit.effect << " " << limit.where;
     EXPECT_TRUE(std::isfinite(limit.strength)) << limit.effect << " " << limit.where;
     EXPECT_FALSE(limit.unit.empty());
@@ -44,14 +45,16 @@ TEST(Limits, NoneListsWhatWouldHaveBeenSeen) {
 
 // Integrated acceleration has no mean: a constant force leaves no trace. One channel cannot contradict itself.
 TEST(Limits, NoneSaysWhatAccelerationAloneCannotShow) {
-  const Draw draw = nothing(12, "a");
+  const Draw draw = nothing(13, "a");
   const Diagnosis answer = answer_to(draw);
+  ASSERT_EQ(answer.verdict, diagnosis::Verdict::kNone) << told(draw, answer);
   const DetectionLimit* offset = find(answer, "force_offset", "link 1-0");
   const DetectionLimit* gain = find(answer, "sensor_gain", "channel acceleration_1_m_s2");
   ASSERT_NE(offset, nullptr);
   ASSERT_NE(gain, nullptr);
   EXPECT_TRUE(std::isinf(offset->strength));
   EXPECT_TRUE(std::isinf(gain->strength));
+  EXPECT_EQ(answer.advice.size(), 3u);  // longer records, displacement, a second channel
   const nlohmann::json written = nlohmann::json::parse(to_json(answer).dump());
   int unseen = 0;
   for (const nlohmann::json& limit : written["minimum_detectable"]) unseen += limit["strength"].is_null();

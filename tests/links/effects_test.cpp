@@ -98,6 +98,18 @@ TEST(Effects, TimeRunsOnFromBlockToBlock) {
   EXPECT_NEAR(test.at(7), 2.0 * 1576 * kPeriod, 1e-2);
 }
 
+// With a time constant of 0.5 s: 2 * 0.5 (1 - exp(-t / 0.5)), at the start and where it has nearly levelled off.
+TEST(Effects, ADriftLevelsOff) {
+  Case test(TermKind::kDriftingViscous, 0.5);
+  const auto rest = [](double) { return 0.0; };
+  const auto steady = [](double) { return 2.0; };
+  for (int block = 0; block < 50; ++block) {
+    test.block(block * kBlockSamples, rest, steady);
+    const double t = (block * kBlockSamples + 8) * kPeriod;  // counted from one sample before the first block
+    EXPECT_NEAR(test.at(7), 1.0 - std::exp(-t / 0.5), 1e-6);
+  }
+}
+
 TEST(Effects, DahlFrictionSaturatesAndTurns) {
   // Pulled steadily: z = 1 - exp(-u / length) from rest; after a reversal it heads for -1 with the same length.
   Case test(TermKind::kPreslidingHysteresis, 0.01);

@@ -129,6 +129,15 @@ TEST(Effects, DriftingViscousGrowsWithTime) {
   for (size_t i = 0; i < 1001; ++i) EXPECT_NEAR(m.v[i], std::exp(-1e-6 * static_cast<double>(i * i)), 1e-10);
 }
 
+// v' = -c_t tau (1 - exp(-t / tau)) v: v = exp(-c_t tau (t - tau (1 - exp(-t / tau)))).
+TEST(Effects, DriftingViscousLevelsOff) {
+  const Motion m = run(with(effect("drifting_viscous", 2.0, "drift_time_s", 0.25)), 0.0, 1.0, 1001);
+  for (size_t i = 0; i < 1001; ++i) {
+    const double t = 1e-3 * static_cast<double>(i);
+    EXPECT_NEAR(m.v[i], std::exp(-0.5 * (t - 0.25 * (1 - std::exp(-4 * t)))), 1e-10);
+  }
+}
+
 // Pendulum of J = 2, G = 20, released at 2 rad: v^2 - 20 cos u stays -20 cos 2.
 TEST(Effects, GravityTorqueIsThatOfAPendulum) {
   rig_file::RigModel rig = oscillator(2.0, 0.0);

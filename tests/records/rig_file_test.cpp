@@ -64,6 +64,14 @@ TEST(RigFile, ReadsValuesUnknownsEffectsAndChannels) {
   EXPECT_EQ(rig.channels.at(0).delay_us, 250.0);
 }
 
+TEST(RigFile, ADriftMayLevelOffOrNot) {
+  const std::string drift = "[[link.effect]]\nkind = \"drifting_viscous\"\ncoefficient = 0.5\n";
+  const auto shapes = [](const std::string& text) { return rig_file::parse_rig(text, "rig.toml").links.back().effects.back().shape; };
+  EXPECT_TRUE(shapes(kPendulum + drift).empty());
+  EXPECT_EQ(shapes(kPendulum + drift + "drift_time_s = 4.0\n").at("drift_time_s"), 4.0);
+  EXPECT_THROW(shapes(kPendulum + drift + "drift_time_s = 0\n"), std::exception);
+}
+
 TEST(RigFile, NamesUnknownsInFileOrderMassesFirst) {
   const auto table = rig_file::parameter_table(rig_file::parse_rig(kChain, "chain.toml"));
   const std::vector<std::pair<std::string, std::string>> expected = {{"mass[2]", "kg"},
