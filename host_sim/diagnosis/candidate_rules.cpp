@@ -96,7 +96,8 @@ double CandidateBank::reversal_doubt(const std::vector<ActiveTerm>& model, const
     if (near) largest = std::max(largest, std::pow(a.value / a.std, 2));
   }
   if (friction_shape(t.kind)) return 1e-4 * largest;
-  return (rows_.reversals() == Rows::Reversals::kWide ? 1e-5 : 1e-3) * largest;
+  if (rows_.reversals() == Rows::Reversals::kNarrow) return 1e-3 * largest;
+  return 1e-5 * largest * std::max(1.0, 1e-6 * largest);  // never trusted to better than a thousandth
 }
 
 std::vector<Candidate> CandidateBank::beside(const std::vector<ActiveTerm>& model) const {
@@ -116,7 +117,8 @@ std::vector<Candidate> CandidateBank::beside(const std::vector<ActiveTerm>& mode
     if (!prepare(model, c)) continue;
     // integrated motion drifts, and drift looks like much, most of all like a hidden mass with a spring of its own
     if (!rows_.absolute()) c.threshold *= c.term().kind == Kind::kResonance ? 80 : 4;
-    else if (!rows_.redundant()) c.threshold *= friction_shape(c.term().kind) ? 6 : 2;  // noise that no second channel bears out
+    else if (!rows_.redundant()) c.threshold *= friction_shape(c.term().kind) ? 6 : 2.5;  // noise that no second channel bears out
+    if (rows_.coarse() && !friction_shape(c.term().kind)) c.threshold *= 1.8;
     c.threshold += reversal_doubt(model, c.term());
     list.push_back(c);
   }

@@ -1,5 +1,6 @@
 #include "drive_hold.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "consistency.hpp"
@@ -8,7 +9,8 @@
 namespace diagnosis {
 namespace {
 
-constexpr double kThreshold = 60;  // fall of chi-squared that tells a hold from a smooth force
+constexpr double kThreshold = 15;  // fall of chi-squared that tells a hold from a smooth force, which shows 3 at most
+constexpr double kMargin = 5;      // over what a fault of a sensor would explain
 
 // Transfer from the samples of a force to the force itself, s = j omega T.
 Complex transfer(Hold hold, Complex s) {
@@ -37,7 +39,7 @@ Evidence evidence(const FusedRecord& f, size_t dof, const Spectrum& force, Hold 
   const Series residual = rows.residual();
   const Series column = rows.rows([&](Eigen::Index i, size_t q) { return folded(hold, step_of(f, i), q, f.period_s) * force[i]; });
   const double square = column.squaredNorm(), moment = column.dot(residual);
-  if (!(square > 0) || moment <= 0) return {};
+  if (!(square > 0)) return {};
   const double gain = moment * moment / square;
   return {gain / std::max(1.0, (residual.squaredNorm() - gain) / rows.dof()), moment / square};
 }
@@ -59,11 +61,15 @@ void correct_hold(FusedRecord& f) {
     Hold hold = Hold::kSmooth;
     for (Hold trial : {Hold::kLinear, Hold::kSteps}) {
       const Evidence e = evidence(f, dof, force, trial);
-      if (e.gain > best.gain) best = e, hold = trial;
+      if (e.inverse_mass > 0 && e.gain > best.gain) best = e, hold = trial;
     }
-    if (best.gain < kThreshold + strongest_fault(f, dof)) continue;
+    if (best.gain < std::max(kThreshold, strongest_fault(f, dof) + kMargin)) continue;
     f.hold = hold;
-    correct(f, dof, force, best.inverse_mass);
+    for (int round = 0; round < 3; ++round) {  // what was folded counted as noise before
+      correct(f, dof, force, best.inverse_mass);
+      estimate_noise(f);
+      best = evidence(f, dof, force, hold);
+    }
     Spectrum acting = force;
     for (Eigen::Index i = 0; i <= 2 * f.last_bin; ++i) acting[i] *= transfer(hold, step_of(f, i));
     f.force[dof] = f.fourier->inverse(acting);  // right where the outer weight is 1; above, its noise stays as it is

@@ -50,6 +50,7 @@ struct FusedRecord {
   Ramp outer;
   Series inner;                      // weight of the equation rows: zero where the outer ramp is not 1
   double inner_energy = 0;           // sum of inner^2
+  bool coarse = false;               // a channel takes few values: its rounding errors follow the motion
   Eigen::Index first_bin = 0, last_bin = 0;  // bins of the equation rows
   std::vector<DofSpectra> spectra;   // per DOF, then the base
   std::vector<DofMotion> motion;     // per DOF, then the base

@@ -60,6 +60,13 @@ DofSpectra transform(const host_sim::Record& record, int dof, const FusedRecord&
   return s;
 }
 
+// So few different values that rounding is no noise of its own.
+bool coarse(const host_sim::Channel& c) {
+  std::vector<double> values = c.values;
+  std::sort(values.begin(), values.end());
+  return static_cast<size_t>(std::unique(values.begin(), values.end()) - values.begin()) < values.size() / 3;
+}
+
 }  // namespace
 
 Complex derivative(double omega, int quantity) {
@@ -80,6 +87,7 @@ FusedRecord read_record(const rig_file::RigModel& rig, const host_sim::Record& r
   f.inner = make_ramp(f.samples, f.period_s, ramp_s, ramp_s).weight;
   f.inner_energy = f.inner.squaredNorm();
   f.last_bin = static_cast<Eigen::Index>(top_of_band * static_cast<double>(f.samples));
+  f.coarse = std::any_of(record.channels.begin(), record.channels.end(), coarse);
   bool absolute = true;  // every DOF has a displacement channel
   const int dofs = static_cast<int>(rig.dofs.size());
   for (int dof = 1; dof <= dofs; ++dof) {

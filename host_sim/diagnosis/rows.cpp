@@ -42,6 +42,10 @@ bool Rows::absolute() const {
   return std::all_of(records_.begin(), records_.end(), [](const FusedRecord& f) { return f.first_bin == 0; });
 }
 
+bool Rows::coarse() const {
+  return std::any_of(records_.begin(), records_.end(), [](const FusedRecord& f) { return f.coarse; });
+}
+
 bool Rows::redundant() const {
   for (const FusedRecord& f : records_)
     for (size_t j = 0; j < system_.dofs(); ++j)

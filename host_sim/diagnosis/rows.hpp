@@ -78,6 +78,7 @@ class Rows {
   const std::vector<FusedRecord>& records() const { return records_; }
   bool has_force(size_t dof) const;
   bool absolute() const;  // displacements are known with their constant
+  bool coarse() const;     // of a record a channel takes few values
   bool redundant() const;  // every DOF has two channels of motion or more
   // Per record and DOF the bin that explains most of a residual.
   std::vector<Tone> loudest_tones(const std::vector<Balance>& residual) const;

@@ -57,7 +57,9 @@ Found Scorer::bristles(const Found& found, double factor) const {
   Found best = along(found, Axis::kFirst, factor, 8);
   Term damped = best.candidate.term();
   if (!(damped.shape2 > 0)) damped.shape2 = bank.slide_s(damped);
-  Found other = of(bank.again(damped, model));
+  Candidate candidate = bank.again(damped, model);
+  candidate.threshold = best.candidate.threshold;
+  Found other = of(candidate);
   for (int round = 0; round < 3; ++round)
     for (Axis axis : {Axis::kBoth, Axis::kSecond, Axis::kFirst}) other = along(other, axis, round == 0 ? factor : 1.4, 5);
   return other.score > best.score ? other : best;
