@@ -10,6 +10,11 @@ namespace {
 bool is_stiffness(Kind kind) { return kind == Kind::kStiffness; }
 bool is_friction(Kind kind) { return kind == Kind::kCoulomb || kind == Kind::kMissingCoulomb; }
 
+// Friction that is smoothed a little wrong looks like any of these.
+bool law_of_rate(Kind kind) {
+  return CandidateBank::friction_shape(kind) || kind == Kind::kQuadraticDamping || kind == Kind::kCubicDamping;
+}
+
 // The term of the model that a shape effect bends, or -1.
 template <typename Test>
 int host_on(const std::vector<ActiveTerm>& model, int link, Test test) {
@@ -117,7 +122,7 @@ std::vector<Candidate> CandidateBank::beside(const std::vector<ActiveTerm>& mode
     if (!prepare(model, c)) continue;
     // integrated motion drifts, and drift looks like much, most of all like a hidden mass with a spring of its own
     if (!rows_.absolute()) c.threshold *= c.term().kind == Kind::kResonance ? 80 : 4;
-    else if (!rows_.redundant()) c.threshold *= friction_shape(c.term().kind) ? 6 : 2.5;  // noise that no second channel bears out
+    else if (!rows_.redundant()) c.threshold *= law_of_rate(c.term().kind) ? 6 : 2.5;  // noise that no second channel bears out
     if (rows_.coarse() && !friction_shape(c.term().kind)) c.threshold *= 1.8;
     c.threshold += reversal_doubt(model, c.term());
     list.push_back(c);
