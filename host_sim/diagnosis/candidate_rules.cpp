@@ -123,7 +123,7 @@ std::vector<Candidate> CandidateBank::beside(const std::vector<ActiveTerm>& mode
     // integrated motion drifts, and drift looks like much, most of all like a hidden mass with a spring of its own
     if (!rows_.absolute()) c.threshold *= c.term().kind == Kind::kResonance ? 80 : 4;
     else if (!rows_.redundant()) c.threshold *= law_of_rate(c.term().kind) ? 6 : 2.5;  // noise that no second channel bears out
-    if (rows_.coarse() && !friction_shape(c.term().kind)) c.threshold *= 1.8;
+    if (rows_.coarse() && !friction_shape(c.term().kind)) c.threshold *= 2.6;
     c.threshold += reversal_doubt(model, c.term());
     list.push_back(c);
   }
