@@ -48,7 +48,7 @@ Effect read_effect(const Place& place, const toml::table& table, EffectPlace whe
            "is \"estimate\", but the core cannot estimate " + effect.kind + ", expected a number");
   for (const std::string& key : shapes) {
     const toml::node* node = table.get(key);
-    if (node == nullptr && key == "drift_time_s") continue;  // a straight drift
+    if (node == nullptr && word.shape_may_be_left_out) continue;
     if (node == nullptr) refuse(place, table, key, "is missing, expected a number above 0");
     effect.shape[key] = finite_number(place, *node, key);
     const bool zero_allowed = key == "damping_ratio";

@@ -1,5 +1,8 @@
 #include "hal/configuration/effect_words.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace rig_file {
 namespace {
 
@@ -41,7 +44,7 @@ const std::vector<EffectWord>& effect_words() {
        "N m s/rad^3"},
       {"missing_viscous", kLink, true, TermKind::kViscous, {}, {}, {}, "N s/m", "N m s/rad"},
       {"missing_coulomb", kLink, true, TermKind::kCoulomb, {}, {}, {}, "N", "N m"},
-      {"drifting_viscous", kLink, true, TermKind::kDriftingViscous, {"drift_time"}, {"s"}, {"s"}, "N/m", "N m/rad"},
+      {"drifting_viscous", kLink, true, TermKind::kDriftingViscous, {"drift_time"}, {"s"}, {"s"}, "N/m", "N m/rad", true},
       {"mass_error", kDof, true, TermKind::kMass, {}, {}, {}, "kg", "kg m^2"},
       {"unmodelled_resonance",
        kDof,
@@ -73,6 +76,10 @@ double first_shape(const Effect& effect, bool rotating) {
   if (word == nullptr) return 0.0;
   const auto found = effect.shape.find(shape_key(*word, 0, rotating));
   return found == effect.shape.end() ? 0.0 : found->second;
+}
+
+double drifted_s(double t_s, double time_constant_s) {
+  return time_constant_s > 0.0 ? -time_constant_s * std::expm1(-std::max(t_s, 0.0) / time_constant_s) : t_s;
 }
 
 }  // namespace rig_file

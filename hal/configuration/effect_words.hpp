@@ -20,6 +20,7 @@ struct EffectWord {
   const char* rotating_units[2];
   const char* unit;  // of the coefficient, translation
   const char* rotating_unit;
+  bool shape_may_be_left_out = false;
 };
 
 const std::vector<EffectWord>& effect_words();
@@ -29,5 +30,8 @@ const EffectWord* find_effect_word(const std::string& kind);  // nullptr: not a 
 std::string shape_key(const EffectWord& word, int index, bool rotating);
 // The first shape parameter of an effect, 0 where it has none.
 double first_shape(const Effect& effect, bool rotating);
+// How far a drifting coefficient has gone at a time, in s: t, or tau (1 - exp(-t / tau)) where it levels off (tau > 0;
+// nought before t = 0).
+double drifted_s(double t_s, double time_constant_s);
 
 }  // namespace rig_file

@@ -3,12 +3,6 @@
 #include "hal/configuration/effect_words.hpp"
 
 namespace diagnosis {
-namespace {
-
-Term on_link(Kind kind, int link) { return {kind, link, -1, 0, 0}; }
-Term on_dof(Kind kind, int dof) { return {kind, -1, dof, 0, 0}; }
-
-}  // namespace
 
 std::vector<ActiveTerm> base_model(const Rows& rows) {
   const System& s = rows.system();

@@ -29,8 +29,8 @@ int host_on(const std::vector<ActiveTerm>& model, int link, Test test) {
 
 bool CandidateBank::has_shape(const Term& t) {
   const Kind kind = t.kind;
-  return (kind == Kind::kDriftingViscous && t.shape > 0) || kind == Kind::kBacklash || kind == Kind::kEndStop || kind == Kind::kStribeck || kind == Kind::kPresliding ||
-         kind == Kind::kResonance;
+  return (kind == Kind::kDriftingViscous && t.shape > 0) || kind == Kind::kBacklash || kind == Kind::kEndStop ||
+         kind == Kind::kResonance || friction_shape(kind);
 }
 
 bool CandidateBank::observable(const std::vector<ActiveTerm>& model, const Term& t) const {

@@ -7,9 +7,6 @@
 namespace diagnosis {
 namespace {
 
-Term on_link(Kind kind, int link, double shape = 0) { return {kind, link, -1, shape, 0}; }
-Term on_dof(Kind kind, int dof, double shape = 0, double shape2 = 0) { return {kind, -1, dof, shape, shape2}; }
-
 std::vector<double> log_grid(double low, double high, int count) {
   std::vector<double> grid;
   for (int i = 0; i < count; ++i) grid.push_back(low * std::pow(high / low, i / static_cast<double>(count - 1)));

@@ -38,6 +38,7 @@ struct DetectionLimit {
   double strength = 0;  // smallest that would have been named in 95 of 100 such records; infinity: these cannot show it
   std::string unit;
   double percent_of_damping_force = 0;  // its rms force over that of its link's damping
+  bool same_place(const DetectionLimit& o) const { return effect == o.effect && where == o.where; }
 };
 
 // What one effect alone would bring beside the rig as given.

@@ -63,7 +63,7 @@ void correct_hold(FusedRecord& f) {
       const Evidence e = evidence(f, dof, force, trial);
       if (e.inverse_mass > 0 && e.gain > best.gain) best = e, hold = trial;
     }
-    if (best.gain < std::max(kThreshold, strongest_fault(f, dof) + kMargin)) continue;
+    if (best.gain < kThreshold || best.gain < strongest_fault(f, dof) + kMargin) continue;
     f.hold = hold;
     for (int round = 0; round < 3; ++round) {  // what was folded counted as noise before
       correct(f, dof, force, best.inverse_mass);
@@ -73,6 +73,7 @@ void correct_hold(FusedRecord& f) {
     Spectrum acting = force;
     for (Eigen::Index i = 0; i <= 2 * f.last_bin; ++i) acting[i] *= transfer(hold, step_of(f, i));
     f.force[dof] = f.fourier->inverse(acting);  // right where the outer weight is 1; above, its noise stays as it is
+    estimate_noise(f);
   }
 }
 

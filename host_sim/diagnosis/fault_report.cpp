@@ -6,8 +6,6 @@
 namespace diagnosis {
 namespace {
 
-bool is_hum(FaultKind kind) { return kind == FaultKind::kHum50 || kind == FaultKind::kHum60; }
-
 const char* word_of(FaultKind kind) {
   return kind == FaultKind::kDelay ? "sensor_delay" : kind == FaultKind::kGain ? "sensor_gain" : "mains_hum";
 }
@@ -27,7 +25,7 @@ Cause cause_of(const SensorFault& fault) {
   const double value = is_hum(fault.kind) ? std::hypot(fault.value, fault.quadrature) : fault.value;
   c.parameters.push_back({c.effect + "[" + fault.channel + "]", value, unit_of(fault), fault.std, true});
   if (is_hum(fault.kind))
-    c.parameters.push_back({"mains_frequency[" + fault.channel + "]", fault.kind == FaultKind::kHum50 ? 50.0 : 60.0, "Hz", 0, false});
+    c.parameters.push_back({"mains_frequency[" + fault.channel + "]", hum_Hz(fault.kind), "Hz", 0, false});
   return c;
 }
 
@@ -50,9 +48,8 @@ std::vector<DetectionLimit> fault_limits(const std::vector<SensorCheck>& checks)
   for (const SensorCheck& check : checks)
     for (const SensorFault& f : check.smallest) {
       const DetectionLimit limit{word_of(f.kind), "channel " + f.channel, f.value, unit_of(f), 0};
-      const auto known = std::find_if(list.begin(), list.end(), [&](const DetectionLimit& l) {
-        return l.effect == limit.effect && l.where == limit.where;  // the two mains frequencies are one effect
-      });
+      // the two mains frequencies are one effect
+      const auto known = std::find_if(list.begin(), list.end(), [&](const DetectionLimit& l) { return l.same_place(limit); });
       if (known == list.end()) list.push_back(limit);
       else known->strength = std::min(known->strength, limit.strength);
     }

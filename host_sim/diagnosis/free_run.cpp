@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hal/configuration/effect_words.hpp"
 #include "sharpen.hpp"
 
 namespace diagnosis {
@@ -102,7 +103,7 @@ struct Simulator {
         case Kind::kForceOffset: pull(l, q); break;
         case Kind::kAsymmetricViscous: pull(l, q * std::abs(w)); break;
         case Kind::kDisplacementDamping: pull(l, q * u * u * w); break;
-        case Kind::kDriftingViscous: pull(l, q * w * drift(t, t_s)); break;
+        case Kind::kDriftingViscous: pull(l, q * w * rig_file::drifted_s(t_s, t.shape)); break;
         case Kind::kPresliding: {
           const double way = w < 0 ? -1 : 1;
           dahl[i] = way + (dahl[i] - way) * std::exp(-std::abs(w) * h / t.shape);

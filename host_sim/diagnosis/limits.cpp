@@ -78,7 +78,7 @@ std::vector<DetectionLimit> limits_of(const Rows& rows, const CandidateBank& ban
     const double damping = damping_rms(rows, model, c.term());
     limit.percent_of_damping_force = damping > 0 ? limit.percent_of_damping_force / damping : 0;
     // of the shapes on the grid, and of the two mains frequencies, the easiest to see is quoted
-    const auto known = std::find_if(list.begin(), list.end(), [&](const DetectionLimit& l) { return l.effect == limit.effect && l.where == limit.where; });
+    const auto known = std::find_if(list.begin(), list.end(), [&](const DetectionLimit& l) { return l.same_place(limit); });
     if (known == list.end()) list.push_back(limit);
     else if (limit.percent_of_damping_force < known->percent_of_damping_force) *known = limit;
   }
@@ -98,7 +98,7 @@ std::vector<DetectionLimit> detection_limits(Rows& rows, const CandidateBank& ba
   for (const DetectionLimit& other : limits_of(rows, bank, copy, wide)) {
     const bool shape_of_friction = other.effect == word_of(Kind::kStribeck) || other.effect == word_of(Kind::kPresliding);
     for (DetectionLimit& own : list)  // either look suffices to name it
-      if (own.effect == other.effect && own.where == other.where && other.strength < own.strength && !shape_of_friction) own = other;
+      if (own.same_place(other) && other.strength < own.strength && !shape_of_friction) own = other;
   }
   return list;
 }

@@ -114,7 +114,7 @@ bool Moves::merge(State& state) {
       for (size_t k = 0; k < list.size() && k < 4; ++k) {
         State trial = settled(joined(base.model, list[k].candidate, list[k].gain), 1);
         polish(trial);
-          if (CandidateBank::friction_shape(list[k].candidate.term().kind)) settle_friction_shapes(trial);
+        if (CandidateBank::friction_shape(list[k].candidate.term().kind)) settle_friction_shapes(trial);
         const double trial_cost = trial.fit.chi2 + list[k].candidate.penalty * noise;
         if (plausible(trial.model) && trial_cost < cost) best = trial, cost = trial_cost, found = true;
       }

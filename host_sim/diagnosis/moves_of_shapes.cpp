@@ -50,8 +50,7 @@ void Moves::polish_together(State& state) {
 }
 
 void Moves::settle_friction_shape(State& state, size_t index, Axis axis) {
-  const auto reshaped = [&](double logarithm) {
-    const Term t = moved(state.model[index].term, axis, logarithm);
+  const auto reshaped = [&](const Term& t) {
     State trial = state;
     ActiveTerm& active = trial.model[index];
     active.column = bank_.reshaped({active.column, {}}, t.shape, t.shape2).column;
@@ -59,14 +58,14 @@ void Moves::settle_friction_shape(State& state, size_t index, Axis axis) {
     trial.fit = settle(rows_, trial.model, 2);
     return trial;
   };
-  const auto within = [](double value, const CandidateBank::Range& r) { return value > r.low && value < r.high; };
   double step = 0.4;
   for (int i = 0; i < 7; ++i) {  // downhill, in smaller steps where neither side is better
     bool better = false;
     for (double way : {step, -step}) {
       const Term t = moved(state.model[index].term, axis, way);
-      if (!within(t.shape, bank_.range(t))) continue;
-      const State trial = reshaped(way);
+      const CandidateBank::Range range = bank_.range(t);
+      if (t.shape <= range.low || t.shape >= range.high) continue;
+      const State trial = reshaped(t);
       if (trial.fit.cost >= state.fit.cost || !plausible(trial.model)) continue;
       state = trial, better = true;
       break;

@@ -36,7 +36,10 @@ Found Scorer::along(const Found& start, Axis axis, double factor, int steps) con
   if (axis != Axis::kSecond) keep_within(t.shape, bank.range(t));
   if (axis != Axis::kFirst) keep_within(t.shape2, bank.second_range(t));
   if (low >= high) return start;
-  const auto at = [&](double p) { return of(bank.reshaped(start.candidate, moved(t, axis, p).shape, moved(t, axis, p).shape2)); };
+  const auto at = [&](double p) {
+    const Term to = moved(t, axis, p);
+    return of(bank.reshaped(start.candidate, to.shape, to.shape2));
+  };
   double a = high - golden * (high - low), b = low + golden * (high - low);
   Found fa = at(a), fb = at(b), best = start;
   for (int i = 0; i < steps; ++i) {

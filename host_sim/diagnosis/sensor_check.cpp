@@ -14,8 +14,6 @@ constexpr double kTwoPi = 6.283185307179586;
 constexpr double kThreshold = 25;  // fall of chi-squared that names a fault
 constexpr int kMostFaults = 3;
 
-double hum_Hz(FaultKind kind) { return kind == FaultKind::kHum50 ? 50 : 60; }
-
 Spectrum hum(const FusedRecord& f, double hertz, double cosine, double sine) {
   Series wave(static_cast<Eigen::Index>(f.samples));
   for (Eigen::Index i = 0; i < wave.size(); ++i) {
@@ -24,8 +22,6 @@ Spectrum hum(const FusedRecord& f, double hertz, double cosine, double sine) {
   }
   return f.fourier->forward(wave);
 }
-
-bool is_hum(FaultKind kind) { return kind == FaultKind::kHum50 || kind == FaultKind::kHum60; }
 
 std::vector<FaultKind> kinds_of(const FusedRecord& f) {
   std::vector<FaultKind> list{FaultKind::kDelay, FaultKind::kGain};
@@ -84,18 +80,15 @@ void accumulate(SensorFault& total, const SensorFault& step) {
   total.std = step.std;
 }
 
-std::vector<SensorFault> smallest_faults(const FusedRecord& f, size_t dof) {
-  std::vector<SensorFault> list;
-  if (f.spectra[dof].count() > 1) {
-    list = candidates(f, dof);
-    for (SensorFault& fault : list) fault.value = (std::sqrt(kThreshold) + 1.645) * fault.std;
-    return list;
-  }
+// The smallest of each that would be named; `seen` are the candidates of the DOF as it stands.
+std::vector<SensorFault> smallest_faults(const FusedRecord& f, size_t dof, std::vector<SensorFault> seen) {
+  for (SensorFault& fault : seen) fault.value = (std::sqrt(kThreshold) + 1.645) * fault.std;
+  if (f.spectra[dof].count() > 1) return seen;
   for (size_t q = 0; q < 3; ++q)
     for (FaultKind kind : kinds_of(f))
       if (f.spectra[dof].measured[q])
-        list.push_back({kind, dof, q, f.spectra[dof].channel[q], std::numeric_limits<double>::infinity(), 0, 0, 0});
-  return list;
+        seen.push_back({kind, dof, q, f.spectra[dof].channel[q], std::numeric_limits<double>::infinity(), 0, 0, 0});
+  return seen;
 }
 
 }  // namespace
@@ -107,27 +100,27 @@ double strongest_fault(const FusedRecord& f, size_t dof) {
 
 SensorCheck check_sensors(FusedRecord& f) {
   SensorCheck check;
-  estimate_noise(f);
   for (size_t dof = 0; dof < f.spectra.size(); ++dof) {
     std::vector<SensorFault> found;
-    for (int round = 0; round < 8 && f.spectra[dof].count() > 1; ++round) {
-      const std::vector<SensorFault> list = candidates(f, dof);
-      if (list.empty() || list[0].score < kThreshold) break;
+    std::vector<SensorFault> list;
+    if (f.spectra[dof].count() > 1) list = candidates(f, dof);
+    for (int round = 0; round < 8 && !list.empty() && list[0].score >= kThreshold; ++round) {
       const auto known = std::find_if(found.begin(), found.end(), [&](const SensorFault& s) { return same(s, list[0]); });
       if (known == found.end() && found.size() == kMostFaults) break;
-      correct(f, list[0]);
-      estimate_noise(f);
       if (known != found.end()) {
         accumulate(*known, list[0]);
-        continue;
+      } else {
+        found.push_back(list[0]);
+        check.rivals.emplace_back();
+        for (size_t i = 1; i < list.size(); ++i)
+          if (list[i].score > list[0].score - 12) check.rivals.back().push_back(list[i]);
       }
-      found.push_back(list[0]);
-      check.rivals.emplace_back();
-      for (size_t i = 1; i < list.size(); ++i)
-        if (list[i].score > list[0].score - 12) check.rivals.back().push_back(list[i]);
+      correct(f, list[0]);
+      estimate_noise(f);
+      list = candidates(f, dof);
     }
     check.faults.insert(check.faults.end(), found.begin(), found.end());
-    const std::vector<SensorFault> smallest = smallest_faults(f, dof);
+    const std::vector<SensorFault> smallest = smallest_faults(f, dof, list);
     check.smallest.insert(check.smallest.end(), smallest.begin(), smallest.end());
   }
   return check;

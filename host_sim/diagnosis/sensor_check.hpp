@@ -9,6 +9,8 @@
 namespace diagnosis {
 
 enum class FaultKind { kDelay, kGain, kHum50, kHum60 };
+inline bool is_hum(FaultKind kind) { return kind == FaultKind::kHum50 || kind == FaultKind::kHum60; }
+inline double hum_Hz(FaultKind kind) { return kind == FaultKind::kHum50 ? 50 : 60; }
 
 struct SensorFault {
   FaultKind kind = FaultKind::kDelay;
@@ -32,7 +34,7 @@ struct SensorCheck {
 // What the strongest fault of a DOF's channels would explain (fall of chi-squared over the noise that remains).
 double strongest_fault(const FusedRecord& record, size_t dof);
 
-// Finds faults, corrects the record's spectra for them and leaves its noise estimated anew.
+// Finds faults, corrects the record's spectra for them and leaves its noise, which it wants estimated, estimated anew.
 SensorCheck check_sensors(FusedRecord& record);
 
 }  // namespace diagnosis

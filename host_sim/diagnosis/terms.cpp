@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hal/configuration/effect_words.hpp"
+
 namespace diagnosis {
 namespace {
 
@@ -87,8 +89,6 @@ Series free_decay(const Term& t, const FusedRecord& f, double phase) {
 }
 
 }  // namespace
-
-double drift(const Term& t, double t_s) { return t.shape > 0 ? t.shape * -std::expm1(-t_s / t.shape) : t_s; }
 
 const char* word_of(Kind kind) {
   for (const Word& w : kWords)
@@ -202,7 +202,7 @@ Series term_force(const Term& t, const FusedRecord& f, const std::vector<LinkMot
     case Kind::kForceOffset: return Series::Ones(u.size());
     case Kind::kAsymmetricViscous: return w.abs().matrix();
     case Kind::kDisplacementDamping: return (u.square() * w).matrix();
-    case Kind::kDriftingViscous: return time_axis(f).unaryExpr([&](double t_s) { return drift(t, t_s); }).cwiseProduct(l.smooth_w);
+    case Kind::kDriftingViscous: return time_axis(f).unaryExpr([&](double t_s) { return rig_file::drifted_s(t_s, t.shape); }).cwiseProduct(l.smooth_w);
     case Kind::kUnknownPitch: return (kTwoPi * u / t.shape + t.shape2).sin().matrix();
     case Kind::kUnknownTime: return ((kTwoPi * time_axis(f).array() / t.shape + t.shape2).sin() * l.w.array()).matrix();
     default: return Series::Zero(u.size());

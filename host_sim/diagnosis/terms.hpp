@@ -25,10 +25,6 @@ enum class Kind {
 const char* word_of(Kind kind);                 // the contract's word; base terms: "mass", "viscous", ...
 bool kind_of_word(const std::string& word, Kind* kind);
 
-struct Term;
-// How far a drifting coefficient has gone after a time, in s: t, or tau (1 - exp(-t / tau)).
-double drift(const Term& term, double t_s);
-
 struct Term {
   Kind kind = Kind::kMass;
   int link = -1;      // index into the system's links, or -1
@@ -45,6 +41,9 @@ struct Term {
     return kind == o.kind && link == o.link && dof == o.dof && record == o.record;
   }
 };
+
+inline Term on_link(Kind kind, int link, double shape = 0) { return {kind, link, -1, shape, 0}; }
+inline Term on_dof(Kind kind, int dof, double shape = 0, double shape2 = 0) { return {kind, -1, dof, shape, shape2}; }
 
 // The rig file's links first, then those it might lack (every pair of DOFs, every DOF to the ground).
 struct System {

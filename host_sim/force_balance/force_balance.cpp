@@ -77,7 +77,7 @@ double effect_shape(TermKind kind, double u, double w, double t_s, double shape,
     case TermKind::kDisplacementDependentDamping:
       return u * u * w;
     case TermKind::kDriftingViscous:
-      return w * (shape > 0.0 ? -shape * std::expm1(-t_s / shape) : t_s);
+      return w * rig_file::drifted_s(t_s, shape);
     default:
       return 0.0;
   }

@@ -1,7 +1,8 @@
 #include "host_sim/plant/equations.hpp"
 
-#include <algorithm>
 #include <cmath>
+
+#include "hal/configuration/effect_words.hpp"
 
 namespace host_sim {
 
@@ -57,7 +58,7 @@ double Equations::sliding_force(const PlantLink& link, size_t link_index, double
         f += q * u * u * w;
         break;
       case TermShape::kDrifting:
-        f += q * w * (term.p > 0.0 ? -term.p * std::expm1(-std::max(t_s, 0.0) / term.p) : t_s);
+        f += q * w * rig_file::drifted_s(t_s, term.p);
         break;
     }
   }

@@ -33,6 +33,7 @@ double shape_of(const rig_file::Effect& effect, const std::string& where, const 
 struct ShapeWord {
   TermShape shape;
   const char* key;  // begins the name of the shape parameter, null where there is none
+  bool may_be_left_out = false;
 };
 
 const std::map<std::string, ShapeWord>& shape_words() {
@@ -48,7 +49,7 @@ const std::map<std::string, ShapeWord>& shape_words() {
       {"force_offset", {TermShape::kForceOffset, nullptr}},
       {"asymmetric_viscous", {TermShape::kAsymmetricViscous, nullptr}},
       {"displacement_dependent_damping", {TermShape::kDisplacementDependent, nullptr}},
-      {"drifting_viscous", {TermShape::kDrifting, nullptr}},
+      {"drifting_viscous", {TermShape::kDrifting, "drift_time", true}},
   };
   return words;
 }
@@ -148,8 +149,8 @@ class EquationsBuilder {
     EffectTerm term;
     term.shape = word->second.shape;
     term.coefficient = value;
-    if (word->second.key != nullptr) term.p = shape_of(effect, where, word->second.key);
-    if (const auto time = effect.shape.find("drift_time_s"); time != effect.shape.end()) term.p = time->second;
+    const bool left_out = effect.shape.empty() && word->second.may_be_left_out;
+    if (word->second.key != nullptr && !left_out) term.p = shape_of(effect, where, word->second.key);
     if (value == 0.0) return;
     if (term.shape == TermShape::kBacklash || term.shape == TermShape::kEndStop) term.index = target_.gaps_++;
     if (term.shape == TermShape::kPresliding) term.index = target_.presliding_++;

@@ -40,12 +40,12 @@ const diagnosis::Parameter* find(const std::vector<diagnosis::Parameter>& parame
   return nullptr;
 }
 
-// Those of the rig as given in their order, then what the extended rig adds.
 // Given values have no status.
 std::string status_of(const diagnosis::Parameter& p, bool model_fits) {
   return p.std > 0.0 ? diagnosis::status_word(model_fits) : "";
 }
 
+// Those of the rig as given in their order, then what the extended rig adds.
 std::vector<ParameterChange> changes(const diagnosis::Diagnosis& found) {
   std::vector<ParameterChange> out;
   const Interval nothing{kNone, kNone, kNone};
