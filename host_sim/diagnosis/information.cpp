@@ -1,6 +1,5 @@
 #include "information.hpp"
 
-#include <Eigen/Cholesky>
 #include <cmath>
 
 namespace diagnosis {
@@ -10,22 +9,56 @@ void act(Balance& balance, const Place& place, const Spectrum& force, double fac
   if (place.minus >= 0) balance.col(place.minus) -= factor * force;
 }
 
-Information::Information(Eigen::Index bins, Eigen::Index dofs)
-    : bins_(bins), dofs_(static_cast<int>(dofs)), entries_(static_cast<size_t>(dofs * dofs), Spectrum(bins)) {}
+namespace {
 
-double Information::set(Eigen::Index bin, const SmallMatrix& covariance) {
-  if (dofs_ == 1) {
-    const double variance = covariance(0, 0).real() * (1 + 1e-12) + 1e-280;
-    entries_[0][bin] = 1 / variance;
-    return std::log(variance);
+// Cholesky's factor in place of the lower triangle. Returns the logarithm of the determinants, summed over the bins.
+double factorise(Triangle& s, Eigen::Index n, std::vector<Series>& inverse_diagonal) {
+  double logarithm = 0;
+  for (Eigen::Index j = 0; j < n; ++j)
+    for (Eigen::Index k = 0; k <= j; ++k) {
+      Spectrum& entry = s[in_triangle(j, k)];
+      for (Eigen::Index l = 0; l < k; ++l) entry.array() -= s[in_triangle(j, l)].array() * s[in_triangle(k, l)].array().conjugate();
+      if (k < j) {
+        entry.array() *= inverse_diagonal[static_cast<size_t>(k)].array();
+        continue;
+      }
+      const Series square = entry.real().cwiseMax(1e-300);
+      logarithm += square.array().log().sum();
+      inverse_diagonal.push_back(square.cwiseSqrt().cwiseInverse());
+    }
+  return logarithm;
+}
+
+// The inverse of the factor in place of it.
+void invert(Triangle& s, Eigen::Index n, const std::vector<Series>& inverse_diagonal) {
+  for (Eigen::Index j = 0; j < n; ++j) {
+    const auto scale = inverse_diagonal[static_cast<size_t>(j)].array();
+    for (Eigen::Index k = 0; k < j; ++k) {
+      Spectrum sum = s[in_triangle(j, k)].cwiseProduct(s[in_triangle(k, k)]);
+      for (Eigen::Index l = k + 1; l < j; ++l) sum += s[in_triangle(j, l)].cwiseProduct(s[in_triangle(l, k)]);
+      s[in_triangle(j, k)] = -scale * sum.array();
+    }
+    s[in_triangle(j, j)] = scale.cast<Complex>();
   }
-  SmallMatrix s = covariance, inverse = SmallMatrix::Identity(dofs_, dofs_);
-  s.diagonal().array() += 1e-12 * s.diagonal().real().sum() + 1e-280;
-  const Eigen::LLT<SmallMatrix> factor(s);
-  factor.solveInPlace(inverse);
-  for (int j = 0; j < dofs_; ++j)
-    for (int k = 0; k < dofs_; ++k) entries_[static_cast<size_t>(j * dofs_ + k)][bin] = inverse(j, k);
-  return 2 * factor.matrixLLT().diagonal().real().array().log().sum();
+}
+
+}  // namespace
+
+Information::Information(Eigen::Index dofs, Triangle s)
+    : bins_(s[0].size()), dofs_(dofs), entries_(static_cast<size_t>(dofs * dofs)) {
+  Series trace = Series::Zero(bins_);
+  for (Eigen::Index j = 0; j < dofs; ++j) trace += s[in_triangle(j, j)].real();
+  for (Eigen::Index j = 0; j < dofs; ++j) s[in_triangle(j, j)].array() += 1e-12 * trace.array() + 1e-280;
+  std::vector<Series> inverse_diagonal;
+  log_determinant_ = factorise(s, dofs, inverse_diagonal);
+  invert(s, dofs, inverse_diagonal);
+  for (Eigen::Index j = 0; j < dofs; ++j)
+    for (Eigen::Index k = 0; k <= j; ++k) {
+      Spectrum sum = s[in_triangle(j, j)].conjugate().cwiseProduct(s[in_triangle(j, k)]);
+      for (Eigen::Index l = j + 1; l < dofs; ++l) sum += s[in_triangle(l, j)].conjugate().cwiseProduct(s[in_triangle(l, k)]);
+      entries_[static_cast<size_t>(j * dofs + k)] = sum;
+      if (k < j) entries_[static_cast<size_t>(k * dofs + j)] = sum.conjugate();
+    }
 }
 
 Spectrum Information::between(const Place& p, const Place& q) const {

@@ -14,9 +14,9 @@ struct Place {
   bool operator<(const Place& o) const { return plus != o.plus ? plus < o.plus : minus < o.minus; }
 };
 
-// Covariances of a bin: as large as the largest rig, without a heap.
-constexpr int kMostDofs = 16;
-using SmallMatrix = Eigen::Matrix<Complex, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, kMostDofs, kMostDofs>;
+// A Hermitian matrix per bin, entry by entry over all bins: the lower triangle, (0,0) (1,0) (1,1) (2,0) ...
+using Triangle = std::vector<Spectrum>;
+inline size_t in_triangle(Eigen::Index row, Eigen::Index column) { return static_cast<size_t>(row * (row + 1) / 2 + column); }
 
 using Balance = Eigen::MatrixXcd;  // bins x DOFs: the forces on each DOF
 
@@ -30,9 +30,9 @@ struct Tone {
 
 class Information {
  public:
-  Information(Eigen::Index bins, Eigen::Index dofs);
-  // The weights of a bin from its covariance (Hermitian; kept from being singular). Returns the logarithm of its determinant.
-  double set(Eigen::Index bin, const SmallMatrix& covariance);
+  // Inverts the covariance of every bin (kept from being singular).
+  Information(Eigen::Index dofs, Triangle covariance);
+  double log_determinant() const { return log_determinant_; }      // of the covariances, summed over the bins
   Spectrum between(const Place& p, const Place& q) const;          // p' L q per bin
   Series weight(const Place& p) const;                             // p' L p per bin
   Spectrum pulled(const Place& p, const Balance& balance) const;   // p' L balance per bin
@@ -40,9 +40,9 @@ class Information {
   Eigen::Index bins() const { return bins_; }
 
  private:
-  const Spectrum& at(int row, int column) const { return entries_[static_cast<size_t>(row * dofs_ + column)]; }
-  Eigen::Index bins_ = 0;
-  int dofs_ = 0;
+  const Spectrum& at(Eigen::Index row, Eigen::Index column) const { return entries_[static_cast<size_t>(row * dofs_ + column)]; }
+  Eigen::Index bins_ = 0, dofs_ = 0;
+  double log_determinant_ = 0;
   std::vector<Spectrum> entries_;  // row by row
 };
 

@@ -1,5 +1,6 @@
 // The moves of the search from one fitted model to another.
 #pragma once
+#include <optional>
 #include <vector>
 
 #include "scoring.hpp"
@@ -37,6 +38,8 @@ class Moves {
 
  private:
   void polish_together(State& state);
+  // The state with other shapes of a term, settled; none where they are out of range or not plausible.
+  std::optional<State> reshaped(const State& state, size_t index, const Term& shapes);
   void settle_friction_shape(State& state, size_t index, Axis axis);
   bool extend_wide(State& state, double least_gain);
   bool holds_wide(const State& state, size_t index);

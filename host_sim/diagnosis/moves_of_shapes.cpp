@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace diagnosis {
 
@@ -49,28 +50,33 @@ void Moves::polish_together(State& state) {
   }
 }
 
+std::optional<State> Moves::reshaped(const State& state, size_t index, const Term& t) {
+  const CandidateBank::Range range = bank_.range(t);
+  if (t.shape <= range.low || t.shape >= range.high) return std::nullopt;
+  State trial = state;
+  ActiveTerm& active = trial.model[index];
+  active.column = bank_.reshaped({active.column, {}}, t.shape, t.shape2).column;
+  active.term = active.column->term, active.force.reset();
+  trial.fit = settle(rows_, trial.model, 2);
+  if (!plausible(trial.model)) return std::nullopt;
+  return trial;
+}
+
+// Downhill until both neighbours are worse, then to the lowest point of the parabola through the three; twice.
 void Moves::settle_friction_shape(State& state, size_t index, Axis axis) {
-  const auto reshaped = [&](const Term& t) {
-    State trial = state;
-    ActiveTerm& active = trial.model[index];
-    active.column = bank_.reshaped({active.column, {}}, t.shape, t.shape2).column;
-    active.term = active.column->term, active.force.reset();
-    trial.fit = settle(rows_, trial.model, 2);
-    return trial;
-  };
-  double step = 0.4;
-  for (int i = 0; i < 7; ++i) {  // downhill, in smaller steps where neither side is better
-    bool better = false;
-    for (double way : {step, -step}) {
-      const Term t = moved(state.model[index].term, axis, way);
-      const CandidateBank::Range range = bank_.range(t);
-      if (t.shape <= range.low || t.shape >= range.high) continue;
-      const State trial = reshaped(t);
-      if (trial.fit.cost >= state.fit.cost || !plausible(trial.model)) continue;
-      state = trial, better = true;
-      break;
+  const auto beside = [&](double logarithm) { return reshaped(state, index, moved(state.model[index].term, axis, logarithm)); };
+  for (double step : {0.3, 0.06}) {
+    std::optional<State> below = beside(-step), above = beside(step);
+    for (int i = 0; i < 6; ++i) {
+      if (above && above->fit.cost < state.fit.cost) below = std::exchange(state, *above), above = beside(step);
+      else if (below && below->fit.cost < state.fit.cost) above = std::exchange(state, *below), below = beside(-step);
+      else break;
     }
-    if (!better) step *= 0.4;
+    if (!below || !above) continue;
+    const double fall = below->fit.cost - state.fit.cost, rise = above->fit.cost - state.fit.cost;
+    if (!(fall + rise > 0) || fall < 0 || rise < 0) continue;
+    const std::optional<State> lowest = beside(0.5 * step * (fall - rise) / (fall + rise));
+    if (lowest && lowest->fit.cost < state.fit.cost) state = *lowest;
   }
 }
 

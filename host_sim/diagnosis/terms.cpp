@@ -88,6 +88,18 @@ Series free_decay(const Term& t, const FusedRecord& f, double phase) {
   return ((-t.shape2 * omega * time_axis(f).array()).exp() * (omega * time_axis(f).array() - phase).cos()).matrix();
 }
 
+// Expected sgn of a rate that is known up to a Gaussian error and changes from sample to sample.
+Series soft_sign(const Series& rate, double error) {
+  Series out(rate.size());
+  for (Eigen::Index i = 0; i < rate.size(); ++i) {
+    const double before = rate[std::max<Eigen::Index>(i - 1, 0)], after = rate[std::min(i + 1, rate.size() - 1)];
+    const double change = 0.5 * (after - before);
+    const double spread = std::sqrt(2 * (error * error + change * change / 12));
+    out[i] = std::erf(rate[i] / (spread + 1e-300));
+  }
+  return out;
+}
+
 }  // namespace
 
 const char* word_of(Kind kind) {
@@ -134,22 +146,12 @@ LinkMotion link_motion(const System& system, const FusedRecord& f, size_t link) 
   };
   add(l.a, 1), add(l.b, -1);
   m.w_error = std::sqrt(variance);
+  m.sign = soft_sign(m.smooth_w, m.w_error);
   const Series g2 = f.inner.cwiseAbs2();
   m.u_rms = std::sqrt(g2.dot(m.smooth_u.cwiseAbs2()) / f.inner_energy);
   m.w_rms = std::sqrt(g2.dot(m.smooth_w.cwiseAbs2()) / f.inner_energy);
   m.u_peak = f.inner.cwiseProduct(m.smooth_u).cwiseAbs().maxCoeff();
   return m;
-}
-
-Series soft_sign(const Series& rate, double error) {
-  Series out(rate.size());
-  for (Eigen::Index i = 0; i < rate.size(); ++i) {
-    const double before = rate[std::max<Eigen::Index>(i - 1, 0)], after = rate[std::min(i + 1, rate.size() - 1)];
-    const double change = 0.5 * (after - before);
-    const double spread = std::sqrt(2 * (error * error + change * change / 12));
-    out[i] = std::erf(rate[i] / (spread + 1e-300));
-  }
-  return out;
 }
 
 Series term_force(const Term& t, const FusedRecord& f, const std::vector<LinkMotion>& links) {
@@ -186,7 +188,7 @@ Series term_force(const Term& t, const FusedRecord& f, const std::vector<LinkMot
     case Kind::kStiffnessError: return l.smooth_u;
     case Kind::kViscous: return t.smooth ? l.smooth_w : l.w;
     case Kind::kMissingViscous: return l.smooth_w;
-    case Kind::kCoulomb: case Kind::kMissingCoulomb: return soft_sign(l.smooth_w, l.w_error);
+    case Kind::kCoulomb: case Kind::kMissingCoulomb: return l.sign;
     case Kind::kGravity: return u.sin().matrix();
     case Kind::kCubicStiffness: return u.cube().matrix();
     case Kind::kQuadraticStiffness: return u.square().matrix();
@@ -195,10 +197,10 @@ Series term_force(const Term& t, const FusedRecord& f, const std::vector<LinkMot
     case Kind::kQuadraticDamping: return (w * w.abs()).matrix();
     case Kind::kCubicDamping: return w.cube().matrix();
     case Kind::kStribeck:
-      return ((-w.abs() / t.shape).exp() * soft_sign(l.smooth_w, l.w_error).array()).matrix();
+      return ((-w.abs() / t.shape).exp() * l.sign.array()).matrix();
     case Kind::kPresliding:
       if (t.given) return bristles(l.smooth_w, t.shape, t.shape2, f.period_s);
-      return bristles(l.smooth_w, t.shape, t.shape2, f.period_s) - soft_sign(l.smooth_w, l.w_error);
+      return bristles(l.smooth_w, t.shape, t.shape2, f.period_s) - l.sign;
     case Kind::kForceOffset: return Series::Ones(u.size());
     case Kind::kAsymmetricViscous: return w.abs().matrix();
     case Kind::kDisplacementDamping: return (u.square() * w).matrix();

@@ -58,6 +58,7 @@ System make_system(const rig_file::RigModel& rig);
 struct LinkMotion {
   Series u, w;             // linear
   Series smooth_u, smooth_w;
+  Series sign;             // expected sgn of smooth_w
   double w_error = 0;      // standard deviation of smooth_w
   double u_peak = 0, u_rms = 0, w_rms = 0;  // over the equation's span
 };
@@ -65,8 +66,5 @@ LinkMotion link_motion(const System& system, const FusedRecord& record, size_t l
 
 // A term with coefficient one as a force over time (positive against the motion, as in M a + K x + ... = f).
 Series term_force(const Term& term, const FusedRecord& record, const std::vector<LinkMotion>& links);
-
-// Expected sgn of a rate that is known up to a Gaussian error and changes from sample to sample.
-Series soft_sign(const Series& rate, double error);
 
 }  // namespace diagnosis

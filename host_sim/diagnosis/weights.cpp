@@ -11,7 +11,18 @@ namespace {
 constexpr double kKnownFriction = 0.006, kKnownViscous = 0.002;
 // The inner weight's spectrum is a few bins wide: so far reaches the noise of a bin, and so strongly.
 constexpr Eigen::Index kReach = 2;
-double share_of(Eigen::Index distance) { return distance == 0 ? 0.6 : 0.1; }
+constexpr double kOwn = 0.6, kNeighbour = 0.1;
+
+Spectrum smoothed(const Spectrum& s) {
+  Spectrum sum = kOwn * s;
+  Series shares = Series::Constant(s.size(), kOwn);
+  for (Eigen::Index k = 1; k <= kReach; ++k) {
+    const Eigen::Index rest = s.size() - k;
+    sum.head(rest) += kNeighbour * s.tail(rest), sum.tail(rest) += kNeighbour * s.head(rest);
+    shares.head(rest).array() += kNeighbour, shares.tail(rest).array() += kNeighbour;
+  }
+  return sum.cwiseQuotient(shares.cast<Complex>());
+}
 
 // Linear dynamics of a model: a force per motion, and what each link's dampers take.
 struct Dynamics {
@@ -20,9 +31,6 @@ struct Dynamics {
   Dynamics(const Rows& rows, const std::vector<ActiveTerm>& model);
   double unknown_damping(const LinkMotion& m, size_t link) const {
     return std::pow(kKnownViscous * damper[link] * m.w_rms, 2) + std::pow(kKnownFriction * friction[link], 2);
-  }
-  void stiffness_at(double omega, SmallMatrix& out) const {
-    out = (stiffness - omega * omega * mass).cast<Complex>() + Complex(0, omega) * viscous.cast<Complex>();
   }
 };
 
@@ -50,6 +58,26 @@ Dynamics::Dynamics(const Rows& rows, const std::vector<ActiveTerm>& model) {
   }
 }
 
+// D V D^H over the bins, D = K - w^2 M + j w C, for variances V of the displacements (one column per DOF).
+Triangle spread(const Dynamics& d, const Series& omega, const Eigen::MatrixXd& variance) {
+  const Eigen::Index n = d.mass.rows();
+  const auto spring = [&](Eigen::Index j, Eigen::Index l) { return d.stiffness(j, l) - omega.array().square() * d.mass(j, l); };
+  const auto damper = [&](Eigen::Index j, Eigen::Index l) { return omega.array() * d.viscous(j, l); };
+  const auto tied = [&](Eigen::Index j, Eigen::Index l) { return d.stiffness(j, l) != 0 || d.mass(j, l) != 0 || d.viscous(j, l) != 0; };
+  Triangle sum;
+  for (Eigen::Index j = 0; j < n; ++j)
+    for (Eigen::Index k = 0; k <= j; ++k) {
+      sum.push_back(Spectrum::Zero(omega.size()));
+      for (Eigen::Index l = 0; l < n; ++l) {
+        if (!tied(j, l) || !tied(k, l)) continue;
+        const auto v = variance.col(l).array();
+        sum.back().real().array() += v * (spring(j, l) * spring(k, l) + damper(j, l) * damper(k, l));
+        sum.back().imag().array() += v * (damper(j, l) * spring(k, l) - spring(j, l) * damper(k, l));
+      }
+    }
+  return sum;
+}
+
 }  // namespace
 
 void Rows::weight(const std::vector<ActiveTerm>& model) {
@@ -64,34 +92,22 @@ void Rows::weight(const std::vector<ActiveTerm>& model) {
       const double floor = dynamics.unknown_damping(links_[r][l], l) * static_cast<double>(f.samples) / (2.0 * static_cast<double>(f.last_bin));
       add(known, place_of_link(l), doubt_[r][l] + floor);
     }
-    std::array<SmallMatrix, 2 * kReach + 1> near;  // covariances of the bins around the present one
-    SmallMatrix d(n, n), sum(n, n);
-    const auto covariance = [&](Eigen::Index bin, SmallMatrix& s) {
-      dynamics.stiffness_at(f.omega(bin), d);
-      Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMostDofs, 1> variance(n);
-      for (Eigen::Index j = 0; j < n; ++j) variance[j] = f.motion[static_cast<size_t>(j)].variance[bin];
-      s.noalias() = d * variance.cast<Complex>().asDiagonal() * d.adjoint();
-      s += known.cast<Complex>();
-      for (Eigen::Index j = 0; j < n; ++j)
-        if (f.force_noise[static_cast<size_t>(j)].size()) s(j, j) += f.force_noise[static_cast<size_t>(j)][bin];
-    };
-    const auto slot = [&](Eigen::Index i) -> SmallMatrix& { return near[static_cast<size_t>(i) % near.size()]; };
-    weights->emplace_back(bins(r), n);
-    for (Eigen::Index i = -kReach; i < bins(r); ++i) {
-      const Eigen::Index ahead = i + kReach;
-      if (ahead < bins(r)) covariance(ahead + f.first_bin, slot(ahead));
-      if (i < 0) continue;
-      sum.setZero();
-      double shares = 0;
-      for (Eigen::Index k = -kReach; k <= kReach; ++k) {
-        if (i + k < 0 || i + k >= bins(r)) continue;
-        sum += share_of(k) * slot(i + k);
-        shares += share_of(k);
+    const Series omega = Series::LinSpaced(bins(r), f.omega(f.first_bin), f.omega(f.last_bin));
+    Eigen::MatrixXd variance(bins(r), n);
+    for (Eigen::Index j = 0; j < n; ++j) variance.col(j) = f.motion[static_cast<size_t>(j)].variance.segment(f.first_bin, bins(r));
+    Triangle covariance = spread(dynamics, omega, variance);
+    for (Eigen::Index j = 0; j < n; ++j) {
+      const Series& noise = f.force_noise[static_cast<size_t>(j)];
+      if (noise.size()) covariance[in_triangle(j, j)] += noise.segment(f.first_bin, bins(r)).cast<Complex>();
+      for (Eigen::Index k = 0; k <= j; ++k) {
+        Spectrum& entry = covariance[in_triangle(j, k)];
+        entry.array() += known(j, k);
+        entry = (0.5 * f.inner_energy * smoothed(entry).array() * inflation_[r].array()).matrix().eval();
+        if (f.first_bin == 0) entry[0] *= 2;  // the mean is real: all its noise is in one of the two rows
       }
-      sum *= inflation_[r][i] * f.inner_energy / (2 * shares);
-      if (i + f.first_bin == 0) sum *= 2;  // the mean is real: all its noise is in one of the two rows
-      log_determinant_ += 2 * weights->back().set(i, sum);
     }
+    weights->emplace_back(n, std::move(covariance));
+    log_determinant_ += 2 * weights->back().log_determinant();
   }
   weights_ = weights;
 }

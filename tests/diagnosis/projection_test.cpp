@@ -19,7 +19,7 @@ constexpr Eigen::Index kBins = 40, kDofs = 3;
 struct Problem {
   std::mt19937_64 dice{17};
   std::normal_distribution<double> normal;
-  std::vector<SmallMatrix> covariance;
+  std::vector<Eigen::MatrixXcd> covariance;
   std::vector<FittedColumn> columns;
   std::vector<Balance> target;
 
@@ -30,10 +30,10 @@ struct Problem {
   }
   Problem() {
     for (Eigen::Index i = 0; i < kBins; ++i) {
-      SmallMatrix a(kDofs, kDofs);
+      Eigen::MatrixXcd a(kDofs, kDofs);
       for (Eigen::Index j = 0; j < kDofs; ++j)
         for (Eigen::Index k = 0; k < kDofs; ++k) a(j, k) = {normal(dice), normal(dice)};
-      covariance.push_back(a * a.adjoint() + 0.1 * SmallMatrix::Identity(kDofs, kDofs));
+      covariance.push_back(a * a.adjoint() + 0.1 * Eigen::MatrixXcd::Identity(kDofs, kDofs));
     }
     for (Place place : {Place{0, -1}, Place{0, 1}, Place{1, 2}, Place{2, -1}, Place{0, 1}})
       columns.push_back({place, std::make_shared<Spectra>(1, spectrum())});
@@ -41,10 +41,13 @@ struct Problem {
     for (Eigen::Index j = 0; j < kDofs; ++j) target[0].col(j) = spectrum();
   }
   std::shared_ptr<const Weights> weights() const {
-    auto w = std::make_shared<Weights>();
-    w->emplace_back(kBins, kDofs);
-    for (Eigen::Index i = 0; i < kBins; ++i) w->back().set(i, covariance[static_cast<size_t>(i)]);
-    return w;
+    Triangle entries;
+    for (Eigen::Index j = 0; j < kDofs; ++j)
+      for (Eigen::Index k = 0; k <= j; ++k) {
+        entries.push_back(Spectrum(kBins));
+        for (Eigen::Index i = 0; i < kBins; ++i) entries.back()[i] = covariance[static_cast<size_t>(i)](j, k);
+      }
+    return std::make_shared<Weights>(1, Information(kDofs, entries));
   }
   Projection fit() const { return Projection(weights(), columns, target); }
 
@@ -121,9 +124,9 @@ TEST(Projection, AColumnThatOthersMakeUpIsLeftOut) {
 
 TEST(Projection, AWeightTellsTheDeterminantOfItsCovariance) {
   const Problem p;
-  Information information(1, kDofs);
-  const Eigen::MatrixXcd full = p.covariance[0];
-  EXPECT_NEAR(information.set(0, p.covariance[0]), std::log(full.determinant().real()), 1e-9);
+  double logarithm = 0;
+  for (const Eigen::MatrixXcd& one : p.covariance) logarithm += std::log(one.determinant().real());
+  EXPECT_NEAR(p.weights()->front().log_determinant(), logarithm, 1e-8);
 }
 
 // Every candidate of the vocabulary, among them those that take the place of a spring or of friction.
