@@ -8,6 +8,7 @@ namespace diagnosis {
 namespace {
 
 constexpr double kLeastGain = 17;  // of chi-squared, for two terms in place of one
+constexpr double kLeastBesideShape = 0.04;  // of what the shape of friction brings, for another term on its link
 constexpr double kLeftOver = 1.1;  // chi-squared per degree of freedom that says a shape is not met
 constexpr size_t kTried = 4;
 
@@ -103,29 +104,35 @@ bool Moves::swap(State& state) {
 bool Moves::merge(State& state) {
   const std::vector<size_t> terms = added_terms(state.model);
   for (size_t i = 0; i < terms.size(); ++i)
-    for (size_t j = i + 1; j < terms.size(); ++j) {
-      State base = without(state, terms[j]);
-      base = without(base, terms[i]);
-      const std::vector<Found> list = ranked(rows_, bank_, base.model, base.fit, 4);
-      const double noise = std::max(1.0, state.fit.ratio());
-      State best;
-      double cost = state.fit.chi2 + kLeastGain * noise;
-      bool found = false;
-      for (size_t k = 0; k < list.size() && k < 4; ++k) {
-        State trial = settled(joined(base.model, list[k].candidate, list[k].gain), 1);
-        polish(trial);
-        if (CandidateBank::friction_shape(list[k].candidate.term().kind)) settle_friction_shapes(trial);
-        const double trial_cost = trial.fit.chi2 + list[k].candidate.penalty * noise;
-        if (plausible(trial.model) && trial_cost < cost) best = trial, cost = trial_cost, found = true;
-      }
-      if (found) {
-        state = best;
-        state.fit = settle(rows_, state.model, 1);
-        return true;
-      }
-      state.fit = settle(rows_, state.model, 1);
-    }
+    for (size_t j = i + 1; j < terms.size(); ++j)
+      if (merge_pair(state, terms[i], terms[j])) return true;
   return false;
+}
+
+bool Moves::merge_pair(State& state, size_t first, size_t second) {
+  const double noise = std::max(1.0, state.fit.ratio()), least = state.fit.chi2 + kLeastGain * noise;
+  const Term a = state.model[first].term, b = state.model[second].term;
+  const bool bends = CandidateBank::friction_shape(a.kind), one_link = a.link >= 0 && a.link == b.link;
+  const Term shape = bends ? a : b;
+  const double shape_gain = without(state, bends ? first : second).fit.chi2 - state.fit.chi2;
+  const State base = without(without(state, second), first);
+  const std::vector<Found> list = ranked(rows_, bank_, base.model, base.fit, 4);
+  State best;
+  double cost = 0;
+  bool found = false;
+  for (size_t k = 0; k < list.size() && k < 4; ++k) {
+    const Term& term = list[k].candidate.term();
+    State trial = settled(joined(base.model, list[k].candidate, list[k].gain), 1);
+    polish(trial);
+    if (CandidateBank::friction_shape(term.kind)) settle_friction_shapes(trial);
+    const double trial_cost = trial.fit.chi2 + list[k].candidate.penalty * noise;
+    const bool beside_shape = one_link && term.same_place(shape) && CandidateBank::friction_shape(term.kind);
+    const double most = std::max(least, beside_shape ? state.fit.chi2 + kLeastBesideShape * shape_gain : 0.0);
+    if (plausible(trial.model) && trial_cost < most && (!found || trial_cost < cost)) best = trial, cost = trial_cost, found = true;
+  }
+  if (found) state = best;
+  state.fit = settle(rows_, state.model, 1);
+  return found;
 }
 
 }  // namespace diagnosis

@@ -41,6 +41,7 @@ class Moves {
   // The state with other shapes of a term, settled; none where they are out of range or not plausible.
   std::optional<State> reshaped(const State& state, size_t index, const Term& shapes);
   void settle_friction_shape(State& state, size_t index, Axis axis);
+  bool merge_pair(State& state, size_t first, size_t second);
   bool extend_wide(State& state, double least_gain);
   bool holds_wide(const State& state, size_t index);
   Rows& rows_;
