@@ -110,14 +110,31 @@ bool reject_worse(const System& system, const Judge& judge, const Rows& rows, Ca
   return false;
 }
 
+constexpr double kBesideFrictionShape = 5;  // of an outsider's threshold: the shape of friction near reversals is never quite met
+
+// What friction leaves near reversals repeats with the elongation, which is at its ends there: no trace unless it shows
+// with the reversals set aside.
+bool shows_beside_reversals(Rows& rows, const CandidateBank& bank, std::vector<ActiveTerm> model) {
+  Outsider wide;
+  {
+    const Rows::Look look(rows, Rows::Reversals::kWide);
+    const Fit fit = settle(rows, model, 2);
+    wide = strongest_outsider(rows, bank, model, fit);
+  }
+  settle(rows, model, 2);
+  wide.threshold *= kBesideFrictionShape;
+  return wide.present();
+}
+
 // A trace from outside the vocabulary that the final model leaves, or that explains more than one of its terms does.
-Outsider outsider_of(const Rows& rows, const CandidateBank& bank, const SearchResult& found) {
+Outsider outsider_of(Rows& rows, const CandidateBank& bank, const SearchResult& found) {
   // What a strong effect leaves by its imperfect shape is no trace of another.
   const double residue = (rows.absolute() ? 3e-5 : 1e-3) * std::max(0.0, found.base_fit.chi2 - found.fit.chi2);
   bool reversals = false;
   for (const Found& f : found.added) reversals = reversals || CandidateBank::friction_shape(f.candidate.term().kind);
   Outsider best = strongest_outsider(rows, bank, found.model, found.fit);
-  best.threshold = (reversals ? 5 : 1) * best.threshold + (reversals ? 10 : 1) * residue;
+  best.threshold = (reversals ? kBesideFrictionShape : 1) * best.threshold + (reversals ? 10 : 1) * residue;
+  if (best.present() && reversals && !shows_beside_reversals(rows, bank, found.model)) best = {};
   for (size_t i = 0; i < found.added.size() && !best.present(); ++i) {
     if (found.added[i].score > 20000) continue;  // nothing else comes near it
     std::vector<ActiveTerm> model = without_added(found.model, found.added[i].candidate.term());
