@@ -76,6 +76,9 @@ bool CandidateBank::prepare(const std::vector<ActiveTerm>& model, Candidate& c) 
       break;
     case Kind::kStribeck: c.coefficient_sign = 1, c.penalty = 6, c.threshold = 100; return true;
     case Kind::kEndStop: c.coefficient_sign = 1, c.penalty = 6; return true;
+    case Kind::kForceDelay:
+      for (const FusedRecord& f : rows_.records()) c.doubt = std::max(c.doubt, f.hold_doubt_s);
+      return true;
     case Kind::kDriftingViscous: c.penalty = t.shape > 0 ? 6 : 0; return true;
     case Kind::kResonance: c.coefficient_sign = 1, c.penalty = 12; return true;
     case Kind::kMissingViscous: case Kind::kMissingCoulomb: c.coefficient_sign = 1; return true;

@@ -65,6 +65,8 @@ void correct_hold(FusedRecord& f) {
     }
     if (best.gain < kThreshold || best.gain < strongest_fault(f, dof) + kMargin) continue;
     f.hold = hold;
+    // steps come half a sample late on average, and of that so much is not taken out right
+    if (hold == Hold::kSteps) f.hold_doubt_s = std::max(f.hold_doubt_s, 0.5 * f.period_s / std::sqrt(best.gain));
     for (int round = 0; round < 3; ++round) {  // what was folded counted as noise before
       correct(f, dof, force, best.inverse_mass);
       estimate_noise(f);

@@ -76,7 +76,8 @@ bool Moves::holds_wide(const State& state, size_t index) {
   const Rows::Look look(rows_, Rows::Reversals::kWide);
   const State wide = settled(state.model, 2), w = without(wide, index);
   const Candidate c = bank_.again(state.model[index].term, w.model);
-  return (w.fit.chi2 - wide.fit.chi2 - c.penalty) / std::max(1.0, wide.fit.ratio()) >= c.threshold;
+  const double gain = (w.fit.chi2 - wide.fit.chi2) * c.trusted_share(wide.model[index].std);
+  return (gain - c.penalty) / std::max(1.0, wide.fit.ratio()) >= c.threshold;
 }
 
 bool Moves::swap(State& state) {

@@ -26,6 +26,29 @@ TEST(HiddenEffects, AreFoundInSixtyConsecutiveSeeds) {
   EXPECT_LE(false_alarms, 1);
 }
 
+// What friction leaves near reversals repeats with the elongation, as cogging does, but shows nowhere else.
+TEST(HiddenEffects, StribecksReversalsAreNoTraceOfCogging) {
+  hidden::Settings settings;
+  settings.kind = "stribeck";
+  for (uint64_t seed = 700000; seed < 700016; ++seed) {
+    const hidden::Draw draw = hidden::make_draw(seed, settings);
+    const diagnosis::Diagnosis answer = diagnosis::diagnose(draw.rig, {draw.record}, {});
+    EXPECT_NE(answer.verdict, diagnosis::Verdict::kUnknown) << hidden::told(draw, answer);
+  }
+}
+
+// Stribeck's friction and, on another link, a cubic spring: what is left of the friction's shape gets no name of its own.
+TEST(HiddenEffects, NothingIsNamedForTheRestOfAShape) {
+  hidden::Settings settings;
+  settings.hide = hidden::Hide::kTwo;
+  for (uint64_t seed = 400016; seed < 400022; ++seed) {
+    const hidden::Draw draw = hidden::make_draw(seed, settings);
+    const diagnosis::Diagnosis answer = diagnosis::diagnose(draw.rig, {draw.record}, {});
+    EXPECT_LE(answer.causes.size(), 2u) << hidden::told(draw, answer);
+    EXPECT_NE(hidden::judge(draw, answer), hidden::Outcome::kWrong) << hidden::told(draw, answer);
+  }
+}
+
 TEST(HiddenEffects, TheSameSeedGivesTheSameRecordAndAnswer) {
   const hidden::Settings settings = hidden::settings_of_seed(7);
   const hidden::Draw first = hidden::make_draw(7, settings), second = hidden::make_draw(7, settings);

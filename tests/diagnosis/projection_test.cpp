@@ -75,6 +75,29 @@ struct Problem {
   }
 };
 
+// Two masses, a backlash hidden, and what could be beside the rig as given.
+struct OnePlant {
+  static hidden::Draw drawn() {
+    hidden::Settings settings;
+    settings.seconds = 4, settings.dofs = 2, settings.kind = "backlash";
+    return hidden::make_draw(31, settings);
+  }
+  static std::vector<FusedRecord> fused(const hidden::Draw& draw) {
+    std::vector<FusedRecord> records{read_record(draw.rig, draw.record, 0.098)};
+    estimate_noise(records[0]);
+    fuse(records[0]);
+    return records;
+  }
+  hidden::Draw draw = drawn();
+  System system = make_system(draw.rig);
+  std::vector<FusedRecord> records = fused(draw);
+  Rows rows{system, records};
+  CandidateBank bank{rows};
+  std::vector<ActiveTerm> model = base_model(rows);
+  Fit fit = settle(rows, model, 2);
+  std::vector<Candidate> candidates = bank.beside(model);
+};
+
 double squared_residual(const Eigen::MatrixXd& a, const Eigen::VectorXd& y) {
   return (y - a * a.householderQr().solve(y)).squaredNorm();
 }
@@ -129,29 +152,34 @@ TEST(Projection, AWeightTellsTheDeterminantOfItsCovariance) {
   EXPECT_NEAR(p.weights()->front().log_determinant(), logarithm, 1e-8);
 }
 
+// A coefficient that the rows know with s and that is in doubt by 3 s: s^2 / (s^2 + 9 s^2) of its gain counts, and its
+// standard deviation is sqrt(10) s.
+TEST(Projection, ADoubtTakesItsShareOfTheGain) {
+  const OnePlant plant;
+  Candidate c = plant.candidates[0];
+  const Gain sure = gain_of(plant.rows, plant.model, plant.fit, c);
+  ASSERT_GT(sure.chi2, 0);
+  c.doubt = 3 * sure.std;
+  const Gain doubted = gain_of(plant.rows, plant.model, plant.fit, c);
+  EXPECT_NEAR(doubted.chi2, 0.1 * sure.chi2, 1e-9 * sure.chi2);
+  EXPECT_NEAR(doubted.std, std::sqrt(10.0) * sure.std, 1e-9 * sure.std);
+}
+
 // Every candidate of the vocabulary, among them those that take the place of a spring or of friction.
 TEST(Projection, EveryPredictedGainIsWhatARefitShows) {
-  hidden::Settings settings;
-  settings.seconds = 4, settings.dofs = 2, settings.kind = "backlash";
-  const hidden::Draw draw = hidden::make_draw(31, settings);
-  const System system = make_system(draw.rig);
-  std::vector<FusedRecord> records{read_record(draw.rig, draw.record, 0.098)};
-  estimate_noise(records[0]);
-  fuse(records[0]);
-  Rows rows(system, records);
-  const CandidateBank bank(rows);
-  std::vector<ActiveTerm> model = base_model(rows);
-  const Fit fit = settle(rows, model, 2);
-  const std::vector<Candidate> candidates = bank.beside(model);
-  const std::vector<Gain> gains = gains_of(rows, model, fit, candidates);
+  const OnePlant plant;
+  const std::vector<Candidate>& candidates = plant.candidates;
+  const std::vector<ActiveTerm>& model = plant.model;
+  const Fit& fit = plant.fit;
+  const std::vector<Gain> gains = gains_of(plant.rows, model, fit, candidates);
   int hosted = 0;
-  CandidateBank barring(rows);
+  CandidateBank barring(plant.rows);
   barring.bar(candidates[0].term());
   EXPECT_EQ(barring.beside(model).size() + 1, candidates.size());  // the first has no shapes on a grid
   for (size_t i = 0; i < candidates.size(); ++i) {
     if (candidates[i].coefficient_sign != 0 && gains[i].chi2 == 0) continue;  // against its physical sign
     std::vector<ActiveTerm> more = joined(model, candidates[i], gains[i]);
-    const double refit = fit.chi2 - fit_model(rows, more).chi2;
+    const double refit = fit.chi2 - fit_model(plant.rows, more).chi2;
     EXPECT_NEAR(gains[i].chi2, refit, 1e-6 * fit.chi2) << word_of(candidates[i].term().kind);
     hosted += candidates[i].host >= 0 && !candidates[i].fixed;
   }
