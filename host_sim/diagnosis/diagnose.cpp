@@ -18,6 +18,7 @@ namespace {
 
 constexpr double kFarBeyondNoise = 4;     // chi-squared per degree of freedom
 constexpr double kWorthSharpening = 1.2;  // likewise
+constexpr int kSlowRounds = 6;
 
 // Fused records, corrected for the sensor faults that are found (collected where `faults` is given).
 std::vector<FusedRecord> ready(const rig_file::RigModel& rig, const std::vector<host_sim::Record>& records,
@@ -190,12 +191,16 @@ Diagnosis diagnose(const rig_file::RigModel& rig, const std::vector<host_sim::Re
   sharpen_all(system, owner->records);
   owner->lay_out();
   SearchResult found = search(*owner->rows, *owner->bank);
-  if (!found.added.empty() && found.base_fit.ratio() > kWorthSharpening) {  // what it found moves the reversals of friction
+  // what it found moves the reversals of friction, and the slow motion where that is not measured, in steps
+  const int rounds = found.base_fit.ratio() <= kWorthSharpening ? 0 : owner->rows->absolute() ? 1 : kSlowRounds;
+  for (int i = 0; i < rounds && !found.added.empty(); ++i) {
     auto sharper = std::make_unique<Bench>(Bench{system, owner->records, nullptr, nullptr});
     sharpen(sharper->records, system, found.model);
     sharper->lay_out();
     const SearchResult again = search(*sharper->rows, *sharper->bank);
-    if (again.fit.ratio() < found.fit.ratio()) found = again, owner = std::move(sharper);
+    if (again.fit.ratio() >= found.fit.ratio()) break;
+    found = again, owner = std::move(sharper);
+    if (found.fit.ratio() < kWorthSharpening) break;
   }
   Bench& bench = *owner;
   d.baseline_misfit = found.base_fit.ratio(), d.extended_misfit = found.fit.ratio();

@@ -47,7 +47,9 @@ DofMotion fuse_dof(const DofSpectra& s, const FusedRecord& f, double energy) {
     m.variance[i] = known ? 1 / information : 0;
   }
   // expected power of the true displacement, for the weights of the smooth signals
-  Series power = smoothed(y.cwiseAbs2() / energy, 12);
+  Series power = y.cwiseAbs2() / energy;
+  if (s.measured[0]) power = smoothed(power, 12);
+  else power = smoothed(power.cwiseQuotient(m.variance.cwiseMax(1e-300)), 12).cwiseProduct(m.variance);  // integrated noise is steep
   const double pass = 1.3 * static_cast<double>(f.last_bin), stop = 1.8 * static_cast<double>(f.last_bin);
   Spectrum linear(bins), smooth(bins), rate(bins);
   double error = 0;

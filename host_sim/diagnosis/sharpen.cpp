@@ -51,6 +51,7 @@ void sharpen(std::vector<FusedRecord>& records, const System& system, const std:
       };
       m.smooth_x = series(0), m.smooth_v = series(1), m.smooth_a = series(2);
     }
+    add_slow_motion(f, system, model, r);
   }
 }
 
