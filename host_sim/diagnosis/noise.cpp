@@ -16,6 +16,13 @@ double median(std::vector<double> values) {
 
 constexpr double kTwoPi = 6.283185307179586;
 constexpr double kMedianOfExponential = 0.6931471805599453;
+// Of a channel's rms: to that no two sensors agree, nor a simulation's samples with its motion.
+constexpr double kFinest = 1e-4;
+
+// Mean square of a series with this spectrum under a window of this energy.
+double mean_square(const Spectrum& z, double energy) {
+  return (2 * z.squaredNorm() - std::norm(z[0])) / (energy * static_cast<double>(2 * (z.size() - 1)));
+}
 
 // Spectrum over frequency of first-order noise with this corner, one far above it; without a corner white.
 struct Colour {
@@ -79,6 +86,8 @@ void set_noise(FusedRecord& f, DofSpectra& s, const std::array<Colour, 3>& colou
     const size_t other = s.measured[1] ? 1 : 0;
     variance[2] = std::max(0.02 * variance[2], unexplained(f, s, 2, other, variance[other], 1.2 * variance[2], colour));
   }
+  for (size_t q = 0; q < 3; ++q)
+    if (s.measured[q] && s.count() > 1) variance[q] = std::max(variance[q], kFinest * kFinest * mean_square(s.z[q], energy));
   for (size_t q = 0; q < 3; ++q) {
     if (!s.measured[q]) continue;
     s.noise[q].resize(s.z[q].size());
@@ -148,7 +157,7 @@ void estimate_noise(FusedRecord& f) {
     if (f.force[i].size() == 0) continue;
     const Spectrum z = f.fourier->forward(f.outer.weight.cwiseProduct(f.force[i]));
     const Colour colour{any && falls_with_frequency(z) ? std::exp(-kTwoPi * corner_Hz * f.period_s) : 0};
-    const double variance = band_variance(z, 0.3, 0.48, energy, colour);
+    const double variance = std::max(band_variance(z, 0.3, 0.48, energy, colour), kFinest * kFinest * mean_square(z, energy));
     f.force_noise[i].resize(z.size());
     for (Eigen::Index k = 0; k < z.size(); ++k) f.force_noise[i][k] = variance * colour(f.omega(k) * f.period_s);
   }
