@@ -65,6 +65,10 @@ struct FusedRecord {
 // Transforms every channel. Throws CannotAnswer where a DOF of the rig has no motion channel or the record is too short.
 FusedRecord read_record(const rig_file::RigModel& rig, const host_sim::Record& record, double top_of_band);
 
+// Spectra of what is measured of a DOF under the outer ramp. Inside the ramps they want the displacement too: where only its
+// derivatives are measured it is integrated, with constants that leave the least slow motion.
+DofSpectra transform(const host_sim::Record& record, int dof, const FusedRecord& f);
+
 // First bin below which this share of the velocities' power lies.
 Eigen::Index motion_bin(const FusedRecord& record, double share);
 

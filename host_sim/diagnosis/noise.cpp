@@ -87,7 +87,7 @@ void set_noise(FusedRecord& f, DofSpectra& s, const std::array<Colour, 3>& colou
     variance[2] = std::max(0.02 * variance[2], unexplained(f, s, 2, other, variance[other], 1.2 * variance[2], colour));
   }
   for (size_t q = 0; q < 3; ++q)
-    if (s.measured[q] && s.count() > 1) variance[q] = std::max(variance[q], kFinest * kFinest * mean_square(s.z[q], energy));
+    if (s.measured[q] && (q > 0 || s.count() > 1)) variance[q] = std::max(variance[q], kFinest * kFinest * mean_square(s.z[q], energy));
   for (size_t q = 0; q < 3; ++q) {
     if (!s.measured[q]) continue;
     s.noise[q].resize(s.z[q].size());

@@ -87,7 +87,7 @@ void add_slow_motion(FusedRecord& f, const System& system, const std::vector<Act
     }
     const Eigen::MatrixXd push = imbalance(system, f, others, record, false);
     Eigen::MatrixXcd slow(top, n);
-    for (Eigen::Index j = 0; j < n; ++j) slow.col(j) = f.fourier->forward(f.outer.weight.cwiseProduct(push.col(j)), top);
+    for (Eigen::Index j = 0; j < n; ++j) slow.col(j) = f.fourier->forward(push.col(j), top);  // not windowed: a mean stays a mean
     for (Eigen::Index i = 0; i < top; ++i) slow.row(i) = linear.at(f.omega(i)).partialPivLu().solve(slow.row(i).transpose()).transpose();
     for (Eigen::Index j = 0; j < n; ++j) {
       DofMotion& m = f.motion[static_cast<size_t>(j)];
