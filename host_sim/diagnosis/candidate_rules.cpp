@@ -10,6 +10,17 @@ namespace {
 bool is_stiffness(Kind kind) { return kind == Kind::kStiffness; }
 bool is_friction(Kind kind) { return kind == Kind::kCoulomb || kind == Kind::kMissingCoulomb; }
 
+// Of a mass or a spring: sampling and smoothing leave this share of its force wrong, noise or not.
+constexpr double kKnownElastic = 3e-5;
+
+// What the model has of a kind at the place of a term.
+double present(const std::vector<ActiveTerm>& model, Kind kind, const Term& t) {
+  double sum = 0;
+  for (const ActiveTerm& a : model)
+    if (a.term.kind == kind && a.term.link == t.link && a.term.dof == t.dof) sum += a.value;
+  return std::abs(sum);
+}
+
 // Friction that is smoothed a little wrong looks like any of these.
 bool law_of_rate(Kind kind) {
   return CandidateBank::friction_shape(kind) || kind == Kind::kQuadraticDamping || kind == Kind::kCubicDamping;
@@ -80,7 +91,12 @@ bool CandidateBank::prepare(const std::vector<ActiveTerm>& model, Candidate& c) 
       for (const FusedRecord& f : rows_.records()) c.doubt = std::max(c.doubt, f.hold_doubt_s);
       return true;
     case Kind::kDriftingViscous: c.penalty = t.shape > 0 ? 6 : 0; return true;
-    case Kind::kResonance: c.coefficient_sign = 1, c.penalty = 12; return true;
+    case Kind::kMassError: c.doubt = kKnownElastic * present(model, Kind::kMass, t); return true;
+    case Kind::kStiffnessError: c.doubt = kKnownElastic * present(model, Kind::kStiffness, t); return true;
+    case Kind::kResonance:
+      c.doubt = kKnownElastic * present(model, Kind::kMass, t);
+      c.coefficient_sign = 1, c.penalty = 12;
+      return true;
     case Kind::kMissingViscous: case Kind::kMissingCoulomb: c.coefficient_sign = 1; return true;
     default: return true;
   }

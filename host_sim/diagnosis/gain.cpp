@@ -61,8 +61,7 @@ Gain single_gain(const std::vector<ActiveTerm>& model, const Fit& fit, const Can
   gain.coefficient = c.fixed ? c.host_sign * model[static_cast<size_t>(c.host)].value : column.moment / free;
   gain.std = 1 / std::sqrt(free);
   if (gain.coefficient * c.coefficient_sign < 0) return Gain{0, 0, gain.std};
-  gain.chi2 = (2 * gain.coefficient * column.moment - gain.coefficient * gain.coefficient * free) * c.trusted_share(gain.std);
-  gain.std = std::hypot(gain.std, c.doubt);
+  gain.chi2 = 2 * gain.coefficient * column.moment - gain.coefficient * gain.coefficient * free;
   return gain;
 }
 

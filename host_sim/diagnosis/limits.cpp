@@ -59,7 +59,7 @@ std::vector<DetectionLimit> limits_of(const Rows& rows, const CandidateBank& ban
     const bool rotating = rotates(rows.system(), c.term());
     DetectionLimit limit{word_of(c.term().kind), place_of(rows.system(), c.term(), rows.records()[0]), 0, "", 0};
     const double noise = steps * std::sqrt(std::max(1.0, fit.ratio()));
-    double coefficient = noise * gain.std;
+    double coefficient = std::hypot(noise * gain.std, std::sqrt(c.threshold) * c.doubt);
     if (c.term().kind == Kind::kBacklash || c.term().kind == Kind::kPresliding) {
       // its coefficient is the host's: what is sought is the shape at which that is enough; nearly linear where small
       const double host = std::abs(model[static_cast<size_t>(c.host)].value);

@@ -32,8 +32,8 @@ struct Candidate {
   double host_sign = 1;
   bool fixed = false;           // its coefficient is host_sign times the host's known value
   double doubt = 0;             // standard deviation of its coefficient beyond what the rows' noise makes
-  // Of a fall of chi-squared, what stands beside both for a coefficient that the rows know with `std`.
-  double trusted_share(double std) const { return doubt > 0 ? std * std / (std * std + doubt * doubt) : 1; }
+  // What chi-squared must fall by where the rows know the coefficient with `std`.
+  double needed(double std) const { return doubt > 0 ? threshold * (1 + doubt * doubt / (std * std)) : threshold; }
 };
 
 struct Gain {

@@ -27,7 +27,7 @@ bool Moves::extend(State& state, double least_gain, size_t beam) {
   double cost = 0, leading = 0;  // score of the first that passes
   size_t tried = 0;
   for (const Found& f : list) {
-    if (f.score < f.candidate.threshold || f.gain.chi2 < least_gain) continue;
+    if (f.score < f.candidate.needed(f.gain.std) || f.gain.chi2 < least_gain) continue;
     leading = std::max(leading, f.score);
     if (f.score < 0.4 * leading || ++tried > beam) break;
     State trial = settled(joined(state.model, f.candidate, f.gain), 2);
@@ -56,7 +56,7 @@ bool Moves::extend_wide(State& state, double least_gain) {
   const State wide = settled(state.model, 2);
   for (const Found& f : ranked(rows_, bank_, wide.model, wide.fit, 3)) {
     if (CandidateBank::friction_shape(f.candidate.term().kind)) continue;
-    if (f.score < f.candidate.threshold || f.gain.chi2 < least_gain) continue;
+    if (f.score < f.candidate.needed(f.gain.std) || f.gain.chi2 < least_gain) continue;
     const State best = settled(joined(wide.model, f.candidate, f.gain), 2);
     if (!plausible(best.model)) return false;
     state = best;
@@ -76,8 +76,7 @@ bool Moves::holds_wide(const State& state, size_t index) {
   const Rows::Look look(rows_, Rows::Reversals::kWide);
   const State wide = settled(state.model, 2), w = without(wide, index);
   const Candidate c = bank_.again(state.model[index].term, w.model);
-  const double gain = (w.fit.chi2 - wide.fit.chi2) * c.trusted_share(wide.model[index].std);
-  return (gain - c.penalty) / std::max(1.0, wide.fit.ratio()) >= c.threshold;
+  return (w.fit.chi2 - wide.fit.chi2 - c.penalty) / std::max(1.0, wide.fit.ratio()) >= c.needed(wide.model[index].std);
 }
 
 bool Moves::swap(State& state) {

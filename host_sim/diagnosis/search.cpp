@@ -22,9 +22,9 @@ bool review(Rows& rows, const CandidateBank& bank, State& state, SearchResult& r
     std::vector<Found> list = ranked(rows, bank, w.model, w.fit, 5);
     Found self = Scorer{rows, bank, w.model, w.fit}.of(bank.again(mine, w.model));
     const double noise = std::max(1.0, state.fit.ratio());
-    self.gain.chi2 = (w.fit.chi2 - state.fit.chi2) * self.candidate.trusted_share(state.model[index].std);
+    self.gain.chi2 = w.fit.chi2 - state.fit.chi2;
     self.score = (self.gain.chi2 - self.candidate.penalty) / noise;
-    if (self.score < self.candidate.threshold && !moves.holds_beside_reversals(state, index)) {
+    if (self.score < self.candidate.needed(state.model[index].std) && !moves.holds_beside_reversals(state, index)) {
       remove_term(state.model, index);
       state.fit = settle(rows, state.model, 2);
       return false;

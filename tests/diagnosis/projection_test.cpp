@@ -152,17 +152,13 @@ TEST(Projection, AWeightTellsTheDeterminantOfItsCovariance) {
   EXPECT_NEAR(p.weights()->front().log_determinant(), logarithm, 1e-8);
 }
 
-// A coefficient that the rows know with s and that is in doubt by 3 s: s^2 / (s^2 + 9 s^2) of its gain counts, and its
-// standard deviation is sqrt(10) s.
-TEST(Projection, ADoubtTakesItsShareOfTheGain) {
-  const OnePlant plant;
-  Candidate c = plant.candidates[0];
-  const Gain sure = gain_of(plant.rows, plant.model, plant.fit, c);
-  ASSERT_GT(sure.chi2, 0);
-  c.doubt = 3 * sure.std;
-  const Gain doubted = gain_of(plant.rows, plant.model, plant.fit, c);
-  EXPECT_NEAR(doubted.chi2, 0.1 * sure.chi2, 1e-9 * sure.chi2);
-  EXPECT_NEAR(doubted.std, std::sqrt(10.0) * sure.std, 1e-9 * sure.std);
+// A coefficient that the rows know with s and that is in doubt by 3 s must be (s^2 + 9 s^2) / s^2 times as significant.
+TEST(Projection, ADoubtRaisesWhatIsNeeded) {
+  Candidate c;
+  c.threshold = 17;
+  EXPECT_EQ(c.needed(0.2), 17);
+  c.doubt = 0.6;
+  EXPECT_NEAR(c.needed(0.2), 170, 1e-9);
 }
 
 // Every candidate of the vocabulary, among them those that take the place of a spring or of friction.
