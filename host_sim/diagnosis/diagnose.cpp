@@ -3,68 +3,21 @@
 #include <memory>
 
 #include "advice.hpp"
+#include "bench.hpp"
 #include "beyond_noise.hpp"
 #include "diagnosis.hpp"
-#include "drive_hold.hpp"
 #include "fault_report.hpp"
 #include "limits.hpp"
 #include "naming.hpp"
-#include "outsiders.hpp"
 #include "ranking.hpp"
+#include "remainder.hpp"
 #include "sharpen.hpp"
 
 namespace diagnosis {
 namespace {
 
-constexpr double kFarBeyondNoise = 4;     // chi-squared per degree of freedom
-constexpr double kWorthSharpening = 1.2;  // likewise
+constexpr double kWorthSharpening = 1.2;  // chi-squared per degree of freedom
 constexpr int kSlowRounds = 6;
-
-// Fused records, corrected for the sensor faults that are found (collected where `faults` is given).
-std::vector<FusedRecord> ready(const rig_file::RigModel& rig, const std::vector<host_sim::Record>& records,
-                               const Options& options, std::vector<SensorCheck>* checks) {
-  std::vector<FusedRecord> list;
-  for (const host_sim::Record& r : records) {
-    list.push_back(read_record(rig, r, options.top_of_band));
-    estimate_noise(list.back());
-    correct_hold(list.back());
-    const SensorCheck check = check_sensors(list.back());
-    if (checks) checks->push_back(check);
-    fuse(list.back());
-  }
-  return list;
-}
-
-// Records and what is laid over them.
-struct Bench {
-  const System& system;
-  std::vector<FusedRecord> records;
-  std::unique_ptr<Rows> rows;
-  std::unique_ptr<CandidateBank> bank;
-  void lay_out() {
-    rows = std::make_unique<Rows>(system, records);
-    bank = std::make_unique<CandidateBank>(*rows);
-  }
-  // For a rig that is far from any model: the motion as measured, where there is motion, and weights to match.
-  void look_wide() {
-    for (FusedRecord& f : records) {
-      fuse(f);
-      f.last_bin = end_of_motion(f);
-    }
-    lay_out();
-    colour_by_vocabulary(*rows, *bank);
-  }
-};
-
-// Two rounds of fitting the rig as given and sharpening the motion by it.
-void sharpen_all(const System& system, std::vector<FusedRecord>& records) {
-  for (int pass = 0; pass < 2; ++pass) {
-    Rows rows(system, records);
-    std::vector<ActiveTerm> model = base_model(rows);
-    settle(rows, model, 3);
-    sharpen(records, system, model);
-  }
-}
 
 std::vector<host_sim::Record> first_parts(const std::vector<host_sim::Record>& records, double share) {
   std::vector<host_sim::Record> list = records;
@@ -111,55 +64,6 @@ bool reject_worse(const System& system, const Judge& judge, const Rows& rows, Ca
   return false;
 }
 
-constexpr double kBesideFrictionShape = 5;  // of an outsider's threshold: the shape of friction near reversals is never quite met
-
-// What friction leaves near reversals repeats with the elongation, which is at its ends there: no trace unless it shows
-// with the reversals set aside.
-bool shows_beside_reversals(Rows& rows, const CandidateBank& bank, std::vector<ActiveTerm> model) {
-  Outsider wide;
-  {
-    const Rows::Look look(rows, Rows::Reversals::kWide);
-    const Fit fit = settle(rows, model, 2);
-    wide = strongest_outsider(rows, bank, model, fit);
-  }
-  settle(rows, model, 2);
-  wide.threshold *= kBesideFrictionShape;
-  return wide.present();
-}
-
-// A trace from outside the vocabulary that the final model leaves, or that explains more than one of its terms does.
-Outsider outsider_of(Rows& rows, const CandidateBank& bank, const SearchResult& found) {
-  // What a strong effect leaves by its imperfect shape is no trace of another.
-  const double residue = (rows.absolute() ? 3e-5 : 1e-3) * std::max(0.0, found.base_fit.chi2 - found.fit.chi2);
-  bool reversals = false;
-  for (const Found& f : found.added) reversals = reversals || CandidateBank::friction_shape(f.candidate.term().kind);
-  Outsider best = strongest_outsider(rows, bank, found.model, found.fit);
-  best.threshold = (reversals ? kBesideFrictionShape : 1) * best.threshold + (reversals ? 10 : 1) * residue;
-  if (best.present() && reversals && !shows_beside_reversals(rows, bank, found.model)) best = {};
-  for (size_t i = 0; i < found.added.size() && !best.present(); ++i) {
-    if (found.added[i].score > 20000) continue;  // nothing else comes near it
-    std::vector<ActiveTerm> model = without_added(found.model, found.added[i].candidate.term());
-    const Fit fit = fit_model(rows, model);
-    Outsider other = strongest_outsider(rows, bank, model, fit);
-    other.threshold = std::max(other.threshold, (fit.chi2 - found.fit.chi2) / std::max(1.0, found.fit.ratio()) + 20);
-    if (other.present()) best = other;
-  }
-  return best;
-}
-
-// What the search's model leaves over, against sensor noise.
-struct Remainder {
-  bool noise_only = true;
-  std::string trace;
-};
-Remainder remainder_of(const Bench& bench, const SearchResult& found) {
-  const double drop = (found.base_fit.chi2 - found.fit.chi2) / found.fit.dof;
-  Remainder left{found.fit.ratio() - 1 < (bench.rows->absolute() ? 0.4 + 0.003 * drop : 0.6 + 0.01 * drop) && found.fit.ratio() < kFarBeyondNoise, ""};
-  const Outsider outsider = outsider_of(*bench.rows, *bench.bank, found);
-  if (outsider.present()) left = {false, outsider.description};
-  return left;
-}
-
 void score_both(const Judge& judge, const std::vector<ActiveTerm>& base, const std::vector<ActiveTerm>& model, Diagnosis& d) {
   const HoldoutScore before = judge.score(base), after = judge.score(model);
   const auto take = [](const HoldoutScore& score, ModelScore& to) {
@@ -169,6 +73,58 @@ void score_both(const Judge& judge, const std::vector<ActiveTerm>& base, const s
   take(before, d.baseline), take(after, d.extended);
   for (size_t j = 0; j < before.nrmse_percent.size(); ++j)
     d.gain.push_back(before.nrmse_percent[j] / std::max(1e-12, after.nrmse_percent[j]));
+}
+
+// The search, again with the motion that the found terms sharpen: they move the reversals of friction and, in steps, the slow
+// motion where that is not measured. The bench is then that of the last search.
+SearchResult search_sharpening(std::unique_ptr<Bench>& owner) {
+  SearchResult found = search(*owner->rows, *owner->bank);
+  const int rounds = found.base_fit.ratio() <= kWorthSharpening ? 0 : owner->rows->absolute() ? 1 : kSlowRounds;
+  for (int i = 0; i < rounds && !found.added.empty(); ++i) {
+    auto sharper = std::make_unique<Bench>(Bench{owner->system, owner->records, nullptr, nullptr});
+    sharpen(sharper->records, owner->system, found.model);
+    sharper->lay_out();
+    const SearchResult again = search(*sharper->rows, *sharper->bank);
+    if (again.fit.ratio() >= found.fit.ratio()) break;
+    found = again, owner = std::move(sharper);
+    if (found.fit.ratio() < kWorthSharpening) break;
+  }
+  return found;
+}
+
+// What diagnose() was asked.
+struct Asked {
+  const rig_file::RigModel& rig;
+  const std::vector<host_sim::Record>& training;
+  const std::vector<host_sim::Record>& holdout;
+  const Options& options;
+};
+
+// Free simulation of unseen data: rejects what makes it worse; far beyond noise it is the judge of what is named.
+void simulate_unseen(const Asked& asked, Bench& bench, SearchResult& found, Remainder& remainder, Diagnosis& d) {
+  const System& system = bench.system;
+  const double share = asked.holdout.empty() ? 1 - asked.options.holdout_fraction : 1.0;
+  Bench early{system, asked.holdout.empty() ? ready(asked.rig, first_parts(asked.training, share), asked.options, nullptr) : bench.records, nullptr, nullptr};
+  if (asked.holdout.empty()) sharpen_all(system, early.records);
+  const Judge judge(system, bench.records, early.records, ready(asked.rig, asked.holdout, asked.options, nullptr), share);
+  const auto beyond_noise = [&] { return !remainder.noise_only && found.fit.ratio() > kFarBeyondNoise; };
+  while (!beyond_noise() && bench.rows->absolute() && d.rejected.size() < kMostTerms &&
+         reject_worse(system, judge, *bench.rows, *bench.bank, found, d)) {
+    found = search(*bench.rows, *bench.bank);  // without it another may take its place
+    d.extended_misfit = found.fit.ratio();
+    remainder = remainder_of(*bench.rows, *bench.bank, found);
+  }
+  if (beyond_noise()) {
+    early.look_wide(), bench.look_wide();
+    const SearchResult seen = search_by_simulation(*early.rows, *early.bank, judge);
+    score_both(judge, seen.base, seen.model, d);
+    found = transferred(seen, *bench.rows, *bench.bank);
+    if (!found.added.empty()) remainder.trace.clear();  // it was of the model before
+    Rows plain(system, bench.records);
+    d.baseline_misfit = misfit(plain, found.base), d.extended_misfit = misfit(plain, found.model);
+  } else {
+    score_both(judge, judge.fitted(found.base), judge.fitted(found.model), d);
+  }
 }
 
 }  // namespace
@@ -190,45 +146,11 @@ Diagnosis diagnose(const rig_file::RigModel& rig, const std::vector<host_sim::Re
     if (f.hold != Hold::kSmooth) d.force_between_samples = f.hold == Hold::kLinear ? "linear" : "steps";
   sharpen_all(system, owner->records);
   owner->lay_out();
-  SearchResult found = search(*owner->rows, *owner->bank);
-  // what it found moves the reversals of friction, and the slow motion where that is not measured, in steps
-  const int rounds = found.base_fit.ratio() <= kWorthSharpening ? 0 : owner->rows->absolute() ? 1 : kSlowRounds;
-  for (int i = 0; i < rounds && !found.added.empty(); ++i) {
-    auto sharper = std::make_unique<Bench>(Bench{system, owner->records, nullptr, nullptr});
-    sharpen(sharper->records, system, found.model);
-    sharper->lay_out();
-    const SearchResult again = search(*sharper->rows, *sharper->bank);
-    if (again.fit.ratio() >= found.fit.ratio()) break;
-    found = again, owner = std::move(sharper);
-    if (found.fit.ratio() < kWorthSharpening) break;
-  }
+  SearchResult found = search_sharpening(owner);
   Bench& bench = *owner;
   d.baseline_misfit = found.base_fit.ratio(), d.extended_misfit = found.fit.ratio();
-  Remainder remainder = remainder_of(bench, found);
-  if (options.simulate) {
-    const double share = holdout.empty() ? 1 - options.holdout_fraction : 1.0;
-    Bench early{system, holdout.empty() ? ready(rig, first_parts(training, share), options, nullptr) : bench.records, nullptr, nullptr};
-    if (holdout.empty()) sharpen_all(system, early.records);
-    const Judge judge(system, bench.records, early.records, ready(rig, holdout, options, nullptr), share);
-    const auto beyond_noise = [&] { return !remainder.noise_only && found.fit.ratio() > kFarBeyondNoise; };
-    while (!beyond_noise() && bench.rows->absolute() && d.rejected.size() < kMostTerms &&
-           reject_worse(system, judge, *bench.rows, *bench.bank, found, d)) {
-      found = search(*bench.rows, *bench.bank);  // without it another may take its place
-      d.extended_misfit = found.fit.ratio();
-      remainder = remainder_of(bench, found);
-    }
-    if (beyond_noise()) {
-      early.look_wide(), bench.look_wide();
-      const SearchResult seen = search_by_simulation(*early.rows, *early.bank, judge);
-      score_both(judge, seen.base, seen.model, d);
-      found = transferred(seen, *bench.rows, *bench.bank);
-      if (!found.added.empty()) remainder.trace.clear();  // it was of the model before
-      Rows plain(system, bench.records);
-      d.baseline_misfit = misfit(plain, found.base), d.extended_misfit = misfit(plain, found.model);
-    } else {
-      score_both(judge, judge.fitted(found.base), judge.fitted(found.model), d);
-    }
-  }
+  Remainder remainder = remainder_of(*bench.rows, *bench.bank, found);
+  if (options.simulate) simulate_unseen({rig, training, holdout, options}, bench, found, remainder, d);
   Rows& rows = *bench.rows;
   report_terms(system, rows, found, d);
   d.ranked = ranking(system, rows, *bench.bank, found, 12);

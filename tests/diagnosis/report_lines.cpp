@@ -21,7 +21,6 @@ Settings setting(Hide hide, double noise, const std::string& sensors = "xva") {
 // The rig file with the hidden effect in its place, coefficient to be estimated; false where a rig file cannot say it.
 bool add_truth(const Draw& draw, rig_file::RigModel& rig) {
   const TrueEffect& e = draw.true_rig.effects[0];
-  if (e.kind == "drifting_viscous" && e.shape > 0) return false;
   if (e.kind == "backlash" || e.kind == "presliding_hysteresis" || e.kind == "unmodelled_resonance") return false;
   if (e.kind == "mass_error") {
     rig.dofs[static_cast<size_t>(e.dof)].mass_kg.value += e.strength;
@@ -111,6 +110,10 @@ std::vector<Line> report_lines(double share) {
     const std::string way = drive == Drive::kLinear ? ", force straight between samples" : ", force held between samples";
     add("one effect, 1 % noise" + way, one, 100, 0);
     add("nothing, 1 % noise" + way, none, 100, 0);
+  }
+  for (const std::string sensors : {"xva", "a"}) {
+    add("nothing, no noise, sensors " + sensors, setting(Hide::kNothing, 0, sensors), 100, 0);
+    add("nothing, 0.1 % noise, sensors " + sensors, setting(Hide::kNothing, 0.001, sensors), 100, 0);
   }
   for (double seconds : {20.0, 60.0}) {
     Settings s = setting(Hide::kOne, 0.01);

@@ -1,0 +1,29 @@
+// Records made ready for the diagnosis, and the rows and candidates that are laid over them.
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "candidates.hpp"
+#include "diagnosis.hpp"
+#include "sensor_check.hpp"
+
+namespace diagnosis {
+
+// Fused records, corrected for the sensor faults that are found (collected where `checks` is given).
+std::vector<FusedRecord> ready(const rig_file::RigModel& rig, const std::vector<host_sim::Record>& records,
+                               const Options& options, std::vector<SensorCheck>* checks);
+
+// Two rounds of fitting the rig as given and sharpening the motion by it.
+void sharpen_all(const System& system, std::vector<FusedRecord>& records);
+
+struct Bench {
+  const System& system;
+  std::vector<FusedRecord> records;
+  std::unique_ptr<Rows> rows;
+  std::unique_ptr<CandidateBank> bank;
+  void lay_out();
+  // For a rig that is far from any model: the motion as measured, where there is motion, and weights to match.
+  void look_wide();
+};
+
+}  // namespace diagnosis

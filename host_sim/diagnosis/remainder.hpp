@@ -1,0 +1,18 @@
+// What the search's model leaves over, against sensor noise.
+#pragma once
+#include <string>
+
+#include "search.hpp"
+
+namespace diagnosis {
+
+constexpr double kFarBeyondNoise = 4;  // chi-squared per degree of freedom
+
+struct Remainder {
+  bool noise_only = true;
+  std::string trace;  // of something outside the vocabulary, where there is a plain one
+};
+// Leaves the rows' weights settled on the model.
+Remainder remainder_of(Rows& rows, const CandidateBank& bank, const SearchResult& found);
+
+}  // namespace diagnosis
