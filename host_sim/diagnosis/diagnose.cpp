@@ -107,7 +107,7 @@ void simulate_unseen(const Asked& asked, Bench& bench, SearchResult& found, Rema
   Bench early{system, asked.holdout.empty() ? ready(asked.rig, first_parts(asked.training, share), asked.options, nullptr) : bench.records, nullptr, nullptr};
   if (asked.holdout.empty()) sharpen_all(system, early.records);
   const Judge judge(system, bench.records, early.records, ready(asked.rig, asked.holdout, asked.options, nullptr), share);
-  const auto beyond_noise = [&] { return !remainder.noise_only && found.fit.ratio() > kFarBeyondNoise; };
+  const auto beyond_noise = [&] { return !remainder.noise_only && far_beyond_noise(*bench.rows, found); };
   while (!beyond_noise() && bench.rows->absolute() && d.rejected.size() < kMostTerms &&
          reject_worse(system, judge, *bench.rows, *bench.bank, found, d)) {
     found = search(*bench.rows, *bench.bank);  // without it another may take its place

@@ -7,6 +7,8 @@
 namespace diagnosis {
 namespace {
 
+constexpr double kFarBeyondNoise = 4;    // chi-squared per degree of freedom
+constexpr double kSlowUncertain = 0.003;  // of a strong effect's chi-squared where the slow motion it makes is not measured
 constexpr double kBesideFrictionShape = 5;  // of an outsider's threshold: the shape of friction near reversals is never quite met
 
 // What friction leaves near reversals repeats with the elongation, which is at its ends there: no trace unless it shows
@@ -45,10 +47,15 @@ Outsider outsider_of(Rows& rows, const CandidateBank& bank, const SearchResult& 
 
 }  // namespace
 
+bool far_beyond_noise(const Rows& rows, const SearchResult& found) {
+  const double uncertain = rows.absolute() ? 0 : kSlowUncertain * found.base_fit.ratio();
+  return found.fit.ratio() > std::max(kFarBeyondNoise, uncertain);
+}
+
 Remainder remainder_of(Rows& rows, const CandidateBank& bank, const SearchResult& found) {
   const double drop = (found.base_fit.chi2 - found.fit.chi2) / found.fit.dof;
   const double most = rows.absolute() ? 0.4 + 0.003 * drop : 0.6 + 0.01 * drop;
-  Remainder left{found.fit.ratio() - 1 < most && found.fit.ratio() < kFarBeyondNoise, ""};
+  Remainder left{found.fit.ratio() - 1 < most && !far_beyond_noise(rows, found), ""};
   const Outsider outsider = outsider_of(rows, bank, found);
   if (outsider.present()) left = {false, outsider.description};
   return left;

@@ -6,7 +6,8 @@
 
 namespace diagnosis {
 
-constexpr double kFarBeyondNoise = 4;  // chi-squared per degree of freedom
+// What is left is no noise, nor what the motion is uncertain by.
+bool far_beyond_noise(const Rows& rows, const SearchResult& found);
 
 struct Remainder {
   bool noise_only = true;

@@ -74,4 +74,18 @@ TEST(HiddenEffects, GainOnUnseenDataIsThatOfTheTrueModel) {
   EXPECT_EQ(answer.extended_rig.links[0].effects[0].kind, "cubic_stiffness");
 }
 
+// An accelerometer of 0.2 % noise: the displacement integrated from it is mostly slow noise, which is not held against a model.
+TEST(HiddenEffects, GainShowsThroughAnAccelerometerAlone) {
+  hidden::Settings settings;
+  settings.kind = "quadratic_stiffness", settings.sensors = "a";
+  settings.dofs = 2, settings.rho_low = 0.3, settings.noise = 0.002;
+  for (uint64_t seed = 21; seed < 24; ++seed) {
+    const hidden::Draw draw = hidden::make_draw(seed, settings);
+    const diagnosis::Diagnosis answer = diagnosis::diagnose(draw.rig, {draw.record}, {});
+    ASSERT_EQ(hidden::judge(draw, answer), hidden::Outcome::kExact) << hidden::told(draw, answer);
+    EXPECT_NEAR(answer.causes[0].parameters[0].value / draw.truth[0].strength, 1, 0.02) << "seed " << seed;
+    for (double nrmse : answer.extended.holdout_nrmse_percent) EXPECT_LT(nrmse, 3) << "seed " << seed;
+  }
+}
+
 }  // namespace
