@@ -46,6 +46,11 @@ Series Fourier::inverse(const Spectrum& spectrum) const {
   return Series::Map(plans_->time, static_cast<Eigen::Index>(samples_)) / static_cast<double>(samples_);
 }
 
+double mean_square(const Spectrum& s, double window_energy, Eigen::Index first) {
+  const double twice = 2 * s.tail(s.size() - first).squaredNorm() - (first == 0 ? std::norm(s[0]) : 0);
+  return twice / (window_energy * static_cast<double>(2 * (s.size() - 1)));
+}
+
 size_t fast_length(size_t samples) {
   for (size_t n = samples; n > 1; --n) {
     size_t rest = n;

@@ -28,6 +28,9 @@ class Fourier {
   std::unique_ptr<Plans> plans_;
 };
 
+// Mean square of a series that has this spectrum under a window of this energy (the sum of its squares), from a bin on.
+double mean_square(const Spectrum& spectrum, double window_energy, Eigen::Index first_bin = 0);
+
 // The largest length up to `samples` whose prime factors are 2, 3, 5 and 7.
 size_t fast_length(size_t samples);
 

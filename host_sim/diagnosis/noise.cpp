@@ -19,11 +19,6 @@ constexpr double kMedianOfExponential = 0.6931471805599453;
 // Of a channel's rms: to that no two sensors agree, nor a simulation's samples with its motion.
 constexpr double kFinest = 1e-4;
 
-// Mean square of a series with this spectrum under a window of this energy.
-double mean_square(const Spectrum& z, double energy) {
-  return (2 * z.squaredNorm() - std::norm(z[0])) / (energy * static_cast<double>(2 * (z.size() - 1)));
-}
-
 // Spectrum over frequency of first-order noise with this corner, one far above it; without a corner white.
 struct Colour {
   double keep = 0;  // exp(-2 pi corner period); 0: white

@@ -77,10 +77,6 @@ std::vector<Constant> constants_of(const FusedRecord& f, size_t integrated, cons
   return list;
 }
 
-double mean_square(const Spectrum& z, double energy, Eigen::Index first) {
-  return 2 * z.tail(z.size() - first).squaredNorm() / (energy * static_cast<double>(2 * (z.size() - 1)));
-}
-
 // Adds the constants with which least is left below the rows, against noise and what slow motion there may be.
 void settle_constants(const FusedRecord& f, const std::array<bool, 3>& measured, size_t integrated, Spectra3& z) {
   const double energy = f.outer.weight.squaredNorm(), bins = static_cast<double>(f.samples);

@@ -44,6 +44,15 @@ double disagreement(const std::string& sensors, size_t quantity, double zero) {
   return std::sqrt(wrong / all);
 }
 
+// 3 + 2 cos: 9 + 2 in the mean square, 2 of it from bin 1 on.
+TEST(Transform, MeanSquareOfASpectrum) {
+  const Fourier fourier(1000);
+  Series s(1000);
+  for (Eigen::Index i = 0; i < 1000; ++i) s[i] = 3 + 2 * std::cos(kOmega * 1e-3 * static_cast<double>(i));
+  EXPECT_NEAR(mean_square(fourier.forward(s), 1000), 11, 1e-9);
+  EXPECT_NEAR(mean_square(fourier.forward(s), 1000, 1), 2, 1e-9);
+}
+
 TEST(Transform, AVelocityAloneTellsTheWindowedMotion) { EXPECT_LT(disagreement("v", 1, 0), 1e-4); }
 TEST(Transform, AnAccelerationAloneTellsTheWindowedMotion) { EXPECT_LT(disagreement("a", 2, 0), 0.01); }
 TEST(Transform, VelocityAndAccelerationAgreeOnIt) { EXPECT_LT(disagreement("va", 2, 0), 1e-4); }
