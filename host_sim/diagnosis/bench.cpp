@@ -1,7 +1,6 @@
 #include "bench.hpp"
 
 #include "beyond_noise.hpp"
-#include "drive_hold.hpp"
 #include "sharpen.hpp"
 
 namespace diagnosis {
@@ -18,6 +17,14 @@ std::vector<FusedRecord> ready(const rig_file::RigModel& rig, const std::vector<
     fuse(list.back());
   }
   return list;
+}
+
+std::vector<FusedRecord> held(std::vector<FusedRecord> records, const std::vector<KnownHold>& holds) {
+  for (FusedRecord& f : records) {
+    for (const KnownHold& known : holds) impose_hold(f, known);
+    if (!holds.empty()) fuse(f);
+  }
+  return records;
 }
 
 void Bench::lay_out() {

@@ -5,6 +5,7 @@
 
 #include "candidates.hpp"
 #include "diagnosis.hpp"
+#include "drive_hold.hpp"
 #include "sensor_check.hpp"
 
 namespace diagnosis {
@@ -16,11 +17,15 @@ std::vector<FusedRecord> ready(const rig_file::RigModel& rig, const std::vector<
 // Two rounds of fitting the rig as given and sharpening the motion by it.
 void sharpen_all(const System& system, std::vector<FusedRecord>& records);
 
+// Records under holds that are known, fused anew.
+std::vector<FusedRecord> held(std::vector<FusedRecord> records, const std::vector<KnownHold>& holds);
+
 struct Bench {
   const System& system;
   std::vector<FusedRecord> records;
   std::unique_ptr<Rows> rows;
   std::unique_ptr<CandidateBank> bank;
+  std::vector<KnownHold> holds;  // that were imposed
   void lay_out();
   // For a rig that is far from any model: the motion as measured, where there is motion, and weights to match.
   void look_wide();

@@ -11,13 +11,11 @@
 #include "naming.hpp"
 #include "ranking.hpp"
 #include "remainder.hpp"
+#include "sharpened_search.hpp"
 #include "sharpen.hpp"
 
 namespace diagnosis {
 namespace {
-
-constexpr double kWorthSharpening = 1.2;  // chi-squared per degree of freedom
-constexpr int kSlowRounds = 6;
 
 std::vector<host_sim::Record> first_parts(const std::vector<host_sim::Record>& records, double share) {
   std::vector<host_sim::Record> list = records;
@@ -75,23 +73,6 @@ void score_both(const Judge& judge, const std::vector<ActiveTerm>& base, const s
     d.gain.push_back(before.nrmse_percent[j] / std::max(1e-12, after.nrmse_percent[j]));
 }
 
-// The search, again with the motion that the found terms sharpen: they move the reversals of friction and, in steps, the slow
-// motion where that is not measured. The bench is then that of the last search.
-SearchResult search_sharpening(std::unique_ptr<Bench>& owner) {
-  SearchResult found = search(*owner->rows, *owner->bank);
-  const int rounds = found.base_fit.ratio() <= kWorthSharpening ? 0 : owner->rows->absolute() ? 1 : kSlowRounds;
-  for (int i = 0; i < rounds && !found.added.empty(); ++i) {
-    auto sharper = std::make_unique<Bench>(Bench{owner->system, owner->records, nullptr, nullptr});
-    sharpen(sharper->records, owner->system, found.model);
-    sharper->lay_out();
-    const SearchResult again = search(*sharper->rows, *sharper->bank);
-    if (again.fit.ratio() >= found.fit.ratio()) break;
-    found = again, owner = std::move(sharper);
-    if (found.fit.ratio() < kWorthSharpening) break;
-  }
-  return found;
-}
-
 // What diagnose() was asked.
 struct Asked {
   const rig_file::RigModel& rig;
@@ -104,9 +85,10 @@ struct Asked {
 void simulate_unseen(const Asked& asked, Bench& bench, SearchResult& found, Remainder& remainder, Diagnosis& d) {
   const System& system = bench.system;
   const double share = asked.holdout.empty() ? 1 - asked.options.holdout_fraction : 1.0;
-  Bench early{system, asked.holdout.empty() ? ready(asked.rig, first_parts(asked.training, share), asked.options, nullptr) : bench.records, nullptr, nullptr};
+  Bench early{system, asked.holdout.empty() ? ready(asked.rig, first_parts(asked.training, share), asked.options, nullptr) : bench.records, nullptr, nullptr, bench.holds};
+  if (asked.holdout.empty()) early.records = held(std::move(early.records), bench.holds);
   if (asked.holdout.empty()) sharpen_all(system, early.records);
-  const Judge judge(system, bench.records, early.records, ready(asked.rig, asked.holdout, asked.options, nullptr), share);
+  const Judge judge(system, bench.records, early.records, held(ready(asked.rig, asked.holdout, asked.options, nullptr), bench.holds), share);
   const auto beyond_noise = [&] { return !remainder.noise_only && far_beyond_noise(*bench.rows, found); };
   while (!beyond_noise() && bench.rows->absolute() && d.rejected.size() < kMostTerms &&
          reject_worse(system, judge, *bench.rows, *bench.bank, found, d)) {
@@ -140,13 +122,14 @@ Diagnosis diagnose(const rig_file::RigModel& rig, const std::vector<host_sim::Re
   Diagnosis d;
   const System system = make_system(rig);
   std::vector<SensorCheck> checks;
-  auto owner = std::make_unique<Bench>(Bench{system, ready(rig, training, options, &checks), nullptr, nullptr});
+  auto owner = std::make_unique<Bench>(Bench{system, ready(rig, training, options, &checks), nullptr, nullptr, {}});
   report_faults(checks, d);
-  for (const FusedRecord& f : owner->records)
-    if (f.hold != Hold::kSmooth) d.force_between_samples = f.hold == Hold::kLinear ? "linear" : "steps";
   sharpen_all(system, owner->records);
   owner->lay_out();
   SearchResult found = search_sharpening(owner);
+  try_holds(owner, found);
+  for (const FusedRecord& f : owner->records)
+    if (f.hold != Hold::kSmooth) d.force_between_samples = f.hold == Hold::kLinear ? "linear" : "steps";
   Bench& bench = *owner;
   d.baseline_misfit = found.base_fit.ratio(), d.extended_misfit = found.fit.ratio();
   Remainder remainder = remainder_of(*bench.rows, *bench.bank, found);

@@ -51,12 +51,33 @@ void correct(FusedRecord& f, size_t dof, const Spectrum& force, double inverse_m
       s.z[q][i] -= inverse_mass * folded(f.hold, step_of(f, i), q, f.period_s) * force[i];
 }
 
+Spectrum windowed_force(const FusedRecord& f, size_t dof) {
+  return f.fourier->forward(f.outer.weight.cwiseProduct(f.force[dof]));
+}
+
+// What acts on average between the samples: right where the outer weight is 1; above the rows its noise stays as it is.
+void let_act(FusedRecord& f, size_t dof, Spectrum force) {
+  for (Eigen::Index i = 0; i <= 2 * f.last_bin; ++i) force[i] *= transfer(f.hold, step_of(f, i));
+  f.force[dof] = f.fourier->inverse(force);
+}
+
 }  // namespace
+
+bool tells_hold(const FusedRecord& f, size_t dof) { return f.spectra[dof].count() > 1 && f.spectra[dof].measured[2]; }
+
+void impose_hold(FusedRecord& f, const KnownHold& known) {
+  if (f.force[known.dof].size() == 0) return;
+  const Spectrum force = windowed_force(f, known.dof);
+  f.hold = known.hold;
+  correct(f, known.dof, force, known.inverse_mass);
+  let_act(f, known.dof, force);
+  estimate_noise(f);
+}
 
 void correct_hold(FusedRecord& f) {
   for (size_t dof = 0; dof < f.force.size(); ++dof) {
-    if (f.force[dof].size() == 0 || f.spectra[dof].count() < 2 || !f.spectra[dof].measured[2]) continue;
-    const Spectrum force = f.fourier->forward(f.outer.weight.cwiseProduct(f.force[dof]));
+    if (f.force[dof].size() == 0 || !tells_hold(f, dof)) continue;
+    const Spectrum force = windowed_force(f, dof);
     Evidence best;
     Hold hold = Hold::kSmooth;
     for (Hold trial : {Hold::kLinear, Hold::kSteps}) {
@@ -72,9 +93,7 @@ void correct_hold(FusedRecord& f) {
       estimate_noise(f);
       best = evidence(f, dof, force, hold);
     }
-    Spectrum acting = force;
-    for (Eigen::Index i = 0; i <= 2 * f.last_bin; ++i) acting[i] *= transfer(hold, step_of(f, i));
-    f.force[dof] = f.fourier->inverse(acting);  // right where the outer weight is 1; above, its noise stays as it is
+    let_act(f, dof, force);
     estimate_noise(f);
   }
 }

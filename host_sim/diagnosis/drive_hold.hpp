@@ -10,4 +10,14 @@ namespace diagnosis {
 // gives the force its mean effect between samples. Wants the noise estimated; sets FusedRecord::hold.
 void correct_hold(FusedRecord& record);
 
+// The same for a hold and a mass that are known; the motion must be fused anew.
+struct KnownHold {
+  Hold hold = Hold::kSmooth;
+  size_t dof = 0;
+  double inverse_mass = 0;
+};
+void impose_hold(FusedRecord& record, const KnownHold& known);
+// Whether correct_hold() could tell how the force on a DOF acts between its samples.
+bool tells_hold(const FusedRecord& record, size_t dof);
+
 }  // namespace diagnosis
