@@ -12,7 +12,6 @@
 #include "ranking.hpp"
 #include "remainder.hpp"
 #include "sharpened_search.hpp"
-#include "sharpen.hpp"
 
 namespace diagnosis {
 namespace {
@@ -85,10 +84,12 @@ struct Asked {
 void simulate_unseen(const Asked& asked, Bench& bench, SearchResult& found, Remainder& remainder, Diagnosis& d) {
   const System& system = bench.system;
   const double share = asked.holdout.empty() ? 1 - asked.options.holdout_fraction : 1.0;
-  Bench early{system, asked.holdout.empty() ? ready(asked.rig, first_parts(asked.training, share), asked.options, nullptr) : bench.records, nullptr, nullptr, bench.holds};
-  if (asked.holdout.empty()) early.records = held(std::move(early.records), bench.holds);
+  const auto made_ready = [&](const std::vector<host_sim::Record>& records) {
+    return held(ready(asked.rig, records, asked.options, nullptr), bench.holds);
+  };
+  Bench early{system, asked.holdout.empty() ? made_ready(first_parts(asked.training, share)) : bench.records, nullptr, nullptr, bench.holds};
   if (asked.holdout.empty()) sharpen_all(system, early.records);
-  const Judge judge(system, bench.records, early.records, held(ready(asked.rig, asked.holdout, asked.options, nullptr), bench.holds), share);
+  const Judge judge(system, bench.records, early.records, made_ready(asked.holdout), share);
   const auto beyond_noise = [&] { return !remainder.noise_only && far_beyond_noise(*bench.rows, found); };
   while (!beyond_noise() && bench.rows->absolute() && d.rejected.size() < kMostTerms &&
          reject_worse(system, judge, *bench.rows, *bench.bank, found, d)) {

@@ -18,14 +18,16 @@ FreeRun free_run(const System& system, const std::vector<ActiveTerm>& model, con
 struct HoldoutScore {
   std::vector<double> nrmse_percent, mse_percent, velocity_percent;  // per DOF
 };
-// Displacement and velocity NRMSE and acceleration MSE (Eq. 13) of a free run against the fused record; a displacement that
-// is integrated counts, frequency by frequency, as far as it is to be trusted. Where no spring
-// of the rig file holds a DOF in its place the run starts again from the measured state every second. With a DOF that
-// has no mass all are of the force that the model gives under the measured motion.
+
 // Displacement errors alone, each DOF over the deviation of its displacement, one after the other; empty where the run
 // does not stay finite.
 Series run_errors(const System& system, const std::vector<ActiveTerm>& model, const FusedRecord& record,
                   Eigen::Index from, Eigen::Index to, int steps);
+
+// Displacement and velocity NRMSE and acceleration MSE (Eq. 13) of a free run against the fused record; a displacement that
+// is integrated counts, frequency by frequency, as far as it is to be trusted. Where no spring of the rig file holds a DOF
+// in its place the run starts again from the measured state every second. With a DOF that has no mass all are of the force
+// that the model gives under the measured motion.
 HoldoutScore score_free_run(const System& system, const std::vector<ActiveTerm>& model, const FusedRecord& record,
                             Eigen::Index from, Eigen::Index to);
 

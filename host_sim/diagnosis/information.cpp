@@ -9,6 +9,12 @@ void act(Balance& balance, const Place& place, const Spectrum& force, double fac
   if (place.minus >= 0) balance.col(place.minus) -= factor * force;
 }
 
+void act(Eigen::MatrixXd& matrix, const Place& p, double value) {
+  if (p.plus >= 0) matrix(p.plus, p.plus) += value;
+  if (p.minus >= 0) matrix(p.minus, p.minus) += value;
+  if (p.plus >= 0 && p.minus >= 0) matrix(p.plus, p.minus) -= value, matrix(p.minus, p.plus) -= value;
+}
+
 namespace {
 
 // Cholesky's factor in place of the lower triangle. Returns the logarithm of the determinants, summed over the bins.

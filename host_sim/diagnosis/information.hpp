@@ -23,6 +23,9 @@ using Balance = Eigen::MatrixXcd;  // bins x DOFs: the forces on each DOF
 // Adds factor times a force on a place.
 void act(Balance& balance, const Place& place, const Spectrum& force, double factor);
 
+// Adds a value on a place to a symmetric matrix over the DOFs.
+void act(Eigen::MatrixXd& matrix, const Place& place, double value);
+
 struct Tone {
   double hertz = 0, gain = 0;
   int dof = 0;

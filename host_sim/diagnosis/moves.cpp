@@ -8,7 +8,6 @@ namespace diagnosis {
 namespace {
 
 constexpr double kLeastGain = 17;  // of chi-squared, for two terms in place of one
-constexpr double kLeastBesideShape = 0.04;  // of what the shape of friction brings, for another term on its link
 constexpr double kLeftOver = 1.1;  // chi-squared per degree of freedom that says a shape is not met
 constexpr size_t kTried = 4;
 
@@ -127,7 +126,7 @@ bool Moves::merge_pair(State& state, size_t first, size_t second) {
     if (CandidateBank::friction_shape(term.kind)) settle_friction_shapes(trial);
     const double trial_cost = trial.fit.chi2 + list[k].candidate.penalty * noise;
     const bool beside_shape = one_link && term.same_place(shape) && CandidateBank::friction_shape(term.kind);
-    const double most = std::max(least, beside_shape ? state.fit.chi2 + kLeastBesideShape * shape_gain : 0.0);
+    const double most = std::max(least, beside_shape ? state.fit.chi2 + kLeastBesideFriction * shape_gain : 0.0);
     if (plausible(trial.model) && trial_cost < most && (!found || trial_cost < cost)) best = trial, cost = trial_cost, found = true;
   }
   if (found) state = best;

@@ -7,6 +7,9 @@
 
 namespace diagnosis {
 
+// What another term must bring beside the shape of friction, which near reversals is known to a few percent only.
+constexpr double kLeastBesideFriction = 0.04;
+
 struct State {  // a model, fitted
   std::vector<ActiveTerm> model;
   Fit fit;

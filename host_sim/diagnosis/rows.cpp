@@ -23,12 +23,12 @@ Rows::Rows(const System& system, const std::vector<FusedRecord>& records) : syst
   }
 }
 
-Place Rows::place(const Term& term) const {
-  return term.link < 0 ? Place{term.dof, -1} : place_of_link(static_cast<size_t>(term.link));
+Place place_of_force(const System& system, const Term& term) {
+  return term.link < 0 ? Place{term.dof, -1} : place_of_link(system, static_cast<size_t>(term.link));
 }
 
-Place Rows::place_of_link(size_t index) const {
-  const rig_file::Link& link = system_.links[index];
+Place place_of_link(const System& system, size_t index) {
+  const rig_file::Link& link = system.links[index];
   return {link.a > 0 ? link.a - 1 : -1, link.b > 0 ? link.b - 1 : -1};
 }
 
@@ -98,7 +98,7 @@ std::vector<Balance> Rows::force() const {
     for (size_t j = 0; j < system_.dofs(); ++j)
       if (force_[r][j].size()) list.back().col(static_cast<Eigen::Index>(j)) += force_[r][j];
     for (size_t l = 0; l < held_[r].size(); ++l)
-      if (held_[r][l].size()) act(list.back(), place_of_link(l), held_[r][l], -1);
+      if (held_[r][l].size()) act(list.back(), place_of_link(system_, l), held_[r][l], -1);
   }
   return list;
 }

@@ -35,6 +35,9 @@ Spectrum row_spectrum(const FusedRecord& record, const Series& force);
 
 using Weights = std::vector<Information>;  // per record
 
+Place place_of_link(const System& system, size_t link);
+Place place_of_force(const System& system, const Term& term);
+
 class Rows {
  public:
   Rows(const System& system, const std::vector<FusedRecord>& records);
@@ -65,8 +68,7 @@ class Rows {
   // (weighed by the present one) that a fit left over; `freedom` is the share of rows that the fit did not use up.
   void colour(const std::vector<Balance>& residual, double freedom);
   std::shared_ptr<const Weights> weights() const { return weights_; }
-  Place place(const Term& term) const;
-  Place place_of_link(size_t link) const;
+  Place place(const Term& term) const { return place_of_force(system_, term); }
   // What the motion needs beyond the known forces: measured force less the friction held near reversals, per record.
   std::vector<Balance> force() const;
   Eigen::Index size() const { return size_; }    // real rows

@@ -8,9 +8,8 @@
 namespace diagnosis {
 namespace {
 
-// What a later term must bring of the first one's gain: more where a shape was not met, most where it is friction's, which
-// near reversals is known to a few percent only.
-constexpr double kLeastShare = 0.00005, kLeastBesideShape = 0.0005, kLeastBesideFriction = 0.04;
+// What a later term must bring of the first one's gain: more where a shape was not met, most where it is friction's.
+constexpr double kLeastShare = 0.00005, kLeastBesideShape = 0.0005;
 
 // Lists each added term with its gain and its rivals. False where one was not worth its place and has been removed.
 bool review(Rows& rows, const CandidateBank& bank, State& state, SearchResult& result) {

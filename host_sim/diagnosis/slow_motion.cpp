@@ -25,17 +25,9 @@ struct Linear {
     mass = stiffness = viscous = Eigen::MatrixXd::Zero(n, n);
     for (const ActiveTerm& t : model) {
       if (!is_linear(t.term.kind)) continue;
-      if (t.term.dof >= 0) {
-        mass(t.term.dof, t.term.dof) += t.value;
-        continue;
-      }
-      const bool spring = t.term.kind == Kind::kStiffness || t.term.kind == Kind::kStiffnessError;
-      Eigen::MatrixXd& matrix = spring ? stiffness : viscous;
-      const rig_file::Link& l = s.links[static_cast<size_t>(t.term.link)];
-      const int a = l.a - 1, b = l.b - 1;
-      if (a >= 0) matrix(a, a) += t.value;
-      if (b >= 0) matrix(b, b) += t.value;
-      if (a >= 0 && b >= 0) matrix(a, b) -= t.value, matrix(b, a) -= t.value;
+      const Place place = place_of_force(s, t.term);
+      act(mass, place, t.value * t.column->mass);
+      act(stiffness, place, t.value * t.column->stiffness), act(viscous, place, t.value * t.column->viscous);
     }
   }
   bool held_in_place() const {
@@ -70,8 +62,9 @@ void add_slow(const FusedRecord& f, const Spectrum& slow, DofMotion& m) {
 }  // namespace
 
 void add_slow_motion(FusedRecord& f, const System& system, const std::vector<ActiveTerm>& model, size_t record) {
+  if (f.first_bin == 0) return;
   const Linear linear(system, model);
-  if (f.first_bin == 0 || !linear.held_in_place()) return;
+  if (!linear.held_in_place()) return;
   const Eigen::Index n = static_cast<Eigen::Index>(system.dofs());
   std::vector<ActiveTerm> others;
   for (const ActiveTerm& t : model)

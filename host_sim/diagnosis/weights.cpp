@@ -34,13 +34,6 @@ struct Dynamics {
   }
 };
 
-// value on a place as a matrix over the DOFs
-void add(Eigen::MatrixXd& matrix, const Place& p, double value) {
-  if (p.plus >= 0) matrix(p.plus, p.plus) += value;
-  if (p.minus >= 0) matrix(p.minus, p.minus) += value;
-  if (p.plus >= 0 && p.minus >= 0) matrix(p.plus, p.minus) -= value, matrix(p.minus, p.plus) -= value;
-}
-
 Dynamics::Dynamics(const Rows& rows, const std::vector<ActiveTerm>& model) {
   const Eigen::Index n = static_cast<Eigen::Index>(rows.system().dofs());
   mass = stiffness = viscous = Eigen::MatrixXd::Zero(n, n);
@@ -49,9 +42,9 @@ Dynamics::Dynamics(const Rows& rows, const std::vector<ActiveTerm>& model) {
     const Kind kind = t.term.kind;
     const double value = t.host >= 0 ? t.host_sign * model[static_cast<size_t>(t.host)].value : t.value;
     const Place place = rows.place(t.term);
-    add(mass, place, value * t.column->mass);
+    act(mass, place, value * t.column->mass);
     if (t.term.link < 0) continue;
-    add(stiffness, place, value * t.column->stiffness), add(viscous, place, value * t.column->viscous);
+    act(stiffness, place, value * t.column->stiffness), act(viscous, place, value * t.column->viscous);
     const size_t link = static_cast<size_t>(t.term.link);
     if (kind == Kind::kViscous || kind == Kind::kMissingViscous) damper[link] += value;
     if (kind == Kind::kCoulomb || kind == Kind::kMissingCoulomb) friction[link] += value;
@@ -90,7 +83,7 @@ void Rows::weight(const std::vector<ActiveTerm>& model) {
     Eigen::MatrixXd known = Eigen::MatrixXd::Zero(n, n);  // variance per sample of friction, the same in every bin
     for (size_t l = 0; l < system_.links.size(); ++l) {
       const double floor = dynamics.unknown_damping(links_[r][l], l) * static_cast<double>(f.samples) / (2.0 * static_cast<double>(f.last_bin));
-      add(known, place_of_link(l), doubt_[r][l] + floor);
+      act(known, place_of_link(system_, l), doubt_[r][l] + floor);
     }
     const Series omega = Series::LinSpaced(bins(r), f.omega(f.first_bin), f.omega(f.last_bin));
     Eigen::MatrixXd variance(bins(r), n);
