@@ -46,6 +46,7 @@ CandidateBank::Range CandidateBank::range(const Term& t) const {
   if (t.kind == Kind::kResonance) {
     return {0.002 / rows_.records().front().period_s, 1.1 * highest_Hz_};
   }
+  if (t.kind == Kind::kForceDelay) return {0.1 * t.shape, 10 * t.shape};
   const Extent e = extent(t.link);
   switch (t.kind) {
     case Kind::kBacklash: return {5e-5 * e.u_peak, 0.8 * e.u_peak};
@@ -110,7 +111,9 @@ void CandidateBank::add_dof(int dof) {
     columns_.push_back(std::make_shared<const Column>(c));
   }
   if (!rows_.has_force(static_cast<size_t>(dof))) return;
-  for (Kind kind : {Kind::kForceDelay, Kind::kForceGain}) add(on_dof(kind, dof), columns_);
+  add(on_dof(Kind::kForceGain, dof), columns_);
+  for (double samples : {0.0, 1.0, -1.0, 2.5, -2.5, 6.0, -6.0, 15.0, -15.0})
+    add(on_dof(Kind::kForceDelay, dof, samples * first.period_s), columns_);
   const double top_Hz = first.omega(first.last_bin) / 6.283185307179586;
   if (rows_.records().size() > 1) return;  // the phase of a hum differs between records
   if (top_Hz > 50) add(on_dof(Kind::kForceHumCos50, dof), columns_);

@@ -32,6 +32,8 @@ class CandidateBank {
   Range second_range(const Term& term) const;
   double slide_s(const Term& presliding) const { return presliding.shape / extent(presliding.link).w_rms; }  // over its length
   static bool has_shape(const Term& term);
+  // Whether the coefficient alone does not describe it: a shape, or a delay beyond its first order.
+  static bool bends(const Term& term) { return has_shape(term) || term.kind == Kind::kForceDelay; }
   static bool friction_shape(Kind kind) { return kind == Kind::kStribeck || kind == Kind::kPresliding; }
 
   // Added to the threshold of an effect that shares a DOF with a link of strong friction.

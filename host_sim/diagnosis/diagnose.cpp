@@ -35,7 +35,7 @@ void report_terms(const System& system, const Rows& rows, const SearchResult& fo
     c.significance = found.added[i].score;
     c.explains_percent = std::clamp(100 * found.added[i].gain.chi2 / excess, 0.0, 100.0);
     for (const ActiveTerm& active : found.model)
-      if (active.added && active.term.same_place(t)) c.parameters = parameters_of_term(system, active);
+      if (active.added && active.term.same_place(t)) c.parameters = parameters_of_term(system, found.model, active);
     d.causes.push_back(c);
     for (const Found& r : found.rivals[i]) {
       const Term& other = r.candidate.term();

@@ -18,15 +18,18 @@ struct Simulator {
   const FusedRecord& record;
   size_t n;
   std::vector<double> inertia, x, v, last_a, push, mid_x, mid_v, next;
+  std::vector<Series> drive;              // force on each DOF, without what the model calls faults of its sensor
   std::vector<double> level, impulse;     // friction of each link
   std::vector<double> dahl, hidden_x, hidden_v;  // states per term
 
   Simulator(const System& s, const std::vector<ActiveTerm>& m, const FusedRecord& f, Eigen::Index from)
       : system(s), model(m), record(f), n(s.dofs()), inertia(n, 0.0), x(n), v(n), last_a(n), push(n),
-        level(s.links.size()), impulse(level.size()), dahl(m.size(), 0.0), hidden_x(m.size()), hidden_v(m.size()) {
+        drive(f.force), level(s.links.size()), impulse(level.size()), dahl(m.size(), 0.0), hidden_x(m.size()), hidden_v(m.size()) {
     for (const ActiveTerm& t : model)
       if (t.term.kind == Kind::kMass || t.term.kind == Kind::kMassError)
         inertia[static_cast<size_t>(t.term.dof)] += t.value;
+    for (const ActiveTerm& t : model)
+      if (of_force_sensor(t.term.kind)) drive[static_cast<size_t>(t.term.dof)] -= t.value * term_force(t.term, f, {});
     for (size_t j = 0; j < n; ++j) {
       x[j] = f.motion[j].smooth_x[from], v[j] = f.motion[j].smooth_v[from], last_a[j] = f.motion[j].smooth_a[from];
     }
@@ -118,7 +121,7 @@ struct Simulator {
   void step(Eigen::Index sample, double r, double h) {
     const double t_s = (static_cast<double>(sample) + r) * record.period_s;
     for (size_t j = 0; j < n; ++j) {
-      const Series& f = record.force[j];
+      const Series& f = drive[j];
       push[j] = f.size() ? f[sample] * (1 - r) + f[sample + 1] * r : 0;
     }
     if (record.motion[n].measured) {

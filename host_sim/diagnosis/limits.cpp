@@ -54,6 +54,7 @@ std::vector<DetectionLimit> limits_of(const Rows& rows, const CandidateBank& ban
   for (size_t i = 0; i < candidates.size(); ++i) {
     const Candidate& c = candidates[i];
     const Gain& gain = gains[i];
+    if (c.term().kind == Kind::kForceDelay && c.term().shape != 0) continue;  // the smallest shows at first order
     if (gain.std <= 0 && c.host < 0) continue;
     const double steps = std::sqrt(c.threshold + c.penalty) + 1.645;  // in standard deviations
     const bool rotating = rotates(rows.system(), c.term());

@@ -31,7 +31,7 @@ void Moves::polish(State& state) {
   for (size_t k = 0; k < added_terms(state.model).size(); ++k) {
     const size_t index = added_terms(state.model)[k];
     const Term term = state.model[index].term;
-    if (!CandidateBank::has_shape(term)) continue;
+    if (!CandidateBank::bends(term)) continue;
     const State w = without(state, index);
     const Scorer scorer{rows_, bank_, w.model, w.fit};
     const Found best = scorer.polished(scorer.of(bank_.again(term, w.model)));

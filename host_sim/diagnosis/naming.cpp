@@ -61,7 +61,7 @@ std::string place_of(const System& s, const Term& t, const FusedRecord& f) {
   (void)f;
   if (t.link >= 0) return "link " + rig_file::link_label(s.links[static_cast<size_t>(t.link)]);
   const std::string number = std::to_string(t.dof + 1);
-  if (t.kind >= Kind::kForceDelay && t.kind <= Kind::kForceHumSin60)
+  if (of_force_sensor(t.kind))
     return "channel " + (rotates(s, t) ? "torque_" + number + "_N_m" : "force_" + number + "_N");
   return "dof " + number;
 }
@@ -101,11 +101,14 @@ std::string parameter_name(const System& s, const Term& t) {
   return std::string(word_of(t.kind)) + "[" + std::to_string(t.dof + 1) + "]";
 }
 
-std::vector<Parameter> parameters_of_term(const System& s, const ActiveTerm& a) {
+std::vector<Parameter> parameters_of_term(const System& s, const std::vector<ActiveTerm>& model, const ActiveTerm& a) {
   const Term& t = a.term;
   const bool turning = rotates(s, t);
   const std::string name = parameter_name(s, t);
-  std::vector<Parameter> list{{name, a.value, unit_of(t.kind, turning), a.known ? 0 : a.std, !a.known}};
+  double reading = 1;  // true force per reading: the model corrects the reading, a fault is of the true force
+  for (const ActiveTerm& g : model)
+    if (g.term.kind == Kind::kForceGain && g.term.dof == t.dof && of_force_sensor(t.kind)) reading -= g.value;
+  std::vector<Parameter> list{{name, a.value / reading, unit_of(t.kind, turning), a.known ? 0 : a.std / reading, !a.known}};
   const std::string place = name.substr(name.find('['));
   if (!shape_name(t.kind).empty() && t.shape > 0) list.push_back({shape_name(t.kind) + place, t.shape, shape_unit(t.kind, turning), 0, true});
   if (t.kind == Kind::kPresliding && t.shape2 > 0) list.push_back({"bristle_time" + place, t.shape2, "s", 0, true});
@@ -117,7 +120,7 @@ std::vector<Parameter> parameters_of(const System& s, const std::vector<ActiveTe
   std::vector<Parameter> list;
   for (const ActiveTerm& a : model)
     if (a.companion < 0 && (a.added || !a.known))
-      for (const Parameter& p : parameters_of_term(s, a)) list.push_back(p);
+      for (const Parameter& p : parameters_of_term(s, model, a)) list.push_back(p);
   return list;
 }
 

@@ -14,7 +14,7 @@ std::string shape_name(Kind kind);                      // "end_stop_gap", or em
 std::string shape_unit(Kind kind, bool rotating);
 std::string parameter_name(const System& system, const Term& term);  // "viscous[1-0]", "mass[1]"
 std::vector<Parameter> parameters_of(const System& system, const std::vector<ActiveTerm>& model);
-std::vector<Parameter> parameters_of_term(const System& system, const ActiveTerm& term);
+std::vector<Parameter> parameters_of_term(const System& system, const std::vector<ActiveTerm>& model, const ActiveTerm& term);
 
 // The rig file with every fitted value as a start, the added terms as effects, links it lacked added.
 rig_file::RigModel extended_rig(const System& system, const std::vector<ActiveTerm>& model);

@@ -68,8 +68,22 @@ Found Scorer::bristles(const Found& found, double factor) const {
   return other.score > best.score ? other : best;
 }
 
+// A delay is its own shape: the coefficient that fits is the next, until both agree. Only of a reading whose gain is corrected
+// too it is a little less.
+Found Scorer::delayed(const Found& found) const {
+  const auto settled = [](const Found& f) { return std::abs(f.gain.coefficient - f.candidate.term().shape) < 0.1 * f.gain.std; };
+  Found best = found;
+  for (int round = 0; round < 6 && best.gain.chi2 > 0 && !settled(best); ++round)
+    best = of(bank.reshaped(best.candidate, best.gain.coefficient, 0));
+  const bool gain = std::any_of(model.begin(), model.end(), [&](const ActiveTerm& a) {
+    return a.term.kind == Kind::kForceGain && a.term.dof == found.candidate.term().dof;
+  });
+  return gain ? along(best, Axis::kFirst, 1.15, 8) : best;
+}
+
 Found Scorer::refined(const Found& found) const {
   const Kind kind = found.candidate.term().kind;
+  if (kind == Kind::kForceDelay) return delayed(found);
   if (!CandidateBank::has_shape(found.candidate.term())) return found;
   if (kind == Kind::kPresliding) return bristles(found, 2.2);
   if (kind != Kind::kResonance) return along(found, Axis::kFirst, kind == Kind::kEndStop ? 1.3 : 2.2, 8);
@@ -82,6 +96,7 @@ Found Scorer::refined(const Found& found) const {
 
 Found Scorer::polished(const Found& found) const {
   const Kind kind = found.candidate.term().kind;
+  if (kind == Kind::kForceDelay) return delayed(found);
   if (kind == Kind::kPresliding) return bristles(found, 1.5);
   if (kind != Kind::kResonance) return along(found, Axis::kFirst, kind == Kind::kEndStop ? 1.06 : 1.5, 8);
   return along(along(found, Axis::kFirst, 1.01, 6), Axis::kSecond, 1.6, 5);
@@ -125,7 +140,7 @@ std::vector<Found> ranked(const Rows& rows, const CandidateBank& bank, const std
   }
   std::sort(best.begin(), best.end(), better);
   for (size_t i = 0, done = 0; i < best.size() && done < refined; ++i) {
-    if (!CandidateBank::has_shape(best[i].candidate.term()) || best[i].score < 0.3 * best[0].score) continue;
+    if (!CandidateBank::bends(best[i].candidate.term()) || best[i].score < 0.3 * best[0].score) continue;
     best[i] = scorer.refined(best[i]);
     ++done;
   }

@@ -33,6 +33,7 @@ struct Scorer {
 
  private:
   Found bristles(const Found& found, double factor) const;  // Dahl's or LuGre's, whichever scores
+  Found delayed(const Found& found) const;
 };
 
 // A model whose values a rig can have: no correction as large as what it corrects.

@@ -41,6 +41,17 @@ Series hidden_mass(const Series& x, const Series& v, double frequency_Hz, double
   return out;
 }
 
+// By how much a force that reads `delay_s` late falls short of the true one, per second of delay; a delay of nought: the
+// limit, its slope. Right where the outer weight is 1.
+Series lateness(const Series& force, double delay_s, const FusedRecord& f) {
+  Spectrum s = f.fourier->forward(f.outer.weight.cwiseProduct(force));
+  for (Eigen::Index i = 0; i < s.size(); ++i) {
+    const Complex slope(0, f.omega(i));
+    s[i] *= i > 2 * f.last_bin ? 0 : delay_s == 0 ? -slope : (1.0 - std::exp(slope * delay_s)) / delay_s;
+  }
+  return f.fourier->inverse(s);
+}
+
 Series time_axis(const FusedRecord& f) {
   return Series::LinSpaced(static_cast<Eigen::Index>(f.samples), 0, static_cast<double>(f.samples - 1) * f.period_s);
 }
@@ -66,11 +77,7 @@ Series term_force(const Term& t, const FusedRecord& f, const std::vector<LinkMot
       case Kind::kResonanceSin: return free_decay(t, f, kTwoPi / 4);
       case Kind::kResonance: return hidden_mass(d.smooth_x, d.smooth_v, t.shape, t.shape2, f.period_s);
       case Kind::kForceGain: return *force;
-      case Kind::kForceDelay: {
-        Series slope = Series::Zero(force->size());
-        for (Eigen::Index i = 1; i + 1 < slope.size(); ++i) slope[i] = ((*force)[i + 1] - (*force)[i - 1]) / (2 * f.period_s);
-        return slope;
-      }
+      case Kind::kForceDelay: return lateness(*force, t.shape, f);
       case Kind::kForceHumCos50: return tone(50, 0);
       case Kind::kForceHumSin50: return tone(50, kTwoPi / 4);
       case Kind::kForceHumCos60: return tone(60, 0);

@@ -22,6 +22,8 @@ enum class Kind {
   kUnknownPitch, kUnknownTime, kUnknownTone
 };
 
+inline bool of_force_sensor(Kind kind) { return kind >= Kind::kForceDelay && kind <= Kind::kForceHumSin60; }
+
 const char* word_of(Kind kind);                 // the contract's word; base terms: "mass", "viscous", ...
 bool kind_of_word(const std::string& word, Kind* kind);
 
@@ -29,7 +31,7 @@ struct Term {
   Kind kind = Kind::kMass;
   int link = -1;      // index into the system's links, or -1
   int dof = -1;       // index from 0, or -1
-  double shape = 0;   // gap m, Stribeck velocity m/s, presliding length m, resonance Hz, time constant of a drift s (0: straight)
+  double shape = 0;   // gap m, Stribeck velocity m/s, presliding length m, resonance Hz, time constant of a drift s (0: straight), delay s of a force (0: its first order)
   double shape2 = 0;  // resonance: damping ratio; presliding: time constant of the bristles' own damping s (LuGre; 0: Dahl)
   bool smooth = false;  // base terms: from the smoothed motion (where the coefficient is fitted)
   bool given = false;   // an effect of the rig file: backlash and presliding as forces of their own

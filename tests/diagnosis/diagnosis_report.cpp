@@ -40,6 +40,7 @@ int one_line(int argc, char** argv) {
     else if (key == "corner") s.noise_corner_Hz = std::atof(value.c_str());
     else if (key == "bits") s.bits = std::atoi(value.c_str());
     else if (key == "kind") s.kind = value;
+    else if (key == "channel") s.channel = value;
     else if (key == "low") s.rho_low = std::atof(value.c_str());
     else if (key == "high") s.rho_high = std::atof(value.c_str());
     else if (key == "dofs") s.dofs = std::atoi(value.c_str());

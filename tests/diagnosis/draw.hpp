@@ -22,6 +22,7 @@ struct Settings {
   Drive drive = Drive::kSmooth;
   double rho_low = 0.05, rho_high = 0.6;
   std::string kind;               // only this effect
+  std::string channel;            // a sensor's fault: only in this channel
   int dofs = 0;                   // only this many masses
 };
 

@@ -68,7 +68,7 @@ TEST(Limits, AGainErrorAboveItsLimitIsNamedAndOneFarBelowIsNot) {
     for (const DetectionLimit& l : answer_to(nothing(seed, "xva")).minimum_detectable)
       if (l.effect == "sensor_gain" && l.where != "channel force_1_N") lowest = std::min(lowest, l.strength), highest = std::max(highest, l.strength);
     Settings settings;
-    settings.hide = Hide::kSensorFault, settings.kind = "sensor_gain";
+    settings.hide = Hide::kSensorFault, settings.kind = "sensor_gain", settings.channel = "velocity_1_m_s";
     settings.rho_low = settings.rho_high = 1.6 * highest;
     const Draw above = make_draw(seed, settings);
     const Diagnosis found = answer_to(above);

@@ -48,10 +48,10 @@ double rms(const Values& v) {
 namespace {
 
 void sensor_fault(Dice& dice, Draw& draw, const Settings& s) {
-  std::vector<host_sim::Channel*> motion;
+  std::vector<host_sim::Channel*> list;
   for (host_sim::Channel& c : draw.record.channels)
-    if (c.quantity != host_sim::Quantity::kForce) motion.push_back(&c);
-  host_sim::Channel& channel = *motion[static_cast<size_t>(dice.below(static_cast<int>(motion.size())))];
+    if (s.channel.empty() || c.name == s.channel) list.push_back(&c);
+  host_sim::Channel& channel = *list.at(static_cast<size_t>(dice.below(static_cast<int>(list.size()))));
   Hidden truth;
   truth.effect = s.kind.empty() ? kFaults[dice.below(3)] : s.kind;
   truth.where = "channel " + channel.name;
