@@ -17,15 +17,20 @@ std::vector<FusedRecord> ready(const rig_file::RigModel& rig, const std::vector<
 // Two rounds of fitting the rig as given and sharpening the motion by it.
 void sharpen_all(const System& system, std::vector<FusedRecord>& records);
 
-// Records under holds that are known, fused anew.
-std::vector<FusedRecord> held(std::vector<FusedRecord> records, const std::vector<KnownHold>& holds);
+// What the rig's equations, not the record alone, told of how a record is to be read.
+struct Imposed {
+  std::vector<KnownHold> holds;
+  std::vector<SensorFault> faults;
+};
+// Records read so, fused anew.
+std::vector<FusedRecord> imposed_on(std::vector<FusedRecord> records, const Imposed& imposed);
 
 struct Bench {
   const System& system;
   std::vector<FusedRecord> records;
   std::unique_ptr<Rows> rows;
   std::unique_ptr<CandidateBank> bank;
-  std::vector<KnownHold> holds;  // that were imposed
+  Imposed imposed;  // on the records
   void lay_out();
   // For a rig that is far from any model: the motion as measured, where there is motion, and weights to match.
   void look_wide();

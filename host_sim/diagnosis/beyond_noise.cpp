@@ -152,8 +152,7 @@ SearchResult transferred(const SearchResult& found, Rows& rows, const CandidateB
 }
 
 double misfit(Rows& rows, const std::vector<ActiveTerm>& model) {
-  std::vector<ActiveTerm> copy = model;
-  for (ActiveTerm& t : copy) t.column = rows.column(t.term), t.force.reset();
+  std::vector<ActiveTerm> copy = on_rows(rows, model);
   return settle(rows, copy, 2).ratio();
 }
 

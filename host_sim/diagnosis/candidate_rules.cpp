@@ -124,6 +124,12 @@ double CandidateBank::reversal_doubt(const std::vector<ActiveTerm>& model, const
   return 1e-5 * largest * std::max(1.0, 1e-6 * largest);  // never trusted to better than a thousandth
 }
 
+double CandidateBank::strictness(Kind kind) const {
+  // integrated motion drifts, and drift looks like much, most of all like a hidden mass with a spring of its own
+  const double alone = !rows_.absolute() ? (kind == Kind::kResonance ? 80 : 4) : rows_.redundant() ? 1 : law_of_rate(kind) ? 6 : 2.5;
+  return alone * (rows_.coarse() && !friction_shape(kind) ? 2.6 : 1);
+}
+
 std::vector<Candidate> CandidateBank::beside(const std::vector<ActiveTerm>& model) const {
   Columns columns = columns_;
   for (const ActiveTerm& a : model) {  // a link that the rig file lacks may have more to it than its damper
@@ -139,11 +145,7 @@ std::vector<Candidate> CandidateBank::beside(const std::vector<ActiveTerm>& mode
     const auto partner = partner_.find(column.get());
     if (partner != partner_.end()) c.companions = partner->second, c.penalty = c.term().kind == Kind::kQuadraticStiffness ? 24 : 6;
     if (!prepare(model, c)) continue;
-    // integrated motion drifts, and drift looks like much, most of all like a hidden mass with a spring of its own
-    if (!rows_.absolute()) c.threshold *= c.term().kind == Kind::kResonance ? 80 : 4;
-    else if (!rows_.redundant()) c.threshold *= law_of_rate(c.term().kind) ? 6 : 2.5;  // noise that no second channel bears out
-    if (rows_.coarse() && !friction_shape(c.term().kind)) c.threshold *= 2.6;
-    c.threshold += reversal_doubt(model, c.term());
+    c.threshold = c.threshold * strictness(c.term().kind) + reversal_doubt(model, c.term());
     list.push_back(c);
   }
   return list;

@@ -36,6 +36,8 @@ class CandidateBank {
   static bool bends(const Term& term) { return has_shape(term) || term.kind == Kind::kForceDelay; }
   static bool friction_shape(Kind kind) { return kind == Kind::kStribeck || kind == Kind::kPresliding; }
 
+  // Times what the threshold of a kind is where it stands on motion that no second channel bears out, or is integrated.
+  double strictness(Kind kind) const;
   // Added to the threshold of an effect that shares a DOF with a link of strong friction.
   double reversal_doubt(const std::vector<ActiveTerm>& model, const Term& term) const;
 

@@ -11,7 +11,7 @@
 #include "naming.hpp"
 #include "ranking.hpp"
 #include "remainder.hpp"
-#include "sharpened_search.hpp"
+#include "trials.hpp"
 
 namespace diagnosis {
 namespace {
@@ -42,6 +42,10 @@ void report_terms(const System& system, const Rows& rows, const SearchResult& fo
       d.ambiguous_with.push_back({word_of(other.kind), place_of(system, other, rows.records()[0])});
     }
   }
+}
+
+void also_ambiguous(const std::vector<NamedPlace>& rivals, Diagnosis& d) {
+  d.ambiguous_with.insert(d.ambiguous_with.end(), rivals.begin(), rivals.end());
 }
 
 // Bars the first term that makes the free simulation of unseen data worse. True if there was one.
@@ -85,9 +89,9 @@ void simulate_unseen(const Asked& asked, Bench& bench, SearchResult& found, Rema
   const System& system = bench.system;
   const double share = asked.holdout.empty() ? 1 - asked.options.holdout_fraction : 1.0;
   const auto made_ready = [&](const std::vector<host_sim::Record>& records) {
-    return held(ready(asked.rig, records, asked.options, nullptr), bench.holds);
+    return imposed_on(ready(asked.rig, records, asked.options, nullptr), bench.imposed);
   };
-  Bench early{system, asked.holdout.empty() ? made_ready(first_parts(asked.training, share)) : bench.records, nullptr, nullptr, bench.holds};
+  Bench early{system, asked.holdout.empty() ? made_ready(first_parts(asked.training, share)) : bench.records, nullptr, nullptr, bench.imposed};
   if (asked.holdout.empty()) sharpen_all(system, early.records);
   const Judge judge(system, bench.records, early.records, made_ready(asked.holdout), share);
   const auto beyond_noise = [&] { return !remainder.noise_only && far_beyond_noise(*bench.rows, found); };
@@ -127,8 +131,11 @@ Diagnosis diagnose(const rig_file::RigModel& rig, const std::vector<host_sim::Re
   report_faults(checks, d);
   sharpen_all(system, owner->records);
   owner->lay_out();
-  SearchResult found = search_sharpening(owner);
+  SensorCheck alone;
+  SearchResult found = search_plain_first(owner, alone);
   try_holds(owner, found);
+  const std::vector<NamedPlace> as_well = try_sole_channels(owner, found, alone);
+  report_faults({alone}, d);
   for (const FusedRecord& f : owner->records)
     if (f.hold != Hold::kSmooth) d.force_between_samples = f.hold == Hold::kLinear ? "linear" : "steps";
   Bench& bench = *owner;
@@ -137,11 +144,14 @@ Diagnosis diagnose(const rig_file::RigModel& rig, const std::vector<host_sim::Re
   if (options.simulate) simulate_unseen({rig, training, holdout, options}, bench, found, remainder, d);
   Rows& rows = *bench.rows;
   report_terms(system, rows, found, d);
+  if (!found.added.empty()) also_ambiguous(as_well, d), also_ambiguous(equivalents(bench, found), d);
   d.ranked = ranking(system, rows, *bench.bank, found, 12);
   d.baseline.parameters = parameters_of(system, found.base);
   d.extended.parameters = parameters_of(system, found.model);
   d.extended_rig = extended_rig(system, found.model);
+  state_delays(d.causes, d.extended_rig);
   d.minimum_detectable = detection_limits(rows, *bench.bank, found.model, found.fit);
+  checks.push_back({{}, {}, smallest_of_sole_channels(bench, found)});
   for (const DetectionLimit& limit : fault_limits(checks)) d.minimum_detectable.push_back(limit);
   d.unknown_trace = remainder.trace;
   d.verdict = !remainder.noise_only ? Verdict::kUnknown

@@ -71,7 +71,6 @@ void impose_hold(FusedRecord& f, const KnownHold& known) {
   f.hold = known.hold;
   correct(f, known.dof, force, known.inverse_mass);
   let_act(f, known.dof, force);
-  estimate_noise(f);
 }
 
 void correct_hold(FusedRecord& f) {

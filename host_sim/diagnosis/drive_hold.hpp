@@ -10,7 +10,7 @@ namespace diagnosis {
 // gives the force its mean effect between samples. Wants the noise estimated; sets FusedRecord::hold.
 void correct_hold(FusedRecord& record);
 
-// The same for a hold and a mass that are known; the motion must be fused anew.
+// The same for a hold and a mass that are known; the noise is to be estimated and the motion fused anew.
 struct KnownHold {
   Hold hold = Hold::kSmooth;
   size_t dof = 0;

@@ -31,6 +31,8 @@ Cause cause_of(const SensorFault& fault) {
 
 }  // namespace
 
+NamedPlace named_place(const SensorFault& fault) { return {word_of(fault.kind), "channel " + fault.channel}; }
+
 void report_faults(const std::vector<SensorCheck>& checks, Diagnosis& d) {
   for (const SensorCheck& check : checks)
     for (size_t i = 0; i < check.faults.size(); ++i) {
@@ -39,7 +41,7 @@ void report_faults(const std::vector<SensorCheck>& checks, Diagnosis& d) {
       if (std::any_of(d.causes.begin(), d.causes.end(), same)) continue;  // the same fault in a further record
       d.causes.push_back(cause);
       for (const SensorFault& rival : check.rivals[i])
-        d.ambiguous_with.push_back({word_of(rival.kind), "channel " + rival.channel});
+        d.ambiguous_with.push_back(named_place(rival));
     }
 }
 

@@ -29,13 +29,7 @@ Judge::Judge(const System& system, const std::vector<FusedRecord>& full, const s
 
 std::vector<ActiveTerm> Judge::fitted(const std::vector<ActiveTerm>& model) const {
   Rows rows(system_, early_);
-  std::vector<ActiveTerm> copy;
-  for (const ActiveTerm& t : model) {
-    ActiveTerm term = t;
-    term.column = rows.column(t.term);
-    term.force.reset();
-    copy.push_back(term);
-  }
+  std::vector<ActiveTerm> copy = on_rows(rows, model);
   settle(rows, copy, 2);
   return copy;
 }

@@ -110,6 +110,11 @@ void remove_term(std::vector<ActiveTerm>& model, size_t index) {
   }
 }
 
+std::vector<ActiveTerm> on_rows(const Rows& rows, std::vector<ActiveTerm> model) {
+  for (ActiveTerm& t : model) t.column = rows.column(t.term), t.force.reset();
+  return model;
+}
+
 std::vector<ActiveTerm> without_added(std::vector<ActiveTerm> model, const Term& term) {
   for (size_t i = 0; i < model.size(); ++i) {
     if (!model[i].added || !model[i].term.same_place(term)) continue;

@@ -49,6 +49,8 @@ std::vector<Gain> gains_of(const Rows& rows, const std::vector<ActiveTerm>& mode
 // The model with the candidate, its companions last.
 std::vector<ActiveTerm> joined(const std::vector<ActiveTerm>& model, const Candidate& candidate, const Gain& gain);
 void remove_term(std::vector<ActiveTerm>& model, size_t index);  // with its companions
+// The model's terms over the motion of other rows.
+std::vector<ActiveTerm> on_rows(const Rows& rows, std::vector<ActiveTerm> model);
 // The model without the added term of this kind and place.
 std::vector<ActiveTerm> without_added(std::vector<ActiveTerm> model, const Term& term);
 

@@ -57,13 +57,16 @@ rig_file::Effect as_effect(const Term& t, double value, bool rotating) {
 
 }  // namespace
 
+std::string force_channel(const rig_file::RigModel& rig, size_t dof) {
+  const std::string number = std::to_string(dof + 1);
+  return rig.dofs[dof].rotating ? "torque_" + number + "_N_m" : "force_" + number + "_N";
+}
+
 std::string place_of(const System& s, const Term& t, const FusedRecord& f) {
   (void)f;
   if (t.link >= 0) return "link " + rig_file::link_label(s.links[static_cast<size_t>(t.link)]);
-  const std::string number = std::to_string(t.dof + 1);
-  if (of_force_sensor(t.kind))
-    return "channel " + (rotates(s, t) ? "torque_" + number + "_N_m" : "force_" + number + "_N");
-  return "dof " + number;
+  if (of_force_sensor(t.kind)) return "channel " + force_channel(s.rig, static_cast<size_t>(t.dof));
+  return "dof " + std::to_string(t.dof + 1);
 }
 
 bool rotates(const System& s, const Term& t) {
@@ -122,6 +125,16 @@ std::vector<Parameter> parameters_of(const System& s, const std::vector<ActiveTe
     if (a.companion < 0 && (a.added || !a.known))
       for (const Parameter& p : parameters_of_term(s, model, a)) list.push_back(p);
   return list;
+}
+
+void state_delays(const std::vector<Cause>& causes, rig_file::RigModel& rig) {
+  for (const Cause& c : causes) {
+    if (c.effect != word_of(Kind::kForceDelay) || c.parameters.empty()) continue;
+    const std::string name = c.where.substr(std::string("channel ").size());
+    auto entry = std::find_if(rig.channels.begin(), rig.channels.end(), [&](const rig_file::ChannelEntry& e) { return e.name == name; });
+    if (entry == rig.channels.end()) rig.channels.push_back({}), entry = rig.channels.end() - 1;
+    entry->name = name, entry->delay_us += 1e6 * c.parameters[0].value;
+  }
 }
 
 rig_file::RigModel extended_rig(const System& s, const std::vector<ActiveTerm>& model) {

@@ -1,11 +1,13 @@
 #include "projection.hpp"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 
 namespace diagnosis {
 namespace {
 
+constexpr double kNotSeen = 1e-7;      // share of a disturbance's square beyond the fitted columns below which it does not show
 constexpr double kDependent = 1e-13;   // share of a column's square beyond the others below which it has no value of its own
 constexpr Eigen::Index kBlock = 1024;  // real rows that are worked on at a time: they stay in the cache
 
@@ -137,6 +139,35 @@ double Projection::inner(const Place& place, const Spectra& a, const Spectra& b)
   for (size_t r = 0; r < views.size(); ++r)
     sum += (views[r].weight.array() * (a[r].conjugate().array() * b[r].array()).real()).sum();
   return sum;
+}
+
+double Projection::inner(const std::vector<Balance>& a, const std::vector<Balance>& b) const {
+  double sum = 0;
+  for (size_t r = 0; r < a.size(); ++r)
+    for (Eigen::Index j = 0; j < a[r].cols(); ++j)
+      sum += (a[r].col(j).conjugate().array() * (*weights_)[r].pulled({static_cast<int>(j), -1}, b[r]).array()).real().sum();
+  return sum;
+}
+
+Projection::Explained Projection::explained(const std::vector<std::vector<Balance>>& group) const {
+  const Eigen::Index count = static_cast<Eigen::Index>(group.size());
+  Explained out{0, Eigen::VectorXd::Zero(count), Eigen::VectorXd::Zero(count)};
+  Eigen::MatrixXd fitted(this->count(), count), gram(count, count);
+  Eigen::VectorXd moment(count);
+  bool seen = true;
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const std::vector<Balance>& own = group[static_cast<size_t>(i)];
+    fitted.col(i) = inverse_.transpose() * (scale_.asDiagonal() * moments(own));
+    moment[i] = inner(own, residual_);
+    for (Eigen::Index j = 0; j <= i; ++j) gram(i, j) = gram(j, i) = inner(own, group[static_cast<size_t>(j)]);
+    seen = seen && gram(i, i) - fitted.col(i).squaredNorm() > kNotSeen * gram(i, i);
+  }
+  gram -= fitted.transpose() * fitted;
+  if (!seen) return out;
+  out.value = gram.ldlt().solve(moment);
+  out.chi2 = out.value.dot(moment);
+  out.std = gram.diagonal().cwiseSqrt().cwiseInverse();
+  return out;
 }
 
 Eigen::MatrixXd Projection::free_gram(const Place& place, const std::vector<const Spectra*>& list, const Products& p,

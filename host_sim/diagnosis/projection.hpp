@@ -35,6 +35,13 @@ class Projection {
   // Of `count` of these columns, from `first` on: the Gram matrix of what the fitted columns cannot make of them.
   Eigen::MatrixXd free_gram(const Place& place, const std::vector<const Spectra*>& columns, const Products& products,
                             Eigen::Index first, Eigen::Index count) const;
+  // What disturbances that act on every DOF, one balance per record each, explain together beside the fitted columns. A group
+  // of which the fitted columns can make a member explains nothing.
+  struct Explained {
+    double chi2 = 0;
+    Eigen::VectorXd value, std;
+  };
+  Explained explained(const std::vector<std::vector<Balance>>& group) const;
   // By how much the value of fitted column i falls per unit of a further column with these products.
   double answer(Eigen::Index i, const Eigen::VectorXd& fitted) const { return scale_[i] * inverse_.row(i).dot(fitted); }
 
@@ -49,6 +56,7 @@ class Projection {
   void add_residual(const Place& place, std::vector<View>& views) const;
   const std::vector<View>& seen_from(const Place& place) const;
   double inner(const Place& place, const Spectra& a, const Spectra& b) const;
+  double inner(const std::vector<Balance>& a, const std::vector<Balance>& b) const;
   Eigen::MatrixXd gram() const;
   Eigen::VectorXd moments(const std::vector<Balance>& balance) const;
   void factorise(Eigen::MatrixXd gram);

@@ -8,7 +8,6 @@
 namespace diagnosis {
 namespace {
 
-// What a later term must bring of the first one's gain: more where a shape was not met, most where it is friction's.
 constexpr double kLeastShare = 0.00005, kLeastBesideShape = 0.0005;
 
 // Lists each added term with its gain and its rivals. False where one was not worth its place and has been removed.
@@ -41,6 +40,14 @@ bool review(Rows& rows, const CandidateBank& bank, State& state, SearchResult& r
 
 }  // namespace
 
+double least_share(const std::vector<ActiveTerm>& model) {
+  double share = kLeastShare;
+  for (const ActiveTerm& t : model)
+    if (t.added && CandidateBank::has_shape(t.term))
+      share = std::max(share, CandidateBank::friction_shape(t.term.kind) ? kLeastBesideFriction : kLeastBesideShape);
+  return share;
+}
+
 SearchResult search(Rows& rows, const CandidateBank& bank) {
   Moves moves(rows, bank);
   SearchResult result;
@@ -48,17 +55,13 @@ SearchResult search(Rows& rows, const CandidateBank& bank) {
   result.base = state.model;
   result.base_fit = state.fit;
   const double start = state.fit.chi2;
-  double first_gain = 0, least_share = kLeastShare;
+  double first_gain = 0, share = kLeastShare;
   while (added_terms(state.model).size() < kMostTerms) {
-    const double least_gain = least_share * first_gain;
+    const double least_gain = share * first_gain;
     if (!moves.extend(state, least_gain, 4) && !moves.extend_beside_reversals(state, least_gain)) break;
     moves.settle_friction_shapes(state);
     first_gain = std::max(first_gain, start - state.fit.chi2);
-    for (size_t index : added_terms(state.model)) {
-      const Kind kind = state.model[index].term.kind;
-      if (CandidateBank::has_shape(state.model[index].term))
-        least_share = std::max(least_share, CandidateBank::friction_shape(kind) ? kLeastBesideFriction : kLeastBesideShape);
-    }
+    share = std::max(share, least_share(state.model));
     for (int i = 0; added_terms(state.model).size() > 1 && i < 3 && moves.swap(state); ++i) {
     }
   }

@@ -17,6 +17,10 @@ struct SearchResult {
 
 constexpr size_t kMostTerms = 3;
 
+// What one term more must explain of what a model's added terms do: more where a shape was not met, most where it is
+// friction's.
+double least_share(const std::vector<ActiveTerm>& model);
+
 SearchResult search(Rows& rows, const CandidateBank& bank);
 
 }  // namespace diagnosis

@@ -83,13 +83,6 @@ void correct(FusedRecord& f, const Hums& hums, const SensorFault& fault) {
 
 bool same(const SensorFault& a, const SensorFault& b) { return a.kind == b.kind && a.quantity == b.quantity; }
 
-// Adds a further correction of the same fault (a delay or a gain is found in steps).
-void accumulate(SensorFault& total, const SensorFault& step) {
-  if (total.kind == FaultKind::kGain) total.value = (1 + total.value) * (1 + step.value) - 1;
-  else total.value += step.value, total.quadrature += step.quadrature;
-  total.std = step.std;
-}
-
 // The smallest of each that would be named; `seen` are the candidates of the DOF as it stands.
 std::vector<SensorFault> smallest_faults(const FusedRecord& f, const Hums& hums, size_t dof, std::vector<SensorFault> seen) {
   for (SensorFault& fault : seen) fault.value = (std::sqrt(kThreshold) + 1.645) * fault.std;
@@ -102,6 +95,14 @@ std::vector<SensorFault> smallest_faults(const FusedRecord& f, const Hums& hums,
 }
 
 }  // namespace
+
+void correct_fault(FusedRecord& f, const SensorFault& fault) { correct(f, hums_of(f), fault); }
+
+void accumulate(SensorFault& total, const SensorFault& step) {
+  if (total.kind == FaultKind::kGain) total.value = (1 + total.value) * (1 + step.value) - 1;
+  else total.value += step.value, total.quadrature += step.quadrature;
+  total.std = step.std;
+}
 
 double strongest_fault(const FusedRecord& f, size_t dof) {
   const std::vector<SensorFault> list = candidates(f, hums_of(f), dof);

@@ -34,6 +34,11 @@ struct SensorCheck {
 // What the strongest fault of a DOF's channels would explain (fall of chi-squared over the noise that remains).
 double strongest_fault(const FusedRecord& record, size_t dof);
 
+// Takes a fault out of a record's spectra; the noise is to be estimated and the motion fused anew.
+void correct_fault(FusedRecord& record, const SensorFault& fault);
+// Adds a further step of the same fault: a delay or a gain is found in steps.
+void accumulate(SensorFault& total, const SensorFault& step);
+
 // Finds faults, corrects the record's spectra for them and leaves its noise, which it wants estimated, estimated anew.
 SensorCheck check_sensors(FusedRecord& record);
 

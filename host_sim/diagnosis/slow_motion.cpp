@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 
+#include "dynamics.hpp"
 #include "sharpen.hpp"
 
 namespace diagnosis {
@@ -12,32 +13,13 @@ constexpr int kRounds = 3;              // the slow motion bends the forces that
 constexpr Eigen::Index kFade = 3, kTop = 6;  // in first bins of the rows: from here to there the model gives way
 constexpr double kLeastStiffness = 1e-6;  // of the largest, for a rig that the ground holds in place
 
-bool is_linear(Kind kind) {
-  return kind == Kind::kMass || kind == Kind::kMassError || kind == Kind::kStiffness || kind == Kind::kStiffnessError ||
-         kind == Kind::kViscous || kind == Kind::kMissingViscous;
+bool held_in_place(const Dynamics& d) {
+  return d.stiffness.ldlt().vectorD().minCoeff() > kLeastStiffness * d.stiffness.diagonal().maxCoeff();
 }
 
-// Mass, stiffness and viscous matrices of a model's linear terms.
-struct Linear {
-  Eigen::MatrixXd mass, stiffness, viscous;
-  Linear(const System& s, const std::vector<ActiveTerm>& model) {
-    const Eigen::Index n = static_cast<Eigen::Index>(s.dofs());
-    mass = stiffness = viscous = Eigen::MatrixXd::Zero(n, n);
-    for (const ActiveTerm& t : model) {
-      if (!is_linear(t.term.kind)) continue;
-      const Place place = place_of_force(s, t.term);
-      act(mass, place, t.value * t.column->mass);
-      act(stiffness, place, t.value * t.column->stiffness), act(viscous, place, t.value * t.column->viscous);
-    }
-  }
-  bool held_in_place() const {
-    const Eigen::VectorXd pivots = stiffness.ldlt().vectorD();
-    return pivots.minCoeff() > kLeastStiffness * stiffness.diagonal().maxCoeff();
-  }
-  Eigen::MatrixXcd at(double omega) const {
-    return (stiffness - omega * omega * mass).cast<Complex>() + Complex(0, omega) * viscous.cast<Complex>();
-  }
-};
+Eigen::MatrixXcd force_per_motion(const Dynamics& d, double omega) {
+  return (d.stiffness - omega * omega * d.mass).cast<Complex>() + Complex(0, omega) * d.viscous.cast<Complex>();
+}
 
 // Below the rows the model's motion; above what was measured, as far as it is trusted, and for the rest the model's.
 Spectrum completed(const FusedRecord& f, const DofMotion& m, const Spectrum& slow) {
@@ -63,8 +45,8 @@ void add_slow(const FusedRecord& f, const Spectrum& slow, DofMotion& m) {
 
 void add_slow_motion(FusedRecord& f, const System& system, const std::vector<ActiveTerm>& model, size_t record) {
   if (f.first_bin == 0) return;
-  const Linear linear(system, model);
-  if (!linear.held_in_place()) return;
+  const Dynamics linear(system, model, Dynamics::Others::kNone);
+  if (!held_in_place(linear)) return;
   const Eigen::Index n = static_cast<Eigen::Index>(system.dofs());
   std::vector<ActiveTerm> others;
   for (const ActiveTerm& t : model)
@@ -81,7 +63,7 @@ void add_slow_motion(FusedRecord& f, const System& system, const std::vector<Act
     const Eigen::MatrixXd push = imbalance(system, f, others, record, false);
     Eigen::MatrixXcd slow(top, n);
     for (Eigen::Index j = 0; j < n; ++j) slow.col(j) = f.fourier->forward(push.col(j), top);  // not windowed: a mean stays a mean
-    for (Eigen::Index i = 0; i < top; ++i) slow.row(i) = linear.at(f.omega(i)).partialPivLu().solve(slow.row(i).transpose()).transpose();
+    for (Eigen::Index i = 0; i < top; ++i) slow.row(i) = force_per_motion(linear, f.omega(i)).partialPivLu().solve(slow.row(i).transpose()).transpose();
     for (Eigen::Index j = 0; j < n; ++j) {
       DofMotion& m = f.motion[static_cast<size_t>(j)];
       if (!f.spectra[static_cast<size_t>(j)].measured[0]) add_slow(f, completed(f, m, slow.col(j)) - f.fourier->forward(m.smooth_x, top), m);

@@ -41,17 +41,6 @@ Series hidden_mass(const Series& x, const Series& v, double frequency_Hz, double
   return out;
 }
 
-// By how much a force that reads `delay_s` late falls short of the true one, per second of delay; a delay of nought: the
-// limit, its slope. Right where the outer weight is 1.
-Series lateness(const Series& force, double delay_s, const FusedRecord& f) {
-  Spectrum s = f.fourier->forward(f.outer.weight.cwiseProduct(force));
-  for (Eigen::Index i = 0; i < s.size(); ++i) {
-    const Complex slope(0, f.omega(i));
-    s[i] *= i > 2 * f.last_bin ? 0 : delay_s == 0 ? -slope : (1.0 - std::exp(slope * delay_s)) / delay_s;
-  }
-  return f.fourier->inverse(s);
-}
-
 Series time_axis(const FusedRecord& f) {
   return Series::LinSpaced(static_cast<Eigen::Index>(f.samples), 0, static_cast<double>(f.samples - 1) * f.period_s);
 }
@@ -62,6 +51,15 @@ Series free_decay(const Term& t, const FusedRecord& f, double phase) {
 }
 
 }  // namespace
+
+Series lateness(const Series& force, double delay_s, const FusedRecord& f) {
+  Spectrum s = f.fourier->forward(f.outer.weight.cwiseProduct(force));
+  for (Eigen::Index i = 0; i < s.size(); ++i) {
+    const Complex slope(0, f.omega(i));
+    s[i] *= i > 2 * f.last_bin ? 0 : delay_s == 0 ? -slope : (1.0 - std::exp(slope * delay_s)) / delay_s;
+  }
+  return f.fourier->inverse(s);
+}
 
 Series term_force(const Term& t, const FusedRecord& f, const std::vector<LinkMotion>& links) {
   if (t.link < 0) {

@@ -66,6 +66,10 @@ struct LinkMotion {
 };
 LinkMotion link_motion(const System& system, const FusedRecord& record, size_t link);
 
+// By how much a force that reads `delay_s` late falls short of the true one, per second of delay; a delay of nought: the
+// limit, the slope with its sign turned. Right where the record's outer weight is 1.
+Series lateness(const Series& force, double delay_s, const FusedRecord& record);
+
 // A term with coefficient one as a force over time (positive against the motion, as in M a + K x + ... = f).
 Series term_force(const Term& term, const FusedRecord& record, const std::vector<LinkMotion>& links);
 

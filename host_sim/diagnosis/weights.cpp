@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "rows.hpp"
+#include "dynamics.hpp"
 
 namespace diagnosis {
 namespace {
@@ -24,32 +24,23 @@ Spectrum smoothed(const Spectrum& s) {
   return sum.cwiseQuotient(shares.cast<Complex>());
 }
 
-// Linear dynamics of a model: a force per motion, and what each link's dampers take.
-struct Dynamics {
-  Eigen::MatrixXd mass, stiffness, viscous;
-  std::vector<double> damper, friction;  // per link
-  Dynamics(const Rows& rows, const std::vector<ActiveTerm>& model);
-  double unknown_damping(const LinkMotion& m, size_t link) const {
-    return std::pow(kKnownViscous * damper[link] * m.w_rms, 2) + std::pow(kKnownFriction * friction[link], 2);
+// What the dampers of each link take: of viscous coefficients and of friction.
+struct Dampers {
+  std::vector<double> viscous, friction;
+  Dampers(const System& system, const std::vector<ActiveTerm>& model) : viscous(system.links.size(), 0.0), friction(viscous) {
+    for (const ActiveTerm& t : model) {
+      if (t.term.link < 0) continue;
+      const Kind kind = t.term.kind;
+      const double value = t.host >= 0 ? t.host_sign * model[static_cast<size_t>(t.host)].value : t.value;
+      const size_t link = static_cast<size_t>(t.term.link);
+      if (kind == Kind::kViscous || kind == Kind::kMissingViscous) viscous[link] += value;
+      if (kind == Kind::kCoulomb || kind == Kind::kMissingCoulomb) friction[link] += value;
+    }
+  }
+  double unknown(const LinkMotion& m, size_t link) const {
+    return std::pow(kKnownViscous * viscous[link] * m.w_rms, 2) + std::pow(kKnownFriction * friction[link], 2);
   }
 };
-
-Dynamics::Dynamics(const Rows& rows, const std::vector<ActiveTerm>& model) {
-  const Eigen::Index n = static_cast<Eigen::Index>(rows.system().dofs());
-  mass = stiffness = viscous = Eigen::MatrixXd::Zero(n, n);
-  damper.assign(rows.system().links.size(), 0.0), friction = damper;
-  for (const ActiveTerm& t : model) {
-    const Kind kind = t.term.kind;
-    const double value = t.host >= 0 ? t.host_sign * model[static_cast<size_t>(t.host)].value : t.value;
-    const Place place = rows.place(t.term);
-    act(mass, place, value * t.column->mass);
-    if (t.term.link < 0) continue;
-    act(stiffness, place, value * t.column->stiffness), act(viscous, place, value * t.column->viscous);
-    const size_t link = static_cast<size_t>(t.term.link);
-    if (kind == Kind::kViscous || kind == Kind::kMissingViscous) damper[link] += value;
-    if (kind == Kind::kCoulomb || kind == Kind::kMissingCoulomb) friction[link] += value;
-  }
-}
 
 // D V D^H over the bins, D = K - w^2 M + j w C, for variances V of the displacements (one column per DOF).
 Triangle spread(const Dynamics& d, const Series& omega, const Eigen::MatrixXd& variance) {
@@ -75,14 +66,15 @@ Triangle spread(const Dynamics& d, const Series& omega, const Eigen::MatrixXd& v
 
 void Rows::weight(const std::vector<ActiveTerm>& model) {
   const Eigen::Index n = static_cast<Eigen::Index>(system_.dofs());
-  const Dynamics dynamics(*this, model);
+  const Dynamics dynamics(system_, model, Dynamics::Others::kAlike);
+  const Dampers dampers(system_, model);
   auto weights = std::make_shared<Weights>();
   log_determinant_ = 0;
   for (size_t r = 0; r < records_.size(); ++r) {
     const FusedRecord& f = records_[r];
     Eigen::MatrixXd known = Eigen::MatrixXd::Zero(n, n);  // variance per sample of friction, the same in every bin
     for (size_t l = 0; l < system_.links.size(); ++l) {
-      const double floor = dynamics.unknown_damping(links_[r][l], l) * static_cast<double>(f.samples) / (2.0 * static_cast<double>(f.last_bin));
+      const double floor = dampers.unknown(links_[r][l], l) * static_cast<double>(f.samples) / (2.0 * static_cast<double>(f.last_bin));
       act(known, place_of_link(system_, l), doubt_[r][l] + floor);
     }
     const Series omega = Series::LinSpaced(bins(r), f.omega(f.first_bin), f.omega(f.last_bin));

@@ -46,5 +46,81 @@ TEST(ChannelFaults, AGainOfTheForceIsTakenOutOfTheSimulation) {
   }
 }
 
+// One channel per DOF: the equations of its neighbours bear it out. 1.5 ms are 0.5 rad at 50 Hz.
+TEST(ChannelFaults, TheOnlyChannelOfADofIsNamed) {
+  struct Case {
+    const char *kind, *channel, *sensors;
+    double rho, within;
+  };
+  for (const Case& c : {Case{"sensor_delay", "displacement_2_m", "x", 0.15, 0.02}, Case{"sensor_delay", "acceleration_1_m_s2", "a", 0.05, 0.02},
+                        Case{"sensor_gain", "displacement_1_m", "x", 0.05, 0.05}, Case{"sensor_gain", "acceleration_2_m_s2", "a", 0.05, 0.05},
+                        Case{"sensor_gain", "velocity_2_m_s", "v", 0.05, 0.05}})
+    for (int dofs : {2, 3})
+      for (uint64_t seed : {41, 42}) {
+        Settings s = fault(c.kind, c.channel, c.sensors, c.rho);
+        s.dofs = dofs;
+        const Draw draw = make_draw(seed, s);
+        const diagnosis::Diagnosis answer = answer_to(draw);
+        ASSERT_EQ(judge(draw, answer), Outcome::kExact) << told(draw, answer);
+        EXPECT_NEAR(answer.causes[0].parameters[0].value / draw.truth[0].strength, 1, c.within) << told(draw, answer);
+      }
+}
+
+// What is named joins the rig file as delay_us of the channel, and with that file there is nothing left to find.
+TEST(ChannelFaults, ADelayJoinsTheRigFile) {
+  for (const char* channel : {"force_1_N", "displacement_2_m", "velocity_1_m_s"}) {
+    Settings s = fault("sensor_delay", channel, channel[0] == 'd' ? "x" : "xva", 0.08);
+    s.dofs = 2;
+    const Draw draw = make_draw(41, s);
+    const diagnosis::Diagnosis answer = answer_to(draw);
+    ASSERT_EQ(answer.extended_rig.channels.size(), 1u) << told(draw, answer);
+    EXPECT_EQ(answer.extended_rig.channels[0].name, channel);
+    EXPECT_NEAR(answer.extended_rig.channels[0].delay_us, 800, 16);
+    const diagnosis::Diagnosis again = diagnosis::diagnose(answer.extended_rig, {draw.record}, {});
+    EXPECT_EQ(again.verdict, diagnosis::Verdict::kNone) << channel << ": " << told(draw, again);
+  }
+}
+
+TEST(ChannelFaults, AHumOfTheOnlyChannelIsNamed) {
+  for (uint64_t seed : {41, 42, 43}) {
+    Settings s = fault("mains_hum", "acceleration_1_m_s2", "a", 0.05);
+    s.dofs = 2;
+    const Draw draw = make_draw(seed, s);
+    const diagnosis::Diagnosis answer = answer_to(draw);
+    EXPECT_EQ(judge(draw, answer), Outcome::kExact) << told(draw, answer);
+  }
+}
+
+// A fault and an effect of the rig: neither takes the other's place.
+TEST(ChannelFaults, ABentSpringBesideAFaultIsNamedWithIt) {
+  for (uint64_t seed : {51, 52, 53}) {
+    Settings s;
+    s.kind = "cubic_stiffness", s.sensors = "x", s.dofs = 3, s.rho_low = 0.3;
+    Draw draw = make_draw(seed, s);
+    for (host_sim::Channel& c : draw.record.channels)
+      if (c.name == "displacement_2_m")
+        for (double& v : c.values) v *= 1.04;
+    draw.truth.push_back({"sensor_gain", "channel displacement_2_m", 0.04, 0.04});
+    const diagnosis::Diagnosis answer = answer_to(draw);
+    EXPECT_EQ(judge(draw, answer), Outcome::kExact) << told(draw, answer);
+  }
+}
+
+// m x'' + c x' + k x = f with x and f read alike: the force 4 % too high or the displacement 4 % too low are the same, and of
+// the two readings either may be the late one.
+TEST(ChannelFaults, WithOneMassEitherReadingMayBeWrong) {
+  for (const char* channel : {"force_1_N", "displacement_1_m"})
+    for (const char* kind : {"sensor_gain", "sensor_delay"}) {
+      Settings s = fault(kind, channel, "x", 0.04);
+      s.dofs = 1;
+      const Draw draw = make_draw(61, s);
+      const diagnosis::Diagnosis answer = answer_to(draw);
+      EXPECT_EQ(judge(draw, answer), Outcome::kSet) << told(draw, answer);
+      EXPECT_EQ(answer.ambiguous_with.size(), 1u);
+      ASSERT_FALSE(answer.advice.empty());
+      EXPECT_NE(answer.advice[0].find("common signal"), std::string::npos);
+    }
+}
+
 }  // namespace
 }  // namespace hidden

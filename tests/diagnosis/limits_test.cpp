@@ -43,7 +43,8 @@ TEST(Limits, NoneListsWhatWouldHaveBeenSeen) {
   }
 }
 
-// Integrated acceleration has no mean: a constant force leaves no trace. One channel cannot contradict itself.
+// Integrated acceleration has no mean: a constant force leaves no trace. A wrong gain of one accelerometer of several is not
+// what the springs and masses between them want.
 TEST(Limits, NoneSaysWhatAccelerationAloneCannotShow) {
   const Draw draw = nothing(13, "a");
   const Diagnosis answer = answer_to(draw);
@@ -53,12 +54,13 @@ TEST(Limits, NoneSaysWhatAccelerationAloneCannotShow) {
   ASSERT_NE(offset, nullptr);
   ASSERT_NE(gain, nullptr);
   EXPECT_TRUE(std::isinf(offset->strength));
-  EXPECT_TRUE(std::isinf(gain->strength));
-  EXPECT_EQ(answer.advice.size(), 3u);  // longer records, displacement, a second channel
+  EXPECT_GT(gain->strength, 1e-4);
+  EXPECT_LT(gain->strength, 0.02);
+  EXPECT_EQ(answer.advice.size(), 2u);  // longer records, displacement
   const nlohmann::json written = nlohmann::json::parse(to_json(answer).dump());
   int unseen = 0;
   for (const nlohmann::json& limit : written["minimum_detectable"]) unseen += limit["strength"].is_null();
-  EXPECT_GE(unseen, 2);
+  EXPECT_GE(unseen, 1);
 }
 
 // A gain error of 1.6 times the limit is five standard deviations and three more away from nought; of 0.3 times two.

@@ -136,6 +136,30 @@ TEST(Projection, ProductsTellWhatAFurtherColumnGains) {
   EXPECT_NEAR(fit.value(1) - value[5] * fit.answer(1, products.fitted.col(0)), value[1], 1e-9);
 }
 
+TEST(Projection, DisturbancesOfEveryDofExplainWhatAFitWithThemShows) {
+  Problem p;
+  const auto disturbance = [&] {
+    Balance b(kBins, kDofs);
+    for (Eigen::Index j = 0; j < kDofs; ++j) b.col(j) = p.spectrum();
+    return std::vector<Balance>{b};
+  };
+  const std::vector<std::vector<Balance>> group{disturbance(), disturbance()};
+  const Projection::Explained explained = p.fit().explained(group);
+  Eigen::MatrixXd more = p.dense();
+  more.conservativeResize(Eigen::NoChange, 7);
+  more.col(5) = p.whitened(group[0][0]), more.col(6) = p.whitened(group[1][0]);
+  const Eigen::VectorXd y = p.whitened(p.target[0]), value = more.householderQr().solve(y);
+  EXPECT_NEAR(explained.chi2, squared_residual(p.dense(), y) - squared_residual(more, y), 1e-8);
+  EXPECT_NEAR(explained.value[0], value[5], 1e-9);
+  EXPECT_NEAR(explained.value[1], value[6], 1e-9);
+  const Eigen::VectorXd free = more.col(5) - p.dense() * p.dense().householderQr().solve(more.col(5));
+  EXPECT_NEAR(explained.std[0], 1 / free.norm(), 1e-9);
+  // one that the fitted columns can make says nothing
+  Balance made = Balance::Zero(kBins, kDofs);
+  act(made, p.columns[2].place, (*p.columns[2].spectra)[0], 3);
+  EXPECT_EQ(p.fit().explained({{made}}).chi2, 0);
+}
+
 TEST(Projection, AColumnThatOthersMakeUpIsLeftOut) {
   Problem p;
   const Projection fit = p.fit();

@@ -91,7 +91,7 @@ std::vector<Line> report_lines(double share) {
     add("nothing" + at, setting(Hide::kNothing, noise), 500, 99);
     add("two effects" + at, setting(Hide::kTwo, noise), 200, 95);
     add("outside the vocabulary" + at, setting(Hide::kOutside, noise), 100, 95);
-    add("sensor fault" + at, setting(Hide::kSensorFault, noise), 50, 0);
+    add("sensor fault" + at, setting(Hide::kSensorFault, noise), 100, 0);
   }
   for (const std::string sensors : {"x", "a", "xa", "va"}) {
     Settings one = setting(Hide::kOne, 0.01, sensors);
@@ -99,6 +99,7 @@ std::vector<Line> report_lines(double share) {
     const bool asked = sensors.size() == 1;
     add("one effect over 0.1, 1 % noise, sensors " + sensors, one, asked ? 200 : 40, sensors == "x" ? 85 : sensors == "a" ? 60 : 0);
     add("nothing, 1 % noise, sensors " + sensors, setting(Hide::kNothing, 0.01, sensors), asked ? 200 : 40, asked ? 98 : 0);
+    if (asked) add("sensor fault, 1 % noise, sensors " + sensors, setting(Hide::kSensorFault, 0.01, sensors), 100, 0);
   }
   Settings coloured = setting(Hide::kNothing, 0.01), coarse = setting(Hide::kNothing, 0.001);
   coloured.noise_corner_Hz = 10, coarse.bits = 12;
