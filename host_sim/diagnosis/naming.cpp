@@ -1,6 +1,7 @@
 #include "naming.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "hal/configuration/effect_words.hpp"
 
@@ -104,6 +105,18 @@ std::string parameter_name(const System& s, const Term& t) {
   return std::string(word_of(t.kind)) + "[" + std::to_string(t.dof + 1) + "]";
 }
 
+namespace {
+
+// A hum's amplitude: of its cosine and of the sine that goes with it.
+double amplitude(const std::vector<ActiveTerm>& model, const ActiveTerm& cosine) {
+  double square = cosine.value * cosine.value;
+  for (const ActiveTerm& a : model)
+    if (a.companion >= 0 && model[static_cast<size_t>(a.companion)].term.same_place(cosine.term)) square += a.value * a.value;
+  return std::sqrt(square);
+}
+
+}  // namespace
+
 std::vector<Parameter> parameters_of_term(const System& s, const std::vector<ActiveTerm>& model, const ActiveTerm& a) {
   const Term& t = a.term;
   const bool turning = rotates(s, t);
@@ -111,10 +124,13 @@ std::vector<Parameter> parameters_of_term(const System& s, const std::vector<Act
   double reading = 1;  // true force per reading: the model corrects the reading, a fault is of the true force
   for (const ActiveTerm& g : model)
     if (g.term.kind == Kind::kForceGain && g.term.dof == t.dof && of_force_sensor(t.kind)) reading -= g.value;
-  std::vector<Parameter> list{{name, a.value / reading, unit_of(t.kind, turning), a.known ? 0 : a.std / reading, !a.known}};
+  const bool hum = t.kind == Kind::kForceHumCos50 || t.kind == Kind::kForceHumCos60;
+  const double value = hum ? amplitude(model, a) : a.value;
+  std::vector<Parameter> list{{name, value / reading, unit_of(t.kind, turning), a.known ? 0 : a.std / reading, !a.known}};
   const std::string place = name.substr(name.find('['));
   if (!shape_name(t.kind).empty() && t.shape > 0) list.push_back({shape_name(t.kind) + place, t.shape, shape_unit(t.kind, turning), 0, true});
   if (t.kind == Kind::kPresliding && t.shape2 > 0) list.push_back({"bristle_time" + place, t.shape2, "s", 0, true});
+  if (hum) list.push_back({"mains_frequency" + place, t.kind == Kind::kForceHumCos50 ? 50.0 : 60.0, "Hz", 0, false});
   if (t.kind == Kind::kResonance) list.push_back({"resonance_damping_ratio" + place, t.shape2, "1", 0, true});
   return list;
 }

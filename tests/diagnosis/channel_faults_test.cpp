@@ -1,7 +1,10 @@
 // Faults of channels that no second channel bears out: the rig's equations alone show them.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "judgement.hpp"
+#include "sensors.hpp"
 
 namespace hidden {
 namespace {
@@ -64,6 +67,20 @@ TEST(ChannelFaults, TheOnlyChannelOfADofIsNamed) {
         ASSERT_EQ(judge(draw, answer), Outcome::kExact) << told(draw, answer);
         EXPECT_NEAR(answer.causes[0].parameters[0].value / draw.truth[0].strength, 1, c.within) << told(draw, answer);
       }
+}
+
+// A sine of any phase: rho is its rms over the channel's, so its amplitude is rho times the square root of two of the rms.
+TEST(ChannelFaults, AHumOfTheForceHasItsAmplitude) {
+  for (uint64_t seed : {41, 42, 43}) {
+    Settings s = fault("mains_hum", "force_1_N", "xva", 0.05);
+    s.dofs = 2;
+    const Draw draw = make_draw(seed, s);
+    const diagnosis::Diagnosis answer = answer_to(draw);
+    ASSERT_EQ(judge(draw, answer), Outcome::kExact) << told(draw, answer);
+    const double force_rms = rms(draw.record.channels[0].values);
+    EXPECT_NEAR(answer.causes[0].parameters[0].value / (0.05 * std::sqrt(2.0) * force_rms), 1, 0.03) << "seed " << seed;
+    EXPECT_EQ(answer.causes[0].parameters[1].value, draw.truth[0].strength);
+  }
 }
 
 // What is named joins the rig file as delay_us of the channel, and with that file there is nothing left to find.
