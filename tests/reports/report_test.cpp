@@ -104,6 +104,29 @@ TEST(Verdict, OneSentenceEach) {
   EXPECT_TRUE(contains(verdict_sentence(data), "A residual beyond noise remains"));
 }
 
+// A sensor is no part of the rig file.
+TEST(Verdict, ASensorsFaultIsSaidToBeOne) {
+  DiagnosisReportData data;
+  data.causes = {{"sensor_delay", "channel force_1_N", 90.0, {}}};
+  data.gains = {{1, 60.0, 2.0, 0.0, 0.0}};
+  data.verdict = "explained";
+  EXPECT_EQ(verdict_sentence(data),
+            "A sensor is at fault: sensor delay in channel force_1_N; with that corrected the simulation error on unseen data "
+            "falls by a factor of 30.");
+  data.causes.push_back({"cubic_stiffness", "link 1-2", 5.0, {}});
+  EXPECT_EQ(verdict_sentence(data),
+            "The rig file lacks cubic stiffness on link 1-2, and a sensor is at fault: sensor delay in channel force_1_N; with both "
+            "the simulation error on unseen data falls by a factor of 30.");
+  data.causes.resize(1);
+  data.verdict = "ambiguous";
+  data.ambiguous_with = {{"sensor_delay", "channel displacement_1_m"}};
+  EXPECT_EQ(verdict_sentence(data),
+            "A sensor is at fault, and these data cannot tell which: sensor delay in channel force_1_N or sensor delay in channel "
+            "displacement_1_m.");
+  data.ambiguous_with.push_back({"mass_error", "dof 1"});
+  EXPECT_TRUE(contains(verdict_sentence(data), "The rig file lacks something or a sensor is at fault"));
+}
+
 TEST(WriteReport, MakesTheFolderAndReplacesAnEarlierPage) {
   const FreshPlace place("report_written");
   const fs::path folder = place.path / "deep";
