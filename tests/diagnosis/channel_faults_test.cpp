@@ -58,15 +58,14 @@ TEST(ChannelFaults, TheOnlyChannelOfADofIsNamed) {
   for (const Case& c : {Case{"sensor_delay", "displacement_2_m", "x", 0.15, 0.02}, Case{"sensor_delay", "acceleration_1_m_s2", "a", 0.05, 0.02},
                         Case{"sensor_gain", "displacement_1_m", "x", 0.05, 0.05}, Case{"sensor_gain", "acceleration_2_m_s2", "a", 0.05, 0.05},
                         Case{"sensor_gain", "velocity_2_m_s", "v", 0.05, 0.05}})
-    for (int dofs : {2, 3})
-      for (uint64_t seed : {41, 42}) {
-        Settings s = fault(c.kind, c.channel, c.sensors, c.rho);
-        s.dofs = dofs;
-        const Draw draw = make_draw(seed, s);
-        const diagnosis::Diagnosis answer = answer_to(draw);
-        ASSERT_EQ(judge(draw, answer), Outcome::kExact) << told(draw, answer);
-        EXPECT_NEAR(answer.causes[0].parameters[0].value / draw.truth[0].strength, 1, c.within) << told(draw, answer);
-      }
+    for (int dofs : {2, 3}) {
+      Settings s = fault(c.kind, c.channel, c.sensors, c.rho);
+      s.dofs = dofs;
+      const Draw draw = make_draw(41, s);
+      const diagnosis::Diagnosis answer = answer_to(draw);
+      ASSERT_EQ(judge(draw, answer), Outcome::kExact) << told(draw, answer);
+      EXPECT_NEAR(answer.causes[0].parameters[0].value / draw.truth[0].strength, 1, c.within) << told(draw, answer);
+    }
 }
 
 // A sine of any phase: rho is its rms over the channel's, so its amplitude is rho times the square root of two of the rms.
