@@ -21,7 +21,7 @@ Cause cause_of(const SensorFault& fault) {
   Cause c;
   c.effect = word_of(fault.kind);
   c.where = "channel " + fault.channel;
-  c.significance = fault.score;
+  c.significance = fault.score, c.taken_out = true;
   const double value = is_hum(fault.kind) ? std::hypot(fault.value, fault.quadrature) : fault.value;
   c.parameters.push_back({c.effect + "[" + fault.channel + "]", value, unit_of(fault), fault.std, true});
   if (is_hum(fault.kind))

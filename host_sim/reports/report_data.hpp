@@ -55,7 +55,7 @@ struct LinkView {
 
 struct Cause {
   std::string effect, where;  // the contract's words: "cubic_stiffness", "link 1-2"
-  double explains_percent = 0.0;
+  double explains_percent = 0.0;  // not a number: taken out of the record before the rig is judged
   std::vector<std::string> parameters;  // "cubic_stiffness[1-2] = 3.1e7 N/m^3 (95 %: 3.0e7 to 3.2e7)"
 };
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -66,6 +67,15 @@ TEST(DiagnosisPage, StaysSmallForALargeRig) {
 
 TEST(DiagnosisPage, IsTheSameBytesEveryTime) {
   EXPECT_EQ(diagnosis_page(made_up::diagnosis(3000)), diagnosis_page(made_up::diagnosis(3000)));
+}
+
+TEST(DiagnosisPage, AFaultTakenOutExplainsNoShare) {
+  DiagnosisReportData data;
+  data.verdict = "explained";
+  data.causes = {{"sensor_gain", "channel velocity_1_m_s", std::nan(""), {}}};
+  const std::string page = diagnosis_page(data);
+  EXPECT_TRUE(contains(page, "taken out of the record before the rig is judged"));
+  EXPECT_FALSE(contains(page, "% of what the rig as given leaves over"));
 }
 
 TEST(DiagnosisPage, AnEmptyDiagnosisIsStillAPage) {
