@@ -54,6 +54,11 @@ void Bench::lay_out() {
   bank = std::make_unique<CandidateBank>(*rows);
 }
 
+void Bench::lay_out_sharpened() {
+  sharpen_all(system, records);
+  lay_out();
+}
+
 void Bench::look_wide() {
   for (FusedRecord& f : records) {
     fuse(f);

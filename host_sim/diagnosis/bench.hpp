@@ -28,10 +28,11 @@ std::vector<FusedRecord> imposed_on(std::vector<FusedRecord> records, const Impo
 struct Bench {
   const System& system;
   std::vector<FusedRecord> records;
-  std::unique_ptr<Rows> rows;
-  std::unique_ptr<CandidateBank> bank;
   Imposed imposed;  // on the records
+  std::unique_ptr<Rows> rows = nullptr;
+  std::unique_ptr<CandidateBank> bank = nullptr;
   void lay_out();
+  void lay_out_sharpened();  // after sharpen_all()
   // For a rig that is far from any model: the motion as measured, where there is motion, and weights to match.
   void look_wide();
 };

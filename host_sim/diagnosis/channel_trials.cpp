@@ -12,9 +12,7 @@
 namespace diagnosis {
 namespace {
 
-constexpr double kAsGood = 1.01;      // of chi-squared
 constexpr double kSame = 12;          // of chi-squared: two that differ by less explain as well
-constexpr double kFault = 17;         // fall of chi-squared that names a fault, as of any other candidate
 constexpr double kWorthTrying = 0.5;  // of what there is to explain: a true fault explains nine tenths at its first order
 constexpr double kExplained = 0.1;    // chi-squared per degree of freedom beyond noise
 constexpr double kRest = 0.05;        // of a residual, which sharper motion may still explain
@@ -24,7 +22,11 @@ constexpr double kPlain = 1.05;       // chi-squared per degree of freedom that 
 constexpr int kMostSteps = 6;
 constexpr size_t kMostFaults = 2, kMostTried = 2;
 
-bool same(const SensorFault& a, const SensorFault& b) { return a.kind == b.kind && a.dof == b.dof && a.quantity == b.quantity; }
+// Fall of chi-squared that names a fault, as of any other candidate.
+double threshold_of(const Bench& bench) { return Candidate().threshold * bench.bank->strictness(Kind::kForceGain); }
+
+// With one mass a fault of its channel is one of the force.
+bool set_apart(const Bench& bench) { return bench.system.dofs() > 1 && has_sole_channel(bench.records[0]); }
 
 std::vector<SensorFault> faults_beside(const Rows& rows, std::vector<ActiveTerm> model) {
   const Fit fit = fit_model(rows, model);
@@ -39,7 +41,7 @@ struct Correction {
 };
 
 Correction corrected(const Bench& bench, const std::vector<ActiveTerm>& model, const SensorFault& fault, double before) {
-  Correction c{std::make_unique<Bench>(Bench{bench.system, bench.records, nullptr, nullptr, bench.imposed}), fault, before};
+  Correction c{std::make_unique<Bench>(Bench{bench.system, bench.records, bench.imposed}), fault, before};
   SensorFault step = fault;
   for (int i = 0; i < kMostSteps; ++i) {
     c.bench->records = imposed_on(std::move(c.bench->records), {{}, {step}});
@@ -49,7 +51,7 @@ Correction corrected(const Bench& bench, const std::vector<ActiveTerm>& model, c
     const double last = std::exchange(c.ratio, fit.ratio());
     if (i + 1 == kMostSteps || c.ratio > kStill * last) break;
     const std::vector<SensorFault> list = sole_channel_faults(rows, copy, fit);
-    const auto left = std::find_if(list.begin(), list.end(), [&](const SensorFault& f) { return same(f, fault); });
+    const auto left = std::find_if(list.begin(), list.end(), [&](const SensorFault& f) { return same_fault(f, fault); });
     if (left == list.end() || std::hypot(left->value, left->quadrature) < kLeft * left->std) break;
     step = *left;
     accumulate(c.fault, step);
@@ -65,8 +67,7 @@ void adopt(std::unique_ptr<Bench>& owner, Correction correction, SensorCheck& ch
 }
 
 SearchResult searched(std::unique_ptr<Bench>& bench) {
-  sharpen_all(bench->system, bench->records);
-  bench->lay_out();
+  bench->lay_out_sharpened();
   return search_sharpening(bench);
 }
 
@@ -99,7 +100,7 @@ struct Suspect {
 };
 std::vector<Suspect> suspects(const Bench& bench, const SearchResult& found, double explained) {
   std::vector<Suspect> list;
-  const double threshold = kFault * bench.bank->strictness(Kind::kForceGain);
+  const double threshold = threshold_of(bench);
   const bool settled = found.added.size() == 1 && found.fit.ratio() < 1 + kExplained;  // by one term: only its equal is of interest
   const double worth = settled ? explained - kSame : kWorthTrying * explained;
   for (const std::vector<ActiveTerm>* model : {&found.base, &found.model}) {
@@ -118,17 +119,17 @@ std::vector<NamedPlace> equivalents(const Bench& bench, const SearchResult& foun
   std::vector<NamedPlace> list;
   const DofSpectra& s = bench.records[0].spectra[0];
   if (bench.system.dofs() != 1 || s.count() != 1) return list;
-  const size_t quantity = static_cast<size_t>(std::find(s.measured.begin(), s.measured.end(), true) - s.measured.begin());
   for (const Found& f : found.added)
-    if (of_force_sensor(f.candidate.term().kind)) list.push_back({word_of(f.candidate.term().kind), "channel " + s.channel[quantity]});
+    if (of_force_sensor(f.candidate.term().kind)) list.push_back({word_of(f.candidate.term().kind), "channel " + s.channel[s.first()]});
   return list;
 }
 
 SearchResult search_plain_first(std::unique_ptr<Bench>& owner, SensorCheck& check) {
+  if (!set_apart(*owner)) return search_sharpening(owner);
   std::vector<ActiveTerm> base = base_model(*owner->rows);
   const Fit fit = settle(*owner->rows, base, 3);
   std::vector<SensorFault> faults;
-  if (fit.ratio() > kPlain && owner->system.dofs() > 1) faults = sole_channel_faults(*owner->rows, base, fit);
+  if (fit.ratio() > kPlain) faults = sole_channel_faults(*owner->rows, base, fit);
   double term = 0;  // what one effect could explain
   if (!faults.empty())
     for (const Gain& gain : gains_of(*owner->rows, base, fit, owner->bank->beside(base))) term = std::max(term, gain.chi2);
@@ -147,7 +148,7 @@ SearchResult search_plain_first(std::unique_ptr<Bench>& owner, SensorCheck& chec
 
 std::vector<NamedPlace> try_sole_channels(std::unique_ptr<Bench>& owner, SearchResult& found, SensorCheck& check) {
   std::vector<NamedPlace> rivals;
-  while (check.faults.size() < kMostFaults && owner->system.dofs() > 1) {
+  while (check.faults.size() < kMostFaults && set_apart(*owner)) {
     const double explained = explained_by(found, *owner->rows);
     Correction best;
     SearchResult best_found;
@@ -167,8 +168,9 @@ std::vector<NamedPlace> try_sole_channels(std::unique_ptr<Bench>& owner, SearchR
 }
 
 std::vector<SensorFault> smallest_of_sole_channels(const Bench& bench, const SearchResult& found) {
+  if (!has_sole_channel(bench.records[0])) return {};
   std::vector<SensorFault> list = faults_beside(*bench.rows, found.model);
-  const double steps = std::sqrt(kFault * bench.bank->strictness(Kind::kForceGain)) + 1.645;
+  const double steps = seen_in_95_of_100(threshold_of(bench));
   for (SensorFault& fault : list) fault.value = steps * fault.std, fault.quadrature = 0;
   return list;
 }

@@ -91,7 +91,7 @@ void simulate_unseen(const Asked& asked, Bench& bench, SearchResult& found, Rema
   const auto made_ready = [&](const std::vector<host_sim::Record>& records) {
     return imposed_on(ready(asked.rig, records, asked.options, nullptr), bench.imposed);
   };
-  Bench early{system, asked.holdout.empty() ? made_ready(first_parts(asked.training, share)) : bench.records, nullptr, nullptr, bench.imposed};
+  Bench early{system, asked.holdout.empty() ? made_ready(first_parts(asked.training, share)) : bench.records, bench.imposed};
   if (asked.holdout.empty()) sharpen_all(system, early.records);
   const Judge judge(system, bench.records, early.records, made_ready(asked.holdout), share);
   const auto beyond_noise = [&] { return !remainder.noise_only && far_beyond_noise(*bench.rows, found); };
@@ -127,10 +127,9 @@ Diagnosis diagnose(const rig_file::RigModel& rig, const std::vector<host_sim::Re
   Diagnosis d;
   const System system = make_system(rig);
   std::vector<SensorCheck> checks;
-  auto owner = std::make_unique<Bench>(Bench{system, ready(rig, training, options, &checks), nullptr, nullptr, {}});
+  auto owner = std::make_unique<Bench>(Bench{system, ready(rig, training, options, &checks), {}});
   report_faults(checks, d);
-  sharpen_all(system, owner->records);
-  owner->lay_out();
+  owner->lay_out_sharpened();
   SensorCheck alone;
   SearchResult found = search_plain_first(owner, alone);
   try_holds(owner, found);

@@ -12,7 +12,7 @@ Dynamics::Dynamics(const System& system, const std::vector<ActiveTerm>& model, O
   mass = stiffness = viscous = Eigen::MatrixXd::Zero(n, n);
   for (const ActiveTerm& t : model) {
     if (others == Others::kNone && !is_linear(t.term.kind)) continue;
-    const double value = t.host >= 0 ? t.host_sign * model[static_cast<size_t>(t.host)].value : t.value;
+    const double value = acting_value(model, t);
     const Place place = place_of_force(system, t.term);
     act(mass, place, value * t.column->mass);
     act(stiffness, place, value * t.column->stiffness), act(viscous, place, value * t.column->viscous);

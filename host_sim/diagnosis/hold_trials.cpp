@@ -5,8 +5,6 @@
 namespace diagnosis {
 namespace {
 
-constexpr double kAsGood = 1.01;  // chi-squared of a hold over that of a fault
-
 // The driven DOF whose force is said to be late or off in gain although one channel alone shows it; none: -1.
 int doubtful_drive(const Bench& bench, const SearchResult& found) {
   for (const Found& f : found.added) {
@@ -30,9 +28,8 @@ void try_holds(std::unique_ptr<Bench>& owner, SearchResult& found) {
   double least = kAsGood * found.fit.ratio();
   for (Hold hold : {Hold::kLinear, Hold::kSteps}) {
     const Imposed imposed{{{hold, static_cast<size_t>(dof), 1 / mass}}, {}};
-    auto trial = std::make_unique<Bench>(Bench{owner->system, imposed_on(smooth, imposed), nullptr, nullptr, imposed});
-    sharpen_all(trial->system, trial->records);
-    trial->lay_out();
+    auto trial = std::make_unique<Bench>(Bench{owner->system, imposed_on(smooth, imposed), imposed});
+    trial->lay_out_sharpened();
     std::vector<ActiveTerm> base = base_model(*trial->rows);
     if (terms == 1 && settle(*trial->rows, base, 3).ratio() >= least) continue;  // it would need a term again
     const SearchResult again = search_sharpening(trial);

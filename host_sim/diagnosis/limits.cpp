@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "naming.hpp"
+#include "sensor_check.hpp"
 
 namespace diagnosis {
 namespace {
@@ -56,7 +57,7 @@ std::vector<DetectionLimit> limits_of(const Rows& rows, const CandidateBank& ban
     const Gain& gain = gains[i];
     if (c.term().kind == Kind::kForceDelay && c.term().shape != 0) continue;  // the smallest shows at first order
     if (gain.std <= 0 && c.host < 0) continue;
-    const double steps = std::sqrt(c.threshold + c.penalty) + 1.645;  // in standard deviations
+    const double steps = seen_in_95_of_100(c.threshold + c.penalty);
     const bool rotating = rotates(rows.system(), c.term());
     DetectionLimit limit{word_of(c.term().kind), place_of(rows.system(), c.term(), rows.records()[0]), 0, "", 0};
     const double noise = steps * std::sqrt(std::max(1.0, fit.ratio()));

@@ -39,7 +39,7 @@ Fit fit_model(const Rows& rows, std::vector<ActiveTerm>& model) {
     const ActiveTerm* host = t.host >= 0 ? &model[static_cast<size_t>(t.host)] : nullptr;
     const Eigen::Index index = host ? own[static_cast<size_t>(t.host)] : own[i];
     if (index < 0) {
-      take_away(t, host ? t.host_sign * host->value : t.value);
+      take_away(t, acting_value(model, t));
       continue;
     }
     FittedColumn& c = columns[static_cast<size_t>(index)];

@@ -27,6 +27,7 @@ struct DofSpectra {
   std::array<Series, kMotionQuantities> noise;  // per bin: variance of the channel's error per sample (white: constant)
   bool any() const { return measured[0] || measured[1] || measured[2]; }
   int count() const { return measured[0] + measured[1] + measured[2]; }
+  size_t first() const { return measured[0] ? 0 : measured[1] ? 1 : 2; }  // quantity that is measured; the only one where count() is 1
 };
 
 struct DofMotion {

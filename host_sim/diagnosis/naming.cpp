@@ -56,6 +56,14 @@ rig_file::Effect as_effect(const Term& t, double value, bool rotating) {
   return e;
 }
 
+// A hum's amplitude: of its cosine and of the sine that goes with it.
+double amplitude(const std::vector<ActiveTerm>& model, const ActiveTerm& cosine) {
+  double square = cosine.value * cosine.value;
+  for (const ActiveTerm& a : model)
+    if (a.companion >= 0 && model[static_cast<size_t>(a.companion)].term.same_place(cosine.term)) square += a.value * a.value;
+  return std::sqrt(square);
+}
+
 }  // namespace
 
 std::string force_channel(const rig_file::RigModel& rig, size_t dof) {
@@ -104,18 +112,6 @@ std::string parameter_name(const System& s, const Term& t) {
     return std::string(word_of(t.kind)) + "[" + rig_file::link_label(s.links[static_cast<size_t>(t.link)]) + "]";
   return std::string(word_of(t.kind)) + "[" + std::to_string(t.dof + 1) + "]";
 }
-
-namespace {
-
-// A hum's amplitude: of its cosine and of the sine that goes with it.
-double amplitude(const std::vector<ActiveTerm>& model, const ActiveTerm& cosine) {
-  double square = cosine.value * cosine.value;
-  for (const ActiveTerm& a : model)
-    if (a.companion >= 0 && model[static_cast<size_t>(a.companion)].term.same_place(cosine.term)) square += a.value * a.value;
-  return std::sqrt(square);
-}
-
-}  // namespace
 
 std::vector<Parameter> parameters_of_term(const System& s, const std::vector<ActiveTerm>& model, const ActiveTerm& a) {
   const Term& t = a.term;

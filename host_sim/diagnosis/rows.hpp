@@ -30,6 +30,11 @@ struct ActiveTerm {
   std::shared_ptr<const std::vector<Series>> force;  // per record, with coefficient one; filled by Rows::prepare()
 };
 
+// A term's coefficient: that of its host where it has one.
+inline double acting_value(const std::vector<ActiveTerm>& model, const ActiveTerm& t) {
+  return t.host >= 0 ? t.host_sign * model[static_cast<size_t>(t.host)].value : t.value;
+}
+
 // Transform of a force over time under the inner weight, rows first_bin .. last_bin.
 Spectrum row_spectrum(const FusedRecord& record, const Series& force);
 

@@ -81,11 +81,9 @@ void correct(FusedRecord& f, const Hums& hums, const SensorFault& fault) {
   }
 }
 
-bool same(const SensorFault& a, const SensorFault& b) { return a.kind == b.kind && a.quantity == b.quantity; }
-
 // The smallest of each that would be named; `seen` are the candidates of the DOF as it stands.
 std::vector<SensorFault> smallest_faults(const FusedRecord& f, const Hums& hums, size_t dof, std::vector<SensorFault> seen) {
-  for (SensorFault& fault : seen) fault.value = (std::sqrt(kThreshold) + 1.645) * fault.std;
+  for (SensorFault& fault : seen) fault.value = seen_in_95_of_100(kThreshold) * fault.std;
   if (f.spectra[dof].count() > 1) return seen;
   for (size_t q = 0; q < 3; ++q)
     for (FaultKind kind : kinds_of(hums))
@@ -117,7 +115,7 @@ SensorCheck check_sensors(FusedRecord& f) {
     std::vector<SensorFault> list;
     if (f.spectra[dof].count() > 1) list = candidates(f, hums, dof);
     for (int round = 0; round < 8 && !list.empty() && list[0].score >= kThreshold; ++round) {
-      const auto known = std::find_if(found.begin(), found.end(), [&](const SensorFault& s) { return same(s, list[0]); });
+      const auto known = std::find_if(found.begin(), found.end(), [&](const SensorFault& s) { return same_fault(s, list[0]); });
       if (known == found.end() && found.size() == kMostFaults) break;
       if (known != found.end()) {
         accumulate(*known, list[0]);

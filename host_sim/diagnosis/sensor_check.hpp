@@ -1,6 +1,7 @@
 // Sensors judged before any rig model: what of a DOF's displacement, velocity and acceleration is not one motion seen
 // three times is the fault of a channel.
 #pragma once
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,9 @@ enum class FaultKind { kDelay, kGain, kHum50, kHum60 };
 inline bool is_hum(FaultKind kind) { return kind == FaultKind::kHum50 || kind == FaultKind::kHum60; }
 inline double hum_Hz(FaultKind kind) { return kind == FaultKind::kHum50 ? 50 : 60; }
 
+// Standard deviations at which chi-squared passes a threshold in 95 of 100 records.
+inline double seen_in_95_of_100(double threshold) { return std::sqrt(threshold) + 1.645; }
+
 struct SensorFault {
   FaultKind kind = FaultKind::kDelay;
   size_t dof = 0;       // index into FusedRecord::spectra
@@ -22,6 +26,10 @@ struct SensorFault {
   double std = 0;
   double score = 0;     // gain of chi-squared over the noise that remains
 };
+
+inline bool same_fault(const SensorFault& a, const SensorFault& b) {
+  return a.kind == b.kind && a.dof == b.dof && a.quantity == b.quantity;
+}
 
 struct SensorCheck {
   std::vector<SensorFault> faults;

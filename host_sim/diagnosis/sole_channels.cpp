@@ -31,8 +31,9 @@ Forces forces_of_wave(const Dynamics& d, Eigen::Index dof, int quantity, double 
 }
 
 Balance balance_of(const FusedRecord& f, const Forces& forces, double factor, bool slope) {
-  Balance b(f.last_bin + 1 - f.first_bin, forces.cols());
+  Balance b = Balance::Zero(f.last_bin + 1 - f.first_bin, forces.cols());
   for (Eigen::Index k = 0; k < forces.cols(); ++k) {
+    if (forces.col(k).isZero(0)) continue;  // no neighbour
     const Series force = forces.col(k);
     b.col(k) = factor * row_spectrum(f, slope ? lateness(force, 0, f) : force);
   }
@@ -65,13 +66,17 @@ std::vector<FaultKind> kinds_of(const Rows& rows) {
 
 }  // namespace
 
+bool has_sole_channel(const FusedRecord& f) {
+  return std::any_of(f.spectra.begin(), f.spectra.end() - 1, [](const DofSpectra& s) { return s.count() == 1; });
+}
+
 std::vector<SensorFault> sole_channel_faults(const Rows& rows, const std::vector<ActiveTerm>& model, const Fit& fit) {
   const Dynamics dynamics(rows.system(), model, Dynamics::Others::kAlike);
   std::vector<SensorFault> list;
   for (size_t dof = 0; dof < rows.system().dofs(); ++dof) {
     const DofSpectra& s = rows.records().front().spectra[dof];
     if (s.count() != 1) continue;
-    const size_t quantity = static_cast<size_t>(std::find(s.measured.begin(), s.measured.end(), true) - s.measured.begin());
+    const size_t quantity = s.first();
     for (FaultKind kind : kinds_of(rows)) {
       SensorFault fault{kind, dof, quantity, s.channel[quantity], 0, 0, 0, 0};
       const Projection::Explained e = fit.projection->explained(imbalances(rows, dynamics, fault));

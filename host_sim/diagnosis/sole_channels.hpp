@@ -6,6 +6,8 @@
 
 namespace diagnosis {
 
+bool has_sole_channel(const FusedRecord& record);  // one of its DOFs
+
 // Beside a fitted model, the one that explains most first. Faults that the model's free coefficients can make are not listed.
 std::vector<SensorFault> sole_channel_faults(const Rows& rows, const std::vector<ActiveTerm>& model, const Fit& fit);
 

@@ -8,6 +8,8 @@
 
 namespace diagnosis {
 
+constexpr double kAsGood = 1.01;  // chi-squared of one reading over that of another that it equals
+
 // A force that is said to be late or off in gain although one channel alone shows it may be held between its samples
 // instead: it is, where that does as well with fewer terms. Bench and result are then those under the hold.
 void try_holds(std::unique_ptr<Bench>& bench, SearchResult& found);

@@ -31,7 +31,7 @@ struct Dampers {
     for (const ActiveTerm& t : model) {
       if (t.term.link < 0) continue;
       const Kind kind = t.term.kind;
-      const double value = t.host >= 0 ? t.host_sign * model[static_cast<size_t>(t.host)].value : t.value;
+      const double value = acting_value(model, t);
       const size_t link = static_cast<size_t>(t.term.link);
       if (kind == Kind::kViscous || kind == Kind::kMissingViscous) viscous[link] += value;
       if (kind == Kind::kCoulomb || kind == Kind::kMissingCoulomb) friction[link] += value;

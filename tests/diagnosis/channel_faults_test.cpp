@@ -9,12 +9,10 @@
 namespace hidden {
 namespace {
 
-diagnosis::Diagnosis answer_to(const Draw& draw) { return diagnosis::diagnose(draw.rig, {draw.record}, {}); }
-
-Settings fault(const char* kind, const char* channel, const char* sensors, double rho) {
+Settings fault(const char* kind, const char* channel, const char* sensors, double rho, int dofs) {
   Settings s;
   s.hide = Hide::kSensorFault, s.kind = kind, s.channel = channel, s.sensors = sensors;
-  s.rho_low = s.rho_high = rho;
+  s.rho_low = s.rho_high = rho, s.dofs = dofs;
   return s;
 }
 
@@ -24,9 +22,7 @@ TEST(ChannelFaults, ADelayOfTheForceIsNamedAndMeasuredHoweverLong) {
   for (const char* sensors : {"xva", "x", "a"})
     for (double rho : {0.05, 0.15, 0.4})
       for (uint64_t seed : {31, 32}) {
-        Settings s = fault("sensor_delay", "force_1_N", sensors, rho);
-        s.dofs = 2;
-        const Draw draw = make_draw(seed, s);
+        const Draw draw = make_draw(seed, fault("sensor_delay", "force_1_N", sensors, rho, 2));
         const diagnosis::Diagnosis answer = answer_to(draw);
         ASSERT_EQ(judge(draw, answer), Outcome::kExact) << sensors << " " << told(draw, answer);
         EXPECT_NEAR(answer.causes[0].parameters[0].value / draw.truth[0].strength, 1, 0.03) << sensors << " seed " << seed;
@@ -39,9 +35,7 @@ TEST(ChannelFaults, ADelayOfTheForceIsNamedAndMeasuredHoweverLong) {
 // which the corrected force leaves the noise, 1 %.
 TEST(ChannelFaults, AGainOfTheForceIsTakenOutOfTheSimulation) {
   for (uint64_t seed : {31, 32, 33}) {
-    Settings s = fault("sensor_gain", "force_1_N", "x", 0.05);
-    s.dofs = 2;
-    const Draw draw = make_draw(seed, s);
+    const Draw draw = make_draw(seed, fault("sensor_gain", "force_1_N", "x", 0.05, 2));
     const diagnosis::Diagnosis answer = answer_to(draw);
     ASSERT_EQ(judge(draw, answer), Outcome::kExact) << told(draw, answer);
     EXPECT_NEAR(answer.causes[0].parameters[0].value, draw.truth[0].strength, 0.003) << "seed " << seed;
@@ -59,9 +53,7 @@ TEST(ChannelFaults, TheOnlyChannelOfADofIsNamed) {
                         Case{"sensor_gain", "displacement_1_m", "x", 0.05, 0.05}, Case{"sensor_gain", "acceleration_2_m_s2", "a", 0.05, 0.05},
                         Case{"sensor_gain", "velocity_2_m_s", "v", 0.05, 0.05}})
     for (int dofs : {2, 3}) {
-      Settings s = fault(c.kind, c.channel, c.sensors, c.rho);
-      s.dofs = dofs;
-      const Draw draw = make_draw(41, s);
+      const Draw draw = make_draw(41, fault(c.kind, c.channel, c.sensors, c.rho, dofs));
       const diagnosis::Diagnosis answer = answer_to(draw);
       ASSERT_EQ(judge(draw, answer), Outcome::kExact) << told(draw, answer);
       EXPECT_NEAR(answer.causes[0].parameters[0].value / draw.truth[0].strength, 1, c.within) << told(draw, answer);
@@ -71,9 +63,7 @@ TEST(ChannelFaults, TheOnlyChannelOfADofIsNamed) {
 // A sine of any phase: rho is its rms over the channel's, so its amplitude is rho times the square root of two of the rms.
 TEST(ChannelFaults, AHumOfTheForceHasItsAmplitude) {
   for (uint64_t seed : {41, 42, 43}) {
-    Settings s = fault("mains_hum", "force_1_N", "xva", 0.05);
-    s.dofs = 2;
-    const Draw draw = make_draw(seed, s);
+    const Draw draw = make_draw(seed, fault("mains_hum", "force_1_N", "xva", 0.05, 2));
     const diagnosis::Diagnosis answer = answer_to(draw);
     ASSERT_EQ(judge(draw, answer), Outcome::kExact) << told(draw, answer);
     const double force_rms = rms(draw.record.channels[0].values);
@@ -85,9 +75,7 @@ TEST(ChannelFaults, AHumOfTheForceHasItsAmplitude) {
 // What is named joins the rig file as delay_us of the channel, and with that file there is nothing left to find.
 TEST(ChannelFaults, ADelayJoinsTheRigFile) {
   for (const char* channel : {"force_1_N", "displacement_2_m", "velocity_1_m_s"}) {
-    Settings s = fault("sensor_delay", channel, channel[0] == 'd' ? "x" : "xva", 0.08);
-    s.dofs = 2;
-    const Draw draw = make_draw(41, s);
+    const Draw draw = make_draw(41, fault("sensor_delay", channel, channel[0] == 'd' ? "x" : "xva", 0.08, 2));
     const diagnosis::Diagnosis answer = answer_to(draw);
     ASSERT_EQ(answer.extended_rig.channels.size(), 1u) << told(draw, answer);
     EXPECT_EQ(answer.extended_rig.channels[0].name, channel);
@@ -99,9 +87,7 @@ TEST(ChannelFaults, ADelayJoinsTheRigFile) {
 
 TEST(ChannelFaults, AHumOfTheOnlyChannelIsNamed) {
   for (uint64_t seed : {41, 42, 43}) {
-    Settings s = fault("mains_hum", "acceleration_1_m_s2", "a", 0.05);
-    s.dofs = 2;
-    const Draw draw = make_draw(seed, s);
+    const Draw draw = make_draw(seed, fault("mains_hum", "acceleration_1_m_s2", "a", 0.05, 2));
     const diagnosis::Diagnosis answer = answer_to(draw);
     EXPECT_EQ(judge(draw, answer), Outcome::kExact) << told(draw, answer);
   }
@@ -127,9 +113,7 @@ TEST(ChannelFaults, ABentSpringBesideAFaultIsNamedWithIt) {
 TEST(ChannelFaults, WithOneMassEitherReadingMayBeWrong) {
   for (const char* channel : {"force_1_N", "displacement_1_m"})
     for (const char* kind : {"sensor_gain", "sensor_delay"}) {
-      Settings s = fault(kind, channel, "x", 0.04);
-      s.dofs = 1;
-      const Draw draw = make_draw(61, s);
+      const Draw draw = make_draw(61, fault(kind, channel, "x", 0.04, 1));
       const diagnosis::Diagnosis answer = answer_to(draw);
       EXPECT_EQ(judge(draw, answer), Outcome::kSet) << told(draw, answer);
       EXPECT_EQ(answer.ambiguous_with.size(), 1u);

@@ -6,8 +6,6 @@
 namespace hidden {
 namespace {
 
-diagnosis::Diagnosis answer_to(const Draw& draw) { return diagnosis::diagnose(draw.rig, {draw.record}, {}); }
-
 void expect_told(Drive drive, const std::string& word) {
   Settings none, one;
   none.hide = Hide::kNothing, one.hide = Hide::kOne;

@@ -19,6 +19,8 @@ bool among(const Hidden& truth, const diagnosis::Diagnosis& d, bool rivals_too) 
 
 }  // namespace
 
+diagnosis::Diagnosis answer_to(const Draw& draw) { return diagnosis::diagnose(draw.rig, {draw.record}, {}); }
+
 Outcome judge(const Draw& draw, const diagnosis::Diagnosis& d) {
   if (draw.truth.empty()) return d.verdict == Verdict::kNone ? Outcome::kExact : Outcome::kWrong;
   if (draw.truth[0].effect == "outside") return d.verdict == Verdict::kUnknown ? Outcome::kExact : Outcome::kWrong;

@@ -13,6 +13,7 @@ enum class Outcome {
   kWrong
 };
 
+diagnosis::Diagnosis answer_to(const Draw& draw);  // without a word of what is hidden
 Outcome judge(const Draw& draw, const diagnosis::Diagnosis& diagnosis);
 std::string told(const Draw& draw, const diagnosis::Diagnosis& diagnosis);  // one line: truth and answer
 

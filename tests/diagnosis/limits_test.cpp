@@ -12,8 +12,6 @@ namespace {
 using diagnosis::DetectionLimit;
 using diagnosis::Diagnosis;
 
-Diagnosis answer_to(const Draw& draw) { return diagnosis::diagnose(draw.rig, {draw.record}, {}); }
-
 Draw nothing(uint64_t seed, const std::string& sensors) {
   Settings settings;
   settings.hide = Hide::kNothing, settings.sensors = sensors;
