@@ -45,9 +45,23 @@ Series time_axis(const FusedRecord& f) {
   return Series::LinSpaced(static_cast<Eigen::Index>(f.samples), 0, static_cast<double>(f.samples - 1) * f.period_s);
 }
 
+// exp(-decay t) cos(omega t + phase), turned on from sample to sample: many times faster than a cosine each, and after a
+// million samples right to 1e-10.
+Series tone(const FusedRecord& f, double omega, double phase, double decay = 0) {
+  const Complex turn = std::exp(Complex(-decay, omega) * f.period_s);
+  double real = std::cos(phase), imaginary = std::sin(phase);
+  Series s(static_cast<Eigen::Index>(f.samples));
+  for (double& value : s) {
+    value = real;
+    const double next = real * turn.real() - imaginary * turn.imag();
+    imaginary = real * turn.imag() + imaginary * turn.real(), real = next;
+  }
+  return s;
+}
+
 Series free_decay(const Term& t, const FusedRecord& f, double phase) {
   const double omega = kTwoPi * t.shape;
-  return ((-t.shape2 * omega * time_axis(f).array()).exp() * (omega * time_axis(f).array() - phase).cos()).matrix();
+  return tone(f, omega, -phase, t.shape2 * omega);
 }
 
 }  // namespace
@@ -65,9 +79,7 @@ Series term_force(const Term& t, const FusedRecord& f, const std::vector<LinkMot
   if (t.link < 0) {
     const DofMotion& d = f.motion[static_cast<size_t>(t.dof)];
     const Series* force = &f.force[static_cast<size_t>(t.dof)];
-    const auto tone = [&](double hertz, double phase) -> Series {
-      return (kTwoPi * hertz * time_axis(f).array() + phase).cos().matrix();
-    };
+    const auto hum = [&](double hertz, double phase) { return tone(f, kTwoPi * hertz, phase); };
     switch (t.kind) {
       case Kind::kMass: return t.smooth ? d.smooth_a : d.a;
       case Kind::kMassError: return d.smooth_a;
@@ -76,11 +88,11 @@ Series term_force(const Term& t, const FusedRecord& f, const std::vector<LinkMot
       case Kind::kResonance: return hidden_mass(d.smooth_x, d.smooth_v, t.shape, t.shape2, f.period_s);
       case Kind::kForceGain: return *force;
       case Kind::kForceDelay: return lateness(*force, t.shape, f);
-      case Kind::kForceHumCos50: return tone(50, 0);
-      case Kind::kForceHumSin50: return tone(50, kTwoPi / 4);
-      case Kind::kForceHumCos60: return tone(60, 0);
-      case Kind::kForceHumSin60: return tone(60, kTwoPi / 4);
-      case Kind::kUnknownTone: return tone(t.shape, t.shape2);
+      case Kind::kForceHumCos50: return hum(50, 0);
+      case Kind::kForceHumSin50: return hum(50, kTwoPi / 4);
+      case Kind::kForceHumCos60: return hum(60, 0);
+      case Kind::kForceHumSin60: return hum(60, kTwoPi / 4);
+      case Kind::kUnknownTone: return hum(t.shape, t.shape2);
       default: return Series::Zero(static_cast<Eigen::Index>(f.samples));
     }
   }

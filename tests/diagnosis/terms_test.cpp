@@ -45,5 +45,21 @@ TEST(Terms, ADriftGoesOnOrLevelsOff) {
   EXPECT_NEAR(Steady().force(Kind::kDriftingViscous, 0.05, 0)[50], 0.02 * 0.05 * (1 - std::exp(-1)), 1e-15);
 }
 
+// exp(-zeta o t) cos(o t) and its sine, o = 2 pi 30 Hz, zeta = 0.001; a hum of 50 Hz does not die away. Ten minutes at 1 kHz.
+TEST(Terms, ToneKeepsItsPhaseThroughALongRecord) {
+  FusedRecord record;
+  record.samples = 600000, record.period_s = 1e-3;
+  record.motion.resize(1), record.force.resize(1);
+  const auto force = [&](Kind kind) { return term_force(on_dof(kind, 0, 30, 0.001), record, {}); };
+  const Series cosine = force(Kind::kResonanceCos), sine = force(Kind::kResonanceSin), hum = force(Kind::kForceHumSin50);
+  const double pi = 3.14159265358979323846;
+  for (Eigen::Index i : {0, 7, 1000, 20000, 599999}) {
+    const double t = 1e-3 * static_cast<double>(i), left = std::exp(-0.001 * 60 * pi * t);
+    EXPECT_NEAR(cosine[i], left * std::cos(60 * pi * t), 1e-9) << i;
+    EXPECT_NEAR(sine[i], left * std::sin(60 * pi * t), 1e-9) << i;
+    EXPECT_NEAR(hum[i], -std::sin(100 * pi * t), 1e-9) << i;
+  }
+}
+
 }  // namespace
 }  // namespace diagnosis
