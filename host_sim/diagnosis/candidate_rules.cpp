@@ -1,4 +1,4 @@
-// Which candidates make sense beside a model, and what they must gain.
+// Which candidates make sense beside a model.
 #include "candidates.hpp"
 
 #include <algorithm>
@@ -19,11 +19,6 @@ double present(const std::vector<ActiveTerm>& model, Kind kind, const Term& t) {
   for (const ActiveTerm& a : model)
     if (a.term.kind == kind && a.term.link == t.link && a.term.dof == t.dof) sum += a.value;
   return std::abs(sum);
-}
-
-// Friction that is smoothed a little wrong looks like any of these.
-bool law_of_rate(Kind kind) {
-  return CandidateBank::friction_shape(kind) || kind == Kind::kQuadraticDamping || kind == Kind::kCubicDamping;
 }
 
 // The term of the model that a shape effect bends, or -1.
@@ -63,6 +58,7 @@ std::vector<Term> CandidateBank::unseen(const std::vector<ActiveTerm>& model) co
 
 bool CandidateBank::prepare(const std::vector<ActiveTerm>& model, Candidate& c) const {
   const Term& t = c.term();
+  c.threshold = threshold_;
   if (!observable(model, t)) return false;
   for (const Term& b : barred_)
     if (b.same_place(t)) return false;
@@ -103,31 +99,6 @@ bool CandidateBank::prepare(const std::vector<ActiveTerm>& model, Candidate& c) 
   if (c.host < 0) return false;
   c.fixed = model[static_cast<size_t>(c.host)].known;
   return true;
-}
-
-// Friction near velocity reversals is known to some percent only: an effect beside it must bring more than that, or show
-// with the reversals left out of account.
-double CandidateBank::reversal_doubt(const std::vector<ActiveTerm>& model, const Term& t) const {
-  double largest = 0;
-  const auto& links = rows_.system().links;
-  const auto touches = [&](const rig_file::Link& l, int dof) { return dof > 0 && (l.a == dof || l.b == dof); };
-  for (const ActiveTerm& a : model) {
-    const Term& own = a.term;
-    if ((own.kind != Kind::kCoulomb && own.kind != Kind::kMissingCoulomb && own.kind != Kind::kStribeck) || !(a.std > 0)) continue;
-    const rig_file::Link& l = links[static_cast<size_t>(own.link)];
-    const bool near = t.dof >= 0 ? touches(l, t.dof + 1)
-                                 : touches(l, links[static_cast<size_t>(t.link)].a) || touches(l, links[static_cast<size_t>(t.link)].b);
-    if (near) largest = std::max(largest, std::pow(a.value / a.std, 2));
-  }
-  if (friction_shape(t.kind)) return 1e-4 * largest;
-  if (rows_.reversals() == Rows::Reversals::kNarrow) return 1e-3 * largest;
-  return 1e-5 * largest * std::max(1.0, 1e-6 * largest);  // never trusted to better than a thousandth
-}
-
-double CandidateBank::strictness(Kind kind) const {
-  // integrated motion drifts, and drift looks like much, most of all like a hidden mass with a spring of its own
-  const double alone = !rows_.absolute() ? (kind == Kind::kResonance ? 80 : 4) : rows_.redundant() ? 1 : law_of_rate(kind) ? 6 : 2.5;
-  return alone * (rows_.coarse() && !friction_shape(kind) ? 2.6 : 1);
 }
 
 std::vector<Candidate> CandidateBank::beside(const std::vector<ActiveTerm>& model) const {

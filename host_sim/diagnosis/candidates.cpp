@@ -26,6 +26,7 @@ CandidateBank::CandidateBank(const Rows& rows) : rows_(rows) {
     if (l < rows.system().known_links) add_effects(link, columns_);
   }
   for (size_t d = 0; d < rows.system().dofs(); ++d) add_dof(static_cast<int>(d));
+  threshold_ = chance_threshold();
 }
 
 void CandidateBank::add(const Term& term, Columns& columns) const {

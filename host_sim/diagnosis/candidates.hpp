@@ -36,6 +36,9 @@ class CandidateBank {
   static bool bends(const Term& term) { return has_shape(term) || term.kind == Kind::kForceDelay; }
   static bool friction_shape(Kind kind) { return kind == Kind::kStribeck || kind == Kind::kPresliding; }
 
+  // Fall of chi-squared that names an effect where nothing else makes it stricter: so high that chance passes it on any of the
+  // rig's kinds and places in one of 500 records. Small rigs have fewer of them, and show weaker effects.
+  double threshold() const { return threshold_; }
   // Times what the threshold of a kind is where it stands on motion that no second channel bears out, or is integrated.
   double strictness(Kind kind) const;
   // Added to the threshold of an effect that shares a DOF with a link of strong friction.
@@ -53,12 +56,14 @@ class CandidateBank {
   void add_effects(int link, Columns& columns) const;
   const Columns& effects_of_unlisted(int link) const;  // made when they are first asked for
   void add_dof(int dof);
+  double chance_threshold() const;
   bool observable(const std::vector<ActiveTerm>& model, const Term& term) const;
   bool prepare(const std::vector<ActiveTerm>& model, Candidate& candidate) const;
   mutable std::map<const Column*, Columns> partner_;  // companions of those on the grid
   const Rows& rows_;
   std::vector<Term> barred_;
   double highest_Hz_ = 0;  // of a hidden resonance
+  double threshold_ = 0;
   Columns columns_;
   mutable std::map<int, Columns> unlisted_;  // per link that the rig file does not list
 };

@@ -23,7 +23,7 @@ constexpr int kMostSteps = 6;
 constexpr size_t kMostFaults = 2, kMostTried = 2;
 
 // Fall of chi-squared that names a fault, as of any other candidate.
-double threshold_of(const Bench& bench) { return Candidate().threshold * bench.bank->strictness(Kind::kForceGain); }
+double threshold_of(const Bench& bench) { return bench.bank->threshold() * bench.bank->strictness(Kind::kForceGain); }
 
 // With one mass a fault of its channel is one of the force.
 bool set_apart(const Bench& bench) { return bench.system.dofs() > 1 && has_sole_channel(bench.records[0]); }

@@ -12,17 +12,29 @@ namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
-double rms_of(const Column& c, const Rows& rows, double coefficient) {
+// rms over the equations' span of the force that has these spectra.
+double rms_of(const Spectra& spectra, const Rows& rows) {
   double power = 0, samples = 0;
-  for (size_t r = 0; r < c.spectra.size(); ++r) {
+  for (size_t r = 0; r < spectra.size(); ++r) {
     const FusedRecord& f = rows.records()[r];
-    power += 2 * c.spectra[r].squaredNorm() / f.inner_energy;
+    const double mean = f.first_bin == 0 ? std::norm(spectra[r][0]) : 0;  // stands for itself, every other bin for two
+    power += (2 * spectra[r].squaredNorm() - mean) / f.inner_energy;
     samples += static_cast<double>(f.samples);
   }
-  return std::abs(coefficient) * std::sqrt(power / samples);
+  return std::sqrt(power / samples);
 }
 
-// rms of what the model's dampers take on a link; for a DOF or a link that the rig file lacks the largest nearby.
+// What the model's dampers on a link take together: viscous force and friction push the same way.
+Spectra damper_force(const Rows& rows, const std::vector<ActiveTerm>& model, int link) {
+  Spectra sum;
+  for (const FusedRecord& f : rows.records()) sum.push_back(Spectrum::Zero(f.last_bin + 1 - f.first_bin));
+  for (const ActiveTerm& t : model)
+    if (t.term.link == link && (t.term.kind == Kind::kViscous || t.term.kind == Kind::kCoulomb))
+      for (size_t r = 0; r < sum.size(); ++r) sum[r] += t.value * t.column->spectra[r];
+  return sum;
+}
+
+// rms of what a link's dampers take; for a DOF or a link that the rig file lacks the largest nearby.
 double damping_rms(const Rows& rows, const std::vector<ActiveTerm>& model, const Term& place) {
   double largest = 0;
   for (size_t l = 0; l < rows.system().links.size(); ++l) {
@@ -31,13 +43,7 @@ double damping_rms(const Rows& rows, const std::vector<ActiveTerm>& model, const
     const rig_file::Link* own = place.link >= 0 ? &rows.system().links[static_cast<size_t>(place.link)] : nullptr;
     const bool listed = own && static_cast<size_t>(place.link) < rows.system().known_links;
     if (!(listed ? &link == own : own ? touches(own->a) || touches(own->b) : touches(place.dof + 1))) continue;
-    double power = 0;
-    for (const ActiveTerm& t : model) {
-      const Kind kind = t.term.kind;
-      if (t.term.link == static_cast<int>(l) && (kind == Kind::kViscous || kind == Kind::kCoulomb))
-        power += std::pow(rms_of(*t.column, rows, t.value), 2);
-    }
-    largest = std::max(largest, std::sqrt(power));
+    largest = std::max(largest, rms_of(damper_force(rows, model, static_cast<int>(l)), rows));
   }
   return largest;
 }
@@ -71,11 +77,11 @@ std::vector<DetectionLimit> limits_of(const Rows& rows, const CandidateBank& ban
       const double std = free_gains[i].std;
       limit.strength = c.term().shape * std::pow(noise * std / host, power);
       limit.unit = shape_unit(c.term().kind, rotating);
-      limit.percent_of_damping_force = 100 * rms_of(*c.column, rows, noise * std);
+      limit.percent_of_damping_force = 100 * noise * std * rms_of(c.column->spectra, rows);
     } else {
       limit.strength = coefficient;
       limit.unit = unit_of(c.term().kind, rotating);
-      limit.percent_of_damping_force = 100 * rms_of(*c.column, rows, coefficient);
+      limit.percent_of_damping_force = 100 * coefficient * rms_of(c.column->spectra, rows);
     }
     const double damping = damping_rms(rows, model, c.term());
     limit.percent_of_damping_force = damping > 0 ? limit.percent_of_damping_force / damping : 0;

@@ -27,7 +27,7 @@ struct Candidate {
   const Term& term() const { return column->term; }
   double coefficient_sign = 0;  // physical sign of the coefficient; 0: either
   double penalty = 0;           // chi-squared that its shape parameters may win by chance
-  double threshold = 17;        // of chi-squared: chance passes it in one of 25,000 candidates
+  double threshold = 0;         // of chi-squared
   int host = -1;                // active term in whose place it acts, or -1
   double host_sign = 1;
   bool fixed = false;           // its coefficient is host_sign times the host's known value

@@ -26,7 +26,7 @@ Series bristles(const Series& w, double length, double time_s, double period_s) 
 
 // Acceleration of a hidden mass on a spring driven by the motion x, v (semi-exact: trapezoidal rule).
 Series hidden_mass(const Series& x, const Series& v, double frequency_Hz, double ratio, double period_s) {
-  const double o = kTwoPi * frequency_Hz, c = 2 * ratio * o, k = o * o, h = period_s;
+  const double o = kTwoPi * frequency_Hz, c = 2 * ratio * o, k = o * o, h = period_s, yield = 1 / (1 + 0.5 * h * c + 0.25 * h * h * k);
   Series out(x.size());
   double z = x[0], s = v[0], drive = c * v[0] + k * x[0], a = drive - c * s - k * z;
   for (Eigen::Index i = 0; i < x.size(); ++i) {
@@ -34,7 +34,7 @@ Series hidden_mass(const Series& x, const Series& v, double frequency_Hz, double
     if (i + 1 == x.size()) break;
     const double next = c * v[i + 1] + k * x[i + 1];  // Newmark, average acceleration
     const double zp = z + h * s + 0.25 * h * h * a, sp = s + 0.5 * h * a;
-    a = (next - c * sp - k * zp) / (1 + 0.5 * h * c + 0.25 * h * h * k);
+    a = (next - c * sp - k * zp) * yield;
     z = zp + 0.25 * h * h * a;
     s = sp + 0.5 * h * a;
   }

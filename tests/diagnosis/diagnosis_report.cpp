@@ -86,7 +86,7 @@ int main(int argc, char** argv) {
   if (argc > 1 && std::string(argv[1]) == "line") return one_line(argc, argv);
   double share = 1;
   size_t jobs = 1;
-  uint64_t seed = 2000000;
+  uint64_t seed = 7000000;
   std::string page;
   bool finished_only = false;
   for (int i = 1; i < argc; ++i) {

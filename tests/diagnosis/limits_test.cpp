@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "host_sim/diagnosis/bench.hpp"
 #include "judgement.hpp"
 
 namespace hidden {
@@ -12,10 +13,16 @@ namespace {
 using diagnosis::DetectionLimit;
 using diagnosis::Diagnosis;
 
-Draw nothing(uint64_t seed, const std::string& sensors) {
+Draw nothing(uint64_t seed, const std::string& sensors, int dofs = 0) {
   Settings settings;
-  settings.hide = Hide::kNothing, settings.sensors = sensors;
+  settings.hide = Hide::kNothing, settings.sensors = sensors, settings.dofs = dofs;
   return make_draw(seed, settings);
+}
+
+double rms_of(const std::vector<double>& x, const std::vector<double>& v, double (*force)(double, double)) {
+  double sum = 0;
+  for (size_t i = 0; i < x.size(); ++i) sum += std::pow(force(x[i], v[i]), 2);
+  return std::sqrt(sum / static_cast<double>(x.size()));
 }
 
 const DetectionLimit* find(const Diagnosis& d, const std::string& effect, const std::string& where) {
@@ -76,6 +83,83 @@ TEST(Limits, AGainErrorAboveItsLimitIsNamedAndOneFarBelowIsNot) {
     settings.rho_low = settings.rho_high = 0.3 * lowest;
     EXPECT_EQ(answer_to(make_draw(seed, settings)).verdict, diagnosis::Verdict::kNone);
   }
+}
+
+// One mass, so that its motion is the link's elongation and rate: the percentage is rms of the effect's force at the printed
+// strength over rms(c w + F sgn w), sample by sample from what the sensors read (1 % noise moves an rms by 5e-5).
+TEST(Limits, PercentIsOfTheDampingForce) {
+  struct Law {
+    const char* effect;
+    double (*force)(double x, double v);
+  };
+  const Law laws[] = {{"asymmetric_viscous", [](double, double v) { return std::abs(v); }},
+                      {"quadratic_stiffness", [](double x, double) { return x * x; }},
+                      {"force_offset", [](double, double) { return 1.0; }},
+                      {"cubic_stiffness", [](double x, double) { return x * x * x; }},
+                      {"quadratic_damping", [](double, double v) { return v * std::abs(v); }}};
+  bool friction = false, smooth = false;
+  for (uint64_t seed : {31, 32, 33, 34, 35, 36}) {
+    const Draw draw = nothing(seed, "xva", 1);
+    const Diagnosis answer = answer_to(draw);
+    ASSERT_EQ(answer.verdict, diagnosis::Verdict::kNone) << told(draw, answer);
+    const std::vector<double>&x = draw.record.channels[1].values, &v = draw.record.channels[2].values;
+    const TrueLink& link = draw.true_rig.links[0];
+    double damping = 0;
+    for (double w : v) damping += std::pow(link.c * w + link.F * (w > 0 ? 1 : -1), 2);
+    damping = std::sqrt(damping / static_cast<double>(v.size()));
+    for (const Law& law : laws) {
+      const DetectionLimit* limit = find(answer, law.effect, "link 1-0");
+      ASSERT_NE(limit, nullptr) << law.effect;
+      const double expected = 100 * limit->strength * rms_of(x, v, law.force) / damping;
+      EXPECT_NEAR(limit->percent_of_damping_force, expected, 0.04 * expected) << law.effect << ", seed " << seed;
+    }
+    (link.F > 0 ? friction : smooth) = true;
+  }
+  EXPECT_TRUE(friction && smooth);  // the draws hold both
+}
+
+// 1.6 times the limit is 9 standard deviations or so where 4 are needed, 0.3 times not 2.
+TEST(Limits, AnEffectAboveItsLimitIsNamedAndOneFarBelowIsNot) {
+  for (const char* kind : {"asymmetric_viscous", "cubic_stiffness", "drifting_viscous"})
+    for (uint64_t seed : {41, 42, 43}) {
+      const Diagnosis quiet = answer_to(nothing(seed, "xva", 1));
+      const DetectionLimit* limit = find(quiet, kind, "link 1-0");
+      ASSERT_NE(limit, nullptr) << kind;
+      Settings settings;
+      settings.dofs = 1, settings.kind = kind;
+      settings.rho_low = settings.rho_high = 0.016 * limit->percent_of_damping_force;
+      const Draw above = make_draw(seed, settings);
+      const Diagnosis found = answer_to(above);
+      EXPECT_NE(judge(above, found), Outcome::kWrong) << told(above, found);
+      settings.rho_low = settings.rho_high = 0.003 * limit->percent_of_damping_force;
+      const Draw below = make_draw(seed, settings);
+      const Diagnosis nothing_found = answer_to(below);
+      EXPECT_EQ(nothing_found.verdict, diagnosis::Verdict::kNone) << told(below, nothing_found);
+    }
+}
+
+double threshold_of(const Draw& draw) {
+  const diagnosis::System system = diagnosis::make_system(draw.rig);
+  diagnosis::Bench bench{system, diagnosis::ready(draw.rig, {draw.record}, {}, nullptr), {}};
+  bench.lay_out();
+  return bench.bank->threshold();
+}
+
+// One mass on one link. On the link: three stiffness laws, quadratic, cubic, asymmetric, drifting and displacement-dependent
+// damping, an offset, backlash, an end stop and, without friction, missing Coulomb friction; on the mass: its error, a resonance,
+// the force's gain, delay and hum of 50 and 60 Hz: 18 (17) tests. Two tails of the normal distribution hold 0.002 / 18 beyond
+// 3.86495 and 0.002 / 17 beyond 3.85098 standard deviations.
+TEST(Limits, ThresholdGrowsWithTheNumberOfPlacesThatChanceMayFavour) {
+  bool friction = false, smooth = false;
+  for (uint64_t seed : {31, 32, 33, 34, 35, 36}) {
+    const Draw draw = nothing(seed, "xva", 1);
+    const bool slides = draw.true_rig.links[0].F > 0;
+    EXPECT_NEAR(threshold_of(draw), slides ? 14.8300 : 14.9379, 1e-3);
+    (slides ? friction : smooth) = true;
+  }
+  EXPECT_TRUE(friction && smooth);
+  EXPECT_GT(threshold_of(nothing(31, "xva", 2)), 15);
+  EXPECT_GT(threshold_of(nothing(31, "xva", 4)), threshold_of(nothing(31, "xva", 3)));
 }
 
 }  // namespace

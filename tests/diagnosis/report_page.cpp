@@ -50,7 +50,7 @@ void limits(std::ostream& out, const std::vector<Line>& lines, const std::vector
   }
   if (!low || !high) return;
   out << "\n## What would have been seen\n\nThe strengths that every \"none\" prints, rms of the hidden force in percent of its link's damping "
-         "force: median over the draws above\nin which nothing was hidden, beside the mark. Faults \"of motion\" are those of a displacement, velocity or acceleration channel:\ndelay in us, gain error in percent, hum in percent of the channel's rms.\n\n"
+         "force: median over all places in the draws\nabove in which nothing was hidden, beside the mark. Faults \"of motion\" are those of a displacement, velocity or acceleration channel:\ndelay in us, gain error in percent, hum in percent of the channel's rms.\n\n"
          "| effect | 1 % noise | mark | 5 % noise | mark |\n|---|---|---|---|---|\n";
   for (const Limit& m : kMarks) {
     const auto median = [&](const Tally* t) { return t->limits.count(m.effect) ? quantile(t->limits.at(m.effect), 0.5) : 0.0; };
