@@ -66,10 +66,13 @@ std::string gains_text(const reports::DiagnosisReportData& data) {
 
 std::string limits_text(const reports::DiagnosisReportData& data) {
   if (data.verdict != "none" || data.minimum_detectable.empty()) return "";
-  std::vector<Row> rows = {{"would have been seen from", "", ""}};
-  for (const reports::Detectable& limit : data.minimum_detectable)
+  std::vector<Row> rows = {{"would have been seen from", "", "", "of the link's damping force"}};
+  for (const reports::Detectable& limit : data.minimum_detectable) {
+    const double percent = limit.percent_of_damping_force;
     rows.push_back({reports::cause_text(limit.effect, limit.where), reports::number_text(limit.strength, 2),
-                    std::isfinite(limit.strength) ? reports::unit_text(limit.unit) : "not in these data"});
+                    std::isfinite(limit.strength) ? reports::unit_text(limit.unit) : "not in these data",
+                    std::isfinite(percent) ? reports::number_text(percent, 2) + " %" : ""});
+  }
   return "\n" + table(rows);
 }
 

@@ -152,8 +152,11 @@ DiagnosisReportData findings_of(const rig_file::RigModel& rig, const std::vector
   data.gains = gains(found);
   data.candidates = candidates(found);
   data.score_name = "significance";
-  for (const diagnosis::DetectionLimit& limit : found.minimum_detectable)
+  for (const diagnosis::DetectionLimit& limit : found.minimum_detectable) {
     data.minimum_detectable.push_back({limit.effect, limit.where, limit.unit, limit.strength});
+    const double percent = limit.percent_of_damping_force;
+    if (percent > 0 && std::isfinite(percent)) data.minimum_detectable.back().percent_of_damping_force = percent;
+  }
   data.advice = found.advice;
   return data;
 }

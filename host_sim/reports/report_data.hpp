@@ -1,6 +1,7 @@
 // What a report shows: plain numbers with labels and units, filled by `host_sim run` and `host_sim diagnose`.
 // The pages need nothing else, so that a page can be drawn (and tested) without a simulator.
 #pragma once
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -81,7 +82,8 @@ struct DofGain {
 
 struct Detectable {
   std::string effect, where, unit;
-  double strength = 0.0;
+  double strength = 0.0;  // infinite: at no strength
+  double percent_of_damping_force = std::numeric_limits<double>::quiet_NaN();  // rms of its force; not of a motion sensor's fault
 };
 
 struct DiagnosisReportData {

@@ -73,6 +73,25 @@ TEST_F(Diagnose, TheExtendedRigIsEstimatedByTheCore) {
   EXPECT_NEAR(value(json("out.json"), "cubic_stiffness[1-0]"), 4.0e6, 4.0e5);
 }
 
+// Beside the spring that was found nothing is left: what would have been seen is listed, as coefficients and as shares of force.
+TEST_F(Diagnose, NothingIsLeftBesideTheExtendedRig) {
+  ASSERT_EQ(host_sim({"diagnose", "--rig", "rig.toml", "--data", "hidden.csv", "--extended-rig", "extended.toml"}).status, 0);
+  const auto result = host_sim({"diagnose", "--rig", "extended.toml", "--data", "hidden.csv", "--report", "report"});
+  ASSERT_EQ(result.status, 0) << result.errors;
+  EXPECT_NE(result.output.find("\nnone: "), std::string::npos) << result.output;
+  EXPECT_NE(result.output.find("would have been seen from"), std::string::npos) << result.output;
+  std::istringstream lines(result.output);
+  int shares = 0;
+  for (std::string line; std::getline(lines, line);)
+    if (line.find(" on link 1-0  ") != std::string::npos) {
+      EXPECT_EQ(line.substr(line.size() - 2), " %") << line;
+      ++shares;
+    }
+  EXPECT_GE(shares, 8) << result.output;
+  const std::string page = workspace_.read("report/index.html");
+  EXPECT_NE(page.find("of damping force, %"), std::string::npos);
+}
+
 TEST_F(Diagnose, AFailedRunLeavesNothing) {
   const auto result = host_sim({"diagnose", "--rig", "rig.toml", "--data", "missing.csv", "--json", "out.json",
                                 "--report", "report", "--extended-rig", "extended.toml"});

@@ -71,6 +71,8 @@ TEST(FromDiagnosis, CarriesTheFindingsOver) {
   EXPECT_TRUE(std::isnan(data.parameters[1].before.value));
   EXPECT_EQ(data.parameters[1].after.value, 5.0e5);
   EXPECT_EQ(data.parameters[0].status, "VALID");
+  ASSERT_EQ(data.minimum_detectable.size(), 1u);
+  EXPECT_EQ(data.minimum_detectable[0].percent_of_damping_force, 0.4);
   ASSERT_EQ(data.gains.size(), 1u);
   EXPECT_EQ(data.gains[0].nrmse_after_percent, 1.5);
   ASSERT_EQ(data.candidates.size(), 3u);
