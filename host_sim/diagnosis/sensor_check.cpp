@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <tuple>
 
 #include "consistency.hpp"
 
@@ -81,8 +82,9 @@ void correct(FusedRecord& f, const Hums& hums, const SensorFault& fault) {
   }
 }
 
-// The smallest of each that would be named; `seen` are the candidates of the DOF as it stands.
+// The smallest of each that would be named, channel by channel; `seen` are the candidates of the DOF as it stands.
 std::vector<SensorFault> smallest_faults(const FusedRecord& f, const Hums& hums, size_t dof, std::vector<SensorFault> seen) {
+  std::sort(seen.begin(), seen.end(), [](const SensorFault& a, const SensorFault& b) { return std::tie(a.quantity, a.kind) < std::tie(b.quantity, b.kind); });
   for (SensorFault& fault : seen) fault.value = seen_in_95_of_100(kThreshold) * fault.std;
   if (f.spectra[dof].count() > 1) return seen;
   for (size_t q = 0; q < 3; ++q)

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "host_sim/reports/detectable_tables.hpp"
 #include "host_sim/reports/diagnosis_pictures.hpp"
 #include "host_sim/reports/numbers.hpp"
 #include "host_sim/reports/report.hpp"
@@ -135,16 +136,9 @@ void add_detectable(Page& page, const DiagnosisReportData& data) {
   page.section(
       "detectable", "What would have been seen",
       "The smallest strength of each effect that these data would have shown in 95 % of cases. Anything weaker "
-      "may be there; what no strength would show is marked as not in these data. The last column compares forces: rms "
-      "of the effect's at that strength, over rms of what the dampers of the link (of a DOF: its strongest link) take.");
-  HtmlTable table;
-  table.heading = {"effect", "where", "smallest strength seen", "unit", "of damping force, %"};
-  table.numeric = {false, false, true, false, true};
-  for (const Detectable& limit : data.minimum_detectable)
-    table.rows.push_back({escaped(cause_text(limit.effect, "")), escaped(limit.where), number_html(limit.strength, 3),
-                          std::isfinite(limit.strength) ? escaped(unit_text(limit.unit)) : "not in these data",
-                          number_html(limit.percent_of_damping_force, 2)});
-  page.html(table_html(table));
+      "may be there; what no strength would show is marked as not in these data. Below it in percent: rms of the "
+      "effect's force at that strength, over rms of what the dampers of the link (of a DOF: its strongest link) take.");
+  for (const HtmlTable& table : detectable_tables(data.minimum_detectable)) page.html(table_html(table));
 }
 
 void add_advice(Page& page, const DiagnosisReportData& data) {

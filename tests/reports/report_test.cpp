@@ -8,8 +8,10 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <sstream>
 
+#include "host_sim/reports/detectable_tables.hpp"
 #include "host_sim/reports/verdict.hpp"
 #include "tests/reports/made_up.hpp"
 
@@ -53,6 +55,28 @@ TEST(DiagnosisPage, HasEveryPart) {
   EXPECT_EQ(pictures, 30u);
   EXPECT_FALSE(contains(page, "<!--picture"));
   EXPECT_TRUE(contains(page, "three masses &amp; a &lt;friction&gt; link"));
+}
+
+// Two links with one effect each, an offset that no strength shows, a DOF, two channels of which one has a hum.
+TEST(DiagnosisPage, TablesOfWhatWouldHaveBeenSeen) {
+  const double unseen = std::numeric_limits<double>::infinity();
+  const std::vector<Detectable> limits = {{"cubic_stiffness", "link 1-0", "N/m^3", 4.1e5, 1.5},
+                                          {"force_offset", "link 1-2", "N", unseen},
+                                          {"mass_error", "dof 2", "kg", 0.0021, 0.31},
+                                          {"sensor_gain", "channel force_1_N", "1", 0.002},
+                                          {"mains_hum", "channel velocity_1_m_s", "m/s", 0.0001}};
+  const std::vector<HtmlTable> tables = detectable_tables(limits);
+  ASSERT_EQ(tables.size(), 3u);
+  using Cells = std::vector<std::string>;
+  EXPECT_EQ(tables[0].heading, (Cells{"effect", "link 1-0", "link 1-2"}));
+  ASSERT_EQ(tables[0].rows.size(), 2u);
+  EXPECT_EQ(tables[0].rows[0], (Cells{"cubic stiffness", "4.1 × 10<sup>5</sup> N/m³<br><span class=\"dim\">1.5 %</span>", ""}));
+  EXPECT_EQ(tables[0].rows[1], (Cells{"force offset", "", "<span class=\"dim\">not in these data</span>"}));
+  EXPECT_EQ(tables[1].heading, (Cells{"effect", "dof 2"}));
+  EXPECT_EQ(tables[2].heading, (Cells{"channel", "sensor gain", "mains hum"}));
+  ASSERT_EQ(tables[2].rows.size(), 2u);
+  EXPECT_EQ(tables[2].rows[0], (Cells{"force_1_N", "0.0020", ""}));
+  EXPECT_EQ(tables[2].rows[1], (Cells{"velocity_1_m_s", "", "0.00010 m/s"}));
 }
 
 TEST(DiagnosisPage, StaysSmallForALongRecord) { EXPECT_LT(diagnosis_page(made_up::diagnosis(60000)).size(), 2000000u); }
