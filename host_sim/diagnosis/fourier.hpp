@@ -28,6 +28,10 @@ class Fourier {
   std::unique_ptr<Plans> plans_;
 };
 
+// Sum of squares over positive and negative frequencies. Every bin stands for two of them but the mean, where the first bin
+// is the mean.
+double power(const Eigen::Ref<const Spectrum>& spectrum, bool from_mean);
+
 // Mean square of a series that has this spectrum under a window of this energy (the sum of its squares), from a bin on.
 double mean_square(const Spectrum& spectrum, double window_energy, Eigen::Index first_bin = 0);
 

@@ -14,14 +14,13 @@ constexpr double kNever = std::numeric_limits<double>::infinity();
 
 // rms over the equations' span of the force that has these spectra.
 double rms_of(const Spectra& spectra, const Rows& rows) {
-  double power = 0, samples = 0;
+  double square = 0, samples = 0;
   for (size_t r = 0; r < spectra.size(); ++r) {
     const FusedRecord& f = rows.records()[r];
-    const double mean = f.first_bin == 0 ? std::norm(spectra[r][0]) : 0;  // stands for itself, every other bin for two
-    power += (2 * spectra[r].squaredNorm() - mean) / f.inner_energy;
+    square += power(spectra[r], f.first_bin == 0) / f.inner_energy;
     samples += static_cast<double>(f.samples);
   }
-  return std::sqrt(power / samples);
+  return std::sqrt(square / samples);
 }
 
 // What the model's dampers on a link take together: viscous force and friction push the same way.
@@ -34,16 +33,22 @@ Spectra damper_force(const Rows& rows, const std::vector<ActiveTerm>& model, int
   return sum;
 }
 
-// rms of what a link's dampers take; for a DOF or a link that the rig file lacks the largest nearby.
-double damping_rms(const Rows& rows, const std::vector<ActiveTerm>& model, const Term& place) {
+// rms of what the dampers of each of the rig file's links take.
+std::vector<double> damping_rms(const Rows& rows, const std::vector<ActiveTerm>& model) {
+  std::vector<double> list;
+  for (size_t l = 0; l < rows.system().known_links; ++l) list.push_back(rms_of(damper_force(rows, model, static_cast<int>(l)), rows));
+  return list;
+}
+
+// Of a link of the rig file its own; of a DOF, or of a link that the rig file lacks, the largest nearby.
+double damping_at(const System& system, const std::vector<double>& damping, const Term& place) {
+  if (place.link >= 0 && static_cast<size_t>(place.link) < damping.size()) return damping[static_cast<size_t>(place.link)];
+  const rig_file::Link* own = place.link >= 0 ? &system.links[static_cast<size_t>(place.link)] : nullptr;
   double largest = 0;
-  for (size_t l = 0; l < rows.system().links.size(); ++l) {
-    const rig_file::Link& link = rows.system().links[l];
+  for (size_t l = 0; l < damping.size(); ++l) {
+    const rig_file::Link& link = system.links[l];
     const auto touches = [&](int dof) { return dof > 0 && (link.a == dof || link.b == dof); };
-    const rig_file::Link* own = place.link >= 0 ? &rows.system().links[static_cast<size_t>(place.link)] : nullptr;
-    const bool listed = own && static_cast<size_t>(place.link) < rows.system().known_links;
-    if (!(listed ? &link == own : own ? touches(own->a) || touches(own->b) : touches(place.dof + 1))) continue;
-    largest = std::max(largest, rms_of(damper_force(rows, model, static_cast<int>(l)), rows));
+    if (own ? touches(own->a) || touches(own->b) : touches(place.dof + 1)) largest = std::max(largest, damping[l]);
   }
   return largest;
 }
@@ -57,6 +62,7 @@ std::vector<Candidate> freed(std::vector<Candidate> candidates) {
 std::vector<DetectionLimit> limits_of(const Rows& rows, const CandidateBank& bank, const std::vector<ActiveTerm>& model, const Fit& fit) {
   std::vector<DetectionLimit> list;
   const std::vector<Candidate> candidates = bank.beside(model);
+  const std::vector<double> damping = damping_rms(rows, model);
   const std::vector<Gain> gains = gains_of(rows, model, fit, candidates), free_gains = gains_of(rows, model, fit, freed(candidates));
   for (size_t i = 0; i < candidates.size(); ++i) {
     const Candidate& c = candidates[i];
@@ -71,20 +77,17 @@ std::vector<DetectionLimit> limits_of(const Rows& rows, const CandidateBank& ban
     if (c.term().kind == Kind::kBacklash || c.term().kind == Kind::kPresliding) {
       // its coefficient is the host's: what is sought is the shape at which that is enough; nearly linear where small
       const double host = std::abs(model[static_cast<size_t>(c.host)].value);
-      const double power = c.term().kind == Kind::kBacklash ? 1.0 : 2.0;
+      const double exponent = c.term().kind == Kind::kBacklash ? 1.0 : 2.0;
       if (host <= 0) continue;
-      coefficient = host;
-      const double std = free_gains[i].std;
-      limit.strength = c.term().shape * std::pow(noise * std / host, power);
+      coefficient = noise * free_gains[i].std;
+      limit.strength = c.term().shape * std::pow(coefficient / host, exponent);
       limit.unit = shape_unit(c.term().kind, rotating);
-      limit.percent_of_damping_force = 100 * noise * std * rms_of(c.column->spectra, rows);
     } else {
       limit.strength = coefficient;
       limit.unit = unit_of(c.term().kind, rotating);
-      limit.percent_of_damping_force = 100 * coefficient * rms_of(c.column->spectra, rows);
     }
-    const double damping = damping_rms(rows, model, c.term());
-    limit.percent_of_damping_force = damping > 0 ? limit.percent_of_damping_force / damping : 0;
+    const double beside = damping_at(rows.system(), damping, c.term());
+    limit.percent_of_damping_force = beside > 0 ? 100 * coefficient * rms_of(c.column->spectra, rows) / beside : 0;
     // of the shapes on the grid, and of the two mains frequencies, the easiest to see is quoted
     const auto known = std::find_if(list.begin(), list.end(), [&](const DetectionLimit& l) { return l.same_place(limit); });
     if (known == list.end()) list.push_back(limit);

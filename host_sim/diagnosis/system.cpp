@@ -41,9 +41,7 @@ constexpr Word kWords[] = {{Kind::kMass, "mass"},
                            {Kind::kForceHumSin50, "mains_hum"},
                            {Kind::kForceHumCos60, "mains_hum"},
                            {Kind::kForceHumSin60, "mains_hum"},
-                           {Kind::kUnknownPitch, "unknown"},
-                           {Kind::kUnknownTime, "unknown"},
-                           {Kind::kUnknownTone, "unknown"}};
+                           {Kind::kUnknownPitch, "unknown"}};
 
 // Expected sgn of a rate that is known up to a Gaussian error and changes from sample to sample.
 Series soft_sign(const Series& rate, double error) {

@@ -92,7 +92,6 @@ Series term_force(const Term& t, const FusedRecord& f, const std::vector<LinkMot
       case Kind::kForceHumSin50: return hum(50, kTwoPi / 4);
       case Kind::kForceHumCos60: return hum(60, 0);
       case Kind::kForceHumSin60: return hum(60, kTwoPi / 4);
-      case Kind::kUnknownTone: return hum(t.shape, t.shape2);
       default: return Series::Zero(static_cast<Eigen::Index>(f.samples));
     }
   }
@@ -121,7 +120,6 @@ Series term_force(const Term& t, const FusedRecord& f, const std::vector<LinkMot
     case Kind::kDisplacementDamping: return (u.square() * w).matrix();
     case Kind::kDriftingViscous: return time_axis(f).unaryExpr([&](double t_s) { return rig_file::drifted_s(t_s, t.shape); }).cwiseProduct(l.smooth_w);
     case Kind::kUnknownPitch: return (kTwoPi * u / t.shape + t.shape2).sin().matrix();
-    case Kind::kUnknownTime: return ((kTwoPi * time_axis(f).array() / t.shape + t.shape2).sin() * l.w.array()).matrix();
     default: return Series::Zero(u.size());
   }
 }

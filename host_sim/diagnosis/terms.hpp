@@ -18,8 +18,8 @@ enum class Kind {
   kMassError, kResonance, kResonanceCos, kResonanceSin,
   // faults of a channel, seen in the equation of motion
   kForceDelay, kForceGain, kForceHumCos50, kForceHumSin50, kForceHumCos60, kForceHumSin60,
-  // outside the vocabulary: their presence makes a residual unknown
-  kUnknownPitch, kUnknownTime, kUnknownTone
+  // outside the vocabulary: its presence makes a residual unknown
+  kUnknownPitch
 };
 
 inline bool of_force_sensor(Kind kind) { return kind >= Kind::kForceDelay && kind <= Kind::kForceHumSin60; }

@@ -6,6 +6,7 @@
 
 #include "host_sim/diagnosis/bench.hpp"
 #include "judgement.hpp"
+#include "sensors.hpp"
 
 namespace hidden {
 namespace {
@@ -19,10 +20,12 @@ Draw nothing(uint64_t seed, const std::string& sensors, int dofs = 0) {
   return make_draw(seed, settings);
 }
 
-double rms_of(const std::vector<double>& x, const std::vector<double>& v, double (*force)(double, double)) {
-  double sum = 0;
-  for (size_t i = 0; i < x.size(); ++i) sum += std::pow(force(x[i], v[i]), 2);
-  return std::sqrt(sum / static_cast<double>(x.size()));
+// rms of a force that follows from elongation and rate, sample by sample.
+template <typename Force>
+double rms_of(const Values& x, const Values& v, const Force& force) {
+  Values values;
+  for (size_t i = 0; i < x.size(); ++i) values.push_back(force(x[i], v[i]));
+  return rms(values);
 }
 
 const DetectionLimit* find(const Diagnosis& d, const std::string& effect, const std::string& where) {
@@ -102,11 +105,9 @@ TEST(Limits, PercentIsOfTheDampingForce) {
     const Draw draw = nothing(seed, "xva", 1);
     const Diagnosis answer = answer_to(draw);
     ASSERT_EQ(answer.verdict, diagnosis::Verdict::kNone) << told(draw, answer);
-    const std::vector<double>&x = draw.record.channels[1].values, &v = draw.record.channels[2].values;
+    const Values &x = draw.record.channels[1].values, &v = draw.record.channels[2].values;
     const TrueLink& link = draw.true_rig.links[0];
-    double damping = 0;
-    for (double w : v) damping += std::pow(link.c * w + link.F * (w > 0 ? 1 : -1), 2);
-    damping = std::sqrt(damping / static_cast<double>(v.size()));
+    const double damping = rms_of(x, v, [&](double, double w) { return link.c * w + link.F * (w > 0 ? 1 : -1); });
     for (const Law& law : laws) {
       const DetectionLimit* limit = find(answer, law.effect, "link 1-0");
       ASSERT_NE(limit, nullptr) << law.effect;
