@@ -9,7 +9,8 @@ constexpr uint32_t kLongestBlock = kBlockSamples;
 
 }  // namespace
 
-EstimatorCore::EstimatorCore(const CoreConfiguration& configuration, CoreDetail detail) : configuration_(configuration) {
+EstimatorCore::EstimatorCore(const CoreConfiguration& configuration, CoreDetail detail)
+    : configuration_(configuration) {
   conditioning_.configure(configuration);
   sums_.configure(configuration, static_cast<int>(detail));
   reset();

@@ -11,8 +11,8 @@ namespace firmware {
 
 struct CoreHealth {
   uint32_t samples = 0;
-  uint32_t missed_samples = 0;      // gaps in RawSample::sequence
-  uint32_t saturated_samples = 0;   // samples with a channel at its full scale
+  uint32_t missed_samples = 0;     // gaps in RawSample::sequence
+  uint32_t saturated_samples = 0;  // samples with a channel at its full scale
 };
 
 enum class CoreDetail : uint8_t {
@@ -24,16 +24,16 @@ class EstimatorCore {
  public:
   // The configuration is used in place: it must outlive the core and not change.
   explicit EstimatorCore(const CoreConfiguration& configuration, CoreDetail detail = CoreDetail::kFull);
-  void reset();                         // forgets all levels
-  void begin_level();                   // a new excitation level or record: filters and sums restart
+  void reset();        // forgets all levels
+  void begin_level();  // a new excitation level or record: filters and sums restart
   // A gap in the samples' sequence numbers is counted and splits the window: no integral runs across it. Constant cost
   // per sample on average; the work is done every kBlockSamples samples.
   void push(const RawSample& sample);
-  void end_level();                     // closes the window
+  void end_level();  // closes the window
   // The table's batches would be merged, which takes about as long as a hundred batches.
   bool merges_with(const RawSample& next) const;
   bool merges_at_end() const { return collector_.next_merges(); }
-  const Estimates& solve();             // from everything since reset(); may be called at any time
+  const Estimates& solve();                                  // from everything since reset(); may be called at any time
   const Estimates& estimates() const { return estimates_; }  // of the last solve
   const CoreHealth& health() const { return health_; }
   const BatchTable& table() const { return table_; }
@@ -49,10 +49,10 @@ class EstimatorCore {
   const CoreConfiguration& configuration_;
   Conditioning conditioning_;
   Frame frame_ = {};
-  int filled_ = 0;          // samples in the frame
-  int full_ = 0;            // at this many the block is worked on
+  int filled_ = 0;  // samples in the frame
+  int full_ = 0;    // at this many the block is worked on
   EnergySums sums_;
-  uint32_t level_samples_ = 0;  // sample intervals summed since the level (or a gap in it) began
+  uint32_t level_samples_ = 0;                      // sample intervals summed since the level (or a gap in it) began
   uint32_t units_ = 0, units_aimed_ = 0, aim_ = 0;  // units summed, to be summed, and the latter in samples
   BatchTable table_;
   BatchCollector collector_{table_};

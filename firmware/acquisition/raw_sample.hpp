@@ -7,8 +7,8 @@
 namespace firmware {
 
 struct RawSample {
-  uint32_t sequence = 0;      // counts samples; a jump is a missed sample
-  uint64_t time_ns = 0;       // of the sample clock
+  uint32_t sequence = 0;                      // counts samples; a jump is a missed sample
+  uint64_t time_ns = 0;                       // of the sample clock
   int32_t code[kMaxNodes][kQuantities] = {};  // ADC codes, up to 24 bits with sign; absent channels are 0
 };
 

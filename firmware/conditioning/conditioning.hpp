@@ -8,8 +8,8 @@
 #pragma once
 #include <cstdint>
 
+#include "firmware/acquisition/columns.hpp"
 #include "firmware/acquisition/raw_sample.hpp"
-#include "firmware/energy/columns.hpp"
 
 namespace firmware {
 
@@ -44,9 +44,9 @@ class Conditioning {
   int nodes_ = 0;  // nodes in use, the base included
   Path path_[kMaxNodes * kQuantities];
   int path_count_ = 0;
-  int reach_ = 0;       // longest half_length: the common delay in samples
+  int reach_ = 0;  // longest half_length: the common delay in samples
   int history_samples_ = 0;
-  bool plain_ = true;   // no filter anywhere: codes are copied
+  bool plain_ = true;  // no filter anywhere: codes are copied
   bool saturated_ = false;
   uint32_t received_ = 0;
   int history_at_ = 0;

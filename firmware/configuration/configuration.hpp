@@ -29,48 +29,48 @@ constexpr int kFilterHalf = 28;
 constexpr int kIntegrationExtraBits = 6;
 struct SignalConfiguration {
   bool available = false;
-  bool derived = false;        // made from another quantity than its own
-  uint8_t source = 0;          // the measured Quantity it is made from
-  uint8_t integrations = 0;    // how often the source is integrated (leaky, see high_pass_shift)
-  uint8_t half_length = 0;     // FIR reaches from -half_length to +half_length samples
-  uint8_t shift = 0;           // result = FIR sum / 2^shift, rounded
+  bool derived = false;                        // made from another quantity than its own
+  uint8_t source = 0;                          // the measured Quantity it is made from
+  uint8_t integrations = 0;                    // how often the source is integrated (leaky, see high_pass_shift)
+  uint8_t half_length = 0;                     // FIR reaches from -half_length to +half_length samples
+  uint8_t shift = 0;                           // result = FIR sum / 2^shift, rounded
   Fixed<int32_t, 0> tap[2 * kFilterHalf + 1];  // integer weights; tap[0] weighs the oldest sample
-  Scaled unit_per_code;        // SI units per signal code
+  Scaled unit_per_code;                        // SI units per signal code
 };
 
 // A link between two nodes: elongation u = x_a - x_b, rate w = v_a - v_b; its force acts on a with -1, on b with +1.
 struct LinkConfiguration {
-  uint8_t node_a = 0;            // 0 .. kMaxDofs-1, kBaseNode or kGroundNode
+  uint8_t node_a = 0;  // 0 .. kMaxDofs-1, kBaseNode or kGroundNode
   uint8_t node_b = kGroundNode;
 };
 
 // The force (or torque) of a term per unit coefficient; for a mass it is the acceleration of its DOF.
 enum class TermKind : uint8_t {
-  kMass,                           // m a
-  kStiffness,                      // k u
-  kViscous,                        // c w
-  kCoulomb,                        // F sgn(w)
-  kGravity,                        // G sin(u)
-  kCubicStiffness,                 // k3 u^3
-  kQuadraticStiffness,             // k2 u^2
-  kBacklash,                       // k u outside the gap: coefficient -k times clamp(u, -gap, gap); shape = gap
-  kEndStop,                        // ke (|u| - gap) sgn(u) beyond the gap; shape = gap
-  kQuadraticDamping,               // c2 w |w|
-  kCubicDamping,                   // c3 w^3
-  kStribeck,                       // Fs exp(-|w| / vs) sgn(w); shape = vs
-  kPreslidingHysteresis,           // Dahl force of unit level; shape = presliding length
-  kForceOffset,                    // F0
-  kAsymmetricViscous,              // c_a |w|: c + c_a for w > 0, c - c_a for w < 0
-  kDisplacementDependentDamping,   // c_u u^2 w
-  kDriftingViscous,                // c_t w t, t in s since the start of the level; shape = time constant tau: c_t w tau (1 - exp(-t / tau))
+  kMass,                          // m a
+  kStiffness,                     // k u
+  kViscous,                       // c w
+  kCoulomb,                       // F sgn(w)
+  kGravity,                       // G sin(u)
+  kCubicStiffness,                // k3 u^3
+  kQuadraticStiffness,            // k2 u^2
+  kBacklash,                      // k u outside the gap: coefficient -k times clamp(u, -gap, gap); shape = gap
+  kEndStop,                       // ke (|u| - gap) sgn(u) beyond the gap; shape = gap
+  kQuadraticDamping,              // c2 w |w|
+  kCubicDamping,                  // c3 w^3
+  kStribeck,                      // Fs exp(-|w| / vs) sgn(w); shape = vs
+  kPreslidingHysteresis,          // Dahl force of unit level; shape = presliding length
+  kForceOffset,                   // F0
+  kAsymmetricViscous,             // c_a |w|: c + c_a for w > 0, c - c_a for w < 0
+  kDisplacementDependentDamping,  // c_u u^2 w
+  kDriftingViscous,  // c_t w t, t in s since the start of the level; shape = time constant tau: c_t w tau (1 - exp(-t / tau))
 };
 
 struct Term {
   TermKind kind = TermKind::kMass;
-  uint8_t place = 0;      // DOF index for kMass, link index otherwise
-  int8_t unknown = -1;    // index among the unknowns, -1 where the coefficient is known
-  Scaled value;           // the coefficient, SI units, where known
-  Scaled shape;           // shape parameter of an effect, SI units
+  uint8_t place = 0;    // DOF index for kMass, link index otherwise
+  int8_t unknown = -1;  // index among the unknowns, -1 where the coefficient is known
+  Scaled value;         // the coefficient, SI units, where known
+  Scaled shape;         // shape parameter of an effect, SI units
 };
 
 enum class WindowMode : uint8_t {
@@ -94,7 +94,7 @@ struct CoreConfiguration {
   uint8_t link_count = 0;
   uint8_t term_count = 0;
   uint8_t unknown_count = 0;
-  bool base_present = false;          // a moving base has channels at nodes[kBaseNode]
+  bool base_present = false;  // a moving base has channels at nodes[kBaseNode]
   Scaled sample_period_s;
   LinkConfiguration links[kMaxLinks];
   Term terms[kMaxTerms];

@@ -39,9 +39,11 @@ void BatchCollector::clear(const CoreConfiguration& configuration, const RowLayo
   units_per_cycle_ = 16;
   if (periodic_) {
     // At least 8 samples, at most 1023 and a rounded one.
-    while (units_per_cycle_ > 1 && window.cycle_samples_numerator < 8 * units_per_cycle_ * window.cycle_samples_denominator)
+    while (units_per_cycle_ > 1 &&
+           window.cycle_samples_numerator < 8 * units_per_cycle_ * window.cycle_samples_denominator)
       units_per_cycle_ /= 2;
-    while (window.cycle_samples_numerator > (kMaxBatchSamples - 1) * units_per_cycle_ * window.cycle_samples_denominator)
+    while (window.cycle_samples_numerator >
+           (kMaxBatchSamples - 1) * units_per_cycle_ * window.cycle_samples_denominator)
       units_per_cycle_ *= 2;
     unit_numerator_ = window.cycle_samples_numerator;
     unit_denominator_ = window.cycle_samples_denominator * units_per_cycle_;
@@ -72,7 +74,8 @@ uint32_t BatchCollector::unit_end(uint32_t unit) const {
 }
 
 uint32_t BatchCollector::units_wanted() const {
-  const bool full = level().batch_count == kMaxBatches;  // the next one merges the others first: batches are twice as long
+  const bool full =
+      level().batch_count == kMaxBatches;  // the next one merges the others first: batches are twice as long
   const uint32_t missing = (uint32_t{1} << (level().merges + (full ? 1 : 0))) - pending_units_;
   const uint32_t most = (kMaxBatchSamples - 1) * unit_denominator_ / unit_numerator_;
   return most == 0 ? 1 : (missing < most ? missing : most);

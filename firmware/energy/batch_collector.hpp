@@ -14,8 +14,8 @@ class BatchCollector {
   bool level_open() const { return open_; }
   bool refused() const { return refused_; }  // a level was begun with the table full: its data are not used
 
-  uint32_t unit_end(uint32_t unit) const;    // samples from the level's start to the end of this many units
-  uint32_t units_wanted() const;             // the next call of add() should bring this many units, at the most
+  uint32_t unit_end(uint32_t unit) const;        // samples from the level's start to the end of this many units
+  uint32_t units_wanted() const;                 // the next call of add() should bring this many units, at the most
   void add(const Batch& batch, uint32_t units);  // in the order of time; units 0: an incomplete one
   bool next_merges() const { return open_ && level().batch_count == kMaxBatches; }  // the next add() may take long
   void mark_saturated();

@@ -24,14 +24,14 @@ namespace firmware {
 
 enum class Weight : uint8_t { kPlain = 0, kInstrument = 1, kDisplacement = 2 };
 constexpr int kWeights = 3;
-constexpr int kMaxRowUnknowns = kMaxUnknowns;      // unknowns in one DOF's equation
-constexpr int kMaxIncidences = 2 * kMaxUnknowns;   // (DOF, unknown) pairs of the rig: a link's unknown touches two DOFs
+constexpr int kMaxRowUnknowns = kMaxUnknowns;     // unknowns in one DOF's equation
+constexpr int kMaxIncidences = 2 * kMaxUnknowns;  // (DOF, unknown) pairs of the rig: a link's unknown touches two DOFs
 
 // Which unknowns stand in each DOF's equation; the same for all weights.
 struct RowLayout {
   uint8_t dof_count = 0;
   uint8_t unknown_count = 0;
-  uint8_t first[kMaxDofs + 1] = {};          // unknowns of DOF i: unknown[first[i]] .. unknown[first[i + 1] - 1]
+  uint8_t first[kMaxDofs + 1] = {};  // unknowns of DOF i: unknown[first[i]] .. unknown[first[i + 1] - 1]
   uint8_t unknown[kMaxIncidences] = {};
 };
 
@@ -61,17 +61,17 @@ struct Batch {
 
 struct Level {
   uint16_t batch_count = 0;
-  uint16_t merges = 0;       // how often the table was full: first batches are 2^merges initial lengths long
-  bool periodic = false;     // WindowMode::kWholeCycles
-  bool saturated = false;    // a sensor or an accumulator reached its limit in this level
-  bool closed = false;       // the level has ended: its last batch may be shorter than the others
+  uint16_t merges = 0;     // how often the table was full: first batches are 2^merges initial lengths long
+  bool periodic = false;   // WindowMode::kWholeCycles
+  bool saturated = false;  // a sensor or an accumulator reached its limit in this level
+  bool closed = false;     // the level has ended: its last batch may be shorter than the others
   Batch batch[kMaxBatches];
 };
 
 struct BatchTable {
   RowLayout layout;
   Scaled sample_period_s;
-  uint8_t level_count = 0;   // the last one is being filled
+  uint8_t level_count = 0;  // the last one is being filled
   Level level[kMaxLevels];
 };
 

@@ -6,7 +6,7 @@
 //
 // Formats: theta Q16; weight 27 bits; one correction below 2^46, 1024 of them below 2^56.
 #pragma once
-#include "firmware/energy/columns.hpp"
+#include "firmware/acquisition/columns.hpp"
 
 namespace firmware {
 

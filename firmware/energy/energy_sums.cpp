@@ -27,7 +27,8 @@ void EnergySums::configure(const CoreConfiguration& configuration, int weights) 
     const LinkConfiguration& link = configuration.links[l];
     gains_[l] = rate_gains(configuration, link);
     has_sign_[l] = false;
-    smooth_is_white_[l] = measured_velocity(configuration, link.node_a) && measured_velocity(configuration, link.node_b);
+    smooth_is_white_[l] =
+        measured_velocity(configuration, link.node_a) && measured_velocity(configuration, link.node_b);
   }
   for (bool& locates : locates_crossings_) locates = false;
   for (int n = 0; n < plan_.incidence_count; ++n) {
@@ -96,7 +97,8 @@ void EnergySums::fill_columns(Frame& frame, int count) {
 EnergySums::EndPoint EnergySums::end_point(const Frame& frame, int at) const {
   EndPoint point;
   for (int i = 0; i < configuration_->dof_count; ++i) {
-    point.displacement[i] = plan_.dof[i].has_displacement ? frame.column[signal_column(i, Quantity::kDisplacement)][at] : 0;
+    point.displacement[i] =
+        plan_.dof[i].has_displacement ? frame.column[signal_column(i, Quantity::kDisplacement)][at] : 0;
     point.velocity[i] = plan_.dof[i].has_velocity ? frame.column[signal_column(i, Quantity::kVelocity)][at] : 0;
   }
   return point;
@@ -154,9 +156,9 @@ Scaled EnergySums::friction_energy(const Incidence& incidence, int weight) const
 // Energy per unit mass: with the measured acceleration, else from the end points.
 Scaled EnergySums::kinetic_energy(int dof, int weight) const {
   const DofProducts& products = plan_.dof[dof];
-  const int velocity = signal_column(dof, Quantity::kVelocity), displacement = signal_column(dof, Quantity::kDisplacement);
-  if (products.has_acceleration)
-    return integral(products.acceleration[weight]);
+  const int velocity = signal_column(dof, Quantity::kVelocity),
+            displacement = signal_column(dof, Quantity::kDisplacement);
+  if (products.has_acceleration) return integral(products.acceleration[weight]);
   const int64_t v0 = start_.velocity[dof], v1 = end_.velocity[dof];
   if (weight != kDisplacement) {
     const Scaled unit = plan_.column_unit[velocity];
@@ -208,8 +210,7 @@ void EnergySums::close_dof(int i, const EndPoint& end, Batch& batch) const {
       if (products.has_displacement)
         dof.elastic_discrepancy[q] = pack(integral(products.displacement[q]) - elastic_end);
     } else if (both) {
-      dof.kinetic_discrepancy[q] = pack(integral(products.acceleration[q]) +
-                                        integral(products.velocity_instrument) -
+      dof.kinetic_discrepancy[q] = pack(integral(products.acceleration[q]) + integral(products.velocity_instrument) -
                                         unit_x * unit_v * Scaled::from_int(x1 * v1 - x0 * v0));
     }
   }

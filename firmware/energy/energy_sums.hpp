@@ -50,10 +50,11 @@ class EnergySums {
   RateGains gains_[kMaxLinks];
   bool has_sign_[kMaxLinks];
   bool locates_crossings_[kMaxLinks];  // a DOF at the link has no measured acceleration
-  bool smooth_is_white_[kMaxLinks];  // both velocities are measured: the noise of the two sign streams is known to scale
+  bool
+      smooth_is_white_[kMaxLinks];  // both velocities are measured: the noise of the two sign streams is known to scale
   int64_t crossing_q16_[kMaxTermIncidences][kWeights];
-  Scaled integral_[kMaxProducts];      // of the batch that was closed last, SI units
-  Scaled integral_unit_[kMaxProducts]; // of one twenty-fourth of a product sum
+  Scaled integral_[kMaxProducts];       // of the batch that was closed last, SI units
+  Scaled integral_unit_[kMaxProducts];  // of one twenty-fourth of a product sum
   EndPoint start_;
   EndPoint end_;
   uint32_t samples_ = 0;

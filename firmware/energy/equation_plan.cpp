@@ -64,7 +64,8 @@ class Planner {
     return kDisplacementInstrumentColumn + i;
   }
   int16_t weighted_column(int i, int weight, int column) {
-    const Quantity needed = weight == static_cast<int>(Weight::kDisplacement) ? Quantity::kDisplacement : Quantity::kVelocity;
+    const Quantity needed =
+        weight == static_cast<int>(Weight::kDisplacement) ? Quantity::kDisplacement : Quantity::kVelocity;
     return has(i, needed) ? sums_.add(weight_column(i, weight), column) : kNoProduct;
   }
   int16_t weighted(int i, int weight, int node, Quantity quantity) {

@@ -52,7 +52,8 @@ void ProductSums::ends(const Frame& frame, int at, int64_t* result) const {
   for (int i = 0; i < product_count_; ++i) {
     const int32_t* a = &frame.column[product_[i].a][at];
     const int32_t* b = &frame.column[product_[i].b][at];
-    result[i] = 12 * (static_cast<int64_t>(a[0]) * b[0]) - static_cast<int64_t>(a[1]) * b[1] + static_cast<int64_t>(a[-1]) * b[-1];
+    result[i] = 12 * (static_cast<int64_t>(a[0]) * b[0]) - static_cast<int64_t>(a[1]) * b[1] +
+                static_cast<int64_t>(a[-1]) * b[-1];
   }
 }
 

@@ -9,7 +9,7 @@
 // The sum over a block runs on offset-binary numbers (c + 2^31, unsigned, modulo 2^64), which every vector unit can multiply;
 // the offsets are taken out again exactly with the columns' own sums.
 #pragma once
-#include "firmware/energy/columns.hpp"
+#include "firmware/acquisition/columns.hpp"
 
 namespace firmware {
 
@@ -18,15 +18,18 @@ constexpr int16_t kNoProduct = -1;
 
 class ProductSums {
  public:
-  void clear_plan() { product_count_ = 0; column_count_ = 0; }
+  void clear_plan() {
+    product_count_ = 0;
+    column_count_ = 0;
+  }
   int count() const { return product_count_; }
   int column_a(int product) const { return product_[product].a; }
   int column_b(int product) const { return product_[product].b; }
   int16_t add(int column_a, int column_b);  // the product's number; an existing one is found again
 
-  void start(const Frame& frame, int at);               // a window starts at this position of the frame
-  void add_block(const Frame& frame, int from, int to); // positions from <= n < to
-  void stop(const Frame& frame, int at);                // the window ends at this position; integrals can be read
+  void start(const Frame& frame, int at);                // a window starts at this position of the frame
+  void add_block(const Frame& frame, int from, int to);  // positions from <= n < to
+  void stop(const Frame& frame, int at);                 // the window ends at this position; integrals can be read
   int64_t sum(int product) const { return sum_[product]; }
   int64_t ends_times_24(int product) const { return end_[product] - start_[product]; }
 

@@ -48,11 +48,11 @@ template <typename To, typename S, int F>
 constexpr To rescale(Fixed<S, F> a) {
   constexpr int shift = F - To::kFractionBits;
   if constexpr (shift > 0) {
-    return To::from_raw(static_cast<typename To::storage_type>((static_cast<int64_t>(a.raw) + (int64_t{1} << (shift - 1))) >> shift));
+    return To::from_raw(
+        static_cast<typename To::storage_type>((static_cast<int64_t>(a.raw) + (int64_t{1} << (shift - 1))) >> shift));
   } else {
     return To::from_raw(static_cast<typename To::storage_type>(static_cast<int64_t>(a.raw) * (int64_t{1} << -shift)));
   }
 }
-
 
 }  // namespace firmware

@@ -6,7 +6,8 @@ namespace {
 // Coefficients of z, z^3, .. z^9 in sin(pi/2 z), |z| <= 1: Chebyshev fit, 3.4e-9.
 constexpr Q30 kSine[5] = {{1686629673}, {-693597874}, {85564848}, {-5016757}, {161938}};
 // Coefficients of 1, f, .. f^6 in 2^-f, 0 <= f <= 1: Chebyshev fit, 1.4e-9.
-constexpr Q30 kExponential[7] = {{1073741823}, {-744260975}, {257938938}, {-59583046}, {10286510}, {-1369790}, {117454}};
+constexpr Q30 kExponential[7] = {{1073741823}, {-744260975}, {257938938}, {-59583046},
+                                 {10286510},   {-1369790},   {117454}};
 
 template <int N>
 Q30 polynomial(const Q30 (&coefficient)[N], Q30 x) {

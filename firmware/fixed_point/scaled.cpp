@@ -9,7 +9,9 @@ constexpr int kMantissaBits = 62;  // |mantissa| < 2^62
 constexpr int32_t kExponentLimit = 1 << 20;
 constexpr int64_t kLargestMantissa = (int64_t{1} << kMantissaBits) - 1;
 
-uint64_t magnitude(int64_t value) { return value < 0 ? ~static_cast<uint64_t>(value) + 1 : static_cast<uint64_t>(value); }
+uint64_t magnitude(int64_t value) {
+  return value < 0 ? ~static_cast<uint64_t>(value) + 1 : static_cast<uint64_t>(value);
+}
 
 int64_t with_sign(uint64_t value, bool negative) {
   return negative ? -static_cast<int64_t>(value) : static_cast<int64_t>(value);
@@ -88,8 +90,7 @@ Scaled operator+(Scaled a, Scaled b) {
   }
   const int32_t distance = a.exponent - b.exponent;
   if (distance > kMantissaBits) return a;
-  const int64_t aligned =
-      distance == 0 ? b.mantissa : (b.mantissa >> distance) + ((b.mantissa >> (distance - 1)) & 1);
+  const int64_t aligned = distance == 0 ? b.mantissa : (b.mantissa >> distance) + ((b.mantissa >> (distance - 1)) & 1);
   return Scaled::from_int(a.mantissa + aligned, a.exponent);
 }
 
@@ -145,7 +146,9 @@ bool operator<(Scaled a, Scaled b) { return (a - b).mantissa < 0; }
 bool operator>(Scaled a, Scaled b) { return b < a; }
 bool operator<=(Scaled a, Scaled b) { return !(b < a); }
 bool operator>=(Scaled a, Scaled b) { return !(a < b); }
-bool operator==(Scaled a, Scaled b) { return a.mantissa == b.mantissa && (a.mantissa == 0 || a.exponent == b.exponent); }
+bool operator==(Scaled a, Scaled b) {
+  return a.mantissa == b.mantissa && (a.mantissa == 0 || a.exponent == b.exponent);
+}
 
 int64_t to_fixed(Scaled a, int32_t fraction_bits) {
   if (a.mantissa == 0) return 0;

@@ -61,16 +61,33 @@ Scaled Effects::unit(const Effect& effect) {
   const int32_t u = effect.elongation.range_exponent, w = effect.rate.range_exponent;
   int32_t exponent = 0;
   switch (effect.kind) {
-    case TermKind::kCubicStiffness: exponent = 3 * u; break;
-    case TermKind::kQuadraticStiffness: exponent = 2 * u; break;
+    case TermKind::kCubicStiffness:
+      exponent = 3 * u;
+      break;
+    case TermKind::kQuadraticStiffness:
+      exponent = 2 * u;
+      break;
     case TermKind::kBacklash:
-    case TermKind::kEndStop: exponent = u; break;
-    case TermKind::kQuadraticDamping: exponent = 2 * w; break;
-    case TermKind::kCubicDamping: exponent = 3 * w; break;
-    case TermKind::kAsymmetricViscous: exponent = w; break;
-    case TermKind::kDisplacementDependentDamping: exponent = 2 * u + w; break;
-    case TermKind::kDriftingViscous: exponent = effect.shape.mantissa != 0 ? w : w + kTimeBits; break;
-    default: break;  // gravity, friction shapes and the offset are pure numbers
+    case TermKind::kEndStop:
+      exponent = u;
+      break;
+    case TermKind::kQuadraticDamping:
+      exponent = 2 * w;
+      break;
+    case TermKind::kCubicDamping:
+      exponent = 3 * w;
+      break;
+    case TermKind::kAsymmetricViscous:
+      exponent = w;
+      break;
+    case TermKind::kDisplacementDependentDamping:
+      exponent = 2 * u + w;
+      break;
+    case TermKind::kDriftingViscous:
+      exponent = effect.shape.mantissa != 0 ? w : w + kTimeBits;
+      break;
+    default:
+      break;  // gravity, friction shapes and the offset are pure numbers
   }
   return Scaled::from_int(1, exponent - kFraction);
 }
@@ -88,7 +105,8 @@ void Effects::configure(const CoreConfiguration& configuration, Scaled* column_u
     const Scaled range_u = Scaled::from_int(1, effect.elongation.range_exponent);
     const Scaled range_w = Scaled::from_int(1, effect.rate.range_exponent);
     if (term.kind == TermKind::kGravity) effect.shape = ratio(range_u * turns_per_radian() * Scaled::from_int(64));
-    if (term.kind == TermKind::kStribeck && !term.shape.is_zero()) effect.shape = ratio(log2_e() * range_w / term.shape);
+    if (term.kind == TermKind::kStribeck && !term.shape.is_zero())
+      effect.shape = ratio(log2_e() * range_w / term.shape);
     if (term.kind == TermKind::kPreslidingHysteresis && !term.shape.is_zero())
       effect.shape = ratio(log2_e() * range_u / term.shape);
     // of a drift per sample, in Q26
@@ -96,7 +114,8 @@ void Effects::configure(const CoreConfiguration& configuration, Scaled* column_u
       effect.shape = ratio(log2_e() * configuration.sample_period_s / term.shape * Scaled::from_int(1, kFraction));
     effect.gap_q26 = to_fixed(term.shape, kFraction - effect.elongation.range_exponent);
     Scaled column = unit(effect);
-    if (term.kind == TermKind::kDriftingViscous) column = column * (term.shape.is_zero() ? configuration.sample_period_s : term.shape);
+    if (term.kind == TermKind::kDriftingViscous)
+      column = column * (term.shape.is_zero() ? configuration.sample_period_s : term.shape);
     column_unit[kEffectColumn + count_++] = column;
   }
 }
@@ -112,24 +131,36 @@ int32_t Effects::force(const Effect& effect, const Frame& frame, int at, uint32_
   const int64_t u = value(effect.elongation, frame, at), w = value(effect.rate, frame, at);
   switch (effect.kind) {
     // Q26 elongation times turns: 64 U / 2 pi in Q26 is 2^-32 of a turn per step.
-    case TermKind::kGravity: return sine_of_turns(static_cast<uint32_t>(times(effect.shape, u))).raw >> (30 - kFraction);
-    case TermKind::kCubicStiffness: return static_cast<int32_t>(product(product(u, u), u));
-    case TermKind::kQuadraticStiffness: return static_cast<int32_t>(product(u, u));
-    case TermKind::kBacklash: return static_cast<int32_t>(-clamp(u, effect.gap_q26));
-    case TermKind::kEndStop: return static_cast<int32_t>(u - clamp(u, effect.gap_q26));
-    case TermKind::kQuadraticDamping: return static_cast<int32_t>(product(magnitude(w), w));
-    case TermKind::kCubicDamping: return static_cast<int32_t>(product(product(w, w), w));
-    case TermKind::kStribeck: return static_cast<int32_t>(sign(w) * exponential_q26(times(effect.shape, magnitude(w))));
-    case TermKind::kForceOffset: return static_cast<int32_t>(kOne);
-    case TermKind::kAsymmetricViscous: return static_cast<int32_t>(magnitude(w));
-    case TermKind::kDisplacementDependentDamping: return static_cast<int32_t>(product(product(u, u), w));
+    case TermKind::kGravity:
+      return sine_of_turns(static_cast<uint32_t>(times(effect.shape, u))).raw >> (30 - kFraction);
+    case TermKind::kCubicStiffness:
+      return static_cast<int32_t>(product(product(u, u), u));
+    case TermKind::kQuadraticStiffness:
+      return static_cast<int32_t>(product(u, u));
+    case TermKind::kBacklash:
+      return static_cast<int32_t>(-clamp(u, effect.gap_q26));
+    case TermKind::kEndStop:
+      return static_cast<int32_t>(u - clamp(u, effect.gap_q26));
+    case TermKind::kQuadraticDamping:
+      return static_cast<int32_t>(product(magnitude(w), w));
+    case TermKind::kCubicDamping:
+      return static_cast<int32_t>(product(product(w, w), w));
+    case TermKind::kStribeck:
+      return static_cast<int32_t>(sign(w) * exponential_q26(times(effect.shape, magnitude(w))));
+    case TermKind::kForceOffset:
+      return static_cast<int32_t>(kOne);
+    case TermKind::kAsymmetricViscous:
+      return static_cast<int32_t>(magnitude(w));
+    case TermKind::kDisplacementDependentDamping:
+      return static_cast<int32_t>(product(product(u, u), w));
     case TermKind::kDriftingViscous: {
       if (effect.shape.mantissa != 0)  // tau (1 - exp(-t / tau)), in units of tau
         return static_cast<int32_t>(product(w, kOne - exponential_q26(times(effect.shape, time))));
       const int64_t limited = time < (1u << kTimeBits) ? time : (1 << kTimeBits);
       return static_cast<int32_t>((w * limited) >> kTimeBits);
     }
-    default: return 0;
+    default:
+      return 0;
   }
 }
 
@@ -155,7 +186,8 @@ void Effects::fill(Frame& frame, int from, int to, int advance) {
     if (effect.kind == TermKind::kPreslidingHysteresis) {
       fill_hysteresis(effect, frame, from, to, advance, column);
     } else {
-      for (int at = from; at < to; ++at) column[at] = force(effect, frame, at, effect.time + static_cast<uint32_t>(at - from));
+      for (int at = from; at < to; ++at)
+        column[at] = force(effect, frame, at, effect.time + static_cast<uint32_t>(at - from));
     }
     effect.time += static_cast<uint32_t>(advance);
   }

@@ -4,8 +4,8 @@
 // so a column entry is an integer of at most 2^26 whose unit follows from the law: u^3 has U^3 / 2^26, w|w| has W^2 / 2^26.
 // Formats: code 24 bits times gain 2^28 shifted by 25: 27 bits; products of two Q26 numbers 2^52, shifted back to Q26.
 #pragma once
+#include "firmware/acquisition/columns.hpp"
 #include "firmware/configuration/configuration.hpp"
-#include "firmware/energy/columns.hpp"
 
 namespace firmware {
 

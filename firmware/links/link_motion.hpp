@@ -7,15 +7,15 @@
 // noise has no correlation with that of the instrument (-1, 4, 0, 4, -1) / 6 it is multiplied with.
 // The sign of a rate that is exactly zero is 0: half way between, so that neither direction is favoured.
 #pragma once
+#include "firmware/acquisition/columns.hpp"
 #include "firmware/configuration/configuration.hpp"
-#include "firmware/energy/columns.hpp"
 
 namespace firmware {
 
 struct RateGains {
-  int32_t gain_a = 0, gain_b = 0;           // Q23
-  uint16_t column_a = 0, column_b = 0;      // velocity columns of the nodes
-  bool has_a = false, has_b = false;        // false: ground
+  int32_t gain_a = 0, gain_b = 0;       // Q23
+  uint16_t column_a = 0, column_b = 0;  // velocity columns of the nodes
+  bool has_a = false, has_b = false;    // false: ground
 };
 
 RateGains rate_gains(const CoreConfiguration& configuration, const LinkConfiguration& link);

@@ -7,6 +7,7 @@ namespace hal {
 class MonotonicClock {
  public:
   virtual uint64_t now_ns() = 0;
+
  protected:
   ~MonotonicClock() = default;
 };

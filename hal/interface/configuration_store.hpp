@@ -10,6 +10,7 @@ class ConfigurationStore {
   virtual bool save(const uint8_t* bytes, size_t size) = 0;
   // Returns the number of bytes loaded, 0 where nothing valid is stored or capacity is too small.
   virtual size_t load(uint8_t* bytes, size_t capacity) = 0;
+
  protected:
   ~ConfigurationStore() = default;
 };

@@ -11,8 +11,8 @@ struct LineEdge {
 
 class DigitalInput {
  public:
-  virtual bool active() = 0;                  // the logical level, now
-  virtual bool next_edge(LineEdge& edge) = 0; // false: no edge is waiting; never blocks
+  virtual bool active() = 0;                   // the logical level, now
+  virtual bool next_edge(LineEdge& edge) = 0;  // false: no edge is waiting; never blocks
  protected:
   ~DigitalInput() = default;
 };

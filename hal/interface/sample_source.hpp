@@ -5,10 +5,10 @@
 namespace hal {
 
 enum class SampleResult : uint8_t {
-  kSample,   // a new sample is in the argument
-  kNone,     // none is ready yet
-  kEnd,      // there will be no more (recordings and simulations)
-  kFault,    // the source failed
+  kSample,  // a new sample is in the argument
+  kNone,    // none is ready yet
+  kEnd,     // there will be no more (recordings and simulations)
+  kFault,   // the source failed
 };
 
 class SampleSource {

@@ -6,6 +6,7 @@ namespace hal {
 class Watchdog {
  public:
   virtual void feed() = 0;
+
  protected:
   ~Watchdog() = default;
 };

@@ -1,6 +1,6 @@
 // The rig file's own terms.
 #include "candidates.hpp"
-#include "hal/configuration/effect_words.hpp"
+#include "hal/rig_file/effect_words.hpp"
 
 namespace diagnosis {
 

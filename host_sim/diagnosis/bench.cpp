@@ -17,7 +17,8 @@ void take_out_known_delays(const rig_file::RigModel& rig, FusedRecord& f) {
         if (f.spectra[dof].measured[q] && f.spectra[dof].channel[q] == entry.name)
           correct_fault(f, {FaultKind::kDelay, dof, q, entry.name, delay_s, 0, 0, 0});
     for (size_t dof = 0; dof < f.force.size(); ++dof)
-      if (f.force[dof].size() && force_channel(rig, dof) == entry.name) f.force[dof] -= delay_s * lateness(f.force[dof], delay_s, f);
+      if (f.force[dof].size() && force_channel(rig, dof) == entry.name)
+        f.force[dof] -= delay_s * lateness(f.force[dof], delay_s, f);
   }
 }
 

@@ -43,7 +43,8 @@ Trial tried(const Rows& rows, const Judge& judge, std::vector<ActiveTerm> model,
 }
 
 // The terms of a link that an effect may need beside it before it shows: friction, where the rig file has none.
-std::vector<std::vector<ActiveTerm>> with_friction(const Rows& rows, const CandidateBank& bank, const std::vector<ActiveTerm>& model) {
+std::vector<std::vector<ActiveTerm>> with_friction(const Rows& rows, const CandidateBank& bank,
+                                                   const std::vector<ActiveTerm>& model) {
   std::vector<std::vector<ActiveTerm>> list;
   for (const Candidate& c : bank.beside(model))
     if (c.term().kind == Kind::kMissingCoulomb && static_cast<size_t>(c.term().link) < rows.system().known_links)
@@ -83,7 +84,8 @@ class Selection {
       const Trial t = tried(rows_, judge_, more, f);
       if (std::max(t.error / present_.error, t.unseen / present_.unseen) < kWorthwhile) trials.push_back(t);
     }
-    const auto best = std::min_element(trials.begin(), trials.end(), [](const Trial& a, const Trial& b) { return a.unseen < b.unseen; });
+    const auto best = std::min_element(trials.begin(), trials.end(),
+                                       [](const Trial& a, const Trial& b) { return a.unseen < b.unseen; });
     if (best == trials.end()) return false;
     for (size_t i = model_.size(); i <= start.size(); ++i) take(best->model[i].term, best->found);
     for (const Trial& t : trials)
@@ -105,7 +107,7 @@ class Selection {
   const Judge& judge_;
   std::vector<ActiveTerm> model_;  // fitted to the equation error
   Fit fit_;
-  Trial present_;                  // the same, tuned
+  Trial present_;  // the same, tuned
   SearchResult result_;
 };
 
@@ -146,8 +148,10 @@ SearchResult transferred(const SearchResult& found, Rows& rows, const CandidateB
   }
   if (out.added.empty()) out.fit = out.base_fit;
   tune(rows.system(), out.base, rows.records());
-  if (out.added.empty()) out.model = out.base;
-  else tune(rows.system(), out.model, rows.records());
+  if (out.added.empty())
+    out.model = out.base;
+  else
+    tune(rows.system(), out.model, rows.records());
   return out;
 }
 

@@ -1,8 +1,8 @@
 // Which candidates make sense beside a model.
-#include "candidates.hpp"
-
 #include <algorithm>
 #include <cmath>
+
+#include "candidates.hpp"
 
 namespace diagnosis {
 namespace {
@@ -81,20 +81,34 @@ bool CandidateBank::prepare(const std::vector<ActiveTerm>& model, Candidate& c) 
       c.host = host_on(model, t.link, is_friction), c.host_sign = 1;
       c.penalty = t.shape2 > 0 ? 12 : 6, c.threshold = 100;
       break;
-    case Kind::kStribeck: c.coefficient_sign = 1, c.penalty = 6, c.threshold = 100; return true;
-    case Kind::kEndStop: c.coefficient_sign = 1, c.penalty = 6; return true;
+    case Kind::kStribeck:
+      c.coefficient_sign = 1, c.penalty = 6, c.threshold = 100;
+      return true;
+    case Kind::kEndStop:
+      c.coefficient_sign = 1, c.penalty = 6;
+      return true;
     case Kind::kForceDelay:
       for (const FusedRecord& f : rows_.records()) c.doubt = std::max(c.doubt, f.hold_doubt_s);
       return true;
-    case Kind::kDriftingViscous: c.penalty = t.shape > 0 ? 6 : 0; return true;
-    case Kind::kMassError: c.doubt = kKnownElastic * present(model, Kind::kMass, t); return true;
-    case Kind::kStiffnessError: c.doubt = kKnownElastic * present(model, Kind::kStiffness, t); return true;
+    case Kind::kDriftingViscous:
+      c.penalty = t.shape > 0 ? 6 : 0;
+      return true;
+    case Kind::kMassError:
+      c.doubt = kKnownElastic * present(model, Kind::kMass, t);
+      return true;
+    case Kind::kStiffnessError:
+      c.doubt = kKnownElastic * present(model, Kind::kStiffness, t);
+      return true;
     case Kind::kResonance:
       c.doubt = kKnownElastic * present(model, Kind::kMass, t);
       c.coefficient_sign = 1, c.penalty = 12;
       return true;
-    case Kind::kMissingViscous: case Kind::kMissingCoulomb: c.coefficient_sign = 1; return true;
-    default: return true;
+    case Kind::kMissingViscous:
+    case Kind::kMissingCoulomb:
+      c.coefficient_sign = 1;
+      return true;
+    default:
+      return true;
   }
   if (c.host < 0) return false;
   c.fixed = model[static_cast<size_t>(c.host)].known;
@@ -114,7 +128,8 @@ std::vector<Candidate> CandidateBank::beside(const std::vector<ActiveTerm>& mode
     Candidate c;
     c.column = column;
     const auto partner = partner_.find(column.get());
-    if (partner != partner_.end()) c.companions = partner->second, c.penalty = c.term().kind == Kind::kQuadraticStiffness ? 24 : 6;
+    if (partner != partner_.end())
+      c.companions = partner->second, c.penalty = c.term().kind == Kind::kQuadraticStiffness ? 24 : 6;
     if (!prepare(model, c)) continue;
     c.threshold = c.threshold * strictness(c.term().kind) + reversal_doubt(model, c.term());
     list.push_back(c);

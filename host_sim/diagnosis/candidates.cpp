@@ -19,7 +19,8 @@ CandidateBank::CandidateBank(const Rows& rows) : rows_(rows) {
   // Where nothing moves no resonance shows; one far above the motion is a mass.
   for (const FusedRecord& f : rows.records())
     highest_Hz_ = std::max(highest_Hz_, 1.4 * f.omega(motion_bin(f, 0.99)) / 6.283185307179586);
-  highest_Hz_ = std::clamp(highest_Hz_, 0.006 / rows.records().front().period_s, 0.11 / rows.records().front().period_s);
+  highest_Hz_ =
+      std::clamp(highest_Hz_, 0.006 / rows.records().front().period_s, 0.11 / rows.records().front().period_s);
   for (size_t l = 0; l < rows.system().links.size(); ++l) {
     const int link = static_cast<int>(l);
     for (Kind kind : {Kind::kMissingViscous, Kind::kMissingCoulomb}) add(on_link(kind, link), columns_);
@@ -50,11 +51,16 @@ CandidateBank::Range CandidateBank::range(const Term& t) const {
   if (t.kind == Kind::kForceDelay) return {0.1 * t.shape, 10 * t.shape};
   const Extent e = extent(t.link);
   switch (t.kind) {
-    case Kind::kBacklash: return {5e-5 * e.u_peak, 0.8 * e.u_peak};
-    case Kind::kDriftingViscous: return {0.02 * duration_s(), 2 * duration_s()};
-    case Kind::kEndStop: return {0.1 * e.u_peak, 0.97 * e.u_peak};
-    case Kind::kStribeck: return {0.03 * e.w_rms, 1.1 * e.w_rms};
-    default: return {5e-4 * e.u_rms, 1.5 * e.u_rms};
+    case Kind::kBacklash:
+      return {5e-5 * e.u_peak, 0.8 * e.u_peak};
+    case Kind::kDriftingViscous:
+      return {0.02 * duration_s(), 2 * duration_s()};
+    case Kind::kEndStop:
+      return {0.1 * e.u_peak, 0.97 * e.u_peak};
+    case Kind::kStribeck:
+      return {0.03 * e.w_rms, 1.1 * e.w_rms};
+    default:
+      return {5e-4 * e.u_rms, 1.5 * e.u_rms};
   }
 }
 
@@ -133,7 +139,8 @@ std::vector<Term> CandidateBank::companions_of(const Term& t) const {
   if (t.kind == Kind::kResonance)  // the hidden mass moves already when a record starts
     for (size_t r = 0; r < rows_.records().size(); ++r)
       also(Kind::kResonanceCos, static_cast<int>(r)), also(Kind::kResonanceSin, static_cast<int>(r));
-  if (t.kind == Kind::kQuadraticStiffness && !rows_.absolute()) also(Kind::kStiffnessError, -1);  // about a mean that is not known
+  if (t.kind == Kind::kQuadraticStiffness && !rows_.absolute())
+    also(Kind::kStiffnessError, -1);  // about a mean that is not known
   return list;
 }
 

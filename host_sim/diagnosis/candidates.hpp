@@ -30,7 +30,9 @@ class CandidateBank {
   };
   Range range(const Term& term) const;
   Range second_range(const Term& term) const;
-  double slide_s(const Term& presliding) const { return presliding.shape / extent(presliding.link).w_rms; }  // over its length
+  double slide_s(const Term& presliding) const {
+    return presliding.shape / extent(presliding.link).w_rms;
+  }  // over its length
   static bool has_shape(const Term& term);
   // Whether the coefficient alone does not describe it: a shape, or a delay beyond its first order.
   static bool bends(const Term& term) { return has_shape(term) || term.kind == Kind::kForceDelay; }
@@ -52,7 +54,9 @@ class CandidateBank {
     double u_peak = 0, u_rms = 0, w_rms = 0;
   };
   Extent extent(int link) const;  // the widest over the records
-  double duration_s() const { return static_cast<double>(rows_.records().front().samples) * rows_.records().front().period_s; }
+  double duration_s() const {
+    return static_cast<double>(rows_.records().front().samples) * rows_.records().front().period_s;
+  }
   void add_effects(int link, Columns& columns) const;
   const Columns& effects_of_unlisted(int link) const;  // made when they are first asked for
   void add_dof(int dof);

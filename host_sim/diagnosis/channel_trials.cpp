@@ -1,6 +1,4 @@
 // Faults of channels that no second one bears out.
-#include "trials.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -8,17 +6,19 @@
 #include "fault_report.hpp"
 #include "sharpened_search.hpp"
 #include "sole_channels.hpp"
+#include "trials.hpp"
 
 namespace diagnosis {
 namespace {
 
-constexpr double kSame = 12;          // of chi-squared: two that differ by less explain as well
-constexpr double kWorthTrying = 0.5;  // of what there is to explain: a true fault explains nine tenths at its first order
-constexpr double kExplained = 0.1;    // chi-squared per degree of freedom beyond noise
-constexpr double kRest = 0.05;        // of a residual, which sharper motion may still explain
-constexpr double kLeft = 0.3;         // of its standard deviation: no further correction
-constexpr double kStill = 0.9;        // of chi-squared before a step: no further one
-constexpr double kPlain = 1.05;       // chi-squared per degree of freedom that one plain fault may explain at once
+constexpr double kSame = 12;  // of chi-squared: two that differ by less explain as well
+constexpr double kWorthTrying =
+    0.5;                            // of what there is to explain: a true fault explains nine tenths at its first order
+constexpr double kExplained = 0.1;  // chi-squared per degree of freedom beyond noise
+constexpr double kRest = 0.05;      // of a residual, which sharper motion may still explain
+constexpr double kLeft = 0.3;       // of its standard deviation: no further correction
+constexpr double kStill = 0.9;      // of chi-squared before a step: no further one
+constexpr double kPlain = 1.05;     // chi-squared per degree of freedom that one plain fault may explain at once
 constexpr int kMostSteps = 6;
 constexpr size_t kMostFaults = 2, kMostTried = 2;
 
@@ -40,7 +40,8 @@ struct Correction {
   double ratio = 0;  // chi-squared per degree of freedom of the model then
 };
 
-Correction corrected(const Bench& bench, const std::vector<ActiveTerm>& model, const SensorFault& fault, double before) {
+Correction corrected(const Bench& bench, const std::vector<ActiveTerm>& model, const SensorFault& fault,
+                     double before) {
   Correction c{std::make_unique<Bench>(Bench{bench.system, bench.records, bench.imposed}), fault, before};
   SensorFault step = fault;
   for (int i = 0; i < kMostSteps; ++i) {
@@ -51,7 +52,8 @@ Correction corrected(const Bench& bench, const std::vector<ActiveTerm>& model, c
     const double last = std::exchange(c.ratio, fit.ratio());
     if (i + 1 == kMostSteps || c.ratio > kStill * last) break;
     const std::vector<SensorFault> list = sole_channel_faults(rows, copy, fit);
-    const auto left = std::find_if(list.begin(), list.end(), [&](const SensorFault& f) { return same_fault(f, fault); });
+    const auto left =
+        std::find_if(list.begin(), list.end(), [&](const SensorFault& f) { return same_fault(f, fault); });
     if (left == list.end() || std::hypot(left->value, left->quadrature) < kLeft * left->std) break;
     step = *left;
     accumulate(c.fault, step);
@@ -101,14 +103,16 @@ struct Suspect {
 std::vector<Suspect> suspects(const Bench& bench, const SearchResult& found, double explained) {
   std::vector<Suspect> list;
   const double threshold = threshold_of(bench);
-  const bool settled = found.added.size() == 1 && found.fit.ratio() < 1 + kExplained;  // by one term: only its equal is of interest
+  const bool settled =
+      found.added.size() == 1 && found.fit.ratio() < 1 + kExplained;  // by one term: only its equal is of interest
   const double worth = settled ? explained - kSame : kWorthTrying * explained;
   for (const std::vector<ActiveTerm>* model : {&found.base, &found.model}) {
     if (model == &found.model && found.added.empty()) continue;
     const std::vector<SensorFault> faults = faults_beside(*bench.rows, *model);
-    const double least = model == &found.base ? std::max(threshold, worth)
-                                              : std::max(threshold, least_share(found.model) * explained);
-    for (size_t i = 0; i < faults.size() && i < kMostTried && faults[i].score >= least; ++i) list.push_back({faults[i], model});
+    const double least =
+        model == &found.base ? std::max(threshold, worth) : std::max(threshold, least_share(found.model) * explained);
+    for (size_t i = 0; i < faults.size() && i < kMostTried && faults[i].score >= least; ++i)
+      list.push_back({faults[i], model});
   }
   return list;
 }
@@ -120,7 +124,8 @@ std::vector<NamedPlace> equivalents(const Bench& bench, const SearchResult& foun
   const DofSpectra& s = bench.records[0].spectra[0];
   if (bench.system.dofs() != 1 || s.count() != 1) return list;
   for (const Found& f : found.added)
-    if (of_force_sensor(f.candidate.term().kind)) list.push_back({word_of(f.candidate.term().kind), "channel " + s.channel[s.first()]});
+    if (of_force_sensor(f.candidate.term().kind))
+      list.push_back({word_of(f.candidate.term().kind), "channel " + s.channel[s.first()]});
   return list;
 }
 
@@ -132,7 +137,8 @@ SearchResult search_plain_first(std::unique_ptr<Bench>& owner, SensorCheck& chec
   if (fit.ratio() > kPlain) faults = sole_channel_faults(*owner->rows, base, fit);
   double term = 0;  // what one effect could explain
   if (!faults.empty())
-    for (const Gain& gain : gains_of(*owner->rows, base, fit, owner->bank->beside(base))) term = std::max(term, gain.chi2);
+    for (const Gain& gain : gains_of(*owner->rows, base, fit, owner->bank->beside(base)))
+      term = std::max(term, gain.chi2);
   for (size_t i = 0; i < faults.size() && i < kMostTried; ++i) {
     const double explained = fit.chi2 * faults[i].score / (fit.dof + faults[i].score);
     if (explained < std::max(term, kWorthTrying * (fit.chi2 - fit.dof))) break;
@@ -155,7 +161,8 @@ std::vector<NamedPlace> try_sole_channels(std::unique_ptr<Bench>& owner, SearchR
     for (const Suspect& s : suspects(*owner, found, explained)) {
       Correction trial = corrected(*owner, *s.model, s.fault, found.base_fit.ratio());
       const SearchResult again = searched(trial.bench);
-      const bool as_well = again.added.empty() && found.added.size() == 1 && std::abs(s.fault.score - explained) < kSame;
+      const bool as_well =
+          again.added.empty() && found.added.size() == 1 && std::abs(s.fault.score - explained) < kSame;
       if (as_well) rivals.push_back(named_place(s.fault));
       if (!preferred(again, s.fault, found, explained) || (best.bench && !simpler(again, best_found))) continue;
       best = std::move(trial), best_found = again;

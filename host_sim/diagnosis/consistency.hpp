@@ -35,7 +35,8 @@ class Consistency {
     for (Eigen::Index i = first_; i <= f_.last_bin; ++i) {
       Complex common = 0;
       for (size_t q = 0; q < 3; ++q)
-        if (s_.measured[q]) common += std::conj(derivative(f_.omega(i), static_cast<int>(q))) * value(i, q) / s_.noise[q][i];
+        if (s_.measured[q])
+          common += std::conj(derivative(f_.omega(i), static_cast<int>(q))) * value(i, q) / s_.noise[q][i];
       common /= information(i);
       for (size_t q = 0; q < 3; ++q) {
         if (!s_.measured[q]) continue;

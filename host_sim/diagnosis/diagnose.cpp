@@ -49,7 +49,8 @@ void also_ambiguous(const std::vector<NamedPlace>& rivals, Diagnosis& d) {
 }
 
 // Bars the first term that makes the free simulation of unseen data worse. True if there was one.
-bool reject_worse(const System& system, const Judge& judge, const Rows& rows, CandidateBank& bank, const SearchResult& found, Diagnosis& d) {
+bool reject_worse(const System& system, const Judge& judge, const Rows& rows, CandidateBank& bank,
+                  const SearchResult& found, Diagnosis& d) {
   const std::vector<ActiveTerm> fitted = judge.fitted(found.model);
   for (size_t i = 0; i < found.added.size(); ++i) {
     const Term mine = found.added[i].candidate.term();
@@ -65,7 +66,8 @@ bool reject_worse(const System& system, const Judge& judge, const Rows& rows, Ca
   return false;
 }
 
-void score_both(const Judge& judge, const std::vector<ActiveTerm>& base, const std::vector<ActiveTerm>& model, Diagnosis& d) {
+void score_both(const Judge& judge, const std::vector<ActiveTerm>& base, const std::vector<ActiveTerm>& model,
+                Diagnosis& d) {
   const HoldoutScore before = judge.score(base), after = judge.score(model);
   const auto take = [](const HoldoutScore& score, ModelScore& to) {
     to.holdout_nrmse_percent = score.nrmse_percent, to.holdout_mse_percent = score.mse_percent;
@@ -91,7 +93,8 @@ void simulate_unseen(const Asked& asked, Bench& bench, SearchResult& found, Rema
   const auto made_ready = [&](const std::vector<host_sim::Record>& records) {
     return imposed_on(ready(asked.rig, records, asked.options, nullptr), bench.imposed);
   };
-  Bench early{system, asked.holdout.empty() ? made_ready(first_parts(asked.training, share)) : bench.records, bench.imposed};
+  Bench early{system, asked.holdout.empty() ? made_ready(first_parts(asked.training, share)) : bench.records,
+              bench.imposed};
   if (asked.holdout.empty()) sharpen_all(system, early.records);
   const Judge judge(system, bench.records, early.records, made_ready(asked.holdout), share);
   const auto beyond_noise = [&] { return !remainder.noise_only && far_beyond_noise(*bench.rows, found); };
@@ -153,9 +156,10 @@ Diagnosis diagnose(const rig_file::RigModel& rig, const std::vector<host_sim::Re
   checks.push_back({{}, {}, smallest_of_sole_channels(bench, found)});
   for (const DetectionLimit& limit : fault_limits(checks)) d.minimum_detectable.push_back(limit);
   d.unknown_trace = remainder.trace;
-  d.verdict = !remainder.noise_only ? Verdict::kUnknown
-              : d.causes.empty() ? Verdict::kNone
-              : d.ambiguous_with.empty() ? Verdict::kExplained : Verdict::kAmbiguous;
+  d.verdict = !remainder.noise_only      ? Verdict::kUnknown
+              : d.causes.empty()         ? Verdict::kNone
+              : d.ambiguous_with.empty() ? Verdict::kExplained
+                                         : Verdict::kAmbiguous;
   d.advice = advice_for(d);
   return d;
 }

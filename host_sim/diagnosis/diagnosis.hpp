@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "hal/configuration/rig_model.hpp"
+#include "hal/rig_file/rig_model.hpp"
 #include "host_sim/records/record.hpp"
 
 namespace diagnosis {
@@ -17,7 +17,7 @@ struct Parameter {
   std::string name;  // "viscous[1-0]", "cubic_stiffness[1-2]", "end_stop_gap[1-0]"
   double value = 0;
   std::string unit;
-  double std = 0;    // 0: given or a shape
+  double std = 0;  // 0: given or a shape
   bool estimated = true;
 };
 
@@ -53,7 +53,7 @@ struct ModelScore {
   std::vector<Parameter> parameters;
   std::vector<double> holdout_nrmse_percent;  // displacement, per DOF
   std::vector<double> holdout_velocity_nrmse_percent;
-  std::vector<double> holdout_mse_percent;    // acceleration, Eq. 13, per DOF
+  std::vector<double> holdout_mse_percent;  // acceleration, Eq. 13, per DOF
 };
 
 struct Diagnosis {
@@ -64,21 +64,21 @@ struct Diagnosis {
   std::vector<NamedPlace> ambiguous_with;
   std::vector<Cause> rejected;  // fitted better, simulated worse on held-out data
   ModelScore baseline, extended;
-  std::vector<double> gain;     // baseline / extended NRMSE per DOF
+  std::vector<double> gain;  // baseline / extended NRMSE per DOF
   std::vector<DetectionLimit> minimum_detectable;
   std::vector<std::string> advice;
   std::string force_between_samples = "smooth";  // or "linear", "steps": how it acts there, as the motion tells
-  std::string unknown_trace;    // what the unexplained force looks like, where it leaves a plain trace
-  double baseline_misfit = 0;   // chi-squared per degree of freedom: 1 is noise alone
+  std::string unknown_trace;                     // what the unexplained force looks like, where it leaves a plain trace
+  double baseline_misfit = 0;                    // chi-squared per degree of freedom: 1 is noise alone
   double extended_misfit = 0;
   rig_file::RigModel extended_rig;
   std::vector<RankedCandidate> ranked;  // the first twelve, best first
 };
 
 struct Options {
-  double top_of_band = 0.098;       // of the sampling rate: highest frequency of the equation rows
-  double holdout_fraction = 0.3;    // of each training record, where no hold-out records are given
-  bool simulate = true;             // free-running simulation on held-out data
+  double top_of_band = 0.098;     // of the sampling rate: highest frequency of the equation rows
+  double holdout_fraction = 0.3;  // of each training record, where no hold-out records are given
+  bool simulate = true;           // free-running simulation on held-out data
 };
 
 // Status of a fitted parameter: where the model leaves more than noise, its numbers have taken up some of that.

@@ -37,7 +37,8 @@ struct Evidence {
 Evidence evidence(const FusedRecord& f, size_t dof, const Spectrum& force, Hold hold) {
   const Consistency rows(f, dof);
   const Series residual = rows.residual();
-  const Series column = rows.rows([&](Eigen::Index i, size_t q) { return folded(hold, step_of(f, i), q, f.period_s) * force[i]; });
+  const Series column =
+      rows.rows([&](Eigen::Index i, size_t q) { return folded(hold, step_of(f, i), q, f.period_s) * force[i]; });
   const double square = column.squaredNorm(), moment = column.dot(residual);
   if (!(square > 0)) return {};
   const double gain = moment * moment / square;

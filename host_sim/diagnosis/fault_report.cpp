@@ -12,7 +12,7 @@ const char* word_of(FaultKind kind) {
 
 // A hum has the unit of its channel.
 std::string unit_of(const SensorFault& fault) {
-  constexpr const char* kUnits[] = {"m", "m/s", "m/s^2"}, *kAngles[] = {"rad", "rad/s", "rad/s^2"};
+  constexpr const char *kUnits[] = {"m", "m/s", "m/s^2"}, *kAngles[] = {"rad", "rad/s", "rad/s^2"};
   if (!is_hum(fault.kind)) return fault.kind == FaultKind::kDelay ? "s" : "1";
   return (fault.channel.find("_rad") != std::string::npos ? kAngles : kUnits)[fault.quantity];
 }
@@ -40,8 +40,7 @@ void report_faults(const std::vector<SensorCheck>& checks, Diagnosis& d) {
       const auto same = [&](const Cause& c) { return c.effect == cause.effect && c.where == cause.where; };
       if (std::any_of(d.causes.begin(), d.causes.end(), same)) continue;  // the same fault in a further record
       d.causes.push_back(cause);
-      for (const SensorFault& rival : check.rivals[i])
-        d.ambiguous_with.push_back(named_place(rival));
+      for (const SensorFault& rival : check.rivals[i]) d.ambiguous_with.push_back(named_place(rival));
     }
 }
 
@@ -51,9 +50,12 @@ std::vector<DetectionLimit> fault_limits(const std::vector<SensorCheck>& checks)
     for (const SensorFault& f : check.smallest) {
       const DetectionLimit limit{word_of(f.kind), "channel " + f.channel, f.value, unit_of(f), 0};
       // the two mains frequencies are one effect
-      const auto known = std::find_if(list.begin(), list.end(), [&](const DetectionLimit& l) { return l.same_place(limit); });
-      if (known == list.end()) list.push_back(limit);
-      else known->strength = std::min(known->strength, limit.strength);
+      const auto known =
+          std::find_if(list.begin(), list.end(), [&](const DetectionLimit& l) { return l.same_place(limit); });
+      if (known == list.end())
+        list.push_back(limit);
+      else
+        known->strength = std::min(known->strength, limit.strength);
     }
   return list;
 }

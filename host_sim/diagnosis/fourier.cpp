@@ -46,7 +46,9 @@ Series Fourier::inverse(const Spectrum& spectrum) const {
   return Series::Map(plans_->time, static_cast<Eigen::Index>(samples_)) / static_cast<double>(samples_);
 }
 
-double power(const Eigen::Ref<const Spectrum>& s, bool from_mean) { return 2 * s.squaredNorm() - (from_mean ? std::norm(s[0]) : 0); }
+double power(const Eigen::Ref<const Spectrum>& s, bool from_mean) {
+  return 2 * s.squaredNorm() - (from_mean ? std::norm(s[0]) : 0);
+}
 
 double mean_square(const Spectrum& s, double window_energy, Eigen::Index first) {
   return power(s.tail(s.size() - first), first == 0) / (window_energy * static_cast<double>(2 * (s.size() - 1)));

@@ -8,8 +8,8 @@
 namespace diagnosis {
 
 using Complex = std::complex<double>;
-using Series = Eigen::VectorXd;      // one value per sample
-using Spectrum = Eigen::VectorXcd;   // bins 0 .. N/2
+using Series = Eigen::VectorXd;     // one value per sample
+using Spectrum = Eigen::VectorXcd;  // bins 0 .. N/2
 
 class Fourier {
  public:
@@ -19,9 +19,9 @@ class Fourier {
   Fourier& operator=(const Fourier&) = delete;
   size_t samples() const { return samples_; }
   Eigen::Index bins() const { return static_cast<Eigen::Index>(samples_ / 2 + 1); }
-  Spectrum forward(const Series& series) const;                        // sum of s[i] exp(-j 2 pi k i / N)
-  Spectrum forward(const Series& series, Eigen::Index bins) const;     // the first bins only
-  Series inverse(const Spectrum& spectrum) const;                      // forward() undone
+  Spectrum forward(const Series& series) const;                     // sum of s[i] exp(-j 2 pi k i / N)
+  Spectrum forward(const Series& series, Eigen::Index bins) const;  // the first bins only
+  Series inverse(const Spectrum& spectrum) const;                   // forward() undone
  private:
   size_t samples_;
   struct Plans;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hal/configuration/effect_words.hpp"
+#include "hal/rig_file/effect_words.hpp"
 #include "sharpen.hpp"
 
 namespace diagnosis {
@@ -18,13 +18,26 @@ struct Simulator {
   const FusedRecord& record;
   size_t n;
   std::vector<double> inertia, x, v, last_a, push, mid_x, mid_v, next;
-  std::vector<Series> drive;              // force on each DOF, without what the model calls faults of its sensor
-  std::vector<double> level, impulse;     // friction of each link
+  std::vector<Series> drive;                     // force on each DOF, without what the model calls faults of its sensor
+  std::vector<double> level, impulse;            // friction of each link
   std::vector<double> dahl, hidden_x, hidden_v;  // states per term
 
   Simulator(const System& s, const std::vector<ActiveTerm>& m, const FusedRecord& f, Eigen::Index from)
-      : system(s), model(m), record(f), n(s.dofs()), inertia(n, 0.0), x(n), v(n), last_a(n), push(n),
-        drive(f.force), level(s.links.size()), impulse(level.size()), dahl(m.size(), 0.0), hidden_x(m.size()), hidden_v(m.size()) {
+      : system(s),
+        model(m),
+        record(f),
+        n(s.dofs()),
+        inertia(n, 0.0),
+        x(n),
+        v(n),
+        last_a(n),
+        push(n),
+        drive(f.force),
+        level(s.links.size()),
+        impulse(level.size()),
+        dahl(m.size(), 0.0),
+        hidden_x(m.size()),
+        hidden_v(m.size()) {
     for (const ActiveTerm& t : model)
       if (t.term.kind == Kind::kMass || t.term.kind == Kind::kMassError)
         inertia[static_cast<size_t>(t.term.dof)] += t.value;
@@ -52,7 +65,8 @@ struct Simulator {
       for (int step = 0; step < kLeadInSteps; ++step) {
         const double r = (step + 0.5) / kLeadInSteps;
         hidden_force(i, record.motion[j].smooth_x[k] * (1 - r) + record.motion[j].smooth_x[k + 1] * r,
-                     record.motion[j].smooth_v[k] * (1 - r) + record.motion[j].smooth_v[k + 1] * r, record.period_s / kLeadInSteps);
+                     record.motion[j].smooth_v[k] * (1 - r) + record.motion[j].smooth_v[k + 1] * r,
+                     record.period_s / kLeadInSteps);
       }
   }
   double hidden_force(size_t i, double motion, double speed, double h) {
@@ -92,21 +106,54 @@ struct Simulator {
       const size_t l = static_cast<size_t>(t.link);
       const double u = elongation(p, l), w = rate(s, l), clip = std::clamp(u, -t.shape, t.shape);
       switch (t.kind) {
-        case Kind::kCoulomb: case Kind::kMissingCoulomb: level[l] += q; break;
-        case Kind::kStribeck: level[l] += q * std::exp(-std::abs(w) / t.shape); break;
-        case Kind::kStiffness: case Kind::kStiffnessError: pull(l, q * u); break;
-        case Kind::kViscous: case Kind::kMissingViscous: pull(l, q * w); break;
-        case Kind::kGravity: pull(l, q * std::sin(u)); break;
-        case Kind::kCubicStiffness: pull(l, q * u * u * u); break;
-        case Kind::kQuadraticStiffness: pull(l, q * u * u); break;
-        case Kind::kBacklash: pull(l, (t.given ? -q : q) * clip); break;
-        case Kind::kEndStop: pull(l, q * (u - clip)); break;
-        case Kind::kQuadraticDamping: pull(l, q * w * std::abs(w)); break;
-        case Kind::kCubicDamping: pull(l, q * w * w * w); break;
-        case Kind::kForceOffset: pull(l, q); break;
-        case Kind::kAsymmetricViscous: pull(l, q * std::abs(w)); break;
-        case Kind::kDisplacementDamping: pull(l, q * u * u * w); break;
-        case Kind::kDriftingViscous: pull(l, q * w * rig_file::drifted_s(t_s, t.shape)); break;
+        case Kind::kCoulomb:
+        case Kind::kMissingCoulomb:
+          level[l] += q;
+          break;
+        case Kind::kStribeck:
+          level[l] += q * std::exp(-std::abs(w) / t.shape);
+          break;
+        case Kind::kStiffness:
+        case Kind::kStiffnessError:
+          pull(l, q * u);
+          break;
+        case Kind::kViscous:
+        case Kind::kMissingViscous:
+          pull(l, q * w);
+          break;
+        case Kind::kGravity:
+          pull(l, q * std::sin(u));
+          break;
+        case Kind::kCubicStiffness:
+          pull(l, q * u * u * u);
+          break;
+        case Kind::kQuadraticStiffness:
+          pull(l, q * u * u);
+          break;
+        case Kind::kBacklash:
+          pull(l, (t.given ? -q : q) * clip);
+          break;
+        case Kind::kEndStop:
+          pull(l, q * (u - clip));
+          break;
+        case Kind::kQuadraticDamping:
+          pull(l, q * w * std::abs(w));
+          break;
+        case Kind::kCubicDamping:
+          pull(l, q * w * w * w);
+          break;
+        case Kind::kForceOffset:
+          pull(l, q);
+          break;
+        case Kind::kAsymmetricViscous:
+          pull(l, q * std::abs(w));
+          break;
+        case Kind::kDisplacementDamping:
+          pull(l, q * u * u * w);
+          break;
+        case Kind::kDriftingViscous:
+          pull(l, q * w * rig_file::drifted_s(t_s, t.shape));
+          break;
         case Kind::kPresliding: {
           const double way = w < 0 ? -1 : 1;
           dahl[i] = way + (dahl[i] - way) * std::exp(-std::abs(w) * h / t.shape);
@@ -114,7 +161,8 @@ struct Simulator {
           if (!t.given) level[l] -= q;  // in place of Coulomb friction
           break;
         }
-        default: break;
+        default:
+          break;
       }
     }
   }
@@ -129,7 +177,8 @@ struct Simulator {
       base_v = record.motion[n].v[sample] * (1 - r) + record.motion[n].v[sample + 1] * r;
     }
     mid_x = x, mid_v = v;
-    for (size_t j = 0; j < n; ++j) mid_x[j] += 0.5 * h * v[j] + 0.125 * h * h * last_a[j], mid_v[j] += 0.5 * h * last_a[j];
+    for (size_t j = 0; j < n; ++j)
+      mid_x[j] += 0.5 * h * v[j] + 0.125 * h * h * last_a[j], mid_v[j] += 0.5 * h * last_a[j];
     forces(mid_x, mid_v, t_s, h);
     next = v;
     for (size_t j = 0; j < n; ++j) next[j] += h * push[j] / inertia[j];
@@ -139,7 +188,8 @@ struct Simulator {
       for (size_t l = 0; l < level.size(); ++l) {
         if (level[l] <= 0) continue;
         const int a = system.links[l].a, b = system.links[l].b;
-        const double ia = a > 0 ? 1 / inertia[static_cast<size_t>(a - 1)] : 0, ib = b > 0 ? 1 / inertia[static_cast<size_t>(b - 1)] : 0;
+        const double ia = a > 0 ? 1 / inertia[static_cast<size_t>(a - 1)] : 0,
+                     ib = b > 0 ? 1 / inertia[static_cast<size_t>(b - 1)] : 0;
         const double wanted = impulse[l] + rate(next, l) / (ia + ib), limit = h * level[l];
         const double change = std::clamp(wanted, -limit, limit) - impulse[l];
         impulse[l] += change;

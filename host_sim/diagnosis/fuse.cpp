@@ -48,8 +48,11 @@ DofMotion fuse_dof(const DofSpectra& s, const FusedRecord& f, double energy) {
   }
   // expected power of the true displacement, for the weights of the smooth signals
   Series power = y.cwiseAbs2() / energy;
-  if (s.measured[0]) power = smoothed(power, 12);
-  else power = smoothed(power.cwiseQuotient(m.variance.cwiseMax(1e-300)), 12).cwiseProduct(m.variance);  // integrated noise is steep
+  if (s.measured[0])
+    power = smoothed(power, 12);
+  else
+    power = smoothed(power.cwiseQuotient(m.variance.cwiseMax(1e-300)), 12)
+                .cwiseProduct(m.variance);  // integrated noise is steep
   const double pass = 1.3 * static_cast<double>(f.last_bin), stop = 1.8 * static_cast<double>(f.last_bin);
   Spectrum linear(bins), smooth(bins), rate(bins);
   double error = 0;
@@ -78,7 +81,8 @@ DofMotion fuse_dof(const DofSpectra& s, const FusedRecord& f, double energy) {
 Eigen::Index motion_bin(const FusedRecord& f, double share) {
   Series power = Series::Zero(f.last_bin + 1);
   for (const DofMotion& m : f.motion)
-    for (Eigen::Index i = 0; m.measured && i <= f.last_bin; ++i) power[i] += std::pow(f.omega(i), 2) * std::norm(m.raw[i]);
+    for (Eigen::Index i = 0; m.measured && i <= f.last_bin; ++i)
+      power[i] += std::pow(f.omega(i), 2) * std::norm(m.raw[i]);
   const double whole = power.sum();
   double sum = 0;
   Eigen::Index i = 0;

@@ -14,14 +14,17 @@ struct Shared {
   double free() const { return whole - fitted.squaredNorm(); }  // square of what the fitted columns cannot make of it
 };
 
-Shared column_of(const Projection::Products& p, Eigen::Index i) { return {p.fitted.col(i), p.residual[i], p.square[i]}; }
+Shared column_of(const Projection::Products& p, Eigen::Index i) {
+  return {p.fitted.col(i), p.residual[i], p.square[i]};
+}
 
 // Index of the fitted column of an active term, or -1.
 Eigen::Index fitted_index(const std::vector<ActiveTerm>& model, int term) {
   const ActiveTerm& t = model[static_cast<size_t>(term)];
   if (t.known || t.host >= 0) return -1;
   Eigen::Index index = 0;
-  for (int i = 0; i < term; ++i) index += !model[static_cast<size_t>(i)].known && model[static_cast<size_t>(i)].host < 0;
+  for (int i = 0; i < term; ++i)
+    index += !model[static_cast<size_t>(i)].known && model[static_cast<size_t>(i)].host < 0;
   return index;
 }
 
@@ -29,7 +32,8 @@ Eigen::Index fitted_index(const std::vector<ActiveTerm>& model, int term) {
 // one free, and then held to s b by a Lagrange multiplier: m the moment with the residual, f the free square, k how b
 // answers to the new coefficient, v the variance of b. Written so that f may go to nought.
 Gain hosted_gain(const Projection& p, const Shared& c, Eigen::Index h, double s) {
-  const double k = 1 + s * p.answer(h, c.fitted), v = p.std(h) * p.std(h), f = c.free(), m = c.moment, b = s * p.value(h);
+  const double k = 1 + s * p.answer(h, c.fitted), v = p.std(h) * p.std(h), f = c.free(), m = c.moment,
+               b = s * p.value(h);
   const double sum = k * k + f * v;
   return {(m * m * v + 2 * k * m * b - b * b * f) / sum, (m * v + k * b) / sum, 0};
 }
@@ -73,15 +77,18 @@ std::vector<Gain> gains_of(const Rows& rows, const std::vector<ActiveTerm>& mode
   std::map<Place, std::vector<size_t>> places;
   for (size_t i = 0; i < candidates.size(); ++i) {
     const Place place = rows.place(candidates[i].term());
-    if (!candidates[i].companions.empty()) gains[i] = group_gain(fit, place, candidates[i]);
-    else places[place].push_back(i);
+    if (!candidates[i].companions.empty())
+      gains[i] = group_gain(fit, place, candidates[i]);
+    else
+      places[place].push_back(i);
   }
   for (const auto& here : places) {
     std::vector<const Spectra*> columns;
     for (size_t i : here.second) columns.push_back(&candidates[i].column->spectra);
     const Projection::Products p = fit.projection->products(here.first, columns);
     for (size_t k = 0; k < here.second.size(); ++k)
-      gains[here.second[k]] = single_gain(model, fit, candidates[here.second[k]], column_of(p, static_cast<Eigen::Index>(k)));
+      gains[here.second[k]] =
+          single_gain(model, fit, candidates[here.second[k]], column_of(p, static_cast<Eigen::Index>(k)));
   }
   return gains;
 }

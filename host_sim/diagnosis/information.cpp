@@ -23,7 +23,8 @@ double factorise(Triangle& s, Eigen::Index n, std::vector<Series>& inverse_diago
   for (Eigen::Index j = 0; j < n; ++j)
     for (Eigen::Index k = 0; k <= j; ++k) {
       Spectrum& entry = s[in_triangle(j, k)];
-      for (Eigen::Index l = 0; l < k; ++l) entry.array() -= s[in_triangle(j, l)].array() * s[in_triangle(k, l)].array().conjugate();
+      for (Eigen::Index l = 0; l < k; ++l)
+        entry.array() -= s[in_triangle(j, l)].array() * s[in_triangle(k, l)].array().conjugate();
       if (k < j) {
         entry.array() *= inverse_diagonal[static_cast<size_t>(k)].array();
         continue;
@@ -61,7 +62,8 @@ Information::Information(Eigen::Index dofs, Triangle s)
   for (Eigen::Index j = 0; j < dofs; ++j)
     for (Eigen::Index k = 0; k <= j; ++k) {
       Spectrum sum = s[in_triangle(j, j)].conjugate().cwiseProduct(s[in_triangle(j, k)]);
-      for (Eigen::Index l = j + 1; l < dofs; ++l) sum += s[in_triangle(l, j)].conjugate().cwiseProduct(s[in_triangle(l, k)]);
+      for (Eigen::Index l = j + 1; l < dofs; ++l)
+        sum += s[in_triangle(l, j)].conjugate().cwiseProduct(s[in_triangle(l, k)]);
       entries_[static_cast<size_t>(j * dofs + k)] = sum;
       if (k < j) entries_[static_cast<size_t>(k * dofs + j)] = sum.conjugate();
     }

@@ -16,7 +16,9 @@ struct Place {
 
 // A Hermitian matrix per bin, entry by entry over all bins: the lower triangle, (0,0) (1,0) (1,1) (2,0) ...
 using Triangle = std::vector<Spectrum>;
-inline size_t in_triangle(Eigen::Index row, Eigen::Index column) { return static_cast<size_t>(row * (row + 1) / 2 + column); }
+inline size_t in_triangle(Eigen::Index row, Eigen::Index column) {
+  return static_cast<size_t>(row * (row + 1) / 2 + column);
+}
 
 using Balance = Eigen::MatrixXcd;  // bins x DOFs: the forces on each DOF
 
@@ -35,15 +37,17 @@ class Information {
  public:
   // Inverts the covariance of every bin (kept from being singular).
   Information(Eigen::Index dofs, Triangle covariance);
-  double log_determinant() const { return log_determinant_; }      // of the covariances, summed over the bins
-  Spectrum between(const Place& p, const Place& q) const;          // p' L q per bin
-  Series weight(const Place& p) const;                             // p' L p per bin
-  Spectrum pulled(const Place& p, const Balance& balance) const;   // p' L balance per bin
-  Series power(const Balance& balance) const;                      // balance' L balance per bin: its whitened square
+  double log_determinant() const { return log_determinant_; }     // of the covariances, summed over the bins
+  Spectrum between(const Place& p, const Place& q) const;         // p' L q per bin
+  Series weight(const Place& p) const;                            // p' L p per bin
+  Spectrum pulled(const Place& p, const Balance& balance) const;  // p' L balance per bin
+  Series power(const Balance& balance) const;                     // balance' L balance per bin: its whitened square
   Eigen::Index bins() const { return bins_; }
 
  private:
-  const Spectrum& at(Eigen::Index row, Eigen::Index column) const { return entries_[static_cast<size_t>(row * dofs_ + column)]; }
+  const Spectrum& at(Eigen::Index row, Eigen::Index column) const {
+    return entries_[static_cast<size_t>(row * dofs_ + column)];
+  }
   Eigen::Index bins_ = 0, dofs_ = 0;
   double log_determinant_ = 0;
   std::vector<Spectrum> entries_;  // row by row

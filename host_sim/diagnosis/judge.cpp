@@ -8,8 +8,8 @@
 namespace diagnosis {
 namespace {
 
-constexpr int kSteps = 4;         // of a simulation per sample
-constexpr double kWorse = 0.06;   // of the error's square: less is no difference
+constexpr int kSteps = 4;        // of a simulation per sample
+constexpr double kWorse = 0.06;  // of the error's square: less is no difference
 constexpr double kMuchWorse = 0.3;
 constexpr double kBeyondNoise = 9;  // of the noise's square: such an error is not noise
 
@@ -18,7 +18,8 @@ double noise_square(const FusedRecord& f, const DofMotion& m, Eigen::Index from,
   const Eigen::Index top = std::min(m.variance.size(), f.last_bin + f.last_bin / 2);
   const Series x = m.x.segment(from, length);
   const double power = (x.array() - x.mean()).square().mean();
-  return 2 * m.variance.head(top).sum() / static_cast<double>(f.samples) * static_cast<double>(length) / std::max(power, 1e-300);
+  return 2 * m.variance.head(top).sum() / static_cast<double>(f.samples) * static_cast<double>(length) /
+         std::max(power, 1e-300);
 }
 
 }  // namespace
@@ -44,7 +45,8 @@ std::vector<Judge::Span> Judge::spans(const std::vector<FusedRecord>& records, d
   return list;
 }
 
-HoldoutScore Judge::over(const std::vector<FusedRecord>& records, const std::vector<ActiveTerm>& model, double from_share) const {
+HoldoutScore Judge::over(const std::vector<FusedRecord>& records, const std::vector<ActiveTerm>& model,
+                         double from_share) const {
   HoldoutScore total;
   total.nrmse_percent.assign(system_.dofs(), 0.0), total.mse_percent = total.velocity_percent = total.nrmse_percent;
   for (const Span& s : spans(records, from_share)) {

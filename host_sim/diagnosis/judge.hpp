@@ -27,7 +27,8 @@ class Judge {
     Eigen::Index from, to;
   };
   std::vector<Span> spans(const std::vector<FusedRecord>& records, double from_share) const;
-  HoldoutScore over(const std::vector<FusedRecord>& records, const std::vector<ActiveTerm>& model, double from_share) const;
+  HoldoutScore over(const std::vector<FusedRecord>& records, const std::vector<ActiveTerm>& model,
+                    double from_share) const;
   const System& system_;
   const std::vector<FusedRecord>&full_, &early_;
   std::vector<FusedRecord> unseen_;

@@ -36,13 +36,15 @@ Spectra damper_force(const Rows& rows, const std::vector<ActiveTerm>& model, int
 // rms of what the dampers of each of the rig file's links take.
 std::vector<double> damping_rms(const Rows& rows, const std::vector<ActiveTerm>& model) {
   std::vector<double> list;
-  for (size_t l = 0; l < rows.system().known_links; ++l) list.push_back(rms_of(damper_force(rows, model, static_cast<int>(l)), rows));
+  for (size_t l = 0; l < rows.system().known_links; ++l)
+    list.push_back(rms_of(damper_force(rows, model, static_cast<int>(l)), rows));
   return list;
 }
 
 // Of a link of the rig file its own; of a DOF, or of a link that the rig file lacks, the largest nearby.
 double damping_at(const System& system, const std::vector<double>& damping, const Term& place) {
-  if (place.link >= 0 && static_cast<size_t>(place.link) < damping.size()) return damping[static_cast<size_t>(place.link)];
+  if (place.link >= 0 && static_cast<size_t>(place.link) < damping.size())
+    return damping[static_cast<size_t>(place.link)];
   const rig_file::Link* own = place.link >= 0 ? &system.links[static_cast<size_t>(place.link)] : nullptr;
   double largest = 0;
   for (size_t l = 0; l < damping.size(); ++l) {
@@ -59,11 +61,13 @@ std::vector<Candidate> freed(std::vector<Candidate> candidates) {
   return candidates;
 }
 
-std::vector<DetectionLimit> limits_of(const Rows& rows, const CandidateBank& bank, const std::vector<ActiveTerm>& model, const Fit& fit) {
+std::vector<DetectionLimit> limits_of(const Rows& rows, const CandidateBank& bank, const std::vector<ActiveTerm>& model,
+                                      const Fit& fit) {
   std::vector<DetectionLimit> list;
   const std::vector<Candidate> candidates = bank.beside(model);
   const std::vector<double> damping = damping_rms(rows, model);
-  const std::vector<Gain> gains = gains_of(rows, model, fit, candidates), free_gains = gains_of(rows, model, fit, freed(candidates));
+  const std::vector<Gain> gains = gains_of(rows, model, fit, candidates),
+                          free_gains = gains_of(rows, model, fit, freed(candidates));
   for (size_t i = 0; i < candidates.size(); ++i) {
     const Candidate& c = candidates[i];
     const Gain& gain = gains[i];
@@ -89,25 +93,30 @@ std::vector<DetectionLimit> limits_of(const Rows& rows, const CandidateBank& ban
     const double beside = damping_at(rows.system(), damping, c.term());
     limit.percent_of_damping_force = beside > 0 ? 100 * coefficient * rms_of(c.column->spectra, rows) / beside : 0;
     // of the shapes on the grid, and of the two mains frequencies, the easiest to see is quoted
-    const auto known = std::find_if(list.begin(), list.end(), [&](const DetectionLimit& l) { return l.same_place(limit); });
-    if (known == list.end()) list.push_back(limit);
-    else if (limit.percent_of_damping_force < known->percent_of_damping_force) *known = limit;
+    const auto known =
+        std::find_if(list.begin(), list.end(), [&](const DetectionLimit& l) { return l.same_place(limit); });
+    if (known == list.end())
+      list.push_back(limit);
+    else if (limit.percent_of_damping_force < known->percent_of_damping_force)
+      *known = limit;
   }
   for (const Term& t : bank.unseen(model))
-    list.push_back({word_of(t.kind), place_of(rows.system(), t, rows.records()[0]), kNever, unit_of(t.kind, rotates(rows.system(), t)), kNever});
+    list.push_back({word_of(t.kind), place_of(rows.system(), t, rows.records()[0]), kNever,
+                    unit_of(t.kind, rotates(rows.system(), t)), kNever});
   return list;
 }
 
 }  // namespace
 
-std::vector<DetectionLimit> detection_limits(Rows& rows, const CandidateBank& bank, const std::vector<ActiveTerm>& model,
-                                             const Fit& fit) {
+std::vector<DetectionLimit> detection_limits(Rows& rows, const CandidateBank& bank,
+                                             const std::vector<ActiveTerm>& model, const Fit& fit) {
   std::vector<DetectionLimit> list = limits_of(rows, bank, model, fit);
   std::vector<ActiveTerm> copy = model;
   const Rows::Look look(rows, Rows::Reversals::kWide);
   const Fit wide = settle(rows, copy, 2);
   for (const DetectionLimit& other : limits_of(rows, bank, copy, wide)) {
-    const bool shape_of_friction = other.effect == word_of(Kind::kStribeck) || other.effect == word_of(Kind::kPresliding);
+    const bool shape_of_friction =
+        other.effect == word_of(Kind::kStribeck) || other.effect == word_of(Kind::kPresliding);
     for (DetectionLimit& own : list)  // either look suffices to name it
       if (own.same_place(other) && other.strength < own.strength && !shape_of_friction) own = other;
   }

@@ -8,10 +8,10 @@ namespace diagnosis {
 
 // A fit; its projection shows at once what one more column would change.
 struct Fit {
-  double chi2 = 0;           // squared weighted residual
-  double dof = 1;            // real rows minus fitted values
+  double chi2 = 0;  // squared weighted residual
+  double dof = 1;   // real rows minus fitted values
   double ratio() const { return chi2 / dof; }
-  double cost = 0;           // chi-squared and what the width of the weights costs: compares shapes of friction
+  double cost = 0;  // chi-squared and what the width of the weights costs: compares shapes of friction
   std::shared_ptr<const Projection> projection;
 };
 
@@ -30,14 +30,14 @@ struct Candidate {
   double threshold = 0;         // of chi-squared
   int host = -1;                // active term in whose place it acts, or -1
   double host_sign = 1;
-  bool fixed = false;           // its coefficient is host_sign times the host's known value
-  double doubt = 0;             // standard deviation of its coefficient beyond what the rows' noise makes
+  bool fixed = false;  // its coefficient is host_sign times the host's known value
+  double doubt = 0;    // standard deviation of its coefficient beyond what the rows' noise makes
   // What chi-squared must fall by where the rows know the coefficient with `std`.
   double needed(double std) const { return doubt > 0 ? threshold * (1 + doubt * doubt / (std * std)) : threshold; }
 };
 
 struct Gain {
-  double chi2 = 0;         // how much chi-squared falls
+  double chi2 = 0;  // how much chi-squared falls
   double coefficient = 0;
   double std = 0;
 };

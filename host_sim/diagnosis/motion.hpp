@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "fourier.hpp"
-#include "hal/configuration/rig_model.hpp"
+#include "hal/rig_file/rig_model.hpp"
 #include "host_sim/records/record.hpp"
 
 namespace diagnosis {
@@ -27,17 +27,19 @@ struct DofSpectra {
   std::array<Series, kMotionQuantities> noise;  // per bin: variance of the channel's error per sample (white: constant)
   bool any() const { return measured[0] || measured[1] || measured[2]; }
   int count() const { return measured[0] + measured[1] + measured[2]; }
-  size_t first() const { return measured[0] ? 0 : measured[1] ? 1 : 2; }  // quantity that is measured; the only one where count() is 1
+  size_t first() const {
+    return measured[0] ? 0 : measured[1] ? 1 : 2;
+  }  // quantity that is measured; the only one where count() is 1
 };
 
 struct DofMotion {
   bool measured = false;
-  Series x, v, a;        // fused; right where the outer ramp is 1
+  Series x, v, a;                       // fused; right where the outer ramp is 1
   Series smooth_x, smooth_v, smooth_a;  // with the least expected error, for functions that are not linear
-  Spectrum raw;          // fused displacement under the outer weight
-  Series trust;          // per bin: share of the raw spectrum in the smooth signals
-  Series variance;       // per bin: variance of the displacement error per sample
-  double smooth_v_error = 0;  // standard deviation of smooth_v
+  Spectrum raw;                         // fused displacement under the outer weight
+  Series trust;                         // per bin: share of the raw spectrum in the smooth signals
+  Series variance;                      // per bin: variance of the displacement error per sample
+  double smooth_v_error = 0;            // standard deviation of smooth_v
 };
 
 // A force between its samples: smooth, straight from one to the next, or each held until the next.
@@ -49,16 +51,16 @@ struct FusedRecord {
   double period_s = 0;
   std::shared_ptr<Fourier> fourier;
   Ramp outer;
-  Series inner;                      // weight of the equation rows: zero where the outer ramp is not 1
-  double inner_energy = 0;           // sum of inner^2
-  bool coarse = false;               // a channel takes few values: its rounding errors follow the motion
+  Series inner;                              // weight of the equation rows: zero where the outer ramp is not 1
+  double inner_energy = 0;                   // sum of inner^2
+  bool coarse = false;                       // a channel takes few values: its rounding errors follow the motion
   Eigen::Index first_bin = 0, last_bin = 0;  // bins of the equation rows
-  std::vector<DofSpectra> spectra;   // per DOF, then the base
-  std::vector<DofMotion> motion;     // per DOF, then the base
-  std::vector<Series> force;         // per DOF; empty where not measured
-  Hold hold = Hold::kSmooth;         // of the forces
-  double hold_doubt_s = 0;           // standard deviation of the delay that its correction may have left
-  std::vector<Series> force_noise;   // per bin: variance per sample; empty where not measured
+  std::vector<DofSpectra> spectra;           // per DOF, then the base
+  std::vector<DofMotion> motion;             // per DOF, then the base
+  std::vector<Series> force;                 // per DOF; empty where not measured
+  Hold hold = Hold::kSmooth;                 // of the forces
+  double hold_doubt_s = 0;                   // standard deviation of the delay that its correction may have left
+  std::vector<Series> force_noise;           // per bin: variance per sample; empty where not measured
   double bin_Hz() const { return 1.0 / (static_cast<double>(samples) * period_s); }
   double omega(Eigen::Index bin) const { return 6.283185307179586 * static_cast<double>(bin) * bin_Hz(); }
 };

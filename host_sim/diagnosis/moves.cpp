@@ -127,7 +127,8 @@ bool Moves::merge_pair(State& state, size_t first, size_t second) {
     const double trial_cost = trial.fit.chi2 + list[k].candidate.penalty * noise;
     const bool beside_shape = one_link && term.same_place(shape) && CandidateBank::friction_shape(term.kind);
     const double most = std::max(least, beside_shape ? state.fit.chi2 + kLeastBesideFriction * shape_gain : 0.0);
-    if (plausible(trial.model) && trial_cost < most && (!found || trial_cost < cost)) best = trial, cost = trial_cost, found = true;
+    if (plausible(trial.model) && trial_cost < most && (!found || trial_cost < cost))
+      best = trial, cost = trial_cost, found = true;
   }
   if (found) state = best;
   state.fit = settle(rows_, state.model, 1);

@@ -1,9 +1,9 @@
 // A model fitted, and the shapes of its added terms.
-#include "moves.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
+
+#include "moves.hpp"
 
 namespace diagnosis {
 
@@ -36,8 +36,10 @@ void Moves::polish(State& state) {
     const Scorer scorer{rows_, bank_, w.model, w.fit};
     const Found best = scorer.polished(scorer.of(bank_.again(term, w.model)));
     State trial = settled(joined(w.model, best.candidate, best.gain), 1);
-    if (trial.fit.cost < state.fit.cost) state = trial;
-    else state.fit = settle(rows_, state.model, 1);
+    if (trial.fit.cost < state.fit.cost)
+      state = trial;
+    else
+      state.fit = settle(rows_, state.model, 1);
   }
 }
 
@@ -64,13 +66,18 @@ std::optional<State> Moves::reshaped(const State& state, size_t index, const Ter
 
 // Downhill until both neighbours are worse, then to the lowest point of the parabola through the three; twice.
 void Moves::settle_friction_shape(State& state, size_t index, Axis axis) {
-  const auto beside = [&](double logarithm) { return reshaped(state, index, moved(state.model[index].term, axis, logarithm)); };
+  const auto beside = [&](double logarithm) {
+    return reshaped(state, index, moved(state.model[index].term, axis, logarithm));
+  };
   for (double step : {0.3, 0.06}) {
     std::optional<State> below = beside(-step), above = beside(step);
     for (int i = 0; i < 6; ++i) {
-      if (above && above->fit.cost < state.fit.cost) below = std::exchange(state, *above), above = beside(step);
-      else if (below && below->fit.cost < state.fit.cost) above = std::exchange(state, *below), below = beside(-step);
-      else break;
+      if (above && above->fit.cost < state.fit.cost)
+        below = std::exchange(state, *above), above = beside(step);
+      else if (below && below->fit.cost < state.fit.cost)
+        above = std::exchange(state, *below), below = beside(-step);
+      else
+        break;
     }
     if (!below || !above) continue;
     const double fall = below->fit.cost - state.fit.cost, rise = above->fit.cost - state.fit.cost;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hal/configuration/effect_words.hpp"
+#include "hal/rig_file/effect_words.hpp"
 
 namespace diagnosis {
 namespace {
@@ -60,7 +60,8 @@ rig_file::Effect as_effect(const Term& t, double value, bool rotating) {
 double amplitude(const std::vector<ActiveTerm>& model, const ActiveTerm& cosine) {
   double square = cosine.value * cosine.value;
   for (const ActiveTerm& a : model)
-    if (a.companion >= 0 && model[static_cast<size_t>(a.companion)].term.same_place(cosine.term)) square += a.value * a.value;
+    if (a.companion >= 0 && model[static_cast<size_t>(a.companion)].term.same_place(cosine.term))
+      square += a.value * a.value;
   return std::sqrt(square);
 }
 
@@ -91,13 +92,20 @@ std::string unit_of(Kind kind, bool rotating) {
 
 std::string shape_name(Kind kind) {
   switch (kind) {
-    case Kind::kBacklash: return "backlash_gap";
-    case Kind::kEndStop: return "end_stop_gap";
-    case Kind::kStribeck: return "stribeck_velocity";
-    case Kind::kPresliding: return "presliding_length";
-    case Kind::kResonance: return "resonance_frequency";
-    case Kind::kDriftingViscous: return "drift_time";
-    default: return "";
+    case Kind::kBacklash:
+      return "backlash_gap";
+    case Kind::kEndStop:
+      return "end_stop_gap";
+    case Kind::kStribeck:
+      return "stribeck_velocity";
+    case Kind::kPresliding:
+      return "presliding_length";
+    case Kind::kResonance:
+      return "resonance_frequency";
+    case Kind::kDriftingViscous:
+      return "drift_time";
+    default:
+      return "";
   }
 }
 
@@ -122,9 +130,11 @@ std::vector<Parameter> parameters_of_term(const System& s, const std::vector<Act
     if (g.term.kind == Kind::kForceGain && g.term.dof == t.dof && of_force_sensor(t.kind)) reading -= g.value;
   const bool hum = t.kind == Kind::kForceHumCos50 || t.kind == Kind::kForceHumCos60;
   const double value = hum ? amplitude(model, a) : a.value;
-  std::vector<Parameter> list{{name, value / reading, unit_of(t.kind, turning), a.known ? 0 : a.std / reading, !a.known}};
+  std::vector<Parameter> list{
+      {name, value / reading, unit_of(t.kind, turning), a.known ? 0 : a.std / reading, !a.known}};
   const std::string place = name.substr(name.find('['));
-  if (!shape_name(t.kind).empty() && t.shape > 0) list.push_back({shape_name(t.kind) + place, t.shape, shape_unit(t.kind, turning), 0, true});
+  if (!shape_name(t.kind).empty() && t.shape > 0)
+    list.push_back({shape_name(t.kind) + place, t.shape, shape_unit(t.kind, turning), 0, true});
   if (t.kind == Kind::kPresliding && t.shape2 > 0) list.push_back({"bristle_time" + place, t.shape2, "s", 0, true});
   if (hum) list.push_back({"mains_frequency" + place, t.kind == Kind::kForceHumCos50 ? 50.0 : 60.0, "Hz", 0, false});
   if (t.kind == Kind::kResonance) list.push_back({"resonance_damping_ratio" + place, t.shape2, "1", 0, true});
@@ -143,7 +153,8 @@ void state_delays(const std::vector<Cause>& causes, rig_file::RigModel& rig) {
   for (const Cause& c : causes) {
     if (c.effect != word_of(Kind::kForceDelay) || c.parameters.empty()) continue;
     const std::string name = c.where.substr(std::string("channel ").size());
-    auto entry = std::find_if(rig.channels.begin(), rig.channels.end(), [&](const rig_file::ChannelEntry& e) { return e.name == name; });
+    auto entry = std::find_if(rig.channels.begin(), rig.channels.end(),
+                              [&](const rig_file::ChannelEntry& e) { return e.name == name; });
     if (entry == rig.channels.end()) rig.channels.push_back({}), entry = rig.channels.end() - 1;
     entry->name = name, entry->delay_us += 1e6 * c.parameters[0].value;
   }
@@ -163,10 +174,14 @@ rig_file::RigModel extended_rig(const System& s, const std::vector<ActiveTerm>& 
     }
     const size_t l = static_cast<size_t>(t.link);
     rig_file::Link& link = l < s.known_links ? rig.links[l] : extra[l - s.known_links];
-    if (t.kind == Kind::kMissingViscous) link.viscous_N_s_m = {a.value, true};
-    else if (t.kind == Kind::kMissingCoulomb) link.coulomb_N = {a.value, true};
-    else if (t.kind == Kind::kStiffnessError) link.stiffness_N_m.value += a.value;
-    else link.effects.push_back(as_effect(t, a.value, rotates(s, t)));
+    if (t.kind == Kind::kMissingViscous)
+      link.viscous_N_s_m = {a.value, true};
+    else if (t.kind == Kind::kMissingCoulomb)
+      link.coulomb_N = {a.value, true};
+    else if (t.kind == Kind::kStiffnessError)
+      link.stiffness_N_m.value += a.value;
+    else
+      link.effects.push_back(as_effect(t, a.value, rotates(s, t)));
     if (t.kind == Kind::kPresliding) link.coulomb_N = {};  // acts in its place
   }
   for (const rig_file::Link& link : extra)

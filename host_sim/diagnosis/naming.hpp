@@ -7,14 +7,16 @@
 
 namespace diagnosis {
 
-std::string place_of(const System& system, const Term& term, const FusedRecord& record);  // "link 1-2", "dof 3", "channel ..."
+std::string place_of(const System& system, const Term& term,
+                     const FusedRecord& record);  // "link 1-2", "dof 3", "channel ..."
 bool rotates(const System& system, const Term& term);
 std::string unit_of(Kind kind, bool rotating);
-std::string shape_name(Kind kind);                      // "end_stop_gap", or empty
+std::string shape_name(Kind kind);  // "end_stop_gap", or empty
 std::string shape_unit(Kind kind, bool rotating);
 std::string parameter_name(const System& system, const Term& term);  // "viscous[1-0]", "mass[1]"
 std::vector<Parameter> parameters_of(const System& system, const std::vector<ActiveTerm>& model);
-std::vector<Parameter> parameters_of_term(const System& system, const std::vector<ActiveTerm>& model, const ActiveTerm& term);
+std::vector<Parameter> parameters_of_term(const System& system, const std::vector<ActiveTerm>& model,
+                                          const ActiveTerm& term);
 
 std::string force_channel(const rig_file::RigModel& rig, size_t dof);  // "force_1_N", "torque_1_N_m"
 // Delays that were found, added to what a rig file knows of its channels.

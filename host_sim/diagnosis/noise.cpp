@@ -58,12 +58,13 @@ double excess_variance(const std::vector<double>& power, const std::vector<doubl
 }
 
 // Variance of a channel from what another one, of known variance, does not explain of it.
-double unexplained(const FusedRecord& f, const DofSpectra& s, size_t channel, size_t other, double other_variance, double highest,
-                   const std::array<Colour, 3>& colour) {
+double unexplained(const FusedRecord& f, const DofSpectra& s, size_t channel, size_t other, double other_variance,
+                   double highest, const std::array<Colour, 3>& colour) {
   const double energy = f.outer.weight.squaredNorm();
   std::vector<double> power, known;
   for (Eigen::Index i = static_cast<Eigen::Index>(0.5 / f.bin_Hz()); i <= f.last_bin; ++i) {
-    const Complex ratio = derivative(f.omega(i), static_cast<int>(channel)) / derivative(f.omega(i), static_cast<int>(other));
+    const Complex ratio =
+        derivative(f.omega(i), static_cast<int>(channel)) / derivative(f.omega(i), static_cast<int>(other));
     const double phase = f.omega(i) * f.period_s, own = colour[channel](phase);
     power.push_back(std::norm(s.z[channel][i] - ratio * s.z[other][i]) / energy / own);
     known.push_back(std::norm(ratio) * other_variance * colour[other](phase) / own);
@@ -82,7 +83,8 @@ void set_noise(FusedRecord& f, DofSpectra& s, const std::array<Colour, 3>& colou
     variance[2] = std::max(0.02 * variance[2], unexplained(f, s, 2, other, variance[other], 1.2 * variance[2], colour));
   }
   for (size_t q = 0; q < 3; ++q)
-    if (s.measured[q] && (q > 0 || s.count() > 1)) variance[q] = std::max(variance[q], kFinest * kFinest * mean_square(s.z[q], energy));
+    if (s.measured[q] && (q > 0 || s.count() > 1))
+      variance[q] = std::max(variance[q], kFinest * kFinest * mean_square(s.z[q], energy));
   for (size_t q = 0; q < 3; ++q) {
     if (!s.measured[q]) continue;
     s.noise[q].resize(s.z[q].size());
@@ -152,7 +154,8 @@ void estimate_noise(FusedRecord& f) {
     if (f.force[i].size() == 0) continue;
     const Spectrum z = f.fourier->forward(f.outer.weight.cwiseProduct(f.force[i]));
     const Colour colour{any && falls_with_frequency(z) ? std::exp(-kTwoPi * corner_Hz * f.period_s) : 0};
-    const double variance = std::max(band_variance(z, 0.3, 0.48, energy, colour), kFinest * kFinest * mean_square(z, energy));
+    const double variance =
+        std::max(band_variance(z, 0.3, 0.48, energy, colour), kFinest * kFinest * mean_square(z, energy));
     f.force_noise[i].resize(z.size());
     for (Eigen::Index k = 0; k < z.size(); ++k) f.force_noise[i][k] = variance * colour(f.omega(k) * f.period_s);
   }

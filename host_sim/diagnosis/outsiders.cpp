@@ -79,7 +79,8 @@ struct Scan {
       const Column column = *rows.column(term);
       if (rows.records().size() > 1) break;  // the phase differs between records
       std::vector<Column> columns;
-      for (Eigen::Index k = 1; k <= kSlowest; ++k) columns.push_back(modulated(column, rows, k, false)), columns.push_back(modulated(column, rows, k, true));
+      for (Eigen::Index k = 1; k <= kSlowest; ++k)
+        columns.push_back(modulated(column, rows, k, false)), columns.push_back(modulated(column, rows, k, true));
       const std::vector<double> gains = pair_gains(rows.place(term), columns);
       for (size_t k = 0; k < gains.size(); ++k)
         consider(gains[k], threshold,
@@ -87,7 +88,8 @@ struct Scan {
                      " that changes with time, period near " + number(length_s / static_cast<double>(k + 1)) + " s");
     }
     double peak = 0;
-    for (size_t r = 0; r < rows.records().size(); ++r) peak = std::max(peak, rows.link(r, static_cast<size_t>(l)).u_peak);
+    for (size_t r = 0; r < rows.records().size(); ++r)
+      peak = std::max(peak, rows.link(r, static_cast<size_t>(l)).u_peak);
     std::vector<Column> columns;
     std::vector<double> pitches;
     for (double share = 1.3; peak > 0 && share > 0.1; share *= 0.8) {
@@ -100,13 +102,15 @@ struct Scan {
     }
     const std::vector<double> gains = pair_gains(rows.place(term), columns);
     for (size_t i = 0; i < gains.size(); ++i)
-      consider(gains[i], threshold, "a force of " + place + " that repeats with the elongation, pitch near " + number(pitches[i]));
+      consider(gains[i], threshold,
+               "a force of " + place + " that repeats with the elongation, pitch near " + number(pitches[i]));
   }
 };
 
 }  // namespace
 
-Outsider strongest_outsider(const Rows& rows, const CandidateBank& bank, const std::vector<ActiveTerm>& model, const Fit& fit) {
+Outsider strongest_outsider(const Rows& rows, const CandidateBank& bank, const std::vector<ActiveTerm>& model,
+                            const Fit& fit) {
   Scan scan{rows, bank, model, fit, {}};
   scan.tones();
   for (size_t l = 0; l < rows.system().known_links; ++l) scan.link(static_cast<int>(l));

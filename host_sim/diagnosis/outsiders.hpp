@@ -8,13 +8,14 @@
 namespace diagnosis {
 
 struct Outsider {
-  double score = 0;         // fall of chi-squared over the noise that remains
+  double score = 0;  // fall of chi-squared over the noise that remains
   double threshold = 60;
   std::string description;  // "a tone of 27.4 Hz on dof 1"
   bool present() const { return score > threshold; }
 };
 
 // The strongest trace beside a fitted model.
-Outsider strongest_outsider(const Rows& rows, const CandidateBank& bank, const std::vector<ActiveTerm>& model, const Fit& fit);
+Outsider strongest_outsider(const Rows& rows, const CandidateBank& bank, const std::vector<ActiveTerm>& model,
+                            const Fit& fit);
 
 }  // namespace diagnosis

@@ -7,8 +7,10 @@
 namespace diagnosis {
 namespace {
 
-constexpr double kNotSeen = 1e-7;      // share of a disturbance's square beyond the fitted columns below which it does not show
-constexpr double kDependent = 1e-13;   // share of a column's square beyond the others below which it has no value of its own
+constexpr double kNotSeen =
+    1e-7;  // share of a disturbance's square beyond the fitted columns below which it does not show
+constexpr double kDependent =
+    1e-13;  // share of a column's square beyond the others below which it has no value of its own
 constexpr Eigen::Index kBlock = 1024;  // real rows that are worked on at a time: they stay in the cache
 
 using RealView = Eigen::Map<const Series>;
@@ -16,13 +18,15 @@ RealView real_view(const Spectrum& s) { return {reinterpret_cast<const double*>(
 
 }  // namespace
 
-Projection::Projection(std::shared_ptr<const Weights> weights, std::vector<FittedColumn> columns, const std::vector<Balance>& target)
+Projection::Projection(std::shared_ptr<const Weights> weights, std::vector<FittedColumn> columns,
+                       const std::vector<Balance>& target)
     : weights_(std::move(weights)), columns_(std::move(columns)), residual_(target) {
   const Eigen::Index count = static_cast<Eigen::Index>(columns_.size());
   value_ = Eigen::VectorXd::Zero(count);
   factorise(gram());
   for (int pass = 0; pass < 2 && count > 0; ++pass) {  // the second takes back what rounding cost the first
-    const Eigen::VectorXd step = scale_.asDiagonal() * (inverse_ * (inverse_.transpose() * (scale_.asDiagonal() * moments(residual_))));
+    const Eigen::VectorXd step =
+        scale_.asDiagonal() * (inverse_ * (inverse_.transpose() * (scale_.asDiagonal() * moments(residual_))));
     value_ += step;
     for (size_t i = 0; i < columns_.size(); ++i)
       for (size_t r = 0; r < residual_.size(); ++r)
@@ -63,7 +67,8 @@ void Projection::factorise(Eigen::MatrixXd normal) {
       continue;
     }
     r(i, i) = std::sqrt(left);
-    for (Eigen::Index j = i + 1; j < count; ++j) r(i, j) = (normal(i, j) - r.col(i).head(i).dot(r.col(j).head(i))) / r(i, i);
+    for (Eigen::Index j = i + 1; j < count; ++j)
+      r(i, j) = (normal(i, j) - r.col(i).head(i).dot(r.col(j).head(i))) / r(i, i);
   }
   inverse_ = r.triangularView<Eigen::Upper>().solve(Eigen::MatrixXd::Identity(count, count));
 }
@@ -92,7 +97,8 @@ std::vector<Projection::View> Projection::fitted_from(const Place& place) const 
       const FittedColumn& c = columns_[static_cast<size_t>(i)];
       Spectrum& weight = between[c.place];
       if (weight.size() == 0) weight = information.between(place, c.place);
-      Spectrum::Map(reinterpret_cast<Complex*>(views[r].pulled.col(i).data()), information.bins()) = weight.cwiseProduct((*c.spectra)[r]);
+      Spectrum::Map(reinterpret_cast<Complex*>(views[r].pulled.col(i).data()), information.bins()) =
+          weight.cwiseProduct((*c.spectra)[r]);
     }
   }
   return views;
@@ -145,7 +151,9 @@ double Projection::inner(const std::vector<Balance>& a, const std::vector<Balanc
   double sum = 0;
   for (size_t r = 0; r < a.size(); ++r)
     for (Eigen::Index j = 0; j < a[r].cols(); ++j)
-      sum += (a[r].col(j).conjugate().array() * (*weights_)[r].pulled({static_cast<int>(j), -1}, b[r]).array()).real().sum();
+      sum += (a[r].col(j).conjugate().array() * (*weights_)[r].pulled({static_cast<int>(j), -1}, b[r]).array())
+                 .real()
+                 .sum();
   return sum;
 }
 

@@ -19,7 +19,8 @@ struct FittedColumn {
 class Projection {
  public:
   // Fits the columns to a target; `residual` is what is left of it.
-  Projection(std::shared_ptr<const Weights> weights, std::vector<FittedColumn> columns, const std::vector<Balance>& target);
+  Projection(std::shared_ptr<const Weights> weights, std::vector<FittedColumn> columns,
+             const std::vector<Balance>& target);
   const std::vector<Balance>& residual() const { return residual_; }
   Eigen::Index count() const { return value_.size(); }
   double value(Eigen::Index i) const { return value_[i]; }

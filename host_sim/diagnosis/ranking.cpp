@@ -12,7 +12,8 @@ std::vector<RankedCandidate> ranking(const System& system, const Rows& rows, con
   for (const Found& f : ranked(rows, bank, model, fit, 5)) {
     if (list.size() == count) break;
     const Term& term = f.candidate.term();
-    list.push_back({word_of(term.kind), place_of(system, term, rows.records()[0]), f.score, f.candidate.needed(f.gain.std)});
+    list.push_back(
+        {word_of(term.kind), place_of(system, term, rows.records()[0]), f.score, f.candidate.needed(f.gain.std)});
   }
   return list;
 }

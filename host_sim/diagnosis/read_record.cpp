@@ -26,7 +26,8 @@ FusedRecord read_record(const rig_file::RigModel& rig, const host_sim::Record& r
   f.samples = fast_length(record.samples());
   f.period_s = record.sample_period_s;
   if (f.samples < 400)
-    throw CannotAnswer(record.file + ": " + std::to_string(record.samples()) + " samples; a diagnosis needs at least 400");
+    throw CannotAnswer(record.file + ": " + std::to_string(record.samples()) +
+                       " samples; a diagnosis needs at least 400");
   f.fourier = std::make_shared<Fourier>(f.samples);
   const double length_s = static_cast<double>(f.samples) * f.period_s;
   const double ramp_s = std::min(0.25, 0.05 * length_s);
@@ -44,7 +45,8 @@ FusedRecord read_record(const rig_file::RigModel& rig, const host_sim::Record& r
                          "; measure one of them");
     absolute = absolute && f.spectra.back().measured[0];
     const host_sim::Channel* force = record.find(host_sim::Quantity::kForce, dof);
-    f.force.push_back(force ? Series(Series::Map(force->values.data(), static_cast<Eigen::Index>(f.samples))) : Series());
+    f.force.push_back(force ? Series(Series::Map(force->values.data(), static_cast<Eigen::Index>(f.samples)))
+                            : Series());
   }
   f.spectra.push_back(transform(record, rig_file::kBase, f));
   f.first_bin = absolute ? 0 : static_cast<Eigen::Index>(std::ceil(1.0 / f.bin_Hz()));

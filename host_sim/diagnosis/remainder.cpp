@@ -7,9 +7,11 @@
 namespace diagnosis {
 namespace {
 
-constexpr double kFarBeyondNoise = 4;    // chi-squared per degree of freedom
-constexpr double kSlowUncertain = 0.003;  // of a strong effect's chi-squared where the slow motion it makes is not measured
-constexpr double kBesideFrictionShape = 5;  // of an outsider's threshold: the shape of friction near reversals is never quite met
+constexpr double kFarBeyondNoise = 4;  // chi-squared per degree of freedom
+constexpr double kSlowUncertain =
+    0.003;  // of a strong effect's chi-squared where the slow motion it makes is not measured
+constexpr double kBesideFrictionShape =
+    5;  // of an outsider's threshold: the shape of friction near reversals is never quite met
 
 // What friction leaves near reversals repeats with the elongation, which is at its ends there: no trace unless it shows
 // with the reversals set aside.

@@ -54,7 +54,8 @@ bool Rows::redundant() const {
 }
 
 Series Rows::force_of(const Term& term, size_t record) const {
-  if (term.record >= 0 && term.record != static_cast<int>(record)) return Series::Zero(static_cast<Eigen::Index>(records_[record].samples));
+  if (term.record >= 0 && term.record != static_cast<int>(record))
+    return Series::Zero(static_cast<Eigen::Index>(records_[record].samples));
   return term_force(term, records_[record], links_[record]);
 }
 

@@ -21,10 +21,10 @@ struct Column {
 struct ActiveTerm {
   Term term;
   std::shared_ptr<const Column> column;
-  bool known = false;   // value is given, not fitted
-  bool added = false;   // not in the rig file
-  int companion = -1;   // belongs to this active term and leaves with it
-  int host = -1;        // shares the coefficient of this active term (times host_sign): acts in its place
+  bool known = false;  // value is given, not fitted
+  bool added = false;  // not in the rig file
+  int companion = -1;  // belongs to this active term and leaves with it
+  int host = -1;       // shares the coefficient of this active term (times host_sign): acts in its place
   double host_sign = 1;
   double value = 0, std = 0;
   std::shared_ptr<const std::vector<Series>> force;  // per record, with coefficient one; filled by Rows::prepare()
@@ -84,7 +84,7 @@ class Rows {
   const System& system() const { return system_; }
   const std::vector<FusedRecord>& records() const { return records_; }
   bool has_force(size_t dof) const;
-  bool absolute() const;  // displacements are known with their constant
+  bool absolute() const;   // displacements are known with their constant
   bool coarse() const;     // of a record a channel takes few values
   bool redundant() const;  // every DOF has two channels of motion or more
   // Per record and DOF the bin that explains most of a residual.
@@ -96,11 +96,11 @@ class Rows {
   const System& system_;
   const std::vector<FusedRecord>& records_;
   std::vector<std::vector<LinkMotion>> links_;
-  std::vector<std::vector<Spectrum>> force_;       // [record][dof]
-  std::vector<std::vector<Spectrum>> held_;        // [record][link]: friction beyond Coulomb's; empty where none
-  std::vector<std::vector<double>> doubt_;         // [record][link]: variance per sample of what is uncertain in it
-  std::vector<Series> inflation_;                  // [record]: factor of the covariance per row bin, 1 or more
-  std::shared_ptr<const Weights> weights_;         // shared with the fits made under them
+  std::vector<std::vector<Spectrum>> force_;  // [record][dof]
+  std::vector<std::vector<Spectrum>> held_;   // [record][link]: friction beyond Coulomb's; empty where none
+  std::vector<std::vector<double>> doubt_;    // [record][link]: variance per sample of what is uncertain in it
+  std::vector<Series> inflation_;             // [record]: factor of the covariance per row bin, 1 or more
+  std::shared_ptr<const Weights> weights_;    // shared with the fits made under them
   Eigen::Index size_ = 0;
   double absorbed_ = 0, log_determinant_ = 0;
   Reversals reversals_ = Reversals::kNarrow;

@@ -42,8 +42,8 @@ bool held_in_place(const System& s) {
   return std::all_of(held.begin(), held.end(), [](bool h) { return h; });
 }
 
-Eigen::MatrixXd force_errors(const System& system, const std::vector<ActiveTerm>& model, const FusedRecord& f, Eigen::Index from,
-                             Eigen::Index to) {
+Eigen::MatrixXd force_errors(const System& system, const std::vector<ActiveTerm>& model, const FusedRecord& f,
+                             Eigen::Index from, Eigen::Index to) {
   std::vector<ActiveTerm> prepared = model;
   std::vector<LinkMotion> links;
   for (size_t l = 0; l < system.links.size(); ++l) links.push_back(link_motion(system, f, l));
@@ -55,12 +55,13 @@ double force_variance(const FusedRecord& f, size_t dof, Eigen::Index from, Eigen
   return std::max(f.force[dof].size() ? variance(f.force[dof].segment(from, to - from)) : 0, 1e-300);
 }
 
-HoldoutScore score_force(const System& system, const std::vector<ActiveTerm>& model, const FusedRecord& f, Eigen::Index from,
-                         Eigen::Index to) {
+HoldoutScore score_force(const System& system, const std::vector<ActiveTerm>& model, const FusedRecord& f,
+                         Eigen::Index from, Eigen::Index to) {
   HoldoutScore score;
   const Eigen::MatrixXd e = force_errors(system, model, f, from, to);
   for (size_t j = 0; j < system.dofs(); ++j) {
-    const double ratio = e.col(static_cast<Eigen::Index>(j)).squaredNorm() / static_cast<double>(to - from) / force_variance(f, j, from, to);
+    const double ratio = e.col(static_cast<Eigen::Index>(j)).squaredNorm() / static_cast<double>(to - from) /
+                         force_variance(f, j, from, to);
     score.nrmse_percent.push_back(100 * std::sqrt(ratio)), score.velocity_percent.push_back(100 * std::sqrt(ratio));
     score.mse_percent.push_back(100 * ratio);
   }
@@ -97,7 +98,8 @@ Series run_errors(const System& system, const std::vector<ActiveTerm>& model, co
     for (Eigen::Index j = 0; j < n; ++j) {
       const DofMotion& m = f.motion[static_cast<size_t>(j)];
       errors.segment(j * length + start - from, end - start) =
-          (run.x[static_cast<size_t>(j)] - m.x.segment(start, end - start)) / std::sqrt(std::max(variance(m.x.segment(from, length)), 1e-300));
+          (run.x[static_cast<size_t>(j)] - m.x.segment(start, end - start)) /
+          std::sqrt(std::max(variance(m.x.segment(from, length)), 1e-300));
     }
   }
   return errors;

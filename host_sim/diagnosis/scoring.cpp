@@ -64,14 +64,17 @@ Found Scorer::bristles(const Found& found, double factor) const {
   candidate.threshold = best.candidate.threshold;
   Found other = of(candidate);
   for (int round = 0; round < 3; ++round)
-    for (Axis axis : {Axis::kBoth, Axis::kSecond, Axis::kFirst}) other = along(other, axis, round == 0 ? factor : 1.4, 5);
+    for (Axis axis : {Axis::kBoth, Axis::kSecond, Axis::kFirst})
+      other = along(other, axis, round == 0 ? factor : 1.4, 5);
   return other.score > best.score ? other : best;
 }
 
 // A delay is its own shape: the coefficient that fits is the next, until both agree. Only of a reading whose gain is corrected
 // too it is a little less.
 Found Scorer::delayed(const Found& found) const {
-  const auto settled = [](const Found& f) { return std::abs(f.gain.coefficient - f.candidate.term().shape) < 0.1 * f.gain.std; };
+  const auto settled = [](const Found& f) {
+    return std::abs(f.gain.coefficient - f.candidate.term().shape) < 0.1 * f.gain.std;
+  };
   Found best = found;
   for (int round = 0; round < 6 && best.gain.chi2 > 0 && !settled(best); ++round)
     best = of(bank.reshaped(best.candidate, best.gain.coefficient, 0));
@@ -109,13 +112,13 @@ bool plausible(const std::vector<ActiveTerm>& model) {
     if (term.kind == Kind::kForceGain && std::abs(t.value) > 0.5) return false;
     if (term.kind == Kind::kPresliding && t.value <= 0) return false;
     for (const ActiveTerm& base : model) {
-      const bool friction = term.kind == Kind::kStribeck && base.term.kind == Kind::kCoulomb && base.term.link == term.link;
+      const bool friction =
+          term.kind == Kind::kStribeck && base.term.kind == Kind::kCoulomb && base.term.link == term.link;
       // friction that pushes, by more than a Stribeck velocity a little off would make it
       if (friction && !base.known && base.value < -3 * base.std - kPush * t.value) return false;
-      const bool stiffness = term.kind == Kind::kStiffnessError && base.term.kind == Kind::kStiffness &&
-                             base.term.link == term.link;
-      const bool mass = term.kind == Kind::kMassError && base.term.kind == Kind::kMass &&
-                        base.term.dof == term.dof;
+      const bool stiffness =
+          term.kind == Kind::kStiffnessError && base.term.kind == Kind::kStiffness && base.term.link == term.link;
+      const bool mass = term.kind == Kind::kMassError && base.term.kind == Kind::kMass && base.term.dof == term.dof;
       if ((stiffness || mass) && t.value < -0.8 * base.value) return false;
     }
   }

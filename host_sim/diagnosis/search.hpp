@@ -7,11 +7,11 @@
 namespace diagnosis {
 
 struct SearchResult {
-  std::vector<ActiveTerm> base;    // the rig file's terms, fitted alone
+  std::vector<ActiveTerm> base;  // the rig file's terms, fitted alone
   Fit base_fit;
-  std::vector<ActiveTerm> model;   // with the added terms
+  std::vector<ActiveTerm> model;  // with the added terms
   Fit fit;
-  std::vector<Found> added;        // with what each gains in the final model
+  std::vector<Found> added;                // with what each gains in the final model
   std::vector<std::vector<Found>> rivals;  // per added term: others that fit nearly as well in its place
 };
 

@@ -63,7 +63,8 @@ std::vector<SensorFault> candidates(const FusedRecord& f, const Hums& hums, size
       const Eigen::VectorXd moment = columns.transpose() * residual, value = gram.ldlt().solve(moment);
       const double gain = value.dot(moment);
       const double left = std::max(1.0, (residual.squaredNorm() - gain) / rows.dof());
-      SensorFault fault{kind, dof, q, s.channel[q], value[0], is_hum(kind) ? value[1] : 0, std::sqrt(left / gram(0, 0)), gain / left};
+      SensorFault fault{
+          kind, dof, q, s.channel[q], value[0], is_hum(kind) ? value[1] : 0, std::sqrt(left / gram(0, 0)), gain / left};
       if (std::isfinite(fault.score)) list.push_back(fault);
     }
   }
@@ -83,8 +84,11 @@ void correct(FusedRecord& f, const Hums& hums, const SensorFault& fault) {
 }
 
 // The smallest of each that would be named, channel by channel; `seen` are the candidates of the DOF as it stands.
-std::vector<SensorFault> smallest_faults(const FusedRecord& f, const Hums& hums, size_t dof, std::vector<SensorFault> seen) {
-  std::sort(seen.begin(), seen.end(), [](const SensorFault& a, const SensorFault& b) { return std::tie(a.quantity, a.kind) < std::tie(b.quantity, b.kind); });
+std::vector<SensorFault> smallest_faults(const FusedRecord& f, const Hums& hums, size_t dof,
+                                         std::vector<SensorFault> seen) {
+  std::sort(seen.begin(), seen.end(), [](const SensorFault& a, const SensorFault& b) {
+    return std::tie(a.quantity, a.kind) < std::tie(b.quantity, b.kind);
+  });
   for (SensorFault& fault : seen) fault.value = seen_in_95_of_100(kThreshold) * fault.std;
   if (f.spectra[dof].count() > 1) return seen;
   for (size_t q = 0; q < 3; ++q)
@@ -99,8 +103,10 @@ std::vector<SensorFault> smallest_faults(const FusedRecord& f, const Hums& hums,
 void correct_fault(FusedRecord& f, const SensorFault& fault) { correct(f, hums_of(f), fault); }
 
 void accumulate(SensorFault& total, const SensorFault& step) {
-  if (total.kind == FaultKind::kGain) total.value = (1 + total.value) * (1 + step.value) - 1;
-  else total.value += step.value, total.quadrature += step.quadrature;
+  if (total.kind == FaultKind::kGain)
+    total.value = (1 + total.value) * (1 + step.value) - 1;
+  else
+    total.value += step.value, total.quadrature += step.quadrature;
   total.std = step.std;
 }
 
@@ -117,7 +123,8 @@ SensorCheck check_sensors(FusedRecord& f) {
     std::vector<SensorFault> list;
     if (f.spectra[dof].count() > 1) list = candidates(f, hums, dof);
     for (int round = 0; round < 8 && !list.empty() && list[0].score >= kThreshold; ++round) {
-      const auto known = std::find_if(found.begin(), found.end(), [&](const SensorFault& s) { return same_fault(s, list[0]); });
+      const auto known =
+          std::find_if(found.begin(), found.end(), [&](const SensorFault& s) { return same_fault(s, list[0]); });
       if (known == found.end() && found.size() == kMostFaults) break;
       if (known != found.end()) {
         accumulate(*known, list[0]);

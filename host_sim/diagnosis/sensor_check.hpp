@@ -21,10 +21,10 @@ struct SensorFault {
   size_t dof = 0;       // index into FusedRecord::spectra
   size_t quantity = 0;  // displacement, velocity, acceleration
   std::string channel;
-  double value = 0;     // delay s; gain error 1; hum: amplitude of the cosine, channel's unit
+  double value = 0;       // delay s; gain error 1; hum: amplitude of the cosine, channel's unit
   double quadrature = 0;  // hum: amplitude of the sine
   double std = 0;
-  double score = 0;     // gain of chi-squared over the noise that remains
+  double score = 0;  // gain of chi-squared over the noise that remains
 };
 
 inline bool same_fault(const SensorFault& a, const SensorFault& b) {

@@ -33,10 +33,12 @@ void sharpen(std::vector<FusedRecord>& records, const System& system, const std:
       double mass = 0;
       for (const ActiveTerm& t : model) {
         const Term& term = t.term;
-        if (term.dof == static_cast<int>(j) && (term.kind == Kind::kMass || term.kind == Kind::kMassError)) mass += t.value;
+        if (term.dof == static_cast<int>(j) && (term.kind == Kind::kMass || term.kind == Kind::kMassError))
+          mass += t.value;
       }
       if (!(mass > 0) || m.raw.size() == 0) continue;
-      const Spectrum push = f.fourier->forward(f.outer.weight.cwiseProduct(force.col(static_cast<Eigen::Index>(j))) / mass);
+      const Spectrum push =
+          f.fourier->forward(f.outer.weight.cwiseProduct(force.col(static_cast<Eigen::Index>(j))) / mass);
       Spectrum y(m.raw.size());
       const double low = 0.01 * static_cast<double>(f.samples), high = 0.02 * static_cast<double>(f.samples);
       for (Eigen::Index i = 0; i < y.size(); ++i) {

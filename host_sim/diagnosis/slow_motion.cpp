@@ -9,9 +9,9 @@
 namespace diagnosis {
 namespace {
 
-constexpr int kRounds = 3;              // the slow motion bends the forces that make it
+constexpr int kRounds = 3;                   // the slow motion bends the forces that make it
 constexpr Eigen::Index kFade = 3, kTop = 6;  // in first bins of the rows: from here to there the model gives way
-constexpr double kLeastStiffness = 1e-6;  // of the largest, for a rig that the ground holds in place
+constexpr double kLeastStiffness = 1e-6;     // of the largest, for a rig that the ground holds in place
 
 bool held_in_place(const Dynamics& d) {
   return d.stiffness.ldlt().vectorD().minCoeff() > kLeastStiffness * d.stiffness.diagonal().maxCoeff();
@@ -25,7 +25,8 @@ Eigen::MatrixXcd force_per_motion(const Dynamics& d, double omega) {
 Spectrum completed(const FusedRecord& f, const DofMotion& m, const Spectrum& slow) {
   Spectrum y = slow;
   for (Eigen::Index i = f.first_bin; i < y.size(); ++i) {
-    const double fade = std::clamp(static_cast<double>(kTop * f.first_bin - i) / static_cast<double>((kTop - kFade) * f.first_bin), 0.0, 1.0);
+    const double fade = std::clamp(
+        static_cast<double>(kTop * f.first_bin - i) / static_cast<double>((kTop - kFade) * f.first_bin), 0.0, 1.0);
     y[i] = m.trust[i] * m.raw[i] + (1 - m.trust[i]) * fade * slow[i];
   }
   return y;
@@ -62,11 +63,14 @@ void add_slow_motion(FusedRecord& f, const System& system, const std::vector<Act
     }
     const Eigen::MatrixXd push = imbalance(system, f, others, record, false);
     Eigen::MatrixXcd slow(top, n);
-    for (Eigen::Index j = 0; j < n; ++j) slow.col(j) = f.fourier->forward(push.col(j), top);  // not windowed: a mean stays a mean
-    for (Eigen::Index i = 0; i < top; ++i) slow.row(i) = force_per_motion(linear, f.omega(i)).partialPivLu().solve(slow.row(i).transpose()).transpose();
+    for (Eigen::Index j = 0; j < n; ++j)
+      slow.col(j) = f.fourier->forward(push.col(j), top);  // not windowed: a mean stays a mean
+    for (Eigen::Index i = 0; i < top; ++i)
+      slow.row(i) = force_per_motion(linear, f.omega(i)).partialPivLu().solve(slow.row(i).transpose()).transpose();
     for (Eigen::Index j = 0; j < n; ++j) {
       DofMotion& m = f.motion[static_cast<size_t>(j)];
-      if (!f.spectra[static_cast<size_t>(j)].measured[0]) add_slow(f, completed(f, m, slow.col(j)) - f.fourier->forward(m.smooth_x, top), m);
+      if (!f.spectra[static_cast<size_t>(j)].measured[0])
+        add_slow(f, completed(f, m, slow.col(j)) - f.fourier->forward(m.smooth_x, top), m);
     }
   }
 }

@@ -15,17 +15,21 @@ using Forces = Eigen::MatrixXd;
 
 // that a motion of one DOF makes
 Forces forces_of(const Dynamics& d, Eigen::Index dof, const DofMotion& m) {
-  return m.smooth_a * d.mass.col(dof).transpose() + m.smooth_v * d.viscous.col(dof).transpose() + m.smooth_x * d.stiffness.col(dof).transpose();
+  return m.smooth_a * d.mass.col(dof).transpose() + m.smooth_v * d.viscous.col(dof).transpose() +
+         m.smooth_x * d.stiffness.col(dof).transpose();
 }
 
 // that a wave of unit amplitude in one channel makes: phase 0 its cosine, 1 its sine
-Forces forces_of_wave(const Dynamics& d, Eigen::Index dof, int quantity, double hertz, int phase, const FusedRecord& f) {
+Forces forces_of_wave(const Dynamics& d, Eigen::Index dof, int quantity, double hertz, int phase,
+                      const FusedRecord& f) {
   const double omega = kTwoPi * hertz;
-  const Spectrum response = (d.stiffness.col(dof) - omega * omega * d.mass.col(dof)).cast<Complex>() + Complex(0, omega) * d.viscous.col(dof);
+  const Spectrum response =
+      (d.stiffness.col(dof) - omega * omega * d.mass.col(dof)).cast<Complex>() + Complex(0, omega) * d.viscous.col(dof);
   Forces forces(static_cast<Eigen::Index>(f.samples), response.size());
   for (Eigen::Index i = 0; i < forces.rows(); ++i) {
     const Complex wave = std::polar(1.0, omega * static_cast<double>(i) * f.period_s) / derivative(omega, quantity);
-    for (Eigen::Index k = 0; k < response.size(); ++k) forces(i, k) = phase == 0 ? (response[k] * wave).real() : (response[k] * wave).imag();
+    for (Eigen::Index k = 0; k < response.size(); ++k)
+      forces(i, k) = phase == 0 ? (response[k] * wave).real() : (response[k] * wave).imag();
   }
   return forces;
 }
@@ -47,9 +51,9 @@ std::vector<std::vector<Balance>> imbalances(const Rows& rows, const Dynamics& d
   const Eigen::Index dof = static_cast<Eigen::Index>(fault.dof);
   for (const FusedRecord& f : rows.records())
     for (size_t phase = 0; phase < group.size(); ++phase) {
-      const Forces forces = is_hum(fault.kind)
-          ? forces_of_wave(d, dof, static_cast<int>(fault.quantity), hum_Hz(fault.kind), static_cast<int>(phase), f)
-          : forces_of(d, dof, f.motion[fault.dof]);
+      const Forces forces = is_hum(fault.kind) ? forces_of_wave(d, dof, static_cast<int>(fault.quantity),
+                                                                hum_Hz(fault.kind), static_cast<int>(phase), f)
+                                               : forces_of(d, dof, f.motion[fault.dof]);
       group[phase].push_back(balance_of(f, forces, -1, fault.kind == FaultKind::kDelay));
     }
   return group;

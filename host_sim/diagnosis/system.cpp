@@ -77,7 +77,8 @@ System make_system(const rig_file::RigModel& rig) {
       if (b == a || (b != 0 && b < a)) continue;
       bool present = false;
       for (const rig_file::Link& l : rig.links) present = present || (l.a == a && l.b == b) || (l.a == b && l.b == a);
-      if (present || (b != 0 && rig.dofs[static_cast<size_t>(a - 1)].rotating != rig.dofs[static_cast<size_t>(b - 1)].rotating))
+      if (present ||
+          (b != 0 && rig.dofs[static_cast<size_t>(a - 1)].rotating != rig.dofs[static_cast<size_t>(b - 1)].rotating))
         continue;
       rig_file::Link link;
       link.a = a, link.b = b;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hal/configuration/effect_words.hpp"
+#include "hal/rig_file/effect_words.hpp"
 
 namespace diagnosis {
 namespace {
@@ -26,7 +26,8 @@ Series bristles(const Series& w, double length, double time_s, double period_s) 
 
 // Acceleration of a hidden mass on a spring driven by the motion x, v (semi-exact: trapezoidal rule).
 Series hidden_mass(const Series& x, const Series& v, double frequency_Hz, double ratio, double period_s) {
-  const double o = kTwoPi * frequency_Hz, c = 2 * ratio * o, k = o * o, h = period_s, yield = 1 / (1 + 0.5 * h * c + 0.25 * h * h * k);
+  const double o = kTwoPi * frequency_Hz, c = 2 * ratio * o, k = o * o, h = period_s,
+               yield = 1 / (1 + 0.5 * h * c + 0.25 * h * h * k);
   Series out(x.size());
   double z = x[0], s = v[0], drive = c * v[0] + k * x[0], a = drive - c * s - k * z;
   for (Eigen::Index i = 0; i < x.size(); ++i) {
@@ -81,46 +82,79 @@ Series term_force(const Term& t, const FusedRecord& f, const std::vector<LinkMot
     const Series* force = &f.force[static_cast<size_t>(t.dof)];
     const auto hum = [&](double hertz, double phase) { return tone(f, kTwoPi * hertz, phase); };
     switch (t.kind) {
-      case Kind::kMass: return t.smooth ? d.smooth_a : d.a;
-      case Kind::kMassError: return d.smooth_a;
-      case Kind::kResonanceCos: return free_decay(t, f, 0);
-      case Kind::kResonanceSin: return free_decay(t, f, kTwoPi / 4);
-      case Kind::kResonance: return hidden_mass(d.smooth_x, d.smooth_v, t.shape, t.shape2, f.period_s);
-      case Kind::kForceGain: return *force;
-      case Kind::kForceDelay: return lateness(*force, t.shape, f);
-      case Kind::kForceHumCos50: return hum(50, 0);
-      case Kind::kForceHumSin50: return hum(50, kTwoPi / 4);
-      case Kind::kForceHumCos60: return hum(60, 0);
-      case Kind::kForceHumSin60: return hum(60, kTwoPi / 4);
-      default: return Series::Zero(static_cast<Eigen::Index>(f.samples));
+      case Kind::kMass:
+        return t.smooth ? d.smooth_a : d.a;
+      case Kind::kMassError:
+        return d.smooth_a;
+      case Kind::kResonanceCos:
+        return free_decay(t, f, 0);
+      case Kind::kResonanceSin:
+        return free_decay(t, f, kTwoPi / 4);
+      case Kind::kResonance:
+        return hidden_mass(d.smooth_x, d.smooth_v, t.shape, t.shape2, f.period_s);
+      case Kind::kForceGain:
+        return *force;
+      case Kind::kForceDelay:
+        return lateness(*force, t.shape, f);
+      case Kind::kForceHumCos50:
+        return hum(50, 0);
+      case Kind::kForceHumSin50:
+        return hum(50, kTwoPi / 4);
+      case Kind::kForceHumCos60:
+        return hum(60, 0);
+      case Kind::kForceHumSin60:
+        return hum(60, kTwoPi / 4);
+      default:
+        return Series::Zero(static_cast<Eigen::Index>(f.samples));
     }
   }
   const LinkMotion& l = links[static_cast<size_t>(t.link)];
   const auto u = l.smooth_u.array(), w = l.smooth_w.array();
   switch (t.kind) {
-    case Kind::kStiffness: return t.smooth ? l.smooth_u : l.u;
-    case Kind::kStiffnessError: return l.smooth_u;
-    case Kind::kViscous: return t.smooth ? l.smooth_w : l.w;
-    case Kind::kMissingViscous: return l.smooth_w;
-    case Kind::kCoulomb: case Kind::kMissingCoulomb: return l.sign;
-    case Kind::kGravity: return u.sin().matrix();
-    case Kind::kCubicStiffness: return u.cube().matrix();
-    case Kind::kQuadraticStiffness: return u.square().matrix();
-    case Kind::kBacklash: return (t.given ? -1.0 : 1.0) * u.max(-t.shape).min(t.shape).matrix();
-    case Kind::kEndStop: return (u - u.max(-t.shape).min(t.shape)).matrix();
-    case Kind::kQuadraticDamping: return (w * w.abs()).matrix();
-    case Kind::kCubicDamping: return w.cube().matrix();
+    case Kind::kStiffness:
+      return t.smooth ? l.smooth_u : l.u;
+    case Kind::kStiffnessError:
+      return l.smooth_u;
+    case Kind::kViscous:
+      return t.smooth ? l.smooth_w : l.w;
+    case Kind::kMissingViscous:
+      return l.smooth_w;
+    case Kind::kCoulomb:
+    case Kind::kMissingCoulomb:
+      return l.sign;
+    case Kind::kGravity:
+      return u.sin().matrix();
+    case Kind::kCubicStiffness:
+      return u.cube().matrix();
+    case Kind::kQuadraticStiffness:
+      return u.square().matrix();
+    case Kind::kBacklash:
+      return (t.given ? -1.0 : 1.0) * u.max(-t.shape).min(t.shape).matrix();
+    case Kind::kEndStop:
+      return (u - u.max(-t.shape).min(t.shape)).matrix();
+    case Kind::kQuadraticDamping:
+      return (w * w.abs()).matrix();
+    case Kind::kCubicDamping:
+      return w.cube().matrix();
     case Kind::kStribeck:
       return ((-w.abs() / t.shape).exp() * l.sign.array()).matrix();
     case Kind::kPresliding:
       if (t.given) return bristles(l.smooth_w, t.shape, t.shape2, f.period_s);
       return bristles(l.smooth_w, t.shape, t.shape2, f.period_s) - l.sign;
-    case Kind::kForceOffset: return Series::Ones(u.size());
-    case Kind::kAsymmetricViscous: return w.abs().matrix();
-    case Kind::kDisplacementDamping: return (u.square() * w).matrix();
-    case Kind::kDriftingViscous: return time_axis(f).unaryExpr([&](double t_s) { return rig_file::drifted_s(t_s, t.shape); }).cwiseProduct(l.smooth_w);
-    case Kind::kUnknownPitch: return (kTwoPi * u / t.shape + t.shape2).sin().matrix();
-    default: return Series::Zero(u.size());
+    case Kind::kForceOffset:
+      return Series::Ones(u.size());
+    case Kind::kAsymmetricViscous:
+      return w.abs().matrix();
+    case Kind::kDisplacementDamping:
+      return (u.square() * w).matrix();
+    case Kind::kDriftingViscous:
+      return time_axis(f)
+          .unaryExpr([&](double t_s) { return rig_file::drifted_s(t_s, t.shape); })
+          .cwiseProduct(l.smooth_w);
+    case Kind::kUnknownPitch:
+      return (kTwoPi * u / t.shape + t.shape2).sin().matrix();
+    default:
+      return Series::Zero(u.size());
   }
 }
 

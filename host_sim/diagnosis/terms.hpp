@@ -9,36 +9,60 @@ namespace diagnosis {
 
 enum class Kind {
   // of every rig file
-  kMass, kStiffness, kViscous, kCoulomb, kGravity,
+  kMass,
+  kStiffness,
+  kViscous,
+  kCoulomb,
+  kGravity,
   // effects on a link
-  kCubicStiffness, kQuadraticStiffness, kStiffnessError, kBacklash, kEndStop, kQuadraticDamping, kCubicDamping,
-  kStribeck, kPresliding, kForceOffset, kAsymmetricViscous, kDisplacementDamping, kMissingViscous, kMissingCoulomb,
+  kCubicStiffness,
+  kQuadraticStiffness,
+  kStiffnessError,
+  kBacklash,
+  kEndStop,
+  kQuadraticDamping,
+  kCubicDamping,
+  kStribeck,
+  kPresliding,
+  kForceOffset,
+  kAsymmetricViscous,
+  kDisplacementDamping,
+  kMissingViscous,
+  kMissingCoulomb,
   kDriftingViscous,
   // effects on a DOF
-  kMassError, kResonance, kResonanceCos, kResonanceSin,
+  kMassError,
+  kResonance,
+  kResonanceCos,
+  kResonanceSin,
   // faults of a channel, seen in the equation of motion
-  kForceDelay, kForceGain, kForceHumCos50, kForceHumSin50, kForceHumCos60, kForceHumSin60,
+  kForceDelay,
+  kForceGain,
+  kForceHumCos50,
+  kForceHumSin50,
+  kForceHumCos60,
+  kForceHumSin60,
   // outside the vocabulary: its presence makes a residual unknown
   kUnknownPitch
 };
 
 inline bool of_force_sensor(Kind kind) { return kind >= Kind::kForceDelay && kind <= Kind::kForceHumSin60; }
 
-const char* word_of(Kind kind);                 // the contract's word; base terms: "mass", "viscous", ...
+const char* word_of(Kind kind);  // the contract's word; base terms: "mass", "viscous", ...
 bool kind_of_word(const std::string& word, Kind* kind);
 
 struct Term {
   Kind kind = Kind::kMass;
-  int link = -1;      // index into the system's links, or -1
-  int dof = -1;       // index from 0, or -1
-  double shape = 0;   // gap m, Stribeck velocity m/s, presliding length m, resonance Hz, time constant of a drift s (0: straight), delay s of a force (0: its first order)
-  double shape2 = 0;  // resonance: damping ratio; presliding: time constant of the bristles' own damping s (LuGre; 0: Dahl)
+  int link = -1;  // index into the system's links, or -1
+  int dof = -1;   // index from 0, or -1
+  double shape =
+      0;  // gap m, Stribeck velocity m/s, presliding length m, resonance Hz, time constant of a drift s (0: straight), delay s of a force (0: its first order)
+  double shape2 =
+      0;  // resonance: damping ratio; presliding: time constant of the bristles' own damping s (LuGre; 0: Dahl)
   bool smooth = false;  // base terms: from the smoothed motion (where the coefficient is fitted)
   bool given = false;   // an effect of the rig file: backlash and presliding as forces of their own
   int record = -1;      // only in this record (what is left of a resonance's start), or -1
-  bool operator==(const Term& o) const {
-    return same_place(o) && shape == o.shape && shape2 == o.shape2;
-  }
+  bool operator==(const Term& o) const { return same_place(o) && shape == o.shape && shape2 == o.shape2; }
   bool same_place(const Term& o) const {
     return kind == o.kind && link == o.link && dof == o.dof && record == o.record;
   }
@@ -58,10 +82,10 @@ System make_system(const rig_file::RigModel& rig);
 
 // Elongation and rate of a link, from the linear or the smoothed motion. The base is the motion after the last DOF.
 struct LinkMotion {
-  Series u, w;             // linear
+  Series u, w;  // linear
   Series smooth_u, smooth_w;
-  Series sign;             // expected sgn of smooth_w
-  double w_error = 0;      // standard deviation of smooth_w
+  Series sign;                              // expected sgn of smooth_w
+  double w_error = 0;                       // standard deviation of smooth_w
   double u_peak = 0, u_rms = 0, w_rms = 0;  // over the equation's span
 };
 LinkMotion link_motion(const System& system, const FusedRecord& record, size_t link);

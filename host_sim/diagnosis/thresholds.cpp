@@ -47,10 +47,13 @@ double CandidateBank::reversal_doubt(const std::vector<ActiveTerm>& model, const
   const auto touches = [&](const rig_file::Link& l, int dof) { return dof > 0 && (l.a == dof || l.b == dof); };
   for (const ActiveTerm& a : model) {
     const Term& own = a.term;
-    if ((own.kind != Kind::kCoulomb && own.kind != Kind::kMissingCoulomb && own.kind != Kind::kStribeck) || !(a.std > 0)) continue;
+    if ((own.kind != Kind::kCoulomb && own.kind != Kind::kMissingCoulomb && own.kind != Kind::kStribeck) ||
+        !(a.std > 0))
+      continue;
     const rig_file::Link& l = links[static_cast<size_t>(own.link)];
     const bool near = t.dof >= 0 ? touches(l, t.dof + 1)
-                                 : touches(l, links[static_cast<size_t>(t.link)].a) || touches(l, links[static_cast<size_t>(t.link)].b);
+                                 : touches(l, links[static_cast<size_t>(t.link)].a) ||
+                                       touches(l, links[static_cast<size_t>(t.link)].b);
     if (near) largest = std::max(largest, std::pow(a.value / a.std, 2));
   }
   if (friction_shape(t.kind)) return 1e-4 * largest;
@@ -60,7 +63,10 @@ double CandidateBank::reversal_doubt(const std::vector<ActiveTerm>& model, const
 
 double CandidateBank::strictness(Kind kind) const {
   // integrated motion drifts, and drift looks like much, most of all like a hidden mass with a spring of its own
-  const double alone = !rows_.absolute() ? (kind == Kind::kResonance ? 80 : 4) : rows_.redundant() ? 1 : law_of_rate(kind) ? 6 : 2.5;
+  const double alone = !rows_.absolute()   ? (kind == Kind::kResonance ? 80 : 4)
+                       : rows_.redundant() ? 1
+                       : law_of_rate(kind) ? 6
+                                           : 2.5;
   return alone * (rows_.coarse() && !friction_shape(kind) ? 2.6 : 1);
 }
 

@@ -12,7 +12,7 @@ using host_sim::Quantity;
 constexpr Quantity kOrder[] = {Quantity::kDisplacement, Quantity::kVelocity, Quantity::kAcceleration};
 constexpr double kSlowShare = 0.05;  // of a displacement's rms: what it has below the rows, about
 
-using Motion = std::array<Series, 3>;    // displacement, velocity, acceleration over time
+using Motion = std::array<Series, 3>;  // displacement, velocity, acceleration over time
 using Spectra3 = std::array<Spectrum, 3>;
 
 // Running integral, exact for cubics.
@@ -21,14 +21,16 @@ Series integral(const Series& y, double period_s) {
   const auto at = [&](Eigen::Index i) { return y[std::clamp<Eigen::Index>(i, 0, n - 1)]; };
   Series sum(n);
   sum[0] = 0;
-  for (Eigen::Index i = 1; i < n; ++i) sum[i] = sum[i - 1] + period_s / 24 * (13 * (at(i - 1) + y[i]) - at(i - 2) - at(i + 1));
+  for (Eigen::Index i = 1; i < n; ++i)
+    sum[i] = sum[i - 1] + period_s / 24 * (13 * (at(i - 1) + y[i]) - at(i - 2) - at(i + 1));
   return sum;
 }
 
 // An integral about its mean in each ramp, the only places where it is needed.
 Series integral_in_ramps(const Series& y, const FusedRecord& f) {
   Series sum = integral(y, f.period_s);
-  const Eigen::Index half = sum.size() / 2, ramp = std::max<Eigen::Index>(1, (f.outer.weight.head(half).array() < 1).count());
+  const Eigen::Index half = sum.size() / 2,
+                     ramp = std::max<Eigen::Index>(1, (f.outer.weight.head(half).array() < 1).count());
   sum.head(half).array() -= sum.head(ramp).mean();
   sum.tail(half).array() -= sum.tail(ramp).mean();
   return sum;
@@ -38,7 +40,8 @@ Series integral_in_ramps(const Series& y, const FusedRecord& f) {
 Series derivative_of(const Series& y, double period_s) {
   const Eigen::Index n = y.size();
   Series out = Series::Zero(n);
-  for (Eigen::Index i = 2; i + 2 < n; ++i) out[i] = (8 * (y[i + 1] - y[i - 1]) - (y[i + 2] - y[i - 2])) / (12 * period_s);
+  for (Eigen::Index i = 2; i + 2 < n; ++i)
+    out[i] = (8 * (y[i + 1] - y[i - 1]) - (y[i + 2] - y[i - 2])) / (12 * period_s);
   return out;
 }
 
@@ -47,7 +50,8 @@ Spectra3 spectra_of(const Motion& y, const FusedRecord& f, const std::array<bool
   Spectra3 z;
   if (measured[0]) z[0] = f.fourier->forward(g.weight.cwiseProduct(y[0]));
   if (measured[1]) z[1] = f.fourier->forward(g.weight.cwiseProduct(y[1]) + g.slope.cwiseProduct(y[0]));
-  if (measured[2]) z[2] = f.fourier->forward(g.weight.cwiseProduct(y[2]) + 2 * g.slope.cwiseProduct(y[1]) + g.bend.cwiseProduct(y[0]));
+  if (measured[2])
+    z[2] = f.fourier->forward(g.weight.cwiseProduct(y[2]) + 2 * g.slope.cwiseProduct(y[1]) + g.bend.cwiseProduct(y[0]));
   return z;
 }
 
@@ -91,13 +95,19 @@ void settle_constants(const FusedRecord& f, const std::array<bool, 3>& measured,
   std::vector<Spectra3> columns;
   for (const Constant& c : constants) columns.push_back(spectra_of(c.motion, f, measured));
   const Eigen::Index count = static_cast<Eigen::Index>(columns.size());
-  const double noise = z[integrated].segment(static_cast<Eigen::Index>(0.3 * bins), static_cast<Eigen::Index>(0.18 * bins)).squaredNorm() / (0.18 * bins);
+  const double noise = z[integrated]
+                           .segment(static_cast<Eigen::Index>(0.3 * bins), static_cast<Eigen::Index>(0.18 * bins))
+                           .squaredNorm() /
+                       (0.18 * bins);
   const double slow = std::pow(kSlowShare * rms[0], 2) * energy * bins / (2 * static_cast<double>(rows));
   Eigen::MatrixXd a = Eigen::MatrixXd::Zero(2 * rows + count, count);
   Eigen::VectorXd b = Eigen::VectorXd::Zero(2 * rows + count);
   for (Eigen::Index i = 0; i < rows; ++i) {
-    const double weight = 1 / std::sqrt(noise + slow * std::norm(derivative(f.omega(i), static_cast<int>(integrated))) + 1e-280);
-    const auto put = [&](auto&& row, Complex value) { row(2 * i) = weight * value.real(), row(2 * i + 1) = weight * value.imag(); };
+    const double weight =
+        1 / std::sqrt(noise + slow * std::norm(derivative(f.omega(i), static_cast<int>(integrated))) + 1e-280);
+    const auto put = [&](auto&& row, Complex value) {
+      row(2 * i) = weight * value.real(), row(2 * i + 1) = weight * value.imag();
+    };
     for (Eigen::Index k = 0; k < count; ++k) {
       const double size = constants[static_cast<size_t>(k)].size;
       put(a.col(k), size * columns[static_cast<size_t>(k)][integrated][i]);

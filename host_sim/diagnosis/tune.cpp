@@ -82,7 +82,8 @@ double tune(const System& system, std::vector<ActiveTerm>& model, const std::vec
     bool better = false;
     for (double part = 1; part > 0.05 && !better; part *= 0.4) {
       std::vector<ActiveTerm> moved = model;
-      for (size_t k = 0; k < knobs.size(); ++k) turn(moved, knobs[k], part * way[static_cast<Eigen::Index>(k)] * knobs[k].step);
+      for (size_t k = 0; k < knobs.size(); ++k)
+        turn(moved, knobs[k], part * way[static_cast<Eigen::Index>(k)] * knobs[k].step);
       const Series e = errors_of(system, moved, records);
       if (e.size() == 0 || !(e.squaredNorm() < before)) continue;
       model = moved, error = e, better = true;

@@ -27,7 +27,8 @@ Spectrum smoothed(const Spectrum& s) {
 // What the dampers of each link take: of viscous coefficients and of friction.
 struct Dampers {
   std::vector<double> viscous, friction;
-  Dampers(const System& system, const std::vector<ActiveTerm>& model) : viscous(system.links.size(), 0.0), friction(viscous) {
+  Dampers(const System& system, const std::vector<ActiveTerm>& model)
+      : viscous(system.links.size(), 0.0), friction(viscous) {
     for (const ActiveTerm& t : model) {
       if (t.term.link < 0) continue;
       const Kind kind = t.term.kind;
@@ -45,9 +46,13 @@ struct Dampers {
 // D V D^H over the bins, D = K - w^2 M + j w C, for variances V of the displacements (one column per DOF).
 Triangle spread(const Dynamics& d, const Series& omega, const Eigen::MatrixXd& variance) {
   const Eigen::Index n = d.mass.rows();
-  const auto spring = [&](Eigen::Index j, Eigen::Index l) { return d.stiffness(j, l) - omega.array().square() * d.mass(j, l); };
+  const auto spring = [&](Eigen::Index j, Eigen::Index l) {
+    return d.stiffness(j, l) - omega.array().square() * d.mass(j, l);
+  };
   const auto damper = [&](Eigen::Index j, Eigen::Index l) { return omega.array() * d.viscous(j, l); };
-  const auto tied = [&](Eigen::Index j, Eigen::Index l) { return d.stiffness(j, l) != 0 || d.mass(j, l) != 0 || d.viscous(j, l) != 0; };
+  const auto tied = [&](Eigen::Index j, Eigen::Index l) {
+    return d.stiffness(j, l) != 0 || d.mass(j, l) != 0 || d.viscous(j, l) != 0;
+  };
   Triangle sum;
   for (Eigen::Index j = 0; j < n; ++j)
     for (Eigen::Index k = 0; k <= j; ++k) {
@@ -74,12 +79,14 @@ void Rows::weight(const std::vector<ActiveTerm>& model) {
     const FusedRecord& f = records_[r];
     Eigen::MatrixXd known = Eigen::MatrixXd::Zero(n, n);  // variance per sample of friction, the same in every bin
     for (size_t l = 0; l < system_.links.size(); ++l) {
-      const double floor = dampers.unknown(links_[r][l], l) * static_cast<double>(f.samples) / (2.0 * static_cast<double>(f.last_bin));
+      const double floor =
+          dampers.unknown(links_[r][l], l) * static_cast<double>(f.samples) / (2.0 * static_cast<double>(f.last_bin));
       act(known, place_of_link(system_, l), doubt_[r][l] + floor);
     }
     const Series omega = Series::LinSpaced(bins(r), f.omega(f.first_bin), f.omega(f.last_bin));
     Eigen::MatrixXd variance(bins(r), n);
-    for (Eigen::Index j = 0; j < n; ++j) variance.col(j) = f.motion[static_cast<size_t>(j)].variance.segment(f.first_bin, bins(r));
+    for (Eigen::Index j = 0; j < n; ++j)
+      variance.col(j) = f.motion[static_cast<size_t>(j)].variance.segment(f.first_bin, bins(r));
     Triangle covariance = spread(dynamics, omega, variance);
     for (Eigen::Index j = 0; j < n; ++j) {
       const Series& noise = f.force_noise[static_cast<size_t>(j)];
@@ -105,7 +112,8 @@ void Rows::colour(const std::vector<Balance>& residual, double freedom) {
     total[0] = 0;
     for (Eigen::Index i = 0; i < factor.size(); ++i) total[i + 1] = total[i] + factor[i] * power[i];
     for (Eigen::Index i = 0; i < factor.size(); ++i) {
-      const Eigen::Index reach = 6 + i / 8, low = std::max<Eigen::Index>(0, i - reach), high = std::min(factor.size(), i + reach + 1);
+      const Eigen::Index reach = 6 + i / 8, low = std::max<Eigen::Index>(0, i - reach),
+                         high = std::min(factor.size(), i + reach + 1);
       factor[i] = std::max(1.0, (total[high] - total[low]) / static_cast<double>(high - low) / freedom);
     }
   }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hal/configuration/effect_words.hpp"
+#include "hal/rig_file/effect_words.hpp"
 #include "host_sim/force_balance/derivative.hpp"
 
 namespace host_sim {

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "firmware/can_protocol/packing.hpp"
-#include "hal/configuration/channel_name.hpp"
-#include "hal/configuration/compile_rig.hpp"
+#include "hal/rig_file/channel_name.hpp"
+#include "hal/rig_file/compile_rig.hpp"
 #include "host_sim/records/data_file_error.hpp"
 
 namespace host_sim {

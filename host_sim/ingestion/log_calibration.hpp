@@ -5,7 +5,7 @@
 
 #include "firmware/can_protocol/messages.hpp"
 #include "firmware/can_protocol/sensor_frames.hpp"
-#include "hal/configuration/rig_model.hpp"
+#include "hal/rig_file/rig_model.hpp"
 
 namespace host_sim {
 

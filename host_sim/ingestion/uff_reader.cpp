@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <set>
 
-#include "hal/configuration/channel_name.hpp"
+#include "hal/rig_file/channel_name.hpp"
 #include "host_sim/ingestion/uff_dataset.hpp"
 #include "host_sim/records/data_file_error.hpp"
 #include "host_sim/records/record_checks.hpp"

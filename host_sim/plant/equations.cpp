@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "hal/configuration/effect_words.hpp"
+#include "hal/rig_file/effect_words.hpp"
 
 namespace host_sim {
 

@@ -10,7 +10,7 @@
 #pragma once
 #include <vector>
 
-#include "hal/configuration/rig_model.hpp"
+#include "hal/rig_file/rig_model.hpp"
 #include "host_sim/plant/signal.hpp"
 
 namespace host_sim {

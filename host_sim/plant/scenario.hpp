@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "hal/configuration/rig_file_error.hpp"
-#include "hal/configuration/rig_model.hpp"
+#include "hal/rig_file/rig_file_error.hpp"
+#include "hal/rig_file/rig_model.hpp"
 #include "host_sim/plant/simulate.hpp"
 
 namespace host_sim {

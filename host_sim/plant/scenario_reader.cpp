@@ -5,11 +5,11 @@
 #include <fstream>
 #include <iterator>
 
-#include "hal/configuration/channel_name.hpp"
-#include "hal/configuration/coefficient_walk.hpp"
-#include "hal/configuration/compile_rig.hpp"
-#include "hal/configuration/rig_from_toml.hpp"
-#include "hal/configuration/toml_checks.hpp"
+#include "hal/rig_file/channel_name.hpp"
+#include "hal/rig_file/coefficient_walk.hpp"
+#include "hal/rig_file/compile_rig.hpp"
+#include "hal/rig_file/rig_from_toml.hpp"
+#include "hal/rig_file/toml_checks.hpp"
 #include "host_sim/plant/equations.hpp"
 #include "host_sim/plant/plant_error.hpp"
 #include "host_sim/plant/scenario.hpp"

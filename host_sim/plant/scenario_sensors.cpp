@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "hal/configuration/channel_name.hpp"
+#include "hal/rig_file/channel_name.hpp"
 #include "host_sim/plant/scenario_parts.hpp"
 
 namespace host_sim {

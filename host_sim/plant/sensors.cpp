@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hal/configuration/channel_name.hpp"
+#include "hal/rig_file/channel_name.hpp"
 #include "host_sim/plant/plant_error.hpp"
 #include "host_sim/plant/random_numbers.hpp"
 #include "host_sim/plant/shaker.hpp"

@@ -2,7 +2,7 @@
 #pragma once
 #include <vector>
 
-#include "hal/configuration/compile_rig.hpp"
+#include "hal/rig_file/compile_rig.hpp"
 #include "host_sim/plant/scenario.hpp"
 
 namespace host_sim {

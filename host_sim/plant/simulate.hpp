@@ -1,6 +1,6 @@
 // The rig's answer to an excitation, sampled: the two ways into the plant.
 #pragma once
-#include "hal/configuration/rig_model.hpp"
+#include "hal/rig_file/rig_model.hpp"
 #include "host_sim/plant/integrator.hpp"
 #include "host_sim/plant/signal.hpp"
 #include "host_sim/records/record.hpp"

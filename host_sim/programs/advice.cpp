@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "hal/configuration/channel_name.hpp"
+#include "hal/rig_file/channel_name.hpp"
 
 namespace host_sim {
 namespace {

@@ -2,8 +2,8 @@
 #include <fstream>
 #include <iostream>
 
-#include "hal/configuration/compile_rig.hpp"
-#include "hal/configuration/rig_reader.hpp"
+#include "hal/rig_file/compile_rig.hpp"
+#include "hal/rig_file/rig_reader.hpp"
 #include "host_sim/can_log/dbc.hpp"
 #include "host_sim/can_log/decode.hpp"
 #include "host_sim/programs/commands.hpp"

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hal/configuration/rig_reader.hpp"
-#include "hal/configuration/rig_writer.hpp"
+#include "hal/rig_file/rig_reader.hpp"
+#include "hal/rig_file/rig_writer.hpp"
 #include "host_sim/diagnosis/diagnosis.hpp"
 #include "host_sim/programs/commands.hpp"
 #include "host_sim/programs/diagnosis_text.hpp"

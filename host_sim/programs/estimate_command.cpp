@@ -1,5 +1,5 @@
 // host_sim estimate: measured data through the fixed-point core, as the board would.
-#include "hal/configuration/rig_reader.hpp"
+#include "hal/rig_file/rig_reader.hpp"
 #include "host_sim/programs/commands.hpp"
 #include "host_sim/programs/estimation.hpp"
 #include "host_sim/programs/human_output.hpp"

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "firmware/estimator_core.hpp"
-#include "hal/configuration/compile_rig.hpp"
+#include "hal/rig_file/compile_rig.hpp"
 
 namespace host_sim {
 

@@ -4,8 +4,7 @@
 #include <memory>
 #include <sstream>
 
-#include "hal/configuration/signal_plan.hpp"
-#include "hal/fake/replay_board.hpp"
+#include "hal/rig_file/signal_plan.hpp"
 #include "host_sim/can_log/log_writer.hpp"
 #include "host_sim/programs/failures.hpp"
 #include "host_sim/programs/fit_quality.hpp"
@@ -13,6 +12,7 @@
 #include "host_sim/records/digitise.hpp"
 #include "host_sim/records/record_checks.hpp"
 #include "host_sim/virtual_rig/board_configuration.hpp"
+#include "host_sim/virtual_rig/replay_board.hpp"
 
 namespace host_sim {
 namespace {
@@ -68,7 +68,7 @@ void fit_signals_to(const std::vector<Record>& records, const std::vector<rig_fi
 // Replays the records on a board of fakes: one level each, the frames of the controller into the log.
 class Feed {
  public:
-  Feed(hal::ReplayBoard& board, const EstimationOptions& options, size_t total)
+  Feed(ReplayBoard& board, const EstimationOptions& options, size_t total)
       : board_(board), options_(options), total_(total) {
     board_.run_at(0);
   }
@@ -94,7 +94,7 @@ class Feed {
  private:
   static constexpr uint64_t kHeartbeat_ns = 100000000;
 
-  hal::ReplayBoard& board_;
+  ReplayBoard& board_;
   const EstimationOptions& options_;
   size_t total_, done_ = 0;
   uint64_t time_ns_ = 0;
@@ -112,8 +112,8 @@ Estimation estimate_records(const rig_file::RigModel& model, const std::vector<R
   configuration.window = window_of(records.front(), options);
   std::ostringstream log_text;
   can_log::LogWriter log(log_text, "can0");
-  hal::ReplayBoard board(board_configuration(model, configuration, records.front().sample_period_s),
-                         [&log](const hal::CanFrame& frame) { log.write(frame); });
+  ReplayBoard board(board_configuration(model, configuration, records.front().sample_period_s),
+                    [&log](const hal::CanFrame& frame) { log.write(frame); });
   size_t samples = 0;
   for (const Record& record : records) samples += record.samples();
   Feed feed(board, options, samples);

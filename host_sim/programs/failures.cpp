@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-#include "hal/configuration/rig_file_error.hpp"
+#include "hal/rig_file/rig_file_error.hpp"
 #include "host_sim/diagnosis/motion.hpp"
 #include "host_sim/records/data_file_error.hpp"
 #include "host_sim/records/output_file.hpp"

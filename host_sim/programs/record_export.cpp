@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "hal/configuration/rig_writer.hpp"
+#include "hal/rig_file/rig_writer.hpp"
 #include "host_sim/records/csv_writer.hpp"
 #include "host_sim/records/output_file.hpp"
 

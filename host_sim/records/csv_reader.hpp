@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "hal/configuration/rig_model.hpp"
+#include "hal/rig_file/rig_model.hpp"
 #include "host_sim/records/record.hpp"
 
 namespace host_sim {

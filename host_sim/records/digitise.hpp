@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "firmware/acquisition/raw_sample.hpp"
-#include "hal/configuration/compile_rig.hpp"
 #include "hal/interface/sample_source.hpp"
+#include "hal/rig_file/compile_rig.hpp"
 #include "host_sim/records/record.hpp"
 
 namespace host_sim {

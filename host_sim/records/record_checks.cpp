@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "hal/configuration/channel_name.hpp"
+#include "hal/rig_file/channel_name.hpp"
 #include "host_sim/records/data_file_error.hpp"
 
 namespace host_sim {

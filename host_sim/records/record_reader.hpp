@@ -2,7 +2,7 @@
 #pragma once
 #include <string>
 
-#include "hal/configuration/rig_model.hpp"
+#include "hal/rig_file/rig_model.hpp"
 #include "host_sim/records/record.hpp"
 
 namespace host_sim {

@@ -1,6 +1,6 @@
 #include "host_sim/reports/channel_words.hpp"
 
-#include "hal/configuration/channel_name.hpp"
+#include "hal/rig_file/channel_name.hpp"
 
 namespace host_sim::reports {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "hal/configuration/rig_model.hpp"
+#include "hal/rig_file/rig_model.hpp"
 #include "host_sim/records/record.hpp"
 #include "host_sim/reports/report_data.hpp"
 

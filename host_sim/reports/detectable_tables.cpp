@@ -32,7 +32,8 @@ HtmlTable pivot(const std::vector<Detectable>& limits, const std::string& what, 
   for (const Detectable& limit : limits) {
     if (limit.where.rfind(what + " ", 0) != 0) continue;
     const std::string effect = cause_text(limit.effect, ""), place = limit.where.substr(what.size() + 1);
-    const size_t row = index_in(rows, rows_are_places ? place : effect), column = index_in(columns, rows_are_places ? effect : what + " " + place);
+    const size_t row = index_in(rows, rows_are_places ? place : effect),
+                 column = index_in(columns, rows_are_places ? effect : what + " " + place);
     table.rows.resize(rows.size());
     auto& cells = table.rows[row];
     cells.resize(std::max(cells.size(), column + 2));

@@ -28,7 +28,8 @@ void add_causes(Page& page, const DiagnosisReportData& data) {
     std::string card = "<div class=\"card\"><b>" + escaped(cause_text(cause.effect, cause.where)) + "</b>";
     if (std::isfinite(cause.explains_percent))
       card += "<p>explains " + number_html(cause.explains_percent, 3) + " % of what the rig as given leaves over</p>";
-    else card += "<p>taken out of the record before the rig is judged</p>";
+    else
+      card += "<p>taken out of the record before the rig is judged</p>";
     for (const std::string& parameter : cause.parameters) card += "<p><code>" + escaped(parameter) + "</code></p>";
     page.html(card + "</div>\n");
   }

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "hal/configuration/coefficient_walk.hpp"
+#include "hal/rig_file/coefficient_walk.hpp"
 #include "host_sim/reports/comparison.hpp"
 #include "host_sim/reports/numbers.hpp"
 

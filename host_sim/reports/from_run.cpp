@@ -4,7 +4,7 @@
 
 #include "firmware/can_protocol/frame_description.hpp"
 #include "firmware/can_protocol/value_tables.hpp"
-#include "hal/configuration/scaled_double.hpp"
+#include "hal/rig_file/scaled_double.hpp"
 #include "host_sim/can_log/readable.hpp"
 #include "host_sim/reports/channel_words.hpp"
 

@@ -25,7 +25,8 @@ const char* swatch(Shape shape) {
 std::string unbroken(const std::string& html) {
   std::string out;
   for (size_t i = 0; i < html.size(); ++i) {
-    const bool between_digits = html[i] == '-' && i > 0 && i + 1 < html.size() && std::isdigit(static_cast<unsigned char>(html[i - 1])) &&
+    const bool between_digits = html[i] == '-' && i > 0 && i + 1 < html.size() &&
+                                std::isdigit(static_cast<unsigned char>(html[i - 1])) &&
                                 std::isdigit(static_cast<unsigned char>(html[i + 1]));
     out += between_digits ? "&#8209;" : std::string(1, html[i]);
   }

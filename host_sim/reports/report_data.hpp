@@ -55,8 +55,8 @@ struct LinkView {
 };
 
 struct Cause {
-  std::string effect, where;  // the contract's words: "cubic_stiffness", "link 1-2"
-  double explains_percent = 0.0;  // not a number: taken out of the record before the rig is judged
+  std::string effect, where;            // the contract's words: "cubic_stiffness", "link 1-2"
+  double explains_percent = 0.0;        // not a number: taken out of the record before the rig is judged
   std::vector<std::string> parameters;  // "cubic_stiffness[1-2] = 3.1e7 N/m^3 (95 %: 3.0e7 to 3.2e7)"
 };
 
@@ -83,7 +83,8 @@ struct DofGain {
 struct Detectable {
   std::string effect, where, unit;
   double strength = 0.0;  // infinite: at no strength
-  double percent_of_damping_force = std::numeric_limits<double>::quiet_NaN();  // rms of its force; not of a motion sensor's fault
+  double percent_of_damping_force =
+      std::numeric_limits<double>::quiet_NaN();  // rms of its force; not of a motion sensor's fault
 };
 
 struct DiagnosisReportData {

@@ -40,7 +40,8 @@ std::string named(const DiagnosisReportData& data) {
   if (effects.empty())
     return (faults.size() > 1 ? "Sensors are at fault: " : "A sensor is at fault: ") + listed(faults, "and") +
            gain_text(data.gains, "that corrected");
-  return "The rig file lacks " + listed(effects, "and") + ", and " + fault + listed(faults, "and") + gain_text(data.gains, "both");
+  return "The rig file lacks " + listed(effects, "and") + ", and " + fault + listed(faults, "and") +
+         gain_text(data.gains, "both");
 }
 
 // The same where the data leave it open.
@@ -54,8 +55,9 @@ std::string one_of(const std::vector<Cause>& causes, const std::vector<std::pair
   };
   for (const Cause& cause : causes) add(cause.effect, cause.where);
   for (const auto& other : others) add(other.first, other.second);
-  const char* what = faults == 0 ? "The rig file lacks something" : faults == all.size() ? "A sensor is at fault"
-                                                                  : "The rig file lacks something or a sensor is at fault";
+  const char* what = faults == 0            ? "The rig file lacks something"
+                     : faults == all.size() ? "A sensor is at fault"
+                                            : "The rig file lacks something or a sensor is at fault";
   return what + std::string(", and these data cannot tell which: ") + listed(all, "or") + ".";
 }
 
@@ -64,9 +66,9 @@ std::string one_of(const std::vector<Cause>& causes, const std::vector<std::pair
 std::string cause_text(const std::string& effect, const std::string& where) {
   std::string words = effect;
   std::replace(words.begin(), words.end(), '_', ' ');
-  return where.empty()
-             ? words
-             : words + (of_channel(where) ? " in " : " on ") + (where.rfind("dof ", 0) == 0 ? "DOF" + where.substr(3) : where);
+  return where.empty() ? words
+                       : words + (of_channel(where) ? " in " : " on ") +
+                             (where.rfind("dof ", 0) == 0 ? "DOF" + where.substr(3) : where);
 }
 
 std::string verdict_sentence(const DiagnosisReportData& data) {

@@ -1,6 +1,6 @@
 // Feeds the virtual rig's samples to the controller on its board of fakes, level by level.
 #pragma once
-#include "hal/fake/replay_board.hpp"
+#include "host_sim/virtual_rig/replay_board.hpp"
 #include "host_sim/virtual_rig/run_scenario.hpp"
 
 namespace host_sim {
@@ -9,7 +9,7 @@ namespace host_sim {
 // from the end of settling, the rest from the run-out.
 class LevelFeed {
  public:
-  LevelFeed(VirtualRig& rig, hal::ReplayBoard& board, ProgressSink& sink) : rig_(rig), board_(board), sink_(sink) {}
+  LevelFeed(VirtualRig& rig, ReplayBoard& board, ProgressSink& sink) : rig_(rig), board_(board), sink_(sink) {}
   void run();  // to the rig's end, and one more heartbeat and status, which says DONE
   size_t pushed() const { return pushed_; }
 
@@ -20,7 +20,7 @@ class LevelFeed {
   void tell_window() const;
 
   VirtualRig& rig_;
-  hal::ReplayBoard& board_;
+  ReplayBoard& board_;
   ProgressSink& sink_;
   size_t first_ = 0, end_ = 0;  // samples of the level
   size_t read_ = 0, pushed_ = 0;

@@ -5,8 +5,8 @@
 #include <memory>
 #include <numeric>
 
-#include "hal/configuration/compile_rig.hpp"
-#include "hal/configuration/signal_plan.hpp"
+#include "hal/rig_file/compile_rig.hpp"
+#include "hal/rig_file/signal_plan.hpp"
 #include "host_sim/plant/plant_error.hpp"
 #include "host_sim/virtual_rig/board_configuration.hpp"
 #include "host_sim/virtual_rig/level_feed.hpp"
@@ -99,8 +99,8 @@ RunResult run_scenario(const Scenario& scenario, uint64_t seed, ProgressSink& si
       rig_file::compile_rig(scenario.rig, scenario.sample_period_s(), rig.measured().calibrations);
   configuration.window = scenario_window(scenario);
   fit_derived_signals(rig.measured(), configuration);
-  hal::ReplayBoard board(board_configuration(scenario.rig, configuration, scenario.sample_period_s()),
-                         [&sink](const hal::CanFrame& frame) { sink.frame(frame); });
+  ReplayBoard board(board_configuration(scenario.rig, configuration, scenario.sample_period_s()),
+                    [&sink](const hal::CanFrame& frame) { sink.frame(frame); });
   sink.begin(scenario, configuration);
   LevelFeed feed(rig, board, sink);
   feed.run();

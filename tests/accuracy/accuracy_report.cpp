@@ -7,7 +7,7 @@
 #include <iostream>
 #include <map>
 
-#include "hal/configuration/compile_rig.hpp"
+#include "hal/rig_file/compile_rig.hpp"
 #include "tests/accuracy/report.hpp"
 
 namespace {

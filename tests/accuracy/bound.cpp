@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "hal/configuration/scaled_double.hpp"
+#include "hal/rig_file/scaled_double.hpp"
 
 namespace accuracy {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hal/configuration/signal_plan.hpp"
+#include "hal/rig_file/signal_plan.hpp"
 #include "host_sim/plant/random_numbers.hpp"
 #include "host_sim/records/digitise.hpp"
 #include "host_sim/virtual_rig/run_scenario.hpp"

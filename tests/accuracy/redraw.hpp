@@ -30,7 +30,7 @@ class Redraw {
   host_sim::Scenario scenario_;
   std::vector<host_sim::Record> clean_, noisy_;  // measured part and the core's margin
   std::vector<std::vector<firmware::RawSample>> codes_;
-  std::vector<std::vector<double>> deviation_;   // of the noise, per level and channel
+  std::vector<std::vector<double>> deviation_;  // of the noise, per level and channel
   std::vector<rig_file::ChannelCalibration> calibrations_;
   firmware::CoreConfiguration configuration_;
   std::unique_ptr<firmware::EstimatorCore> core_;

@@ -38,7 +38,9 @@ void EquationRows::fill(const Sample& s) {
 }
 
 RecursiveLeastSquares::RecursiveLeastSquares(int dofs)
-    : parameters(Eigen::VectorXd::Zero(dofs + 2)), rows_(dofs), covariance_(1e6 * Eigen::MatrixXd::Identity(dofs + 2, dofs + 2)) {}
+    : parameters(Eigen::VectorXd::Zero(dofs + 2)),
+      rows_(dofs),
+      covariance_(1e6 * Eigen::MatrixXd::Identity(dofs + 2, dofs + 2)) {}
 
 void RecursiveLeastSquares::step(const Sample& sample) {
   rows_.fill(sample);

@@ -13,8 +13,8 @@ class EquationRows {
   explicit EquationRows(int dofs);
   int unknowns() const { return dofs_ + 2; }
   void fill(const Sample& sample);
-  Eigen::MatrixXd row;   // dofs x unknowns
-  Eigen::VectorXd rhs;   // dofs
+  Eigen::MatrixXd row;  // dofs x unknowns
+  Eigen::VectorXd rhs;  // dofs
 
  protected:
   int dofs_;

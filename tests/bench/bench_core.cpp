@@ -57,7 +57,8 @@ class Collector : public benchmark::BenchmarkReporter {
   bool ReportContext(const Context&) override { return true; }
   void ReportRuns(const std::vector<Run>& runs) override {
     for (const Run& run : runs)
-      if (run.run_type == Run::RT_Iteration) times[run.run_name.function_name].push_back(1e9 / run.counters.at("items_per_second"));
+      if (run.run_type == Run::RT_Iteration)
+        times[run.run_name.function_name].push_back(1e9 / run.counters.at("items_per_second"));
   }
   std::map<std::string, std::vector<double>> times;
 };
@@ -74,8 +75,8 @@ void print_table(const std::vector<Result>& results) {
       if (r.name == name && r.dofs == dofs) return r.ns_per_sample;
     return 0.0;
   };
-  std::printf("ns per DOF and sample\n%4s %8s %10s %11s %13s %12s %16s %14s\n", "DOF", "core", "core_full", "double_rls",
-              "double_batch", "double_sums", "double_rls/core", "core_full/core");
+  std::printf("ns per DOF and sample\n%4s %8s %10s %11s %13s %12s %16s %14s\n", "DOF", "core", "core_full",
+              "double_rls", "double_batch", "double_sums", "double_rls/core", "core_full/core");
   for (int d : kDofs)
     std::printf("%4d %8.2f %10.2f %11.2f %13.2f %12.2f %16.1f %14.2f\n", d, at("core", d) / d, at("core_full", d) / d,
                 at("double_rls", d) / d, at("double_batch", d) / d, at("double_sums", d) / d,
@@ -90,8 +91,8 @@ bool write_json(const std::string& path, const std::vector<Result>& results) {
   out << "{\"schema\":\"bench/1\",\"rows\":[";
   for (size_t i = 0; i < results.size(); ++i)
     out << (i ? "," : "") << "\n{\"name\":\"" << results[i].name << "\",\"dof\":" << results[i].dofs
-        << ",\"ns_per_sample\":" << results[i].ns_per_sample << ",\"ns_per_dof_sample\":" << results[i].ns_per_sample / results[i].dofs
-        << "}";
+        << ",\"ns_per_sample\":" << results[i].ns_per_sample
+        << ",\"ns_per_dof_sample\":" << results[i].ns_per_sample / results[i].dofs << "}";
   out << "\n]}\n";
   out.close();
   return out.good() && std::rename(part.c_str(), path.c_str()) == 0;

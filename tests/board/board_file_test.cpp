@@ -1,5 +1,5 @@
 // The board's file: what a good one makes of the controller, and what a bad one is told.
-#include "hal/linux/rig_controller/board_file.hpp"
+#include "hal/linux/board/board_file.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "hal/configuration/rig_file_error.hpp"
+#include "hal/rig_file/rig_file_error.hpp"
 
 namespace {
 

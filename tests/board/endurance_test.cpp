@@ -5,11 +5,11 @@
 #include <memory>
 
 #include "firmware/rig_controller/rig_controller.hpp"
-#include "hal/configuration/compile_rig.hpp"
-#include "hal/configuration/rig_reader.hpp"
 #include "hal/fake/fake_can_bus.hpp"
 #include "hal/fake/fake_configuration_store.hpp"
 #include "hal/fake/fake_devices.hpp"
+#include "hal/rig_file/compile_rig.hpp"
+#include "hal/rig_file/rig_reader.hpp"
 
 extern "C" void allocation_guard_begin();
 extern "C" void allocation_guard_end();

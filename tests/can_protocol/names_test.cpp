@@ -4,8 +4,8 @@
 
 #include "firmware/can_protocol/messages.hpp"
 #include "firmware/can_protocol/packing.hpp"
-#include "hal/configuration/compile_rig.hpp"
-#include "hal/configuration/effect_words.hpp"
+#include "hal/rig_file/compile_rig.hpp"
+#include "hal/rig_file/effect_words.hpp"
 #include "host_sim/can_log/known_names.hpp"
 
 namespace {

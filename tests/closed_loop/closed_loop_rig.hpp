@@ -10,11 +10,11 @@
 #include <random>
 #include <vector>
 
-#include "hal/configuration/compile_rig.hpp"
 #include "hal/fake/fake_devices.hpp"
 #include "hal/interface/clock.hpp"
 #include "hal/interface/drive_output.hpp"
 #include "hal/interface/sample_source.hpp"
+#include "hal/rig_file/compile_rig.hpp"
 #include "host_sim/plant/integrator.hpp"
 
 namespace closed_loop {

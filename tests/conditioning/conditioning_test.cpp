@@ -8,9 +8,9 @@
 #include <functional>
 #include <memory>
 
-#include "hal/configuration/rig_file_error.hpp"
-#include "hal/configuration/scaled_double.hpp"
-#include "hal/configuration/signal_plan.hpp"
+#include "hal/rig_file/rig_file_error.hpp"
+#include "hal/rig_file/scaled_double.hpp"
+#include "hal/rig_file/signal_plan.hpp"
 
 using namespace firmware;
 
@@ -42,9 +42,11 @@ Response respond(const CoreConfiguration& c, Quantity signal, Quantity source, d
   auto conditioning = std::make_unique<Conditioning>();
   auto frame = std::make_unique<Frame>();
   conditioning->configure(c);
-  const double w = 2.0 * M_PI * frequency_Hz, unit = rig_file::to_double(c.signals[0][static_cast<int>(signal)].unit_per_code);
+  const double w = 2.0 * M_PI * frequency_Hz,
+               unit = rig_file::to_double(c.signals[0][static_cast<int>(signal)].unit_per_code);
   Response r{0.0, 0.0, 0.0};
-  const int cycle = static_cast<int>(std::lround(1.0 / frequency_Hz / kPeriod)), last = samples - samples % cycle - cycle * 4;
+  const int cycle = static_cast<int>(std::lround(1.0 / frequency_Hz / kPeriod)),
+            last = samples - samples % cycle - cycle * 4;
   int delay = 0;
   for (const auto& node : c.signals)
     for (const SignalConfiguration& s : node) delay = std::max<int>(delay, s.half_length);
@@ -179,7 +181,8 @@ TEST(Conditioning, RangesOfARecordedMotion) {
   rig_file::plan_signals(*c);
   std::vector<RawSample> record(3000);
   for (size_t n = 0; n < record.size(); ++n)
-    record[n].code[0][1] = static_cast<int32_t>(std::lround(0.5 * (1 << 22) * std::sin(2.0 * M_PI * 10.0 * kPeriod * static_cast<double>(n))));
+    record[n].code[0][1] = static_cast<int32_t>(
+        std::lround(0.5 * (1 << 22) * std::sin(2.0 * M_PI * 10.0 * kPeriod * static_cast<double>(n))));
   const rig_file::SignalRanges ranges = rig_file::measure_ranges(*c, {record});
   EXPECT_NEAR(ranges.largest[0][2], 0.5 * 62.83, 0.5);
   EXPECT_NEAR(ranges.largest[0][3], 0.5 * 3948, 30.0);

@@ -25,7 +25,8 @@ TEST(ChannelFaults, ADelayOfTheForceIsNamedAndMeasuredHoweverLong) {
         const Draw draw = make_draw(seed, fault("sensor_delay", "force_1_N", sensors, rho, 2));
         const diagnosis::Diagnosis answer = answer_to(draw);
         ASSERT_EQ(judge(draw, answer), Outcome::kExact) << sensors << " " << told(draw, answer);
-        EXPECT_NEAR(answer.causes[0].parameters[0].value / draw.truth[0].strength, 1, 0.03) << sensors << " seed " << seed;
+        EXPECT_NEAR(answer.causes[0].parameters[0].value / draw.truth[0].strength, 1, 0.03)
+            << sensors << " seed " << seed;
         const double least_gain = sensors[0] == 'x' ? 2 : 1;  // what is integrated has noise of its own
         EXPECT_GT(answer.gain[0], least_gain) << sensors << " rho " << rho << " seed " << seed;
       }
@@ -49,8 +50,10 @@ TEST(ChannelFaults, TheOnlyChannelOfADofIsNamed) {
     const char *kind, *channel, *sensors;
     double rho, within;
   };
-  for (const Case& c : {Case{"sensor_delay", "displacement_2_m", "x", 0.15, 0.02}, Case{"sensor_delay", "acceleration_1_m_s2", "a", 0.05, 0.02},
-                        Case{"sensor_gain", "displacement_1_m", "x", 0.05, 0.05}, Case{"sensor_gain", "acceleration_2_m_s2", "a", 0.05, 0.05},
+  for (const Case& c : {Case{"sensor_delay", "displacement_2_m", "x", 0.15, 0.02},
+                        Case{"sensor_delay", "acceleration_1_m_s2", "a", 0.05, 0.02},
+                        Case{"sensor_gain", "displacement_1_m", "x", 0.05, 0.05},
+                        Case{"sensor_gain", "acceleration_2_m_s2", "a", 0.05, 0.05},
                         Case{"sensor_gain", "velocity_2_m_s", "v", 0.05, 0.05}})
     for (int dofs : {2, 3}) {
       const Draw draw = make_draw(41, fault(c.kind, c.channel, c.sensors, c.rho, dofs));

@@ -23,7 +23,11 @@ using hidden::Line;
 using hidden::Tally;
 
 Hide hide_of(const std::string& v) {
-  return v == "none" ? Hide::kNothing : v == "two" ? Hide::kTwo : v == "outside" ? Hide::kOutside : v == "fault" ? Hide::kSensorFault : Hide::kOne;
+  return v == "none"      ? Hide::kNothing
+         : v == "two"     ? Hide::kTwo
+         : v == "outside" ? Hide::kOutside
+         : v == "fault"   ? Hide::kSensorFault
+                          : Hide::kOne;
 }
 
 int one_line(int argc, char** argv) {
@@ -33,24 +37,42 @@ int one_line(int argc, char** argv) {
   for (int i = 2; i + 1 < argc; i += 2) {
     const std::string key = argv[i], value = argv[i + 1];
     hidden::Settings& s = line.settings;
-    if (key == "noise") s.noise = std::atof(value.c_str());
-    else if (key == "n") line.draws = std::atoi(value.c_str());
-    else if (key == "seed") seed = std::strtoull(value.c_str(), nullptr, 10);
-    else if (key == "sensors") s.sensors = value;
-    else if (key == "corner") s.noise_corner_Hz = std::atof(value.c_str());
-    else if (key == "bits") s.bits = std::atoi(value.c_str());
-    else if (key == "kind") s.kind = value;
-    else if (key == "channel") s.channel = value;
-    else if (key == "low") s.rho_low = std::atof(value.c_str());
-    else if (key == "high") s.rho_high = std::atof(value.c_str());
-    else if (key == "dofs") s.dofs = std::atoi(value.c_str());
-    else if (key == "seconds") s.seconds = std::atof(value.c_str());
-    else if (key == "drive") s.drive = value == "steps" ? hidden::Drive::kSteps : value == "linear" ? hidden::Drive::kLinear : hidden::Drive::kSmooth;
-    else if (key == "hide") s.hide = hide_of(value);
-    else return std::cerr << "unknown key " << key << "\n", 2;
+    if (key == "noise")
+      s.noise = std::atof(value.c_str());
+    else if (key == "n")
+      line.draws = std::atoi(value.c_str());
+    else if (key == "seed")
+      seed = std::strtoull(value.c_str(), nullptr, 10);
+    else if (key == "sensors")
+      s.sensors = value;
+    else if (key == "corner")
+      s.noise_corner_Hz = std::atof(value.c_str());
+    else if (key == "bits")
+      s.bits = std::atoi(value.c_str());
+    else if (key == "kind")
+      s.kind = value;
+    else if (key == "channel")
+      s.channel = value;
+    else if (key == "low")
+      s.rho_low = std::atof(value.c_str());
+    else if (key == "high")
+      s.rho_high = std::atof(value.c_str());
+    else if (key == "dofs")
+      s.dofs = std::atoi(value.c_str());
+    else if (key == "seconds")
+      s.seconds = std::atof(value.c_str());
+    else if (key == "drive")
+      s.drive = value == "steps"    ? hidden::Drive::kSteps
+                : value == "linear" ? hidden::Drive::kLinear
+                                    : hidden::Drive::kSmooth;
+    else if (key == "hide")
+      s.hide = hide_of(value);
+    else
+      return std::cerr << "unknown key " << key << "\n", 2;
   }
   const Tally t = run_line(line, seed, &std::cout);
-  std::printf("exact %d set %d of %d; CPU mean %.2f s, slowest %.2f s\n", t.exact, t.set, t.draws, t.seconds / t.draws, t.slowest);
+  std::printf("exact %d set %d of %d; CPU mean %.2f s, slowest %.2f s\n", t.exact, t.set, t.draws, t.seconds / t.draws,
+              t.slowest);
   for (const auto& limit : t.limits)  // what every "none" printed, % of the damping force
     std::printf("%-32s %.2f\n", limit.first.c_str(), hidden::quantile(limit.second, 0.5));
   return 0;
@@ -61,7 +83,8 @@ std::string part_of(const std::string& page, size_t line) { return page + ".part
 int usage(bool asked) {
   (asked ? std::cout : std::cerr)
       << "usage: diagnosis_report [--share S] [--first-seed S] [--jobs N] [--finished-only] FILE.md\n"
-         "       diagnosis_report line [noise N] [n DRAWS] [seed S] [sensors xva] [hide none|one|two|outside|fault] [drive smooth|linear|steps] ...\n";
+         "       diagnosis_report line [noise N] [n DRAWS] [seed S] [sensors xva] [hide none|one|two|outside|fault] "
+         "[drive smooth|linear|steps] ...\n";
   return asked ? 0 : 2;
 }
 
@@ -76,7 +99,8 @@ void work(const std::vector<Line>& lines, const std::string& page, uint64_t seed
       write(out, t);
     }
     std::filesystem::rename(begun, whole);
-    std::cout << lines[i].title << ": exact " << t.exact << ", set " << t.set << " of " << t.draws << "\n" << std::flush;
+    std::cout << lines[i].title << ": exact " << t.exact << ", set " << t.set << " of " << t.draws << "\n"
+              << std::flush;
   }
 }
 
@@ -91,12 +115,18 @@ int main(int argc, char** argv) {
   bool finished_only = false;
   for (int i = 1; i < argc; ++i) {
     const std::string key = argv[i];
-    if (key == "--share" && i + 1 < argc) share = std::atof(argv[++i]);
-    else if (key == "--first-seed" && i + 1 < argc) seed = std::strtoull(argv[++i], nullptr, 10);
-    else if (key == "--jobs" && i + 1 < argc) jobs = std::max<size_t>(1, std::strtoull(argv[++i], nullptr, 10));
-    else if (key == "--finished-only") finished_only = true;
-    else if (key[0] == '-' || !page.empty()) return usage(key == "--help" || key == "-h");
-    else page = key;
+    if (key == "--share" && i + 1 < argc)
+      share = std::atof(argv[++i]);
+    else if (key == "--first-seed" && i + 1 < argc)
+      seed = std::strtoull(argv[++i], nullptr, 10);
+    else if (key == "--jobs" && i + 1 < argc)
+      jobs = std::max<size_t>(1, std::strtoull(argv[++i], nullptr, 10));
+    else if (key == "--finished-only")
+      finished_only = true;
+    else if (key[0] == '-' || !page.empty())
+      return usage(key == "--help" || key == "-h");
+    else
+      page = key;
   }
   if (page.empty()) return usage(false);
   const std::vector<Line> all = hidden::report_lines(share);

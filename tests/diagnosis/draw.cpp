@@ -59,17 +59,25 @@ struct Kind {
   const char* word;
   bool on_dof;
 };
-const Kind kVocabulary[] = {{"cubic_stiffness", false},    {"quadratic_stiffness", false},
-                            {"stiffness_error", false},    {"backlash", false},
-                            {"end_stop", false},           {"quadratic_damping", false},
-                            {"cubic_damping", false},      {"stribeck", false},
-                            {"presliding_hysteresis", false}, {"force_offset", false},
-                            {"asymmetric_viscous", false}, {"displacement_dependent_damping", false},
-                            {"missing_viscous", false},    {"missing_coulomb", false},
-                            {"drifting_viscous", false},   {"mass_error", true},
+const Kind kVocabulary[] = {{"cubic_stiffness", false},
+                            {"quadratic_stiffness", false},
+                            {"stiffness_error", false},
+                            {"backlash", false},
+                            {"end_stop", false},
+                            {"quadratic_damping", false},
+                            {"cubic_damping", false},
+                            {"stribeck", false},
+                            {"presliding_hysteresis", false},
+                            {"force_offset", false},
+                            {"asymmetric_viscous", false},
+                            {"displacement_dependent_damping", false},
+                            {"missing_viscous", false},
+                            {"missing_coulomb", false},
+                            {"drifting_viscous", false},
+                            {"mass_error", true},
                             {"unmodelled_resonance", true}};
-const Kind kOutside[] = {{"cogging", false}, {"switched_damper", false}, {"pulsating_stiffness", false},
-                         {"foreign_tone", true}};
+const Kind kOutside[] = {
+    {"cogging", false}, {"switched_damper", false}, {"pulsating_stiffness", false}, {"foreign_tone", true}};
 
 std::string place(const TrueRig& rig, const TrueEffect& e) {
   if (e.dof >= 0) return "dof " + std::to_string(e.dof + 1);
@@ -136,7 +144,8 @@ bool shape_effect(Dice& dice, TrueEffect& e, const TrueRig& rig, const Motion& m
   if (e.kind == "drifting_viscous" && dice.chance(0.5))  // levels off, as heating does
     e.shape = dice.log_between(0.1, 0.6) * static_cast<double>(motion.x[0].size()) * kPeriod;
   if (e.kind == "presliding_hysteresis") {
-    const double slides = dice.chance(0.5) ? dice.log_between(0.3, 5) : 0;  // LuGre's bristles are damped, Dahl's are not
+    const double slides =
+        dice.chance(0.5) ? dice.log_between(0.3, 5) : 0;  // LuGre's bristles are damped, Dahl's are not
     const bool shaped = bisect(1e-3 * ru, 0.5 * ru, [&](double length) { return link.F * dahl_deficit(w, length); });
     e.shape2 = slides * e.shape / rw;
     return shaped;
@@ -154,18 +163,19 @@ bool shape_effect(Dice& dice, TrueEffect& e, const TrueRig& rig, const Motion& m
   if (!positive) e.strength = sign;
   // a first coefficient from the undisturbed motion, by the same formula on one tiny run's scale
   const double guess = target / std::max(1e-300, [&] {
-    const std::string& k = e.kind;
-    if (k == "cubic_stiffness") return 3.9 * ru * ru * ru;
-    if (k == "quadratic_stiffness") return 1.7 * ru * ru;
-    if (k == "stiffness_error" || k == "pulsating_stiffness" || k == "end_stop") return ru;
-    if (k == "quadratic_damping") return 1.7 * rw * rw;
-    if (k == "cubic_damping") return 3.9 * rw * rw * rw;
-    if (k == "displacement_dependent_damping") return 3.9 * ru * ru * rw;
-    if (k == "asymmetric_viscous" || k == "missing_viscous" || k == "switched_damper") return rw;
-    if (k == "drifting_viscous") return 0.3 * rw;
-    if (k == "mass_error" || k == "unmodelled_resonance") return rms(motion.a[static_cast<size_t>(e.dof)]);
-    return 1.0;
-  }());
+                         const std::string& k = e.kind;
+                         if (k == "cubic_stiffness") return 3.9 * ru * ru * ru;
+                         if (k == "quadratic_stiffness") return 1.7 * ru * ru;
+                         if (k == "stiffness_error" || k == "pulsating_stiffness" || k == "end_stop") return ru;
+                         if (k == "quadratic_damping") return 1.7 * rw * rw;
+                         if (k == "cubic_damping") return 3.9 * rw * rw * rw;
+                         if (k == "displacement_dependent_damping") return 3.9 * ru * ru * rw;
+                         if (k == "asymmetric_viscous" || k == "missing_viscous" || k == "switched_damper") return rw;
+                         if (k == "drifting_viscous") return 0.3 * rw;
+                         if (k == "mass_error" || k == "unmodelled_resonance")
+                           return rms(motion.a[static_cast<size_t>(e.dof)]);
+                         return 1.0;
+                       }());
   e.strength *= guess;
   return true;
 }
@@ -206,10 +216,13 @@ bool hide_effect(Dice& dice, Scene& scene, Motion& plain, const Settings& s, boo
     e.kind = s.kind;
     on_dof = s.kind == "mass_error" || s.kind == "unmodelled_resonance" || s.kind == "foreign_tone";
   }
-  if (on_dof) e.dof = dice.below(static_cast<int>(scene.rig.mass_kg.size()));
-  else e.link = dice.below(static_cast<int>(scene.rig.links.size()));
+  if (on_dof)
+    e.dof = dice.below(static_cast<int>(scene.rig.mass_kg.size()));
+  else
+    e.link = dice.below(static_cast<int>(scene.rig.links.size()));
   for (const TrueEffect& other : scene.rig.effects)
-    if (other.link == e.link && other.dof == e.dof && (other.kind == e.kind || one_friction(other.kind, e.kind))) return false;
+    if (other.link == e.link && other.dof == e.dof && (other.kind == e.kind || one_friction(other.kind, e.kind)))
+      return false;
   const double rho = dice.between(s.rho_low, s.rho_high);
   if (e.kind == "missing_viscous" || (e.kind == "missing_coulomb" && dice.chance(0.5))) {
     TrueLink link;

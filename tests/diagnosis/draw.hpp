@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "hal/configuration/rig_model.hpp"
+#include "hal/rig_file/rig_model.hpp"
 #include "hidden_rig.hpp"
 #include "host_sim/records/record.hpp"
 
@@ -14,16 +14,16 @@ enum class Hide { kNothing, kOne, kTwo, kOutside, kSensorFault };
 
 struct Settings {
   Hide hide = Hide::kOne;
-  double noise = 0.01;            // of each channel's rms
-  std::string sensors = "xva";    // which of displacement, velocity, acceleration
-  double noise_corner_Hz = 0;     // first-order coloured noise with this corner; 0: white
-  int bits = 0;                   // quantised to this many bits over 1.25 times the channel's peak; 0: not at all
+  double noise = 0.01;          // of each channel's rms
+  std::string sensors = "xva";  // which of displacement, velocity, acceleration
+  double noise_corner_Hz = 0;   // first-order coloured noise with this corner; 0: white
+  int bits = 0;                 // quantised to this many bits over 1.25 times the channel's peak; 0: not at all
   double seconds = 20;
   Drive drive = Drive::kSmooth;
   double rho_low = 0.05, rho_high = 0.6;
-  std::string kind;               // only this effect
-  std::string channel;            // a sensor's fault: only in this channel
-  int dofs = 0;                   // only this many masses
+  std::string kind;     // only this effect
+  std::string channel;  // a sensor's fault: only in this channel
+  int dofs = 0;         // only this many masses
 };
 
 struct Hidden {
@@ -33,10 +33,10 @@ struct Hidden {
 };
 
 struct Draw {
-  rig_file::RigModel rig;      // what the engineer believes
-  host_sim::Record record;     // what the sensors say
+  rig_file::RigModel rig;   // what the engineer believes
+  host_sim::Record record;  // what the sensors say
   TrueRig true_rig;
-  std::vector<Hidden> truth;   // empty: nothing hidden; effect "outside": not in the vocabulary
+  std::vector<Hidden> truth;  // empty: nothing hidden; effect "outside": not in the vocabulary
 };
 
 Draw make_draw(uint64_t seed, const Settings& settings);

@@ -63,7 +63,8 @@ TEST(DriveHold, ADelayThatTheHoldWouldExplainIsNotNamed) {
     for (const diagnosis::Cause& c : held.causes) EXPECT_NE(c.effect, "sensor_delay") << "seed " << seed;
     if (held.verdict != diagnosis::Verdict::kNone || seed > 3) continue;
     none.drive = Drive::kSmooth;
-    EXPECT_GT(least_delay_of_force_s(held), 1.5 * least_delay_of_force_s(answer_to(make_draw(seed, none)))) << "seed " << seed;
+    EXPECT_GT(least_delay_of_force_s(held), 1.5 * least_delay_of_force_s(answer_to(make_draw(seed, none))))
+        << "seed " << seed;
   }
 }
 

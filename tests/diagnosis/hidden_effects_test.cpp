@@ -17,8 +17,10 @@ TEST(HiddenEffects, AreFoundInSixtyConsecutiveSeeds) {
     const hidden::Draw draw = hidden::make_draw(seed, settings);
     const diagnosis::Diagnosis answer = diagnosis::diagnose(draw.rig, {draw.record}, {});
     const hidden::Outcome outcome = hidden::judge(draw, answer);
-    if (outcome != hidden::Outcome::kWrong) ++right;
-    else std::cout << "seed " << seed << ", noise " << settings.noise << ", " << hidden::told(draw, answer) << "\n";
+    if (outcome != hidden::Outcome::kWrong)
+      ++right;
+    else
+      std::cout << "seed " << seed << ", noise " << settings.noise << ", " << hidden::told(draw, answer) << "\n";
     false_alarms += draw.truth.empty() && answer.verdict != diagnosis::Verdict::kNone;
   }
   // The marks are 95 to 98 % by class. 55 of 60 is what a method of 97 % misses once in 40 such sets.

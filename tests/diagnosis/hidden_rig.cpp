@@ -14,18 +14,49 @@ constexpr double kTwoPi = 6.283185307179586;
 constexpr double kAtRest = 1e-6;  // m/s; a located reversal is a thousand times closer to rest
 
 enum class Kind {
-  kCubicStiffness, kQuadraticStiffness, kStiffnessError, kBacklash, kEndStop,
-  kQuadraticDamping, kCubicDamping, kForceOffset, kAsymmetricViscous, kDisplacementDependentDamping,
-  kMissingViscous, kDriftingViscous, kCogging, kSwitchedDamper, kPulsatingStiffness,
-  kPreslidingHysteresis, kMissingCoulomb, kStribeck, kMassError, kForeignTone,
+  kCubicStiffness,
+  kQuadraticStiffness,
+  kStiffnessError,
+  kBacklash,
+  kEndStop,
+  kQuadraticDamping,
+  kCubicDamping,
+  kForceOffset,
+  kAsymmetricViscous,
+  kDisplacementDependentDamping,
+  kMissingViscous,
+  kDriftingViscous,
+  kCogging,
+  kSwitchedDamper,
+  kPulsatingStiffness,
+  kPreslidingHysteresis,
+  kMissingCoulomb,
+  kStribeck,
+  kMassError,
+  kForeignTone,
   kUnmodelledResonance
 };
-constexpr const char* kWords[] = {
-    "cubic_stiffness", "quadratic_stiffness", "stiffness_error", "backlash", "end_stop",
-    "quadratic_damping", "cubic_damping", "force_offset", "asymmetric_viscous", "displacement_dependent_damping",
-    "missing_viscous", "drifting_viscous", "cogging", "switched_damper", "pulsating_stiffness",
-    "presliding_hysteresis", "missing_coulomb", "stribeck", "mass_error", "foreign_tone",
-    "unmodelled_resonance"};  // in the order of Kind
+constexpr const char* kWords[] = {"cubic_stiffness",
+                                  "quadratic_stiffness",
+                                  "stiffness_error",
+                                  "backlash",
+                                  "end_stop",
+                                  "quadratic_damping",
+                                  "cubic_damping",
+                                  "force_offset",
+                                  "asymmetric_viscous",
+                                  "displacement_dependent_damping",
+                                  "missing_viscous",
+                                  "drifting_viscous",
+                                  "cogging",
+                                  "switched_damper",
+                                  "pulsating_stiffness",
+                                  "presliding_hysteresis",
+                                  "missing_coulomb",
+                                  "stribeck",
+                                  "mass_error",
+                                  "foreign_tone",
+                                  "unmodelled_resonance"};  // in the order of Kind
 
 Kind kind_of(const std::string& word) {
   const auto found = std::find(std::begin(kWords), std::end(kWords), word);
@@ -36,7 +67,7 @@ Kind kind_of(const std::string& word) {
 struct Integrator {
   const TrueRig& rig;
   size_t n, links;
-  std::vector<int> mode;  // per link: -1 or 1 sliding that way, 0 stuck
+  std::vector<int> mode;     // per link: -1 or 1 sliding that way, 0 stuck
   std::vector<double> hold;  // friction force of a stuck link
   std::vector<Kind> kind;    // per effect
   std::vector<int> memory;   // per effect: index of its first extra state, or -1
@@ -89,26 +120,42 @@ struct Integrator {
     const double u = elongation(s, l), w = rate(s, l), k = rig.links[l].k;
     const auto clip = [&] { return std::clamp(u, -e.shape, e.shape); };
     switch (kind[i]) {
-      case Kind::kCubicStiffness: return e.strength * u * u * u;
-      case Kind::kQuadraticStiffness: return e.strength * u * u;
-      case Kind::kStiffnessError: return e.strength * u;
-      case Kind::kBacklash: return -k * clip();
-      case Kind::kEndStop: return e.strength * (u - clip());
-      case Kind::kQuadraticDamping: return e.strength * w * std::abs(w);
-      case Kind::kCubicDamping: return e.strength * w * w * w;
-      case Kind::kForceOffset: return e.strength;
-      case Kind::kAsymmetricViscous: return e.strength * std::abs(w);
-      case Kind::kDisplacementDependentDamping: return e.strength * u * u * w;
-      case Kind::kMissingViscous: return e.strength * w;
-      case Kind::kDriftingViscous: return e.strength * w * drift(e.shape, std::max(t, 0.0));
-      case Kind::kCogging: return e.strength * std::sin(kTwoPi * u / e.shape);
-      case Kind::kSwitchedDamper: return std::fmod(t, e.shape) < 0.5 * e.shape ? e.strength * w : 0.0;
-      case Kind::kPulsatingStiffness: return e.strength * u * std::sin(kTwoPi * t / e.shape);
+      case Kind::kCubicStiffness:
+        return e.strength * u * u * u;
+      case Kind::kQuadraticStiffness:
+        return e.strength * u * u;
+      case Kind::kStiffnessError:
+        return e.strength * u;
+      case Kind::kBacklash:
+        return -k * clip();
+      case Kind::kEndStop:
+        return e.strength * (u - clip());
+      case Kind::kQuadraticDamping:
+        return e.strength * w * std::abs(w);
+      case Kind::kCubicDamping:
+        return e.strength * w * w * w;
+      case Kind::kForceOffset:
+        return e.strength;
+      case Kind::kAsymmetricViscous:
+        return e.strength * std::abs(w);
+      case Kind::kDisplacementDependentDamping:
+        return e.strength * u * u * w;
+      case Kind::kMissingViscous:
+        return e.strength * w;
+      case Kind::kDriftingViscous:
+        return e.strength * w * drift(e.shape, std::max(t, 0.0));
+      case Kind::kCogging:
+        return e.strength * std::sin(kTwoPi * u / e.shape);
+      case Kind::kSwitchedDamper:
+        return std::fmod(t, e.shape) < 0.5 * e.shape ? e.strength * w : 0.0;
+      case Kind::kPulsatingStiffness:
+        return e.strength * u * std::sin(kTwoPi * t / e.shape);
       case Kind::kPreslidingHysteresis: {
         const double z = s[static_cast<size_t>(memory[i])];
         return rig.links[l].F * (z + e.shape2 * (w - std::abs(w) * z) / e.shape);
       }
-      default: return 0;  // friction kinds are part of friction_level
+      default:
+        return 0;  // friction kinds are part of friction_level
     }
   }
   // derivative of the state; also fills hold[] for stuck links
@@ -180,7 +227,8 @@ struct Integrator {
       for (size_t l = 0; l < links; ++l) {
         if (mode[l] != 0) continue;
         const int a = rig.links[l].a, b = rig.links[l].b;
-        const double w = rate(s, l), ia = a >= 0 ? 1 / rig.mass_kg[static_cast<size_t>(a)] : 0, ib = b >= 0 ? 1 / rig.mass_kg[static_cast<size_t>(b)] : 0;
+        const double w = rate(s, l), ia = a >= 0 ? 1 / rig.mass_kg[static_cast<size_t>(a)] : 0,
+                     ib = b >= 0 ? 1 / rig.mass_kg[static_cast<size_t>(b)] : 0;
         if (a >= 0) s[n + static_cast<size_t>(a)] -= w * ia / (ia + ib);
         if (b >= 0) s[n + static_cast<size_t>(b)] += w * ib / (ia + ib);
         worst = std::max(worst, std::abs(w));
@@ -280,7 +328,8 @@ Motion integrate(const TrueRig& rig, const std::vector<double>& force, int subst
     const size_t base = sample * static_cast<size_t>(substeps) * 2;
     if (sample >= skip) {
       run.slope(s, t0, force[base], d);
-      for (size_t i = 0; i < run.n; ++i) m.x[i].push_back(s[i]), m.v[i].push_back(s[run.n + i]), m.a[i].push_back(d[run.n + i]);
+      for (size_t i = 0; i < run.n; ++i)
+        m.x[i].push_back(s[i]), m.v[i].push_back(s[run.n + i]), m.a[i].push_back(d[run.n + i]);
       for (size_t l = 0; l < run.links; ++l) {
         const double w = run.rate(s, l);
         const double slide = run.mode[l] == 0 ? run.hold[l] : run.mode[l] * rig.links[l].F;
@@ -293,7 +342,8 @@ Motion integrate(const TrueRig& rig, const std::vector<double>& force, int subst
       const auto between = [&](size_t i) {
         if (drive == Drive::kSmooth) return force[i];
         if (drive == Drive::kSteps) return force[base];
-        return force[base] + (force[end] - force[base]) * static_cast<double>(i - base) / static_cast<double>(end - base);
+        return force[base] +
+               (force[end] - force[base]) * static_cast<double>(i - base) / static_cast<double>(end - base);
       };
       run.substep(s, t0 + j * h, h, between(at), between(at + 1), between(at + 2));
     }

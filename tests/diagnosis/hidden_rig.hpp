@@ -18,8 +18,9 @@ struct TrueEffect {
   int link = -1;        // link effects
   int dof = -1;         // DOF effects
   double strength = 0;  // coefficient in SI units: N/m^3, N, kg, ...
-  double shape = 0;     // gap m, Stribeck velocity m/s, presliding length m, resonance Hz, pitch m, period s, drift's time constant s
-  double shape2 = 0;    // resonance: damping ratio; presliding: sigma1 / sigma0 of LuGre's bristles s (0: Dahl)
+  double shape =
+      0;  // gap m, Stribeck velocity m/s, presliding length m, resonance Hz, pitch m, period s, drift's time constant s
+  double shape2 = 0;  // resonance: damping ratio; presliding: sigma1 / sigma0 of LuGre's bristles s (0: Dahl)
 };
 
 struct TrueRig {

@@ -15,9 +15,13 @@ TEST(HiddenRig, FrictionNeverHoldsMoreThanItsLevel) {
   settings.hide = Hide::kNothing, settings.noise = 1e-7;
   const Draw draw = make_draw(9200064, settings);
   using host_sim::Quantity;
-  const auto channel = [&](Quantity q, int dof) -> const std::vector<double>& { return draw.record.find(q, dof)->values; };
-  const auto &x1 = channel(Quantity::kDisplacement, 1), &v1 = channel(Quantity::kVelocity, 1), &a1 = channel(Quantity::kAcceleration, 1);
-  const auto &x2 = channel(Quantity::kDisplacement, 2), &v2 = channel(Quantity::kVelocity, 2), &a2 = channel(Quantity::kAcceleration, 2);
+  const auto channel = [&](Quantity q, int dof) -> const std::vector<double>& {
+    return draw.record.find(q, dof)->values;
+  };
+  const auto &x1 = channel(Quantity::kDisplacement, 1), &v1 = channel(Quantity::kVelocity, 1),
+             &a1 = channel(Quantity::kAcceleration, 1);
+  const auto &x2 = channel(Quantity::kDisplacement, 2), &v2 = channel(Quantity::kVelocity, 2),
+             &a2 = channel(Quantity::kAcceleration, 2);
   const auto& f = channel(Quantity::kForce, 1);
   const std::vector<double>& m = draw.true_rig.mass_kg;
   const std::vector<TrueLink>& l = draw.true_rig.links;  // 1-0, 1-2, 2-0

@@ -42,7 +42,8 @@ std::string told(const Draw& draw, const diagnosis::Diagnosis& d) {
     std::snprintf(text, sizeof text, " %s on %s (rho %.3f)", name.c_str(), h.where.c_str(), h.rho);
     line += text;
   }
-  std::snprintf(text, sizeof text, " nothing%s; misfit %.3f to %.3f; answer: ", "", d.baseline_misfit, d.extended_misfit);
+  std::snprintf(text, sizeof text, " nothing%s; misfit %.3f to %.3f; answer: ", "", d.baseline_misfit,
+                d.extended_misfit);
   line += draw.truth.empty() ? text : std::string(text).substr(8);
   line += diagnosis::verdict_word(d.verdict);
   for (const diagnosis::Cause& c : d.causes) line += " " + c.effect + " on " + c.where;
@@ -50,7 +51,8 @@ std::string told(const Draw& draw, const diagnosis::Diagnosis& d) {
   for (const diagnosis::Cause& c : d.rejected) line += "; rejected: " + c.effect + " on " + c.where;
   for (const Hidden& h : draw.truth)
     for (const diagnosis::DetectionLimit& l : d.minimum_detectable)
-      if (l.effect == h.effect && l.where == h.where && std::isinf(l.strength)) line += "; said not to show in these data";
+      if (l.effect == h.effect && l.where == h.where && std::isinf(l.strength))
+        line += "; said not to show in these data";
   if (!d.unknown_trace.empty()) line += "; trace: " + d.unknown_trace;
   return line;
 }

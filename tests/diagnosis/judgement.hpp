@@ -8,8 +8,8 @@
 namespace hidden {
 
 enum class Outcome {
-  kExact,   // every hidden effect by name and place, nothing else; "none" where nothing is hidden; "unknown" outside
-  kSet,     // the same, but an effect is one of a set of equivalents
+  kExact,  // every hidden effect by name and place, nothing else; "none" where nothing is hidden; "unknown" outside
+  kSet,    // the same, but an effect is one of a set of equivalents
   kWrong
 };
 

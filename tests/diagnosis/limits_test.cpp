@@ -41,7 +41,8 @@ TEST(Limits, NoneListsWhatWouldHaveBeenSeen) {
   for (const char* effect : {"cubic_stiffness", "end_stop", "force_offset", "asymmetric_viscous", "drifting_viscous"})
     EXPECT_NE(find(answer, effect, "link 1-0"), nullptr) << effect;
   for (const char* fault : {"sensor_delay", "sensor_gain", "mains_hum"})
-    for (const char* channel : {"channel displacement_1_m", "channel velocity_1_m_s", "channel acceleration_1_m_s2", "channel force_1_N"})
+    for (const char* channel :
+         {"channel displacement_1_m", "channel velocity_1_m_s", "channel acceleration_1_m_s2", "channel force_1_N"})
       EXPECT_NE(find(answer, fault, channel), nullptr) << fault << " of " << channel;
   for (const DetectionLimit& limit : answer.minimum_detectable) {
     EXPECT_EQ(find(answer, limit.effect, limit.where), &limit) << limit.effect << " twice on " << limit.where;
@@ -76,7 +77,8 @@ TEST(Limits, AGainErrorAboveItsLimitIsNamedAndOneFarBelowIsNot) {
   for (uint64_t seed : {21, 22, 23}) {
     double lowest = 1, highest = 0;
     for (const DetectionLimit& l : answer_to(nothing(seed, "xva")).minimum_detectable)
-      if (l.effect == "sensor_gain" && l.where != "channel force_1_N") lowest = std::min(lowest, l.strength), highest = std::max(highest, l.strength);
+      if (l.effect == "sensor_gain" && l.where != "channel force_1_N")
+        lowest = std::min(lowest, l.strength), highest = std::max(highest, l.strength);
     Settings settings;
     settings.hide = Hide::kSensorFault, settings.kind = "sensor_gain", settings.channel = "velocity_1_m_s";
     settings.rho_low = settings.rho_high = 1.6 * highest;

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "hal/configuration/rig_reader.hpp"
+#include "hal/rig_file/rig_reader.hpp"
 #include "host_sim/diagnosis/diagnosis.hpp"
 #include "host_sim/records/record_reader.hpp"
 
@@ -20,7 +20,8 @@ class MeasuredRigs : public ::testing::Test {
     shared_ = set ? std::string(set) : std::string(SOURCE_DIR) + "/../shared";
     if (!std::filesystem::exists(shared_ + "/measured")) GTEST_SKIP() << "no recordings in " << shared_ << "/measured";
   }
-  Diagnosis diagnosed(const std::string& rig_file, const std::vector<std::string>& data, const std::vector<std::string>& holdout) {
+  Diagnosis diagnosed(const std::string& rig_file, const std::vector<std::string>& data,
+                      const std::vector<std::string>& holdout) {
     rig_file::RigModel rig = rig_file::read_rig_file(shared_ + "/contract/" + rig_file);
     if (without_coulomb_) rig.links[0].coulomb_N = {};
     return diagnosis::diagnose(rig, read(data, rig), read(holdout, rig));
@@ -72,8 +73,9 @@ TEST_F(MeasuredRigs, PendulumOfItsAuthorsHasViscousFrictionOnly) {
 }
 
 TEST_F(MeasuredRigs, DamperWithStaticForceAndHysteresis) {
-  const Diagnosis d = diagnosed("mr_damper.toml", {"mr_damper_0V_record_01.csv", "mr_damper_0V_record_03.csv", "mr_damper_0V_record_05.csv"},
-                                {"mr_damper_0V_record_07.csv", "mr_damper_0V_record_09.csv"});
+  const Diagnosis d = diagnosed(
+      "mr_damper.toml", {"mr_damper_0V_record_01.csv", "mr_damper_0V_record_03.csv", "mr_damper_0V_record_05.csv"},
+      {"mr_damper_0V_record_07.csv", "mr_damper_0V_record_09.csv"});
   EXPECT_EQ(names(d), (Names{"force_offset on link 1-0", "presliding_hysteresis on link 1-0"}));
   EXPECT_GT(d.gain[0], 10);
 }

@@ -163,7 +163,8 @@ TEST(Projection, DisturbancesOfEveryDofExplainWhatAFitWithThemShows) {
 TEST(Projection, AColumnThatOthersMakeUpIsLeftOut) {
   Problem p;
   const Projection fit = p.fit();
-  p.columns.push_back({p.columns[1].place, std::make_shared<Spectra>(1, 2 * (*p.columns[1].spectra)[0] - (*p.columns[4].spectra)[0])});
+  p.columns.push_back(
+      {p.columns[1].place, std::make_shared<Spectra>(1, 2 * (*p.columns[1].spectra)[0] - (*p.columns[4].spectra)[0])});
   const Projection again = p.fit();
   EXPECT_NEAR(again.value(5), 0, 1e-9);
   EXPECT_NEAR(again.chi2(), fit.chi2(), 1e-8);

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
-#include "hal/configuration/effect_words.hpp"
+#include "hal/rig_file/effect_words.hpp"
 #include "sensors.hpp"
 
 namespace hidden {
@@ -29,9 +29,12 @@ bool add_truth(const Draw& draw, rig_file::RigModel& rig) {
   const TrueLink& true_link = draw.true_rig.links[static_cast<size_t>(e.link)];
   for (rig_file::Link& link : rig.links) {
     if (link.a != true_link.a + 1 || link.b != true_link.b + 1) continue;
-    if (e.kind == "stiffness_error") link.stiffness_N_m.value += e.strength;
-    else if (e.kind == "missing_viscous") link.viscous_N_s_m = {0, true};
-    else if (e.kind == "missing_coulomb") link.coulomb_N = {0, true};
+    if (e.kind == "stiffness_error")
+      link.stiffness_N_m.value += e.strength;
+    else if (e.kind == "missing_viscous")
+      link.viscous_N_s_m = {0, true};
+    else if (e.kind == "missing_coulomb")
+      link.coulomb_N = {0, true};
     else {
       rig_file::Effect effect;
       effect.kind = e.kind, effect.coefficient = {0, true};
@@ -97,8 +100,12 @@ std::vector<Line> report_lines(double share) {
     Settings one = setting(Hide::kOne, 0.01, sensors);
     one.rho_low = 0.1;
     const bool asked = sensors.size() == 1;
-    add("one effect over 0.1, 1 % noise, sensors " + sensors, one, asked ? 200 : 40, sensors == "x" ? 85 : sensors == "a" ? 60 : 0);
-    add("nothing, 1 % noise, sensors " + sensors, setting(Hide::kNothing, 0.01, sensors), asked ? 200 : 40, asked ? 98 : 0);
+    add("one effect over 0.1, 1 % noise, sensors " + sensors, one, asked ? 200 : 40,
+        sensors == "x"   ? 85
+        : sensors == "a" ? 60
+                         : 0);
+    add("nothing, 1 % noise, sensors " + sensors, setting(Hide::kNothing, 0.01, sensors), asked ? 200 : 40,
+        asked ? 98 : 0);
     if (asked) add("sensor fault, 1 % noise, sensors " + sensors, setting(Hide::kSensorFault, 0.01, sensors), 100, 0);
   }
   Settings coloured = setting(Hide::kNothing, 0.01), coarse = setting(Hide::kNothing, 0.001);
@@ -108,7 +115,8 @@ std::vector<Line> report_lines(double share) {
   for (Drive drive : {Drive::kLinear, Drive::kSteps}) {
     Settings one = setting(Hide::kOne, 0.01), none = setting(Hide::kNothing, 0.01);
     one.drive = none.drive = drive;
-    const std::string way = drive == Drive::kLinear ? ", force straight between samples" : ", force held between samples";
+    const std::string way =
+        drive == Drive::kLinear ? ", force straight between samples" : ", force held between samples";
     add("one effect, 1 % noise" + way, one, 100, 0);
     add("nothing, 1 % noise" + way, none, 100, 0);
   }
@@ -136,8 +144,10 @@ Tally run_line(const Line& line, uint64_t first_seed, std::ostream* list) {
     const Outcome outcome = judge(draw, answer);
     ++t.draws, t.exact += outcome == Outcome::kExact, t.set += outcome == Outcome::kSet;
     const std::string truth = draw.truth.empty() ? "nothing" : draw.truth[0].effect;
-    const std::string said = outcome == Outcome::kExact ? "exact" : outcome == Outcome::kSet ? "in a set"
-                             : answer.causes.empty() ? diagnosis::verdict_word(answer.verdict) : answer.causes[0].effect;
+    const std::string said = outcome == Outcome::kExact ? "exact"
+                             : outcome == Outcome::kSet ? "in a set"
+                             : answer.causes.empty()    ? diagnosis::verdict_word(answer.verdict)
+                                                        : answer.causes[0].effect;
     ++t.confusion[truth][said];
     if (!draw.truth.empty()) {
       auto& bin = t.power[static_cast<int>(draw.truth[0].rho * 10)];
@@ -148,7 +158,8 @@ Tally run_line(const Line& line, uint64_t first_seed, std::ostream* list) {
         const double percent = percent_of(draw.record, l);
         if (percent > 0 && std::isfinite(percent)) t.limits[limit_name(l)].push_back(percent);
       }
-    if (outcome == Outcome::kExact && line.settings.hide == Hide::kOne && line.settings.sensors == "xva" && line.settings.drive == Drive::kSmooth && i % 4 == 0)
+    if (outcome == Outcome::kExact && line.settings.hide == Hide::kOne && line.settings.sensors == "xva" &&
+        line.settings.drive == Drive::kSmooth && i % 4 == 0)
       compare_gain(draw, answer, t);
     if (outcome == Outcome::kExact) continue;
     const std::string text = (outcome == Outcome::kSet ? "set   " : "wrong ") + std::to_string(seed) +
@@ -166,9 +177,10 @@ double quantile(std::vector<double> v, double share) {
 }
 
 void write(std::ostream& out, const Tally& t) {
-  out << nlohmann::json{{"draws", t.draws}, {"exact", t.exact}, {"set", t.set}, {"seconds", t.seconds}, {"slowest", t.slowest},
-                        {"confusion", t.confusion}, {"power", t.power}, {"gain_shares", t.gain_shares}, {"limits", t.limits},
-                        {"misses", t.misses}};
+  out << nlohmann::json{
+      {"draws", t.draws},     {"exact", t.exact},         {"set", t.set},     {"seconds", t.seconds},
+      {"slowest", t.slowest}, {"confusion", t.confusion}, {"power", t.power}, {"gain_shares", t.gain_shares},
+      {"limits", t.limits},   {"misses", t.misses}};
 }
 
 Tally read_tally(std::istream& in) {

@@ -61,7 +61,8 @@ void sensor_fault(Dice& dice, Draw& draw, const Settings& s) {
   if (truth.effect == "sensor_delay") {
     truth.strength = truth.rho * 0.01;  // 0.1 to 1 ms
     const Values old = channel.values;
-    for (size_t i = 0; i < old.size(); ++i) channel.values[i] = at(old, static_cast<double>(i) - truth.strength / kPeriod);
+    for (size_t i = 0; i < old.size(); ++i)
+      channel.values[i] = at(old, static_cast<double>(i) - truth.strength / kPeriod);
   } else if (truth.effect == "sensor_gain") {
     truth.strength = sign * truth.rho;
     for (double& v : channel.values) v *= 1 + truth.strength;
@@ -105,8 +106,11 @@ Settings settings_of_seed(uint64_t seed) {
   Settings s;
   s.noise = dice.chance(0.5) ? 0.01 : 0.05;
   const double r = dice.uniform();
-  s.hide = r < 0.15 ? Hide::kNothing : r < 0.65 ? Hide::kOne : r < 0.8 ? Hide::kTwo
-           : r < 0.9 ? Hide::kOutside : Hide::kSensorFault;
+  s.hide = r < 0.15   ? Hide::kNothing
+           : r < 0.65 ? Hide::kOne
+           : r < 0.8  ? Hide::kTwo
+           : r < 0.9  ? Hide::kOutside
+                      : Hide::kSensorFault;
   return s;
 }
 

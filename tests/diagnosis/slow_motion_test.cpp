@@ -15,7 +15,8 @@ constexpr double kMass = 1, kStiffness = 1e4, kViscous = 20;
 
 // Force of m x'' + c x' + k x for x = amplitude cos(omega t).
 double force_for(double amplitude, double omega, double t_s) {
-  return amplitude * ((kStiffness - kMass * omega * omega) * std::cos(omega * t_s) - kViscous * omega * std::sin(omega * t_s));
+  return amplitude *
+         ((kStiffness - kMass * omega * omega) * std::cos(omega * t_s) - kViscous * omega * std::sin(omega * t_s));
 }
 
 // 20 s at 1 kHz of x = 0.5 mm + 0.2 mm cos(slow) + 1 mm cos(fast), seen by an accelerometer: 2 mm/s^2 of 4 m/s^2 are slow.
@@ -37,8 +38,10 @@ struct Plant {
     std::normal_distribution<double> normal;
     for (int i = 0; i < 20000; ++i) {
       const double t_s = 1e-3 * i;
-      force.values.push_back(5e-4 * kStiffness + force_for(2e-4, kSlow, t_s) + force_for(1e-3, kFast, t_s) + 1e-6 * normal(dice));
-      acceleration.values.push_back(-1e-3 * kFast * kFast * std::cos(kFast * t_s) - 2e-4 * kSlow * kSlow * std::cos(kSlow * t_s) + 1e-6 * normal(dice));
+      force.values.push_back(5e-4 * kStiffness + force_for(2e-4, kSlow, t_s) + force_for(1e-3, kFast, t_s) +
+                             1e-6 * normal(dice));
+      acceleration.values.push_back(-1e-3 * kFast * kFast * std::cos(kFast * t_s) -
+                                    2e-4 * kSlow * kSlow * std::cos(kSlow * t_s) + 1e-6 * normal(dice));
     }
     record.channels = {force, acceleration};
   }
@@ -65,12 +68,14 @@ TEST(SlowMotion, IsWhatBalancesTheForce) {
   const System system = make_system(plant.rig);
   std::vector<FusedRecord> records{plant.fused()};
   const std::vector<ActiveTerm> model = model_of(system, records);
-  EXPECT_LT(std::abs(records[0].motion[0].smooth_x.segment(9000, 2000).mean()), 1e-5);  // of 0.5 mm, which no acceleration tells
+  EXPECT_LT(std::abs(records[0].motion[0].smooth_x.segment(9000, 2000).mean()),
+            1e-5);  // of 0.5 mm, which no acceleration tells
   add_slow_motion(records[0], system, model, 0);
   const DofMotion& m = records[0].motion[0];
   EXPECT_NEAR(m.smooth_x[10000], 1.7e-3, 7e-6);
   EXPECT_NEAR(m.smooth_x[10050], -0.5e-3 + 2e-4 * std::cos(kSlow * 0.05), 7e-6);
-  EXPECT_NEAR(m.smooth_v[10500], -2e-4 * kSlow, 0.05 * 2e-4 * kSlow);  // a quarter of the slow period on: fast velocity 0, slow at its peak
+  EXPECT_NEAR(m.smooth_v[10500], -2e-4 * kSlow,
+              0.05 * 2e-4 * kSlow);  // a quarter of the slow period on: fast velocity 0, slow at its peak
   const Series once = m.smooth_x;
   add_slow_motion(records[0], system, model, 0);  // it takes the place of what was there
   EXPECT_LT((records[0].motion[0].smooth_x - once).cwiseAbs().maxCoeff(), 1e-9);

@@ -51,7 +51,8 @@ TEST(Terms, ToneKeepsItsPhaseThroughALongRecord) {
   record.samples = 600000, record.period_s = 1e-3;
   record.motion.resize(1), record.force.resize(1);
   const auto force = [&](Kind kind) { return term_force(on_dof(kind, 0, 30, 0.001), record, {}); };
-  const Series cosine = force(Kind::kResonanceCos), sine = force(Kind::kResonanceSin), hum = force(Kind::kForceHumSin50);
+  const Series cosine = force(Kind::kResonanceCos), sine = force(Kind::kResonanceSin),
+               hum = force(Kind::kForceHumSin50);
   const double pi = 3.14159265358979323846;
   for (Eigen::Index i : {0, 7, 1000, 20000, 599999}) {
     const double t = 1e-3 * static_cast<double>(i), left = std::exp(-0.001 * 60 * pi * t);

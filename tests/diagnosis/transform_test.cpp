@@ -21,8 +21,10 @@ host_sim::Record record_of(const std::string& sensors, double zero) {
   };
   const double quarter = 1.5707963267948966;
   if (sensors.find('x') != std::string::npos) add(host_sim::Quantity::kDisplacement, "displacement_1_m", 1e-3, 0);
-  if (sensors.find('v') != std::string::npos) add(host_sim::Quantity::kVelocity, "velocity_1_m_s", 1e-3 * kOmega, quarter);
-  if (sensors.find('a') != std::string::npos) add(host_sim::Quantity::kAcceleration, "acceleration_1_m_s2", 1e-3 * kOmega * kOmega, 2 * quarter);
+  if (sensors.find('v') != std::string::npos)
+    add(host_sim::Quantity::kVelocity, "velocity_1_m_s", 1e-3 * kOmega, quarter);
+  if (sensors.find('a') != std::string::npos)
+    add(host_sim::Quantity::kAcceleration, "acceleration_1_m_s2", 1e-3 * kOmega * kOmega, 2 * quarter);
   return record;
 }
 

@@ -16,7 +16,8 @@ double to_double(PackedScaled p) {
 }  // namespace
 
 TEST(PackedScaled, KeepsFortySevenBits) {
-  for (int64_t value : {int64_t{1}, int64_t{-1}, int64_t{123456789012345}, (int64_t{1} << 62) - 1, -((int64_t{1} << 62) - 1)}) {
+  for (int64_t value :
+       {int64_t{1}, int64_t{-1}, int64_t{123456789012345}, (int64_t{1} << 62) - 1, -((int64_t{1} << 62) - 1)}) {
     for (int exponent : {-300, 0, 300}) {
       const double exact = std::ldexp(static_cast<double>(value), exponent);
       EXPECT_NEAR(to_double(pack(Scaled::from_int(value, exponent))), exact, std::ldexp(std::fabs(exact), -47));

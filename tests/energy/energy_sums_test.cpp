@@ -114,7 +114,8 @@ TEST(EnergySums, AgreeWithLongDoubleSumsOfTheSameCodes) {
   std::vector<RawSample> s;
   for (uint32_t n = 0; n < samples; ++n) s.push_back(sample_at(n));
   const auto z = [&](size_t n) {
-    return (-s[n - 2].code[0][2] + 4.0L * s[n - 1].code[0][2] + 4.0L * s[n + 1].code[0][2] - s[n + 2].code[0][2]) / 6.0L;
+    return (-s[n - 2].code[0][2] + 4.0L * s[n - 1].code[0][2] + 4.0L * s[n + 1].code[0][2] - s[n + 2].code[0][2]) /
+           6.0L;
   };
   // Trapezoid from sample 3 to sample 1495, with end slopes by central differences (Gregory to second order).
   const auto integral = [&](auto f) {
@@ -139,8 +140,8 @@ TEST(EnergySums, AgreeWithLongDoubleSumsOfTheSameCodes) {
   near(sum.column[1][1], integral([&](size_t n) { return unit * z(n) * (v1(n) - v2(n)); }));
   near(sum.dof[0].velocity_instrument, integral([&](size_t n) { return unit * z(n) * v1(n); }));
   const auto x1 = [&](size_t n) { return unit * s[n].code[0][1]; };
-  near(sum.dof[0].elastic_discrepancy[0], integral([&](size_t n) { return v1(n) * x1(n); }) -
-                                              0.5L * (x1(samples - 4) * x1(samples - 4) - x1(3) * x1(3)));
+  near(sum.dof[0].elastic_discrepancy[0],
+       integral([&](size_t n) { return v1(n) * x1(n); }) - 0.5L * (x1(samples - 4) * x1(samples - 4) - x1(3) * x1(3)));
 }
 
 TEST(EnergySums, WithoutAccelerationTheKineticEnergyComesFromTheEndPoints) {

@@ -16,7 +16,8 @@ const std::vector<Example>& all() {
        "three to be estimated.\n",
        "**What it says.** c = 194 - 40 sgn(w): near 154 N s/m one way and 234 the other. The authors of the benchmark "
        "found\n"
-       "166.7 and 240.4 and put it down to fatigue of the screw. A static force, the other candidate, leaves four times "
+       "166.7 and 240.4 and put it down to fatigue of the screw. A static force, the other candidate, leaves four "
+       "times "
        "the\n"
        "error. Nothing holds the carriage in its place, so the simulation is judged over spans of one second, each "
        "from the\n"
@@ -31,7 +32,8 @@ const std::vector<Example>& all() {
        {},
        "A single pendulum let go at about 1.5 rad: 55 s at 1 kHz, only the angle (Kaheman et al. 2022). Nothing drives "
        "it.\n"
-       "The rig file knows gravity, viscous and Coulomb friction; the authors used viscous friction alone. With their rig "
+       "The rig file knows gravity, viscous and Coulomb friction; the authors used viscous friction alone. With their "
+       "rig "
        "file\n"
        "(delete its line `coulomb_N_m`) both `missing_coulomb` and `quadratic_damping` are named.\n",
        "**What it says.** Viscous damping is the middle way between two laws that are really there: a friction of the "
@@ -56,7 +58,8 @@ const std::vector<Example>& all() {
        "records are held out.\n",
        "**What it says.** The gas spring of the damper pushes with 134 N, which no rig file of a plain damper "
        "mentions; the\n"
-       "friction does not jump when the motion turns but builds up over some 0.04 mm. The published Dahl model has 0.80 "
+       "friction does not jump when the motion turns but builds up over some 0.04 mm. The published Dahl model has "
+       "0.80 "
        "N/(mm/s),\n"
        "50.2 N and 42.7 1/mm (0.023 mm), and a static force. A late force channel (15 ms) would look alike; it leaves "
        "more of\n"

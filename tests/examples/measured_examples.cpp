@@ -4,7 +4,7 @@
 #include <exception>
 #include <filesystem>
 
-#include "hal/configuration/rig_reader.hpp"
+#include "hal/rig_file/rig_reader.hpp"
 #include "host_sim/records/output_file.hpp"
 #include "host_sim/records/record_reader.hpp"
 #include "host_sim/reports/from_diagnosis.hpp"

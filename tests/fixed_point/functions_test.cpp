@@ -17,7 +17,7 @@ TEST(Functions, SineOverTheWholeTurn) {
 
 TEST(Functions, SineAtItsCorners) {
   EXPECT_EQ(sine_of_turns(0).raw, 0);
-  EXPECT_NEAR(sine_of_turns(0x40000000u).raw, 1 << 30, 20);   // quarter turn: 1
+  EXPECT_NEAR(sine_of_turns(0x40000000u).raw, 1 << 30, 20);  // quarter turn: 1
   EXPECT_NEAR(sine_of_turns(0xC0000000u).raw, -(1 << 30), 20);
   EXPECT_NEAR(sine_of_turns(0x80000000u).raw, 0, 20);
 }

@@ -31,9 +31,9 @@ TEST(Scaled, ByHand) {
   EXPECT_EQ(value(sqrt(Scaled::from_int(144))), 12.0L);
   EXPECT_EQ(value(sqrt(Scaled::ratio(1, 16))), 0.25L);
   EXPECT_TRUE(sqrt(Scaled::from_int(-1)).is_zero());
-  EXPECT_EQ(to_fixed(Scaled::ratio(5, 2), 0), 3);    // halves away from zero
+  EXPECT_EQ(to_fixed(Scaled::ratio(5, 2), 0), 3);  // halves away from zero
   EXPECT_EQ(to_fixed(Scaled::ratio(-5, 2), 0), -3);
-  EXPECT_EQ(to_fixed(Scaled::ratio(1, 3), 16), 21845);  // 65536 / 3 = 21845.33
+  EXPECT_EQ(to_fixed(Scaled::ratio(1, 3), 16), 21845);                      // 65536 / 3 = 21845.33
   EXPECT_EQ(to_fixed(Scaled::from_int(1, 80), 0), (int64_t{1} << 62) - 1);  // saturates
   EXPECT_EQ(to_fixed(Scaled::from_int(1, -80), 0), 0);
   EXPECT_EQ(log2_floor(Scaled::from_int(8)), 3);
@@ -46,7 +46,8 @@ TEST(Scaled, KeepsItsNormalForm) {
     const uint64_t magnitude = static_cast<uint64_t>(s.mantissa < 0 ? -s.mantissa : s.mantissa);
     EXPECT_GE(magnitude, uint64_t{1} << 61);
     EXPECT_LT(magnitude, uint64_t{1} << 62);
-    EXPECT_NEAR(static_cast<double>(value(s)), static_cast<double>(v), std::ldexp(std::fabs(static_cast<double>(v)), -52));
+    EXPECT_NEAR(static_cast<double>(value(s)), static_cast<double>(v),
+                std::ldexp(std::fabs(static_cast<double>(v)), -52));
   }
 }
 

@@ -75,7 +75,8 @@ TEST_F(Diagnose, TheExtendedRigIsEstimatedByTheCore) {
 
 // Beside the spring that was found nothing is left: what would have been seen is listed, as coefficients and as shares of force.
 TEST_F(Diagnose, NothingIsLeftBesideTheExtendedRig) {
-  ASSERT_EQ(host_sim({"diagnose", "--rig", "rig.toml", "--data", "hidden.csv", "--extended-rig", "extended.toml"}).status, 0);
+  ASSERT_EQ(
+      host_sim({"diagnose", "--rig", "rig.toml", "--data", "hidden.csv", "--extended-rig", "extended.toml"}).status, 0);
   const auto result = host_sim({"diagnose", "--rig", "extended.toml", "--data", "hidden.csv", "--report", "report"});
   ASSERT_EQ(result.status, 0) << result.errors;
   EXPECT_NE(result.output.find("\nnone: "), std::string::npos) << result.output;

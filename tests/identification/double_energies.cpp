@@ -3,7 +3,7 @@
 #include <cmath>
 #include <functional>
 
-#include "hal/configuration/scaled_double.hpp"
+#include "hal/rig_file/scaled_double.hpp"
 
 namespace reference {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "hal/configuration/scaled_double.hpp"
+#include "hal/rig_file/scaled_double.hpp"
 
 namespace reference {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "firmware/identification/identification.hpp"
-#include "hal/configuration/scaled_double.hpp"
+#include "hal/rig_file/scaled_double.hpp"
 
 namespace hand {
 

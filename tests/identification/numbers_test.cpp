@@ -3,7 +3,7 @@
 
 #include "firmware/identification/givens.hpp"
 #include "firmware/identification/student_quantile.hpp"
-#include "hal/configuration/scaled_double.hpp"
+#include "hal/rig_file/scaled_double.hpp"
 
 namespace {
 

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "hal/configuration/scaled_double.hpp"
+#include "hal/rig_file/scaled_double.hpp"
 #include "host_sim/plant/scenario.hpp"
 #include "tests/accuracy/redraw.hpp"
 #include "tests/identification/double_energies.hpp"

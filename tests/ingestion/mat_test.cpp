@@ -1,7 +1,7 @@
 // MAT files: written with libmatio, read back; structs, number classes, and what is refused.
 #include <gtest/gtest.h>
-#include <unistd.h>
 #include <matio.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <cstdio>

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "hal/configuration/rig_reader.hpp"
+#include "hal/rig_file/rig_reader.hpp"
 #include "host_sim/records/data_file_error.hpp"
 
 namespace test_rigs {

@@ -1,6 +1,6 @@
 // Small rigs whose motion can be worked out by hand.
 #pragma once
-#include "hal/configuration/rig_model.hpp"
+#include "hal/rig_file/rig_model.hpp"
 
 namespace plant_test {
 

@@ -93,7 +93,7 @@ TEST(RunScenario, ProgressIsToldInOrder) {
   EXPECT_EQ(sink.begins, 1);
   EXPECT_EQ(sink.share, 1.0);
   EXPECT_EQ(sink.heartbeats, 33);  // boot-up at 0, each 100 ms of 3.128 s, one when all is done
-  EXPECT_EQ(sink.windows, 3);  // after 1000 and 2000 samples, and at the level's end
+  EXPECT_EQ(sink.windows, 3);      // after 1000 and 2000 samples, and at the level's end
   EXPECT_EQ(sink.lasts, 1);
 }
 

@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "hal/configuration/compile_rig.hpp"
+#include "hal/rig_file/compile_rig.hpp"
 #include "tests/plant/scenario_texts.hpp"
 
 namespace {
@@ -62,7 +62,8 @@ TEST(Scenario, LengthsAreSecondsOrCycles) {
 }
 
 TEST(Scenario, RigAndPlantMayStandInFilesBesideIt) {
-  const std::filesystem::path folder = std::filesystem::temp_directory_path() / ("scenario_test_" + std::to_string(getpid()));
+  const std::filesystem::path folder =
+      std::filesystem::temp_directory_path() / ("scenario_test_" + std::to_string(getpid()));
   std::filesystem::create_directories(folder);
   const std::string rig =
       "schema = \"rig/1\"\n[[dof]]\nmass_kg = 1.0\n[[link]]\nbetween = [1, 0]\nstiffness_N_m = 100.0\nviscous_N_s_m = "

@@ -5,7 +5,7 @@
 #include <chrono>
 #include <random>
 
-#include "hal/configuration/rig_reader.hpp"
+#include "hal/rig_file/rig_reader.hpp"
 #include "host_sim/records/csv_reader.hpp"
 #include "host_sim/records/csv_writer.hpp"
 #include "host_sim/records/data_file_error.hpp"

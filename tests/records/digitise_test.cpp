@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "hal/configuration/rig_reader.hpp"
+#include "hal/rig_file/rig_reader.hpp"
 #include "host_sim/records/csv_reader.hpp"
 
 namespace {

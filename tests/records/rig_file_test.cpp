@@ -1,9 +1,9 @@
 // The rig file: what is read, how its unknowns are numbered and named, and that it is written back as it was.
 #include <gtest/gtest.h>
 
-#include "hal/configuration/compile_rig.hpp"
-#include "hal/configuration/rig_reader.hpp"
-#include "hal/configuration/rig_writer.hpp"
+#include "hal/rig_file/compile_rig.hpp"
+#include "hal/rig_file/rig_reader.hpp"
+#include "hal/rig_file/rig_writer.hpp"
 
 namespace {
 
@@ -66,7 +66,9 @@ TEST(RigFile, ReadsValuesUnknownsEffectsAndChannels) {
 
 TEST(RigFile, ADriftMayLevelOffOrNot) {
   const std::string drift = "[[link.effect]]\nkind = \"drifting_viscous\"\ncoefficient = 0.5\n";
-  const auto shapes = [](const std::string& text) { return rig_file::parse_rig(text, "rig.toml").links.back().effects.back().shape; };
+  const auto shapes = [](const std::string& text) {
+    return rig_file::parse_rig(text, "rig.toml").links.back().effects.back().shape;
+  };
   EXPECT_TRUE(shapes(kPendulum + drift).empty());
   EXPECT_EQ(shapes(kPendulum + drift + "drift_time_s = 4.0\n").at("drift_time_s"), 4.0);
   EXPECT_THROW(shapes(kPendulum + drift + "drift_time_s = 0\n"), std::exception);

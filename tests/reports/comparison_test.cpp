@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hal/configuration/rig_reader.hpp"
+#include "hal/rig_file/rig_reader.hpp"
 #include "host_sim/plant/simulate.hpp"
 #include "host_sim/reports/free_simulation.hpp"
 

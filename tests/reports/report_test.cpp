@@ -70,7 +70,8 @@ TEST(DiagnosisPage, TablesOfWhatWouldHaveBeenSeen) {
   using Cells = std::vector<std::string>;
   EXPECT_EQ(tables[0].heading, (Cells{"effect", "link 1-0", "link 1-2"}));
   ASSERT_EQ(tables[0].rows.size(), 2u);
-  EXPECT_EQ(tables[0].rows[0], (Cells{"cubic stiffness", "4.1 × 10<sup>5</sup> N/m³<br><span class=\"dim\">1.5 %</span>", ""}));
+  EXPECT_EQ(tables[0].rows[0],
+            (Cells{"cubic stiffness", "4.1 × 10<sup>5</sup> N/m³<br><span class=\"dim\">1.5 %</span>", ""}));
   EXPECT_EQ(tables[0].rows[1], (Cells{"force offset", "", "<span class=\"dim\">not in these data</span>"}));
   EXPECT_EQ(tables[1].heading, (Cells{"effect", "dof 2"}));
   EXPECT_EQ(tables[2].heading, (Cells{"channel", "sensor gain", "mains hum"}));
@@ -145,17 +146,20 @@ TEST(Verdict, ASensorsFaultIsSaidToBeOne) {
   data.gains = {{1, 60.0, 2.0, 0.0, 0.0}};
   data.verdict = "explained";
   EXPECT_EQ(verdict_sentence(data),
-            "A sensor is at fault: sensor delay in channel force_1_N; with that corrected the simulation error on unseen data "
+            "A sensor is at fault: sensor delay in channel force_1_N; with that corrected the simulation error on "
+            "unseen data "
             "falls by a factor of 30.");
   data.causes.push_back({"cubic_stiffness", "link 1-2", 5.0, {}});
   EXPECT_EQ(verdict_sentence(data),
-            "The rig file lacks cubic stiffness on link 1-2, and a sensor is at fault: sensor delay in channel force_1_N; with both "
+            "The rig file lacks cubic stiffness on link 1-2, and a sensor is at fault: sensor delay in channel "
+            "force_1_N; with both "
             "the simulation error on unseen data falls by a factor of 30.");
   data.causes.resize(1);
   data.verdict = "ambiguous";
   data.ambiguous_with = {{"sensor_delay", "channel displacement_1_m"}};
   EXPECT_EQ(verdict_sentence(data),
-            "A sensor is at fault, and these data cannot tell which: sensor delay in channel force_1_N or sensor delay in channel "
+            "A sensor is at fault, and these data cannot tell which: sensor delay in channel force_1_N or sensor delay "
+            "in channel "
             "displacement_1_m.");
   data.ambiguous_with.push_back({"mass_error", "dof 1"});
   EXPECT_TRUE(contains(verdict_sentence(data), "The rig file lacks something or a sensor is at fault"));

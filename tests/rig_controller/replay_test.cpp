@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "hal/fake/replay_board.hpp"
+#include "host_sim/virtual_rig/replay_board.hpp"
 #include "tests/rig_controller/bench.hpp"
 
 namespace {
@@ -13,7 +13,7 @@ using firmware::ControllerMode;
 
 struct Recorder {
   std::vector<hal::CanFrame> frames;
-  hal::ReplayBoard::Take take() {
+  host_sim::ReplayBoard::Take take() {
     return [this](const hal::CanFrame& frame) { frames.push_back(frame); };
   }
   size_t count(uint32_t id) const {
@@ -37,7 +37,7 @@ std::vector<firmware::RawSample> level(double force_N, uint32_t& sequence) {
 TEST(Replay, SameEstimatesAsTheCoreAlone) {
   const auto configuration = bench::listening();
   Recorder bus;
-  hal::ReplayBoard board(configuration, bus.take());
+  host_sim::ReplayBoard board(configuration, bus.take());
   auto core = std::make_unique<firmware::EstimatorCore>(configuration.core);
   uint32_t sequence = 0;
   int windows = 0;
@@ -71,7 +71,7 @@ TEST(Replay, SameEstimatesAsTheCoreAlone) {
 
 TEST(Replay, SamplesBetweenLevelsAreLeftOut) {
   Recorder bus;
-  hal::ReplayBoard board(bench::listening(), bus.take());
+  host_sim::ReplayBoard board(bench::listening(), bus.take());
   uint32_t sequence = 0;
   board.run_at(0);
   for (const firmware::RawSample& sample : level(20.0, sequence))

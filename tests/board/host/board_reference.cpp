@@ -6,12 +6,12 @@
 #include <iostream>
 #include <memory>
 
+#include "firmware/rig_controller/can_sample_source.hpp"
 #include "firmware/rig_controller/rig_controller.hpp"
 #include "hal/fake/fake_can_bus.hpp"
 #include "hal/fake/fake_configuration_store.hpp"
 #include "hal/fake/fake_devices.hpp"
-#include "hal/linux/can_sample_source.hpp"
-#include "hal/linux/rig_controller/board_file.hpp"
+#include "hal/linux/board/board_file.hpp"
 #include "host_sim/can_log/log_reader.hpp"
 #include "host_sim/can_log/log_writer.hpp"
 
@@ -46,7 +46,7 @@ class Reference {
  private:
   hal::ManualClock clock_;
   hal::FakeCanBus bus_, sensor_bus_;
-  hal::CanSampleSource samples_;
+  firmware::CanSampleSource samples_;
   hal::FakeDrive drive_;
   hal::FakeOutput relay_, lamp_;
   hal::FakeInput stop_line_;

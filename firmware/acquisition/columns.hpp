@@ -1,0 +1,38 @@
+// One block of every signal that the energy equations multiply, side by side as integer columns.
+//
+// Arithmetic: column entries are integers |c| <= 2^23 (signals), 10 * 2^23 (instrument: six times the velocity or displacement), 2^26 (effect
+// terms), 1 (signs). A product is below 2^26.4 * 2^26; a batch sums at most 1024 of them: below 2^62.4, exact in int64.
+//
+// A frame holds 3 samples before the block and 4 after it: the instrument reaches 2 samples to either side and the end
+// corrections of the integrals look one sample further, also at the sample that follows the block.
+#pragma once
+#include <cstdint>
+
+#include "firmware/configuration/configuration.hpp"
+
+namespace firmware {
+
+constexpr int kLeadIn = 3;
+constexpr int kLeadOut = 4;
+constexpr int kFrameSamples = kLeadIn + kBlockSamples + kLeadOut;
+constexpr int kFrameStride = 40;  // kFrameSamples rounded up for alignment
+// The first and last samples of a level only give context: n samples make a window of n - kLevelMarginSamples intervals.
+constexpr int kLevelMarginSamples = kLeadIn + kLeadOut;
+
+// Column numbers: signals first, node by node.
+constexpr int kSignalColumns = kMaxNodes * kQuantities;
+constexpr int kInstrumentColumn = kSignalColumns;                             // + node
+constexpr int kDisplacementInstrumentColumn = kInstrumentColumn + kMaxNodes;  // + node: likewise of the displacement
+constexpr int kSignColumn = kDisplacementInstrumentColumn + kMaxNodes;        // + link: sgn(w)
+constexpr int kSmoothSignColumn = kSignColumn + kMaxLinks;                    // + link: sgn of the smoothed rate
+constexpr int kEffectColumn = kSmoothSignColumn + kMaxLinks;                  // + effect number
+constexpr int kMaxEffectColumns = 32;
+constexpr int kMaxColumns = kEffectColumn + kMaxEffectColumns;
+
+constexpr int signal_column(int node, Quantity quantity) { return node * kQuantities + static_cast<int>(quantity); }
+
+struct Frame {
+  alignas(16) int32_t column[kMaxColumns][kFrameStride];
+};
+
+}  // namespace firmware

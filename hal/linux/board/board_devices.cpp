@@ -1,0 +1,109 @@
+#include "hal/linux/board/board_devices.hpp"
+
+#include <cstdlib>
+
+namespace board {
+
+BoardDevices::BoardDevices(const BoardFile& file)
+    : file_(file),
+      direct_samples_(clock_),
+      systemd_(std::getenv("NOTIFY_SOCKET")),
+      watchdog_(systemd_, file.watchdog_device.empty() ? nullptr : &device_watchdog_),
+      store_(files_) {}
+
+std::string BoardDevices::open() {
+  hal::SocketCan::Options options;
+  options.fd = file_.controller.node.can_fd;
+  // Network commands, SYNC, requests to this node. The sensors' frames have a socket of their own.
+  const uint32_t ids[] = {0x000, 0x080, 0x600u + file_.controller.node.node};
+  bus_.receive_only(ids, 3);
+  std::string fault = bus_.open(file_.can_interface, options);
+  if (fault.empty()) fault = open_samples();
+  if (fault.empty() && file_.drive == DriveKind::kIio) fault = iio_drive_.open(file_.iio_drive);
+  if (fault.empty()) fault = open_lines();
+  if (fault.empty()) fault = files_.open(file_.state_folder);
+  if (fault.empty() && !file_.watchdog_device.empty())
+    fault = device_watchdog_.open(file_.watchdog_device, file_.watchdog_timeout_s);
+  if (fault.empty()) fault = worker_.open(file_.priority > 0);
+  return fault;
+}
+
+std::string BoardDevices::open_samples() {
+  const SampleSettings& samples = file_.samples;
+  if (samples.kind == SampleKind::kIioBuffer)
+    return iio_samples_.open({samples.device, samples.trigger, samples.rate_Hz}, samples.channels);
+  if (samples.kind == SampleKind::kIioDirect)
+    return direct_samples_.open({samples.device, samples.rate_Hz}, samples.channels);
+  const firmware::SensorPlan plan = firmware::sensor_plan(file_.controller.core, samples.wiring);
+  uint32_t ids[firmware::kMaxSensorFrames];
+  if (!sensor_bus_.receive_only(ids, firmware::sensor_ids(plan, ids))) return "too many sensor frames for one socket";
+  can_samples_.emplace(sensor_bus_, plan);
+  hal::SocketCan::Options options;
+  options.fd = samples.wiring == firmware::SensorWiring::kFd;
+  options.error_frames = false;
+  return sensor_bus_.open(file_.can_interface, options);
+}
+
+std::string BoardDevices::open_lines() {
+  const auto open = [](auto& line, const LineSetting& setting) {
+    return setting.line.empty() ? std::string() : line.open(setting.line, setting.options);
+  };
+  std::string fault = open(stop_line_, file_.emergency_stop);
+  if (fault.empty()) fault = open(relay_line_, file_.relay);
+  if (fault.empty()) fault = open(lamp_line_, file_.ready_lamp);
+  if (fault.empty()) fault = open(sync_line_, file_.sync);
+  return fault;
+}
+
+firmware::Ports BoardDevices::ports() {
+  hal::SampleSource* samples = nullptr;
+  switch (file_.samples.kind) {
+    case SampleKind::kCan:
+      samples = &*can_samples_;
+      break;
+    case SampleKind::kIioBuffer:
+      samples = &iio_samples_;
+      break;
+    case SampleKind::kIioDirect:
+      samples = &direct_samples_;
+      break;
+  }
+  hal::DriveOutput* drive = &no_drive_;
+  if (file_.drive == DriveKind::kIio) drive = &iio_drive_;
+  const auto input = [&](const LineSetting& setting, hal::GpioInput& line) -> hal::DigitalInput& {
+    return setting.line.empty() ? static_cast<hal::DigitalInput&>(no_input_) : line;
+  };
+  const auto output = [&](const LineSetting& setting, hal::GpioOutput& line) -> hal::DigitalOutput& {
+    return setting.line.empty() ? static_cast<hal::DigitalOutput&>(no_output_) : line;
+  };
+  return {clock_,
+          *samples,
+          bus_,
+          *drive,
+          output(file_.relay, relay_line_),
+          output(file_.ready_lamp, lamp_line_),
+          input(file_.emergency_stop, stop_line_),
+          file_.sync.line.empty() ? nullptr : &sync_line_,
+          watchdog_,
+          store_,
+          &worker_};
+}
+
+int BoardDevices::waits(pollfd (&waits)[kMaxWaits]) const {
+  int count = 0;
+  const auto add = [&](int descriptor) {
+    if (descriptor >= 0) waits[count++] = {descriptor, POLLIN, 0};
+  };
+  add(bus_.descriptor());
+  add(file_.samples.kind == SampleKind::kIioBuffer ? iio_samples_.descriptor() : sensor_bus_.descriptor());
+  add(stop_line_.descriptor());
+  add(sync_line_.descriptor());
+  return count;
+}
+
+void BoardDevices::make_safe() {
+  if (file_.drive == DriveKind::kIio) iio_drive_.write(0);
+  if (!file_.relay.line.empty()) relay_line_.set(false);
+}
+
+}  // namespace board

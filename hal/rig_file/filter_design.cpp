@@ -1,0 +1,69 @@
+#include "hal/rig_file/filter_design.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rig_file {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+double kaiser(double position, double beta) {  // -1 <= position <= 1
+  const double inside = 1.0 - position * position;
+  return inside < 0.0 ? 0.0 : std::cyl_bessel_i(0.0, beta * std::sqrt(inside)) / std::cyl_bessel_i(0.0, beta);
+}
+
+// Low-pass of unit gain at rest; cutoff in cycles per sample.
+Impulse windowed_sinc(int half, double cutoff, double beta) {
+  Impulse h(static_cast<size_t>(2 * half + 1));
+  double sum = 0.0;
+  for (int k = -half; k <= half; ++k) {
+    const double sinc = k == 0 ? 2.0 * cutoff : std::sin(2.0 * kPi * cutoff * k) / (kPi * k);
+    h[static_cast<size_t>(k + half)] = sinc * kaiser(k / (half + 1.0), beta);
+    sum += h[static_cast<size_t>(k + half)];
+  }
+  for (double& tap : h) tap /= sum;
+  return h;
+}
+
+}  // namespace
+
+Impulse low_pass(double advance) { return convolve(windowed_sinc(kLowPassHalf, 0.15, 3.8), shifted_all_pass(advance)); }
+
+Impulse shifted_all_pass(double advance) {
+  if (advance == 0.0) return {1.0};
+  // Lagrange's polynomial through the 12 samples around the wanted instant.
+  constexpr int kSide = 6;
+  const int before = static_cast<int>(std::floor(advance)) - kSide + 1, after = before + 2 * kSide - 1;
+  const int half = std::max(-before, after);
+  Impulse h(static_cast<size_t>(2 * half + 1), 0.0);
+  for (int k = before; k <= after; ++k) {
+    double weight = 1.0;
+    for (int j = before; j <= after; ++j)
+      if (j != k) weight *= (advance - j) / (k - j);
+    h[static_cast<size_t>(k + half)] = weight;
+  }
+  return h;
+}
+
+Impulse first_difference() {
+  return {1.0 / 280, -4.0 / 105, 1.0 / 5, -4.0 / 5, 0.0, 4.0 / 5, -1.0 / 5, 4.0 / 105, -1.0 / 280};
+}
+
+Impulse second_difference() {
+  return {-1.0 / 560, 8.0 / 315, -1.0 / 5, 8.0 / 5, -205.0 / 72, 8.0 / 5, -1.0 / 5, 8.0 / 315, -1.0 / 560};
+}
+
+Impulse sum_to_integral() {
+  // Adams' centred six-point rule over [n - 1, n]: weights of samples n - 3 .. n + 2; the sum runs over such steps.
+  return {11.0 / 1440, -93.0 / 1440, 802.0 / 1440, 802.0 / 1440, -93.0 / 1440, 11.0 / 1440, 0.0};
+}
+
+Impulse convolve(const Impulse& a, const Impulse& b) {
+  Impulse result(a.size() + b.size() - 1, 0.0);
+  for (size_t i = 0; i < a.size(); ++i)
+    for (size_t j = 0; j < b.size(); ++j) result[i + j] += a[i] * b[j];
+  return result;
+}
+
+}  // namespace rig_file

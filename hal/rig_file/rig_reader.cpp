@@ -1,0 +1,209 @@
+#include "hal/rig_file/rig_reader.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "firmware/configuration/capacity.hpp"
+#include "hal/rig_file/channel_name.hpp"
+#include "hal/rig_file/compile_rig.hpp"
+#include "hal/rig_file/effect_reader.hpp"
+#include "hal/rig_file/rig_from_toml.hpp"
+#include "hal/rig_file/toml_checks.hpp"
+
+namespace rig_file {
+namespace {
+
+struct LinkKey {
+  const char* translating;
+  const char* rotating;
+  Coefficient Link::*field;
+  bool may_be_negative;
+};
+constexpr LinkKey kLinkKeys[] = {
+    {"stiffness_N_m", "stiffness_N_m_rad", &Link::stiffness_N_m, false},
+    {"viscous_N_s_m", "viscous_N_m_s_rad", &Link::viscous_N_s_m, false},
+    {"coulomb_N", "coulomb_N_m", &Link::coulomb_N, false},
+    {nullptr, "gravity_torque_N_m", &Link::gravity_torque_N_m, true},  // negative: a pendulum on its head
+};
+
+Dof read_dof(const Place& place, const toml::table& table) {
+  Dof dof;
+  const toml::node* mass = table.get("mass_kg");
+  const toml::node* inertia = table.get("inertia_kg_m2");
+  require_known_keys(place, table, {"mass_kg", "inertia_kg_m2", "effect"});
+  if (mass != nullptr && inertia != nullptr)
+    refuse(place, *inertia, "inertia_kg_m2",
+           "stands beside mass_kg, expected one of them: a DOF translates or rotates");
+  if (mass == nullptr && inertia == nullptr)
+    refuse(place, table, "mass_kg",
+           "is missing, expected mass_kg (or inertia_kg_m2 for a rotating DOF): a number or \"estimate\"");
+  dof.rotating = inertia != nullptr;
+  dof.mass_kg =
+      read_coefficient(place, dof.rotating ? *inertia : *mass, dof.rotating ? "inertia_kg_m2" : "mass_kg", false);
+  dof.effects = read_effects(place, table, EffectPlace::kDof, dof.rotating);
+  return dof;
+}
+
+int read_link_end(const Place& place, const toml::node& node, int dof_count, bool first) {
+  if (node.is_string() && node.value_or(std::string()) == "base" && !first) return kBase;
+  const auto number = node.value_exact<int64_t>();
+  if (number && *number == kGround && !first) return kGround;
+  if (number && *number >= 1 && *number <= dof_count) return static_cast<int>(*number);
+  const std::string range = "1 to " + std::to_string(dof_count);
+  const std::string found =
+      number ? "names DOF " + std::to_string(*number) + ", which the file does not have" : "is not a DOF number";
+  refuse(place, node, "between",
+         first ? (number && *number == kGround ? std::string("starts with the ground") : found) +
+                     ", expected a DOF number first (" + range + "), then a DOF number, 0 for the ground or \"base\""
+               : found + ", expected " + range + ", 0 for the ground or \"base\"");
+}
+
+void read_ends(const Place& place, const toml::table& table, const std::vector<Dof>& dofs, Link& link) {
+  const toml::node* between = table.get("between");
+  if (between == nullptr)
+    refuse(place, table, "between", "is missing, expected between = [1, 0] (two DOF numbers; 0 is the ground)");
+  const toml::array* ends = between->as_array();
+  if (ends == nullptr || ends->size() != 2)
+    refuse(place, *between, "between", "is not a pair, expected between = [1, 0] (two DOF numbers; 0 is the ground)");
+  link.a = read_link_end(place, (*ends)[0], static_cast<int>(dofs.size()), true);
+  link.b = read_link_end(place, (*ends)[1], static_cast<int>(dofs.size()), false);
+  if (link.a == link.b) refuse(place, *between, "between", "joins a DOF to itself, expected two different DOFs");
+  const auto rotates = [&](int dof) { return dofs[static_cast<size_t>(dof - 1)].rotating; };
+  if (link.b > 0 && rotates(link.a) != rotates(link.b))
+    refuse(place, *between, "between", "joins a rotating and a translating DOF, expected two of one kind");
+}
+
+// A key of the other kind of DOF is the likeliest mistake: the message names the right one.
+void refuse_wrong_unit(const Place& place, const toml::table& table, bool rotates) {
+  for (const LinkKey& key : kLinkKeys) {
+    const char* wrong = rotates ? key.translating : key.rotating;
+    const char* right = rotates ? key.rotating : key.translating;
+    const toml::node* node = wrong == nullptr ? nullptr : table.get(wrong);
+    if (node == nullptr) continue;
+    const std::string why =
+        rotates ? "is of a translating link, but its DOF rotates" : "is of a rotating link, but its DOF translates";
+    refuse(place, *node, wrong,
+           why + (right == nullptr ? ", expected no such key" : ", expected " + std::string(right)));
+  }
+}
+
+Link read_link(const Place& place, const toml::table& table, const RigModel& model) {
+  Link link;
+  read_ends(place, table, model.dofs, link);
+  const bool rotates = link_rotates(model, link);
+  refuse_wrong_unit(place, table, rotates);
+  std::vector<std::string> known = {"between", "effect"};
+  for (const LinkKey& key : kLinkKeys) {
+    const char* name = rotates ? key.rotating : key.translating;
+    if (name == nullptr) continue;
+    known.emplace_back(name);
+    if (const toml::node* node = table.get(name))
+      link.*key.field = read_coefficient(place, *node, name, key.may_be_negative);
+  }
+  require_known_keys(place, table, known);
+  if (const toml::node* gravity = table.get("gravity_torque_N_m"); gravity != nullptr && link.b != kGround)
+    refuse(place, *gravity, "gravity_torque_N_m",
+           "stands on a link between DOFs, expected it on a link to the ground (0)");
+  link.effects = read_effects(place, table, EffectPlace::kLink, rotates);
+  return link;
+}
+
+void read_links(const toml::table& root, RigModel& model) {
+  std::set<std::pair<int, int>> seen;
+  for (const toml::table* table : table_array({model.file, ""}, root, "link")) {
+    const Place place{model.file, "link " + std::to_string(model.links.size() + 1)};
+    if (model.links.size() == firmware::kMaxLinks)
+      refuse(place, *table, "", "is one too many, expected at most " + std::to_string(firmware::kMaxLinks) + " links");
+    model.links.push_back(read_link(place, *table, model));
+    const Link& link = model.links.back();
+    if (!seen.insert(std::minmax(link.a, link.b)).second)
+      refuse(place, *table->get("between"), "between", "repeats an earlier link, expected one link for each pair");
+  }
+}
+
+void read_dofs(const toml::table& root, RigModel& model) {
+  for (const toml::table* table : table_array({model.file, ""}, root, "dof")) {
+    const Place place{model.file, "dof " + std::to_string(model.dofs.size() + 1)};
+    if (model.dofs.size() == firmware::kMaxDofs)
+      refuse(place, *table, "", "is one too many, expected at most " + std::to_string(firmware::kMaxDofs) + " DOFs");
+    model.dofs.push_back(read_dof(place, *table));
+  }
+  if (model.dofs.empty()) refuse({model.file, ""}, root, "dof", "is missing, expected at least one [[dof]]");
+}
+
+void read_channels(const toml::table& root, const ReadOptions& options, RigModel& model) {
+  std::vector<std::string> known = {"name", "delay_us", "unit_per_code", "offset_code", "full_scale_code"};
+  known.insert(known.end(), options.other_channel_keys.begin(), options.other_channel_keys.end());
+  for (const toml::table* table : table_array({model.file, ""}, root, "channel")) {
+    const Place place{model.file, "channel " + std::to_string(model.channels.size() + 1)};
+    require_known_keys(place, *table, known);
+    const auto optional = [&](const char* key) { return table->get(key); };
+    ChannelEntry entry;
+    if (optional("name") == nullptr)
+      refuse(place, *table, "name", "is missing, expected a channel such as \"force_1_N\"");
+    entry.name = text(place, *optional("name"), "name");
+    const std::string fault = channel_name_fault(entry.name, model);
+    if (!fault.empty()) refuse(place, *optional("name"), "name", fault);
+    for (const ChannelEntry& earlier : model.channels)
+      if (earlier.name == entry.name)
+        refuse(place, *optional("name"), "name", "repeats an earlier channel, expected each once");
+    if (const auto* node = optional("delay_us")) {
+      entry.delay_us = finite_number(place, *node, "delay_us");
+      if (entry.delay_us < -1e6 || entry.delay_us > 1e6)
+        refuse(place, *node, "delay_us", "is over a second, expected -1e6 to 1e6");
+    }
+    if (const auto* node = optional("unit_per_code")) {
+      entry.unit_per_code = finite_number(place, *node, "unit_per_code");
+      if (entry.unit_per_code == 0.0)
+        refuse(place, *node, "unit_per_code", "is 0, expected SI units per converter code");
+    }
+    if (const auto* node = optional("offset_code"))
+      entry.offset_code = static_cast<int>(whole_number(place, *node, "offset_code", -8388607, 8388607));
+    if (const auto* node = optional("full_scale_code"))
+      entry.full_scale_code = static_cast<int>(whole_number(place, *node, "full_scale_code", 1, 8388607));
+    for (const char* key : {"offset_code", "full_scale_code"})
+      if (optional(key) != nullptr && entry.unit_per_code == 0.0)
+        refuse(place, *optional(key), key, "stands without unit_per_code, expected both");
+    model.channels.push_back(entry);
+  }
+}
+
+void check_schema(const Place& top, const toml::table& root) {
+  const toml::node* schema = root.get("schema");
+  if (schema == nullptr) refuse(top, root, "schema", "is missing, expected schema = \"rig/1\"");
+  const std::string found = text(top, *schema, "schema");
+  if (found != "rig/1") refuse(top, *schema, "schema", "is \"" + found + "\", expected \"rig/1\"");
+}
+
+}  // namespace
+
+RigModel rig_from_toml(const toml::table& root, const std::string& file, const ReadOptions& options) {
+  RigModel model;
+  model.file = file;
+  const Place top{model.file, ""};
+  check_schema(top, root);
+  std::vector<std::string> known = {"schema", "name", "dof", "link", "channel"};
+  known.insert(known.end(), options.other_top_level_keys.begin(), options.other_top_level_keys.end());
+  require_known_keys(top, root, known);
+  if (const toml::node* name = root.get("name")) model.name = text(top, *name, "name");
+  read_dofs(root, model);
+  read_links(root, model);
+  read_channels(root, options, model);
+  compile_rig(model, 1e-3, {});  // refuses what is beyond the core's capacity
+  return model;
+}
+
+RigModel parse_rig(std::string_view toml_text, const std::string& file, const ReadOptions& options) {
+  return rig_from_toml(parse_toml(toml_text, file), file, options);
+}
+
+RigModel read_rig_file(const std::string& path, const ReadOptions& options) {
+  return rig_from_toml(parse_toml_file(path), path, options);
+}
+
+void require_unknowns(const RigModel& model) {
+  if (parameter_table(model).empty())
+    throw RigFileError(model.file, 0, "", "nothing to estimate, expected at least one coefficient = \"estimate\"");
+}
+
+}  // namespace rig_file
