@@ -2,7 +2,7 @@
 #include <cstdio>
 
 #include "host_sim/programs/commands.hpp"
-#include "host_sim/programs/failures.hpp"
+#include "host_sim/programs/shared/failures.hpp"
 #include "host_sim/records/output_file.hpp"
 
 namespace {

@@ -1,0 +1,28 @@
+// host_sim dbc: every frame for CAN tools.
+#include <iostream>
+
+#include "hal/rig_file/compile_rig.hpp"
+#include "hal/rig_file/rig_reader.hpp"
+#include "host_sim/can_log/dbc.hpp"
+#include "host_sim/programs/commands.hpp"
+
+namespace host_sim {
+namespace {
+
+void print_dbc(const std::string& rig) {
+  std::vector<std::string> names;
+  if (!rig.empty()) names = rig_file::parameter_names(rig_file::read_rig_file(rig));
+  can_log::dbc(std::cout, names);
+}
+
+}  // namespace
+
+void add_dbc_command(CLI::App& app, Action& chosen) {
+  CLI::App* command = app.add_subcommand("dbc", "Print the DBC of every frame");
+  auto rig = std::make_shared<std::string>();
+  command->add_option("--rig", *rig, "name the estimates after the unknowns of this rig file");
+  command->footer("Example: host_sim dbc > rig.dbc");
+  command->callback([rig, &chosen] { chosen = [rig] { print_dbc(*rig); }; });
+}
+
+}  // namespace host_sim

@@ -1,0 +1,85 @@
+// host_sim diagnose: what the simulation of a rig gets wrong, named, added to the model, and what that gains.
+#include <algorithm>
+#include <cmath>
+
+#include "hal/rig_file/rig_reader.hpp"
+#include "hal/rig_file/rig_writer.hpp"
+#include "host_sim/diagnosis/diagnosis.hpp"
+#include "host_sim/programs/commands.hpp"
+#include "host_sim/programs/diagnose/diagnosis_text.hpp"
+#include "host_sim/programs/results/result_json.hpp"
+#include "host_sim/programs/shared/human_output.hpp"
+#include "host_sim/programs/shared/terminal.hpp"
+#include "host_sim/records/record_checks.hpp"
+#include "host_sim/records/record_reader.hpp"
+#include "host_sim/reports/from_diagnosis.hpp"
+#include "host_sim/reports/report.hpp"
+
+namespace host_sim {
+namespace {
+
+struct DiagnoseArguments {
+  std::string rig;
+  std::vector<std::string> data, holdout;
+  std::string report, json, extended_rig;
+};
+
+std::vector<Record> read_all(const std::vector<std::string>& paths, const rig_file::RigModel& model) {
+  std::vector<Record> records;
+  for (const std::string& path : paths) records.push_back(read_record(path, model));
+  return records;
+}
+
+void diagnose(const DiagnoseArguments& arguments) {
+  const rig_file::RigModel model = rig_file::read_rig_file(arguments.rig);
+  ResultTarget json(arguments.json), extended_rig(arguments.extended_rig);
+  std::FILE* const people = human_stream(json, extended_rig);
+  const diagnosis::Options options;
+  diagnosis::Diagnosis found;
+  reports::DiagnosisReportData data;
+  {
+    ProgressBar bar("diagnosing");
+    bar.show(0.0);
+    const std::vector<Record> training = read_all(arguments.data, model), holdout = read_all(arguments.holdout, model);
+    std::vector<Record> all = training;
+    all.insert(all.end(), holdout.begin(), holdout.end());
+    require_same_channels(all);
+    bar.show(0.1);
+    found = diagnosis::diagnose(model, training, holdout, options);
+    bar.show(0.8);
+    data = reports::findings_of(model, training, holdout, found);
+    if (!arguments.report.empty()) {
+      reports::add_pictures(model, training, holdout, found, data);
+      bar.show(0.9);
+      reports::write_diagnosis_report(arguments.report, data);
+    }
+    bar.show(1.0);
+  }
+  json.deliver(to_text(diagnosis::to_json(found)));
+  extended_rig.deliver(rig_file::format_rig(found.extended_rig));
+  std::fputs(diagnosis_text(data, is_terminal(people)).c_str(), people);
+  if (!arguments.report.empty()) std::fprintf(people, "report: %s/index.html\n", arguments.report.c_str());
+  if (extended_rig.wanted() && !extended_rig.to_stdout())
+    std::fprintf(people, "extended rig: %s\n", arguments.extended_rig.c_str());
+}
+
+}  // namespace
+
+void add_diagnose_command(CLI::App& app, Action& chosen) {
+  CLI::App* command = app.add_subcommand(
+      "diagnose", "Show what the simulation of a rig gets wrong, name the cause, extend the model, measure the gain");
+  auto arguments = std::make_shared<DiagnoseArguments>();
+  command->add_option("--rig", arguments->rig, "rig file (TOML)")->required();
+  command->add_option("--data", arguments->data, "measured data; may be repeated")->required();
+  command->add_option(
+      "--holdout", arguments->holdout,
+      "measured data that the fit does not see; may be repeated; default: the last 30 % of each record");
+  command->add_option("--report", arguments->report, "write a page with pictures to this folder");
+  command->add_option("--json", arguments->json, "write the result as JSON to this file (- is stdout)");
+  command->add_option("--extended-rig", arguments->extended_rig,
+                      "write the rig with the named effects to this file (- is stdout)");
+  command->footer("Example: host_sim diagnose --rig rig.toml --data record.csv --report report");
+  command->callback([arguments, &chosen] { chosen = [arguments] { diagnose(*arguments); }; });
+}
+
+}  // namespace host_sim

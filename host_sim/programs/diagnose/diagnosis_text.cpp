@@ -1,0 +1,93 @@
+#include "host_sim/programs/diagnose/diagnosis_text.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "host_sim/programs/shared/terminal.hpp"
+#include "host_sim/reports/numbers.hpp"
+#include "host_sim/reports/shared_parts.hpp"
+#include "host_sim/reports/verdict.hpp"
+
+namespace host_sim {
+namespace {
+
+using Row = std::vector<std::string>;
+
+// Characters of UTF-8 text, for columns that line up.
+size_t width_of(const std::string& text) {
+  return static_cast<size_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+}
+
+std::string table(const std::vector<Row>& rows) {
+  std::vector<size_t> widths;
+  for (const Row& row : rows) {
+    widths.resize(std::max(widths.size(), row.size()), 0);
+    for (size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], width_of(row[i]));
+  }
+  std::string out;
+  for (const Row& row : rows) {
+    std::string line;
+    for (size_t i = 0; i < row.size(); ++i) line += row[i] + std::string(widths[i] + 2 - width_of(row[i]), ' ');
+    line.erase(line.find_last_not_of(' ') + 1);
+    out += "  " + line + "\n";
+  }
+  return out;
+}
+
+std::string interval_text(const reports::Interval& interval) {
+  if (!std::isfinite(interval.value)) return "-";
+  const int digits = reports::digits_for(interval);
+  std::string out = reports::number_text(interval.value, digits);
+  if (std::isfinite(interval.low))
+    out +=
+        " (" + reports::number_text(interval.low, digits) + " to " + reports::number_text(interval.high, digits) + ")";
+  return out;
+}
+
+std::string parameters_text(const reports::DiagnosisReportData& data) {
+  std::vector<Row> rows = {{"parameter", "unit", "rig as given (95 %)", "extended rig (95 %)"}};
+  for (const reports::ParameterChange& parameter : data.parameters)
+    rows.push_back({parameter.name, reports::unit_text(parameter.unit), interval_text(parameter.before),
+                    interval_text(parameter.after)});
+  return rows.size() > 1 ? "\n" + table(rows) : "";
+}
+
+std::string gains_text(const reports::DiagnosisReportData& data) {
+  std::vector<Row> rows = {{"held-out simulation", "NRMSE, %", "extended", "gain", "MSE, %", "extended"}};
+  for (const reports::DofGain& gain : data.gains)
+    rows.push_back({"DOF " + std::to_string(gain.dof), reports::number_text(gain.nrmse_before_percent, 3),
+                    reports::number_text(gain.nrmse_after_percent, 3),
+                    reports::number_text(gain.nrmse_before_percent / gain.nrmse_after_percent, 3),
+                    reports::number_text(gain.mse_before_percent, 3), reports::number_text(gain.mse_after_percent, 3)});
+  return rows.size() > 1 ? "\n" + table(rows) : "";
+}
+
+std::string limits_text(const reports::DiagnosisReportData& data) {
+  if (data.verdict != "none" || data.minimum_detectable.empty()) return "";
+  std::vector<Row> rows = {{"would have been seen from", "", "", "of the link's damping force"}};
+  for (const reports::Detectable& limit : data.minimum_detectable) {
+    const double percent = limit.percent_of_damping_force;
+    rows.push_back({reports::cause_text(limit.effect, limit.where), reports::number_text(limit.strength, 2),
+                    std::isfinite(limit.strength) ? reports::unit_text(limit.unit) : "not in these data",
+                    std::isfinite(percent) ? reports::number_text(percent, 2) + " %" : ""});
+  }
+  return "\n" + table(rows);
+}
+
+}  // namespace
+
+std::string diagnosis_text(const reports::DiagnosisReportData& data, bool colours) {
+  const bool sure = data.verdict == "none" || data.verdict == "explained";
+  std::string out = data.rig_name + "\n" + coloured(data.verdict, sure ? Colour::kGood : Colour::kDoubtful, colours) +
+                    ": " + reports::verdict_sentence(data) + "\n";
+  for (const reports::Cause& cause : data.causes)
+    for (const std::string& parameter : cause.parameters) out += "  " + parameter + "\n";
+  out += parameters_text(data) + gains_text(data) + limits_text(data);
+  if (!data.advice.empty()) out += "\nWhat to measure next:\n";
+  for (const std::string& advice : data.advice) out += "  - " + advice + "\n";
+  return out + "\n";
+}
+
+}  // namespace host_sim

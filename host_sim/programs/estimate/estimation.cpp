@@ -1,0 +1,139 @@
+#include "host_sim/programs/estimate/estimation.hpp"
+
+#include <cmath>
+#include <memory>
+#include <sstream>
+
+#include "hal/rig_file/signal_plan.hpp"
+#include "host_sim/can_log/log_writer.hpp"
+#include "host_sim/programs/results/fit_quality.hpp"
+#include "host_sim/programs/shared/failures.hpp"
+#include "host_sim/records/data_file_error.hpp"
+#include "host_sim/records/digitise.hpp"
+#include "host_sim/records/record_checks.hpp"
+#include "host_sim/virtual_rig/board_configuration.hpp"
+#include "host_sim/virtual_rig/replay_board.hpp"
+
+namespace host_sim {
+namespace {
+
+constexpr size_t kFewestSamples = 4 * firmware::kBlockSamples;
+
+void check_records(const std::vector<Record>& records) {
+  require_same_channels(records);
+  if (records.size() > firmware::kMaxLevels)
+    throw DataFileError(records[firmware::kMaxLevels].file, 0,
+                        "is data file " + std::to_string(firmware::kMaxLevels + 1) + ", expected at most " +
+                            std::to_string(firmware::kMaxLevels));
+  for (const Record& record : records)
+    if (record.samples() < kFewestSamples)
+      throw CannotAnswer(record.file + " holds " + std::to_string(record.samples()) +
+                         " samples, too few for any window; record at least " + std::to_string(kFewestSamples) +
+                         ", several cycles of the lowest frequency");
+}
+
+bool has_force(const Record& record) {
+  for (const Channel& channel : record.channels)
+    if (channel.quantity == Quantity::kForce || channel.dof == rig_file::kBase) return true;
+  return false;
+}
+
+firmware::WindowConfiguration window_of(const Record& record, const EstimationOptions& options) {
+  firmware::WindowConfiguration window;
+  window.mode = has_force(record) ? firmware::WindowMode::kInterval : firmware::WindowMode::kFreeDecay;
+  if (!options.excitation_Hz) return window;
+  constexpr uint32_t kDenominator = 1u << 16;
+  const double cycle_samples = 1.0 / (*options.excitation_Hz * record.sample_period_s);
+  if (!(cycle_samples >= 4.0) || cycle_samples > static_cast<double>(record.samples()))
+    throw UsageError("--frequency is " + std::to_string(*options.excitation_Hz) +
+                     " Hz, expected a cycle of 4 samples to the length of " + record.file);
+  window.mode = firmware::WindowMode::kWholeCycles;
+  window.cycle_samples_numerator = static_cast<uint32_t>(std::llround(cycle_samples * kDenominator));
+  window.cycle_samples_denominator = kDenominator;
+  return window;
+}
+
+// Signals that are derived get the resolution that these records allow.
+void fit_signals_to(const std::vector<Record>& records, const std::vector<rig_file::ChannelCalibration>& calibrations,
+                    firmware::CoreConfiguration& configuration) {
+  std::vector<std::vector<firmware::RawSample>> samples;
+  for (const Record& record : records) {
+    RecordSampleSource source(record, calibrations);
+    samples.emplace_back(record.samples());
+    for (firmware::RawSample& sample : samples.back()) source.read(sample);
+  }
+  rig_file::plan_signals(configuration, rig_file::measure_ranges(configuration, samples));
+}
+
+// Replays the records on a board of fakes: one level each, the frames of the controller into the log.
+class Feed {
+ public:
+  Feed(ReplayBoard& board, const EstimationOptions& options, size_t total)
+      : board_(board), options_(options), total_(total) {
+    board_.run_at(0);
+  }
+
+  void record(const Record& record, const std::vector<rig_file::ChannelCalibration>& calibrations) {
+    RecordSampleSource source(record, calibrations);
+    firmware::RawSample sample;
+    board_.begin_level();
+    while (source.read(sample) == hal::SampleResult::kSample) {
+      sample.sequence = static_cast<uint32_t>(done_++);  // between two records nothing is missed
+      time_ns_ = static_cast<uint64_t>(std::llround(static_cast<double>(done_) * record.sample_period_s * 1e9));
+      const bool window = board_.push(sample, time_ns_);
+      if (window && options_.progress) options_.progress(static_cast<double>(done_) / static_cast<double>(total_));
+    }
+    board_.end_level();
+  }
+  // One more heartbeat and status, which says DONE.
+  void finish() {
+    board_.finish(time_ns_);
+    board_.run_at(time_ns_ + kHeartbeat_ns);
+  }
+
+ private:
+  static constexpr uint64_t kHeartbeat_ns = 100000000;
+
+  ReplayBoard& board_;
+  const EstimationOptions& options_;
+  size_t total_, done_ = 0;
+  uint64_t time_ns_ = 0;
+};
+
+}  // namespace
+
+Estimation estimate_records(const rig_file::RigModel& model, const std::vector<Record>& records,
+                            const EstimationOptions& options) {
+  check_records(records);
+  const std::vector<rig_file::ChannelCalibration> calibrations = calibrate(records, model);
+  firmware::CoreConfiguration configuration =
+      rig_file::compile_rig(model, records.front().sample_period_s, calibrations);
+  fit_signals_to(records, calibrations, configuration);
+  configuration.window = window_of(records.front(), options);
+  std::ostringstream log_text;
+  can_log::LogWriter log(log_text, "can0");
+  ReplayBoard board(board_configuration(model, configuration, records.front().sample_period_s),
+                    [&log](const hal::CanFrame& frame) { log.write(frame); });
+  size_t samples = 0;
+  for (const Record& record : records) samples += record.samples();
+  Feed feed(board, options, samples);
+  for (const Record& record : records) feed.record(record, calibrations);
+  feed.finish();
+  const firmware::Estimates& estimates = *board.controller().estimates();
+
+  Estimation estimation;
+  estimation.result = result_of(model, estimates);
+  estimation.result.samples = samples;
+  estimation.result.sample_rate_Hz = 1.0 / records.front().sample_period_s;
+  estimation.result.levels = static_cast<unsigned>(records.size());
+  estimation.result.health = board.core().health();
+  if (const std::string plan = rig_file::describe_plan(configuration); !plan.empty())
+    estimation.result.notes.push_back(plan);
+  for (const std::string& name : rig_file::simulator_only_effects(model))
+    estimation.result.notes.push_back(name + " is known to the simulator only; the energy equations leave it out");
+  judge_fit(model, records, estimation.result);
+  estimation.frames = log_text.str();
+  return estimation;
+}
+
+}  // namespace host_sim

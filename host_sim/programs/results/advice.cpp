@@ -1,0 +1,73 @@
+#include "host_sim/programs/results/advice.hpp"
+
+#include <cmath>
+#include <cstdio>
+
+#include "hal/rig_file/channel_name.hpp"
+
+namespace host_sim {
+namespace {
+
+std::string text_of(const char* format, double value) {
+  char text[64];
+  std::snprintf(text, sizeof text, format, value);
+  return text;
+}
+
+void add_skew(const rig_file::RigModel& model, size_t dof_index, firmware::Quantity quantity,
+              const firmware::SkewEstimate& skew, std::vector<SkewResult>& results) {
+  if (!skew.measured) return;
+  const rig_file::ChannelName channel{quantity, static_cast<int>(dof_index + 1), model.dofs[dof_index].rotating};
+  results.push_back({rig_file::format_channel_name(channel), rig_file::to_double(skew.late_s) * 1e6,
+                     rig_file::to_double(skew.std_s) * 1e6, skew.significant});
+}
+
+}  // namespace
+
+std::string advice_text(const rig_file::RigModel& model, const firmware::Estimates& estimates) {
+  const std::vector<std::string> names = rig_file::parameter_names(model);
+  const auto index = static_cast<size_t>(estimates.advice_index);
+  const std::string name = index < names.size() ? names[index] : "the parameter";
+  switch (estimates.advice) {
+    case firmware::Advice::kNone:
+      return "";
+    case firmware::Advice::kAddFrequency:
+      return "add a record excited near " + text_of("%.3g", rig_file::to_double(estimates.advice_frequency_Hz)) +
+             " Hz as well";
+    case firmware::Advice::kAddLevel:
+      return "add a record of the same kind at another excitation level";
+    case firmware::Advice::kRaiseLevel:
+      return "raise the level, or drive another DOF: what " + name + " acts on hardly moves";
+    case firmware::Advice::kLongerRecord:
+      return "record longer: these data have too few windows to measure any scatter";
+    case firmware::Advice::kLowerLevel:
+      return "lower the level or widen the range of the sensor that is saturated";
+    case firmware::Advice::kCompensateSkew:
+      return "give the late channel of DOF " + std::to_string(estimates.advice_index + 1) +
+             " its delay_us in the rig file";
+  }
+  return "";
+}
+
+std::string unresolved_text(const rig_file::RigModel& model, const firmware::Estimates& estimates) {
+  constexpr double kWorthNaming = 0.2;
+  const std::vector<std::string> names = rig_file::parameter_names(model);
+  std::string text;
+  for (size_t i = 0; i < names.size(); ++i) {
+    const double change = rig_file::to_double(estimates.unresolved[i]);
+    if (!(std::abs(change) >= kWorthNaming)) continue;
+    text += (text.empty() ? "" : ", ") + names[i] + text_of(" %+.0f %%", 100.0 * change);
+  }
+  return text;
+}
+
+std::vector<SkewResult> skews_of(const rig_file::RigModel& model, const firmware::Estimates& estimates) {
+  std::vector<SkewResult> results;
+  for (size_t i = 0; i < model.dofs.size(); ++i) {
+    add_skew(model, i, firmware::Quantity::kDisplacement, estimates.displacement_skew[i], results);
+    add_skew(model, i, firmware::Quantity::kAcceleration, estimates.acceleration_skew[i], results);
+  }
+  return results;
+}
+
+}  // namespace host_sim

@@ -1,0 +1,19 @@
+// What the core found out about the data, in words: what they cannot tell apart, what to measure next, skewed channels.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "host_sim/programs/results/estimate_result.hpp"
+
+namespace host_sim {
+
+// "add a record excited near 17.3 Hz as well"; empty where nothing is to be done.
+std::string advice_text(const rig_file::RigModel& model, const firmware::Estimates& estimates);
+
+// "viscous[1-0] +100 %, viscous[1-2] -83 %": the change of parameters that these data show least.
+std::string unresolved_text(const rig_file::RigModel& model, const firmware::Estimates& estimates);
+
+// Channels whose lateness against the velocity was measured.
+std::vector<SkewResult> skews_of(const rig_file::RigModel& model, const firmware::Estimates& estimates);
+
+}  // namespace host_sim

@@ -1,0 +1,118 @@
+#include "host_sim/programs/results/estimate_result.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <map>
+
+#include "host_sim/programs/results/advice.hpp"
+
+namespace host_sim {
+namespace {
+
+using firmware::EstimateStatus;
+
+// JSON knows no infinity: what is beyond stays at the largest round number.
+double finite(firmware::Scaled value) {
+  const double result = rig_file::to_double(value);
+  constexpr double kLargest = 1e300;
+  return std::isfinite(result) ? std::clamp(result, -kLargest, kLargest) : std::copysign(kLargest, result);
+}
+
+// Why a parameter has no answer; empty where it has one.
+const char* reason(EstimateStatus status) {
+  switch (status) {
+    case EstimateStatus::kStale:
+      return "no window closed; record several cycles of the lowest frequency at least";
+    case EstimateStatus::kIllConditioned:
+      return "these data cannot separate it from the others; a record at another level and another frequency, or of a "
+             "random band, can";
+    case EstimateStatus::kNoExcitation:
+      return "what it acts on does not move; raise the level, or drive a DOF that moves it";
+    case EstimateStatus::kSaturated:
+      return "a sensor or a sum reached its full scale; lower the level or widen the range, then record again";
+    default:
+      return "";
+  }
+}
+
+std::string skew_note(const SkewResult& skew) {
+  char text[160];
+  std::snprintf(
+      text, sizeof text,
+      "%s is %.0f us late against the velocity (+- %.0f): a [[channel]] with delay_us in the rig file takes it away",
+      skew.channel.c_str(), skew.late_us, 2.0 * skew.std_us);
+  return text;
+}
+
+}  // namespace
+
+const char* status_word(EstimateStatus status) {
+  switch (status) {
+    case EstimateStatus::kValid:
+      return "VALID";
+    case EstimateStatus::kStale:
+      return "STALE";
+    case EstimateStatus::kBiasSuspect:
+      return "BIAS_SUSPECT";
+    case EstimateStatus::kSkewed:
+      return "SKEWED";
+    case EstimateStatus::kIllConditioned:
+      return "ILL_CONDITIONED";
+    case EstimateStatus::kNoExcitation:
+      return "NO_EXCITATION";
+    case EstimateStatus::kSaturated:
+      return "SATURATED";
+  }
+  return "STALE";
+}
+
+EstimateResult result_of(const rig_file::RigModel& model, const firmware::Estimates& estimates) {
+  EstimateResult result;
+  const std::vector<rig_file::ParameterInfo> table = rig_file::parameter_table(model);
+  for (size_t i = 0; i < table.size(); ++i) {
+    const firmware::ParameterEstimate& estimate = estimates.parameters[i];
+    ParameterResult parameter;
+    parameter.info = table[i];
+    parameter.value = finite(estimate.value);
+    parameter.std = finite(estimate.std);
+    parameter.ci95_low = std::min(finite(estimate.ci95_low), parameter.value);
+    parameter.ci95_high = std::max(finite(estimate.ci95_high), parameter.value);
+    parameter.status = i < estimates.unknown_count ? estimate.status : EstimateStatus::kStale;
+    result.parameters.push_back(parameter);
+  }
+  result.residual_mean_abs = finite(estimates.residual_mean_abs);
+  result.condition_number = finite(estimates.condition_number);
+  result.rows = estimates.rows;
+  result.skews = skews_of(model, estimates);
+  result.advice = advice_text(model, estimates);
+  result.unresolved = unresolved_text(model, estimates);
+  for (const SkewResult& skew : result.skews)
+    if (skew.significant) result.notes.push_back(skew_note(skew));
+  return result;
+}
+
+std::vector<double> values_of(const EstimateResult& result) {
+  std::vector<double> values;
+  for (const ParameterResult& parameter : result.parameters) values.push_back(parameter.value);
+  return values;
+}
+
+std::string unanswered(const EstimateResult& result) {
+  std::map<EstimateStatus, std::string> names;
+  for (const ParameterResult& parameter : result.parameters) {
+    if (*reason(parameter.status) == '\0') continue;
+    std::string& list = names[parameter.status];
+    list += (list.empty() ? "" : ", ") + parameter.info.name;
+  }
+  std::string text;
+  for (const auto& [status, list] : names)
+    text += (text.empty() ? "" : "\n  ") + list + ": " + status_word(status) + ", " + reason(status);
+  if (text.empty()) return text;
+  const bool entangled = names.count(EstimateStatus::kIllConditioned) > 0 && !result.unresolved.empty();
+  if (entangled) text += "\n  hardly seen is the change " + result.unresolved;
+  if (!result.advice.empty()) text += "\n  measure instead: " + result.advice;
+  return text;
+}
+
+}  // namespace host_sim

@@ -1,0 +1,87 @@
+#include "host_sim/programs/results/fit_quality.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "host_sim/force_balance/derivative.hpp"
+#include "host_sim/force_balance/force_balance.hpp"
+#include "host_sim/plant/plant_error.hpp"
+#include "host_sim/plant/simulate.hpp"
+
+namespace host_sim {
+namespace {
+
+// Sum of squared differences and of squared deviations from the mean, over records.
+struct SquareSums {
+  double error = 0.0, deviation = 0.0;
+
+  void add(const Series& measured, const Series& difference) {
+    const double mean = std::accumulate(measured.begin(), measured.end(), 0.0) / static_cast<double>(measured.size());
+    for (const double value : measured) deviation += (value - mean) * (value - mean);
+    for (const double value : difference) error += value * value;
+  }
+  std::optional<double> percent() const {
+    const double ratio = 100.0 * error / deviation;
+    return deviation > 0.0 && std::isfinite(ratio) ? std::optional<double>(ratio) : std::nullopt;
+  }
+};
+
+// The acceleration of a DOF by way of the quantity that `like` has of it.
+Series acceleration_of(const Record& signals, const Record& like, int dof) {
+  const auto values = [&](Quantity quantity) -> const Series* {
+    return like.find(quantity, dof) != nullptr ? &signals.find(quantity, dof)->values : nullptr;
+  };
+  if (const Series* a = values(Quantity::kAcceleration)) return without_margins(*a);
+  if (const Series* v = values(Quantity::kVelocity)) return first_derivative(*v, signals.sample_period_s);
+  return second_derivative(*values(Quantity::kDisplacement), signals.sample_period_s);
+}
+
+bool runs_freely(const rig_file::RigModel& rig) {
+  return std::all_of(rig.dofs.begin(), rig.dofs.end(),
+                     [](const rig_file::Dof& dof) { return dof.mass_kg.value > 0.0; });
+}
+
+void free_running_error(const rig_file::RigModel& rig, const std::vector<Record>& records,
+                        std::vector<SquareSums>& sums) {
+  for (const Record& record : records) {
+    const Record simulated = free_run(rig, record, 0, measured_state(rig, record, 0), record.samples());
+    for (size_t i = 0; i < sums.size(); ++i) {
+      const Series measured = acceleration_of(record, record, static_cast<int>(i + 1));
+      Series difference = acceleration_of(simulated, record, static_cast<int>(i + 1));
+      for (size_t j = 0; j < difference.size(); ++j) difference[j] -= measured[j];
+      sums[i].add(measured, difference);
+    }
+  }
+}
+
+void force_balance_error(const rig_file::RigModel& rig, const std::vector<Record>& records,
+                         std::vector<SquareSums>& sums) {
+  for (const Record& record : records) {
+    const ForceBalance balance = force_balance(rig, record);
+    for (size_t i = 0; i < sums.size(); ++i) sums[i].add(balance.reference[i], balance.residual[i]);
+  }
+}
+
+}  // namespace
+
+void judge_fit(const rig_file::RigModel& model, const std::vector<Record>& records, EstimateResult& result) {
+  const rig_file::RigModel rig = rig_file::with_values(model, values_of(result));
+  std::vector<SquareSums> sums(model.dofs.size());
+  try {
+    if (runs_freely(rig)) {
+      result.mse_of = "acceleration, measured against the free-running simulation with the estimates";
+      free_running_error(rig, records, sums);
+    } else {
+      result.mse_of = "force balance of each DOF's equation (a massless rig cannot run freely)";
+      force_balance_error(rig, records, sums);
+    }
+  } catch (const PlantError& error) {
+    result.mse_note = std::string("no simulation with these estimates: ") + error.what();
+    sums.assign(sums.size(), SquareSums{});
+  }
+  result.mse_percent.clear();
+  for (const SquareSums& sum : sums) result.mse_percent.push_back(sum.percent());
+}
+
+}  // namespace host_sim

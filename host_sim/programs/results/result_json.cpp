@@ -1,0 +1,51 @@
+#include "host_sim/programs/results/result_json.hpp"
+
+namespace host_sim {
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json to_json(const ParameterResult& parameter) {
+  ordered_json json = {{"name", parameter.info.name},
+                       {"value", parameter.value},
+                       {"unit", parameter.info.unit},
+                       {"std", parameter.std},
+                       {"ci95", {parameter.ci95_low, parameter.ci95_high}},
+                       {"status", status_word(parameter.status)}};
+  if (parameter.truth) json["truth"] = *parameter.truth;
+  if (parameter.paper) json["paper"] = *parameter.paper;
+  return json;
+}
+
+}  // namespace
+
+ordered_json to_json(const EstimateResult& result) {
+  ordered_json json = {{"schema", "estimate/1"}, {"parameters", ordered_json::array()}};
+  for (const ParameterResult& parameter : result.parameters) json["parameters"].push_back(to_json(parameter));
+  json["residual_mean_abs"] = result.residual_mean_abs;
+  if (result.paper_residual) json["paper_residual_mean_abs"] = *result.paper_residual;
+  json["condition_number"] = result.condition_number;
+  json["mse_percent"] = ordered_json::array();
+  for (const auto& mse : result.mse_percent) json["mse_percent"].push_back(mse ? ordered_json(*mse) : ordered_json());
+  if (!result.paper_mse_percent.empty()) json["paper_mse_percent"] = result.paper_mse_percent;
+  json["mse_of"] = result.mse_of;
+  if (!result.mse_note.empty()) json["mse_note"] = result.mse_note;
+  json["samples"] = result.samples;
+  json["sample_rate_Hz"] = result.sample_rate_Hz;
+  json["levels"] = result.levels;
+  json["equations"] = result.rows;
+  json["missed_samples"] = result.health.missed_samples;
+  json["saturated_samples"] = result.health.saturated_samples;
+  json["skew_us"] = ordered_json::array();
+  for (const SkewResult& skew : result.skews)
+    json["skew_us"].push_back(
+        {{"channel", skew.channel}, {"late", skew.late_us}, {"std", skew.std_us}, {"significant", skew.significant}});
+  json["unresolved"] = result.unresolved;
+  json["advice"] = result.advice.empty() ? ordered_json::array() : ordered_json::array({result.advice});
+  json["notes"] = result.notes;
+  return json;
+}
+
+std::string to_text(const ordered_json& json) { return json.dump(2) + "\n"; }
+
+}  // namespace host_sim

@@ -1,0 +1,114 @@
+#include "host_sim/programs/results/result_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "host_sim/programs/shared/terminal.hpp"
+
+namespace host_sim {
+namespace {
+
+using firmware::EstimateStatus;
+
+std::string plain(double value, int digits) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%.*g", digits, value);
+  return text;
+}
+
+Colour colour_of(EstimateStatus status) {
+  if (status == EstimateStatus::kValid) return Colour::kGood;
+  const bool doubtful =
+      status == EstimateStatus::kStale || status == EstimateStatus::kBiasSuspect || status == EstimateStatus::kSkewed;
+  return doubtful ? Colour::kDoubtful : Colour::kBad;
+}
+
+struct Column {
+  std::string heading;
+  bool right = false;
+  std::vector<std::string> cells = {};
+  size_t width() const {
+    size_t widest = heading.size();
+    for (const std::string& cell : cells) widest = std::max(widest, cell.size());
+    return widest;
+  }
+};
+
+std::string padded(const std::string& text, size_t width, bool right) {
+  const std::string blanks(width - std::min(width, text.size()), ' ');
+  return right ? blanks + text : text + blanks;
+}
+
+std::vector<Column> columns_of(const EstimateResult& result) {
+  Column name{"parameter"}, truth{"truth", true}, paper{"paper", true}, value{"estimate", true}, low{"95 % from", true},
+      high{"to", true}, unit{"unit"}, status{"status"};
+  for (const ParameterResult& p : result.parameters) {
+    const double half = 0.5 * (p.ci95_high - p.ci95_low);
+    name.cells.push_back(p.info.name);
+    truth.cells.push_back(p.truth ? plain(*p.truth, 6) : "");
+    paper.cells.push_back(p.paper ? plain(*p.paper, 7) : "");
+    value.cells.push_back(rounded_to(p.value, half));
+    low.cells.push_back(rounded_to(p.ci95_low, half));
+    high.cells.push_back(rounded_to(p.ci95_high, half));
+    unit.cells.push_back(p.info.unit);
+    status.cells.push_back(status_word(p.status));
+  }
+  std::vector<Column> columns = {name};
+  const auto any = [](const Column& column) {
+    return std::any_of(column.cells.begin(), column.cells.end(), [](const std::string& cell) { return !cell.empty(); });
+  };
+  if (any(truth)) columns.push_back(truth);
+  if (any(paper)) columns.push_back(paper);
+  for (const Column& column : {value, low, high, unit, status}) columns.push_back(column);
+  return columns;
+}
+
+std::string format_fit(const EstimateResult& result) {
+  std::string text = "mean normalised residual " + plain(result.residual_mean_abs, 3);
+  if (result.paper_residual) text += " (paper " + plain(*result.paper_residual, 3) + ")";
+  text += ", condition number " + plain(result.condition_number, 3) + "\n";
+  if (result.mse_percent.empty()) return text;
+  text += "MSE (Eq. 13) per DOF, %:";
+  for (const auto& mse : result.mse_percent) text += " " + (mse ? plain(*mse, 3) : std::string("-"));
+  if (!result.paper_mse_percent.empty()) {
+    text += " (paper";
+    for (const double mse : result.paper_mse_percent) text += " " + plain(mse, 3);
+    text += ")";
+  }
+  text += "; " + result.mse_of + "\n";
+  if (!result.mse_note.empty()) text += "  " + result.mse_note + "\n";
+  return text;
+}
+
+}  // namespace
+
+std::string rounded_to(double value, double uncertainty) {
+  if (value == 0.0 || !(uncertainty > 0.0)) return plain(value, 7);
+  const int top = static_cast<int>(std::floor(std::log10(std::abs(value))));
+  const int last = static_cast<int>(std::floor(std::log10(uncertainty))) - 1;
+  const int digits = std::clamp(top - last + 1, 3, 9);
+  if (top < -4 || top > 8) return plain(value, digits);
+  char text[64];
+  std::snprintf(text, sizeof text, "%.*f", std::max(0, digits - 1 - top), value);
+  return text;
+}
+
+std::string format_table(const EstimateResult& result, bool colours) {
+  const std::vector<Column> columns = columns_of(result);
+  std::string text;
+  for (const Column& column : columns)
+    text += coloured(padded(column.heading, column.width(), column.right), Colour::kBold, colours) +
+            (&column == &columns.back() ? "\n" : "  ");
+  for (size_t row = 0; row < result.parameters.size(); ++row)
+    for (const Column& column : columns) {
+      const bool last = &column == &columns.back();
+      const std::string cell = padded(column.cells[row], last ? 0 : column.width(), column.right);
+      text += last ? coloured(cell, colour_of(result.parameters[row].status), colours) + "\n" : cell + "  ";
+    }
+  text += format_fit(result);
+  for (const std::string& note : result.notes) text += "note: " + note + "\n";
+  return text;
+}
+
+}  // namespace host_sim

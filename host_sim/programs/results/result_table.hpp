@@ -1,0 +1,16 @@
+// The estimates as a table for people.
+#pragma once
+#include <string>
+
+#include "host_sim/programs/results/estimate_result.hpp"
+
+namespace host_sim {
+
+// One line per parameter: name, truth and the paper's figure where known, estimate, 95 % interval, unit, status; then
+// the residual, the condition number and the MSE of Eq. 13. Numbers carry the digits that their interval supports.
+std::string format_table(const EstimateResult& result, bool colours);
+
+// "20.0041" for a half-width of 0.0003: two digits of the uncertainty, 3 to 9 significant digits in all.
+std::string rounded_to(double value, double uncertainty);
+
+}  // namespace host_sim

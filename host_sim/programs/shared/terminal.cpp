@@ -1,0 +1,59 @@
+#include "host_sim/programs/shared/terminal.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+
+namespace host_sim {
+
+bool is_terminal(std::FILE* stream) {
+  const char* term = std::getenv("TERM");
+  const char* no_color = std::getenv("NO_COLOR");
+  if (no_color != nullptr && *no_color != '\0') return false;
+  return ::isatty(::fileno(stream)) != 0 && term != nullptr && std::strcmp(term, "dumb") != 0;
+}
+
+std::string coloured(const std::string& text, Colour colour, bool on) {
+  if (!on) return text;
+  const char* code = "0";
+  switch (colour) {
+    case Colour::kGood:
+      code = "32";
+      break;
+    case Colour::kDoubtful:
+      code = "33";
+      break;
+    case Colour::kBad:
+      code = "31";
+      break;
+    case Colour::kQuiet:
+      code = "2";
+      break;
+    case Colour::kBold:
+      code = "1";
+      break;
+  }
+  return std::string("\033[") + code + "m" + text + "\033[0m";
+}
+
+ProgressBar::ProgressBar(std::string label) : label_(std::move(label)), on_(is_terminal(stderr)) {}
+
+ProgressBar::~ProgressBar() {
+  if (on_ && shown_ >= 0) std::fprintf(stderr, "\r\033[K");
+}
+
+void ProgressBar::show(double share) {
+  constexpr int kWidth = 40;
+  const int percent = static_cast<int>(100.0 * std::clamp(share, 0.0, 1.0));
+  if (!on_ || percent == shown_) return;
+  shown_ = percent;
+  const int filled = percent * kWidth / 100;
+  const std::string bar =
+      std::string(static_cast<size_t>(filled), '#') + std::string(static_cast<size_t>(kWidth - filled), '.');
+  std::fprintf(stderr, "\r%s [%s] %3d %%", label_.c_str(), bar.c_str(), percent);
+  std::fflush(stderr);
+}
+
+}  // namespace host_sim
