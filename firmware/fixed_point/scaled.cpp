@@ -1,6 +1,7 @@
-// Block-floating arithmetic. The 128-bit steps have a portable form, so that boards with and without a 128-bit type give the
-// same bits.
+// Block-floating arithmetic; its 128-bit steps are in wide.cpp.
 #include "firmware/fixed_point/scaled.hpp"
+
+#include "firmware/fixed_point/wide.hpp"
 
 namespace firmware {
 namespace {
@@ -18,41 +19,6 @@ int64_t with_sign(uint64_t value, bool negative) {
 }
 
 int leading_zeros(uint64_t value) { return __builtin_clzll(value); }  // value != 0
-
-struct Wide {
-  uint64_t high, low;
-};
-
-Wide multiply(uint64_t a, uint64_t b) {
-#ifdef __SIZEOF_INT128__
-  const unsigned __int128 product = static_cast<unsigned __int128>(a) * b;
-  return {static_cast<uint64_t>(product >> 64), static_cast<uint64_t>(product)};
-#else
-  const uint64_t a_low = a & 0xffffffffu, a_high = a >> 32, b_low = b & 0xffffffffu, b_high = b >> 32;
-  const uint64_t low = a_low * b_low;
-  const uint64_t middle = a_high * b_low + (low >> 32);
-  const uint64_t cross = a_low * b_high + (middle & 0xffffffffu);
-  return {a_high * b_high + (middle >> 32) + (cross >> 32), (cross << 32) | (low & 0xffffffffu)};
-#endif
-}
-
-// floor(numerator * 2^62 / denominator), numerator < denominator < 2^63: one bit a turn.
-uint64_t divide_fraction(uint64_t numerator, uint64_t denominator) {
-#ifdef __SIZEOF_INT128__
-  return static_cast<uint64_t>((static_cast<unsigned __int128>(numerator) << kMantissaBits) / denominator);
-#else
-  uint64_t quotient = 0;
-  for (int bit = 0; bit < kMantissaBits; ++bit) {
-    numerator <<= 1;
-    quotient <<= 1;
-    if (numerator >= denominator) {
-      numerator -= denominator;
-      quotient |= 1;
-    }
-  }
-  return quotient;
-#endif
-}
 
 // value * 2^exponent with value < 2^64, brought to the normal form; rounds to nearest when bits are dropped.
 Scaled normalised(uint64_t value, int32_t exponent, bool negative) {
@@ -117,22 +83,9 @@ Scaled operator/(Scaled a, Scaled b) {
 
 Scaled sqrt(Scaled a) {
   if (a.mantissa <= 0) return {};
-  // Even exponent and a radicand of 119 or 120 bits in two words of 60: the root has 60 bits, digit by digit.
+  // Even exponent: mantissa * 2^(60 - drop) = radicand * 2^56 has 119 or 120 bits, its root 60.
   const int drop = (a.exponent & 1) ? 3 : 2;
-  const uint64_t mantissa = static_cast<uint64_t>(a.mantissa);
-  const uint64_t high = mantissa >> drop, low = (mantissa << (60 - drop)) & ((uint64_t{1} << 60) - 1);
-  uint64_t remainder = 0, root = 0;
-  for (int pair = 59; pair >= 0; --pair) {
-    const uint64_t digits = (pair >= 30 ? high >> (2 * (pair - 30)) : low >> (2 * pair)) & 3u;
-    remainder = (remainder << 2) | digits;
-    const uint64_t trial = (root << 2) | 1u;
-    root <<= 1;
-    if (remainder >= trial) {
-      remainder -= trial;
-      root |= 1;
-    }
-  }
-  if (remainder > root) ++root;  // nearest
+  const uint64_t root = nearest_root(static_cast<uint64_t>(a.mantissa) << (4 - drop));
   return normalised(root, (a.exponent + drop - 60) / 2, false);
 }
 
