@@ -9,6 +9,7 @@ RigController::RigController(const ControllerConfiguration& configuration, const
     : configuration_(configuration),
       default_node_(configuration.node),
       ports_(ports),
+      emergency_line_(ports.emergency_stop),
       estimation_(configuration_.core, ports.worker),
       sdo_(*this) {
   excitation_.configure(configuration_.programme, configuration_.core.dof_count,
@@ -19,6 +20,7 @@ RigController::RigController(const ControllerConfiguration& configuration, const
 
 void RigController::step() {
   now_ns_ = ports_.clock.now_ns();
+  pressed_in_step_ = false;
   if (!booted_) boot();
   check_emergency_stop();
   handle(supervisor_.check_time(now_ns_));
@@ -54,16 +56,18 @@ void RigController::boot() {
   if (configuration_.programme.start_at_boot) start();
 }
 
-void RigController::check_emergency_stop() {
-  bool pressed = ports_.emergency_stop.active();
-  hal::LineEdge edge;
-  while (ports_.emergency_stop.next_edge(edge)) pressed = pressed || edge.rising;
-  if (pressed && !stop_pressed_) handle(supervisor_.trip({AlarmCause::kEmergencyStop}));
-  stop_pressed_ = ports_.emergency_stop.active();
+// True where the line has been pressed in this step, so that a command which was sent before the press does nothing.
+// Whoever looks at the line acts on what it sees: a look cannot swallow a press.
+bool RigController::check_emergency_stop() {
+  const bool pressed = emergency_line_.pressed();
+  const bool told = supervisor_.latched().cause == AlarmCause::kEmergencyStop;
+  pressed_in_step_ = pressed_in_step_ || pressed;
+  if (pressed && !told) handle(supervisor_.trip({AlarmCause::kEmergencyStop}));
+  return pressed_in_step_;
 }
 
 bool RigController::start() {
-  if (!booted_ || supervisor_.tripped() || safe_pending_ || ports_.emergency_stop.active()) return false;
+  if (!booted_ || check_emergency_stop() || supervisor_.tripped() || safe_pending_) return false;
   if (listening_) return start_listening();
   const ExcitationState state = excitation_.state();
   if (state != ExcitationState::kIdle && state != ExcitationState::kDone) return false;
@@ -101,7 +105,7 @@ void RigController::stop() {
 }
 
 bool RigController::reset() {
-  if (ports_.emergency_stop.active() || safe_pending_) return false;
+  if (!booted_ || check_emergency_stop() || safe_pending_) return false;
   if (supervisor_.latched().cause == AlarmCause::kConfiguration) return false;
   if (!supervisor_.tripped()) {
     if (listening_ && !measuring_) forget_estimates();

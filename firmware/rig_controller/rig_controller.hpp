@@ -17,6 +17,7 @@
 #include "firmware/rig_controller/alarm_message.hpp"
 #include "firmware/rig_controller/bus_monitor.hpp"
 #include "firmware/rig_controller/controller_configuration.hpp"
+#include "firmware/rig_controller/emergency_line.hpp"
 #include "firmware/rig_controller/estimation.hpp"
 #include "firmware/rig_controller/schedule.hpp"
 #include "firmware/rig_controller/sdo_server.hpp"
@@ -81,7 +82,7 @@ class RigController final : private ObjectDictionary {
   void boot();
   bool start_listening();
   void forget_estimates();
-  void check_emergency_stop();
+  bool check_emergency_stop();
   void take_samples();
   void take_sample(const RawSample& sample);
   void source_stopped(bool fault);
@@ -125,6 +126,7 @@ class RigController final : private ObjectDictionary {
   ControllerConfiguration configuration_;
   const NodeConfiguration default_node_;  // as given at start
   Ports ports_;
+  EmergencyLine emergency_line_;
   Estimation estimation_;
   Excitation excitation_;
   Supervisor supervisor_;
@@ -139,8 +141,8 @@ class RigController final : private ObjectDictionary {
   bool finished_ = false;
   bool source_stopped_ = false;
   bool relay_on_ = false;
-  bool stop_pressed_ = false;  // the emergency-stop line at the last look
-  bool safe_pending_ = false;  // drive zero or relay off has not been delivered yet
+  bool pressed_in_step_ = false;  // the emergency stop
+  bool safe_pending_ = false;     // drive zero or relay off has not been delivered yet
   bool lamp_on_ = false;
   bool lamp_known_ = false;
   uint32_t samples_in_window_ = 0;

@@ -1,5 +1,6 @@
 // The small fakes: clock, drive, lines, watchdog. Each records what the controller did and can refuse.
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <deque>
 
@@ -39,13 +40,23 @@ class FakeDrive final : public DriveOutput {
   uint64_t writes_ = 0;
 };
 
+// A line that changes when told, or by a script in the middle of whatever reads it: a real line changes between any two
+// reads, its level and its edges need not become visible together, and a short pulse may leave one of the two alone.
 class FakeInput final : public DigitalInput {
  public:
-  bool active() override { return active_; }
+  enum class Shows : uint8_t { kLevel, kEdge };
+
+  bool active() override {
+    run_script();
+    seen_ = seen_ || active_;
+    return active_;
+  }
   bool next_edge(LineEdge& edge) override {
+    run_script();
     if (edges_.empty()) return false;
     edge = edges_.front();
     edges_.pop_front();
+    seen_ = true;
     return true;
   }
   // Changes the level and leaves an edge behind where it did change.
@@ -59,9 +70,36 @@ class FakeInput final : public DigitalInput {
     set(false, time_ns);
   }
 
+  // Before the read with this number (active() and next_edge() count alike, the first ever is number 0): the level
+  // becomes active or not, or an edge in that direction begins to wait. At one read: in the order of calling.
+  void at_read(uint64_t read, Shows what, bool active) {
+    script_.push_back({read, what, active});
+    std::stable_sort(script_.begin(), script_.end(), [](const Change& a, const Change& b) { return a.read < b.read; });
+  }
+  uint64_t reads() const { return reads_; }
+  bool seen() const { return seen_; }  // some read has answered with an active level or an edge
+  void forget_what_was_seen() { seen_ = false; }
+
  private:
+  struct Change {
+    uint64_t read;
+    Shows what;
+    bool active;
+  };
+  void run_script() {
+    for (; !script_.empty() && script_.front().read <= reads_; script_.pop_front()) {
+      const Change& change = script_.front();
+      if (change.what == Shows::kLevel) active_ = change.active;
+      if (change.what == Shows::kEdge) edges_.push_back({change.active, 0});
+    }
+    ++reads_;
+  }
+
   bool active_ = false;
+  bool seen_ = false;
+  uint64_t reads_ = 0;
   std::deque<LineEdge> edges_;
+  std::deque<Change> script_;
 };
 
 class FakeOutput final : public DigitalOutput {
