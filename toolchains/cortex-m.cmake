@@ -1,9 +1,12 @@
-# Debian's gcc-arm-none-eabi with libstdc++-arm-none-eabi-newlib: Cortex-M4, no operating system. Builds the core only.
+# Debian's gcc-arm-none-eabi with libstdc++-arm-none-eabi-newlib: no operating system. RIG_CORTEX_M_CPU is cortex-m4
+# unless it is set; the core is linked into a small image for emulated boards (tests/bare_metal).
 set(CMAKE_SYSTEM_NAME Generic)
 set(CMAKE_SYSTEM_PROCESSOR arm)
 set(CMAKE_C_COMPILER arm-none-eabi-gcc)
 set(CMAKE_CXX_COMPILER arm-none-eabi-g++)
 set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)
-set(RIG_CORTEX_M "-mcpu=cortex-m4 -mthumb -mfloat-abi=soft -ffunction-sections -fdata-sections -fstack-usage")
+set(RIG_CORTEX_M_CPU cortex-m4 CACHE STRING "processor of the image")
+list(APPEND CMAKE_TRY_COMPILE_PLATFORM_VARIABLES RIG_CORTEX_M_CPU)
+set(RIG_CORTEX_M "-mcpu=${RIG_CORTEX_M_CPU} -mthumb -mfloat-abi=soft -ffunction-sections -fdata-sections -fstack-usage")
 set(CMAKE_C_FLAGS_INIT "${RIG_CORTEX_M}")
 set(CMAKE_CXX_FLAGS_INIT "${RIG_CORTEX_M}")

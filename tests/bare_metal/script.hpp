@@ -1,0 +1,45 @@
+// A measurement for the core as a file that any machine can read: the configuration's bytes, then what happens, in order.
+//
+//   "RIG1", u32 length, the bytes of firmware::encode(); then one byte an event and what belongs to it, little-endian:
+//   'L'  a level begins
+//   'S'  a sample: i32 codes of the present channels, node by node, force to acceleration
+//   'W'  the estimates are wanted
+//   'E'  the level ends
+//   'Q'  the end
+#pragma once
+#include <cstddef>
+#include <cstdint>
+
+namespace bare_metal {
+
+class Bytes {
+ public:
+  virtual size_t read(uint8_t* bytes, size_t size) = 0;  // the number read
+
+ protected:
+  ~Bytes() = default;
+};
+
+class Text {
+ public:
+  virtual void print(const char* text, size_t size) = 0;
+
+ protected:
+  ~Text() = default;
+};
+
+// Counts the work of a piece of the path; a machine without a counter says 0.
+class WorkCounter {
+ public:
+  virtual uint32_t now() = 0;  // instructions, or any unit; runs over
+
+ protected:
+  ~WorkCounter() = default;
+};
+
+// Runs the script through the core and prints each set of estimates as integers (mantissa:exponent), then what the path
+// cost: "push: samples N total T worst W" and "solve: count N worst W" in the counter's unit, where the counter counts.
+// detail 1: plain sums, 3: full. Returns false where the script cannot be read.
+bool run_script(Bytes& script, Text& out, WorkCounter& counter, int detail);
+
+}  // namespace bare_metal
