@@ -7,7 +7,7 @@
 #include <cmath>
 #include <complex>
 
-#include "dice.hpp"
+#include "tests/hidden_rig/dice.hpp"
 #include "sensors.hpp"
 
 namespace hidden {

@@ -2,10 +2,12 @@
 #pragma once
 #include <vector>
 
-#include "dice.hpp"
 #include "draw.hpp"
+#include "tests/hidden_rig/dice.hpp"
 
 namespace hidden {
+
+using hidden_rig::Dice;
 
 using Values = std::vector<double>;
 constexpr double kPeriod = 1e-3;  // of every record, s

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace hidden {
+namespace hidden_rig {
 
 class Dice {  // splitmix64
  public:
@@ -31,4 +31,4 @@ class Dice {  // splitmix64
   uint64_t state_;
 };
 
-}  // namespace hidden
+}  // namespace hidden_rig
