@@ -72,7 +72,7 @@ ChannelRange channel_range(const ChannelConfiguration& channel, int node, Quanti
   range.quantity = quantity;
   range.rotating = rotating;
   range.offset_code = channel.offset_code;
-  range.full_scale_code = channel.full_scale_code;
+  range.full_scale_code = channel.highest_code > -channel.lowest_code ? channel.highest_code : -channel.lowest_code;
   return range;
 }
 

@@ -15,6 +15,16 @@ int32_t clamp32(int64_t value) {
   return static_cast<int32_t>(value);
 }
 
+// A rail as the signal's 24 bits about the offset allow it.
+int32_t within(int32_t rail, int64_t offset) {
+  const int64_t lowest = offset - kSignalLimit, highest = offset + kSignalLimit;
+  return clamp32(rail < lowest ? lowest : rail > highest ? highest : rail);
+}
+
+int32_t between(int32_t lowest, int32_t code, int32_t highest) {
+  return code < lowest ? lowest : code > highest ? highest : code;
+}
+
 }  // namespace
 
 void Conditioning::configure(const CoreConfiguration& configuration) {
@@ -25,8 +35,10 @@ void Conditioning::configure(const CoreConfiguration& configuration) {
   for (int node = 0; node < kMaxNodes; ++node) {
     for (int quantity = 0; quantity < kQuantities; ++quantity) {
       const ChannelConfiguration& channel = configuration.channels[node][quantity];
-      limit_[node][quantity] = channel.present ? channel.full_scale_code : INT32_MAX;
-      offset_[node][quantity] = channel.present ? channel.offset_code : 0;
+      const int64_t offset = channel.present ? channel.offset_code : 0;
+      offset_[node][quantity] = static_cast<int32_t>(offset);
+      lowest_[node][quantity] = channel.present ? within(channel.lowest_code, offset) : -kSignalLimit;
+      highest_[node][quantity] = channel.present ? within(channel.highest_code, offset) : kSignalLimit;
     }
     if (node >= configuration.dof_count && node != kBaseNode) continue;
     for (int quantity = 0; quantity < kQuantities; ++quantity) {
@@ -64,10 +76,10 @@ bool Conditioning::append(const RawSample& sample, Frame& frame, int at) {
   int32_t beyond[kQuantities] = {};
   for (int node = 0; node < nodes_; ++node, column += kQuantities * kFrameStride) {
     for (int q = 0; q < kQuantities; ++q) {
-      const int32_t code = sample.code[node][q], limit = limit_[node][q];
-      beyond[q] |= static_cast<int32_t>(code >= limit) | static_cast<int32_t>(code <= -limit);
+      const int32_t code = sample.code[node][q];
+      beyond[q] |= static_cast<int32_t>(code >= highest_[node][q]) | static_cast<int32_t>(code <= lowest_[node][q]);
     }
-    for (int q = 0; q < kQuantities; ++q) column[q * kFrameStride] = sample.code[node][q] - offset_[node][q];
+    for (int q = 0; q < kQuantities; ++q) column[q * kFrameStride] = centred(node, q, sample.code[node][q]);
   }
   saturated_ = (beyond[0] | beyond[1] | beyond[2] | beyond[3]) != 0;
   return plain_ || filter(sample, frame, at);
@@ -76,8 +88,8 @@ bool Conditioning::append(const RawSample& sample, Frame& frame, int at) {
 bool Conditioning::filter(const RawSample& sample, Frame& frame, int at) {
   for (int i = 0; i < path_count_; ++i) {
     Path& path = path_[i];
-    frame.column[path.column][at] =
-        filtered(path, sample.code[path.node][path.source] - offset_[path.node][path.source]);
+    const int32_t code = sample.code[path.node][path.source];
+    frame.column[path.column][at] = filtered(path, centred(path.node, path.source, code));
   }
   if (++history_at_ == kHistory) history_at_ = 0;
   ++received_;
@@ -89,6 +101,10 @@ void Conditioning::move_frame(Frame& frame, int count, int kept) const {
     int32_t* column = frame.column[path_[p].column];
     for (int i = 0; i < kept; ++i) column[i] = column[i + count];
   }
+}
+
+int32_t Conditioning::centred(int node, int quantity, int32_t code) const {
+  return between(lowest_[node][quantity], code, highest_[node][quantity]) - offset_[node][quantity];
 }
 
 int32_t Conditioning::filtered(Path& path, int32_t code) {

@@ -4,7 +4,7 @@
 //
 // Formats: code 24 bits; section states Q16 in int64, below 2^57 for two integrations at the slowest corner (shift 12);
 // FIR: 57 taps of 30 bits times codes of 24 bits, or of 25 bits times 31, stay below 2^62. Signals leave with |value| <= 2^23; a signal at that limit and a code at
-// its channel's full scale count as saturated.
+// one of its channel's rails count as saturated.
 #pragma once
 #include <cstdint>
 
@@ -35,11 +35,15 @@ class Conditioning {
     int64_t previous[kMaxSections] = {};  // Q16, last input of a difference section
   };
   bool filter(const RawSample& sample, Frame& frame, int at);
+  int32_t centred(int node, int quantity, int32_t code) const;
   int32_t filtered(Path& path, int32_t code);
   int32_t high_passed(Path& path, int integrations, int32_t code) const;
 
   const CoreConfiguration* configuration_ = nullptr;
-  alignas(16) int32_t limit_[kMaxNodes][kQuantities];  // codes at or beyond it are saturated
+  // Codes at or beyond these are saturated; beyond them they are taken for these, so that code - offset holds 24 bits
+  // with sign whatever a converter delivers.
+  alignas(16) int32_t lowest_[kMaxNodes][kQuantities];
+  alignas(16) int32_t highest_[kMaxNodes][kQuantities];
   alignas(16) int32_t offset_[kMaxNodes][kQuantities];
   int nodes_ = 0;  // nodes in use, the base included
   Path path_[kMaxNodes * kQuantities];

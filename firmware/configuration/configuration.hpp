@@ -11,13 +11,18 @@ namespace firmware {
 enum class Quantity : uint8_t { kForce = 0, kDisplacement = 1, kVelocity = 2, kAcceleration = 3 };
 constexpr int kQuantities = 4;
 
+constexpr int32_t kLargestCode = 8388607;  // 24 bits with sign
+
 // One measured channel. value in SI units = (code - offset_code) * unit_per_code.
 struct ChannelConfiguration {
   bool present = false;
   int32_t offset_code = 0;
-  int32_t full_scale_code = 8388607;  // |code| at or above this is a saturated sensor; 24 bits at the most
-  Scaled unit_per_code;               // N, m, m/s, m/s^2 (rotating DOF: N m, rad, rad/s, rad/s^2) per code
-  int32_t delay_ns = 0;               // how late the channel is against the others; removed in conditioning
+  // The converter's rails: a code at or beyond one of them is a saturated sensor. code - offset_code holds 24 bits with
+  // sign; what enters beyond that is clamped and counts as saturated.
+  int32_t lowest_code = -kLargestCode;
+  int32_t highest_code = kLargestCode;
+  Scaled unit_per_code;  // N, m, m/s, m/s^2 (rotating DOF: N m, rad, rad/s, rad/s^2) per code
+  int32_t delay_ns = 0;  // how late the channel is against the others; removed in conditioning
 };
 
 // How a signal that the equations use is made from a measured channel of the same node. Arithmetic:

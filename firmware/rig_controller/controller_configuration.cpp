@@ -6,7 +6,7 @@
 namespace firmware {
 namespace {
 
-constexpr uint32_t kVersion = 0x52433032;  // "RC02": changes with the list of fields
+constexpr uint32_t kVersion = 0x52433033;  // "RC03": changes with the list of fields
 
 class Crc32 {
  public:
@@ -83,7 +83,8 @@ template <typename Archive, typename Channel>
 void walk_channel(Archive& archive, Channel& channel) {
   archive.field(channel.present);
   archive.field(channel.offset_code);
-  archive.field(channel.full_scale_code);
+  archive.field(channel.lowest_code);
+  archive.field(channel.highest_code);
   walk_scaled(archive, channel.unit_per_code);
   archive.field(channel.delay_ns);
 }

@@ -13,8 +13,6 @@ Alarm at(AlarmCause cause, uint32_t detail, int node, int quantity) {
   return {cause, detail, static_cast<uint8_t>(node), static_cast<uint8_t>(quantity)};
 }
 
-int32_t magnitude(int32_t code) { return code < 0 ? (code == INT32_MIN ? INT32_MAX : -code) : code; }
-
 }  // namespace
 
 void Supervisor::configure(const CoreConfiguration& core, const LimitConfiguration& limits, const DriveLimits& drive) {
@@ -75,7 +73,7 @@ Alarm Supervisor::check_channel(const RawSample& sample, int node, int quantity)
   if (!channel.present) return Alarm{};
   const int32_t code = sample.code[node][quantity];
   uint16_t& in_row = saturated_in_row_[node][quantity];
-  if (magnitude(code) >= channel.full_scale_code) {
+  if (code <= channel.lowest_code || code >= channel.highest_code) {
     ++counters_.saturated_samples;
     if (in_row < 0xFFFF) ++in_row;
     if (in_row >= limits_->saturated_in_row) {

@@ -3,8 +3,10 @@
 #include <sys/socket.h>
 #include <sys/un.h>
 
+#include <cstdint>
 #include <string>
 
+#include "hal/interface/clock.hpp"
 #include "hal/interface/watchdog.hpp"
 #include "hal/linux/file_descriptor.hpp"
 
@@ -29,10 +31,18 @@ class SystemdWatchdog final : public Watchdog {
   socklen_t address_size_ = 0;
 };
 
+// The device that a board's file means: "auto" is the hardware's first watchdog where there is one that can be disarmed,
+// "none" is none. Empty: none.
+std::string watchdog_device(const std::string& setting);
+// Counts down at this moment, for whoever opened it; true where the kernel does not tell.
+bool watchdog_is_armed(const std::string& device);
+
 // The hardware watchdog. Once opened the board restarts unless it is fed; a clean end disarms it ("magic close").
 class DeviceWatchdog final : public Watchdog {
  public:
-  std::string open(const std::string& device, int timeout_s);  // empty where it worked
+  // Empty where it worked; else what is wrong, and the watchdog is disarmed again.
+  std::string open(const std::string& device, int timeout_s);
+  bool present() const { return static_cast<bool>(device_); }
   void feed() override;
   void disarm();
 
@@ -40,18 +50,19 @@ class DeviceWatchdog final : public Watchdog {
   FileDescriptor device_;
 };
 
-// Feeds both.
+// Feeds both, ten times a second: each feed of systemd's wakes its process.
 class BoardWatchdog final : public Watchdog {
  public:
-  BoardWatchdog(Watchdog& first, Watchdog* second) : first_(first), second_(second) {}
-  void feed() override {
-    first_.feed();
-    if (second_ != nullptr) second_->feed();
-  }
+  static constexpr uint64_t kPeriod_ns = 100000000;
+  BoardWatchdog(MonotonicClock& clock, Watchdog& first, Watchdog& second)
+      : clock_(clock), first_(first), second_(second) {}
+  void feed() override;
 
  private:
+  MonotonicClock& clock_;
   Watchdog& first_;
-  Watchdog* second_;
+  Watchdog& second_;
+  uint64_t next_ns_ = 0;
 };
 
 }  // namespace hal

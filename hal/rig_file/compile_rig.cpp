@@ -50,13 +50,23 @@ void compile_channel(const RigModel& model, const ChannelCalibration& channel, f
   firmware::ChannelConfiguration& target = result.channels[node_index(channel.dof)][static_cast<int>(channel.quantity)];
   target.present = true;
   target.offset_code = channel.offset_code;
-  target.full_scale_code = channel.full_scale_code;
+  target.lowest_code = channel.lowest_code;
+  target.highest_code = channel.highest_code;
   target.unit_per_code = to_scaled(channel.unit_per_code);
   target.delay_ns = static_cast<int32_t>(std::lround(channel.delay_s * 1e9));
   if (channel.dof == kBase) result.base_present = true;
 }
 
 }  // namespace
+
+void ChannelCalibration::take(const ChannelEntry& entry) {
+  if (entry.unit_per_code != 0.0) unit_per_code = entry.unit_per_code;
+  offset_code = entry.offset_code;
+  delay_s = entry.delay_us * 1e-6;
+  if (entry.lowest_code == entry.highest_code) return;
+  lowest_code = entry.lowest_code;
+  highest_code = entry.highest_code;
+}
 
 int node_index(int dof) {
   if (dof == kBase) return firmware::kBaseNode;

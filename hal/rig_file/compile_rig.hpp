@@ -19,8 +19,13 @@ struct ChannelCalibration {
   int dof = 1;  // from 1, or kBase
   double unit_per_code = 1.0;
   int32_t offset_code = 0;
-  int32_t full_scale_code = 8388607;
+  // The converter's rails: a code at or beyond one of them is a saturated sensor.
+  int32_t lowest_code = -firmware::kLargestCode;
+  int32_t highest_code = firmware::kLargestCode;
   double delay_s = 0.0;
+
+  // What a channel's entry in the file says of its converter; absent keys leave what is here.
+  void take(const ChannelEntry& entry);
 };
 
 // Index of a DOF number among the core's nodes: DOF n at n - 1, kBase and kGround at their own places.

@@ -40,7 +40,9 @@ struct ChannelEntry {
   double delay_us = 0.0;       // how late the channel is against the others
   double unit_per_code = 0.0;  // SI units per converter code; 0: chosen from the data
   int offset_code = 0;         // code at zero
-  int full_scale_code = 0;     // |code| at or above this is a saturated sensor; 0: 2^23 - 1
+  // The converter's rails, a code at or beyond them is a saturated sensor; equal: not told.
+  int lowest_code = 0;
+  int highest_code = 0;
 };
 
 struct RigModel {

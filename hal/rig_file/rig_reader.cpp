@@ -131,8 +131,34 @@ void read_dofs(const toml::table& root, RigModel& model) {
   if (model.dofs.empty()) refuse({model.file, ""}, root, "dof", "is missing, expected at least one [[dof]]");
 }
 
+// The code at zero and the converter's rails.
+void read_codes(const Place& place, const toml::table& table, ChannelEntry& entry) {
+  const auto code = [&](const char* key, int64_t least, int64_t most, int& value) {
+    const toml::node* node = table.get(key);
+    if (node != nullptr) value = static_cast<int>(whole_number(place, *node, key, least, most));
+    return node != nullptr;
+  };
+  code("offset_code", -8388608, 8388608, entry.offset_code);
+  const bool symmetric = code("full_scale_code", 1, firmware::kLargestCode, entry.highest_code);
+  if (symmetric) entry.lowest_code = -entry.highest_code;
+  int lowest = 0, highest = 0;
+  const bool low = code("lowest_code", -16777216, 16777215, lowest);
+  const bool high = code("highest_code", -16777216, 16777215, highest);
+  if (!low && !high) return;
+  const char* key = low ? "lowest_code" : "highest_code";
+  if (symmetric) refuse(place, *table.get(key), key, "stands beside full_scale_code, expected one or the other");
+  if (low != high) refuse(place, *table.get(key), key, "stands alone, expected lowest_code and highest_code");
+  if (lowest >= highest) refuse(place, *table.get(key), key, "is not below highest_code, expected the lower rail");
+  if (highest - entry.offset_code > 8388608 || entry.offset_code - lowest > 8388608)
+    refuse(place, *table.get(key), key,
+           "lies over 2^23 codes away from offset_code (or highest_code does), expected 24 bits about it");
+  entry.lowest_code = lowest;
+  entry.highest_code = highest;
+}
+
 void read_channels(const toml::table& root, const ReadOptions& options, RigModel& model) {
-  std::vector<std::string> known = {"name", "delay_us", "unit_per_code", "offset_code", "full_scale_code"};
+  std::vector<std::string> known = {"name",        "delay_us",    "unit_per_code", "offset_code", "full_scale_code",
+                                    "lowest_code", "highest_code"};
   known.insert(known.end(), options.other_channel_keys.begin(), options.other_channel_keys.end());
   for (const toml::table* table : table_array({model.file, ""}, root, "channel")) {
     const Place place{model.file, "channel " + std::to_string(model.channels.size() + 1)};
@@ -157,11 +183,8 @@ void read_channels(const toml::table& root, const ReadOptions& options, RigModel
       if (entry.unit_per_code == 0.0)
         refuse(place, *node, "unit_per_code", "is 0, expected SI units per converter code");
     }
-    if (const auto* node = optional("offset_code"))
-      entry.offset_code = static_cast<int>(whole_number(place, *node, "offset_code", -8388607, 8388607));
-    if (const auto* node = optional("full_scale_code"))
-      entry.full_scale_code = static_cast<int>(whole_number(place, *node, "full_scale_code", 1, 8388607));
-    for (const char* key : {"offset_code", "full_scale_code"})
+    read_codes(place, *table, entry);
+    for (const char* key : {"offset_code", "full_scale_code", "lowest_code", "highest_code"})
       if (optional(key) != nullptr && entry.unit_per_code == 0.0)
         refuse(place, *optional(key), key, "stands without unit_per_code, expected both");
     model.channels.push_back(entry);

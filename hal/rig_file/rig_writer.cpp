@@ -55,7 +55,11 @@ std::string format_channel(const ChannelEntry& channel) {
   if (channel.delay_us != 0.0) text += "delay_us = " + number(channel.delay_us) + "\n";
   if (channel.unit_per_code != 0.0) text += "unit_per_code = " + number(channel.unit_per_code) + "\n";
   if (channel.offset_code != 0) text += "offset_code = " + std::to_string(channel.offset_code) + "\n";
-  if (channel.full_scale_code != 0) text += "full_scale_code = " + std::to_string(channel.full_scale_code) + "\n";
+  if (channel.lowest_code != channel.highest_code)
+    text += channel.lowest_code == -channel.highest_code
+                ? "full_scale_code = " + std::to_string(channel.highest_code) + "\n"
+                : "lowest_code = " + std::to_string(channel.lowest_code) +
+                      "\nhighest_code = " + std::to_string(channel.highest_code) + "\n";
   return text;
 }
 

@@ -66,7 +66,7 @@ class Plan {
     result.impulse = differentiates() ? low_pass(advance) : shifted_all_pass(advance);
     const double unit = to_double(channel.unit_per_code);
     double gain = unit;
-    result.largest_bound = unit * channel.full_scale_code;
+    result.largest_bound = unit * 0.5 * (static_cast<double>(channel.highest_code) - channel.lowest_code);
     const int d = derivatives(node, q);
     if (d > 0) result.impulse = convolve(result.impulse, d == 1 ? first_difference() : second_difference());
     for (int i = 0; i < d; ++i) {

@@ -61,17 +61,15 @@ rig_file::ChannelCalibration calibrate_channel(const Scenario& scenario, const C
   rig_file::ChannelCalibration calibration;
   calibration.quantity = static_cast<firmware::Quantity>(channel.quantity);
   calibration.dof = channel.dof;
-  calibration.full_scale_code = static_cast<int32_t>((1L << (sensor.bits - 1)) - 1);
-  const double codes = static_cast<double>(calibration.full_scale_code);
+  calibration.highest_code = static_cast<int32_t>((1L << (sensor.bits - 1)) - 1);
+  calibration.lowest_code = -calibration.highest_code;
+  const double codes = static_cast<double>(calibration.highest_code);
   int exponent = 0;  // 2^exponent codes >= headroom * largest
   std::frexp(largest > 0.0 ? largest * scenario.sensors.headroom / codes : 1.0, &exponent);
   calibration.unit_per_code = sensor.full_scale > 0.0 ? sensor.full_scale / codes : std::ldexp(1.0, exponent);
   for (const rig_file::ChannelEntry& entry : scenario.rig.channels) {
     if (entry.name != channel.name) continue;
-    calibration.delay_s = entry.delay_us * 1e-6;
-    calibration.offset_code = entry.offset_code;
-    if (entry.unit_per_code != 0.0) calibration.unit_per_code = entry.unit_per_code;
-    if (entry.full_scale_code != 0) calibration.full_scale_code = entry.full_scale_code;
+    calibration.take(entry);
   }
   return calibration;
 }

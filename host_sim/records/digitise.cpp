@@ -36,10 +36,7 @@ std::vector<rig_file::ChannelCalibration> calibrate(const std::vector<Record>& r
     calibration.dof = channel.dof;
     for (const rig_file::ChannelEntry& entry : model.channels) {
       if (entry.name != channel.name) continue;
-      calibration.delay_s = entry.delay_us * 1e-6;
-      calibration.unit_per_code = entry.unit_per_code;
-      calibration.offset_code = entry.offset_code;
-      if (entry.full_scale_code > 0) calibration.full_scale_code = entry.full_scale_code;
+      calibration.take(entry);
     }
     const bool given = std::any_of(model.channels.begin(), model.channels.end(), [&](const auto& entry) {
       return entry.name == channel.name && entry.unit_per_code != 0.0;
@@ -47,7 +44,8 @@ std::vector<rig_file::ChannelCalibration> calibrate(const std::vector<Record>& r
     if (!given) {
       calibration.unit_per_code = power_of_two_unit(largest(records, channel));
       calibration.offset_code = 0;
-      calibration.full_scale_code = 8388607;
+      calibration.lowest_code = -firmware::kLargestCode;
+      calibration.highest_code = firmware::kLargestCode;
     }
     calibrations.push_back(calibration);
   }
@@ -55,9 +53,8 @@ std::vector<rig_file::ChannelCalibration> calibrate(const std::vector<Record>& r
 }
 
 int32_t to_code(double value, const rig_file::ChannelCalibration& calibration) {
-  const double limit = calibration.full_scale_code;
   const double code = std::nearbyint(value / calibration.unit_per_code) + calibration.offset_code;
-  return static_cast<int32_t>(std::min(std::max(code, -limit), limit));
+  return static_cast<int32_t>(std::clamp<double>(code, calibration.lowest_code, calibration.highest_code));
 }
 
 RecordSampleSource::RecordSampleSource(const Record& record,

@@ -129,6 +129,19 @@ std::vector<Case> broken_rigs() {
           {"rig.toml:10", "delay_us"}),
       rig("ChannelFullScaleWithoutUnit", good_rig() + "[[channel]]\nname = \"force_1_N\"\nfull_scale_code = 32767\n",
           {"rig.toml:10", "unit_per_code"}),
+      rig("ChannelWithOneRail", good_rig() + "[[channel]]\nname = \"force_1_N\"\nunit_per_code = 1\nlowest_code = 0\n",
+          {"rig.toml:11", "lowest_code", "lowest_code and highest_code"}),
+      rig("ChannelWithRailsTwice",
+          good_rig() + "[[channel]]\nname = \"force_1_N\"\nunit_per_code = 1\nlowest_code = 0\nhighest_code = 9\n"
+                       "full_scale_code = 9\n",
+          {"rig.toml:11", "full_scale_code"}),
+      rig("ChannelRailsUpsideDown",
+          good_rig() + "[[channel]]\nname = \"force_1_N\"\nunit_per_code = 1\nlowest_code = 9\nhighest_code = 0\n",
+          {"rig.toml:11", "below highest_code"}),
+      rig("ChannelRailsFarFromItsOffset",
+          good_rig() +
+              "[[channel]]\nname = \"force_1_N\"\nunit_per_code = 1\nlowest_code = 0\nhighest_code = 16777215\n",
+          {"rig.toml:11", "24 bits about"}),
   };
 }
 

@@ -58,7 +58,7 @@ std::unique_ptr<firmware::ControllerConfiguration> configuration() {
   std::vector<rig_file::ChannelCalibration> channels;
   for (int dof = 1; dof <= 3; ++dof)
     for (int quantity = 0; quantity < 4; ++quantity)
-      channels.push_back({static_cast<firmware::Quantity>(quantity), dof, 1e-5, 0, 8388607, 0.0});
+      channels.push_back({static_cast<firmware::Quantity>(quantity), dof, 1e-5});
   auto result = std::make_unique<firmware::ControllerConfiguration>();
   result->core = rig_file::compile_rig(rig_file::parse_rig(kRig, "endurance"), 1e-3, channels);
   return result;

@@ -103,7 +103,8 @@ TEST(Packing, NamesAndScaling) {
 
   // 0x6A0 + 1. DOF 1, quantity 1, rotation: 1 + 32 + 128 = 0xA1; offset -2 = 0xFFFFFE; full scale 2047 = 0x7FF.
   channel.offset_code = -2;
-  channel.full_scale_code = 2047;
+  channel.lowest_code = -2047;
+  channel.highest_code = 2046;
   EXPECT_EQ(hex(pack_range(1, channel_range(channel, 0, Quantity::kDisplacement, true))), "6A1#A1FEFFFFFF0700");
 }
 

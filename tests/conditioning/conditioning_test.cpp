@@ -82,6 +82,44 @@ TEST(Conditioning, AllMeasuredIsACopy) {
   EXPECT_EQ(conditioning.history_samples(), 0);
 }
 
+// Each converter by its own rails: offset binary with 12 bits, unsigned with 24, two's complement with 24. What a code
+// beyond 24 bits about the offset would be, is clamped and told.
+TEST(Conditioning, ACodeAtEitherRailIsSaturated) {
+  const struct {
+    int32_t lowest, highest, offset, code;
+    bool saturated;
+    int32_t signal;
+  } cases[] = {
+      {0, 4095, 2048, 0, true, -2048},
+      {0, 4095, 2048, 1, false, -2047},
+      {0, 4095, 2048, 4094, false, 2046},
+      {0, 4095, 2048, 4095, true, 2047},
+      {0, 16777215, 8388608, 12000000, false, 3611392},  // |code| alone would be over 2^23
+      {0, 16777215, 8388608, 16777215, true, 8388607},
+      {0, 16777215, 8388608, 0, true, -8388608},
+      {-8388608, 8388607, 0, -8388608, true, -8388608},
+      {-8388608, 8388607, 0, 8388606, false, 8388606},
+      {-8388607, 8388607, 8388608, INT32_MIN, true, -8388608},  // code - offset would overflow
+      {-8388607, 8388607, -8388608, INT32_MAX, true, 8388608},
+      {INT32_MIN, INT32_MAX, 0, 1 << 28, true, 8388608},  // rails that no converter has: 24 bits remain
+  };
+  for (const auto& each : cases) {
+    auto c = rig({Quantity::kDisplacement, Quantity::kVelocity, Quantity::kAcceleration});
+    c->channels[0][1].lowest_code = each.lowest;
+    c->channels[0][1].highest_code = each.highest;
+    c->channels[0][1].offset_code = each.offset;
+    copy_measured_signals(*c);
+    auto conditioning = std::make_unique<Conditioning>();
+    conditioning->configure(*c);
+    auto frame = std::make_unique<Frame>();
+    RawSample sample;
+    sample.code[0][1] = each.code;
+    EXPECT_TRUE(conditioning->append(sample, *frame, 0));
+    EXPECT_EQ(conditioning->saturated(), each.saturated) << each.code;
+    EXPECT_EQ(frame->column[signal_column(0, Quantity::kDisplacement)][0], each.signal) << each.code;
+  }
+}
+
 TEST(Conditioning, VelocityAndAccelerationFromDisplacement) {
   // x = sin(w t): v = w cos, a = -w^2 sin, and all three through one low-pass: the ratios are those of the true signals.
   auto c = rig({Quantity::kDisplacement});

@@ -46,7 +46,7 @@ TEST(Sensors, CleanChannelsAreOnlyRounded) {
   for (int i = 0; i < 2; ++i) {
     const auto levels = measured("bits = " + std::to_string(bits[i]) + "\n");
     EXPECT_EQ(levels.calibrations[0].unit_per_code, unit[i]);
-    EXPECT_EQ(levels.calibrations[0].full_scale_code, (1 << (bits[i] - 1)) - 1);
+    EXPECT_EQ(levels.calibrations[0].highest_code, (1 << (bits[i] - 1)) - 1);
     const auto error = error_of(levels, Quantity::kForce);
     double largest = 0.0;
     for (double e : error) largest = std::max(largest, std::fabs(e));

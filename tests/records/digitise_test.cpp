@@ -34,7 +34,7 @@ TEST(Digitise, RoundingMovesNoValueByMoreThanTwoToMinus23OfTheLargest) {
     const auto calibration = host_sim::calibrate({record}, rig()).at(0);
     for (const double value : record.channels[0].values) {
       const int32_t code = host_sim::to_code(value, calibration);
-      EXPECT_LT(std::abs(code), calibration.full_scale_code) << largest;
+      EXPECT_LT(std::abs(code), calibration.highest_code) << largest;
       EXPECT_LE(std::abs(code * calibration.unit_per_code - value), largest * 0x1p-23) << largest;
     }
   }
@@ -44,6 +44,17 @@ TEST(Digitise, AllRecordsShareOneUnit) {
   const auto small = host_sim::parse_csv("t_s,force_1_N\n0,1\n1,1\n", "d.csv", rig());
   const auto large = host_sim::parse_csv("t_s,force_1_N\n0,100\n1,1\n", "e.csv", rig());
   EXPECT_EQ(host_sim::calibrate({small, large}, rig())[0].unit_per_code, 0x1p-16);  // 100 lies in [64, 128)
+}
+
+TEST(Digitise, ConvertersWithUnequalRailsSaturateAtEach) {
+  const auto model =
+      rig("[[channel]]\nname = \"force_1_N\"\nunit_per_code = 0.5\noffset_code = 2048\nlowest_code = 0\n"
+          "highest_code = 4095\n");
+  const auto record = host_sim::parse_csv("t_s,force_1_N\n0,3\n1,1000\n", "d.csv", model);
+  const auto calibration = host_sim::calibrate({record}, model).at(0);
+  EXPECT_EQ(host_sim::to_code(3.0, calibration), 2054);  // 3 / 0.5 + 2048
+  EXPECT_EQ(host_sim::to_code(-2000.0, calibration), 0);
+  EXPECT_EQ(host_sim::to_code(2000.0, calibration), 4095);
 }
 
 TEST(Digitise, CalibrationOfTheRigFileIsUsedAndSaturates) {

@@ -140,7 +140,8 @@ TEST(CompileRig, ChannelsKeepCalibrationAndDelay) {
   force.dof = 2;
   force.unit_per_code = 0x1p-16;
   force.offset_code = -12;
-  force.full_scale_code = 32767;
+  force.lowest_code = 0;
+  force.highest_code = 65535;
   force.delay_s = 250e-6;
   rig_file::ChannelCalibration base;
   base.dof = rig_file::kBase;
@@ -151,7 +152,8 @@ TEST(CompileRig, ChannelsKeepCalibrationAndDelay) {
   const firmware::ChannelConfiguration& channel = core.channels[1][0];
   EXPECT_TRUE(channel.present);
   EXPECT_EQ(channel.offset_code, -12);
-  EXPECT_EQ(channel.full_scale_code, 32767);
+  EXPECT_EQ(channel.lowest_code, 0);
+  EXPECT_EQ(channel.highest_code, 65535);
   EXPECT_EQ(channel.delay_ns, 250000);
   EXPECT_EQ(rig_file::to_double(channel.unit_per_code), 0x1p-16);
   EXPECT_FALSE(core.channels[0][0].present);

@@ -2,13 +2,15 @@
 
 #include <cstdlib>
 
+#include "hal/linux/board/safe_outputs.hpp"
+
 namespace board {
 
 BoardDevices::BoardDevices(const BoardFile& file)
     : file_(file),
       direct_samples_(clock_),
       systemd_(std::getenv("NOTIFY_SOCKET")),
-      watchdog_(systemd_, file.watchdog_device.empty() ? nullptr : &device_watchdog_),
+      watchdog_(clock_, systemd_, device_watchdog_),
       store_(files_) {}
 
 std::string BoardDevices::open() {
@@ -22,10 +24,20 @@ std::string BoardDevices::open() {
   if (fault.empty() && file_.drive == DriveKind::kIio) fault = iio_drive_.open(file_.iio_drive);
   if (fault.empty()) fault = open_lines();
   if (fault.empty()) fault = files_.open(file_.state_folder);
-  if (fault.empty() && !file_.watchdog_device.empty())
-    fault = device_watchdog_.open(file_.watchdog_device, file_.watchdog_timeout_s);
   if (fault.empty()) fault = worker_.open(file_.priority > 0);
+  // Last of all: a start that fails before it leaves no armed watchdog behind, so no board that restarts for ever.
+  if (fault.empty()) fault = open_watchdog();
   return fault;
+}
+
+std::string BoardDevices::open_watchdog() {
+  const std::string device = hal::watchdog_device(file_.watchdog_device);
+  if (device.empty()) return "";
+  const std::string fault = device_watchdog_.open(device, file_.watchdog_timeout_s);
+  const bool asked_for = file_.watchdog_device != "auto";
+  if (!fault.empty() && asked_for) return fault;
+  guard_ = fault.empty() ? "guarded by " + device : "no hardware watchdog (" + fault + ")";
+  return "";
 }
 
 std::string BoardDevices::open_samples() {
@@ -101,9 +113,11 @@ int BoardDevices::waits(pollfd (&waits)[kMaxWaits]) const {
   return count;
 }
 
-void BoardDevices::make_safe() {
-  if (file_.drive == DriveKind::kIio) iio_drive_.write(0);
-  if (!file_.relay.line.empty()) relay_line_.set(false);
+bool BoardDevices::make_safe() {
+  const bool relay_off = file_.relay.line.empty() || relay_line_.set(false);
+  const bool zero = (file_.drive != DriveKind::kIio || iio_drive_.write(0)) &&
+                    (file_.drive != DriveKind::kCan || send_zero_drive(bus_, file_.controller.node.node));
+  return relay_off && zero;
 }
 
 }  // namespace board

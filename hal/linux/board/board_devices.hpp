@@ -34,11 +34,13 @@ class BoardDevices {
   static constexpr int kMaxWaits = 4;
   int waits(pollfd (&waits)[kMaxWaits]) const;
 
-  // Drive zero, relay off, whatever the controller thinks.
-  void make_safe();
+  // Drive zero, relay off, whatever the controller thinks. False: one of them was not delivered.
+  bool make_safe();
   // When the kernel saw the stop line become active; 0: never.
   uint64_t stop_edge_ns() const { return stop_line_.last_rise_ns(); }
   hal::SystemdWatchdog& systemd() { return systemd_; }
+  // Which hardware watchdog guards the board, or why none does, in words.
+  const std::string& guard() const { return guard_; }
   void stop_watchdog() { device_watchdog_.disarm(); }
   hal::Worker& worker() { return worker_; }
   const hal::SocketCan& bus() const { return bus_; }
@@ -48,6 +50,7 @@ class BoardDevices {
  private:
   std::string open_samples();
   std::string open_lines();
+  std::string open_watchdog();
 
   const BoardFile& file_;
   hal::LinuxClock clock_;
@@ -64,6 +67,7 @@ class BoardDevices {
   hal::SystemdWatchdog systemd_;
   hal::DeviceWatchdog device_watchdog_;
   hal::BoardWatchdog watchdog_;
+  std::string guard_ = "no hardware watchdog";
   hal::PosixFileOperations files_;
   hal::FileConfigurationStore store_;
   hal::WorkerThread worker_;

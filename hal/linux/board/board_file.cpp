@@ -3,7 +3,7 @@
 #include <sstream>
 
 #include "hal/linux/board/excitation_section.hpp"
-#include "hal/linux/board/toml_section.hpp"
+#include "hal/linux/board/output_sections.hpp"
 #include "hal/rig_file/channel_name.hpp"
 #include "hal/rig_file/compile_rig.hpp"
 #include "hal/rig_file/rig_from_toml.hpp"
@@ -13,7 +13,7 @@ namespace {
 
 void read_node(const Section& section, BoardFile& board) {
   firmware::NodeConfiguration& node = board.controller.node;
-  node.node = static_cast<uint8_t>(section.whole("id", 1, 1, 7));
+  read_identity(section, board);
   node.heartbeat_ms = static_cast<uint16_t>(section.whole("heartbeat_ms", 100, 0, 65535));
   if (node.heartbeat_ms != 0 && node.heartbeat_ms < 10)
     section.refuse("heartbeat_ms", "would fill the bus, expected 0 (none) or 10 to 65535");
@@ -27,13 +27,6 @@ void read_node(const Section& section, BoardFile& board) {
     if (board.rig.dofs[i].rotating) node.rotating_nodes |= 1u << i;
   board.state_folder = section.text("state_folder", "/var/lib/rig_controller");
   board.priority = static_cast<int>(section.whole("priority", 80, 0, 99));
-  board.watchdog_device = section.text("watchdog", "");
-  board.watchdog_timeout_s = static_cast<int>(section.whole("watchdog_timeout_s", 5, 1, 600));
-}
-
-void read_can(const Section& section, BoardFile& board) {
-  board.can_interface = section.text("interface", "can0");
-  board.controller.node.can_fd = section.flag("fd", false);
 }
 
 void read_samples(const Section& section, BoardFile& board) {
@@ -56,31 +49,6 @@ void read_samples(const Section& section, BoardFile& board) {
   limits.sample_timeout_us = static_cast<uint32_t>(section.number("timeout_ms", 10.0, 0.1, 10000.0) * 1000.0 + 0.5);
 }
 
-LineSetting read_line(const Section& gpio, const std::string& file, const char* key) {
-  LineSetting setting;
-  const toml::node* node = gpio.node(key);
-  if (node == nullptr) return setting;
-  if (!node->is_table()) {
-    setting.line = gpio.text(key, "");
-    return setting;
-  }
-  const Section section(file, std::string("gpio, key \"") + key + "\"", node->as_table(),
-                        {"line", "active_low", "bias"});
-  if (!section.has("line")) section.refuse("line", "is missing, expected a line name or chip:offset");
-  setting.line = section.text("line", "");
-  setting.options.active_low = section.flag("active_low", false);
-  setting.options.bias =
-      static_cast<hal::LineBias>(section.choice("bias", {"as_is", "pull_up", "pull_down", "disabled"}));
-  return setting;
-}
-
-void read_gpio(const Section& section, BoardFile& board) {
-  board.emergency_stop = read_line(section, board.path, "emergency_stop");
-  board.relay = read_line(section, board.path, "relay");
-  board.ready_lamp = read_line(section, board.path, "ready_lamp");
-  board.sync = read_line(section, board.path, "sync");
-}
-
 // A calibrated channel for each [[channel]]; for IIO also the element that feeds it.
 std::vector<rig_file::ChannelCalibration> read_channels(const toml::table& root, BoardFile& board) {
   std::vector<rig_file::ChannelCalibration> calibrations;
@@ -89,9 +57,9 @@ std::vector<rig_file::ChannelCalibration> read_channels(const toml::table& root,
   for (size_t i = 0; i < tables.size(); ++i) {
     const rig_file::ChannelEntry& entry = board.rig.channels[i];
     const rig_file::ChannelName name = *rig_file::parse_channel_name(entry.name);
-    const Section section(
-        board.path, "channel " + std::to_string(i + 1), tables[i],
-        {"name", "delay_us", "unit_per_code", "offset_code", "full_scale_code", "element", "limit_code"});
+    const Section section(board.path, "channel " + std::to_string(i + 1), tables[i],
+                          {"name", "delay_us", "unit_per_code", "offset_code", "full_scale_code", "lowest_code",
+                           "highest_code", "element", "limit_code"});
     if (entry.unit_per_code == 0.0) section.refuse("unit_per_code", "is missing, expected SI units per converter code");
     if (iio != section.has("element"))
       section.refuse("element",
@@ -100,10 +68,12 @@ std::vector<rig_file::ChannelCalibration> read_channels(const toml::table& root,
     rig_file::ChannelCalibration calibration;
     calibration.quantity = name.quantity;
     calibration.dof = name.dof;
-    calibration.unit_per_code = entry.unit_per_code;
-    calibration.offset_code = entry.offset_code;
-    if (entry.full_scale_code > 0) calibration.full_scale_code = entry.full_scale_code;
-    calibration.delay_s = entry.delay_us * 1e-6;
+    if (board.samples.kind == SampleKind::kCan && board.samples.wiring == firmware::SensorWiring::k16 &&
+        name.quantity != firmware::Quantity::kForce) {
+      calibration.lowest_code = INT16_MIN;  // the rails of the frame, where the sensor's are not told
+      calibration.highest_code = INT16_MAX;
+    }
+    calibration.take(entry);
     calibrations.push_back(calibration);
     const auto node = static_cast<uint8_t>(rig_file::node_index(name.dof));
     board.controller.limits.response_limit_code[node][static_cast<int>(name.quantity)] =
@@ -113,21 +83,6 @@ std::vector<rig_file::ChannelCalibration> read_channels(const toml::table& root,
   if (calibrations.empty())
     throw rig_file::RigFileError(board.path, 0, "key \"channel\"", "is missing, expected at least one [[channel]]");
   return calibrations;
-}
-
-void read_drive(const Section& section, BoardFile& board) {
-  board.drive =
-      section.present() ? static_cast<DriveKind>(section.choice("output", {"none", "can", "iio"})) : DriveKind::kNone;
-  board.controller.node.drive_on_can = board.drive == DriveKind::kCan;
-  const bool iio = board.drive == DriveKind::kIio;
-  for (const char* key : {"device", "element"})
-    if (iio != section.has(key))
-      section.refuse(key, iio ? "is missing, expected the IIO device and element of the shaker's converter"
-                              : "is of a converter, expected it with output = \"iio\" only");
-  board.iio_drive.device = section.text("device", "");
-  board.iio_drive.element = section.text("element", "");
-  board.iio_drive.zero_code = static_cast<int32_t>(section.whole("zero_code", 0, -8388608, 16777215));
-  board.iio_drive.full_scale_code = static_cast<int32_t>(section.whole("full_scale_code", 32767, 1, 8388607));
 }
 
 // What moves a rig must be able to stop it.
@@ -151,20 +106,14 @@ BoardFile read_board_file(const std::string& path) {
                                       {"element", "limit_code"}};
   board.rig = rig_file::rig_from_toml(root, path, options);
   rig_file::require_unknowns(board.rig);
-  const auto section = [&](const char* name, const std::vector<std::string>& known) {
-    return Section(board.path, name, sub_table(board.path, root, name), known);
-  };
-  const Section samples = section("samples", {"source", "rate_Hz", "wiring", "device", "trigger", "saturated_in_row",
-                                              "lost_in_row", "timeout_ms", "cycle_Hz"});
+  const Section samples(path, "samples", sub_table(path, root, "samples"),
+                        {"source", "rate_Hz", "wiring", "device", "trigger", "saturated_in_row", "lost_in_row",
+                         "timeout_ms", "cycle_Hz"});
   read_samples(samples, board);
-  read_node(
-      section("node", {"id", "heartbeat_ms", "status_ms", "emergency_inhibit_ms", "window_s", "sync_closes_window",
-                       "listen_on_command", "state_folder", "priority", "watchdog", "watchdog_timeout_s"}),
-      board);
-  read_can(section("can", {"interface", "fd"}), board);
-  read_gpio(section("gpio", {"emergency_stop", "relay", "ready_lamp", "sync"}), board);
-  const Section drive =
-      section("drive", {"output", "device", "element", "zero_code", "full_scale_code", "limit", "slew_per_s"});
+  read_node(node_section(path, root), board);
+  read_can(can_section(path, root), board);
+  read_gpio(gpio_section(path, root), board);
+  const Section drive = drive_section(path, root);
   read_drive(drive, board);
   const double cycle_Hz = samples.number("cycle_Hz", 0.0, 0.001, 10000.0);
   board.controller.core = rig_file::compile_rig(board.rig, 1.0 / board.samples.rate_Hz, read_channels(root, board));

@@ -38,8 +38,8 @@ struct BoardFile {
   LineSetting emergency_stop, relay, ready_lamp, sync;
   DriveKind drive = DriveKind::kNone;
   hal::IioDriveOutput::Options iio_drive;
-  std::string state_folder;     // configuration store
-  std::string watchdog_device;  // empty: systemd's alone
+  std::string state_folder;              // configuration store
+  std::string watchdog_device = "auto";  // "auto": the hardware's where there is one; "none": systemd's alone
   int watchdog_timeout_s = 5;
   int priority = 80;  // of SCHED_FIFO; 0: an ordinary process
 };

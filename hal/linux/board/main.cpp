@@ -19,6 +19,7 @@
 #include "hal/linux/board/board_file.hpp"
 #include "hal/linux/board/real_time.hpp"
 #include "hal/linux/board/run.hpp"
+#include "hal/linux/board/safe_outputs.hpp"
 #include "hal/rig_file/rig_file_error.hpp"
 
 namespace {
@@ -28,6 +29,8 @@ constexpr int kDone = 0, kFailed = 1, kBadInput = 2;
 constexpr const char* kHelp =
     "usage: rig_controller BOARD.toml            run until stopped (SIGTERM, Ctrl-C)\n"
     "       rig_controller --check BOARD.toml    say what the file makes the board do, and what is wrong with it\n"
+    "       rig_controller --safe BOARD.toml     relay off, drive zero, lamp off: after the program that drove them is "
+    "gone\n"
     "       rig_controller --bytes BOARD.toml    the same as bytes for a board without Linux (docs/porting.md)\n"
     "  --until-done   end when the excitation programme is through\n"
     "  --for SECONDS  end after that time\n"
@@ -38,18 +41,16 @@ struct Arguments {
   const char* file = nullptr;
   bool check = false;
   bool bytes = false;
+  bool safe = false;
   board::RunOptions run;
 };
 
 // Returns -1 to go on, else the exit status.
 int parse(int count, char** words, Arguments& arguments) {
-  const option options[] = {{"check", no_argument, nullptr, 'c'},
-                            {"bytes", no_argument, nullptr, 'b'},
-                            {"until-done", no_argument, nullptr, 'u'},
-                            {"for", required_argument, nullptr, 'f'},
-                            {"version", no_argument, nullptr, 'v'},
-                            {"help", no_argument, nullptr, 'h'},
-                            {nullptr, 0, nullptr, 0}};
+  const option options[] = {{"check", no_argument, nullptr, 'c'},     {"bytes", no_argument, nullptr, 'b'},
+                            {"safe", no_argument, nullptr, 's'},      {"until-done", no_argument, nullptr, 'u'},
+                            {"for", required_argument, nullptr, 'f'}, {"version", no_argument, nullptr, 'v'},
+                            {"help", no_argument, nullptr, 'h'},      {nullptr, 0, nullptr, 0}};
   for (int letter; (letter = getopt_long(count, words, "ch", options, nullptr)) != -1;) {
     char* end = nullptr;
     switch (letter) {
@@ -58,6 +59,9 @@ int parse(int count, char** words, Arguments& arguments) {
         break;
       case 'b':
         arguments.bytes = true;
+        break;
+      case 's':
+        arguments.safe = true;
         break;
       case 'u':
         arguments.run.until_done = true;
@@ -95,6 +99,7 @@ void print_bytes(const firmware::ControllerConfiguration& configuration) {
 }
 
 int run_board(const Arguments& arguments) {
+  if (arguments.safe) return board::make_board_safe(arguments.file);
   const board::BoardFile file = board::read_board_file(arguments.file);
   if (arguments.bytes) {
     print_bytes(file.controller);

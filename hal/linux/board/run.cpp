@@ -160,6 +160,16 @@ class Loop {
   firmware::AlarmCause cause_ = firmware::AlarmCause::kNone;
 };
 
+// The watchdog is disarmed only where the rig is safe without the program; else it resets the board.
+bool leave_safe(BoardDevices& devices) {
+  const bool safe = devices.make_safe();
+  if (safe)
+    devices.stop_watchdog();
+  else
+    say("rig_controller: drive zero or relay off was not delivered\n");
+  return safe;
+}
+
 }  // namespace
 
 bool run(const BoardFile& file, BoardDevices& devices, const RunOptions& options) {
@@ -167,19 +177,18 @@ bool run(const BoardFile& file, BoardDevices& devices, const RunOptions& options
   const std::string refused = become_real_time(file.priority);
   if (!loop->set_up(tick_ns(file))) {
     say("rig_controller: no timer or no signals\n");
-    devices.make_safe();
+    leave_safe(devices);
     return false;
   }
-  say("rig_controller: node %d on %s, %s%s\n", int(file.controller.node.node), file.can_interface.c_str(),
-      refused.empty() ? "real time" : "not real time: ", refused.c_str());
+  say("rig_controller: node %d on %s, %s%s; %s\n", int(file.controller.node.node), file.can_interface.c_str(),
+      refused.empty() ? "real time" : "not real time: ", refused.c_str(), devices.guard().c_str());
   if (allocation_guard_begin != nullptr) allocation_guard_begin();
   loop->run(options);
   devices.systemd().stopping();
-  devices.make_safe();
-  devices.stop_watchdog();
+  const bool safe = leave_safe(devices);
   devices.worker().wait();  // it works on what the loop owns
   loop->report();
-  return true;
+  return safe;
 }
 
 }  // namespace board

@@ -10,7 +10,7 @@ struct RunOptions {
 };
 
 // Runs until SIGTERM or SIGINT, or as the options say; leaves the drive at zero and the relay off. False: the loop
-// could not be set up. What happened is told on standard error.
+// could not be set up, or that was not delivered. What happened is told on standard error.
 bool run(const BoardFile& file, BoardDevices& devices, const RunOptions& options);
 
 }  // namespace board

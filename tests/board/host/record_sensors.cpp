@@ -22,7 +22,7 @@ std::string channel_tables(const host_sim::VirtualRig& rig) {
   for (const rig_file::ChannelCalibration& channel : rig.measured().calibrations)
     text << "\n[[channel]]\nname = \"" << rig_file::format_channel_name({channel.quantity, channel.dof, false})
          << "\"\nunit_per_code = " << std::scientific << channel.unit_per_code
-         << "\noffset_code = " << channel.offset_code << "\nfull_scale_code = " << channel.full_scale_code << "\n";
+         << "\noffset_code = " << channel.offset_code << "\nfull_scale_code = " << channel.highest_code << "\n";
   return text.str();
 }
 
