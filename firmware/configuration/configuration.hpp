@@ -5,6 +5,7 @@
 #include "firmware/configuration/capacity.hpp"
 #include "firmware/fixed_point/fixed.hpp"
 #include "firmware/fixed_point/scaled.hpp"
+#include "firmware/vocabulary/kinds.hpp"
 
 namespace firmware {
 
@@ -47,27 +48,6 @@ struct SignalConfiguration {
 struct LinkConfiguration {
   uint8_t node_a = 0;  // 0 .. kMaxDofs-1, kBaseNode or kGroundNode
   uint8_t node_b = kGroundNode;
-};
-
-// The force (or torque) of a term per unit coefficient; for a mass it is the acceleration of its DOF.
-enum class TermKind : uint8_t {
-  kMass,                          // m a
-  kStiffness,                     // k u
-  kViscous,                       // c w
-  kCoulomb,                       // F sgn(w)
-  kGravity,                       // G sin(u)
-  kCubicStiffness,                // k3 u^3
-  kQuadraticStiffness,            // k2 u^2
-  kBacklash,                      // k u outside the gap: coefficient -k times clamp(u, -gap, gap); shape = gap
-  kEndStop,                       // ke (|u| - gap) sgn(u) beyond the gap; shape = gap
-  kQuadraticDamping,              // c2 w |w|
-  kCubicDamping,                  // c3 w^3
-  kStribeck,                      // Fs exp(-|w| / vs) sgn(w); shape = vs
-  kPreslidingHysteresis,          // Dahl force of unit level; shape = presliding length
-  kForceOffset,                   // F0
-  kAsymmetricViscous,             // c_a |w|: c + c_a for w > 0, c - c_a for w < 0
-  kDisplacementDependentDamping,  // c_u u^2 w
-  kDriftingViscous,  // c_t w t, t in s since the start of the level; shape = time constant tau: c_t w tau (1 - exp(-t / tau))
 };
 
 struct Term {
