@@ -40,6 +40,7 @@ void EstimatorCore::push(const RawSample& sample) {
   }
   next_sequence_ = sample.sequence + 1;
   sequence_known_ = true;
+  collector_.advance();
   const bool usable = conditioning_.append(sample, frame_, filled_);
   if (conditioning_.saturated()) {
     ++health_.saturated_samples;
@@ -48,13 +49,6 @@ void EstimatorCore::push(const RawSample& sample) {
   if (!usable || !collector_.level_open()) return;
   ++filled_;
   if (filled_ == full_) process(full_ - kLevelMarginSamples);
-}
-
-bool EstimatorCore::merges_with(const RawSample& next) const {
-  if (!collector_.next_merges()) return false;
-  const bool gap = sequence_known_ && next.sequence != next_sequence_;
-  const uint32_t block = static_cast<uint32_t>(full_ - kLevelMarginSamples);
-  return gap || (filled_ + 1 >= full_ && level_samples_ + block == aim_);
 }
 
 // A block ends where the batch ends, at the latest after kBlockSamples.
@@ -108,6 +102,7 @@ void EstimatorCore::end_level() {
 }
 
 const Estimates& EstimatorCore::solve() {
+  collector_.settle();
   identify(configuration_, table_, estimates_);
   return estimates_;
 }

@@ -30,9 +30,12 @@ class EstimatorCore {
   // per sample on average; the work is done every kBlockSamples samples.
   void push(const RawSample& sample);
   void end_level();  // closes the window
-  // The table's batches would be merged, which takes about as long as a hundred batches.
-  bool merges_with(const RawSample& next) const;
-  bool merges_at_end() const { return collector_.next_merges(); }
+  // The table's batches are being merged, a pair or so with each sample: ending the level now would merge the rest at
+  // once, which takes about as long as a hundred batches.
+  bool merges_with(const RawSample& next) const {
+    return collector_.merging() && sequence_known_ && next.sequence != next_sequence_;
+  }
+  bool merges_at_end() const { return collector_.merging(); }
   const Estimates& solve();                                  // from everything since reset(); may be called at any time
   const Estimates& estimates() const { return estimates_; }  // of the last solve
   const CoreHealth& health() const { return health_; }

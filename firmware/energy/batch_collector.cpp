@@ -26,6 +26,14 @@ void accumulate(Batch& a, const Batch& b, const RowLayout& layout) {
   }
 }
 
+void copy_used(Batch& to, const Batch& from, const RowLayout& layout) {
+  to.samples = from.samples;
+  const int slots = layout.first[kMaxDofs];
+  for (int q = 0; q < kWeights; ++q)
+    for (int s = 0; s < slots; ++s) to.column[q][s] = from.column[q][s];
+  for (int i = 0; i < layout.dof_count; ++i) to.dof[i] = from.dof[i];
+}
+
 void BatchCollector::clear(const CoreConfiguration& configuration, const RowLayout& layout) {
   const WindowConfiguration& window = configuration.window;
   table_.layout = layout;
@@ -48,7 +56,7 @@ void BatchCollector::clear(const CoreConfiguration& configuration, const RowLayo
     unit_numerator_ = window.cycle_samples_numerator;
     unit_denominator_ = window.cycle_samples_denominator * units_per_cycle_;
   }
-  open_ = refused_ = false;
+  open_ = refused_ = merging_ = false;
 }
 
 void BatchCollector::begin_level() {
@@ -62,7 +70,7 @@ void BatchCollector::begin_level() {
   level().merges = 0;
   level().periodic = periodic_;
   level().saturated = level().closed = false;
-  pending_ = Batch{};
+  pending_.samples = 0;
   pending_units_ = table_units_ = 0;
   open_ = true;
   incomplete_ = false;
@@ -73,40 +81,63 @@ uint32_t BatchCollector::unit_end(uint32_t unit) const {
   return static_cast<uint32_t>(twice / (2 * static_cast<uint64_t>(unit_denominator_)));  // nearest sample
 }
 
+// With the table full (or just being merged) batches are twice as long.
+uint32_t BatchCollector::batch_units() const {
+  const bool doubled = merging_ || level().batch_count == kMaxBatches;
+  return uint32_t{1} << (level().merges + (doubled ? 1 : 0));
+}
+
 uint32_t BatchCollector::units_wanted() const {
-  const bool full =
-      level().batch_count == kMaxBatches;  // the next one merges the others first: batches are twice as long
-  const uint32_t missing = (uint32_t{1} << (level().merges + (full ? 1 : 0))) - pending_units_;
+  const uint32_t missing = batch_units() - pending_units_;
   const uint32_t most = (kMaxBatchSamples - 1) * unit_denominator_ / unit_numerator_;
   return most == 0 ? 1 : (missing < most ? missing : most);
 }
 
 void BatchCollector::append(const Batch& batch) {
-  if (level().batch_count == kMaxBatches) {
-    for (int b = 0; b < kMaxBatches / 2; ++b) {
-      level().batch[b] = level().batch[2 * b];
-      accumulate(level().batch[b], level().batch[2 * b + 1], table_.layout);
-    }
-    level().batch_count = kMaxBatches / 2;
-    ++level().merges;
+  settle();
+  if (level().batch_count < kMaxBatches) {
+    copy_used(level().batch[level().batch_count++], batch, table_.layout);
+    return;
   }
-  level().batch[level().batch_count++] = batch;
+  copy_used(held_, batch, table_.layout);
+  merging_ = true;
+  merged_ = 0;
+  const uint32_t samples = unit_end(batch_units());  // until the next one comes
+  pairs_per_sample_ = 1 + (kMaxBatches / 2 - 1) / static_cast<int>(samples > 0 ? samples : 1);
+}
+
+void BatchCollector::merge_pair() {
+  Batch& pair = level().batch[merged_];
+  if (merged_ > 0) copy_used(pair, level().batch[2 * merged_], table_.layout);
+  accumulate(pair, level().batch[2 * merged_ + 1], table_.layout);
+  if (++merged_ < kMaxBatches / 2) return;
+  merging_ = false;
+  ++level().merges;
+  level().batch_count = kMaxBatches / 2;
+  copy_used(level().batch[level().batch_count++], held_, table_.layout);
+}
+
+void BatchCollector::advance() {
+  for (int i = 0; i < pairs_per_sample_ && merging_; ++i) merge_pair();
+}
+
+void BatchCollector::settle() {
+  while (merging_) merge_pair();
 }
 
 void BatchCollector::add(const Batch& batch, uint32_t units) {
   if (!open_) return;
   if (pending_.samples == 0) {
-    pending_ = batch;
+    copy_used(pending_, batch, table_.layout);
   } else {
     accumulate(pending_, batch, table_.layout);
   }
   pending_units_ += units;
   incomplete_ = units == 0;
-  const bool full = level().batch_count == kMaxBatches;
-  if (pending_units_ < (uint32_t{1} << (level().merges + (full ? 1 : 0)))) return;
+  if (pending_units_ < batch_units()) return;
   append(pending_);
   table_units_ += pending_units_;
-  pending_ = Batch{};
+  pending_.samples = 0;
   pending_units_ = 0;
 }
 
@@ -120,7 +151,7 @@ void BatchCollector::keep_whole_cycles() {
   const uint32_t excess = total % units_per_cycle_;
   if (excess == 0 && !incomplete_) return;
   if (table_units_ < units_per_cycle_) return;
-  pending_ = Batch{};
+  pending_.samples = 0;
   const uint32_t batch_units = uint32_t{1} << level().merges;
   while (table_units_ % units_per_cycle_ != 0 && level().batch_count > 1) {
     --level().batch_count;
@@ -130,10 +161,12 @@ void BatchCollector::keep_whole_cycles() {
 
 void BatchCollector::end_level() {
   if (!open_) return;
+  settle();
   if (periodic_) keep_whole_cycles();
   if (pending_.samples > 0) append(pending_);
+  settle();
   level().closed = true;
-  pending_ = Batch{};
+  pending_.samples = 0;
   pending_units_ = 0;
   open_ = false;
 }

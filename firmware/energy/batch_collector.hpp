@@ -6,6 +6,7 @@ namespace firmware {
 
 // Time is counted in units: a sixteenth of a cycle (or the half, quarter ... of one, where that is over 1024 samples) for
 // whole cycles, batch_samples otherwise. A batch is 2^merges units, so that with four merges every batch is whole cycles.
+// Merging is spread over the samples of the batch that comes next, so that no single sample bears it.
 class BatchCollector {
  public:
   explicit BatchCollector(BatchTable& table) : table_(table) {}
@@ -17,19 +18,28 @@ class BatchCollector {
   uint32_t unit_end(uint32_t unit) const;        // samples from the level's start to the end of this many units
   uint32_t units_wanted() const;                 // the next call of add() should bring this many units, at the most
   void add(const Batch& batch, uint32_t units);  // in the order of time; units 0: an incomplete one
-  bool next_merges() const { return open_ && level().batch_count == kMaxBatches; }  // the next add() may take long
+  // Once for each sample: the next share of a merge that is under way.
+  void advance();
+  // Finishes it at once, which takes about as long as a hundred batches: before the table is read or a level ends.
+  void settle();
+  bool merging() const { return merging_; }
   void mark_saturated();
   // Whole cycles: what follows the last whole cycle is dropped, unless there was not even one.
   void end_level();
 
  private:
   void append(const Batch& batch);
+  void merge_pair();
   void keep_whole_cycles();
+  uint32_t batch_units() const;  // of the batch that is being collected
   Level& level() { return table_.level[table_.level_count - 1]; }
   const Level& level() const { return table_.level[table_.level_count - 1]; }
 
   BatchTable& table_;
   Batch pending_;
+  Batch held_;  // came when the table was full: goes in once its pairs are merged
+  bool merging_ = false;
+  int merged_ = 0, pairs_per_sample_ = 1;
   uint32_t pending_units_ = 0, table_units_ = 0;
   uint32_t unit_numerator_ = 32, unit_denominator_ = 1;  // samples per unit
   uint32_t units_per_cycle_ = 16;
@@ -38,5 +48,7 @@ class BatchCollector {
 
 // a + b, entry by entry; both over the same layout and adjoining in time.
 void accumulate(Batch& a, const Batch& b, const RowLayout& layout);
+// What the layout uses of a batch; the rest of `to` stays as it is.
+void copy_used(Batch& to, const Batch& from, const RowLayout& layout);
 
 }  // namespace firmware

@@ -133,6 +133,7 @@ void make_equation_plan(const CoreConfiguration& configuration, int weights, Equ
     if (link.node_b < configuration.dof_count) planner.term(t, link.node_b, -1, effects);
     if (is_effect_term(term.kind)) ++effects;  // the configuration holds at most kMaxEffectColumns of them
   }
+  sums.finish_plan();
   set_column_units(configuration, plan);
   assign_slots(configuration, plan, layout);
 }

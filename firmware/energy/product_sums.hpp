@@ -6,26 +6,29 @@
 // have too: where all signals of an equation of motion are sampled together, its weighted sum is zero to the last bit.
 //
 // Formats: products below 2^52.4 (columns.hpp), 1024 of them below 2^62.4; end corrections times 24 below 2^57.
-// The sum over a block runs on offset-binary numbers (c + 2^31, unsigned, modulo 2^64), which every vector unit can multiply;
-// the offsets are taken out again exactly with the columns' own sums.
+// The sum over a block is exact, so how it is done does not show (product_sums_block.cpp): with a vector unit on offset-binary
+// numbers, without one three products at a time that share a column.
 #pragma once
 #include "firmware/acquisition/columns.hpp"
 
+#if (defined(__SSE2__) || defined(__ARM_NEON)) && !defined(FIRMWARE_WITHOUT_VECTORS)
+#define FIRMWARE_HAS_VECTORS 1
+#else
+#define FIRMWARE_HAS_VECTORS 0
+#endif
+
 namespace firmware {
 
-constexpr int kMaxProducts = 1024;
 constexpr int16_t kNoProduct = -1;
 
 class ProductSums {
  public:
-  void clear_plan() {
-    product_count_ = 0;
-    column_count_ = 0;
-  }
+  void clear_plan() { product_count_ = 0; }
   int count() const { return product_count_; }
   int column_a(int product) const { return product_[product].a; }
   int column_b(int product) const { return product_[product].b; }
   int16_t add(int column_a, int column_b);  // the product's number; an existing one is found again
+  void finish_plan();                       // after the last add()
 
   void start(const Frame& frame, int at);                // a window starts at this position of the frame
   void add_block(const Frame& frame, int from, int to);  // positions from <= n < to
@@ -35,15 +38,26 @@ class ProductSums {
 
  private:
   struct Product {
-    uint16_t a, b;            // columns
-    uint16_t rank_a, rank_b;  // their places in column_
+    uint16_t a, b;  // columns
   };
   void ends(const Frame& frame, int at, int64_t* result) const;
+  void add_whole_block(const Frame& frame, int from);
 
   Product product_[kMaxProducts];
   int product_count_ = 0;
-  uint16_t column_[kMaxColumns];  // columns in use
+#if FIRMWARE_HAS_VECTORS
+  uint16_t rank_a_[kMaxProducts], rank_b_[kMaxProducts];  // the columns' places in column_
+  uint16_t column_[kMaxColumns];                          // columns in use
   int column_count_ = 0;
+#else
+  struct Group {  // three products that share a column
+    uint16_t shared, other[3], product[3];
+  };
+  void group_around(int column, bool (&done)[kMaxProducts]);
+  Group group_[kMaxProducts / 3];
+  uint16_t single_[kMaxProducts];
+  int group_count_ = 0, single_count_ = 0;
+#endif
   int64_t sum_[kMaxProducts];
   int64_t start_[kMaxProducts];  // end corrections times 24
   int64_t end_[kMaxProducts];

@@ -20,6 +20,13 @@ int64_t with_sign(uint64_t value, bool negative) {
 
 int leading_zeros(uint64_t value) { return __builtin_clzll(value); }  // value != 0
 
+// A mantissa in its normal form, its exponent saturated.
+Scaled limited(uint64_t value, int32_t exponent, bool negative) {
+  if (exponent > kExponentLimit) return {with_sign(static_cast<uint64_t>(kLargestMantissa), negative), kExponentLimit};
+  if (exponent < -kExponentLimit) return {};
+  return {with_sign(value, negative), exponent};
+}
+
 // value * 2^exponent with value < 2^64, brought to the normal form; rounds to nearest when bits are dropped.
 Scaled normalised(uint64_t value, int32_t exponent, bool negative) {
   if (value == 0) return {};
@@ -34,10 +41,7 @@ Scaled normalised(uint64_t value, int32_t exponent, bool negative) {
       ++exponent;
     }
   }
-  exponent -= shift;
-  if (exponent > kExponentLimit) return {with_sign(static_cast<uint64_t>(kLargestMantissa), negative), kExponentLimit};
-  if (exponent < -kExponentLimit) return {};
-  return {with_sign(value, negative), exponent};
+  return limited(value, exponent - shift, negative);
 }
 
 }  // namespace
@@ -65,9 +69,20 @@ Scaled operator-(Scaled a, Scaled b) { return a + (-b); }
 
 Scaled operator*(Scaled a, Scaled b) {
   if (a.mantissa == 0 || b.mantissa == 0) return {};
+  const bool negative = (a.mantissa < 0) != (b.mantissa < 0);
   const Wide product = multiply(magnitude(a.mantissa), magnitude(b.mantissa));  // 2^122 <= product < 2^124
-  const uint64_t top = (product.high << 4) | (product.low >> 60);               // product / 2^60, below 2^64
-  return normalised(top, a.exponent + b.exponent + 60, (a.mantissa < 0) != (b.mantissa < 0));
+  const uint64_t top = (product.high << 4) | (product.low >> 60);               // product / 2^60, 2^62 <= top < 2^64
+  int32_t exponent = a.exponent + b.exponent + 61;
+  uint64_t value = (top >> 1) + (top & 1u);  // to nearest; 2^61 <= value <= 2^63
+  if (top >> 63) {
+    value = (top >> 2) + ((top >> 1) & 1u);
+    ++exponent;
+  }
+  if (value >> kMantissaBits) {  // rounded up to the next power of two
+    value >>= 1;
+    ++exponent;
+  }
+  return limited(value, exponent, negative);
 }
 
 Scaled operator/(Scaled a, Scaled b) {

@@ -63,6 +63,48 @@ TEST(BatchCollector, MergesPairsWhenFullAndLosesNothing) {
   EXPECT_EQ(samples, 32u * kBatches);
 }
 
+// A merge that is spread over the samples is done before the next batch comes, whatever the batches' length, and leaves
+// what a merge at once leaves.
+TEST(BatchCollector, AMergeSpreadOverTheSamplesIsTheSameMerge) {
+  RowLayout layout;
+  layout.dof_count = layout.unknown_count = 1;
+  for (int i = 1; i <= kMaxDofs; ++i) layout.first[i] = 1;
+  for (uint32_t samples : {8u, 32u, 200u}) {
+    CoreConfiguration configuration;
+    configuration.dof_count = 1;
+    configuration.window.batch_samples = samples;
+    auto at_once = std::make_unique<BatchTable>(), spread = std::make_unique<BatchTable>();
+    BatchCollector first(*at_once), second(*spread);
+    for (BatchCollector* collector : {&first, &second}) {
+      collector->clear(configuration, layout);
+      collector->begin_level();
+    }
+    int merges_begun = 0;
+    for (int b = 1; b <= 3 * kMaxBatches + 5; ++b) {
+      Batch batch{};
+      batch.samples = samples;
+      batch.column[0][0] = pack(Scaled::from_int(b));
+      batch.dof[0].rhs[0] = pack(Scaled::from_int(3 * b + 1));
+      first.add(batch, 1);
+      first.settle();
+      second.add(batch, 1);
+      const int before = second.merging() ? 1 : 0;
+      for (uint32_t sample = 0; sample < samples; ++sample) second.advance();
+      merges_begun += before;
+    }
+    EXPECT_GT(merges_begun, 0) << "the table was never full";
+    EXPECT_FALSE(second.merging());
+    const Level &a = at_once->level[0], &b = spread->level[0];
+    ASSERT_EQ(a.batch_count, b.batch_count);
+    EXPECT_EQ(a.merges, b.merges);
+    for (int i = 0; i < a.batch_count; ++i) {
+      EXPECT_EQ(a.batch[i].samples, b.batch[i].samples);
+      EXPECT_EQ(a.batch[i].column[0][0].bits, b.batch[i].column[0][0].bits);
+      EXPECT_EQ(a.batch[i].dof[0].rhs[0].bits, b.batch[i].dof[0].rhs[0].bits);
+    }
+  }
+}
+
 TEST(BatchCollector, UnitsOfACycleEndAtTheNearestSample) {
   // 250 samples a cycle: a sixteenth is 15.625 samples, so units end at 16, 31, 47, 63 (62.5 up), ..., 250.
   CoreConfiguration configuration;

@@ -29,6 +29,7 @@ TEST(ProductSums, HoldTheLongestBatchAtFullScale) {
   // 1024 products of the largest magnitudes, -(10 * 2^23) * 2^26: -1024 * 10 * 2^49 = -10 * 2^59 > -2^63.
   Bench bench;
   const int16_t product = bench.sums->add(kInstrumentColumn, kEffectColumn);
+  bench.sums->finish_plan();
   bench.fill(kInstrumentColumn, -kLargestInstrument);
   bench.fill(kEffectColumn, kLargestEffect);
   bench.sums->start(*bench.frame, kLeadIn);
@@ -42,6 +43,7 @@ TEST(ProductSums, HoldTheLongestBatchAtFullScale) {
 TEST(ProductSums, WholeAndPartBlocksGiveThe128BitSum) {
   Bench bench;
   const int16_t product = bench.sums->add(3, 7);
+  bench.sums->finish_plan();
   std::mt19937_64 random(7);
   for (int trial = 0; trial < 200; ++trial) {
     for (int column : {3, 7})
@@ -57,11 +59,36 @@ TEST(ProductSums, WholeAndPartBlocksGiveThe128BitSum) {
   }
 }
 
+// Columns 0 to 4 with one another: pairs that share a column, squares, and what is left over when all threes are made.
+TEST(ProductSums, ProductsThatShareColumnsKeepTheirOwnSums) {
+  Bench bench;
+  std::mt19937_64 random(8);
+  for (int column = 0; column < 5; ++column)
+    for (int i = 0; i < kFrameStride; ++i)
+      bench.frame->column[column][i] = static_cast<int32_t>(random() % (1u << 24)) - (1 << 23);
+  for (int a = 0; a < 5; ++a)
+    for (int b = a; b < 5; ++b) bench.sums->add(a, b);
+  bench.sums->finish_plan();
+  bench.sums->start(*bench.frame, kLeadIn);
+  bench.sums->add_block(*bench.frame, kLeadIn, kLeadIn + kBlockSamples);
+  bench.sums->add_block(*bench.frame, kLeadIn, kLeadIn + kBlockSamples);
+  ASSERT_EQ(bench.sums->count(), 15);
+  for (int p = 0; p < 15; ++p) {
+    const int32_t* a = bench.frame->column[bench.sums->column_a(p)];
+    const int32_t* b = bench.frame->column[bench.sums->column_b(p)];
+    int64_t expected = 0;
+    for (int i = kLeadIn; i < kLeadIn + kBlockSamples; ++i) expected += 2 * static_cast<int64_t>(a[i]) * b[i];
+    EXPECT_EQ(bench.sums->sum(p), expected)
+        << "columns " << bench.sums->column_a(p) << " and " << bench.sums->column_b(p);
+  }
+}
+
 TEST(ProductSums, EndCorrectionsMakeTheTrapezoidOfFourthOrder) {
   // p_n = n * n (columns n and n) from n = 0 to 4: the integral of t^2 is 64/3. The sum 0 + 1 + 4 + 9 = 14; the ends are
   // p/2 - (p[+1] - p[-1])/24: at 4: 8 - (25 - 9)/24 = 22/3, at 0: 0 - (1 - 1)/24 = 0. 14 + 22/3 = 64/3.
   Bench bench;
   const int16_t product = bench.sums->add(0, 1);
+  bench.sums->finish_plan();
   for (int i = 0; i < kFrameStride; ++i) bench.frame->column[0][i] = bench.frame->column[1][i] = i - kLeadIn;
   bench.sums->start(*bench.frame, kLeadIn);
   bench.sums->add_block(*bench.frame, kLeadIn, kLeadIn + 4);
