@@ -16,6 +16,7 @@ class CanSampleSource final : public hal::SampleSource {
   // A bus that is down delivers no samples; that is no fault of the source: it goes on when the bus is back.
   hal::SampleResult read(RawSample& sample) override;
   uint32_t frames_lost() const override { return assembler_.health().lost_frames; }
+  uint32_t overflows() const override { return bus_.receive_overflows(); }
   const AssemblyHealth& health() const { return assembler_.health(); }
 
  private:

@@ -46,6 +46,21 @@ class Writer {
   Crc32 crc_;
 };
 
+// Bytes alone, for the length of the longest configuration.
+class Counter {
+ public:
+  template <typename T>
+  constexpr void field(const T&) {
+    size_ += sizeof(T);
+  }
+  template <typename T>
+  constexpr void clear(const T&) {}
+  constexpr size_t size() const { return size_; }
+
+ private:
+  size_t size_ = 0;
+};
+
 class Reader {
  public:
   Reader(const uint8_t* bytes, size_t size) : bytes_(bytes), size_(size) {}
@@ -74,13 +89,13 @@ class Reader {
 };
 
 template <typename Archive, typename Number>
-void walk_scaled(Archive& archive, Number& number) {
+constexpr void walk_scaled(Archive& archive, Number& number) {
   archive.field(number.mantissa);
   archive.field(number.exponent);
 }
 
 template <typename Archive, typename Channel>
-void walk_channel(Archive& archive, Channel& channel) {
+constexpr void walk_channel(Archive& archive, Channel& channel) {
   archive.field(channel.present);
   archive.field(channel.offset_code);
   archive.field(channel.lowest_code);
@@ -91,7 +106,7 @@ void walk_channel(Archive& archive, Channel& channel) {
 
 // Taps beyond the filter's length are zero and are left out.
 template <typename Archive, typename Signal>
-void walk_signal(Archive& archive, Signal& signal) {
+constexpr void walk_signal(Archive& archive, Signal& signal) {
   archive.field(signal.available);
   archive.field(signal.derived);
   archive.field(signal.source);
@@ -104,7 +119,7 @@ void walk_signal(Archive& archive, Signal& signal) {
 }
 
 template <typename Archive, typename Core>
-void walk_core(Archive& archive, Core& core) {
+constexpr void walk_core(Archive& archive, Core& core) {
   archive.field(core.dof_count);
   archive.field(core.link_count);
   archive.field(core.term_count);
@@ -135,7 +150,7 @@ void walk_core(Archive& archive, Core& core) {
 }
 
 template <typename Archive, typename Level>
-void walk_level(Archive& archive, Level& level) {
+constexpr void walk_level(Archive& archive, Level& level) {
   archive.field(level.kind);
   archive.field(level.amplitude.raw);
   archive.field(level.phase_step);
@@ -152,7 +167,7 @@ void walk_level(Archive& archive, Level& level) {
 }
 
 template <typename Archive, typename Programme>
-void walk_programme(Archive& archive, Programme& programme) {
+constexpr void walk_programme(Archive& archive, Programme& programme) {
   archive.field(programme.level_count);
   archive.field(programme.start_at_boot);
   archive.field(programme.limits.magnitude.raw);
@@ -161,7 +176,7 @@ void walk_programme(Archive& archive, Programme& programme) {
 }
 
 template <typename Archive, typename Limits>
-void walk_limits(Archive& archive, Limits& limits) {
+constexpr void walk_limits(Archive& archive, Limits& limits) {
   archive.field(limits.saturated_in_row);
   archive.field(limits.lost_in_row);
   archive.field(limits.sample_timeout_us);
@@ -171,7 +186,7 @@ void walk_limits(Archive& archive, Limits& limits) {
 }
 
 template <typename Archive, typename Node>
-void walk_node(Archive& archive, Node& node) {
+constexpr void walk_node(Archive& archive, Node& node) {
   archive.field(node.node);
   archive.field(node.can_fd);
   archive.field(node.sync_closes_window);
@@ -185,11 +200,25 @@ void walk_node(Archive& archive, Node& node) {
 }
 
 template <typename Archive, typename Configuration>
-void walk_rig(Archive& archive, Configuration& configuration) {
+constexpr void walk_rig(Archive& archive, Configuration& configuration) {
   walk_core(archive, configuration.core);
   walk_programme(archive, configuration.programme);
   walk_limits(archive, configuration.limits);
 }
+
+// Every filter at its longest; everything else has one length. Version before it and check sum behind it.
+constexpr size_t longest_encoding() {
+  ControllerConfiguration longest;
+  for (auto& node : longest.core.signals)
+    for (SignalConfiguration& signal : node) signal.half_length = kFilterHalf;
+  Counter counter;
+  counter.field(kVersion);
+  walk_rig(counter, longest);
+  walk_node(counter, longest.node);
+  counter.field(uint32_t{});
+  return counter.size();
+}
+static_assert(longest_encoding() <= kConfigurationBytes, "a store must take the largest configuration");
 
 Writer write(const ControllerConfiguration& configuration, uint8_t* bytes, size_t capacity) {
   Writer writer(bytes, capacity);

@@ -7,6 +7,7 @@
 #include "firmware/configuration/configuration.hpp"
 #include "firmware/excitation/programme.hpp"
 #include "firmware/supervision/supervisor.hpp"
+#include "hal/interface/configuration_store.hpp"
 
 namespace firmware {
 
@@ -31,7 +32,8 @@ struct ControllerConfiguration {
 };
 
 // Little-endian fields one after another, then their CRC-32 (polynomial 0xEDB88320): no padding, no host layout.
-constexpr size_t kConfigurationBytes = 24576;  // room for the longest; encode() says how many are used
+constexpr size_t kConfigurationBytes =
+    hal::ConfigurationStore::kCapacity;  // the longest fits; encode() says how many are used
 
 // Returns the bytes written.
 size_t encode(const ControllerConfiguration& configuration, uint8_t (&bytes)[kConfigurationBytes]);

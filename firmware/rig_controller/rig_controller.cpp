@@ -25,6 +25,7 @@ void RigController::step() {
   check_emergency_stop();
   handle(supervisor_.check_time(now_ns_));
   receive_frames();
+  check_save();
   estimation_.advance();
   take_results();
   take_samples();

@@ -46,6 +46,7 @@ struct Ports {
   hal::Watchdog& watchdog;
   hal::ConfigurationStore& store;
   hal::Worker* worker = nullptr;  // the estimates are worked out there; nullptr: within step(), which then takes long
+  hal::Worker* store_worker = nullptr;  // a save runs there, as long as it takes; nullptr: within step()
 };
 
 class RigController final : private ObjectDictionary {
@@ -109,6 +110,7 @@ class RigController final : private ObjectDictionary {
   void describe_some();
   void send_status();
   void send_health();
+  void tell_overflows();
   void send_alarms();
   void flush_queue();
   void follow(BusEvent event);
@@ -120,7 +122,10 @@ class RigController final : private ObjectDictionary {
   SdoAbort read(uint16_t index, uint8_t subindex, uint8_t (&bytes)[kLongestObject], uint8_t& size) override;
   SdoAbort write(uint16_t index, uint8_t subindex, uint32_t value, uint8_t size) override;
   void load_from_store();
-  bool save_to_store();
+  SdoAbort begin_save();
+  void check_save();
+  void end_save();
+  static void save(void* self);
   void apply_node_settings();
 
   ControllerConfiguration configuration_;
@@ -156,7 +161,11 @@ class RigController final : private ObjectDictionary {
   int next_channel_ = 0;         // node * kQuantities + quantity; kMaxNodes * kQuantities: none
   uint16_t passing_faults_ = 0;  // seen since the last status frame
   uint32_t reported_drops_ = 0;
+  uint32_t reported_overflows_ = 0;
   bool store_damaged_ = false;
+  bool saving_ = false;  // store_bytes_ belong to the store
+  bool saved_ = false;   // how it went, once the worker is done
+  size_t store_size_ = 0;
   Diagnosis diagnosis_;
   bool judged_ = false;  // diagnosis_ holds a judgement of the last window
   uint64_t next_judgement_ns_ = 0;

@@ -116,6 +116,7 @@ void RigController::run_schedule() {
   if (status_.due(now_ns_)) send_status();
   if (second_.due(now_ns_)) {
     send_health();
+    tell_overflows();
     if (judged_) queue_.push(pack_diagnosis(configuration_.node.node, diagnosis_));
     next_parameter_ = 0;
   }
@@ -205,6 +206,14 @@ void RigController::send_health() {
   identity.parameters = configuration_.core.unknown_count;
   identity.configuration_crc = configuration_crc_;
   queue_.push(pack_identity(node, identity));
+}
+
+// What was dropped because this program came too late to fetch it.
+void RigController::tell_overflows() {
+  const uint32_t overflows = ports_.can.receive_overflows() + ports_.samples.overflows();
+  if (overflows == reported_overflows_) return;
+  reported_overflows_ = overflows;
+  handle({AlarmCause::kCanOverflow, overflows});
 }
 
 // One emergency frame at a time stands in the transmit queue; the others wait here, where equal ones become one.

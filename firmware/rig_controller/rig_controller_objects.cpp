@@ -90,12 +90,12 @@ SdoAbort RigController::write(uint16_t index, uint8_t subindex, uint32_t value, 
       if (subindex != 1) return subindex == 0 ? SdoAbort::kReadOnly : SdoAbort::kNoSubindex;
       if (size != 0 && size != 4) return SdoAbort::kLength;
       if (value != (index == 0x1010 ? kSaveSignature : kLoadSignature)) return SdoAbort::kNotStored;
-      if (supervisor_.armed()) return SdoAbort::kDeviceState;  // a store may take longer than a sample period
+      if (supervisor_.armed() || saving_) return SdoAbort::kDeviceState;
       if (index == 0x1011) {
         configuration_.node = default_node_;
         apply_node_settings();
       }
-      return save_to_store() ? SdoAbort::kNone : SdoAbort::kNotStored;
+      return begin_save();
     case 0x1017:
       if (subindex != 0) return SdoAbort::kNoSubindex;
       if (size != 0 && size != 2) return SdoAbort::kLength;
@@ -125,12 +125,34 @@ void RigController::apply_node_settings() {
   configuration_crc_ = firmware::configuration_crc(configuration_);
 }
 
-bool RigController::save_to_store() {
-  const size_t size = encode(configuration_, store_bytes_);
-  const bool saved = size <= kConfigurationBytes && ports_.store.save(store_bytes_, size);
-  store_damaged_ = !saved;
-  if (!saved) handle({AlarmCause::kStore});
-  return saved;
+// The answer to the request comes once the store is done: a memory card may take seconds, and no step waits for it.
+SdoAbort RigController::begin_save() {
+  store_size_ = encode(configuration_, store_bytes_);
+  saving_ = true;
+  if (ports_.store_worker != nullptr) {
+    ports_.store_worker->start(&RigController::save, this);
+    return SdoAbort::kPending;
+  }
+  save(this);
+  end_save();
+  return saved_ ? SdoAbort::kNone : SdoAbort::kNotStored;
+}
+
+void RigController::save(void* self) {
+  auto& own = *static_cast<RigController*>(self);
+  own.saved_ = own.ports_.store.save(own.store_bytes_, own.store_size_);
+}
+
+void RigController::check_save() {
+  if (!saving_ || !ports_.store_worker->done()) return;
+  end_save();
+  queue_.push(sdo_.complete(saved_ ? SdoAbort::kNone : SdoAbort::kNotStored), false);
+}
+
+void RigController::end_save() {
+  saving_ = false;
+  store_damaged_ = !saved_;
+  if (!saved_) handle({AlarmCause::kStore});
 }
 
 // What is stored counts only where it was saved for this very rig, programme and limits: an edited file wins.

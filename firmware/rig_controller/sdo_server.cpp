@@ -43,7 +43,7 @@ bool SdoServer::answer(const CanMessage& request, int node, CanMessage& reply) {
   } else if (command == kSegmentRequest) {
     next_segment(request, reply);
   } else if (command == 0x20) {
-    write_object(request, reply);
+    return write_object(request, reply);
   } else {
     abort(SdoAbort::kCommand, reply);
   }
@@ -84,18 +84,33 @@ void SdoServer::next_segment(const CanMessage& request, CanMessage& reply) {
   segmented_ = !last;
 }
 
-void SdoServer::write_object(const CanMessage& request, CanMessage& reply) {
+// False: not answered yet.
+bool SdoServer::write_object(const CanMessage& request, CanMessage& reply) {
   segmented_ = false;
   const uint8_t command = request.data[0];
   const bool expedited = command & 0x02;
-  if (!expedited) return abort(SdoAbort::kCommand, reply);
+  if (!expedited) {
+    abort(SdoAbort::kCommand, reply);
+    return true;
+  }
   const bool sized = command & 0x01;
   const auto size = static_cast<uint8_t>(sized ? 4 - ((command >> 2) & 3) : 0);  // 0: not said
   uint32_t value = get32(request, 4);
   if (sized && size < 4) value &= (1u << (8 * size)) - 1;
   const SdoAbort code = objects_.write(index_of(request), request.data[3], value, size);
-  if (code != SdoAbort::kNone) return abort(code, reply);
-  reply.data[0] = kWriteDone;
+  pending_ = reply;
+  if (code == SdoAbort::kPending) return false;
+  reply = complete(code);
+  return true;
+}
+
+CanMessage SdoServer::complete(SdoAbort code) {
+  CanMessage reply = pending_;
+  if (code == SdoAbort::kNone)
+    reply.data[0] = kWriteDone;
+  else
+    abort(code, reply);
+  return reply;
 }
 
 }  // namespace firmware

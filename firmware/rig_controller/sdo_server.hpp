@@ -20,6 +20,7 @@ enum class SdoAbort : uint32_t {
   kValue = 0x06090030,
   kNotStored = 0x08000020,
   kDeviceState = 0x08000022,  // not now
+  kPending = 0xFFFFFFFF,      // no code of CiA 301: the answer comes later, by complete()
 };
 
 // What the node offers.
@@ -39,10 +40,12 @@ class SdoServer {
   explicit SdoServer(ObjectDictionary& objects) : objects_(objects) {}
   // False where the request is no request to this node and needs no answer.
   bool answer(const CanMessage& request, int node, CanMessage& reply);
+  // The answer to the write that was kPending.
+  CanMessage complete(SdoAbort code);
 
  private:
   void read_object(const CanMessage& request, CanMessage& reply);
-  void write_object(const CanMessage& request, CanMessage& reply);
+  bool write_object(const CanMessage& request, CanMessage& reply);
   void next_segment(const CanMessage& request, CanMessage& reply);
   void abort(SdoAbort code, CanMessage& reply);
 
@@ -52,6 +55,7 @@ class SdoServer {
   uint8_t sent_ = 0;
   bool segmented_ = false;
   bool toggle_ = false;
+  CanMessage pending_;
 };
 
 }  // namespace firmware

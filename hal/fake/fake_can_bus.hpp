@@ -30,7 +30,9 @@ class FakeCanBus final : public CanBus {
 
   CanResult send(const CanFrame& frame) override;
   CanResult receive(CanFrame& frame) override;
+  uint32_t receive_overflows() const override { return receive_overflows_; }
 
+  void overflow(uint32_t frames) { receive_overflows_ += frames; }
   void fail(BusFailure failure) { failure_ = failure; }
   void set_queue_length(size_t frames) { queue_length_ = frames; }
   void drain() { queued_ = 0; }
@@ -52,6 +54,7 @@ class FakeCanBus final : public CanBus {
   size_t queued_ = 0;
   bool keep_ = true;
   uint64_t sent_count_ = 0;
+  uint32_t receive_overflows_ = 0;
   std::vector<CanFrame> sent_;
   std::deque<CanFrame> incoming_;
 };

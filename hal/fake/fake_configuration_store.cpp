@@ -51,6 +51,7 @@ bool FakeConfigurationStore::write(std::vector<uint8_t>& slot, size_t place, uin
 }
 
 bool FakeConfigurationStore::save(const uint8_t* bytes, size_t size) {
+  if (size == 0 || size > kCapacity) return false;
   const std::vector<uint8_t>* present = newest();
   std::vector<uint8_t>& slot = present == &slots_[0] ? slots_[1] : slots_[0];
   std::vector<uint8_t> image;

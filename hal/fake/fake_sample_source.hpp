@@ -21,6 +21,7 @@ class FakeSampleSource final : public SampleSource {
 
   SampleResult read(firmware::RawSample& sample) override;
   uint32_t frames_lost() const override { return frames_lost_; }
+  uint32_t overflows() const override { return overflows_; }
 
   // Makes the next `count` samples of the array ready; after the last one the source answers kEnd.
   void release(size_t count) { ready_ += count; }
@@ -31,6 +32,7 @@ class FakeSampleSource final : public SampleSource {
   }
   void fail(SampleFailure failure) { failure_ = failure; }
   void lose_frames(uint32_t count) { frames_lost_ += count; }
+  void overflow(uint32_t count) { overflows_ += count; }
 
  private:
   std::vector<firmware::RawSample> samples_;
@@ -40,6 +42,7 @@ class FakeSampleSource final : public SampleSource {
   bool has_offer_ = false;
   SampleFailure failure_ = SampleFailure::kNone;
   uint32_t frames_lost_ = 0;
+  uint32_t overflows_ = 0;
 };
 
 }  // namespace hal

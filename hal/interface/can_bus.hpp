@@ -28,6 +28,9 @@ class CanBus {
  public:
   virtual CanResult send(const CanFrame& frame) = 0;  // never blocks
   virtual CanResult receive(CanFrame& frame) = 0;     // never blocks
+  // Received frames that were dropped because receive() was called too late; since start.
+  virtual uint32_t receive_overflows() const { return 0; }
+
  protected:
   ~CanBus() = default;
 };

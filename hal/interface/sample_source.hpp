@@ -16,6 +16,8 @@ class SampleSource {
   virtual SampleResult read(firmware::RawSample& sample) = 0;  // never blocks
   // Parts of samples that never came, where samples come in parts (sensor frames on CAN); since start.
   virtual uint32_t frames_lost() const { return 0; }
+  // Samples, or parts of them, that were dropped because read() was called too late; since start.
+  virtual uint32_t overflows() const { return 0; }
 
  protected:
   ~SampleSource() = default;

@@ -56,7 +56,7 @@ size_t FileConfigurationStore::load(uint8_t* bytes, size_t capacity) {
 }
 
 bool FileConfigurationStore::save(const uint8_t* bytes, size_t size) {
-  if (size == 0 || size > kMaxPayload) return false;
+  if (size == 0 || size > kCapacity) return false;
   const Slot slots[2] = {inspect(0), inspect(1)};
   uint32_t generation = 1;
   int target = 0;

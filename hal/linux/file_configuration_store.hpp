@@ -18,8 +18,6 @@ uint32_t crc32(const uint8_t* bytes, size_t size, uint32_t previous = 0);
 
 class FileConfigurationStore final : public ConfigurationStore {
  public:
-  static constexpr size_t kMaxPayload = 8192;
-
   explicit FileConfigurationStore(FileOperations& files) : files_(files) {}
   bool save(const uint8_t* bytes, size_t size) override;
   size_t load(uint8_t* bytes, size_t capacity) override;
@@ -33,7 +31,7 @@ class FileConfigurationStore final : public ConfigurationStore {
   Slot inspect(int index);  // leaves the file in image_
 
   FileOperations& files_;
-  uint8_t image_[kMaxPayload + 16] = {};
+  uint8_t image_[kCapacity + 16] = {};
 };
 
 }  // namespace hal

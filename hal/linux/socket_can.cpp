@@ -84,6 +84,8 @@ int SocketCan::connect() {
   if (!configure(socket.get())) return errno == 0 ? EINVAL : errno;
   if (::bind(socket.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) return errno;
   socket_ = std::move(socket);
+  overflow_before_ += counters_.receive_overflow;
+  counters_.receive_overflow = 0;
   up_ = true;
   lost_ = false;
   return 0;

@@ -42,6 +42,7 @@ class SocketCan final : public CanBus {
 
   CanResult send(const CanFrame& frame) override;
   CanResult receive(CanFrame& frame) override;
+  uint32_t receive_overflows() const override { return overflow_before_ + counters_.receive_overflow; }
 
   int descriptor() const { return socket_.get(); }  // to wait on; changes when the interface was removed and came back
   const SocketCanCounters& counters() const { return counters_; }
@@ -61,6 +62,7 @@ class SocketCan final : public CanBus {
   bool up_ = false;
   bool lost_ = false;  // the interface was removed: the socket must be made anew
   uint64_t next_try_ns_ = 0;
+  uint32_t overflow_before_ = 0;  // of sockets before this one: the kernel counts anew for each
   SocketCanCounters counters_;
 };
 

@@ -24,7 +24,7 @@ Bytes content(uint8_t first, size_t size) {
 
 Bytes loaded(hal::FileOperations& files) {
   FileConfigurationStore store(files);
-  Bytes bytes(FileConfigurationStore::kMaxPayload);
+  Bytes bytes(FileConfigurationStore::kCapacity);
   bytes.resize(store.load(bytes.data(), bytes.size()));
   return bytes;
 }
@@ -139,13 +139,19 @@ TEST(ConfigurationStore, EveryDamagedByteFallsBackToTheGenerationBefore) {
 TEST(ConfigurationStore, RefusesWhatDoesNotFit) {
   PowerCutFiles files({});
   FileConfigurationStore store(files);
-  const Bytes large(FileConfigurationStore::kMaxPayload + 1, 1);
+  const Bytes large(FileConfigurationStore::kCapacity + 1, 1);
   EXPECT_FALSE(store.save(large.data(), large.size()));
   EXPECT_FALSE(store.save(large.data(), 0));
   EXPECT_EQ(files.operations(), 0);
   EXPECT_TRUE(store.save(large.data(), 100));
   uint8_t small[99];
   EXPECT_EQ(store.load(small, sizeof small), 0u);
+}
+
+TEST(ConfigurationStore, TheLargestThatAnyoneMaySaveComesBack) {
+  const Bytes largest = content(3, FileConfigurationStore::kCapacity);
+  PowerCutFiles files(saved({}, largest));
+  EXPECT_EQ(loaded(files), largest);
 }
 
 TEST(ConfigurationStore, WorksOnARealFolder) {

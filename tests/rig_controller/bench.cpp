@@ -86,7 +86,8 @@ Bench::Bench(const firmware::ControllerConfiguration& asked) : configuration(ask
 }
 
 void Bench::restart() {
-  const firmware::Ports ports{clock, source, can, drive, relay, lamp, stop_line, &sync_line, watchdog, store, worker};
+  const firmware::Ports ports{clock,     source,     can,      drive, relay,  lamp,
+                              stop_line, &sync_line, watchdog, store, worker, store_worker};
   controller = std::make_unique<firmware::RigController>(configuration, ports);
 }
 

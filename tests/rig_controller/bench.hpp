@@ -68,7 +68,8 @@ struct Bench {
   hal::FakeWatchdog watchdog;
   hal::FakeConfigurationStore store;
   OneDofRig rig;
-  hal::Worker* worker = nullptr;  // from the next restart on
+  hal::Worker* worker = nullptr;        // from the next restart on
+  hal::Worker* store_worker = nullptr;  // likewise
   uint32_t sequence = 0;
   firmware::RawSample spoil;  // added to each sample's codes
   std::unique_ptr<firmware::RigController> controller;

@@ -265,4 +265,21 @@ TEST(BusFaults, DriveIsNotStoppedByTheBusAlone) {
   EXPECT_EQ(told(bench, 0xFF01), 1u);  // told when the bus is back
 }
 
+// Frames that the driver dropped because the program came late: an emergency frame with their number, once for each
+// change.
+TEST(BusFaults, WhatWasFetchedTooLateIsTold) {
+  bench::Bench bench(bench::listening());
+  bench.run_samples(1100);
+  const size_t before = bench.can.count(0x081);
+  bench.can.overflow(3);
+  bench.source.overflow(4);
+  bench.run_samples(1100);
+  ASSERT_EQ(bench.can.count(0x081), before + 1);
+  const hal::CanFrame& emergency = *bench.can.last(0x081);
+  EXPECT_EQ(emergency.data[0] | emergency.data[1] << 8, 0x8110);
+  EXPECT_EQ(emergency.data[4], 7);
+  bench.run_samples(2200);
+  EXPECT_EQ(bench.can.count(0x081), before + 1);
+}
+
 }  // namespace

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "firmware/version.hpp"
+#include "hal/fake/fake_worker.hpp"
 #include "tests/rig_controller/bench.hpp"
 
 namespace {
@@ -236,6 +237,56 @@ TEST(Store, ControllerStartsAfterAPowerLossWhileSaving) {
     bench.step();
     EXPECT_EQ(bench.sdo(kRead, 0x1017, 0).value, 150u) << cut;
   }
+}
+
+// A memory card that takes 300 ms while the rig is listened to: no step waits for it, the answer comes afterwards, and a
+// second request meanwhile is told to come later.
+TEST(Store, NoStepWaitsForASave) {
+  for (const bool succeeds : {true, false}) {
+    Bench bench(bench::listening());
+    hal::FakeWorker worker;
+    worker.takes(hal::FakeWorker::kUntilTold);
+    bench.store_worker = &worker;
+    bench.restart();
+    bench.step();
+    bench.sdo(kWrite2, 0x1017, 0, 250);
+    if (!succeeds) bench.store.cut_power_after(10);
+    EXPECT_FALSE(bench.sdo(kWrite4, 0x1010, 1, kSave).came);
+    const uint32_t samples = bench.controller->core().health().samples;
+    bench.run_samples(300);
+    EXPECT_EQ(bench.controller->core().health().samples, samples + 300);
+    EXPECT_EQ(bench.store.written_bytes(), 0u);
+    EXPECT_EQ(bench.sdo(kWrite4, 0x1010, 1, kSave).value, 0x08000022u);
+    EXPECT_EQ(bench.sdo(kRead, 0x1017, 0).value, 250u);
+    EXPECT_EQ(worker.waits(), 0);
+    const size_t replies = bench.can.count(0x581);
+    worker.finish();
+    bench.run_samples(2);
+    ASSERT_EQ(bench.can.count(0x581), replies + 1);
+    const hal::CanFrame& reply = *bench.can.last(0x581);
+    EXPECT_EQ(reply.data[0], succeeds ? kWritten : kAborted);
+    EXPECT_EQ(reply.data[1] | reply.data[2] << 8, 0x1010);
+    bench.run_samples(120);
+    EXPECT_EQ(bench.can.last(0x181)->data[1] >> 2 & 1, succeeds ? 0 : 1);  // status bit 10: STORE
+  }
+}
+
+TEST(Store, TheLargestConfigurationIsSavedAndComesBack) {
+  firmware::ControllerConfiguration largest = bench::listening();
+  for (auto& node : largest.core.signals)
+    for (auto& signal : node) signal.half_length = firmware::kFilterHalf;
+  largest.node.heartbeat_ms = 250;
+  static uint8_t bytes[firmware::kConfigurationBytes], loaded[firmware::kConfigurationBytes];
+  const size_t size = encode(largest, bytes);
+  EXPECT_GT(size, 8192u);
+  hal::FakeConfigurationStore store;
+  ASSERT_TRUE(store.save(bytes, size));
+  ASSERT_EQ(store.load(loaded, sizeof loaded), size);
+  firmware::ControllerConfiguration back;
+  ASSERT_TRUE(decode(loaded, size, back));
+  EXPECT_EQ(configuration_crc(back), configuration_crc(largest));
+  EXPECT_FALSE(store.save(std::vector<uint8_t>(hal::ConfigurationStore::kCapacity + 1).data(),
+                          hal::ConfigurationStore::kCapacity + 1));
 }
 
 TEST(Store, FailedSaveIsToldAndShown) {

@@ -25,6 +25,7 @@ std::string BoardDevices::open() {
   if (fault.empty()) fault = open_lines();
   if (fault.empty()) fault = files_.open(file_.state_folder);
   if (fault.empty()) fault = worker_.open(file_.priority > 0);
+  if (fault.empty()) fault = store_worker_.open(false);
   // Last of all: a start that fails before it leaves no armed watchdog behind, so no board that restarts for ever.
   if (fault.empty()) fault = open_watchdog();
   return fault;
@@ -98,7 +99,8 @@ firmware::Ports BoardDevices::ports() {
           file_.sync.line.empty() ? nullptr : &sync_line_,
           watchdog_,
           store_,
-          &worker_};
+          &worker_,
+          &store_worker_};
 }
 
 int BoardDevices::waits(pollfd (&waits)[kMaxWaits]) const {

@@ -42,7 +42,11 @@ class BoardDevices {
   // Which hardware watchdog guards the board, or why none does, in words.
   const std::string& guard() const { return guard_; }
   void stop_watchdog() { device_watchdog_.disarm(); }
-  hal::Worker& worker() { return worker_; }
+  // Returns when nothing runs beside the loop any more: what runs there works on what the loop owns.
+  void wait_for_workers() {
+    worker_.wait();
+    store_worker_.wait();
+  }
   const hal::SocketCan& bus() const { return bus_; }
   const hal::SocketCan& sensor_bus() const { return sensor_bus_; }
   const firmware::AssemblyHealth* assembly() const { return can_samples_ ? &can_samples_->health() : nullptr; }
@@ -70,7 +74,7 @@ class BoardDevices {
   std::string guard_ = "no hardware watchdog";
   hal::PosixFileOperations files_;
   hal::FileConfigurationStore store_;
-  hal::WorkerThread worker_;
+  hal::WorkerThread worker_, store_worker_;
 };
 
 }  // namespace board

@@ -186,7 +186,7 @@ bool run(const BoardFile& file, BoardDevices& devices, const RunOptions& options
   loop->run(options);
   devices.systemd().stopping();
   const bool safe = leave_safe(devices);
-  devices.worker().wait();  // it works on what the loop owns
+  devices.wait_for_workers();
   loop->report();
   return safe;
 }

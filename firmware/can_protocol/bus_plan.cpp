@@ -1,0 +1,67 @@
+#include "firmware/can_protocol/bus_plan.hpp"
+
+#include <initializer_list>
+
+#include "firmware/can_protocol/bus_load.hpp"
+#include "firmware/can_protocol/frame_table.hpp"
+
+namespace firmware {
+namespace {
+
+constexpr int64_t kMillisecond_ns = 1000000, kSecond_ns = 1000 * kMillisecond_ns;
+
+void add(BusPlan& plan, const can::Frame& frame, int frames, int64_t period_ns) {
+  if (frames > 0 && period_ns > 0 && plan.count < kMaxBusStreams)
+    plan.streams[plan.count++] = {&frame, frames, period_ns};
+}
+
+void add_sensors(BusPlan& plan, const SensorPlan& sensors, int64_t period_ns) {
+  for (const SensorWiring wiring : {SensorWiring::k16, SensorWiring::k24, SensorWiring::kFd}) {
+    int motion = 0, force = 0;
+    for (int node = 0; node < kMaxNodes; ++node) {
+      if (sensors.wiring[node] != wiring) continue;
+      motion += sensors.expected[node] & 1;
+      force += sensors.expected[node] >> 1 & 1;
+    }
+    const can::Frame& motion_frame = wiring == SensorWiring::kFd   ? can::kSensorFd
+                                     : wiring == SensorWiring::k24 ? can::kSensorMotion24
+                                                                   : can::kSensorMotion16;
+    add(plan, motion_frame, motion, period_ns);
+    add(plan, wiring == SensorWiring::k24 ? can::kSensorForce24 : can::kSensorForce, force, period_ns);
+  }
+}
+
+}  // namespace
+
+BusPlan bus_plan(const BusTraffic& traffic) {
+  BusPlan plan;
+  if (traffic.sensors != nullptr) add_sensors(plan, *traffic.sensors, traffic.sample_period_ns);
+  add(plan, can::kDrive, traffic.drive_on_can ? 1 : 0, traffic.sample_period_ns);
+  add(plan, can::kWindow, 1, traffic.window_ns);
+  const int records = can::kEstimateFd.repeats;
+  if (traffic.can_fd)
+    add(plan, can::kEstimateFd, (traffic.unknowns + records - 1) / records, traffic.window_ns);
+  else
+    add(plan, can::kEstimate, traffic.unknowns, traffic.window_ns);
+  add(plan, can::kHeartbeat, 1, traffic.heartbeat_ms * kMillisecond_ns);
+  add(plan, can::kStatus, 1, traffic.status_ms * kMillisecond_ns);
+  for (const can::Frame* frame : {&can::kHealth, &can::kBusHealth, &can::kIdentity, &can::kDiagnosis})
+    add(plan, *frame, 1, kSecond_ns);
+  add(plan, can::kParameter, traffic.unknowns, kSecond_ns);
+  for (const can::Frame* frame : {&can::kScaling, &can::kRange})
+    add(plan, *frame, traffic.channels, frame->cycle_ms * kMillisecond_ns);
+  return plan;
+}
+
+int64_t load_permille(const BusStream& stream, const BitRates& rates) {
+  const int64_t time_ns = stream.frames * can::frame_time_ns(*stream.frame, rates.nominal, rates.data);
+  return (1000 * time_ns + stream.period_ns - 1) / stream.period_ns;
+}
+
+int64_t load_permille(const BusPlan& plan, const BitRates& rates) {
+  int64_t sum = 0;
+  for (int i = 0; i < plan.count; ++i) sum += load_permille(plan.streams[i], rates);
+  return sum;
+}
+
+}  // namespace firmware
