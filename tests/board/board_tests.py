@@ -26,6 +26,7 @@ class Session:
         self.results = []
         self.file = None
         self.ended = False
+        self.reset_expected = False
 
     def line(self, text):
         if self.file:
@@ -44,6 +45,8 @@ class Session:
             self.file = (rest, [])
         elif kind == "end":
             self.ended = True
+        elif kind == "reset-expected":
+            self.reset_expected = True
         elif kind == "missing":
             self.results.append(f"start failed {rest}")
         elif kind == "outside":
@@ -87,22 +90,46 @@ def judge_stop(session, path):
     session.judge("no_sample_between_edge_and_stop", not between and bool(samples), f"{reaction_s * 1e6:.0f} us after the edge")
 
 
-JUDGES = {"stop.log": judge_stop}
+def judge_killed(session, path):
+    """In the log of the bus: between the markers, less than 100 ms apart, the drive goes to zero for good."""
+    frames = []
+    with open(path) as file:
+        for line in file:
+            time_text, _, frame = line.split()[:3]
+            frames.append((float(time_text.strip("()")), *frame.split("#")))
+    marks = [i for i, frame in enumerate(frames) if frame[1] == "7FF"]
+    if len(marks) != 2:
+        return session.judge("markers_are_in_the_log", False)
+    killed, safe = marks
+    driven = [frame for frame in frames[:killed] if frame[1] == "201" and not frame[2].startswith("00000000")]
+    zero = [frame for frame in frames[killed:safe] if frame[1] == "201" and frame[2] == "00000000000002"]
+    moving = [frame for frame in frames[safe:] if frame[1] == "201" and frame[2] != "00000000000002"]
+    took_s = frames[safe][0] - frames[killed][0]
+    session.judge("drive_before_the_kill_was_not_zero", bool(driven))
+    session.judge("drive_is_zero_and_stays", bool(zero) and not moving)
+    session.judge("safe_within_100_ms", took_s < 0.1, f"{took_s * 1e3:.0f} ms from the kill to relay off and drive zero")
+
+
+JUDGES = {"stop.log": judge_stop, "frames.log": judge_killed}
 
 
 def outside(board, arch, request):
-    """What the guest asks the world outside for: `press` and `release` of the emergency stop, `line NAME` to see a level.
+    """What the guest asks the world outside for: `press` and `release` of the emergency stop, `relay` to see its line's level.
 
     The guest waits for the answer: its time may run faster than this machine's."""
     words = request.split()
     answer = "done"
     if arch == "armhf" and words[0] in ("press", "release"):
         board.qmp("qom-set", path="/machine/soc/gpio", property="gpioB0", value=words[0] == "press")
-    elif arch == "armhf" and words[0] == "line":
-        answer = "on" if board.qmp("qom-get", path="/machine/soc/gpio", property=words[1]) else "off"
+    elif arch == "armhf" and words[0] == "relay":
+        answer = "on" if board.qmp("qom-get", path="/machine/soc/gpio", property="gpioB1") else "off"
     elif arch == "arm64" and words[0] in ("press", "release"):
         if words[0] == "press":
             board.qmp("system_powerdown")  # a pulse of 100 ms on line 3 of the PL061
+    elif arch == "arm64" and words[0] == "relay":
+        # The data register of the PL061 at 0x9030000; the address selects line 5.
+        text = board.qmp("human-monitor-command", **{"command-line": "xp /1wx 0x9030080"})
+        answer = "on" if int(text.split(":")[1], 16) != 0 else "off"
     else:
         raise RuntimeError(f"the guest asks for {request}, which {arch} has not")
     board.write(answer)
@@ -136,6 +163,10 @@ def main():
                 session.line(text)
     finally:
         board.quit()
+    if session.reset_expected:
+        # Without a reset the guest would have gone on to its end, or hung until the limit.
+        session.judge("board_was_reset", not session.ended and board.process.returncode == 0 and not board.killed)
+        session.ended = True
     failed = [result for result in session.results if result.split()[1] != "ok"]
     if not session.ended:
         failed.append("the guest did not reach its end")

@@ -20,7 +20,8 @@ MACHINES = {
     },
     "arm64": {
         "command": ["qemu-system-aarch64", "-M", "virt,dtb-randomness=off", "-cpu", "cortex-a53",
-                    "-object", "can-bus,id=cb0", "-device", "kvaser_pci,canbus=cb0", "-device", "kvaser_pci,canbus=cb0"],
+                    "-object", "can-bus,id=cb0", "-device", "kvaser_pci,canbus=cb0", "-device", "kvaser_pci,canbus=cb0",
+                    "-device", "i6300esb"],
         "console": "ttyAMA0",
     },
 }
@@ -47,6 +48,7 @@ class Board:
         self.selector = selectors.DefaultSelector()
         self.selector.register(self.process.stdout, selectors.EVENT_READ)
         self.control = None
+        self.killed = False  # ended by quit(), not by itself
 
     def qmp(self, command, **arguments):
         """Sends one control command and returns its result."""
@@ -98,6 +100,7 @@ class Board:
 
     def quit(self):
         if self.process.poll() is None:
+            self.killed = True
             try:
                 self.qmp("quit")
                 self.process.wait(10)

@@ -2,8 +2,8 @@
 # The emulated boards: AST2600 (armhf: GPIO and ADC by the kernel's own drivers, vcan) and arm64 virt (two SJA1000 CAN
 # controllers, PL061 GPIO), with Debian's kernels and the cross-built rig_controller. Called by tests/run.sh --board.
 #   --bench       the endurance test takes 10 minutes of guest time instead of one
-#   --only TEST   one test (package, hal, replay, stop, settings, faults, session, samples,
-#                 gpiod2, endurance) instead of all
+#   --only TEST   one test (package, hal, replay, stop, killed, kernel, settings, faults, session,
+#                 samples, gpiod2, endurance) instead of all
 # Downloads go to ${XDG_CACHE_HOME:-~/.cache}/rig_damping/board, results to build/board.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
@@ -89,12 +89,13 @@ make_initrd() {
     "${arguments[@]}" --file $results/$arch/usr/bin/rig_controller=/usr/bin/rig_controller \
     --file $results/sensors.log=/sensors.log --file $results/${arch}_board.toml=/board.toml \
     --file $results/${arch}_drive.toml=/drive.toml --file $here/iio.toml=/iio.toml \
+    --file $results/$arch/usr/lib/systemd/system/rig_controller.service=/usr/lib/systemd/system/rig_controller.service \
     --file $results/iio_fast.toml=/iio_fast.toml "$@"
 }
 make_initrd armhf --module gpio-aspeed --module aspeed_adc --module vcan --module can-raw --module sch_tbf
 make_initrd arm64 --program lib/systemd/systemd-networkd --program lib/systemd/systemd-udevd --program bin/udevadm \
   --file $results/arm64/usr/lib/systemd/network/80-rig-can.network=/lib/systemd/network/80-rig-can.network \
-  --module kvaser_pci --module vcan --module can-raw --module sch_tbf
+  --module kvaser_pci --module vcan --module can-raw --module sch_tbf --module i6300esb
 
 # board_test ARCH TEST [option...]
 board_test() {
@@ -147,6 +148,8 @@ test_board() {
   board_test $arch replay
   compare $arch
   board_test $arch stop
+  board_test $arch killed
+  board_test $arch kernel --limit 300
   board_test $arch settings
   board_test $arch faults
   if [ $arch = arm64 ]; then
