@@ -31,6 +31,11 @@ void add_sensors(BusPlan& plan, const SensorPlan& sensors, int64_t period_ns) {
   }
 }
 
+int64_t load_per_million(const BusStream& stream, const BitRates& rates) {
+  const int64_t time_ns = stream.frames * can::frame_time_ns(*stream.frame, rates.nominal, rates.data);
+  return (1000000 * time_ns + stream.period_ns - 1) / stream.period_ns;
+}
+
 }  // namespace
 
 BusPlan bus_plan(const BusTraffic& traffic) {
@@ -54,14 +59,13 @@ BusPlan bus_plan(const BusTraffic& traffic) {
 }
 
 int64_t load_permille(const BusStream& stream, const BitRates& rates) {
-  const int64_t time_ns = stream.frames * can::frame_time_ns(*stream.frame, rates.nominal, rates.data);
-  return (1000 * time_ns + stream.period_ns - 1) / stream.period_ns;
+  return (load_per_million(stream, rates) + 999) / 1000;
 }
 
 int64_t load_permille(const BusPlan& plan, const BitRates& rates) {
   int64_t sum = 0;
-  for (int i = 0; i < plan.count; ++i) sum += load_permille(plan.streams[i], rates);
-  return sum;
+  for (int i = 0; i < plan.count; ++i) sum += load_per_million(plan.streams[i], rates);
+  return (sum + 999) / 1000;
 }
 
 }  // namespace firmware

@@ -8,6 +8,9 @@
 #include <filesystem>
 #include <fstream>
 
+#include "hal/linux/board/bus_check.hpp"
+#include "hal/linux/board/output_sections.hpp"
+#include "hal/linux/board/safe_outputs.hpp"
 #include "hal/rig_file/rig_file_error.hpp"
 
 namespace {
@@ -113,6 +116,74 @@ TEST_F(BoardFileTest, TheShippedExampleIsGood) {
   EXPECT_EQ(board.controller.core.window.mode, firmware::WindowMode::kInterval);
 }
 
+// By hand: a sensor frame of 8 bytes takes 135 bits at worst, the drive's 125. kGood on a real bus at 2 kHz: 2 * (270 + 125)
+// bits each ms and 3 per mille of reports.
+TEST_F(BoardFileTest, WhatDoesNotFitItsBusIsRefusedWithWhatWould) {
+  const std::string real = changed("\"vcan1\"", "\"can1\"");
+  EXPECT_TRUE(board::check_bus(read(kGood)).fits);  // virtual: no bit rate
+  EXPECT_FALSE(board::check_bus(read(changed("\"vcan1\"", "\"can1\"\nbit_rate_kbit_s = 500"))).fits);
+  const board::BusCheck check = board::check_bus(read(real));
+  EXPECT_NE(check.load.find("of 1000 kbit/s at worst: sensor_motion_24 27 %, sensor_force_24 27 %, drive 25 %"),
+            std::string::npos)
+      << check.load;
+}
+
+TEST_F(BoardFileTest, TheShippedExampleFitsAtItsBitRateAlone) {
+  const std::string path = std::string(RIG_SOURCE_DIR) + "/hal/linux/packaging/board.example.toml";
+  board::BoardFile example = board::read_board_file(path);
+  // (4 * 135 + 125) bits each ms of 1 Mbit/s: 66.5 %; 4289 bits of reports each second: 0.4 %.
+  EXPECT_TRUE(board::check_bus(example).fits);
+  EXPECT_EQ(board::check_bus(example).load.find("67 % of 1000 kbit/s"), 0u) << board::check_bus(example).load;
+  example.bit_rates.nominal = 500000;
+  const board::BusCheck slow = board::check_bus(example);
+  EXPECT_FALSE(slow.fits);
+  for (const char* part : {"bit_rate_kbit_s = 1000 (", "CAN FD sensor frames, wiring = \"fd\" (", "rate_Hz = "})
+    EXPECT_NE(slow.instead.find(part), std::string::npos) << part << " | " << slow.instead;
+  EXPECT_THROW(board::require_bus(example), rig_file::RigFileError);
+  // What is offered holds: at the rate that is named it fits, 10 Hz faster it does not.
+  const int rate = std::atoi(slow.instead.c_str() + slow.instead.find("rate_Hz = ") + 10);
+  example.samples.rate_Hz = rate;
+  EXPECT_TRUE(board::check_bus(example).fits);
+  example.samples.rate_Hz = rate + 10;
+  EXPECT_FALSE(board::check_bus(example).fits);
+  example.bit_rates.nominal = 1000000;
+  example.samples.rate_Hz = 5000;
+  EXPECT_FALSE(board::check_bus(example).fits);
+}
+
+// The unit, the network file and the example agree about the bit rate.
+TEST_F(BoardFileTest, TheNetworkFileSetsTheRateThatIsTheDefault) {
+  std::ifstream file(std::string(RIG_SOURCE_DIR) + "/hal/linux/packaging/80-rig-can.network");
+  const std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  EXPECT_NE(text.find("\nBitRate=1M\n"), std::string::npos);
+  EXPECT_EQ(read(kGood).bit_rates.nominal, 1000000);
+}
+
+// What is needed to make the outputs safe is read from a file whose other parts are broken.
+TEST_F(BoardFileTest, OutputsAreReadFromABrokenFile) {
+  std::ofstream(folder_ + "/board.toml") << changed("kind = \"sine\"", "kind = \"chirp\"") + "[[dof]]\nmass_kg = -1\n";
+  EXPECT_THROW(board::read_board_file(folder_ + "/board.toml"), rig_file::RigFileError);
+  std::vector<std::string> problems;
+  const board::BoardFile file = board::read_outputs(folder_ + "/board.toml", problems);
+  EXPECT_TRUE(problems.empty());
+  EXPECT_EQ(file.relay.line, "gpiochip0:4");
+  EXPECT_EQ(file.drive, board::DriveKind::kCan);
+  EXPECT_EQ(file.can_interface, "vcan1");
+  EXPECT_EQ(file.controller.node.node, 3);
+}
+
+// An output that cannot be reached keeps none of the others from being tried: relay, drive and lamp each say so here.
+TEST_F(BoardFileTest, EveryOutputIsTriedWhateverBecomesOfTheOthers) {
+  board::BoardFile file = read(changed("[gpio]\n", "[gpio]\nready_lamp = \"no_such_lamp\"\n"));
+  file.relay.line = "no_such_relay";
+  file.can_interface = "nocan0";
+  const std::vector<std::string> faults = board::bring_outputs_to_safe_state(file);
+  ASSERT_EQ(faults.size(), 3u);
+  EXPECT_NE(faults[0].find("no_such_relay"), std::string::npos);
+  EXPECT_EQ(faults[2].find("no_such_lamp") == std::string::npos, false);
+  EXPECT_TRUE(board::bring_outputs_to_safe_state(board::BoardFile()).empty());  // nothing to make safe
+}
+
 TEST_F(BoardFileTest, IioChannelsNameTheirElement) {
   std::string text = kGood;
   const auto replace = [&](const std::string& from, const std::string& to) {
@@ -144,6 +215,10 @@ const Broken kBroken[] = {
     {"[node]\n", "[node]\nheartbeat_ms = -1\n", {"\"heartbeat_ms\"", "expected"}},
     {"[node]\n", "[node]\nheartbeat_ms = 9\n", {":3:", "\"heartbeat_ms\"", "0 (none) or 10 to 65535"}},
     {"[node]\n", "[nodes]\n", {"\"nodes\"", "did you mean \"node\""}},
+    {"interface = \"vcan1\"", "interface = \"can0\"\nbit_rate_kbit_s = 0", {":7:", "\"bit_rate_kbit_s\"", "10"}},
+    {"interface = \"vcan1\"",
+     "interface = \"can0\"\ndata_bit_rate_kbit_s = 500",
+     {":7:", "\"data_bit_rate_kbit_s\"", "at least"}},
     {"interface = \"vcan1\"", "interface = 1", {":6:", "\"interface\"", "expected"}},
     {"interface = \"vcan1\"", "interface = \"vcan1\"\nfd = 1", {"\"fd\"", "true nor false"}},
     {"schema = \"rig/1\"\n[node]\nid = 3\nwindow_s = 0.5\n",
@@ -212,6 +287,10 @@ TEST_F(BoardFileTest, TheProgramsExitStatus) {
   EXPECT_EQ(status_of(program + " --version"), 0);
   EXPECT_EQ(status_of(program + " --check " + folder_ + "/good.toml"), 0);
   EXPECT_EQ(status_of(program + " --check " + folder_ + "/bad.toml"), 2);
+  std::ofstream(folder_ + "/full.toml") << changed("\"vcan1\"", "\"can1\"\nbit_rate_kbit_s = 125");
+  EXPECT_EQ(status_of(program + " --check " + folder_ + "/full.toml"), 2);  // over 80 % of its bus
+  EXPECT_EQ(status_of(program + " --safe " + folder_ + "/good.toml"), 1);   // no lines and no vcan1 here
+  EXPECT_EQ(status_of(program + " --safe " + folder_ + "/none.toml"), 1);
   EXPECT_EQ(status_of(program + " --check " + folder_ + "/none.toml"), 2);
   EXPECT_EQ(status_of(program + " --check"), 2);
   EXPECT_EQ(status_of(program + " --for soon " + folder_ + "/good.toml"), 2);

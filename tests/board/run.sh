@@ -46,7 +46,7 @@ declare -A preset=([armhf]=arm-linux-gnueabihf [arm64]=aarch64-linux-gnu)
 declare -A guest_programs=([arm64]="rig_controller_guarded hal_test sensor_player")
 guest_programs[armhf]="${guest_programs[arm64]}${gpiod2:+ rig_controller_gpiod2 gpio_test_gpiod2}"
 configure host
-build host record_sensors board_reference
+build host record_sensors board_reference host_sim
 for arch in armhf arm64; do
   cmake --preset ${preset[$arch]} $([ -e build/${preset[$arch]}/CMakeCache.txt ] || echo -G Ninja) \
     -DRIG_SYSROOT="$cache/$arch/root" -DRIG_GUEST_TESTS=ON \
@@ -65,6 +65,11 @@ for arch in armhf arm64; do
   { sed -e "s/@INTERFACE@/${bus[$arch]}/" -e "/@GPIO@/{r $here/${arch}_gpio.toml
 d}" $here/drive_head.toml; sed -n '/^\[\[channel/,$p' $results/${arch}_board.toml; } >$results/${arch}_drive.toml
 done
+# For the session: sensors without acceleration, which fit a real bus of 1 Mbit/s beside the drive (rig_controller --check).
+{ build/host/bin/host_sim run --scenario paper_3dof_random --print
+  echo 'channels = ["force", "displacement", "velocity"]'; } >$results/session_scenario.toml
+build/host/bin/record_sensors $results/session_scenario.toml 0.5 4 $results/session_sensors.log $results/head.toml $results/session_board.toml
+{ sed '/^\[\[channel/,$d' $results/arm64_drive.toml; sed -n '/^\[\[channel/,$p' $results/session_board.toml; } >$results/session.toml
 sed 's/^rate_Hz = .*/rate_Hz = 1000/' $here/iio.toml >$results/iio_fast.toml
 build/host/bin/board_reference $results/armhf_board.toml $results/sensors.log >$results/reference.log
 
@@ -95,6 +100,9 @@ make_initrd() {
 make_initrd armhf --module gpio-aspeed --module aspeed_adc --module vcan --module can-raw --module sch_tbf
 make_initrd arm64 --program lib/systemd/systemd-networkd --program lib/systemd/systemd-udevd --program bin/udevadm \
   --file $results/arm64/usr/lib/systemd/network/80-rig-can.network=/lib/systemd/network/80-rig-can.network \
+  --file $results/session.toml=/session.toml --file $results/session_sensors.log=/session_sensors.log \
+  --file $results/arm64/usr/share/doc/rig-controller/board.example.toml=/board.example.toml \
+  --file $results/arm64/usr/share/doc/rig-controller/80-rig-can-fd.network=/run/systemd/network/70-rig-can-fd.network \
   --module kvaser_pci --module vcan --module can-raw --module sch_tbf --module i6300esb
 
 # board_test ARCH TEST [option...]

@@ -2,6 +2,7 @@
 
 #include <sstream>
 
+#include "hal/linux/board/bus_check.hpp"
 #include "hal/linux/board/excitation_section.hpp"
 #include "hal/linux/board/output_sections.hpp"
 #include "hal/rig_file/channel_name.hpp"
@@ -131,7 +132,8 @@ std::string describe(const BoardFile& board) {
        << "  samples: " << kinds[static_cast<int>(board.samples.kind)] << ", " << board.rig.channels.size()
        << " channels, " << board.samples.rate_Hz << " Hz\n"
        << "  node " << int(board.controller.node.node) << " on " << board.can_interface
-       << (board.controller.node.can_fd ? " (CAN FD)" : "") << "\n";
+       << (board.controller.node.can_fd ? " (CAN FD)" : "") << "\n"
+       << "  bus: " << check_bus(board).load << "\n";
   if (board.controller.programme.level_count == 0)
     text << "  listens only: no excitation levels\n";
   else

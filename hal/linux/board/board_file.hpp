@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "firmware/can_protocol/bus_plan.hpp"
 #include "firmware/can_protocol/sensor_frames.hpp"
 #include "firmware/rig_controller/controller_configuration.hpp"
 #include "hal/linux/gpio_line.hpp"
@@ -35,6 +36,7 @@ struct BoardFile {
   firmware::ControllerConfiguration controller;
   SampleSettings samples;
   std::string can_interface = "can0";
+  firmware::BitRates bit_rates;  // as the network file sets them
   LineSetting emergency_stop, relay, ready_lamp, sync;
   DriveKind drive = DriveKind::kNone;
   hal::IioDriveOutput::Options iio_drive;

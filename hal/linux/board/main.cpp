@@ -17,6 +17,7 @@
 #include "firmware/version.hpp"
 #include "hal/linux/board/board_devices.hpp"
 #include "hal/linux/board/board_file.hpp"
+#include "hal/linux/board/bus_check.hpp"
 #include "hal/linux/board/real_time.hpp"
 #include "hal/linux/board/run.hpp"
 #include "hal/linux/board/safe_outputs.hpp"
@@ -107,8 +108,11 @@ int run_board(const Arguments& arguments) {
   }
   if (arguments.check) {
     std::fputs(board::describe(file).c_str(), stdout);
+    board::require_bus(file);
     return kDone;
   }
+  const board::BusCheck bus = board::check_bus(file);
+  if (!bus.fits) std::fprintf(stderr, "rig_controller: the bus may be too slow: %s\n", bus.load.c_str());
   const auto devices = std::make_unique<board::BoardDevices>(file);
   const std::string fault = devices->open();
   if (!fault.empty()) {

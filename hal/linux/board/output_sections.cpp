@@ -42,7 +42,8 @@ Section node_section(const std::string& file, const toml::table& root) {
 }
 
 Section can_section(const std::string& file, const toml::table& root) {
-  return Section(file, "can", sub_table(file, root, "can"), {"interface", "fd"});
+  return Section(file, "can", sub_table(file, root, "can"),
+                 {"interface", "fd", "bit_rate_kbit_s", "data_bit_rate_kbit_s"});
 }
 
 Section gpio_section(const std::string& file, const toml::table& root) {
@@ -63,6 +64,10 @@ void read_identity(const Section& node, BoardFile& board) {
 void read_can(const Section& section, BoardFile& board) {
   board.can_interface = section.text("interface", "can0");
   board.controller.node.can_fd = section.flag("fd", false);
+  board.bit_rates.nominal = 1000 * section.whole("bit_rate_kbit_s", 1000, 10, 1000);
+  board.bit_rates.data = 1000 * section.whole("data_bit_rate_kbit_s", 2000, 10, 8000);
+  if (board.bit_rates.data < board.bit_rates.nominal && section.has("data_bit_rate_kbit_s"))
+    section.refuse("data_bit_rate_kbit_s", "is below bit_rate_kbit_s, expected at least as much");
 }
 
 void read_gpio(const Section& section, BoardFile& board) {

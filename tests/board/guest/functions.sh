@@ -55,7 +55,7 @@ interface_up() {
       ip link add dev "$1" type vcan
       ip link set "$1" mtu 72
       ;;
-    can*) ip link set "$1" type can bitrate 500000 restart-ms 100 berr-reporting on ;;
+    can*) ip link set "$1" type can bitrate 1000000 restart-ms 100 berr-reporting on ;;
   esac
   ip link set "$1" txqueuelen 1000
   ip link set "$1" up

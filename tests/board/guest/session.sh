@@ -9,18 +9,21 @@ mkdir -p /run/systemd /run/udev
 udevadm trigger --type=devices --action=add
 udevadm settle --timeout=30
 SYSTEMD_LOG_LEVEL=info /lib/systemd/systemd-networkd >/tmp/networkd.log 2>&1 &
-brought_up() { ip -d link show can0 | grep -q "state UP" && ip -d link show can0 | grep -q "bitrate 500000"; }
+brought_up() { ip -d link show can0 | grep -q "state UP" && ip -d link show can0 | grep -q "bitrate 1000000"; }
 check can0_comes_up_by_the_network_file await brought_up
 cat /tmp/networkd.log
+# It reads the file for CAN FD too, which is for other interfaces, and knows every word of both.
+check network_files_are_understood sh -c '! grep -iE "unknown|failed to parse|invalid" /tmp/networkd.log'
 ip -d link show can0
 check restart_after_bus_off sh -c '/sbin/ip -d link show can0 | grep -q "restart-ms 100"'
 check bus_errors_reported sh -c '/sbin/ip -d link show can0 | grep -q BERR-REPORTING'
 
 interface_up can1 2>/dev/null # up already, by the same file
-rig_controller --check /drive.toml
-start_controller /drive.toml
+check session_fits_its_bus rig_controller --check /session.toml
+check example_fits_its_bus rig_controller --check /board.example.toml
+start_controller /session.toml
 candump -L can0,081:7FF,181:7FF,201:7FF,400:780,681:7FF,701:7FF >/tmp/frames.log &
-canplayer -I /sensors.log can1=vcan0 &
+canplayer -I /session_sensors.log can1=vcan0 &
 player=$!
 sleep 0.1
 cansend can1 000#0101
