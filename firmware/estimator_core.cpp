@@ -1,7 +1,5 @@
 #include "firmware/estimator_core.hpp"
 
-#include "firmware/identification/identification.hpp"
-
 namespace firmware {
 namespace {
 
@@ -103,7 +101,7 @@ void EstimatorCore::end_level() {
 
 const Estimates& EstimatorCore::solve() {
   collector_.settle();
-  identify(configuration_, table_, estimates_);
+  identify(configuration_, table_, memory_, estimates_);
   return estimates_;
 }
 

@@ -5,7 +5,7 @@
 #include "firmware/configuration/configuration.hpp"
 #include "firmware/energy/batch_collector.hpp"
 #include "firmware/energy/energy_sums.hpp"
-#include "firmware/identification/estimate.hpp"
+#include "firmware/identification/identification.hpp"
 
 namespace firmware {
 
@@ -59,6 +59,7 @@ class EstimatorCore {
   uint32_t units_ = 0, units_aimed_ = 0, aim_ = 0;  // units summed, to be summed, and the latter in samples
   BatchTable table_;
   BatchCollector collector_{table_};
+  IdentificationMemory memory_;
   Batch batch_;
   Estimates estimates_;
   CoreHealth health_;

@@ -3,8 +3,6 @@
 namespace firmware {
 namespace {
 
-Scaled shift[kMaxBatches][kMaxUnknowns];  // working memory: what one batch adds to the difference
-
 // Plain minus instrumented residual of a velocity equation in one batch, at the same parameters.
 Scaled residual_change(const EquationList& list, const BatchTable& table, const Batch& batch, int e, const Scaled* p) {
   if (e >= list.dof_count) return {};
@@ -25,7 +23,7 @@ Scaled whitened_change(const EquationList& list, const BatchTable& table, const 
 }
 
 void add_equation(const EquationList& list, const BatchTable& table, const LevelObservables& level, int l, int e,
-                  const WeightedFit& fit) {
+                  const WeightedFit& fit, Scaled (&shift)[kMaxBatches][kMaxUnknowns]) {
   const Whitening& whitening = fit.whitening(l, e);
   Row row;
   Scaled gain[kMaxUnknowns];
@@ -46,15 +44,16 @@ void add_equation(const EquationList& list, const BatchTable& table, const Level
 }  // namespace
 
 void compare_with_plain(const EquationList& list, const BatchTable& table, WeightedFit& fit, BiasCheck& result) {
-  result = BiasCheck{};
+  for (int k = 0; k < kMaxUnknowns; ++k) result.difference[k] = result.deviation[k] = Scaled{};
   if (!list.instrument) return;
   Scaled variance[kMaxUnknowns];
+  auto& shift = result.shift;
   for (int l = 0; l < table.level_count; ++l) {
     const LevelObservables& level = fit.load_level(l);
     const int n = level.batch_count();
     for (int b = 0; b < n; ++b)
       for (int k = 0; k < list.unknown_count; ++k) shift[b][k] = Scaled{};
-    for (int e = 0; e < list.count; ++e) add_equation(list, table, level, l, e, fit);
+    for (int e = 0; e < list.count; ++e) add_equation(list, table, level, l, e, fit, shift);
     for (int k = 0; k < list.unknown_count && n > 0; ++k) {
       Scaled sum, squares;
       for (int b = 0; b < n; ++b) sum = sum + shift[b][k];

@@ -8,8 +8,9 @@
 namespace firmware {
 
 struct BiasCheck {
-  Scaled difference[kMaxUnknowns];  // plain minus instrumented estimate
-  Scaled deviation[kMaxUnknowns];   // its standard deviation
+  Scaled difference[kMaxUnknowns];          // plain minus instrumented estimate
+  Scaled deviation[kMaxUnknowns];           // its standard deviation
+  Scaled shift[kMaxBatches][kMaxUnknowns];  // working memory: what one batch adds to the difference
 };
 
 // All zero where the table holds no instrument: there is nothing to compare.

@@ -9,10 +9,6 @@
 namespace firmware {
 namespace {
 
-// The stage's working memory.
-WeightedFit fit;
-BiasCheck bias;
-
 bool any_saturated(const BatchTable& table) {
   for (int l = 0; l < table.level_count; ++l)
     if (table.level[l].saturated) return true;
@@ -25,7 +21,7 @@ bool any_batch(const BatchTable& table) {
   return false;
 }
 
-bool inseparable(const Estimates& estimates, int unknown) {
+bool inseparable(const WeightedFit& fit, const Estimates& estimates, int unknown) {
   const Scaled inflation = fit.identifiability().inflation[unknown];
   return estimates.rows < estimates.unknown_count || inflation.is_zero() ||
          inflation > Scaled::from_int(kLargestInflation) ||
@@ -33,29 +29,33 @@ bool inseparable(const Estimates& estimates, int unknown) {
 }
 
 // Where some parameters cannot be told apart, an uncertain one beside them is not believed either.
-bool inseparable_company(const Estimates& estimates, int unknown) {
+bool inseparable_company(const WeightedFit& fit, const Estimates& estimates, int unknown) {
   const ParameterEstimate& parameter = estimates.parameters[unknown];
   if (parameter.std * Scaled::from_int(10) < abs(parameter.value)) return false;
   for (int k = 0; k < estimates.unknown_count; ++k)
-    if (inseparable(estimates, k)) return true;
+    if (inseparable(fit, estimates, k)) return true;
   return false;
 }
 
 // The gravest that applies.
-EstimateStatus judge(const EquationList& list, const BatchTable& table, const CoreConfiguration& configuration,
-                     int unknown, const Estimates& estimates) {
+EstimateStatus judge(const IdentificationMemory& memory, const EquationList& list, const BatchTable& table,
+                     const CoreConfiguration& configuration, int unknown, const Estimates& estimates) {
+  const WeightedFit& fit = memory.fit;
   if (any_saturated(table)) return EstimateStatus::kSaturated;
   if (!is_excited(list, table, configuration, unknown)) return EstimateStatus::kNoExcitation;
-  if (inseparable(estimates, unknown) || inseparable_company(estimates, unknown))
+  if (inseparable(fit, estimates, unknown) || inseparable_company(fit, estimates, unknown))
     return EstimateStatus::kIllConditioned;
   if (skew_matters(list, table, configuration, unknown, estimates)) return EstimateStatus::kSkewed;
-  if (bias_suspect(bias, unknown, estimates.parameters[unknown])) return EstimateStatus::kBiasSuspect;
+  if (bias_suspect(memory.bias, unknown, estimates.parameters[unknown])) return EstimateStatus::kBiasSuspect;
   return EstimateStatus::kValid;
 }
 
 }  // namespace
 
-void identify(const CoreConfiguration& configuration, const BatchTable& table, Estimates& estimates) {
+void identify(const CoreConfiguration& configuration, const BatchTable& table, IdentificationMemory& memory,
+              Estimates& estimates) {
+  WeightedFit& fit = memory.fit;
+  BiasCheck& bias = memory.bias;
   const uint32_t windows = estimates.window_counter;
   estimates = Estimates{};
   estimates.unknown_count = configuration.unknown_count;
@@ -72,7 +72,7 @@ void identify(const CoreConfiguration& configuration, const BatchTable& table, E
     ParameterEstimate& parameter = estimates.parameters[k];
     parameter.variance_inflation = fit.identifiability().inflation[k];
     parameter.plain_value = parameter.value + bias.difference[k];
-    parameter.status = judge(list, table, configuration, k, estimates);
+    parameter.status = judge(memory, list, table, configuration, k, estimates);
     estimates.unresolved[k] = fit.identifiability().unresolved[k];
   }
   give_advice(list, table, configuration, estimates);

@@ -2,11 +2,20 @@
 #pragma once
 #include "firmware/configuration/configuration.hpp"
 #include "firmware/energy/batch_table.hpp"
+#include "firmware/identification/bias_check.hpp"
 #include "firmware/identification/estimate.hpp"
+#include "firmware/identification/weighted_fit.hpp"
 
 namespace firmware {
 
-// Reads the table, writes estimates; all working memory is static inside the stage's own object.
-void identify(const CoreConfiguration& configuration, const BatchTable& table, Estimates& estimates);
+// What one solve works on and forgets: 445 KB with the full table, each estimator's own.
+struct IdentificationMemory {
+  WeightedFit fit;
+  BiasCheck bias;
+};
+
+// Reads the table, writes estimates.
+void identify(const CoreConfiguration& configuration, const BatchTable& table, IdentificationMemory& memory,
+              Estimates& estimates);
 
 }  // namespace firmware

@@ -8,14 +8,14 @@ constexpr uint8_t kRegisterGeneric = 1 << 0;
 constexpr uint8_t kRegisterCommunication = 1 << 4;
 constexpr uint8_t kRegisterManufacturer = 1 << 7;
 
-struct Row {
+struct AlarmRow {
   AlarmCause cause;
   EmergencyCode code;
   uint16_t bit;
   uint8_t error_register;
 };
 
-constexpr Row kRows[] = {
+constexpr AlarmRow kRows[] = {
     {AlarmCause::kEmergencyStop, EmergencyCode::kEmergencyStop, fault_bit(Fault::kEmergencyStop),
      kRegisterManufacturer},
     {AlarmCause::kSensorSaturated, EmergencyCode::kSensorSaturated, fault_bit(Fault::kSensorSaturated),
@@ -40,8 +40,8 @@ constexpr Row kRows[] = {
     {AlarmCause::kCanRecovered, EmergencyCode::kCanBusOffRecovered, 0, kRegisterCommunication},
 };
 
-const Row* row_of(AlarmCause cause) {
-  for (const Row& row : kRows)
+const AlarmRow* row_of(AlarmCause cause) {
+  for (const AlarmRow& row : kRows)
     if (row.cause == cause) return &row;
   return nullptr;
 }
@@ -49,17 +49,17 @@ const Row* row_of(AlarmCause cause) {
 }  // namespace
 
 EmergencyCode emergency_code(AlarmCause cause) {
-  const Row* row = row_of(cause);
+  const AlarmRow* row = row_of(cause);
   return row ? row->code : EmergencyCode::kNoError;
 }
 
 uint16_t status_bit(AlarmCause cause) {
-  const Row* row = row_of(cause);
+  const AlarmRow* row = row_of(cause);
   return row ? row->bit : uint16_t{0};
 }
 
 uint8_t error_register_bit(AlarmCause cause) {
-  const Row* row = row_of(cause);
+  const AlarmRow* row = row_of(cause);
   return row ? row->error_register : uint8_t{0};
 }
 

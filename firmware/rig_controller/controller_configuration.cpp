@@ -88,6 +88,26 @@ class Reader {
   size_t place_ = 0;
 };
 
+// Whether bytes are those of a configuration in memory.
+class Comparer {
+ public:
+  Comparer(const uint8_t* bytes, size_t size) : reader_(bytes, size) {}
+  template <typename T>
+  void field(const T& value) {
+    T stored{};
+    reader_.field(stored);
+    same_ = same_ && stored == value;
+  }
+  template <typename T>
+  void clear(const T&) {}
+  bool same() const { return same_ && !reader_.overrun(); }
+  size_t read() const { return reader_.read(); }
+
+ private:
+  Reader reader_;
+  bool same_ = true;
+};
+
 template <typename Archive, typename Number>
 constexpr void walk_scaled(Archive& archive, Number& number) {
   archive.field(number.mantissa);
@@ -228,16 +248,19 @@ Writer write(const ControllerConfiguration& configuration, uint8_t* bytes, size_
   return writer;
 }
 
-uint32_t rig_crc(const ControllerConfiguration& configuration) {
-  Writer writer(nullptr, 0);
-  walk_rig(writer, configuration);
-  return writer.crc();
-}
-
 uint32_t read32(const uint8_t* bytes) {
   uint32_t value = 0;
   Reader(bytes, 4).field(value);
   return value;
+}
+
+constexpr size_t kVersionBytes = 4, kCrcBytes = 4;
+
+bool whole(const uint8_t* bytes, size_t size) {
+  if (size < kVersionBytes + kCrcBytes || read32(bytes) != kVersion) return false;
+  Crc32 crc;
+  for (size_t i = 0; i + kCrcBytes < size; ++i) crc.add(bytes[i]);
+  return crc.value() == read32(bytes + size - kCrcBytes);
 }
 
 }  // namespace
@@ -249,25 +272,29 @@ size_t encode(const ControllerConfiguration& configuration, uint8_t (&bytes)[kCo
 }
 
 bool decode(const uint8_t* bytes, size_t size, ControllerConfiguration& configuration) {
-  if (size < 8 || read32(bytes) != kVersion) return false;
-  Crc32 crc;
-  for (size_t i = 0; i + 4 < size; ++i) crc.add(bytes[i]);
-  if (crc.value() != read32(bytes + size - 4)) return false;
-  static ControllerConfiguration read;  // 30 KB: too large for a small stack; one controller runs per program
-  Reader reader(bytes, size - 4);
-  uint32_t version = 0;
-  reader.field(version);
-  walk_rig(reader, read);
-  walk_node(reader, read.node);
-  if (reader.overrun() || reader.read() != size - 4) return false;
-  configuration = read;
-  return true;
+  if (!whole(bytes, size)) return false;
+  Reader reader(bytes + kVersionBytes, size - kVersionBytes - kCrcBytes);
+  walk_rig(reader, configuration);
+  walk_node(reader, configuration.node);
+  return !reader.overrun() && reader.read() == size - kVersionBytes - kCrcBytes;
+}
+
+Stored read_stored(const uint8_t* bytes, size_t size, const ControllerConfiguration& own, NodeConfiguration& node) {
+  if (!whole(bytes, size)) return Stored::kDamaged;
+  const size_t fields = size - kVersionBytes - kCrcBytes;
+  Comparer comparer(bytes + kVersionBytes, fields);
+  walk_rig(comparer, own);
+  if (!comparer.same()) return Stored::kOfAnotherRig;
+  Reader reader(bytes + kVersionBytes + comparer.read(), fields - comparer.read());
+  NodeConfiguration stored;
+  walk_node(reader, stored);
+  if (reader.overrun() || reader.read() != fields - comparer.read()) return Stored::kDamaged;
+  node = stored;
+  return Stored::kOfThisRig;
 }
 
 uint32_t configuration_crc(const ControllerConfiguration& configuration) {
   return write(configuration, nullptr, 0).crc();
 }
-
-bool same_rig(const ControllerConfiguration& a, const ControllerConfiguration& b) { return rig_crc(a) == rig_crc(b); }
 
 }  // namespace firmware

@@ -37,11 +37,15 @@ constexpr size_t kConfigurationBytes =
 
 // Returns the bytes written.
 size_t encode(const ControllerConfiguration& configuration, uint8_t (&bytes)[kConfigurationBytes]);
-// False where length, version or CRC do not fit; configuration is untouched then.
+// False where version, CRC or length do not fit. Where version or CRC do not, configuration is untouched.
 bool decode(const uint8_t* bytes, size_t size, ControllerConfiguration& configuration);
+
+enum class Stored : uint8_t { kDamaged, kOfAnotherRig, kOfThisRig };
+// What encode() wrote, read beside the configuration in use. Rig, programme and limits the same: node is what was stored
+// for it; else node is untouched.
+Stored read_stored(const uint8_t* bytes, size_t size, const ControllerConfiguration& own, NodeConfiguration& node);
+
 // The CRC of encode().
 uint32_t configuration_crc(const ControllerConfiguration& configuration);
-// True where both describe the same rig, programme and limits: what is stored for one node may be used for the other.
-bool same_rig(const ControllerConfiguration& a, const ControllerConfiguration& b);
 
 }  // namespace firmware

@@ -157,14 +157,14 @@ void RigController::end_save() {
 
 // What is stored counts only where it was saved for this very rig, programme and limits: an edited file wins.
 void RigController::load_from_store() {
-  static ControllerConfiguration stored;
   const size_t size = ports_.store.load(store_bytes_, kConfigurationBytes);
   if (size == 0) return;
-  if (!decode(store_bytes_, size, stored)) {
+  NodeConfiguration stored = configuration_.node;
+  if (read_stored(store_bytes_, size, configuration_, stored) == Stored::kDamaged) {
     store_damaged_ = true;
     return handle({AlarmCause::kStore});
   }
-  if (same_rig(stored, configuration_)) configuration_.node.heartbeat_ms = stored.node.heartbeat_ms;
+  configuration_.node.heartbeat_ms = stored.heartbeat_ms;
 }
 
 }  // namespace firmware

@@ -37,8 +37,21 @@ def output_of(command):
     return subprocess.run(command, check=True, capture_output=True, text=True).stdout
 
 
-def forbidden_in(archive, machine, prefix):
+# Working memory that all estimators of a program would share. Constants with addresses in them are no such memory.
+MUTABLE_SECTION = r"^\.(bss|data)(?!\.rel\.ro)"
+
+
+def mutable_in(archive, prefix):
     found = []
+    for line in output_of([prefix + "objdump", "-t", archive]).splitlines():
+        words = line.split()
+        if len(words) >= 6 and words[2] == "O" and re.match(MUTABLE_SECTION, words[3]) and words[4].strip("0"):
+            found.append(f"mutable globals: {words[-1]}")
+    return found
+
+
+def forbidden_in(archive, machine, prefix):
+    found = mutable_in(archive, prefix)
     for line in output_of([prefix + "nm", "-A", archive]).splitlines():
         place, symbol = line.split(":")[-2], line.split()[-1]
         for kind, pattern in FORBIDDEN_SYMBOLS.items():
@@ -90,6 +103,7 @@ PLANTED = {
     "RTTI": "struct A { virtual int g(); }; int A::g() { return 1; }",
     "start-up and shut-down code": "struct A { A(); ~A(); }; A& f() { static A a; return a; }",
     "floating point": "double f(double x) { return x * 3.1; }",
+    "mutable globals": "static int count; int f() { return ++count; }",
     "input and output": "#include <cstdio>\nvoid f(int x) { printf(\"%d\", x); }",
 }
 

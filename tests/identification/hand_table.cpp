@@ -64,7 +64,7 @@ void HandTable::batch(const std::vector<DofEntry>& dofs) {
 }
 
 const firmware::Estimates& HandTable::identify() {
-  firmware::identify(configuration, *table, *estimates);
+  firmware::identify(configuration, *table, *memory, *estimates);
   return *estimates;
 }
 

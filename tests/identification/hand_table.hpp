@@ -41,6 +41,7 @@ class HandTable {
 
   firmware::CoreConfiguration configuration;
   std::unique_ptr<firmware::BatchTable> table = std::make_unique<firmware::BatchTable>();
+  std::unique_ptr<firmware::IdentificationMemory> memory = std::make_unique<firmware::IdentificationMemory>();
   std::unique_ptr<firmware::Estimates> estimates = std::make_unique<firmware::Estimates>();
 };
 

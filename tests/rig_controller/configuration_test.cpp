@@ -126,9 +126,34 @@ TEST(Configuration, LargestOneFits) {
 TEST(Configuration, NodeSettingsAreNotTheRig) {
   ControllerConfiguration other = bench::driving();
   other.node.heartbeat_ms = 7;
-  EXPECT_TRUE(same_rig(other, bench::driving()));
+  firmware::NodeConfiguration node;
+  Encoded encoded(other);
+  EXPECT_EQ(read_stored(encoded.bytes, encoded.size, bench::driving(), node), firmware::Stored::kOfThisRig);
+  EXPECT_EQ(node.heartbeat_ms, 7);
+  encoded.bytes[100] ^= 1;
+  EXPECT_EQ(read_stored(encoded.bytes, encoded.size, bench::driving(), node), firmware::Stored::kDamaged);
   other.limits.lost_in_row = 7;
-  EXPECT_FALSE(same_rig(other, bench::driving()));
+  other.node.heartbeat_ms = 9;
+  const Encoded another(other);
+  EXPECT_EQ(read_stored(another.bytes, another.size, bench::driving(), node), firmware::Stored::kOfAnotherRig);
+  EXPECT_EQ(node.heartbeat_ms, 7);
+}
+
+TEST(Configuration, EveryFieldOfTheRigTellsItFromAnother) {
+  const ControllerConfiguration original = bench::driving();
+  for (const Change& change : changes()) {
+    ControllerConfiguration changed = original;
+    change(changed);
+    const bool of_the_node = configuration_crc(changed) != configuration_crc(original) && [&] {
+      ControllerConfiguration with_its_node = original;
+      with_its_node.node = changed.node;
+      return configuration_crc(with_its_node) == configuration_crc(changed);
+    }();
+    const Encoded encoded(changed);
+    firmware::NodeConfiguration node;
+    EXPECT_EQ(read_stored(encoded.bytes, encoded.size, original, node),
+              of_the_node ? firmware::Stored::kOfThisRig : firmware::Stored::kOfAnotherRig);
+  }
 }
 
 TEST(Configuration, DamageAndCutsAreRefusedAndLeaveTheTargetAlone) {

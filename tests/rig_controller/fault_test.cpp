@@ -118,6 +118,34 @@ TEST(Faults, EachStopsTheDriveInTimeAndLatches) {
   }
 }
 
+// A 24-bit converter with offset binary: its lower half is no saturation, its lower rail is.
+TEST(Faults, OffsetBinaryIsSaturatedAtBothRailsAndNowhereElse) {
+  constexpr int32_t kMiddle = 8388608;
+  auto configuration = bench::driving();
+  firmware::ChannelConfiguration& channel = configuration.core.channels[0][1];
+  channel.offset_code = kMiddle;
+  channel.lowest_code = 0;
+  channel.highest_code = 16777215;
+  for (const int32_t rail : {-kMiddle, kMiddle - 1}) {
+    Bench bench(configuration);
+    bench.spoil.code[0][1] = kMiddle;
+    driven_into(ControllerMode::kIntegrate, bench);
+    bench.run_samples(500);
+    EXPECT_EQ(bench.controller->counters().saturated_samples, 0u);
+    for (int i = 0; i < 3; ++i) {
+      EXPECT_FALSE(bench.controller->latched_alarm());
+      bench.spoil.code[0][1] = 0;
+      firmware::RawSample at_rail = bench.rig.sample(bench.sequence++);
+      at_rail.code[0][1] = rail + kMiddle;
+      bench.clock.advance_ns(bench::kMillisecond_ns);
+      bench.source.offer(at_rail);
+      bench.step();
+    }
+    EXPECT_EQ(bench.controller->latched_alarm().cause, AlarmCause::kSensorSaturated);
+    EXPECT_TRUE(bench.dead());
+  }
+}
+
 TEST(Faults, EmergencyStopActsBeforeTheNextSampleIsTaken) {
   Bench bench(bench::driving());
   driven_into(ControllerMode::kIntegrate, bench);
