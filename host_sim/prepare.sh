@@ -7,6 +7,8 @@ build_packages=(g++ cmake ninja-build pkg-config libsundials-dev libeigen3-dev l
 test_packages=(libgtest-dev libbenchmark-dev can-utils tshark python3 libiio-dev libgpiod-dev
   g++-arm-linux-gnueabihf g++-aarch64-linux-gnu gcc-arm-none-eabi libnewlib-arm-none-eabi
   libstdc++-arm-none-eabi-newlib qemu-system-arm qemu-user device-tree-compiler)
+# What tests/static_analysis.sh looks at the sources with.
+analysis_packages=(clang-format clang-tidy cppcheck git)
 
 # Prints the packages of its arguments that are not installed.
 missing_packages() {

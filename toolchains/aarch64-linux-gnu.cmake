@@ -1,5 +1,5 @@
-# Debian's cross compiler (package g++-aarch64-linux-gnu). Set RIG_SYSROOT to an unpacked tree of aarch64 Debian packages
-# to build rig_controller with libgpiod and libiio; without it the core and the portable parts are built.
+# Debian's cross compiler (package g++-aarch64-linux-gnu). RIG_SYSROOT is an unpacked tree of arm64 Debian packages with libgpiod
+# (tests/board/sysroot.sh arm64 prints one); without it rig_controller is built without GPIO lines.
 set(CMAKE_SYSTEM_NAME Linux)
 set(CMAKE_SYSTEM_PROCESSOR aarch64)
 set(CMAKE_C_COMPILER aarch64-linux-gnu-gcc)

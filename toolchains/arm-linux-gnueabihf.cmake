@@ -1,5 +1,5 @@
-# Debian's cross compiler (package g++-arm-linux-gnueabihf). Set RIG_SYSROOT to an unpacked tree of arm Debian packages
-# to build rig_controller with libgpiod and libiio; without it the core and the portable parts are built.
+# Debian's cross compiler (package g++-arm-linux-gnueabihf). RIG_SYSROOT is an unpacked tree of armhf Debian packages with libgpiod
+# (tests/board/sysroot.sh armhf prints one); without it rig_controller is built without GPIO lines.
 set(CMAKE_SYSTEM_NAME Linux)
 set(CMAKE_SYSTEM_PROCESSOR arm)
 set(CMAKE_C_COMPILER arm-linux-gnueabihf-gcc)

@@ -25,7 +25,7 @@ class Answer {
   }
   SdoAbort text(const char* text) {
     size_ = 0;
-    while (text[size_] != '\0' && size_ < ObjectDictionary::kLongestObject) {
+    while (size_ < ObjectDictionary::kLongestObject && text[size_] != '\0') {
       bytes_[size_] = static_cast<uint8_t>(text[size_]);
       ++size_;
     }

@@ -122,7 +122,9 @@ std::string IioBufferSource::start(const Options& options, const std::string& fo
     if (fault.empty() && !trigger.empty()) fault = set_rate(options, roots.devices + "/" + trigger);
     if (!fault.empty()) return fault;
   }
-  write_text(folder + "/current_timestamp_clock", "monotonic");
+  const std::string clock = folder + "/current_timestamp_clock";
+  time_of_day_ = !write_text(clock, "monotonic") || read_text(clock) != "monotonic";
+  buffer_ns_ = period_ns_ * static_cast<double>(options.buffer_scans);
   write_text(folder + "/buffer/length", std::to_string(options.buffer_scans));
   enable_path_ = folder + "/buffer/enable";
   return write_text(enable_path_, "1") ? ""
@@ -135,11 +137,32 @@ void IioBufferSource::count_on(uint64_t time_ns, firmware::RawSample& sample) {
   if (stamped_ && started_ && period_ns_ > 0.0 && time_ns > last_ns_)
     steps =
         std::max<uint32_t>(1, static_cast<uint32_t>(std::lround(static_cast<double>(time_ns - last_ns_) / period_ns_)));
+  if (stamped_ && period_ns_ > 0.0) count_overflow(steps, time_ns);
   sequence_ = started_ ? sequence_ + steps : 0;
   started_ = true;
   last_ns_ = time_ns;
   sample.sequence = sequence_;
   sample.time_ns = time_ns;
+}
+
+void IioBufferSource::count_overflow(uint32_t steps, uint64_t time_ns) {
+  if (steps > 1 && last_ns_ <= full_until_ns_) overflows_ += steps - 1;
+  const uint64_t now_ns = clock_.now_ns();
+  const uint64_t lay_ns = now_ns > time_ns ? now_ns - time_ns : 0;
+  if (static_cast<double>(lay_ns) >= buffer_ns_) full_until_ns_ = time_ns + static_cast<uint64_t>(buffer_ns_);
+}
+
+uint64_t IioBufferSource::stamp_of_scan() const {
+  if (!stamped_) return clock_.now_ns();
+  const auto stamp = static_cast<uint64_t>(decode_element(time_.type, scan_ + time_.offset));
+  return time_of_day_ ? monotonic_from_time_of_day_ns(stamp) : stamp;
+}
+
+CodeRange IioBufferSource::range(int node, firmware::Quantity quantity) const {
+  for (int i = 0; i < place_count_; ++i)
+    if (places_[i].node == node && places_[i].quantity == static_cast<uint8_t>(quantity))
+      return code_range(places_[i].type);
+  return {};
 }
 
 SampleResult IioBufferSource::read(firmware::RawSample& sample) {
@@ -154,12 +177,9 @@ SampleResult IioBufferSource::read(firmware::RawSample& sample) {
   sample = firmware::RawSample();
   for (int i = 0; i < place_count_; ++i) {
     const Place& place = places_[i];
-    sample.code[place.node][place.quantity] =
-        code_of(decode_element(place.type, scan_ + place.offset), place.type.bits);
+    sample.code[place.node][place.quantity] = code_of(decode_element(place.type, scan_ + place.offset), place.type);
   }
-  count_on(stamped_ ? static_cast<uint64_t>(decode_element(time_.type, scan_ + time_.offset))
-                    : read_clock_ns(CLOCK_MONOTONIC),
-           sample);
+  count_on(stamp_of_scan(), sample);
   return SampleResult::kSample;
 }
 

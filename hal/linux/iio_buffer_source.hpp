@@ -1,11 +1,13 @@
 // Samples from the buffer of an IIO device: the driver collects whole scans on its trigger, the character device hands
 // them over. The trigger is the sample clock; where the driver stamps its scans, a gap in the stamps is a missed
-// sample.
+// sample. A driver drops what comes while its buffer is full and says nothing: a gap behind a scan that lay for as long
+// as the buffer holds is put down to that.
 #pragma once
 #include <cstddef>
 #include <string>
 #include <vector>
 
+#include "hal/interface/clock.hpp"
 #include "hal/interface/sample_source.hpp"
 #include "hal/linux/file_descriptor.hpp"
 #include "hal/linux/iio_channel.hpp"
@@ -22,11 +24,14 @@ class IioBufferSource final : public SampleSource {
     size_t buffer_scans = 256;
   };
 
+  explicit IioBufferSource(MonotonicClock& clock) : clock_(clock) {}
   // Enables the elements, sets the layout, starts the buffer. Empty where it worked, else what is wrong.
   std::string open(const Options& options, const std::vector<IioChannel>& channels, const IioRoots& roots = {});
   ~IioBufferSource();
 
   SampleResult read(firmware::RawSample& sample) override;
+  uint32_t overflows() const override { return overflows_; }
+  CodeRange range(int node, firmware::Quantity quantity) const;  // of a channel, by the driver's word width
   int descriptor() const { return device_.get(); }
   size_t scan_bytes() const { return scan_bytes_; }
 
@@ -43,12 +48,17 @@ class IioBufferSource final : public SampleSource {
   std::string start(const Options& options, const std::string& folder, const IioRoots& roots);
   void count_on(uint64_t time_ns, firmware::RawSample& sample);
 
+  void count_overflow(uint32_t steps, uint64_t time_ns);
+  uint64_t stamp_of_scan() const;
+
+  MonotonicClock& clock_;
   std::string enable_path_;
   FileDescriptor device_;
   Place places_[firmware::kMaxNodes * firmware::kQuantities];
   int place_count_ = 0;
   Place time_;
   bool stamped_ = false;
+  bool time_of_day_ = false;  // the driver's stamps are not on the monotonic clock
   size_t scan_bytes_ = 0;
   uint8_t scan_[kMaxScanBytes] = {};
   size_t filled_ = 0;  // bytes of the scan that are there
@@ -56,6 +66,9 @@ class IioBufferSource final : public SampleSource {
   bool started_ = false;
   uint32_t sequence_ = 0;
   uint64_t last_ns_ = 0;
+  double buffer_ns_ = 0.0;      // what the buffer holds
+  uint64_t full_until_ns_ = 0;  // stamp of the last scan that a buffer which was full had room for
+  uint32_t overflows_ = 0;
 };
 
 }  // namespace hal

@@ -2,9 +2,16 @@
 
 #include <dirent.h>
 
+#include <algorithm>
+
 #include "hal/linux/sysfs.hpp"
 
 namespace hal {
+namespace {
+
+constexpr int kCodeBits = 24;
+
+}  // namespace
 
 std::string find_iio_device(const IioRoots& roots, const std::string& name) {
   DIR* folder = opendir(roots.devices.c_str());
@@ -18,6 +25,16 @@ std::string find_iio_device(const IioRoots& roots, const std::string& name) {
   return found;
 }
 
-int32_t code_of(int64_t value, int bits) { return static_cast<int32_t>(bits > 24 ? value >> (bits - 24) : value); }
+int32_t code_of(int64_t value, const ScanType& type) {
+  const CodeRange range = code_range(type);
+  const int64_t code = type.bits > kCodeBits ? value >> (type.bits - kCodeBits) : value;
+  return static_cast<int32_t>(std::clamp<int64_t>(code, range.lowest, range.highest));
+}
+
+CodeRange code_range(const ScanType& type) {
+  const int bits = std::min<int>(type.bits, kCodeBits);
+  if (!type.is_signed) return {0, (1 << bits) - 1};
+  return {-(1 << (bits - 1)), (1 << (bits - 1)) - 1};
+}
 
 }  // namespace hal

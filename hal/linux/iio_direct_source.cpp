@@ -3,9 +3,12 @@
 #include <errno.h>
 #include <fcntl.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstring>
+
+#include "hal/linux/sysfs.hpp"
 
 namespace hal {
 
@@ -22,8 +25,16 @@ std::string IioDirectSource::open(const Options& options, const std::vector<IioC
     if (!place.file) return path + ": " + std::strerror(errno) + ", expected an input of " + options.device;
     place.node = channel.node;
     place.quantity = static_cast<uint8_t>(channel.quantity);
+    parse_scan_type(read_text(roots.devices + "/" + id + "/scan_elements/" + channel.element + "_type"), place.type);
   }
   return "";
+}
+
+std::optional<CodeRange> IioDirectSource::range(int node, firmware::Quantity quantity) const {
+  for (int i = 0; i < place_count_; ++i)
+    if (places_[i].node == node && places_[i].quantity == static_cast<uint8_t>(quantity) && places_[i].type.bits > 0)
+      return code_range(places_[i].type);
+  return std::nullopt;
 }
 
 SampleResult IioDirectSource::read(firmware::RawSample& sample) {
@@ -39,9 +50,12 @@ SampleResult IioDirectSource::read(firmware::RawSample& sample) {
   for (int i = 0; i < place_count_; ++i) {
     char text[32];
     const ssize_t size = ::pread(places_[i].file.get(), text, sizeof text, 0);
-    int32_t code = 0;
-    if (size <= 0 || std::from_chars(text, text + size, code).ec != std::errc()) return SampleResult::kFault;
-    sample.code[places_[i].node][places_[i].quantity] = code;
+    int64_t value = 0;
+    if (size <= 0 || std::from_chars(text, text + size, value).ec != std::errc()) return SampleResult::kFault;
+    const Place& place = places_[i];
+    sample.code[place.node][place.quantity] =
+        place.type.bits > 0 ? code_of(value, place.type)
+                            : static_cast<int32_t>(std::clamp<int64_t>(value, INT32_MIN, INT32_MAX));
   }
   return SampleResult::kSample;
 }

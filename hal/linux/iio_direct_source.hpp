@@ -2,6 +2,7 @@
 // that does not drift. Channels are read one after the other, so they are late against each other by one conversion
 // each.
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,12 +26,15 @@ class IioDirectSource final : public SampleSource {
   // A sample is due at every whole period after the first call; a call that comes later than the next one leaves a gap
   // in the sequence.
   SampleResult read(firmware::RawSample& sample) override;
+  // Of a channel, where the driver tells its word width.
+  std::optional<CodeRange> range(int node, firmware::Quantity quantity) const;
 
  private:
   struct Place {
     FileDescriptor file;
     uint8_t node = 0;
     uint8_t quantity = 0;
+    ScanType type;  // bits 0: the driver does not tell
   };
   MonotonicClock& clock_;
   Place places_[firmware::kMaxNodes * firmware::kQuantities];

@@ -1,4 +1,5 @@
-// The whole program of a board: a configuration, the devices, and step() for ever.
+// The whole program of a board: a configuration, the devices, step() in the interrupt of the sample timer, and the long
+// calculations below it.
 #include "firmware/rig_controller/rig_controller.hpp"
 #include "hal/skeleton/board.hpp"
 
@@ -14,11 +15,21 @@ constexpr uint8_t kConfigurationBytes[] = {
 #endif
 };
 
-firmware::ControllerConfiguration configuration() {
-  firmware::ControllerConfiguration result;
-  // Bytes that do not fit leave the configuration empty: the controller then has no channels and reports no estimates.
-  static_cast<void>(!firmware::decode(kConfigurationBytes, sizeof kConfigurationBytes, result));
-  return result;
+firmware::RigController* running = nullptr;
+
+// The interrupt of the sample timer, below that of the converters: the controller once per sample.
+void sample_timer_interrupt() { running->step(); }
+
+// Sets the timer to the sample rate and enables its interrupt.
+void start_sample_timer(void (*)()) {}
+
+// Nothing is known of the rig: no node number, no limits, no channels. The watchdog is not fed, so the board also comes
+// back here after each reset; a lamp that never lights tells.
+[[noreturn]] void stay_safe(hal::DriveOutput& drive, hal::DigitalOutput& relay) {
+  for (;;) {
+    relay.set(false);
+    drive.write(0);
+  }
 }
 
 }  // namespace
@@ -32,7 +43,12 @@ int main() {
   static skeleton::StopLine stop_line;
   static skeleton::Dog dog;
   static skeleton::Store store;
-  static firmware::RigController controller(configuration(),
-                                            {clock, samples, can, drive, relay, lamp, stop_line, nullptr, dog, store});
-  for (;;) controller.step();  // a board with an operating system waits for the next interrupt here
+  static skeleton::LoopWorker worker;
+  static firmware::ControllerConfiguration configuration;
+  if (!firmware::decode(kConfigurationBytes, sizeof kConfigurationBytes, configuration)) stay_safe(drive, relay);
+  static firmware::RigController controller(
+      configuration, {clock, samples, can, drive, relay, lamp, stop_line, nullptr, dog, store, &worker, nullptr});
+  running = &controller;
+  start_sample_timer(sample_timer_interrupt);
+  for (;;) worker.run();
 }

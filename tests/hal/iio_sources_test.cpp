@@ -10,12 +10,18 @@
 #include "hal/linux/iio_buffer_source.hpp"
 #include "hal/linux/iio_direct_source.hpp"
 #include "hal/linux/iio_drive_output.hpp"
+#include "hal/linux/monotonic_clock.hpp"
 #include "hal/linux/sysfs.hpp"
 
 namespace {
 
 using firmware::Quantity;
 using hal::SampleResult;
+
+struct TestClock final : hal::MonotonicClock {
+  uint64_t now_ns() override { return time_ns; }
+  uint64_t time_ns = 0;
+};
 
 class IioDevice : public testing::Test {
  protected:
@@ -58,6 +64,7 @@ class IioDevice : public testing::Test {
     put("iio:device1/buffer/length", "");
     put("iio:device1/trigger/current_trigger", "");
     put("iio:device1/sampling_frequency", "");
+    put("iio:device1/current_timestamp_clock", "realtime");
     const std::string pipe = roots_.character_devices + "/iio:device1";
     ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
     pipe_ = hal::FileDescriptor(::open(pipe.c_str(), O_RDWR));
@@ -75,6 +82,7 @@ class IioDevice : public testing::Test {
 
   std::string root_;
   hal::IioRoots roots_;
+  TestClock clock_;
   hal::FileDescriptor pipe_;
   const std::vector<hal::IioChannel> channels_ = {{"in_voltage1", 0, Quantity::kForce},
                                                   {"in_voltage0", 2, Quantity::kDisplacement}};
@@ -82,7 +90,7 @@ class IioDevice : public testing::Test {
 
 TEST_F(IioDevice, BufferedSamplesArriveOnTheirChannels) {
   add_buffer();
-  hal::IioBufferSource source;
+  hal::IioBufferSource source(clock_);
   ASSERT_EQ(source.open({"adc16", "trigger0", 1000.0, 128}, channels_, roots_), "");
   EXPECT_EQ(source.scan_bytes(), 16u);
   EXPECT_EQ(get("scan_elements/in_temp_en"), "0");
@@ -109,7 +117,7 @@ TEST_F(IioDevice, TheTriggersRateIsSet) {
   std::filesystem::remove(roots_.devices + "/iio:device1/sampling_frequency");
   put("trigger3/name", "timer500");
   put("trigger3/sampling_frequency", "100");
-  hal::IioBufferSource source;
+  hal::IioBufferSource source(clock_);
   ASSERT_EQ(source.open({"adc16", "timer500", 500.0, 128}, channels_, roots_), "");
   EXPECT_EQ(hal::read_text(roots_.devices + "/trigger3/sampling_frequency"), "500");
   EXPECT_EQ(get("trigger/current_trigger"), "timer500");
@@ -117,7 +125,7 @@ TEST_F(IioDevice, TheTriggersRateIsSet) {
 
 TEST_F(IioDevice, AHoleInTheStampsIsAHoleInTheSequence) {
   add_buffer();
-  hal::IioBufferSource source;
+  hal::IioBufferSource source(clock_);
   ASSERT_EQ(source.open({"adc16", "", 1000.0, 128}, channels_, roots_), "");
   firmware::RawSample sample;
   // 1 ms apart, with 40 us of jitter, then three samples lost: 4 ms.
@@ -132,9 +140,57 @@ TEST_F(IioDevice, AHoleInTheStampsIsAHoleInTheSequence) {
   }
 }
 
+// A buffer of 8 scans at 1 kHz. Read in time, a hole is the converter's. Read 8 ms late, the scans up to the eighth are
+// there and those that came before the first read are not: dropped for want of room.
+TEST_F(IioDevice, AHoleBehindAFullBufferIsAnOverflow) {
+  add_buffer();
+  hal::IioBufferSource source(clock_);
+  ASSERT_EQ(source.open({"adc16", "", 1000.0, 8}, channels_, roots_), "");
+  firmware::RawSample sample;
+  const auto take = [&](uint64_t stamp_ms, uint64_t now_ms) {
+    clock_.time_ns = now_ms * 1000000;
+    deliver(1, 1, stamp_ms * 1000000);
+    ASSERT_EQ(source.read(sample), SampleResult::kSample);
+  };
+  take(100, 100);
+  take(103, 103);  // two missing: the buffer was empty
+  EXPECT_EQ(source.overflows(), 0u);
+  for (uint64_t i = 0; i < 8; ++i) take(104 + i, 115);  // nobody read from 104 to 115
+  EXPECT_EQ(source.overflows(), 0u);
+  take(116, 116);  // 112 to 115 found no room
+  EXPECT_EQ(source.overflows(), 4u);
+  EXPECT_EQ(sample.sequence, 16u);  // and are missing in the sequence as well
+  take(119, 119);
+  EXPECT_EQ(source.overflows(), 4u);
+}
+
+TEST_F(IioDevice, StampsOfTheTimeOfDayAreMovedToTheMonotonicClock) {
+  add_buffer();
+  std::filesystem::remove(roots_.devices + "/iio:device1/current_timestamp_clock");  // a kernel that has none
+  hal::IioBufferSource source(clock_);
+  ASSERT_EQ(source.open({"adc16", "", 1000.0, 8}, channels_, roots_), "");
+  firmware::RawSample sample;
+  const uint64_t before_ns = hal::read_clock_ns(CLOCK_MONOTONIC);
+  deliver(1, 1, hal::read_clock_ns(CLOCK_REALTIME));
+  ASSERT_EQ(source.read(sample), SampleResult::kSample);
+  EXPECT_GE(sample.time_ns + 1000000, before_ns);  // the two clocks are read one after the other
+  EXPECT_LE(sample.time_ns, hal::read_clock_ns(CLOCK_MONOTONIC));
+}
+
+TEST_F(IioDevice, TheDriverTellsWhereAConverterSaturates) {
+  add_buffer();
+  put("iio:device1/scan_elements/in_voltage0_type", "be:u12/16>>0");
+  hal::IioBufferSource source(clock_);
+  ASSERT_EQ(source.open({"adc16", "", 1000.0, 8}, channels_, roots_), "");
+  EXPECT_EQ(source.range(2, Quantity::kDisplacement).lowest, 0);
+  EXPECT_EQ(source.range(2, Quantity::kDisplacement).highest, 4095);
+  EXPECT_EQ(source.range(0, Quantity::kForce).lowest, -32768);
+  EXPECT_EQ(source.range(0, Quantity::kForce).highest, 32767);
+}
+
 TEST_F(IioDevice, HalfAScanWaitsForItsOtherHalf) {
   add_buffer();
-  hal::IioBufferSource source;
+  hal::IioBufferSource source(clock_);
   ASSERT_EQ(source.open({"adc16", "", 1000.0, 128}, channels_, roots_), "");
   firmware::RawSample sample;
   const uint8_t scan[16] = {0, 7, 0, 9};
@@ -147,7 +203,7 @@ TEST_F(IioDevice, HalfAScanWaitsForItsOtherHalf) {
 }
 
 TEST_F(IioDevice, SaysWhatIsWrong) {
-  hal::IioBufferSource none, direct_only, element;
+  hal::IioBufferSource none(clock_), direct_only(clock_), element(clock_);
   EXPECT_NE(none.open({"adc17", "", 1000.0, 128}, channels_, roots_).find("\"adc17\" was not found"),
             std::string::npos);
   EXPECT_NE(direct_only.open({"adc16", "", 1000.0, 128}, channels_, roots_).find("iio_direct"), std::string::npos);
@@ -156,11 +212,6 @@ TEST_F(IioDevice, SaysWhatIsWrong) {
   EXPECT_NE(fault.find("in_voltage9"), std::string::npos) << fault;
   EXPECT_NE(fault.find("in_voltage0, in_voltage1, in_temp"), std::string::npos) << fault;
 }
-
-struct TestClock final : hal::MonotonicClock {
-  uint64_t now_ns() override { return time_ns; }
-  uint64_t time_ns = 0;
-};
 
 TEST_F(IioDevice, SingleReadsFollowTheClockWithoutDrift) {
   put("iio:device1/in_voltage0_raw", "80\n");
@@ -188,6 +239,22 @@ TEST_F(IioDevice, SingleReadsFollowTheClockWithoutDrift) {
   clock.time_ns = 5100000;  // two periods slept through
   ASSERT_EQ(source.read(sample), SampleResult::kSample);
   EXPECT_EQ(sample.sequence, 5u);
+}
+
+// Values of 32 bits without sign, whose upper 24 count, and a driver that tells nothing: what does not fit stands at its end.
+TEST_F(IioDevice, SingleReadsClampWhatDoesNotFit) {
+  put("iio:device1/in_voltage0_raw", "4294967295\n");
+  put("iio:device1/in_voltage1_raw", "-99999999999\n");
+  put("iio:device1/scan_elements/in_voltage0_type", "le:u32/32>>0");
+  hal::IioDirectSource source(clock_);
+  ASSERT_EQ(source.open({"adc16", 1000.0}, channels_, roots_), "");
+  firmware::RawSample sample;
+  ASSERT_EQ(source.read(sample), SampleResult::kSample);
+  EXPECT_EQ(sample.code[2][1], 16777215);
+  EXPECT_EQ(sample.code[0][0], INT32_MIN);
+  ASSERT_TRUE(source.range(2, Quantity::kDisplacement));
+  EXPECT_EQ(source.range(2, Quantity::kDisplacement)->highest, 16777215);
+  EXPECT_FALSE(source.range(0, Quantity::kForce));
 }
 
 TEST_F(IioDevice, SingleReadsSayWhatIsWrong) {
@@ -234,16 +301,25 @@ TEST(OnConverter, SamplesComeThroughTheDriver) {
   EXPECT_GT(first.code[0][0], 0);
   EXPECT_GT(second.code[0][0], first.code[0][0]);
   EXPECT_LT(second.code[0][0], 1024);
-  hal::IioBufferSource buffered;
+  hal::IioBufferSource buffered(clock);
   EXPECT_NE(buffered.open({"ast2600-adc0", "", 1000.0, 64}, {{"in_voltage0", 0, Quantity::kForce}}).find("iio_direct"),
             std::string::npos);
 }
 
 TEST(IioCode, WideSamplesKeepTheirUpper24Bits) {
-  EXPECT_EQ(hal::code_of(-8388608, 24), -8388608);
-  EXPECT_EQ(hal::code_of(INT32_MIN, 32), -8388608);
-  EXPECT_EQ(hal::code_of(0x7FFFFFFF, 32), 8388607);
-  EXPECT_EQ(hal::code_of(-1, 16), -1);
+  const auto type = [](bool is_signed, uint8_t bits) {
+    hal::ScanType result;
+    result.is_signed = is_signed;
+    result.bits = bits;
+    return result;
+  };
+  EXPECT_EQ(hal::code_of(-8388608, type(true, 24)), -8388608);
+  EXPECT_EQ(hal::code_of(INT32_MIN, type(true, 32)), -8388608);
+  EXPECT_EQ(hal::code_of(0x7FFFFFFF, type(true, 32)), 8388607);
+  EXPECT_EQ(hal::code_of(-1, type(true, 16)), -1);
+  EXPECT_EQ(hal::code_of(16777215, type(false, 24)), 16777215);
+  EXPECT_EQ(hal::code_of(0xFFFFFFFF, type(false, 32)), 16777215);
+  EXPECT_EQ(hal::code_of(70000, type(false, 16)), 65535);
 }
 
 }  // namespace

@@ -8,6 +8,8 @@ namespace board {
 
 BoardDevices::BoardDevices(const BoardFile& file)
     : file_(file),
+      configuration_(file.controller),
+      iio_samples_(clock_),
       direct_samples_(clock_),
       systemd_(std::getenv("NOTIFY_SOCKET")),
       watchdog_(clock_, systemd_, device_watchdog_),
@@ -21,6 +23,7 @@ std::string BoardDevices::open() {
   bus_.receive_only(ids, 3);
   std::string fault = bus_.open(file_.can_interface, options);
   if (fault.empty()) fault = open_samples();
+  if (fault.empty()) fault = take_ranges();
   if (fault.empty() && file_.drive == DriveKind::kIio) fault = iio_drive_.open(file_.iio_drive);
   if (fault.empty()) fault = open_lines();
   if (fault.empty()) fault = files_.open(file_.state_folder);
@@ -55,6 +58,24 @@ std::string BoardDevices::open_samples() {
   options.fd = samples.wiring == firmware::SensorWiring::kFd;
   options.error_frames = false;
   return sensor_bus_.open(file_.can_interface, options);
+}
+
+std::string BoardDevices::take_ranges() {
+  for (const hal::IioChannel& channel : file_.samples.channels) {
+    if (channel.rails_told) continue;
+    const std::optional<hal::CodeRange> range = file_.samples.kind == SampleKind::kIioBuffer
+                                                    ? iio_samples_.range(channel.node, channel.quantity)
+                                                    : direct_samples_.range(channel.node, channel.quantity);
+    if (!range) continue;
+    auto& target = configuration_.core.channels[channel.node][static_cast<int>(channel.quantity)];
+    target.lowest_code = range->lowest;
+    target.highest_code = range->highest;
+    constexpr int32_t kReach = 1 << 23;
+    if (range->highest - target.offset_code > kReach || target.offset_code - range->lowest > kReach)
+      return "channel of " + channel.element + ": its codes go from " + std::to_string(range->lowest) + " to " +
+             std::to_string(range->highest) + ", expected an offset_code at most 2^23 away from both";
+  }
+  return "";
 }
 
 std::string BoardDevices::open_lines() {

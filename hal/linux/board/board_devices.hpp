@@ -29,6 +29,8 @@ class BoardDevices {
   // Empty where everything is open, else what is missing.
   std::string open();
   firmware::Ports ports();
+  // As the file has it; where that does not say at which codes a converter saturates, as the driver tells.
+  const firmware::ControllerConfiguration& configuration() const { return configuration_; }
 
   // What the program waits on: descriptors that can change (an interface that came back) are read anew each time.
   static constexpr int kMaxWaits = 4;
@@ -53,10 +55,12 @@ class BoardDevices {
 
  private:
   std::string open_samples();
+  std::string take_ranges();
   std::string open_lines();
   std::string open_watchdog();
 
   const BoardFile& file_;
+  firmware::ControllerConfiguration configuration_;
   hal::LinuxClock clock_;
   hal::SocketCan bus_, sensor_bus_;
   std::optional<firmware::CanSampleSource> can_samples_;

@@ -1,5 +1,6 @@
 #include "hal/linux/board/board_file.hpp"
 
+#include <cmath>
 #include <sstream>
 
 #include "hal/linux/board/bus_check.hpp"
@@ -21,7 +22,7 @@ void read_node(const Section& section, BoardFile& board) {
   node.status_ms = static_cast<uint16_t>(section.whole("status_ms", 100, 10, 65535));
   node.emergency_inhibit_ms = static_cast<uint16_t>(section.whole("emergency_inhibit_ms", 100, 0, 65535));
   const double window_s = section.number("window_s", 1.0, 0.05, 1.0);
-  node.window_samples = static_cast<uint32_t>(window_s * board.samples.rate_Hz + 0.5);
+  node.window_samples = static_cast<uint32_t>(std::lround(window_s * board.samples.rate_Hz));
   node.sync_closes_window = section.flag("sync_closes_window", true);
   node.listen_on_command = section.flag("listen_on_command", false);
   for (size_t i = 0; i < board.rig.dofs.size(); ++i)
@@ -47,7 +48,8 @@ void read_samples(const Section& section, BoardFile& board) {
   firmware::LimitConfiguration& limits = board.controller.limits;
   limits.saturated_in_row = static_cast<uint16_t>(section.whole("saturated_in_row", 3, 1, 65535));
   limits.lost_in_row = static_cast<uint16_t>(section.whole("lost_in_row", 3, 1, 65535));
-  limits.sample_timeout_us = static_cast<uint32_t>(section.number("timeout_ms", 10.0, 0.1, 10000.0) * 1000.0 + 0.5);
+  limits.sample_timeout_us =
+      static_cast<uint32_t>(std::lround(section.number("timeout_ms", 10.0, 0.1, 10000.0) * 1000.0));
 }
 
 // A calibrated channel for each [[channel]]; for IIO also the element that feeds it.
@@ -79,7 +81,8 @@ std::vector<rig_file::ChannelCalibration> read_channels(const toml::table& root,
     const auto node = static_cast<uint8_t>(rig_file::node_index(name.dof));
     board.controller.limits.response_limit_code[node][static_cast<int>(name.quantity)] =
         static_cast<int32_t>(section.whole("limit_code", 0, 0, 8388607));
-    if (iio) board.samples.channels.push_back({section.text("element", ""), node, name.quantity});
+    const bool rails_told = entry.lowest_code != entry.highest_code;
+    if (iio) board.samples.channels.push_back({section.text("element", ""), node, name.quantity, rails_told});
   }
   if (calibrations.empty())
     throw rig_file::RigFileError(board.path, 0, "key \"channel\"", "is missing, expected at least one [[channel]]");

@@ -29,7 +29,7 @@ void read_settling(const Section& section, double rate_Hz, double frequency_Hz, 
   block_s = section.number("settle_block_s", block_s, 0.0, 60.0);
   level.settle.block_samples = samples_of(block_s, rate_Hz);
   level.settle.bound_per_mille =
-      static_cast<uint16_t>(section.number("settle_percent", random ? 40.0 : 2.0, 0.1, 100.0) * 10.0 + 0.5);
+      static_cast<uint16_t>(std::lround(section.number("settle_percent", random ? 40.0 : 2.0, 0.1, 100.0) * 10.0));
   level.settle.blocks =
       static_cast<uint8_t>(section.whole("settle_blocks", 4, 2, firmware::SettleDetector::kMaxBlocks));
   level.settle.floor_code = static_cast<uint32_t>(section.whole("settle_floor_code", 2, 0, 8388607));

@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <memory>
 
-#include "hal/linux/board/real_time.hpp"
+#include "hal/linux/real_time.hpp"
 
 // Defined by tests alone: from here on an allocation is an error.
 extern "C" void allocation_guard_begin() __attribute__((weak));
@@ -44,8 +44,7 @@ bool measures(firmware::ControllerMode mode) {
 
 class Loop {
  public:
-  Loop(const BoardFile& file, BoardDevices& devices)
-      : devices_(devices), controller_(file.controller, devices.ports()) {}
+  explicit Loop(BoardDevices& devices) : devices_(devices), controller_(devices.configuration(), devices.ports()) {}
 
   bool set_up(uint64_t period_ns) {
     end_ = catch_end_signals();
@@ -152,7 +151,7 @@ class Loop {
   BoardDevices& devices_;
   firmware::RigController controller_;
   hal::FileDescriptor end_;
-  Ticker ticker_;
+  hal::Ticker ticker_;
   uint64_t longest_step_ns_ = 0;
   uint64_t stopped_ns_ = 0;    // of an emergency stop whose edge has not been told; else 0
   uint64_t told_edge_ns_ = 0;  // the last one
@@ -173,8 +172,8 @@ bool leave_safe(BoardDevices& devices) {
 }  // namespace
 
 bool run(const BoardFile& file, BoardDevices& devices, const RunOptions& options) {
-  const auto loop = std::make_unique<Loop>(file, devices);
-  const std::string refused = become_real_time(file.priority);
+  const auto loop = std::make_unique<Loop>(devices);
+  const std::string refused = hal::become_real_time(file.priority);
   if (!loop->set_up(tick_ns(file))) {
     say("rig_controller: no timer or no signals\n");
     leave_safe(devices);

@@ -1,4 +1,4 @@
-#include "hal/linux/board/real_time.hpp"
+#include "hal/linux/real_time.hpp"
 
 #include <errno.h>
 #include <malloc.h>
@@ -8,7 +8,7 @@
 
 #include <cstring>
 
-namespace board {
+namespace hal {
 namespace {
 
 // Touches 128 KiB of stack, so that the first deep call later finds its pages there.
@@ -35,7 +35,7 @@ std::string become_real_time(int priority) {
 }
 
 bool Ticker::start(uint64_t period_ns) {
-  timer_ = hal::FileDescriptor(::timerfd_create(CLOCK_MONOTONIC, TFD_NONBLOCK | TFD_CLOEXEC));
+  timer_ = FileDescriptor(::timerfd_create(CLOCK_MONOTONIC, TFD_NONBLOCK | TFD_CLOEXEC));
   itimerspec times{};
   times.it_interval.tv_sec = static_cast<time_t>(period_ns / 1000000000u);
   times.it_interval.tv_nsec = static_cast<long>(period_ns % 1000000000u);
@@ -50,4 +50,4 @@ void Ticker::take() {
   missed_ += passed - 1;
 }
 
-}  // namespace board
+}  // namespace hal

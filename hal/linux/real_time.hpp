@@ -6,7 +6,7 @@
 
 #include "hal/linux/file_descriptor.hpp"
 
-namespace board {
+namespace hal {
 
 // Locks all memory, touches the stack that will be needed, and takes SCHED_FIFO with that priority (0: leaves it).
 // Returns what was not granted, in words; empty: all of it.
@@ -23,9 +23,9 @@ class Ticker {
   uint64_t missed() const { return missed_; }
 
  private:
-  hal::FileDescriptor timer_;
+  FileDescriptor timer_;
   uint64_t ticks_ = 0;
   uint64_t missed_ = 0;
 };
 
-}  // namespace board
+}  // namespace hal
