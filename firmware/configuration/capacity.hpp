@@ -24,6 +24,6 @@ constexpr int kMaxBatches = FIRMWARE_MAX_BATCHES;
 constexpr int kMaxBatches = 128;  // consecutive batches kept per level; pairs merge when the table is full
 #endif
 
-constexpr int kMaxProducts = 1024;     // different pairs of columns that the equations need
+constexpr int kMaxProducts = 1024;  // different pairs of columns that the equations need
 
 }  // namespace firmware

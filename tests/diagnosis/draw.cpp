@@ -7,8 +7,8 @@
 #include <cmath>
 #include <complex>
 
-#include "tests/hidden_rig/dice.hpp"
 #include "sensors.hpp"
+#include "tests/hidden_rig/dice.hpp"
 
 namespace hidden {
 namespace {
