@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "host_sim/records/output_file.hpp"
-#include "host_sim/reports/diagnosis_pictures.hpp"
-#include "host_sim/reports/numbers.hpp"
-#include "host_sim/reports/shared_parts.hpp"
-#include "host_sim/reports/verdict.hpp"
+#include "host_sim/reports/page/diagnosis_pictures.hpp"
+#include "host_sim/reports/figures/numbers.hpp"
+#include "host_sim/reports/page/shared_parts.hpp"
+#include "host_sim/reports/page/verdict.hpp"
 
 namespace examples {
 namespace {
@@ -45,7 +45,7 @@ std::string tables(const DiagnosisReportData& data) {
 
 std::string picture(const Example& example, const char* kind, const Plot& plot, const std::string& docs) {
   const std::string file = "pictures/" + example.name + "_" + kind + ".svg";
-  host_sim::write_output_file(docs + "/" + file, draw({plot}, Target::kStandalone).at(0) + "\n");
+  host_sim::write_output_file(docs + "/" + file, draw(plot, Target::kStandalone) + "\n");
   return "![" + plot.title + "](" + file + ")\n\n";
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 #include <string>
 
-#include "host_sim/reports/report_data.hpp"
+#include "host_sim/reports/data/report_data.hpp"
 #include "tests/examples/examples.hpp"
 
 namespace examples {

@@ -1,5 +1,5 @@
 // A diagnosis, made by hand, as report data.
-#include "host_sim/reports/from_diagnosis.hpp"
+#include "host_sim/reports/data/from_diagnosis.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 
 #include "hal/rig_file/rig_reader.hpp"
 #include "host_sim/plant/simulate.hpp"
-#include "host_sim/reports/report.hpp"
+#include "host_sim/reports/page/report.hpp"
 
 namespace {
 

@@ -1,9 +1,9 @@
 // The report of a real run: its numbers are those of the run, its pictures show the measured part.
-#include "host_sim/reports/from_run.hpp"
+#include "host_sim/reports/data/from_run.hpp"
 
 #include <gtest/gtest.h>
 
-#include "host_sim/reports/report.hpp"
+#include "host_sim/reports/page/report.hpp"
 
 namespace {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "host_sim/reports/report_data.hpp"
+#include "host_sim/reports/data/report_data.hpp"
 
 namespace made_up {
 

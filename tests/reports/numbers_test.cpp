@@ -1,11 +1,11 @@
 // Numbers and units as printed: worked out by hand.
-#include "host_sim/reports/numbers.hpp"
+#include "host_sim/reports/figures/numbers.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "host_sim/reports/shared_parts.hpp"
+#include "host_sim/reports/page/shared_parts.hpp"
 
 namespace {
 

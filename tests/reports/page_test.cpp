@@ -1,10 +1,7 @@
-// Pieces of a page, and gnuplot as a child process.
-#include "host_sim/reports/page.hpp"
+// Pieces of a page.
+#include "host_sim/reports/page/page.hpp"
 
 #include <gtest/gtest.h>
-
-#include <cmath>
-#include <cstdlib>
 
 namespace {
 
@@ -47,63 +44,6 @@ TEST(Page, LegendStandsOncePerSection) {
   page.figures({plot("y"), plot("y")});
   page.figures({plot("y")});
   EXPECT_EQ(count(page.finish(), "<ul class=\"legend\">"), 1u);
-}
-
-// The largest value is 0.002 m, so the axis is in mm; the name of a parameter is text, not gnuplot's markup.
-TEST(Draw, AxesCarryLabelsAndUnits) {
-  const std::vector<std::string> pictures = draw({plot("viscous_{1}^2"), plot("y")}, Target::kPage);
-  ASSERT_EQ(pictures.size(), 2u);
-  EXPECT_EQ(count(pictures[0], "time (s)"), 1u);
-  EXPECT_EQ(count(pictures[0], "viscous_{1}^2 (mm)"), 1u);
-  EXPECT_EQ(count(pictures[0], "var(--given)"), 1u);
-}
-
-TEST(Draw, AStandalonePictureHasItsOwnColoursTitleAndLegend) {
-  const std::string picture = draw({plot("y")}, Target::kStandalone).at(0);
-  EXPECT_EQ(count(picture, "var(--"), 0u);
-  EXPECT_GE(count(picture, "#cf5a0c"), 1u);
-  EXPECT_EQ(count(picture, ">one</text>"), 1u);
-  EXPECT_EQ(count(picture, ">a 'title'</text>"), 1u);
-  EXPECT_EQ(count(picture, "xmlns=\"http://www.w3.org/2000/svg\""), 1u);
-}
-
-TEST(Draw, DataWithoutFiniteNumbersStillDraws) {
-  Plot empty = plot("y");
-  empty.curves[0].y = {NAN, NAN, NAN};
-  Plot none = plot("y");
-  none.curves.clear();
-  EXPECT_EQ(draw({empty, none}, Target::kPage).size(), 2u);
-}
-
-// Values that agree to nine digits, as the last estimates of a clean run do.
-TEST(Draw, ValuesThatHardlyDifferStillDraw) {
-  Plot narrow = plot("y");
-  narrow.curves[0].y = {4.0, 4.000000001, 4.000000002};
-  Plot constant = plot("y");
-  constant.curves[0].y = {4.0, 4.0, 4.0};
-  EXPECT_EQ(draw({narrow, constant}, Target::kPage).size(), 2u);
-}
-
-TEST(Gnuplot, ItsOwnMessageIsPassedOn) {
-  try {
-    run_gnuplot("plot nonsense(\n");
-    FAIL() << "expected an error";
-  } catch (const DrawingError& error) {
-    EXPECT_NE(std::string(error.what()).find("gnuplot failed"), std::string::npos);
-  }
-}
-
-TEST(Gnuplot, MissingIsSaidWithThePackageToInstall) {
-  const std::string path = std::getenv("PATH");
-  setenv("PATH", "/nonexistent", 1);
-  std::string message;
-  try {
-    run_gnuplot("");
-  } catch (const DrawingError& error) {
-    message = error.what();
-  }
-  setenv("PATH", path.c_str(), 1);
-  EXPECT_NE(message.find("gnuplot-nox"), std::string::npos) << message;
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 #include <cstdio>
 #include <exception>
 
-#include "host_sim/reports/report.hpp"
+#include "host_sim/reports/page/report.hpp"
 #include "tests/reports/made_up.hpp"
 
 int main(int count, char** arguments) {

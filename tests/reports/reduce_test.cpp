@@ -1,5 +1,5 @@
 // Long signals made small: hand-sized vectors with the answer beside them.
-#include "host_sim/reports/reduce.hpp"
+#include "host_sim/reports/figures/reduce.hpp"
 
 #include <gtest/gtest.h>
 

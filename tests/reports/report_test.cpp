@@ -1,18 +1,17 @@
 // The two pages as a reader gets them: complete, offline, small, and whole or not at all.
-#include "host_sim/reports/report.hpp"
+#include "host_sim/reports/page/report.hpp"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <limits>
 #include <sstream>
 
-#include "host_sim/reports/detectable_tables.hpp"
-#include "host_sim/reports/verdict.hpp"
+#include "host_sim/reports/page/detectable_tables.hpp"
+#include "host_sim/reports/page/verdict.hpp"
 #include "tests/reports/made_up.hpp"
 
 namespace {
@@ -51,9 +50,8 @@ TEST(DiagnosisPage, HasEveryPart) {
     EXPECT_TRUE(contains(page, std::string("<h2 id=\"") + id + "\"")) << id;
   // 3 DOFs x 2 channels x 3 pictures, 3 x 2 energies, 2 links x 3
   size_t pictures = 0;
-  for (size_t at = page.find("<svg"); at != std::string::npos; at = page.find("<svg", at + 1)) ++pictures;
+  for (size_t at = page.find("<svg role"); at != std::string::npos; at = page.find("<svg role", at + 1)) ++pictures;
   EXPECT_EQ(pictures, 30u);
-  EXPECT_FALSE(contains(page, "<!--picture"));
   EXPECT_TRUE(contains(page, "three masses &amp; a &lt;friction&gt; link"));
 }
 
@@ -173,16 +171,6 @@ TEST(WriteReport, MakesTheFolderAndReplacesAnEarlierPage) {
   write_run_report(folder.string(), made_up::run(2000));
   EXPECT_TRUE(contains(content(folder / "index.html"), "paper_3dof_random_noise"));
   EXPECT_EQ(std::distance(fs::directory_iterator(folder), fs::directory_iterator()), 1);
-}
-
-TEST(WriteReport, WithoutGnuplotNothingIsLeft) {
-  const FreshPlace place("report_without_gnuplot");
-  const fs::path& folder = place.path;
-  const std::string path = std::getenv("PATH");
-  setenv("PATH", "/nonexistent", 1);
-  EXPECT_THROW(write_run_report(folder.string(), made_up::run(2000)), DrawingError);
-  setenv("PATH", path.c_str(), 1);
-  EXPECT_FALSE(fs::exists(folder));
 }
 
 TEST(WriteReport, AFileInTheWayIsNamed) {

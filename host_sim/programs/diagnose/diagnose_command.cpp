@@ -12,8 +12,8 @@
 #include "host_sim/programs/shared/terminal.hpp"
 #include "host_sim/records/record_checks.hpp"
 #include "host_sim/records/record_reader.hpp"
-#include "host_sim/reports/from_diagnosis.hpp"
-#include "host_sim/reports/report.hpp"
+#include "host_sim/reports/data/from_diagnosis.hpp"
+#include "host_sim/reports/page/report.hpp"
 
 namespace host_sim {
 namespace {

@@ -5,9 +5,9 @@
 #include <cstdio>
 
 #include "host_sim/programs/shared/terminal.hpp"
-#include "host_sim/reports/numbers.hpp"
-#include "host_sim/reports/shared_parts.hpp"
-#include "host_sim/reports/verdict.hpp"
+#include "host_sim/reports/figures/numbers.hpp"
+#include "host_sim/reports/page/shared_parts.hpp"
+#include "host_sim/reports/page/verdict.hpp"
 
 namespace host_sim {
 namespace {

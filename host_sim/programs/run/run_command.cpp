@@ -12,8 +12,8 @@
 #include "host_sim/programs/run/run_result.hpp"
 #include "host_sim/programs/shared/human_output.hpp"
 #include "host_sim/programs/shared/terminal.hpp"
-#include "host_sim/reports/from_run.hpp"
-#include "host_sim/reports/report.hpp"
+#include "host_sim/reports/data/from_run.hpp"
+#include "host_sim/reports/page/report.hpp"
 
 namespace host_sim {
 namespace {

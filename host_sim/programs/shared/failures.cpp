@@ -6,7 +6,7 @@
 #include "host_sim/diagnosis/motion.hpp"
 #include "host_sim/records/data_file_error.hpp"
 #include "host_sim/records/output_file.hpp"
-#include "host_sim/reports/report.hpp"
+#include "host_sim/reports/page/report.hpp"
 
 namespace host_sim {
 namespace {
@@ -33,8 +33,6 @@ int report_failure() noexcept {
     return say(ExitStatus::kCannotAnswer, "the data cannot answer: ", error.what());
   } catch (const diagnosis::CannotAnswer& error) {
     return say(ExitStatus::kCannotAnswer, "the data cannot answer: ", error.what());
-  } catch (const reports::DrawingError& error) {
-    return say(ExitStatus::kOther, "", error.what());
   } catch (const std::exception& error) {
     return say(ExitStatus::kOther, "internal error: ", error.what());
   } catch (...) {

@@ -1,0 +1,177 @@
+#include "host_sim/reports/data/from_diagnosis.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "hal/rig_file/coefficient_walk.hpp"
+#include "host_sim/reports/data/comparison.hpp"
+#include "host_sim/reports/figures/numbers.hpp"
+
+namespace host_sim::reports {
+namespace {
+
+constexpr double kNone = NAN;
+constexpr double kTwoSided95 = 1.96;
+
+Interval interval_of(const diagnosis::Parameter& parameter) {
+  if (!(parameter.std > 0.0)) return {parameter.value, kNone, kNone};
+  const double half = kTwoSided95 * parameter.std;
+  return {parameter.value, parameter.value - half, parameter.value + half};
+}
+
+std::string parameter_text(const diagnosis::Parameter& parameter) {
+  const Interval interval = interval_of(parameter);
+  std::string text = parameter.name + " = " + number_text(parameter.value, 4) + " " + unit_text(parameter.unit);
+  if (std::isfinite(interval.low))
+    text += " (95 %: " + number_text(interval.low, 4) + " to " + number_text(interval.high, 4) + ")";
+  return text;
+}
+
+Cause cause_of(const diagnosis::Cause& from) {
+  Cause cause{from.effect, from.where, from.taken_out ? std::nan("") : from.explains_percent, {}};
+  for (const diagnosis::Parameter& parameter : from.parameters) cause.parameters.push_back(parameter_text(parameter));
+  return cause;
+}
+
+const diagnosis::Parameter* find(const std::vector<diagnosis::Parameter>& parameters, const std::string& name) {
+  for (const diagnosis::Parameter& parameter : parameters)
+    if (parameter.name == name) return &parameter;
+  return nullptr;
+}
+
+// Given values have no status.
+std::string status_of(const diagnosis::Parameter& p, bool model_fits) {
+  return p.std > 0.0 ? diagnosis::status_word(model_fits) : "";
+}
+
+// Those of the rig as given in their order, then what the extended rig adds.
+std::vector<ParameterChange> changes(const diagnosis::Diagnosis& found) {
+  std::vector<ParameterChange> out;
+  const Interval nothing{kNone, kNone, kNone};
+  for (const diagnosis::Parameter& before : found.baseline.parameters) {
+    const diagnosis::Parameter* after = find(found.extended.parameters, before.name);
+    out.push_back({before.name, before.unit, interval_of(before), after ? interval_of(*after) : nothing,
+                   after ? status_of(*after, found.extended_fits()) : status_of(before, found.baseline_fits())});
+  }
+  for (const diagnosis::Parameter& after : found.extended.parameters)
+    if (find(found.baseline.parameters, after.name) == nullptr)
+      out.push_back({after.name, after.unit, nothing, interval_of(after), status_of(after, found.extended_fits())});
+  return out;
+}
+
+double at(const std::vector<double>& values, size_t index) { return index < values.size() ? values[index] : kNone; }
+
+std::vector<DofGain> gains(const diagnosis::Diagnosis& found) {
+  std::vector<DofGain> out;
+  const size_t dofs = found.baseline.holdout_nrmse_percent.size();
+  const bool extended = !found.causes.empty();
+  for (size_t i = 0; i < dofs; ++i)
+    out.push_back({static_cast<int>(i + 1), at(found.baseline.holdout_nrmse_percent, i),
+                   extended ? at(found.extended.holdout_nrmse_percent, i) : kNone,
+                   at(found.baseline.holdout_mse_percent, i),
+                   extended ? at(found.extended.holdout_mse_percent, i) : kNone});
+  return out;
+}
+
+bool is_named(const diagnosis::Diagnosis& found, const std::string& effect, const std::string& where) {
+  return std::any_of(found.causes.begin(), found.causes.end(),
+                     [&](const diagnosis::Cause& cause) { return cause.effect == effect && cause.where == where; });
+}
+
+std::string remark_on(const diagnosis::Diagnosis& found, const diagnosis::RankedCandidate& candidate) {
+  const auto same = [&](const auto& other) {
+    return other.effect == candidate.effect && other.where == candidate.where;
+  };
+  if (std::any_of(found.rejected.begin(), found.rejected.end(), same))
+    return "fits better, but simulates the held-out data worse";
+  if (std::any_of(found.ambiguous_with.begin(), found.ambiguous_with.end(), same)) return "fits equally well";
+  if (candidate.score < candidate.threshold) return "not more than noise would bring";
+  return found.causes.empty() ? "" : "nothing is left for it beside what is named";
+}
+
+// Sensor faults (judged before any rig model) first, then the effects by what each alone would bring; at the end what
+// was named or rejected without being among the best.
+std::vector<Candidate> candidates(const diagnosis::Diagnosis& found) {
+  std::vector<Candidate> out;
+  const auto listed = [&](const diagnosis::Cause& cause) {
+    return std::any_of(out.begin(), out.end(), [&](const Candidate& candidate) {
+      return candidate.effect == cause.effect && candidate.where == cause.where;
+    });
+  };
+  for (const diagnosis::Cause& cause : found.causes)
+    if (cause.where.rfind("channel", 0) == 0)
+      out.push_back({cause.effect, cause.where, cause.significance, 0.0, true, ""});
+  for (const diagnosis::RankedCandidate& candidate : found.ranked)
+    out.push_back({candidate.effect, candidate.where, candidate.score, candidate.threshold,
+                   is_named(found, candidate.effect, candidate.where), remark_on(found, candidate)});
+  for (const diagnosis::Cause& cause : found.causes)
+    if (!listed(cause)) out.push_back({cause.effect, cause.where, cause.significance, 0.0, true, ""});
+  for (const diagnosis::Cause& cause : found.rejected)
+    if (!listed(cause))
+      out.push_back({cause.effect, cause.where, cause.significance, 0.0, false,
+                     "fits better, but simulates the held-out data worse"});
+  return out;
+}
+
+std::string text(double value, const char* format) {
+  char out[64];
+  std::snprintf(out, sizeof out, format, value);
+  return out;
+}
+
+}  // namespace
+
+rig_file::RigModel with_parameters(const rig_file::RigModel& rig, const std::vector<diagnosis::Parameter>& parameters) {
+  rig_file::RigModel out = rig;
+  rig_file::walk_coefficients(out, [&](const rig_file::CoefficientSite& site, rig_file::Coefficient& coefficient) {
+    if (!coefficient.estimate) return;
+    if (const diagnosis::Parameter* parameter = find(parameters, site.name)) coefficient.value = parameter->value;
+    coefficient.estimate = false;
+  });
+  return out;
+}
+
+DiagnosisReportData findings_of(const rig_file::RigModel& rig, const std::vector<Record>& training,
+                                const std::vector<Record>& holdout, const diagnosis::Diagnosis& found) {
+  const Record& first = training.front();
+  DiagnosisReportData data;
+  data.rig_name = rig.name.empty() ? "the rig" : rig.name;
+  for (const Record& record : training) data.files.push_back(std::filesystem::path(record.file).filename().string());
+  for (const Record& record : holdout)
+    data.facts.push_back("held out: " + std::filesystem::path(record.file).filename().string());
+  data.facts.push_back(text(static_cast<double>(first.samples()) * first.sample_period_s, "%g s") +
+                       text(1.0 / first.sample_period_s, " at %g Hz"));
+  data.facts.push_back(text(found.baseline_misfit, "misfit (1 is noise alone): %.3g as given") +
+                       text(found.extended_misfit, ", %.3g extended"));
+  data.verdict = diagnosis::verdict_word(found.verdict);
+  for (const diagnosis::Cause& cause : found.causes) data.causes.push_back(cause_of(cause));
+  for (const diagnosis::NamedPlace& place : found.ambiguous_with)
+    data.ambiguous_with.push_back({place.effect, place.where});
+  data.parameters = changes(found);
+  data.gains = gains(found);
+  data.candidates = candidates(found);
+  data.score_name = "significance";
+  for (const diagnosis::DetectionLimit& limit : found.minimum_detectable) {
+    data.minimum_detectable.push_back({limit.effect, limit.where, limit.unit, limit.strength});
+    const double percent = limit.percent_of_damping_force;
+    if (percent > 0 && std::isfinite(percent)) data.minimum_detectable.back().percent_of_damping_force = percent;
+  }
+  data.advice = found.advice;
+  return data;
+}
+
+void add_pictures(const rig_file::RigModel& rig, const std::vector<Record>& training,
+                  const std::vector<Record>& holdout, const diagnosis::Diagnosis& found, DiagnosisReportData& data) {
+  const Record& shown = holdout.empty() ? training.front() : holdout.front();
+  const rig_file::RigModel& extended = found.extended_rig.dofs.empty() ? rig : found.extended_rig;
+  const Comparison comparison = compare(shown, with_parameters(rig, found.baseline.parameters),
+                                        with_parameters(extended, found.extended.parameters));
+  data.dofs = comparison.dofs;
+  data.links = comparison.links;
+  data.facts.push_back("pictures: " + std::filesystem::path(shown.file).filename().string() +
+                       (holdout.empty() ? ", which the fit has seen" : ", which the fit has not seen"));
+  data.facts.insert(data.facts.end(), comparison.notes.begin(), comparison.notes.end());
+}
+
+}  // namespace host_sim::reports

@@ -1,0 +1,198 @@
+#include "host_sim/reports/page/diagnosis_pictures.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "host_sim/reports/data/spectrum.hpp"
+#include "host_sim/reports/figures/reduce.hpp"
+#include "host_sim/reports/page/shared_parts.hpp"
+
+namespace host_sim::reports {
+namespace {
+
+constexpr char kGiven[] = "simulated, rig as given", kExtended[] = "simulated, extended rig";
+
+Curve styled(Curve curve, const std::string& label, Role role, Shape shape) {
+  curve.label = label;
+  curve.role = role;
+  curve.shape = shape;
+  return curve;
+}
+
+std::vector<double> difference(const std::vector<double>& a, const std::vector<double>& b) {
+  std::vector<double> out(std::min(a.size(), b.size()));
+  for (size_t i = 0; i < out.size(); ++i) out[i] = a[i] - b[i];
+  return out;
+}
+
+Plot detail(const DofView& view, const Waveform& waveform, size_t columns) {
+  Plot plot;
+  plot.title = "DOF " + std::to_string(view.dof) + " " + waveform.quantity + ": worst moment";
+  plot.x_label = "time";
+  plot.x_unit = "s";
+  plot.y_label = waveform.quantity;
+  plot.y_unit = waveform.unit;
+  plot.note = waveform.note;
+  const Span span = most_different(waveform.measured, waveform.simulated, kDetailCycles);
+  const auto add = [&](const std::vector<double>& values, const char* label, Role role, Shape shape) {
+    if (values.size() == waveform.measured.size() && !values.empty())
+      plot.curves.push_back(
+          styled(envelope_line(values, span, view.start_s, view.period_s, columns), label, role, shape));
+  };
+  add(waveform.measured, "measured", Role::kMeasured, Shape::kLine);
+  add(waveform.simulated, kGiven, Role::kGiven, Shape::kLine);
+  add(waveform.extended, kExtended, Role::kExtended, Shape::kDashed);
+  return plot;
+}
+
+Plot errors(const DofView& view, const Waveform& waveform, size_t columns) {
+  Plot plot;
+  plot.title = "DOF " + std::to_string(view.dof) + " " + waveform.quantity + ": whole record";
+  plot.x_label = "time";
+  plot.x_unit = "s";
+  plot.y_label = "measured and error";
+  plot.y_unit = waveform.unit;
+  plot.zero_line = true;
+  const auto add = [&](const std::vector<double>& values, const char* label, Role role) {
+    if (values.empty()) return;
+    const Span whole{0, values.size()};
+    Curve band = envelope_band(values, whole, view.start_s, view.period_s, kBandColumns * columns / kColumns);
+    band.opacity = role == Role::kMeasured ? 0.16 : 0.6;
+    plot.curves.push_back(styled(std::move(band), label, role, Shape::kBand));
+  };
+  add(waveform.measured, "measured, its range", Role::kMeasured);
+  add(difference(waveform.simulated, waveform.measured), "error of the rig as given", Role::kGiven);
+  add(difference(waveform.extended, waveform.measured), "error of the extended rig", Role::kExtended);
+  return plot;
+}
+
+Plot spectra(const DofView& view, const Waveform& waveform, size_t columns) {
+  Plot plot;
+  plot.title = "DOF " + std::to_string(view.dof) + " " + waveform.quantity + ": spectrum";
+  plot.x_label = "frequency";
+  plot.x_unit = "Hz";
+  plot.y_label = "power density";
+  plot.y_unit = "(" + waveform.unit + ")^2/Hz";
+  plot.log_y = true;
+  double cut_Hz = 0.0;  // the band that holds nearly all of the measured power
+  const auto add = [&](const std::vector<double>& values, const char* label, Role role, Shape shape) {
+    Spectrum spectrum = power_spectrum(values, view.period_s);
+    if (spectrum.density.empty()) return;
+    if (cut_Hz == 0.0) {
+      double total = 0.0, sum = 0.0;
+      for (double density : spectrum.density) total += density;
+      size_t k = 0;
+      while (k + 1 < spectrum.density.size() && sum < 0.995 * total) sum += spectrum.density[k++];
+      cut_Hz = std::min(2.0 * spectrum.frequency_Hz[k], spectrum.frequency_Hz.back());
+    }
+    while (!spectrum.frequency_Hz.empty() && spectrum.frequency_Hz.back() > cut_Hz) {
+      spectrum.frequency_Hz.pop_back();
+      spectrum.density.pop_back();
+    }
+    const Spectrum small = reduced(spectrum, columns);
+    Curve curve;
+    curve.x = small.frequency_Hz;
+    curve.y = small.density;
+    plot.curves.push_back(styled(curve, label, role, shape));
+  };
+  add(waveform.measured, "measured", Role::kMeasured, Shape::kLine);
+  add(waveform.simulated, kGiven, Role::kGiven, Shape::kLine);
+  add(waveform.extended, kExtended, Role::kExtended, Shape::kDashed);
+  return plot;
+}
+
+Curve over_time(const std::vector<double>& time_s, const std::vector<double>& values, size_t columns) {
+  const size_t count = std::min(time_s.size(), values.size());
+  if (count < 2) return {};
+  const double period_s = (time_s[count - 1] - time_s[0]) / static_cast<double>(count - 1);
+  return envelope_line(values, {0, count}, time_s[0], period_s, columns);
+}
+
+void add_shape(Plot& plot, const std::vector<double>& x, const std::vector<double>& y, const char* label, Role role,
+               bool with_band) {
+  const Binned shape = binned(x, y, 60);
+  if (shape.x.empty()) return;
+  Curve band, line;
+  band.x = line.x = shape.x;
+  band.y = shape.low;
+  band.y_high = shape.high;
+  line.y = shape.median;
+  if (with_band) plot.curves.push_back(styled(band, std::string(label) + ", 10 to 90 %", role, Shape::kBand));
+  plot.curves.push_back(styled(line, std::string(label) + (with_band ? ", median" : ""), role, Shape::kLine));
+}
+
+Plot force_against(const LinkView& link, const std::vector<double>& x, const std::string& label,
+                   const std::string& unit) {
+  Plot plot;
+  plot.title = "Link " + link.link + ": against " + label;
+  plot.x_label = label;
+  plot.x_unit = unit;
+  plot.y_label = "residual force";
+  plot.y_unit = link.force_unit;
+  plot.zero_line = true;
+  add_shape(plot, x, link.residual, "rig as given", Role::kGiven, true);
+  if (!link.residual_extended.empty())
+    add_shape(plot, x, link.residual_extended, "extended rig", Role::kExtended, true);
+  if (!link.named_force.empty() && link.named_force.size() == x.size()) {
+    const Binned shape = binned(x, link.named_force, 60);
+    Curve line;
+    line.x = shape.x;
+    line.y = shape.median;
+    plot.curves.push_back(
+        styled(line, "the named effect (" + link.named_effect + ")", Role::kMeasured, Shape::kDashed));
+  }
+  return plot;
+}
+
+}  // namespace
+
+size_t picture_columns(size_t dofs) { return dofs <= 6 ? kColumns : 2 * kColumns / 5; }
+
+std::vector<Plot> waveform_pictures(const DofView& view, const Waveform& waveform, size_t columns) {
+  return {detail(view, waveform, columns), errors(view, waveform, columns), spectra(view, waveform, columns)};
+}
+
+std::vector<Plot> energy_pictures(const DofView& view, size_t columns) {
+  const EnergyBalance& energy = view.energy;
+  Plot terms, left;
+  terms.title = "DOF " + std::to_string(view.dof) + ": energy by term";
+  left.title = "DOF " + std::to_string(view.dof) + ": energy left unexplained";
+  terms.x_label = left.x_label = "time";
+  terms.x_unit = left.x_unit = "s";
+  terms.y_label = left.y_label = "energy since start";
+  terms.y_unit = left.y_unit = "J";
+  terms.zero_line = left.zero_line = true;
+  for (size_t i = 0; i < energy.terms.size(); ++i)
+    terms.curves.push_back(styled(over_time(energy.time_s, energy.terms[i].values, columns), energy.terms[i].label,
+                                  static_cast<Role>(static_cast<int>(Role::kTerm1) + static_cast<int>(i % 8)),
+                                  i < 8 ? Shape::kLine : Shape::kDashed));
+  left.curves.push_back(styled(over_time(energy.time_s, energy.residual, columns), "left by the rig as given",
+                               Role::kGiven, Shape::kLine));
+  if (!energy.residual_extended.empty())
+    left.curves.push_back(styled(over_time(energy.time_s, energy.residual_extended, columns),
+                                 "left by the extended rig", Role::kExtended, Shape::kLine));
+  return {terms, left};
+}
+
+std::vector<Plot> link_pictures(const LinkView& link) {
+  Plot time;
+  time.title = "Link " + link.link + ": over time";
+  time.x_label = "time";
+  time.x_unit = "s";
+  time.y_label = "residual force";
+  time.y_unit = link.force_unit;
+  time.zero_line = true;
+  const auto add = [&](const std::vector<double>& values, Role role) {
+    const size_t count = std::min(values.size(), link.time_s.size());
+    if (count < 2) return;
+    const double period_s = (link.time_s[count - 1] - link.time_s[0]) / static_cast<double>(count - 1);
+    time.curves.push_back(
+        styled(envelope_band(values, {0, count}, link.time_s[0], period_s, kBandColumns), "", role, Shape::kBand));
+  };
+  add(link.residual, Role::kGiven);
+  add(link.residual_extended, Role::kExtended);
+  return {force_against(link, link.elongation, "elongation", link.elongation_unit),
+          force_against(link, link.rate, "rate", link.rate_unit), time};
+}
+
+}  // namespace host_sim::reports

@@ -1,0 +1,47 @@
+// A page in the making: text goes in as HTML, pictures as data.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "host_sim/reports/figures/plot.hpp"
+
+namespace host_sim::reports {
+
+// "&", "<", ">", quotes as entities: for every text that comes from a file or a user.
+std::string escaped(const std::string& plain);
+
+// An HTML table that scrolls sideways where the screen is narrow. Cells are HTML. Columns listed in `numeric` are set
+// flush right in figures of one width.
+struct HtmlTable {
+  std::vector<std::string> heading;
+  std::vector<bool> numeric;
+  std::vector<std::vector<std::string>> rows;
+};
+std::string table_html(const HtmlTable& table);
+
+// A horizontal bar of `share` (0 to 1) of its cell, in a colour of the style sheet.
+std::string bar_html(double share, const char* colour);
+
+class Page {
+ public:
+  // `lead` is HTML.
+  Page(std::string title, std::string kicker, std::string lead);
+  void section(const std::string& id, const std::string& heading, const std::string& explanation);
+  void html(const std::string& fragment) { body_ += fragment; }
+  // Pictures side by side where there is room, one below the other where there is not; under one legend,
+  // which is left out where it would repeat the one above.
+  void figures(const std::vector<Plot>& plots);
+  std::string finish() const;
+
+ private:
+  std::string title_, kicker_, lead_, body_, contents_, last_legend_;
+};
+
+// The style sheet of all pages.
+const char* page_style();
+
+// `content` as directory/index.html, whole or not at all; makes the directory (and removes it again where it was made
+// here and the writing failed). Throws OutputError.
+void write_index(const std::string& directory, const std::string& content);
+
+}  // namespace host_sim::reports

@@ -1,0 +1,18 @@
+// The two pages. Each is one file, DIR/index.html, that opens offline: styles and pictures are inside, no scripts.
+#pragma once
+#include <string>
+
+#include "host_sim/reports/data/report_data.hpp"
+
+namespace host_sim::reports {
+
+// Writes DIR/index.html (DIR is made where missing). Throws OutputError where that fails;
+// an earlier index.html then stays as it was and nothing half-written is left.
+void write_diagnosis_report(const std::string& directory, const DiagnosisReportData& data);
+void write_run_report(const std::string& directory, const RunReportData& data);
+
+// The same pages as text, for tests.
+std::string diagnosis_page(const DiagnosisReportData& data);
+std::string run_page(const RunReportData& data);
+
+}  // namespace host_sim::reports

@@ -1,0 +1,15 @@
+// The verdict in words.
+#pragma once
+#include <string>
+
+#include "host_sim/reports/data/report_data.hpp"
+
+namespace host_sim::reports {
+
+// "cubic_stiffness", "link 1-2" -> "cubic stiffness on link 1-2".
+std::string cause_text(const std::string& effect, const std::string& where);
+
+// One sentence for an engineer: what the simulation lacks, or that it lacks nothing these data could show.
+std::string verdict_sentence(const DiagnosisReportData& data);
+
+}  // namespace host_sim::reports
