@@ -20,7 +20,10 @@ void EstimatorCore::reset() {
   estimates_.unknown_count = configuration_.unknown_count;
   health_ = CoreHealth{};
   sequence_known_ = false;
+  conditioning_.restart();
+  sums_.restart();
   filled_ = 0;
+  level_samples_ = units_ = 0;
 }
 
 void EstimatorCore::begin_level() {

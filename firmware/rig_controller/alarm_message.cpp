@@ -29,6 +29,7 @@ constexpr AlarmRow kRows[] = {
      kRegisterManufacturer},
     {AlarmCause::kRelayNotTaken, EmergencyCode::kDriveNotTaken, fault_bit(Fault::kDriveNotTaken),
      kRegisterManufacturer},
+    {AlarmCause::kWorkerLate, EmergencyCode::kSoftware, fault_bit(Fault::kWatchdog), kRegisterManufacturer},
     {AlarmCause::kConfiguration, EmergencyCode::kConfiguration, fault_bit(Fault::kConfiguration),
      kRegisterManufacturer},
     {AlarmCause::kSamplesMissed, EmergencyCode::kSamplesMissed, fault_bit(Fault::kSamplesMissed), 0},
@@ -79,6 +80,9 @@ void AlarmQueue::push(const Emergency& emergency, bool urgent) {
   for (int i = 0; i < count_; ++i) {
     if (waiting_[i].emergency.code != emergency.code) continue;
     waiting_[i].emergency.detail = emergency.detail;
+    if (!urgent) return;
+    for (; i > 0; --i) waiting_[i] = waiting_[i - 1];
+    waiting_[0] = {emergency, true};
     return;
   }
   if (count_ == kCapacity) return;

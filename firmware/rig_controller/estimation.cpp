@@ -6,44 +6,45 @@ namespace firmware {
 void Estimation::reset() {
   discard_ = working_;
   fresh_ = false;
-  if (waiting_solve_ >= 0) ring_[waiting_solve_].kind = Kind::kNothing;
-  waiting_solve_ = -1;
+  solve_owed_ = level_left_out_ = false;
+  count_ = 0;
   ask(Kind::kReset);
+}
+
+void Estimation::begin_level() {
+  level_left_out_ = count_ + 2 > kMaxWaiting;  // itself and its end
+  if (!level_left_out_) ask(Kind::kBeginLevel);
+}
+
+void Estimation::end_level() {
+  if (!level_left_out_) ask(Kind::kEndLevel);
+  level_left_out_ = false;
 }
 
 void Estimation::push(const RawSample& sample) {
   if (idle() && !core_.merges_with(sample)) return core_.push(sample);
-  if (count_ >= kMaxWaiting - kKeptForOthers) {
+  if (level_left_out_ || count_ >= kMaxWaiting - kKeptForOthers) {
     ++dropped_samples_;
     return;
   }
   append(Kind::kSample).sample = sample;
-  if (!working_ && count_ == 1) advance();
+  if (!working_ && count_ == 1) advance(now_ns_);
 }
 
-// Anything but a sample must not be lost: where there is no room, it waits for the worker.
+void Estimation::solve(bool judge) {
+  judge_owed_ = judge || (solve_owed_ && judge_owed_);
+  solve_owed_ = true;
+  before_solve_ = count_;
+  if (!working_ && count_ == 0) advance(now_ns_);
+}
+
 void Estimation::ask(Kind kind) {
-  while (count_ == kMaxWaiting) {
-    if (working_) worker_->wait();
-    advance();
-  }
   if (idle()) {
     Entry entry;
     entry.kind = kind;
     return perform(entry);
   }
-  if (kind == Kind::kSolve || kind == Kind::kSolveAndJudge) return append_solve(kind);
   append(kind);
-}
-
-// In place of one that waits already.
-void Estimation::append_solve(Kind kind) {
-  if (waiting_solve_ >= 0) {
-    if (ring_[waiting_solve_].kind == Kind::kSolveAndJudge) kind = Kind::kSolveAndJudge;
-    ring_[waiting_solve_].kind = Kind::kNothing;
-  }
-  append(kind);
-  waiting_solve_ = (first_ + count_ - 1) % kMaxWaiting;
 }
 
 Estimation::Entry& Estimation::append(Kind kind) {
@@ -53,13 +54,22 @@ Estimation::Entry& Estimation::append(Kind kind) {
   return entry;
 }
 
-void Estimation::advance() {
+void Estimation::advance(uint64_t now_ns) {
+  now_ns_ = now_ns;
   if (working_ && worker_->done()) finish();
-  for (int taken = 0; taken < kSamplesPerAdvance && !working_ && count_ > 0; ++taken) {
+  for (int taken = 0; taken < kSamplesPerAdvance && !working_; ++taken) {
+    if (solve_owed_ && before_solve_ == 0) {
+      solve_owed_ = false;
+      Entry solve;
+      solve.kind = judge_owed_ ? Kind::kSolveAndJudge : Kind::kSolve;
+      perform(solve);
+      continue;
+    }
+    if (count_ == 0) return;
     const int place = first_;
-    if (place == waiting_solve_) waiting_solve_ = -1;
     first_ = (first_ + 1) % kMaxWaiting;
     --count_;
+    if (solve_owed_) --before_solve_;
     perform(ring_[place]);
   }
 }
@@ -80,7 +90,6 @@ bool Estimation::takes_long(const Entry& entry) const {
     case Kind::kEndLevel:
     case Kind::kBeginLevel:
       return core_.merges_at_end();
-    case Kind::kNothing:
     case Kind::kReset:
       return false;
   }
@@ -93,6 +102,7 @@ void Estimation::perform(const Entry& entry) {
   health_ = core_.health();
   discard_ = false;
   working_ = true;
+  begun_ns_ = now_ns_;
   if (worker_ != nullptr) return worker_->start(&Estimation::work, this);
   work(this);
   finish();
@@ -105,8 +115,6 @@ void Estimation::work(void* self) {
 
 void Estimation::run(const Entry& entry) {
   switch (entry.kind) {
-    case Kind::kNothing:
-      return;
     case Kind::kReset:
       return core_.reset();
     case Kind::kBeginLevel:

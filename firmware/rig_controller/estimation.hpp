@@ -6,8 +6,10 @@
 // the order of asking. So the estimates do not depend on how long a solve takes, to the last bit, only the time of
 // their arrival does. Without a worker everything is done at once.
 //
-// Where the ring is full, samples are dropped: the core sees the gap in their sequence and splits the window, as with
-// any missed sample. At most one solve waits; a later one takes its place.
+// Nothing here ever waits for the worker. At most one solve is owed, after a stated entry of the ring: a later one takes
+// its place at once. Where the ring is full, samples are dropped and counted: the core sees the gap in their sequence and
+// splits the window, as with any missed sample. A level begins only where its end will find room, else it is left out
+// with all its samples. A reset empties the ring.
 #pragma once
 #include <cstdint>
 
@@ -39,15 +41,19 @@ class Estimation {
 
   // As in EstimatorCore.
   void reset();
-  void begin_level() { ask(Kind::kBeginLevel); }
+  void begin_level();
   void push(const RawSample& sample);
-  void end_level() { ask(Kind::kEndLevel); }
+  void end_level();
   // judge: let the energy watch look as well.
-  void solve(bool judge) { ask(judge ? Kind::kSolveAndJudge : Kind::kSolve); }
+  void solve(bool judge);
 
-  void advance();      // goes on with what waits
-  bool take_result();  // true: results() are of a solve that has ended since the last call
-  bool idle() const { return !working_ && count_ == 0; }
+  void advance(uint64_t now_ns);  // first in a step: goes on with what waits
+  bool take_result();             // true: results() are of a solve that has ended since the last call
+  bool idle() const { return !working_ && count_ == 0 && !solve_owed_; }
+  // What runs on the worker has been running for longer than anything can.
+  bool late() const { return working_ && now_ns_ - begun_ns_ > kLongestWork_ns; }
+  // The longest solve, 16 DOF and 48 unknowns over a full table, takes some seconds on the slowest board in use.
+  static constexpr uint64_t kLongestWork_ns = 20000000000;
 
   const Results& results() const { return results_; }
   uint32_t dropped_samples() const { return dropped_samples_; }
@@ -55,9 +61,9 @@ class Estimation {
   const EstimatorCore& core() const { return core_; }  // not while working
 
  private:
-  enum class Kind : uint8_t { kNothing, kReset, kBeginLevel, kEndLevel, kSolve, kSolveAndJudge, kSample };
+  enum class Kind : uint8_t { kReset, kBeginLevel, kEndLevel, kSolve, kSolveAndJudge, kSample };
   struct Entry {
-    Kind kind = Kind::kNothing;
+    Kind kind = Kind::kReset;
     RawSample sample;
   };
   static constexpr int kKeptForOthers = 32;  // places that samples do not take
@@ -66,7 +72,6 @@ class Estimation {
 
   void ask(Kind kind);
   Entry& append(Kind kind);
-  void append_solve(Kind kind);
   void perform(const Entry& entry);  // here or on the worker
   bool takes_long(const Entry& entry) const;
   void run(const Entry& entry);
@@ -88,7 +93,10 @@ class Estimation {
   uint32_t dropped_samples_ = 0;
   Entry ring_[kMaxWaiting];
   int first_ = 0, count_ = 0;
-  int waiting_solve_ = -1;  // its place in the ring
+  bool solve_owed_ = false, judge_owed_ = false;
+  int before_solve_ = 0;         // entries of the ring that come before it
+  bool level_left_out_ = false;  // its samples are dropped
+  uint64_t now_ns_ = 0, begun_ns_ = 0;
 };
 
 }  // namespace firmware

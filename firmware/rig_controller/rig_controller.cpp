@@ -9,32 +9,37 @@ RigController::RigController(const ControllerConfiguration& configuration, const
     : configuration_(configuration),
       default_node_(configuration.node),
       ports_(ports),
-      emergency_line_(ports.emergency_stop),
       estimation_(configuration_.core, ports.worker),
+      drive_(ports.drive, queue_),
+      safe_(ports.emergency_stop, ports.relay, drive_),
       sdo_(*this) {
   excitation_.configure(configuration_.programme, configuration_.core.dof_count,
                         static_cast<uint32_t>(core().margin_samples()));
   supervisor_.configure(configuration_.core, configuration_.limits, configuration_.programme.limits);
+  drive_.configure(configuration_.node.node, configuration_.node.drive_on_can,
+                   configuration_.programme.limits.step_per_sample);
   listening_ = configuration_.programme.level_count == 0;
 }
 
 void RigController::step() {
   now_ns_ = ports_.clock.now_ns();
-  pressed_in_step_ = false;
+  safe_.begin_step(now_ns_);
   if (!booted_) boot();
-  check_emergency_stop();
-  handle(supervisor_.check_time(now_ns_));
+  handle(safe_.look_at_line());
+  judge(supervisor_.check_time(now_ns_, safe_.live()));
   receive_frames();
   check_save();
-  estimation_.advance();
+  estimation_.advance(now_ns_);
+  check_worker();
   take_results();
   take_samples();
   check_sync_edge();
-  if (safe_pending_) make_safe();
+  if (safe_.state() == SafeState::State::kStopping) safe_.make_safe();
+  if (start_waits_ && safe_.may_start()) start();
   run_schedule();
   flush_queue();
   set_ready_lamp();
-  if (!safe_pending_) ports_.watchdog.feed();
+  if (!safe_.output_refuses() && !worker_late_) ports_.watchdog.feed();
 }
 
 void RigController::boot() {
@@ -42,41 +47,34 @@ void RigController::boot() {
   boot_ns_ = now_ns_;
   queue_.push(pack_heartbeat(configuration_.node.node, HeartbeatState::kBootUp), false);
   flush_queue();
-  make_safe();
+  safe_.make_safe();
   flush_queue();
   load_from_store();
   configuration_crc_ = firmware::configuration_crc(configuration_);
   uint8_t level = 0;
   const ProgrammeFault fault = check(configuration_.programme, level);
   if (fault != ProgrammeFault::kNone) {
-    handle(supervisor_.trip({AlarmCause::kConfiguration, static_cast<uint32_t>(fault) << 8 | level}));
+    judge({AlarmCause::kConfiguration, static_cast<uint32_t>(fault) << 8 | level});
   }
   apply_node_settings();
   second_.start(now_ns_, 1000000000);
   five_seconds_.start(now_ns_, 5000000000);
-  if (configuration_.programme.start_at_boot) start();
-}
-
-// True where the line has been pressed in this step, so that a command which was sent before the press does nothing.
-// Whoever looks at the line acts on what it sees: a look cannot swallow a press.
-bool RigController::check_emergency_stop() {
-  const bool pressed = emergency_line_.pressed();
-  const bool told = supervisor_.latched().cause == AlarmCause::kEmergencyStop;
-  pressed_in_step_ = pressed_in_step_ || pressed;
-  if (pressed && !told) handle(supervisor_.trip({AlarmCause::kEmergencyStop}));
-  return pressed_in_step_;
+  start_waits_ = configuration_.programme.start_at_boot;
 }
 
 bool RigController::start() {
-  if (!booted_ || check_emergency_stop() || supervisor_.tripped() || safe_pending_) return false;
+  if (!booted_) return false;
+  handle(safe_.look_at_line());  // the press may be newer than the step's look
+  start_waits_ = false;
+  if (!safe_.may_start()) return false;
   if (listening_) return start_listening();
   const ExcitationState state = excitation_.state();
   if (state != ExcitationState::kIdle && state != ExcitationState::kDone) return false;
   forget_estimates();
   finished_ = false;
-  set_relay(true);
-  if (supervisor_.tripped()) return false;
-  supervisor_.arm(now_ns_);
+  handle(safe_.energise());
+  if (!safe_.live()) return false;
+  supervisor_.begin(now_ns_);
   excitation_.start();
   return true;
 }
@@ -100,19 +98,22 @@ void RigController::forget_estimates() {
 }
 
 void RigController::stop() {
+  start_waits_ = false;
   end_measurement();
   excitation_.stop();
   finished_ = finished_ || (listening_ && !configuration_.node.listen_on_command);
 }
 
 bool RigController::reset() {
-  if (!booted_ || check_emergency_stop() || safe_pending_) return false;
-  if (supervisor_.latched().cause == AlarmCause::kConfiguration) return false;
-  if (!supervisor_.tripped()) {
+  if (!booted_) return false;
+  handle(safe_.look_at_line());
+  if (safe_.latched().cause == AlarmCause::kConfiguration) return false;
+  const bool was_tripped = safe_.tripped();
+  if (!safe_.reset()) return false;
+  if (!was_tripped) {
     if (listening_ && !measuring_) forget_estimates();
     return true;
   }
-  supervisor_.reset();
   alarms_.push(emergency_of(Alarm{}, error_register()), false);
   send_status();
   return true;
@@ -137,13 +138,13 @@ void RigController::take_samples() {
 }
 
 void RigController::take_sample(const RawSample& sample) {
-  handle(supervisor_.check_sample(sample, now_ns_));
+  judge(supervisor_.check_sample(sample, now_ns_, safe_.live()));
   if (listening_ && !measuring_ && !finished_ && !configuration_.node.listen_on_command) begin_measurement();
   if (measuring_) {
     estimation_.push(sample);
     ++samples_in_window_;
   }
-  if (supervisor_.armed()) {
+  if (safe_.live()) {
     int32_t codes[kMaxDofs];
     response_codes(sample, codes);
     const ExcitationEvent event = excitation_.step(codes);
@@ -171,8 +172,8 @@ void RigController::response_codes(const RawSample& sample, int32_t (&codes)[kMa
 void RigController::source_stopped(bool fault) {
   if (source_stopped_) return;
   source_stopped_ = true;
-  handle(supervisor_.source_ended());
-  if (fault && !supervisor_.tripped()) handle({AlarmCause::kSensorFault});
+  judge(supervisor_.source_ended(safe_.live()));
+  if (fault && !safe_.tripped()) handle({AlarmCause::kSensorFault});
   if (!listening_) return;
   end_measurement();
   finished_ = true;
@@ -193,8 +194,7 @@ void RigController::follow(ExcitationEvent event) {
       handle({AlarmCause::kNotSettled, excitation_.level()});
       break;
     case ExcitationEvent::kFinished:
-      supervisor_.disarm();
-      set_relay(false);
+      handle(safe_.end());
       finished_ = true;
       break;
   }
@@ -213,49 +213,43 @@ void RigController::end_measurement() {
   close_window();
 }
 
-void RigController::command_drive(Drive drive, uint32_t sequence) {
-  handle(supervisor_.check_drive(drive));
-  if (supervisor_.tripped()) return;
-  if (!ports_.drive.write(drive.raw)) return handle(supervisor_.trip({AlarmCause::kDriveNotTaken}));
-  if (!configuration_.node.drive_on_can) return;
-  queue_.push(pack_drive(configuration_.node.node, {drive.raw, sequence, DriveState::kEnabled}));
+void RigController::command_drive(Drive wanted, uint32_t sequence) {
+  const Drive drive = drive_.reachable(wanted);
+  judge(supervisor_.check_drive(drive, safe_.live()));
+  handle(safe_.command(drive, sequence));
 }
+
+// A worker that does not come back takes the estimates with it: the drive stops, and the watchdog restarts the board.
+void RigController::check_worker() {
+  const bool late = estimation_.late();
+  if (late && !worker_late_) {
+    const Alarm alarm{AlarmCause::kWorkerLate, static_cast<uint32_t>(Estimation::kLongestWork_ns / 1000000)};
+    safe_.live() ? judge(alarm) : handle(alarm);
+  }
+  worker_late_ = late;
+  const uint32_t dropped = estimation_.dropped_samples() - told_dropped_;
+  told_dropped_ += dropped;
+  if (dropped != 0) handle({AlarmCause::kSamplesMissed, dropped});
+}
+
+// What stops the rig is carried out at once.
+void RigController::judge(const Alarm& alarm) { handle(stops_drive(alarm.cause) ? safe_.stop(alarm) : alarm); }
 
 void RigController::handle(const Alarm& alarm) {
   if (!alarm) return;
   passing_faults_ = static_cast<uint16_t>(passing_faults_ | status_bit(alarm.cause));
-  const bool stopping = stops_drive(alarm.cause) && supervisor_.tripped();
-  if (stopping) make_safe();
-  alarms_.push(emergency_of(alarm, error_register()), stopping);
-  if (stopping) send_status();
-}
-
-// Drive zero and relay off, now; tried again in every step until both are delivered.
-void RigController::make_safe() {
-  excitation_.abort();
-  supervisor_.disarm();
-  const bool drive_dead = ports_.drive.write(0);
-  const bool relay_open = ports_.relay.set(false);
-  relay_on_ = relay_on_ && !relay_open;
-  safe_pending_ = !drive_dead || !relay_open;
-  if (configuration_.node.drive_on_can) {
-    queue_.push(pack_drive(configuration_.node.node, {0, 0, DriveState::kStopped}));
+  const bool stopped = stops_drive(alarm.cause) && safe_.tripped();
+  if (stopped) {
+    excitation_.abort();
+    if (measuring_ && !listening_) estimation_.end_level();
+    measuring_ = measuring_ && listening_;
   }
-  if (!measuring_ || listening_) return;
-  estimation_.end_level();
-  measuring_ = false;
-}
-
-void RigController::set_relay(bool active) {
-  if (ports_.relay.set(active)) {
-    relay_on_ = active;
-    return;
-  }
-  handle(supervisor_.trip({AlarmCause::kRelayNotTaken}));
+  alarms_.push(emergency_of(alarm, error_register()), stopped);
+  if (stopped) send_status();
 }
 
 void RigController::set_ready_lamp() {
-  const bool on = !supervisor_.tripped();
+  const bool on = !safe_.tripped();
   if (lamp_known_ && on == lamp_on_) return;
   lamp_known_ = ports_.ready_lamp.set(on);
   lamp_on_ = on;
@@ -263,8 +257,8 @@ void RigController::set_ready_lamp() {
 
 ControllerMode RigController::mode() const {
   if (!booted_) return ControllerMode::kInitialising;
-  if (supervisor_.latched().cause == AlarmCause::kEmergencyStop) return ControllerMode::kEmergencyStop;
-  if (supervisor_.tripped()) return ControllerMode::kFault;
+  if (safe_.latched().cause == AlarmCause::kEmergencyStop) return ControllerMode::kEmergencyStop;
+  if (safe_.tripped()) return ControllerMode::kFault;
   if (listening_)
     return measuring_ ? ControllerMode::kIntegrate : finished_ ? ControllerMode::kDone : ControllerMode::kIdle;
   switch (excitation_.state()) {

@@ -13,14 +13,14 @@
 #include <cstdint>
 
 #include "firmware/can_protocol/messages.hpp"
+#include "firmware/can_protocol/sdo_server.hpp"
 #include "firmware/excitation/excitation.hpp"
 #include "firmware/rig_controller/alarm_message.hpp"
 #include "firmware/rig_controller/bus_monitor.hpp"
 #include "firmware/rig_controller/controller_configuration.hpp"
-#include "firmware/rig_controller/emergency_line.hpp"
 #include "firmware/rig_controller/estimation.hpp"
+#include "firmware/rig_controller/safe_state.hpp"
 #include "firmware/rig_controller/schedule.hpp"
-#include "firmware/rig_controller/sdo_server.hpp"
 #include "firmware/rig_controller/transmit_queue.hpp"
 #include "firmware/supervision/supervisor.hpp"
 #include "hal/interface/can_bus.hpp"
@@ -64,7 +64,8 @@ class RigController final : private ObjectDictionary {
   ControllerMode mode() const;
   // The programme is done, or the source has ended, and all estimates are out.
   bool finished() const { return finished_ && estimation_.idle(); }
-  const Alarm& latched_alarm() const { return supervisor_.latched(); }
+  const Alarm& latched_alarm() const { return safe_.latched(); }
+  const SafeState& safe_state() const { return safe_; }
   const Diagnosis& diagnosis() const { return diagnosis_; }  // of the last judgement
   const Estimates* estimates() const { return estimates_; }  // of the last window; nullptr before the first
   const Excitation& excitation() const { return excitation_; }
@@ -72,18 +73,19 @@ class RigController final : private ObjectDictionary {
   const BusMonitor& bus() const { return bus_; }
   const TransmitQueue& transmit_queue() const { return queue_; }
   const SupervisionCounters& counters() const { return supervisor_.counters(); }
+  uint32_t trips() const { return safe_.trips(); }
   const NodeConfiguration& node() const { return configuration_.node; }
 
  private:
   static constexpr int kSamplesPerStep =
       64;  // a burst of buffered samples is taken in parts: the stop line is looked at between
   static constexpr int kFramesPerStep = 64;
+  static constexpr int kEdgesPerStep = 16;
 
   // rig_controller.cpp: the course of a step
   void boot();
   bool start_listening();
   void forget_estimates();
-  bool check_emergency_stop();
   void take_samples();
   void take_sample(const RawSample& sample);
   void source_stopped(bool fault);
@@ -91,10 +93,10 @@ class RigController final : private ObjectDictionary {
   void begin_measurement();
   void end_measurement();
   void response_codes(const RawSample& sample, int32_t (&codes)[kMaxDofs]) const;
-  void command_drive(Drive drive, uint32_t sequence);
+  void command_drive(Drive wanted, uint32_t sequence);
   void handle(const Alarm& alarm);
-  void make_safe();
-  void set_relay(bool active);
+  void judge(const Alarm& alarm);
+  void check_worker();
   void set_ready_lamp();
 
   // rig_controller_frames.cpp: what goes over the bus
@@ -131,10 +133,12 @@ class RigController final : private ObjectDictionary {
   ControllerConfiguration configuration_;
   const NodeConfiguration default_node_;  // as given at start
   Ports ports_;
-  EmergencyLine emergency_line_;
   Estimation estimation_;
   Excitation excitation_;
   Supervisor supervisor_;
+  TransmitQueue queue_;
+  DriveLink drive_;
+  SafeState safe_;
   const Estimates* estimates_ = nullptr;
   uint32_t configuration_crc_ = 0;
 
@@ -145,14 +149,13 @@ class RigController final : private ObjectDictionary {
   bool measuring_ = false;  // samples go to the core
   bool finished_ = false;
   bool source_stopped_ = false;
-  bool relay_on_ = false;
-  bool pressed_in_step_ = false;  // the emergency stop
-  bool safe_pending_ = false;     // drive zero or relay off has not been delivered yet
+  bool start_waits_ = false;  // start_at_boot, until the outputs are safe
+  bool worker_late_ = false;
+  uint32_t told_dropped_ = 0;
   bool lamp_on_ = false;
   bool lamp_known_ = false;
   uint32_t samples_in_window_ = 0;
 
-  TransmitQueue queue_;
   AlarmQueue alarms_;
   BusMonitor bus_;
   SdoServer sdo_;

@@ -66,7 +66,7 @@ void RigController::follow(const NetworkCommand& command) {
 void RigController::check_sync_edge() {
   if (ports_.sync_edge == nullptr) return;
   hal::LineEdge edge;
-  while (ports_.sync_edge->next_edge(edge)) {
+  for (int taken = 0; taken < kEdgesPerStep && ports_.sync_edge->next_edge(edge); ++taken) {
     const bool closes = edge.rising && configuration_.node.sync_closes_window;
     if (closes && measuring_ && samples_in_window_ > 0) close_window();
   }
@@ -151,7 +151,7 @@ void RigController::describe_some() {
 }
 
 void RigController::send_heartbeat() {
-  const HeartbeatState state = supervisor_.tripped() ? HeartbeatState::kStopped : HeartbeatState::kOperational;
+  const HeartbeatState state = safe_.tripped() ? HeartbeatState::kStopped : HeartbeatState::kOperational;
   const CanMessage heartbeat = pack_heartbeat(configuration_.node.node, state);
   const CanMessage* waiting = queue_.find(heartbeat.id);
   const bool boot_up_waits = waiting != nullptr && waiting->data[0] == static_cast<uint8_t>(HeartbeatState::kBootUp);
@@ -159,7 +159,7 @@ void RigController::send_heartbeat() {
 }
 
 uint16_t RigController::fault_bits() const {
-  uint32_t bits = status_bit(supervisor_.latched().cause) | passing_faults_;
+  uint32_t bits = status_bit(safe_.latched().cause) | passing_faults_;
   if (bus_.state() == BusState::kPassive) bits |= fault_bit(Fault::kCanErrorPassive);
   if (bus_.state() == BusState::kBusOff) bits |= fault_bit(Fault::kCanBusOff);
   if (store_damaged_) bits |= fault_bit(Fault::kStore);
@@ -173,7 +173,7 @@ uint16_t RigController::fault_bits() const {
 }
 
 uint8_t RigController::error_register() const {
-  uint32_t bits = error_register_bit(supervisor_.latched().cause);
+  uint32_t bits = error_register_bit(safe_.latched().cause);
   if (bus_.state() != BusState::kGood) bits |= error_register_bit(AlarmCause::kCanErrorPassive);
   if (store_damaged_) bits |= error_register_bit(AlarmCause::kStore);
   return static_cast<uint8_t>(bits != 0 ? bits | 1 : 0);
@@ -234,9 +234,8 @@ void RigController::send_alarms() {
 
 // While the bus is away only the newest of each kind is kept; what has to be told again is told on its return.
 void RigController::flush_queue() {
-  if (!bus_.trial_due(now_ns_)) return;
-  const hal::CanResult result = queue_.flush(ports_.can);
-  follow(bus_.answer(result, now_ns_));
+  if (bus_.trial_due(now_ns_)) follow(bus_.answer(queue_.flush(ports_.can), now_ns_));
+  handle(safe_.check_delivery());
 }
 
 void RigController::follow(BusEvent event) {

@@ -10,7 +10,8 @@ namespace {
 constexpr uint32_t kSaveSignature = 0x65766173;  // "save"
 constexpr uint32_t kLoadSignature = 0x64616F6C;  // "load"
 constexpr uint32_t kShortestHeartbeat_ms = 10;   // 0: none
-constexpr uint32_t kDeviceType = 0;              // CiA 301: follows no device profile
+constexpr uint32_t kLongestHeartbeat_ms = 0xFFFF;
+constexpr uint32_t kDeviceType = 0;  // CiA 301: follows no device profile
 constexpr uint32_t kVersionWord = uint32_t{kVersionMajor} << 16 | kVersionMinor;
 constexpr char kDeviceName[] = "rig_controller";
 constexpr char kHardwareVersion[] = "any";
@@ -90,7 +91,7 @@ SdoAbort RigController::write(uint16_t index, uint8_t subindex, uint32_t value, 
       if (subindex != 1) return subindex == 0 ? SdoAbort::kReadOnly : SdoAbort::kNoSubindex;
       if (size != 0 && size != 4) return SdoAbort::kLength;
       if (value != (index == 0x1010 ? kSaveSignature : kLoadSignature)) return SdoAbort::kNotStored;
-      if (supervisor_.armed() || saving_) return SdoAbort::kDeviceState;
+      if (safe_.live() || saving_) return SdoAbort::kDeviceState;
       if (index == 0x1011) {
         configuration_.node = default_node_;
         apply_node_settings();
@@ -99,7 +100,7 @@ SdoAbort RigController::write(uint16_t index, uint8_t subindex, uint32_t value, 
     case 0x1017:
       if (subindex != 0) return SdoAbort::kNoSubindex;
       if (size != 0 && size != 2) return SdoAbort::kLength;
-      if (value != 0 && value < kShortestHeartbeat_ms) return SdoAbort::kValue;
+      if ((value != 0 && value < kShortestHeartbeat_ms) || value > kLongestHeartbeat_ms) return SdoAbort::kValue;
       configuration_.node.heartbeat_ms = static_cast<uint16_t>(value);
       heartbeat_.change_period(now_ns_, uint64_t{configuration_.node.heartbeat_ms} * 1000000);
       configuration_crc_ = firmware::configuration_crc(configuration_);

@@ -59,6 +59,7 @@ hal::CanResult TransmitQueue::flush(hal::CanBus& bus) {
     result = bus.send(to_frame(waiting_at(0)));
     if (result == hal::CanResult::kDone) {
       ++sent_;
+      watched_sent_ = watched_sent_ || waiting_at(0).id == watched_id_;
     } else if (result == hal::CanResult::kFault) {
       ++given_up_;  // kept, it would block all others
     } else {
@@ -67,6 +68,12 @@ hal::CanResult TransmitQueue::flush(hal::CanBus& bus) {
     remove_first();
   }
   return result;
+}
+
+bool TransmitQueue::take_watched_sent() {
+  const bool sent = watched_sent_;
+  watched_sent_ = false;
+  return sent;
 }
 
 const CanMessage* TransmitQueue::find(uint32_t id) const {

@@ -12,6 +12,7 @@ namespace firmware {
 class TransmitQueue {
  public:
   static constexpr int kCapacity = 96;
+  static constexpr uint32_t kNoId = UINT32_MAX;
 
   TransmitQueue();
   // replace: a queued frame with the same identifier is superseded.
@@ -19,6 +20,10 @@ class TransmitQueue {
   // Sends until the bus refuses (a frame that the driver cannot send at all is given up) or nothing is left. Returns
   // the last answer of the bus; kEmpty: nothing was waiting.
   hal::CanResult flush(hal::CanBus& bus);
+
+  // Frames of this identifier are reported when the bus has taken one: true once for each flush that sent any.
+  void watch(uint32_t id) { watched_id_ = id; }
+  bool take_watched_sent();
 
   const CanMessage* find(uint32_t id) const;  // a waiting frame; nullptr: none
   int waiting() const { return count_; }
@@ -31,12 +36,14 @@ class TransmitQueue {
   void remove_first();
 
   CanMessage frames_[kCapacity] = {};
-  uint32_t pushed_at_[kCapacity] =
-      {};                     // flushes_ when it came: superseded before the bus has refused it, it is no loss
-  uint8_t order_[kCapacity];  // the first count_: places in frames_ by identifier, oldest first among equals; then the
-                              // free places
+  // flushes_ when it came: superseded before the bus has refused it, it is no loss
+  uint32_t pushed_at_[kCapacity] = {};
+  // the first count_: places in frames_ by identifier, oldest first among equals; then the free places
+  uint8_t order_[kCapacity];
   int count_ = 0;
   uint32_t flushes_ = 0;
+  uint32_t watched_id_ = kNoId;
+  bool watched_sent_ = false;
   uint32_t given_up_ = 0;
   uint32_t sent_ = 0;
 };

@@ -15,8 +15,9 @@ enum class AlarmCause : uint8_t {
   kDriveLimit,       // a command beyond the drive limits was caught; detail: the command, Q0.31
   kResponseLimit,    // a channel beyond its configured limit; detail: the code
   kStepLate,         // the controller itself was not run in time; detail: ms
-  kDriveNotTaken,    // the drive output refused a command
+  kDriveNotTaken,    // the drive output refused a command, or the bus took none; detail: for how long, ms
   kRelayNotTaken,    // the relay output refused a command
+  kWorkerLate,       // the worker of the estimates does not come back; detail: ms
   kConfiguration,    // programme out of range; detail: ProgrammeFault * 256 + level
   // These are told and counted, the rig goes on.
   kSamplesMissed,    // a gap too short to stop for; detail: samples

@@ -1,6 +1,5 @@
-// Watches every sample and the passing of time, and latches the first reason to stop the drive (an
-// emergency stop takes precedence over others).
-// It decides only; RigController carries the decision out (drive zero, relay off) within the same step.
+// Watches every sample and the passing of time for reasons to stop the drive. It decides only; SafeState
+// (firmware/rig_controller) carries the decision out and latches it within the same step.
 #pragma once
 #include <cstdint>
 
@@ -12,7 +11,7 @@ namespace firmware {
 
 struct LimitConfiguration {
   uint16_t saturated_in_row =
-      3;                     // samples at full scale, one after another on one channel, that stop the drive; at least 1
+      3;                     // samples at a rail, one after another on one channel, that stop the drive; at least 1
   uint16_t lost_in_row = 3;  // missing samples in one gap that stop the drive; at least 1
   uint32_t sample_timeout_us = 10000;                        // no sample for this long while driving: lost
   uint32_t step_timeout_us = 50000;                          // the controller not run for this long while driving: late
@@ -22,7 +21,6 @@ struct LimitConfiguration {
 struct SupervisionCounters {
   uint32_t missed_samples = 0;
   uint32_t saturated_samples = 0;
-  uint32_t trips = 0;
 };
 
 class Supervisor {
@@ -30,41 +28,32 @@ class Supervisor {
   // Both must outlive this object.
   void configure(const CoreConfiguration& core, const LimitConfiguration& limits, const DriveLimits& drive);
 
-  // While armed the drive is live: sensor and timing causes stop it. Unarmed they are only counted (recordings, idle
-  // rigs).
-  void arm(uint64_t now_ns);
-  void disarm() { armed_ = false; }
-  bool armed() const { return armed_; }
+  // The drive is live from now on: what was counted before does not count.
+  void begin(uint64_t now_ns);
 
-  // Each returns an alarm to report (cause kNone where all is well); a stopping one is latched already.
-  Alarm check_sample(const RawSample& sample, uint64_t now_ns);
-  Alarm check_time(uint64_t now_ns);
-  Alarm check_drive(Drive command);
-  Alarm source_ended();
-  Alarm trip(Alarm alarm);  // from outside: emergency stop, outputs that fail
-
-  bool tripped() const { return static_cast<bool>(latched_); }
-  const Alarm& latched() const { return latched_; }
-  void reset() { latched_ = Alarm{}; }
+  // Each returns an alarm to report, kNone where all is well. One that stops the drive comes only where it is live; else
+  // sensor and timing causes are counted (recordings, idle rigs). A sample is as old as its own time says; a time of 0,
+  // or one that is still to come, is none.
+  Alarm check_sample(const RawSample& sample, uint64_t now_ns, bool live);
+  Alarm check_time(uint64_t now_ns, bool live);
+  Alarm check_drive(Drive command, bool live);
+  Alarm source_ended(bool live) const;
 
   const SupervisionCounters& counters() const { return counters_; }
 
  private:
-  Alarm check_sequence(const RawSample& sample);
-  Alarm check_channel(const RawSample& sample, int node, int quantity);
-  Alarm stop_if_armed(Alarm alarm);
+  Alarm check_sequence(const RawSample& sample, bool live);
+  Alarm check_channel(const RawSample& sample, int node, int quantity, bool live);
 
   const CoreConfiguration* core_ = nullptr;
   const LimitConfiguration* limits_ = nullptr;
   DriveLimits drive_;
-  bool armed_ = false;
   bool sequence_known_ = false;
   uint32_t sequence_ = 0;
   uint64_t last_sample_ns_ = 0;
   uint64_t last_step_ns_ = 0;
   uint16_t saturated_in_row_[kMaxNodes][kQuantities] = {};
   Drive last_command_;
-  Alarm latched_;
   SupervisionCounters counters_;
 };
 

@@ -22,20 +22,28 @@ class ManualClock final : public MonotonicClock {
   uint64_t now_ns_ = 0;
 };
 
+// When an output does not take what it is told: always, or a number of times.
+struct Refusal {
+  bool always = false;
+  int times = 0;
+  bool now() { return always || (times > 0 && times-- > 0); }
+};
+
 class FakeDrive final : public DriveOutput {
  public:
   bool write(int32_t drive_q31) override {
-    if (refuse_) return false;
+    if (refuses_.now()) return false;
     drive_q31_ = drive_q31;
     ++writes_;
     return true;
   }
-  void refuse(bool refuse) { refuse_ = refuse; }
+  void refuse(bool refuse) { refuses_.always = refuse; }
+  void refuse_next(int times) { refuses_.times = times; }
   int32_t drive_q31() const { return drive_q31_; }
   uint64_t writes() const { return writes_; }
 
  private:
-  bool refuse_ = false;
+  Refusal refuses_;
   int32_t drive_q31_ = 0;
   uint64_t writes_ = 0;
 };
@@ -105,17 +113,18 @@ class FakeInput final : public DigitalInput {
 class FakeOutput final : public DigitalOutput {
  public:
   bool set(bool active) override {
-    if (refuse_) return false;
+    if (refuses_.now()) return false;
     changes_ += active != active_ ? 1 : 0;
     active_ = active;
     return true;
   }
-  void refuse(bool refuse) { refuse_ = refuse; }
+  void refuse(bool refuse) { refuses_.always = refuse; }
+  void refuse_next(int times) { refuses_.times = times; }
   bool active() const { return active_; }
   uint64_t changes() const { return changes_; }
 
  private:
-  bool refuse_ = false;
+  Refusal refuses_;
   bool active_ = false;
   uint64_t changes_ = 0;
 };

@@ -95,6 +95,7 @@ void Bench::run_sample() {
   clock.advance_ns(kMillisecond_ns);
   rig.advance(drive.drive_q31() / 2147483648.0 * kFullScaleForce_N, 1e-3);
   firmware::RawSample made = rig.sample(sequence++);
+  made.time_ns = clock.now_ns() - late_ns;
   for (int quantity = 0; quantity < firmware::kQuantities; ++quantity)
     made.code[0][quantity] += spoil.code[0][quantity];
   source.offer(made);

@@ -71,6 +71,7 @@ struct Bench {
   hal::Worker* worker = nullptr;        // from the next restart on
   hal::Worker* store_worker = nullptr;  // likewise
   uint32_t sequence = 0;
+  uint64_t late_ns = 0;       // how old samples are when they come
   firmware::RawSample spoil;  // added to each sample's codes
   std::unique_ptr<firmware::RigController> controller;
 };

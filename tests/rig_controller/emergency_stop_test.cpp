@@ -236,7 +236,7 @@ TEST(EmergencyStop, APressHeldForSecondsIsToldOnceAndEndsWithAReset) {
   bench.run_samples(2000);
   EXPECT_TRUE(bench.dead());
   EXPECT_EQ(bench.can.count(0x081), told + 1);
-  EXPECT_EQ(bench.controller->counters().trips, 1u);
+  EXPECT_EQ(bench.controller->trips(), 1u);
   EXPECT_FALSE(bench.controller->reset());
   bench.stop_line.set(false, 0);
   bench.run_sample();

@@ -147,7 +147,8 @@ TEST(Estimation, OneSolveWaitsAtMost) {
   EXPECT_EQ(bench.controller->core().health().samples, 525u);
 }
 
-TEST(Estimation, CommandsWithoutRoomWaitForTheWorker) {
+// Far more starts, stops and windows than the ring has places, all during one solve.
+TEST(Estimation, NoStepWaitsForTheWorkerWhateverIsAskedFor) {
   auto configuration = bench::listening();
   configuration.node.listen_on_command = true;
   SlowBench bench(configuration, hal::FakeWorker::kUntilTold);
@@ -158,18 +159,69 @@ TEST(Estimation, CommandsWithoutRoomWaitForTheWorker) {
   ASSERT_EQ(bench.slow.starts(), 1);
   bench.run_samples(1000);
   EXPECT_EQ(bench.slow.waits(), 0);
-  for (int i = 0; i < 40; ++i) {  // each stop and start: three entries
+  for (int i = 0; i < 2000; ++i) {
     bench.network_command(2, 0);
     bench.run_samples(1);
     bench.network_command(1, 0);
     bench.run_samples(1);
   }
-  EXPECT_GT(bench.slow.waits(), 0);
+  EXPECT_EQ(bench.slow.waits(), 0);
+  EXPECT_EQ(bench.slow.starts(), 1);
+  EXPECT_FALSE(bench.controller->latched_alarm());
   bench.slow.takes(0);
   bench.slow.finish();
   bench.run_samples(200);
+  EXPECT_EQ(bench.slow.waits(), 0);
   EXPECT_EQ(bench.controller->mode(), ControllerMode::kIntegrate);
   EXPECT_EQ(bench.controller->core().table().level_count, firmware::kMaxLevels);
+  // What found no room was told: samples missed, FF04.
+  ASSERT_NE(bench.can.last(0x081), nullptr);
+  EXPECT_EQ(bench.can.last(0x081)->data[0] | bench.can.last(0x081)->data[1] << 8, 0xFF04);
+}
+
+// SYNC with every sample during one solve: each asks for a solve, one is owed in the end, and no sample is lost.
+TEST(Estimation, SupersededSolvesTakeNoRoom) {
+  SlowBench bench(bench::listening(), hal::FakeWorker::kUntilTold);
+  bench.run_samples(100);
+  for (int i = 0; i < 900; ++i) {
+    bench.sync();
+    bench.run_samples(1);
+  }
+  EXPECT_EQ(bench.slow.starts(), 1);
+  bench.slow.takes(0);
+  bench.slow.finish();
+  bench.run_samples(20);
+  EXPECT_EQ(bench.slow.starts(), 2);
+  EXPECT_EQ(bench.controller->core().health().missed_samples, 0u);
+  EXPECT_EQ(bench.controller->core().health().samples, 1020u);
+}
+
+TEST(Estimation, AWorkerThatDoesNotComeBackStopsTheDriveAndTheWatchdogsFeed) {
+  auto configuration = short_windows();
+  configuration.programme.levels[0].measure_samples = 1000000;
+  SlowBench bench(configuration, hal::FakeWorker::kUntilTold);
+  ASSERT_TRUE(bench.controller->start());
+  ASSERT_TRUE(bench.run_until(ControllerMode::kIntegrate));
+  bench.run_samples(300);
+  ASSERT_EQ(bench.slow.starts(), 1);
+  uint64_t feeds = bench.watchdog.feeds();
+  bench.run_samples(1000);
+  EXPECT_EQ(bench.watchdog.feeds(), feeds + 1000);  // a long solve is no fault
+  bench.run_samples(20000);
+  EXPECT_EQ(bench.controller->latched_alarm().cause, firmware::AlarmCause::kWorkerLate);
+  EXPECT_TRUE(bench.dead());
+  feeds = bench.watchdog.feeds();
+  bench.run_samples(1000);
+  EXPECT_EQ(bench.watchdog.feeds(), feeds);
+  int told = 0;
+  for (const hal::CanFrame& frame : bench.can.sent())
+    told += frame.id == 0x081 && (frame.data[0] | frame.data[1] << 8) == 0x6000 ? 1 : 0;
+  EXPECT_EQ(told, 1);
+  bench.slow.takes(0);
+  bench.slow.finish();
+  bench.run_samples(10);
+  EXPECT_GT(bench.watchdog.feeds(), feeds);
+  EXPECT_TRUE(bench.controller->reset());
 }
 
 }  // namespace

@@ -143,6 +143,19 @@ TEST(Sdo, AHeartbeatThatWouldFillTheBusIsRefused) {
   EXPECT_EQ(bench.sdo(kWrite2, 0x1017, 0, 10).command, kWritten);
 }
 
+// Written without its size (0x22) a value still has to fit: 0x10000 cut to 16 bits would be 0, which silences the node.
+TEST(Sdo, AHeartbeatTimeBeyondItsSixteenBitsIsRefused) {
+  Bench bench(bench::listening());
+  bench.step();
+  for (uint32_t value : {0x00010000u, 0x00010064u, 0xFFFF0000u}) {
+    const auto reply = bench.sdo(0x22, 0x1017, 0, value);
+    EXPECT_EQ(reply.command, kAborted);
+    EXPECT_EQ(reply.value, 0x06090030u);
+  }
+  EXPECT_EQ(bench.sdo(kRead, 0x1017, 0).value, 100u);
+  EXPECT_EQ(bench.sdo(0x22, 0x1017, 0, 50).command, kWritten);
+}
+
 // Writing may take longer than a sample period. CiA 301, 0x08000022: not in this device state.
 TEST(Store, NothingIsSavedOrLoadedWhileDriving) {
   Bench bench(bench::driving());
