@@ -6,6 +6,7 @@
 #include "firmware/configuration/configuration.hpp"
 #include "firmware/estimator_core.hpp"
 #include "firmware/identification/estimate.hpp"
+#include "firmware/vocabulary/effect_table.hpp"
 
 namespace firmware {
 
@@ -121,13 +122,13 @@ struct WindowResult {
 };
 WindowResult window_result(const Estimates& estimates);
 
-// Numbers of the causes: kCauses in value_tables.hpp.
+// The causes that the board itself may name; their numbers are those of the vocabulary's rows, kCauses in value_tables.hpp.
 enum class Cause : uint8_t {
   kNone = 0,
-  kCubicStiffness = 1,
-  kStiffnessError = 3,
-  kMassError = 16,
-  kSensorDelay = 18,
+  kCubicStiffness = row_of(EffectKind::kCubicStiffness).can.number,
+  kStiffnessError = row_of(EffectKind::kStiffnessError).can.number,
+  kMassError = row_of(EffectKind::kMassError).can.number,
+  kSensorDelay = row_of(EffectKind::kSensorDelay).can.number,
   kAmbiguous = 254,
   kUnknown = 255,
 };

@@ -2,6 +2,7 @@
 // page.
 #pragma once
 #include "firmware/can_protocol/frame_description.hpp"
+#include "firmware/vocabulary/effect_table.hpp"
 
 namespace firmware {
 namespace can {
@@ -65,49 +66,36 @@ constexpr int kPlaceBase = 17;
 constexpr int kPlaceNone = 31;
 inline constexpr NamedValue kPlaces[] = {{kPlaceGround, "GROUND"}, {kPlaceBase, "BASE"}, {kPlaceNone, "NONE"}};
 
-// Order and numbers of firmware::TermKind; the names are those of the parameters in tables and JSON.
-inline constexpr NamedValue kParameterKinds[] = {{0, "mass"},
-                                                 {1, "stiffness"},
-                                                 {2, "viscous"},
-                                                 {3, "coulomb"},
-                                                 {4, "gravity_torque"},
-                                                 {5, "cubic_stiffness"},
-                                                 {6, "quadratic_stiffness"},
-                                                 {7, "backlash"},
-                                                 {8, "end_stop"},
-                                                 {9, "quadratic_damping"},
-                                                 {10, "cubic_damping"},
-                                                 {11, "stribeck"},
-                                                 {12, "presliding_hysteresis"},
-                                                 {13, "force_offset"},
-                                                 {14, "asymmetric_viscous"},
-                                                 {15, "displacement_dependent_damping"},
-                                                 {16, "drifting_viscous"}};
-
-// Order and numbers of firmware::Cause.
-inline constexpr NamedValue kCauses[] = {{0, "NONE"},
-                                         {1, "cubic_stiffness"},
-                                         {2, "quadratic_stiffness"},
-                                         {3, "stiffness_error"},
-                                         {4, "backlash"},
-                                         {5, "end_stop"},
-                                         {6, "quadratic_damping"},
-                                         {7, "cubic_damping"},
-                                         {8, "stribeck"},
-                                         {9, "presliding_hysteresis"},
-                                         {10, "force_offset"},
-                                         {11, "asymmetric_viscous"},
-                                         {12, "displacement_dependent_damping"},
-                                         {13, "missing_viscous"},
-                                         {14, "missing_coulomb"},
-                                         {15, "drifting_viscous"},
-                                         {16, "mass_error"},
-                                         {17, "unmodelled_resonance"},
-                                         {18, "sensor_delay"},
-                                         {19, "sensor_gain"},
-                                         {20, "mains_hum"},
-                                         {254, "AMBIGUOUS"},
-                                         {255, "UNKNOWN"}};
+// From the vocabulary: the kinds of parameters by firmware::TermKind, the causes by the CAN number of their rows.
+template <int N>
+struct NamedValues {
+  NamedValue at[N] = {};
+};
+constexpr NamedValues<kTermKinds> parameter_kinds() {
+  NamedValues<kTermKinds> names;
+  for (int t = 0; t < kTermKinds; ++t) names.at[t] = {t, row_of(static_cast<TermKind>(t)).word.text};
+  return names;
+}
+constexpr int count_causes() {
+  int count = 0;
+  for (const EffectRow& row : kEffectTable) count += row.can.number != 0 ? 1 : 0;
+  return count;
+}
+constexpr NamedValues<count_causes() + 3> causes() {
+  NamedValues<count_causes() + 3> names;
+  names.at[0] = {0, "NONE"};
+  int next = 1;
+  for (int number = 1; number < 254; ++number)
+    for (const EffectRow& row : kEffectTable)
+      if (row.can.number == number) names.at[next++] = {number, row.word.text};
+  names.at[next++] = {254, "AMBIGUOUS"};
+  names.at[next++] = {255, "UNKNOWN"};
+  return names;
+}
+inline constexpr NamedValues<kTermKinds> kParameterKindNames = parameter_kinds();
+inline constexpr NamedValues<count_causes() + 3> kCauseNames = causes();
+inline constexpr const NamedValue (&kParameterKinds)[kTermKinds] = kParameterKindNames.at;
+inline constexpr const NamedValue (&kCauses)[count_causes() + 3] = kCauseNames.at;
 
 inline constexpr NamedValue kDriveStates[] = {{0, "OFF"}, {1, "ENABLED"}, {2, "STOPPED"}};
 

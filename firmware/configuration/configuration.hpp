@@ -52,10 +52,11 @@ struct LinkConfiguration {
 
 struct Term {
   TermKind kind = TermKind::kMass;
-  uint8_t place = 0;    // DOF index for kMass, link index otherwise
-  int8_t unknown = -1;  // index among the unknowns, -1 where the coefficient is known
-  Scaled value;         // the coefficient, SI units, where known
-  Scaled shape;         // shape parameter of an effect, SI units
+  uint8_t place = 0;             // DOF index for kMass, link index otherwise
+  int8_t unknown = -1;           // index among the unknowns, -1 where the coefficient is known
+  int32_t second_shape_q26 = 0;  // further shape parameter of an effect, SI units (a phase in radians); within +-32
+  Scaled value;                  // the coefficient, SI units, where known
+  Scaled shape;                  // shape parameter of an effect, SI units
 };
 
 enum class WindowMode : uint8_t {

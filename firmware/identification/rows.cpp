@@ -1,7 +1,19 @@
 #include "firmware/identification/rows.hpp"
 
+#include "firmware/vocabulary/effect_table.hpp"
+
 namespace firmware {
 namespace {
+
+// A bit per TermKind, taken from the vocabulary when compiling: the table's words stay out of the image.
+constexpr uint32_t conservative_terms() {
+  uint32_t bits = 0;
+  for (int t = 0; t < kTermKinds; ++t)
+    if (row_of(static_cast<TermKind>(t)).nature.conservative) bits |= uint32_t{1} << t;
+  return bits;
+}
+constexpr uint32_t kConservativeTerms = conservative_terms();
+static_assert(kTermKinds <= 32, "a bit for each kind of term");
 
 bool has_rows(const BatchTable& table, Weight weight) {
   const int q = static_cast<int>(weight);
@@ -16,11 +28,7 @@ bool has_rows(const BatchTable& table, Weight weight) {
 
 }  // namespace
 
-bool is_conservative(TermKind kind) {
-  return kind == TermKind::kMass || kind == TermKind::kStiffness || kind == TermKind::kGravity ||
-         kind == TermKind::kCubicStiffness || kind == TermKind::kQuadraticStiffness || kind == TermKind::kBacklash ||
-         kind == TermKind::kEndStop || kind == TermKind::kForceOffset;
-}
+bool is_conservative(TermKind kind) { return (kConservativeTerms >> static_cast<int>(kind) & 1) != 0; }
 
 EquationList list_equations(const CoreConfiguration& configuration, const BatchTable& table) {
   EquationList list;

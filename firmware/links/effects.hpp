@@ -6,6 +6,7 @@
 #pragma once
 #include "firmware/acquisition/columns.hpp"
 #include "firmware/configuration/configuration.hpp"
+#include "firmware/links/effect_laws.hpp"
 
 namespace firmware {
 
@@ -23,25 +24,17 @@ class Effects {
     int32_t gain_a = 0, gain_b = 0;  // 0: ground
     int32_t range_exponent = 0;
   };
-  struct Ratio {  // multiplication of a Q26 number by a constant: (x * mantissa) >> shift
-    int32_t mantissa = 0;
-    int8_t shift = 0;
-  };
   struct Effect {
     TermKind kind = TermKind::kGravity;
     Side elongation, rate;
-    int64_t gap_q26 = 0;
-    Ratio shape;             // turns per U (gravity), log2(e) W / vs (Stribeck), log2(e) U / length (hysteresis)
-    int32_t memory_q26 = 0;  // Dahl's state at the next start position
+    LawShape shape;
+    int32_t memory_q26 = 0;  // bristles at the next start position
+    bool moved = false;      // false: the bristles still stand as they start
     uint32_t time = 0;       // samples since the level's start, at the next start position
   };
   static Side side(const CoreConfiguration& configuration, const LinkConfiguration& link, Quantity quantity);
-  static Ratio ratio(Scaled value);
-  static int64_t times(Ratio ratio, int64_t x);
   static int32_t value(const Side& side, const Frame& frame, int at);
-  static Scaled unit(const Effect& effect);
-  static int32_t force(const Effect& effect, const Frame& frame, int at, uint32_t time);
-  static void fill_hysteresis(Effect& effect, const Frame& frame, int from, int to, int advance, int32_t* column);
+  static void fill_bristles(Effect& effect, const Frame& frame, int from, int to, int advance, int32_t* column);
 
   Effect effect_[kMaxEffectColumns];
   int count_ = 0;

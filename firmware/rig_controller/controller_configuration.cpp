@@ -6,7 +6,7 @@
 namespace firmware {
 namespace {
 
-constexpr uint32_t kVersion = 0x52433033;  // "RC03": changes with the list of fields
+constexpr uint32_t kVersion = 0x52433034;  // "RC04": changes with the list of fields
 
 class Crc32 {
  public:
@@ -156,6 +156,7 @@ constexpr void walk_core(Archive& archive, Core& core) {
     archive.field(term.unknown);
     walk_scaled(archive, term.value);
     walk_scaled(archive, term.shape);
+    archive.field(term.second_shape_q26);
   }
   for (auto& node : core.channels)
     for (auto& channel : node) walk_channel(archive, channel);

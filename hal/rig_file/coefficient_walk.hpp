@@ -8,35 +8,44 @@
 namespace rig_file {
 
 struct CoefficientSite {
-  firmware::TermKind kind = firmware::TermKind::kMass;
-  bool in_core = true;
+  const EffectRow* row = nullptr;  // of the vocabulary
+  bool in_core = true;             // the core has a column for it, with these shapes
   bool dof_term = false;
   int place = 0;     // index of the DOF or link
   std::string name;  // "viscous[1-2]"
   std::string unit;
-  double shape = 0.0;
+  double shape = 0.0, second_shape = 0.0;
+  firmware::TermKind kind() const { return row->core.term; }
 };
 
 // Visit is called as visit(const CoefficientSite&, coefficient); Model is RigModel or const RigModel.
 template <typename Model, typename Visit>
 void walk_coefficients(Model& model, Visit visit) {
-  using firmware::TermKind;
+  using firmware::EffectKind;
+  const auto site = [](const EffectRow& row, bool dof_term, int place, const std::string& label, bool rotating) {
+    return CoefficientSite{
+        &row, row.core.estimable, dof_term, place, row.word.text + ("[" + label + "]"), unit_of(row, rotating), 0.0,
+        0.0};
+  };
+  const auto own = [&](EffectKind kind, bool dof_term, int place, const std::string& label, bool rotating,
+                       auto& coefficient) {
+    visit(site(firmware::row_of(kind), dof_term, place, label, rotating), coefficient);
+  };
   const auto effects = [&](auto& list, bool dof_term, int place, const std::string& label, bool rotating) {
     for (auto& effect : list) {
-      const EffectWord* word = find_effect_word(effect.kind);
-      if (word == nullptr) continue;  // the reader refuses these
-      visit(CoefficientSite{word->term, word->in_core, dof_term, place, effect.kind + "[" + label + "]",
-                            rotating ? word->rotating_unit : word->unit, first_shape(effect, rotating)},
-            effect.coefficient);
+      const EffectRow* row = find_effect_row(effect.kind);
+      if (row == nullptr) continue;  // the reader refuses these
+      CoefficientSite there = site(*row, dof_term, place, label, rotating);
+      there.shape = shape_of(effect, 0, rotating), there.second_shape = shape_of(effect, 1, rotating);
+      there.in_core = in_core(effect, rotating);
+      visit(there, effect.coefficient);
     }
   };
   for (size_t i = 0; i < model.dofs.size(); ++i) {
     auto& dof = model.dofs[i];
     const int place = static_cast<int>(i);
     const std::string label = std::to_string(i + 1);
-    visit(
-        CoefficientSite{TermKind::kMass, true, true, place, "mass[" + label + "]", dof.rotating ? "kg m^2" : "kg", 0.0},
-        dof.mass_kg);
+    own(EffectKind::kMass, true, place, label, dof.rotating, dof.mass_kg);
     effects(dof.effects, true, place, label, dof.rotating);
   }
   for (size_t i = 0; i < model.links.size(); ++i) {
@@ -44,13 +53,10 @@ void walk_coefficients(Model& model, Visit visit) {
     const int place = static_cast<int>(i);
     const std::string label = link_label(link);
     const bool rotates = link_rotates(model, link);
-    const auto plain = [&](TermKind kind, const char* word, const char* unit, auto& coefficient) {
-      visit(CoefficientSite{kind, true, false, place, word + ("[" + label + "]"), unit, 0.0}, coefficient);
-    };
-    plain(TermKind::kStiffness, "stiffness", rotates ? "N m/rad" : "N/m", link.stiffness_N_m);
-    plain(TermKind::kViscous, "viscous", rotates ? "N m s/rad" : "N s/m", link.viscous_N_s_m);
-    plain(TermKind::kCoulomb, "coulomb", rotates ? "N m" : "N", link.coulomb_N);
-    plain(TermKind::kGravity, "gravity_torque", "N m", link.gravity_torque_N_m);
+    own(EffectKind::kStiffness, false, place, label, rotates, link.stiffness_N_m);
+    own(EffectKind::kViscous, false, place, label, rotates, link.viscous_N_s_m);
+    own(EffectKind::kCoulomb, false, place, label, rotates, link.coulomb_N);
+    own(EffectKind::kGravityTorque, false, place, label, rotates, link.gravity_torque_N_m);
     effects(link.effects, false, place, label, rotates);
   }
 }

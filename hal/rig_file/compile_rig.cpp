@@ -31,9 +31,10 @@ std::vector<firmware::Term> compile_terms(const RigModel& model, int& unknowns) 
       refuse(model, site.name, "cannot be estimated by the core, expected a number");
     if (!site.in_core || (!coefficient.estimate && coefficient.value == 0.0)) return;
     firmware::Term term;
-    term.kind = site.kind;
+    term.kind = site.kind();
     term.place = static_cast<uint8_t>(site.place);
     term.shape = to_scaled(site.shape);
+    term.second_shape_q26 = static_cast<int32_t>(std::lround(std::ldexp(site.second_shape, 26)));
     if (coefficient.estimate)
       term.unknown = static_cast<int8_t>(std::min(unknowns++, 127));
     else
@@ -101,7 +102,7 @@ std::vector<ParameterInfo> parameter_table(const RigModel& model) {
   std::vector<ParameterInfo> table;
   walk_coefficients(model, [&](const CoefficientSite& site, const Coefficient& coefficient) {
     if (site.in_core && coefficient.estimate)
-      table.push_back({site.name, site.unit, site.kind, site.dof_term, site.place});
+      table.push_back({site.name, site.unit, site.kind(), site.dof_term, site.place});
   });
   return table;
 }

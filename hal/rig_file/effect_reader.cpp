@@ -3,59 +3,61 @@
 namespace rig_file {
 namespace {
 
-std::vector<std::string> kinds_of(EffectPlace where) {
+const EffectRow& read_kind(const Place& place, const toml::table& table, EffectPlace where) {
   std::vector<std::string> kinds;
-  for (const EffectWord& word : effect_words())
-    if (word.place == where) kinds.emplace_back(word.kind);
-  return kinds;
-}
-
-const EffectWord& read_kind(const Place& place, const toml::table& table, EffectPlace where) {
-  const std::vector<std::string> kinds = kinds_of(where);
+  for (const EffectRow* row : effect_rows(where)) kinds.emplace_back(row->word.text);
   std::string all;
   for (const std::string& kind : kinds) all += (all.empty() ? "" : ", ") + kind;
   const toml::node* node = table.get("kind");
   if (node == nullptr) refuse(place, table, "kind", "is missing, expected one of " + all);
   const std::string kind = text(place, *node, "kind");
-  const EffectWord* word = find_effect_word(kind);
-  if (word == nullptr || word->place != where) {
+  const EffectRow* row = find_effect_row(kind);
+  if (row == nullptr || !stands_on(*row, where)) {
     const std::string near = nearest_word(kind, kinds);
     refuse(
         place, *node, "kind",
         "is \"" + kind + "\", " + (near.empty() ? "" : "did you mean \"" + near + "\"? ") + "expected one of " + all);
   }
-  return *word;
+  return *row;
+}
+
+void read_shapes(const Place& place, const toml::table& table, const EffectRow& row, bool rotating, Effect& effect) {
+  for (int i = 0; i < row.shape.count; ++i) {
+    const firmware::ShapeParameter& parameter = row.shape.at[i];
+    const std::string key = shape_key(row, i, rotating);
+    const toml::node* node = table.get(key);
+    if (node == nullptr && parameter.may_be_left_out) continue;
+    if (node == nullptr) refuse(place, table, key, "is missing, expected a number above 0");
+    const double value = effect.shape[key] = finite_number(place, *node, key);
+    if (value < 0.0 || (value == 0.0 && !parameter.zero_allowed))
+      refuse(place, *node, key,
+             parameter.zero_allowed ? "is negative, expected 0 or more" : "is not above 0, expected a number above 0");
+    if (value != 0.0 && !parameter.in_core && row.core.estimable && effect.coefficient.estimate)
+      refuse(place, *node, key,
+             "stands beside coefficient = \"estimate\", but the core cannot estimate " + effect.kind +
+                 " with it, expected a number as coefficient");
+  }
 }
 
 Effect read_effect(const Place& place, const toml::table& table, EffectPlace where, bool rotating) {
-  const EffectWord& word = read_kind(place, table, where);
+  const EffectRow& row = read_kind(place, table, where);
   Effect effect;
-  effect.kind = word.kind;
+  effect.kind = row.word.text;
+  if (row.unit.of(rotating) == nullptr)
+    refuse(place, *table.get("kind"), "kind",
+           "is \"" + effect.kind + "\", which stands on " + (rotating ? "translating" : "rotating") + " links alone");
   std::vector<std::string> known = {"kind", "coefficient"};
-  std::vector<std::string> shapes;
-  for (int i = 0; i < 2; ++i)
-    if (const std::string key = shape_key(word, i, rotating); !key.empty()) shapes.push_back(key);
-  known.insert(known.end(), shapes.begin(), shapes.end());
+  for (int i = 0; i < row.shape.count; ++i) known.push_back(shape_key(row, i, rotating));
   require_known_keys(place, table, known);
   const toml::node* coefficient = table.get("coefficient");
+  const std::string expected = row.core.estimable ? " or \"estimate\"" : "";
   if (coefficient == nullptr)
-    refuse(place, table, "coefficient",
-           std::string("is missing, expected a number in ") + (rotating ? word.rotating_unit : word.unit) +
-               " or \"estimate\"");
+    refuse(place, table, "coefficient", "is missing, expected a number in " + unit_of(row, rotating) + expected);
   effect.coefficient = read_coefficient(place, *coefficient, "coefficient", true);
-  if (!word.in_core && effect.coefficient.estimate)
+  if (!row.core.estimable && effect.coefficient.estimate)
     refuse(place, *coefficient, "coefficient",
            "is \"estimate\", but the core cannot estimate " + effect.kind + ", expected a number");
-  for (const std::string& key : shapes) {
-    const toml::node* node = table.get(key);
-    if (node == nullptr && word.shape_may_be_left_out) continue;
-    if (node == nullptr) refuse(place, table, key, "is missing, expected a number above 0");
-    effect.shape[key] = finite_number(place, *node, key);
-    const bool zero_allowed = key == "damping_ratio";
-    if (effect.shape[key] < 0.0 || (effect.shape[key] == 0.0 && !zero_allowed))
-      refuse(place, *node, key,
-             zero_allowed ? "is negative, expected 0 or more" : "is not above 0, expected a number above 0");
-  }
+  read_shapes(place, table, row, rotating, effect);
   return effect;
 }
 

@@ -1,94 +1,63 @@
 #include "hal/rig_file/effect_words.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 namespace rig_file {
-namespace {
 
-using firmware::TermKind;
-constexpr EffectPlace kLink = EffectPlace::kLink;
-constexpr EffectPlace kDof = EffectPlace::kDof;
+using firmware::kEffectTable;
 
-}  // namespace
-
-const std::vector<EffectWord>& effect_words() {
-  static const std::vector<EffectWord> words = {
-      {"cubic_stiffness", kLink, true, TermKind::kCubicStiffness, {}, {}, {}, "N/m^3", "N m/rad^3"},
-      {"quadratic_stiffness", kLink, true, TermKind::kQuadraticStiffness, {}, {}, {}, "N/m^2", "N m/rad^2"},
-      {"stiffness_error", kLink, true, TermKind::kStiffness, {}, {}, {}, "N/m", "N m/rad"},
-      {"backlash", kLink, true, TermKind::kBacklash, {"gap"}, {"m"}, {"rad"}, "N/m", "N m/rad"},
-      {"end_stop", kLink, true, TermKind::kEndStop, {"gap"}, {"m"}, {"rad"}, "N/m", "N m/rad"},
-      {"quadratic_damping", kLink, true, TermKind::kQuadraticDamping, {}, {}, {}, "N s^2/m^2", "N m s^2/rad^2"},
-      {"cubic_damping", kLink, true, TermKind::kCubicDamping, {}, {}, {}, "N s^3/m^3", "N m s^3/rad^3"},
-      {"stribeck", kLink, true, TermKind::kStribeck, {"stribeck_velocity"}, {"m_s"}, {"rad_s"}, "N", "N m"},
-      {"presliding_hysteresis",
-       kLink,
-       true,
-       TermKind::kPreslidingHysteresis,
-       {"presliding_length"},
-       {"m"},
-       {"rad"},
-       "N",
-       "N m"},
-      {"force_offset", kLink, true, TermKind::kForceOffset, {}, {}, {}, "N", "N m"},
-      {"asymmetric_viscous", kLink, true, TermKind::kAsymmetricViscous, {}, {}, {}, "N s/m", "N m s/rad"},
-      {"displacement_dependent_damping",
-       kLink,
-       true,
-       TermKind::kDisplacementDependentDamping,
-       {},
-       {},
-       {},
-       "N s/m^3",
-       "N m s/rad^3"},
-      {"missing_viscous", kLink, true, TermKind::kViscous, {}, {}, {}, "N s/m", "N m s/rad"},
-      {"missing_coulomb", kLink, true, TermKind::kCoulomb, {}, {}, {}, "N", "N m"},
-      {"drifting_viscous",
-       kLink,
-       true,
-       TermKind::kDriftingViscous,
-       {"drift_time"},
-       {"s"},
-       {"s"},
-       "N/m",
-       "N m/rad",
-       true},
-      {"mass_error", kDof, true, TermKind::kMass, {}, {}, {}, "kg", "kg m^2"},
-      {"unmodelled_resonance",
-       kDof,
-       false,
-       TermKind::kMass,
-       {"resonance", "damping_ratio"},
-       {"Hz", ""},
-       {"Hz", ""},
-       "kg",
-       "kg m^2"},
-  };
-  return words;
+bool stands_on(const EffectRow& row, EffectPlace where) {
+  if (row.written.as != firmware::RigFileForm::As::kEffectTable) return false;
+  return row.place == where || (row.place == EffectPlace::kForceChannel && where == EffectPlace::kDof);
 }
 
-const EffectWord* find_effect_word(const std::string& kind) {
-  for (const EffectWord& word : effect_words())
-    if (kind == word.kind) return &word;
-  return nullptr;
+std::vector<const EffectRow*> effect_rows(EffectPlace where) {
+  std::vector<const EffectRow*> rows;
+  for (const EffectRow& row : kEffectTable)
+    if (stands_on(row, where)) rows.push_back(&row);
+  return rows;
 }
 
-std::string shape_key(const EffectWord& word, int index, bool rotating) {
-  if (word.shape_keys[index] == nullptr) return "";
-  const std::string unit = rotating ? word.rotating_units[index] : word.shape_units[index];
-  return std::string(word.shape_keys[index]) + (unit.empty() ? "" : "_" + unit);
+const EffectRow* find_effect_row(const std::string& kind) {
+  const EffectRow* row = firmware::find_effect(kind.c_str());
+  return row != nullptr && row->written.as == firmware::RigFileForm::As::kEffectTable ? row : nullptr;
 }
 
-double first_shape(const Effect& effect, bool rotating) {
-  const EffectWord* word = find_effect_word(effect.kind);
-  if (word == nullptr) return 0.0;
-  const auto found = effect.shape.find(shape_key(*word, 0, rotating));
+std::string unit_suffix(const std::string& unit) {
+  if (unit.empty() || unit == "1") return "";
+  std::string suffix = "_";
+  for (const char c : unit)
+    if (c != '^') suffix += c == ' ' || c == '/' ? '_' : c;
+  return suffix;
+}
+
+std::string unit_of(const EffectRow& row, bool rotating) {
+  return row.unit.of(rotating || row.unit.translating == nullptr);
+}
+
+std::string own_key(const EffectRow& row, bool rotating) {
+  const char* unit = row.unit.of(rotating);
+  if (row.written.as != firmware::RigFileForm::As::kKey || unit == nullptr) return "";
+  const char* word = rotating && row.written.rotating_key != nullptr ? row.written.rotating_key : row.written.key;
+  return word + unit_suffix(unit);
+}
+
+std::string shape_key(const EffectRow& row, int index, bool rotating) {
+  if (index >= row.shape.count) return "";
+  return row.shape.at[index].key + unit_suffix(row.shape.at[index].unit.of(rotating));
+}
+
+double shape_of(const Effect& effect, int index, bool rotating) {
+  const EffectRow* row = find_effect_row(effect.kind);
+  if (row == nullptr) return 0.0;
+  const auto found = effect.shape.find(shape_key(*row, index, rotating));
   return found == effect.shape.end() ? 0.0 : found->second;
 }
 
-double drifted_s(double t_s, double time_constant_s) {
-  return time_constant_s > 0.0 ? -time_constant_s * std::expm1(-std::max(t_s, 0.0) / time_constant_s) : t_s;
+bool in_core(const Effect& effect, bool rotating) {
+  const EffectRow* row = find_effect_row(effect.kind);
+  if (row == nullptr || !row->core.estimable) return false;
+  for (int i = 0; i < row->shape.count; ++i)
+    if (!row->shape.at[i].in_core && shape_of(effect, i, rotating) != 0.0) return false;
+  return true;
 }
 
 }  // namespace rig_file

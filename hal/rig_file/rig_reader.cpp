@@ -7,39 +7,42 @@
 #include "hal/rig_file/channel_name.hpp"
 #include "hal/rig_file/compile_rig.hpp"
 #include "hal/rig_file/effect_reader.hpp"
+#include "hal/rig_file/effect_words.hpp"
 #include "hal/rig_file/rig_from_toml.hpp"
 #include "hal/rig_file/toml_checks.hpp"
 
 namespace rig_file {
 namespace {
 
+using firmware::EffectKind;
+
 struct LinkKey {
-  const char* translating;
-  const char* rotating;
+  EffectKind kind;
   Coefficient Link::*field;
-  bool may_be_negative;
+  const firmware::EffectRow& row() const { return firmware::row_of(kind); }
+  bool may_be_negative() const { return row().sign == firmware::Sign::kAny; }
 };
-constexpr LinkKey kLinkKeys[] = {
-    {"stiffness_N_m", "stiffness_N_m_rad", &Link::stiffness_N_m, false},
-    {"viscous_N_s_m", "viscous_N_m_s_rad", &Link::viscous_N_s_m, false},
-    {"coulomb_N", "coulomb_N_m", &Link::coulomb_N, false},
-    {nullptr, "gravity_torque_N_m", &Link::gravity_torque_N_m, true},  // negative: a pendulum on its head
-};
+constexpr LinkKey kLinkKeys[] = {{EffectKind::kStiffness, &Link::stiffness_N_m},
+                                 {EffectKind::kViscous, &Link::viscous_N_s_m},
+                                 {EffectKind::kCoulomb, &Link::coulomb_N},
+                                 {EffectKind::kGravityTorque, &Link::gravity_torque_N_m}};
 
 Dof read_dof(const Place& place, const toml::table& table) {
   Dof dof;
-  const toml::node* mass = table.get("mass_kg");
-  const toml::node* inertia = table.get("inertia_kg_m2");
-  require_known_keys(place, table, {"mass_kg", "inertia_kg_m2", "effect"});
+  const std::string mass_key = own_key(firmware::row_of(EffectKind::kMass), false);
+  const std::string inertia_key = own_key(firmware::row_of(EffectKind::kMass), true);
+  const toml::node* mass = table.get(mass_key);
+  const toml::node* inertia = table.get(inertia_key);
+  require_known_keys(place, table, {mass_key, inertia_key, "effect"});
   if (mass != nullptr && inertia != nullptr)
-    refuse(place, *inertia, "inertia_kg_m2",
-           "stands beside mass_kg, expected one of them: a DOF translates or rotates");
+    refuse(place, *inertia, inertia_key,
+           "stands beside " + mass_key + ", expected one of them: a DOF translates or rotates");
   if (mass == nullptr && inertia == nullptr)
-    refuse(place, table, "mass_kg",
-           "is missing, expected mass_kg (or inertia_kg_m2 for a rotating DOF): a number or \"estimate\"");
+    refuse(
+        place, table, mass_key,
+        "is missing, expected " + mass_key + " (or " + inertia_key + " for a rotating DOF): a number or \"estimate\"");
   dof.rotating = inertia != nullptr;
-  dof.mass_kg =
-      read_coefficient(place, dof.rotating ? *inertia : *mass, dof.rotating ? "inertia_kg_m2" : "mass_kg", false);
+  dof.mass_kg = read_coefficient(place, dof.rotating ? *inertia : *mass, dof.rotating ? inertia_key : mass_key, false);
   dof.effects = read_effects(place, table, EffectPlace::kDof, dof.rotating);
   return dof;
 }
@@ -76,14 +79,12 @@ void read_ends(const Place& place, const toml::table& table, const std::vector<D
 // A key of the other kind of DOF is the likeliest mistake: the message names the right one.
 void refuse_wrong_unit(const Place& place, const toml::table& table, bool rotates) {
   for (const LinkKey& key : kLinkKeys) {
-    const char* wrong = rotates ? key.translating : key.rotating;
-    const char* right = rotates ? key.rotating : key.translating;
-    const toml::node* node = wrong == nullptr ? nullptr : table.get(wrong);
+    const std::string wrong = own_key(key.row(), !rotates), right = own_key(key.row(), rotates);
+    const toml::node* node = wrong.empty() || wrong == right ? nullptr : table.get(wrong);
     if (node == nullptr) continue;
     const std::string why =
         rotates ? "is of a translating link, but its DOF rotates" : "is of a rotating link, but its DOF translates";
-    refuse(place, *node, wrong,
-           why + (right == nullptr ? ", expected no such key" : ", expected " + std::string(right)));
+    refuse(place, *node, wrong, why + (right.empty() ? ", expected no such key" : ", expected " + right));
   }
 }
 
@@ -94,16 +95,16 @@ Link read_link(const Place& place, const toml::table& table, const RigModel& mod
   refuse_wrong_unit(place, table, rotates);
   std::vector<std::string> known = {"between", "effect"};
   for (const LinkKey& key : kLinkKeys) {
-    const char* name = rotates ? key.rotating : key.translating;
-    if (name == nullptr) continue;
-    known.emplace_back(name);
+    const std::string name = own_key(key.row(), rotates);
+    if (name.empty()) continue;
+    known.push_back(name);
     if (const toml::node* node = table.get(name))
-      link.*key.field = read_coefficient(place, *node, name, key.may_be_negative);
+      link.*key.field = read_coefficient(place, *node, name, key.may_be_negative());
   }
   require_known_keys(place, table, known);
-  if (const toml::node* gravity = table.get("gravity_torque_N_m"); gravity != nullptr && link.b != kGround)
-    refuse(place, *gravity, "gravity_torque_N_m",
-           "stands on a link between DOFs, expected it on a link to the ground (0)");
+  const std::string weight = own_key(firmware::row_of(EffectKind::kGravityTorque), true);
+  if (const toml::node* gravity = table.get(weight); gravity != nullptr && link.b != kGround)
+    refuse(place, *gravity, weight, "stands on a link between DOFs, expected it on a link to the ground (0)");
   link.effects = read_effects(place, table, EffectPlace::kLink, rotates);
   return link;
 }

@@ -3,6 +3,8 @@
 #include <array>
 #include <charconv>
 
+#include "hal/rig_file/effect_words.hpp"
+
 namespace rig_file {
 namespace {
 
@@ -27,8 +29,9 @@ std::string quoted(const std::string& text) {
 std::string line(const std::string& key, const Coefficient& coefficient) {
   return key + " = " + (coefficient.estimate ? "\"estimate\"" : number(coefficient.value)) + "\n";
 }
-std::string optional_line(const std::string& key, const Coefficient& coefficient) {
-  return coefficient.estimate || coefficient.value != 0.0 ? line(key, coefficient) : "";
+std::string own_line(firmware::EffectKind kind, bool rotates, const Coefficient& coefficient) {
+  return coefficient.estimate || coefficient.value != 0.0 ? line(own_key(firmware::row_of(kind), rotates), coefficient)
+                                                          : "";
 }
 
 std::string format_effects(const std::string& table, const std::vector<Effect>& effects) {
@@ -41,13 +44,14 @@ std::string format_effects(const std::string& table, const std::vector<Effect>& 
 }
 
 std::string format_link(const RigModel& model, const Link& link) {
+  using firmware::EffectKind;
   const bool rotates = link_rotates(model, link);
   const std::string second = link.b == kBase ? "\"base\"" : std::to_string(link.b);
   return "\n[[link]]\nbetween = [" + std::to_string(link.a) + ", " + second + "]\n" +
-         optional_line(rotates ? "stiffness_N_m_rad" : "stiffness_N_m", link.stiffness_N_m) +
-         optional_line(rotates ? "viscous_N_m_s_rad" : "viscous_N_s_m", link.viscous_N_s_m) +
-         optional_line(rotates ? "coulomb_N_m" : "coulomb_N", link.coulomb_N) +
-         optional_line("gravity_torque_N_m", link.gravity_torque_N_m) + format_effects("link", link.effects);
+         own_line(EffectKind::kStiffness, rotates, link.stiffness_N_m) +
+         own_line(EffectKind::kViscous, rotates, link.viscous_N_s_m) +
+         own_line(EffectKind::kCoulomb, rotates, link.coulomb_N) +
+         own_line(EffectKind::kGravityTorque, rotates, link.gravity_torque_N_m) + format_effects("link", link.effects);
 }
 
 std::string format_channel(const ChannelEntry& channel) {
@@ -68,7 +72,7 @@ std::string format_channel(const ChannelEntry& channel) {
 std::string format_rig(const RigModel& model) {
   std::string text = "schema = \"rig/1\"\nname = " + quoted(model.name) + "\n";
   for (const Dof& dof : model.dofs)
-    text += "\n[[dof]]\n" + line(dof.rotating ? "inertia_kg_m2" : "mass_kg", dof.mass_kg) +
+    text += "\n[[dof]]\n" + line(own_key(firmware::row_of(firmware::EffectKind::kMass), dof.rotating), dof.mass_kg) +
             format_effects("dof", dof.effects);
   for (const Link& link : model.links) text += format_link(model, link);
   for (const ChannelEntry& channel : model.channels) text += format_channel(channel);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "firmware/vocabulary/effect_table.hpp"
 #include "host_sim/can_log/readable.hpp"
 
 namespace can_log {
@@ -11,25 +12,6 @@ struct Units {
   const char* translating;
   const char* rotating;
 };
-// In the order of firmware::TermKind.
-constexpr Units kParameterUnits[] = {{"kg", "kg m^2"},
-                                     {"N/m", "N m/rad"},
-                                     {"N s/m", "N m s/rad"},
-                                     {"N", "N m"},
-                                     {"N m", "N m"},
-                                     {"N/m^3", "N m/rad^3"},
-                                     {"N/m^2", "N m/rad^2"},
-                                     {"N/m", "N m/rad"},
-                                     {"N/m", "N m/rad"},
-                                     {"N s^2/m^2", "N m s^2/rad^2"},
-                                     {"N s^3/m^3", "N m s^3/rad^3"},
-                                     {"N", "N m"},
-                                     {"N", "N m"},
-                                     {"N", "N m"},
-                                     {"N s/m", "N m s/rad"},
-                                     {"N s/m^3", "N m s/rad^3"},
-                                     {"N/m", "N m/rad"}};
-constexpr int kKinds = static_cast<int>(sizeof(kParameterUnits) / sizeof(kParameterUnits[0]));
 constexpr Units kChannelUnits[] = {{"N", "N m"}, {"m", "rad"}, {"m/s", "rad/s"}, {"m/s^2", "rad/s^2"}};
 
 }  // namespace
@@ -54,9 +36,9 @@ std::string channel_label(int place, int quantity) {
 }
 
 std::string parameter_unit(firmware::TermKind kind, bool rotating) {
-  const int index = static_cast<int>(kind);
-  if (index >= kKinds) return "SI";
-  return rotating ? kParameterUnits[index].rotating : kParameterUnits[index].translating;
+  if (static_cast<int>(kind) >= firmware::kTermKinds) return "SI";
+  const firmware::Unit& unit = firmware::row_of(kind).unit;
+  return unit.of(rotating || unit.translating == nullptr);
 }
 
 std::string channel_unit(int quantity, bool rotating) {

@@ -40,7 +40,7 @@ std::vector<ActiveTerm> base_model(const Rows& rows) {
       Term term = on_link(Kind::kStiffness, i);
       if (!kind_of_word(e.kind, &term.kind)) continue;
       term.given = true;
-      term.shape = rig_file::first_shape(e, rig_file::link_rotates(s.rig, link));
+      term.shape = rig_file::shape_of(e, 0, rig_file::link_rotates(s.rig, link));
       add(term, e.coefficient, true);
     }
   }

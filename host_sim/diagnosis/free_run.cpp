@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hal/rig_file/effect_words.hpp"
+#include "host_sim/vocabulary/law.hpp"
 #include "sharpen.hpp"
 
 namespace diagnosis {
@@ -152,7 +152,7 @@ struct Simulator {
           pull(l, q * u * u * w);
           break;
         case Kind::kDriftingViscous:
-          pull(l, q * w * rig_file::drifted_s(t_s, t.shape));
+          pull(l, q * w * vocabulary::drifted_s(t_s, t.shape));
           break;
         case Kind::kPresliding: {
           const double way = w < 0 ? -1 : 1;

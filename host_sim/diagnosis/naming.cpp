@@ -46,7 +46,7 @@ rig_file::Effect as_effect(const Term& t, double value, bool rotating) {
   // a rig file's backlash takes its coefficient away inside the gap: as large as the stiffness, and known with it
   const bool linear = t.kind != Kind::kBacklash && t.kind != Kind::kResonance;
   e.coefficient = {t.kind == Kind::kBacklash ? -value : value, linear};
-  const rig_file::EffectWord* word = rig_file::find_effect_word(e.kind);
+  const firmware::EffectRow* word = rig_file::find_effect_row(e.kind);
   if (word == nullptr) return e;
   const double shapes[] = {t.shape, t.shape2};
   for (int i = 0; i < 2; ++i) {

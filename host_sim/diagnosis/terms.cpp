@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hal/rig_file/effect_words.hpp"
+#include "host_sim/vocabulary/law.hpp"
 
 namespace diagnosis {
 namespace {
@@ -149,7 +149,7 @@ Series term_force(const Term& t, const FusedRecord& f, const std::vector<LinkMot
       return (u.square() * w).matrix();
     case Kind::kDriftingViscous:
       return time_axis(f)
-          .unaryExpr([&](double t_s) { return rig_file::drifted_s(t_s, t.shape); })
+          .unaryExpr([&](double t_s) { return vocabulary::drifted_s(t_s, t.shape); })
           .cwiseProduct(l.smooth_w);
     case Kind::kUnknownPitch:
       return (kTwoPi * u / t.shape + t.shape2).sin().matrix();

@@ -1,15 +1,14 @@
 #include "host_sim/force_balance/force_balance.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <iterator>
 
 #include "hal/rig_file/effect_words.hpp"
 #include "host_sim/force_balance/derivative.hpp"
+#include "host_sim/vocabulary/law.hpp"
 
 namespace host_sim {
 namespace {
-
-using firmware::TermKind;
 
 Series integral(const Series& rate, double period_s) {
   Series result(rate.size(), 0.0);
@@ -43,87 +42,78 @@ NodeMotion motion_of(const Record& record, int dof) {
   return motion;
 }
 
-double sign(double value) { return static_cast<double>(value > 0.0) - static_cast<double>(value < 0.0); }
-
-// Force per unit coefficient; dahl is the state of presliding_hysteresis, -1 to 1.
-double effect_shape(TermKind kind, double u, double w, double t_s, double shape, double dahl) {
-  switch (kind) {
-    case TermKind::kStiffness:
-      return u;
-    case TermKind::kViscous:
-      return w;
-    case TermKind::kCoulomb:
-      return sign(w);
-    case TermKind::kCubicStiffness:
-      return u * u * u;
-    case TermKind::kQuadraticStiffness:
-      return u * u;
-    case TermKind::kBacklash:
-      return -std::clamp(u, -shape, shape);
-    case TermKind::kEndStop:
-      return u - std::clamp(u, -shape, shape);
-    case TermKind::kQuadraticDamping:
-      return w * std::abs(w);
-    case TermKind::kCubicDamping:
-      return w * w * w;
-    case TermKind::kStribeck:
-      return std::exp(-std::abs(w) / shape) * sign(w);
-    case TermKind::kPreslidingHysteresis:
-      return dahl;
-    case TermKind::kForceOffset:
-      return 1.0;
-    case TermKind::kAsymmetricViscous:
-      return std::abs(w);
-    case TermKind::kDisplacementDependentDamping:
-      return u * u * w;
-    case TermKind::kDriftingViscous:
-      return w * rig_file::drifted_s(t_s, shape);
-    default:
-      return 0.0;
-  }
-}
-
-// The effect's force; the state of presliding_hysteresis goes along with the elongation.
-Series effect_force(const rig_file::Effect& effect, const LinkBalance& link, bool rotates, double period_s) {
-  const double shape = rig_file::first_shape(effect, rotates);
-  const TermKind kind = rig_file::find_effect_word(effect.kind)->term;
-  Series force(link.elongation.size());
-  double dahl = 0.0;
-  for (size_t i = 0; i < force.size(); ++i) {
+// The force of a law with its coefficient along a motion; what it remembers goes along from sample to sample.
+Series force_of(firmware::EffectKind kind, double coefficient, const vocabulary::Shape& shape, const Series& u,
+                const Series& w, double period_s) {
+  Series force(u.size());
+  vocabulary::Point before;
+  double z[vocabulary::kMemories] = {};
+  for (size_t i = 0; i < u.size(); ++i) {
     const double t_s = static_cast<double>(i + kDerivativeMargin) * period_s;
-    if (kind == TermKind::kPreslidingHysteresis && i > 0) {
-      // Dahl: dz = (1 - z sgn(du)) du / length, exact over a step
-      const double step = (link.elongation[i] - link.elongation[i - 1]) / shape, end = sign(step);
-      dahl = end + (dahl - end) * std::exp(-std::abs(step));
-    }
-    force[i] = effect.coefficient.value * effect_shape(kind, link.elongation[i], link.rate[i], t_s, shape, dahl);
+    vocabulary::Point at = vocabulary::point(kind, u[i], w[i], t_s, shape);
+    if (i == 0)
+      vocabulary::start_memory(kind, at, shape, z);
+    else
+      vocabulary::advance_memory(kind, before, at, period_s, shape, z);
+    std::copy(std::begin(z), std::end(z), at.z);
+    force[i] = coefficient * vocabulary::force(kind, at, shape).value;
+    before = at;
   }
   return force;
 }
 
+vocabulary::Shape shape_of(const rig_file::Effect& effect, bool rotates) {
+  vocabulary::Shape shape;
+  for (int i = 0; i < vocabulary::kShapes; ++i) shape.p[i] = rig_file::shape_of(effect, i, rotates);
+  return shape;
+}
+
 LinkBalance link_balance(const rig_file::Link& link, const NodeMotion& a, const NodeMotion& b, bool rotates,
                          double period_s) {
+  using firmware::EffectKind;
   LinkBalance balance;
-  const size_t count = a.x.size();
-  for (size_t i = 0; i < count; ++i) {
+  for (size_t i = 0; i < a.x.size(); ++i) {
     balance.elongation.push_back(a.x[i] - b.x[i]);
     balance.rate.push_back(a.v[i] - b.v[i]);
   }
-  const std::string place = "[" + rig_file::link_label(link) + "]";
-  const auto add = [&](const char* word, bool conservative, double coefficient, const Series& of, auto shape) {
+  const auto add = [&](const firmware::EffectRow& row, double coefficient, const vocabulary::Shape& shape) {
     if (coefficient == 0.0) return;
-    ForceTerm term{word + place, conservative, Series(count)};
-    for (size_t i = 0; i < count; ++i) term.force[i] = coefficient * shape(of[i]);
-    balance.terms.push_back(std::move(term));
+    balance.terms.push_back({row.word.text + ("[" + rig_file::link_label(link) + "]"), row.nature.conservative,
+                             force_of(row.kind, coefficient, shape, balance.elongation, balance.rate, period_s)});
   };
-  const auto itself = [](double value) { return value; };
-  add("stiffness", true, link.stiffness_N_m.value, balance.elongation, itself);
-  add("viscous", false, link.viscous_N_s_m.value, balance.rate, itself);
-  add("coulomb", false, link.coulomb_N.value, balance.rate, sign);
-  add("gravity_torque", true, link.gravity_torque_N_m.value, balance.elongation, [](double u) { return std::sin(u); });
+  const auto own = [&](EffectKind kind, const rig_file::Coefficient& c) { add(firmware::row_of(kind), c.value, {}); };
+  own(EffectKind::kStiffness, link.stiffness_N_m);
+  own(EffectKind::kViscous, link.viscous_N_s_m);
+  own(EffectKind::kCoulomb, link.coulomb_N);
+  own(EffectKind::kGravityTorque, link.gravity_torque_N_m);
   for (const rig_file::Effect& effect : link.effects)
-    balance.terms.push_back({effect.kind + place, false, effect_force(effect, balance, rotates, period_s)});
+    if (const firmware::EffectRow* row = rig_file::find_effect_row(effect.kind))
+      add(*row, effect.coefficient.value, shape_of(effect, rotates));
   return balance;
+}
+
+// What the effects of a DOF add to its mass, and the forces of the others: of a hidden resonance that it takes, of a drive
+// that it does not get.
+struct DofEffects {
+  double mass = 0.0;
+  Series force;
+};
+
+DofEffects dof_effects(const rig_file::Dof& dof, const NodeMotion& motion, const Series& drive, double period_s) {
+  DofEffects sum{dof.mass_kg.value, Series(motion.x.size(), 0.0)};
+  for (const rig_file::Effect& effect : dof.effects) {
+    const firmware::EffectRow* row = rig_file::find_effect_row(effect.kind);
+    if (row == nullptr) continue;
+    if (row->role == firmware::EffectRole::kCorrection) {
+      sum.mass += effect.coefficient.value;
+      continue;
+    }
+    const bool of_drive = row->role == firmware::EffectRole::kDriveFault;
+    const Series force = force_of(row->kind, effect.coefficient.value, shape_of(effect, dof.rotating),
+                                  of_drive ? drive : motion.x, of_drive ? drive : motion.v, period_s);
+    for (size_t j = 0; j < force.size(); ++j) sum.force[j] += force[j];
+  }
+  return sum;
 }
 
 }  // namespace
@@ -143,16 +133,14 @@ ForceBalance force_balance(const rig_file::RigModel& rig, const Record& record) 
   for (size_t i = 0; i < rig.dofs.size(); ++i) {
     const int dof = static_cast<int>(i + 1);
     motions.push_back(motion_of(record, dof));
-    double mass = rig.dofs[i].mass_kg.value;
-    for (const rig_file::Effect& effect : rig.dofs[i].effects)
-      if (effect.kind == "mass_error") mass += effect.coefficient.value;
-    Series inertia(count);
-    for (size_t j = 0; j < count; ++j) inertia[j] = mass * motions[i].a[j];
     const Channel* force = record.find(Quantity::kForce, dof);
     balance.drive.push_back(force != nullptr ? without_margins(force->values) : Series(count, 0.0));
+    const DofEffects effects = dof_effects(rig.dofs[i], motions[i], balance.drive.back(), record.sample_period_s);
+    Series inertia(count);
+    for (size_t j = 0; j < count; ++j) inertia[j] = effects.mass * motions[i].a[j];
     balance.reference.push_back(force != nullptr ? balance.drive.back() : inertia);
     balance.residual.push_back(balance.drive.back());
-    for (size_t j = 0; j < count; ++j) balance.residual.back()[j] -= inertia[j];
+    for (size_t j = 0; j < count; ++j) balance.residual.back()[j] -= inertia[j] + effects.force[j];
     balance.inertia.push_back(std::move(inertia));
     balance.velocity.push_back(motions[i].v);
   }

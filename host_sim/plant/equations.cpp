@@ -1,8 +1,6 @@
 #include "host_sim/plant/equations.hpp"
 
-#include <cmath>
-
-#include "hal/rig_file/effect_words.hpp"
+#include "host_sim/vocabulary/law_table.hpp"
 
 namespace host_sim {
 
@@ -12,67 +10,34 @@ Equations::Node Equations::node(const double* y, const Motion& base, size_t inde
   return {0.0, 0.0};
 }
 
-double Equations::sliding_force(const PlantLink& link, size_t link_index, double t_s, double u, double w,
-                                const double* z, const Modes& modes) const {
-  const double s = modes.rate_sign[link_index];
-  double f = link.k * u + link.c * w + link.coulomb * s;
-  if (link.gravity != 0.0) f += link.gravity * std::sin(u);
-  for (const EffectTerm& term : link.effects) {
-    const double q = term.coefficient;
-    switch (term.shape) {
-      case TermShape::kCubicStiffness:
-        f += q * u * u * u;
-        break;
-      case TermShape::kQuadraticStiffness:
-        f += q * u * u;
-        break;
-      case TermShape::kBacklash: {
-        const int side = modes.gap_side[term.index];
-        f -= q * (side == 0 ? u : side * term.p);
-        break;
-      }
-      case TermShape::kEndStop: {
-        const int side = modes.gap_side[term.index];
-        if (side != 0) f += q * (u - side * term.p);
-        break;
-      }
-      case TermShape::kQuadraticDamping:
-        f += q * w * w * s;
-        break;
-      case TermShape::kCubicDamping:
-        f += q * w * w * w;
-        break;
-      case TermShape::kStribeck:
-        f += q * s * std::exp(-s * w / term.p);
-        break;
-      case TermShape::kPresliding:
-        f += q * z[term.index];
-        break;
-      case TermShape::kForceOffset:
-        f += q;
-        break;
-      case TermShape::kAsymmetricViscous:
-        f += q * w * s;
-        break;
-      case TermShape::kDisplacementDependent:
-        f += q * u * u * w;
-        break;
-      case TermShape::kDrifting:
-        f += q * w * rig_file::drifted_s(t_s, term.p);
-        break;
-    }
-  }
-  return f;
+vocabulary::Point Equations::point(const PlantTerm& term, double t_s, double u, double w, int sign, const double* z,
+                                   const Modes& modes) const {
+  vocabulary::Point at;
+  at.u = u, at.w = w, at.t_s = t_s, at.sign = sign;
+  const int memories = vocabulary::kLaws[static_cast<size_t>(term.kind)].memories;
+  for (int m = 0; m < memories; ++m) at.z[m] = z[term.memory + static_cast<size_t>(m)];
+  if (!modes.gap_side.empty()) at.side = modes.gap_side[term.gap];
+  return at;
 }
 
 void Equations::net_forces(double t_s, const double* y, const double* force, const Motion& base, const Modes& modes,
                            double* net) const {
-  for (size_t i = 0; i < masses(); ++i) net[i] = force[i];
   const double* z = y + 2 * masses();
+  const auto sum = [&](const std::vector<PlantTerm>& terms, double u, double w, int sign) {
+    double f = 0.0;
+    for (const PlantTerm& term : terms)
+      f += term.coefficient * vocabulary::force_value(term.kind, point(term, t_s, u, w, sign, z, modes), term.shape);
+    return f;
+  };
+  for (size_t i = 0; i < masses(); ++i) {
+    net[i] = force[i];
+    if (!on_drive_[i].empty()) net[i] -= sum(on_drive_[i], force[i], 0.0, 0);
+    if (!on_dof_[i].empty()) net[i] -= sum(on_dof_[i], y[i], y[masses() + i], 0);
+  }
   for (size_t l = 0; l < links_.size(); ++l) {
     const PlantLink& link = links_[l];
     const Node a = node(y, base, link.a), b = node(y, base, link.b);
-    const double f = sliding_force(link, l, t_s, a.x - b.x, a.v - b.v, z, modes);
+    const double f = sum(link.terms, a.x - b.x, a.v - b.v, modes.rate_sign[l]);
     if (link.a < masses()) net[link.a] -= f;
     if (link.b < masses()) net[link.b] += f;
   }
@@ -106,33 +71,51 @@ void Equations::derivative(double t_s, const double* y, const double* force, con
   net_forces(t_s, y, force, base, modes, dy + n);
   accelerations(dy + n, base, modes, dy + n);
   for (size_t i = 0; i < n; ++i) dy[i] = y[n + i];
-  if (presliding_ == 0) return;
-  for (size_t l = 0; l < links_.size(); ++l)
-    for (const EffectTerm& term : links_[l].effects)
-      if (term.shape == TermShape::kPresliding) {
-        const double w = node(y, base, links_[l].a).v - node(y, base, links_[l].b).v;
-        dy[2 * n + term.index] = w / term.p * (1.0 - y[2 * n + term.index] * modes.rate_sign[l]);
-      }
+  if (memory_of_.empty()) return;
+  for (size_t l = 0; l < links_.size(); ++l) {
+    const Node a = node(y, base, links_[l].a), b = node(y, base, links_[l].b);
+    memory_rates(links_[l].terms, {a.x - b.x, a.v - b.v}, t_s, modes.rate_sign[l], y, modes, dy);
+  }
+  for (size_t i = 0; i < n; ++i) memory_rates(on_dof_[i], {y[i], y[n + i]}, t_s, 0, y, modes, dy);
+}
+
+void Equations::memory_rates(const std::vector<PlantTerm>& terms, const Node& at, double t_s, int sign, const double* y,
+                             const Modes& modes, double* dy) const {
+  const size_t first = 2 * masses();
+  for (const PlantTerm& term : terms) {
+    const vocabulary::Law& law = vocabulary::law_of(term.kind);
+    if (law.memories == 0) continue;
+    const vocabulary::MemoryRate rate =
+        law.memory_rate(point(term, t_s, at.x, at.v, sign, y + first, modes), term.shape);
+    for (int m = 0; m < law.memories; ++m) dy[first + term.memory + static_cast<size_t>(m)] = rate.value[m];
+  }
+}
+
+double Equations::memory_scale(size_t memory, const MotionScale& scale) const {
+  const MemoryPlace& place = memory_of_[memory];
+  if (firmware::row_of(place.kind).nature.memory != firmware::Memory::kHiddenMass) return 1.0;
+  return place.entry == 0 ? scale.displacement : scale.velocity;
 }
 
 std::vector<double> Equations::initial_state(const std::vector<double>& x, const std::vector<double>& v,
                                              const Motion& base) const {
+  const size_t n = masses();
   std::vector<double> y(states(), 0.0);
-  for (size_t i = 0; i < dofs_; ++i) {
+  for (size_t i = 0; i < n; ++i) {
     y[i] = i < x.size() ? x[i] : 0.0;
-    y[masses() + i] = i < v.size() ? v[i] : 0.0;
+    y[n + i] = i < v.size() ? v[i] : 0.0;
   }
-  for (const PlantLink& link : links_)
-    if (link.a >= dofs_ && link.a < masses()) {
-      y[link.a] = y[link.b];
-      y[masses() + link.a] = y[masses() + link.b];
-    }
-  for (const PlantLink& link : links_)
-    for (const EffectTerm& term : link.effects)
-      if (term.shape == TermShape::kPresliding) {
-        const double w = node(y.data(), base, link.a).v - node(y.data(), base, link.b).v;
-        y[2 * masses() + term.index] = w > 0.0 ? 1.0 : (w < 0.0 ? -1.0 : 0.0);
-      }
+  const auto start = [&](const std::vector<PlantTerm>& terms, double u, double w) {
+    for (const PlantTerm& term : terms)
+      if (vocabulary::law_of(term.kind).memories > 0)
+        vocabulary::start_memory(term.kind, vocabulary::point(term.kind, u, w, 0.0, term.shape), term.shape,
+                                 &y[2 * n + term.memory]);
+  };
+  for (const PlantLink& link : links_) {
+    const Node a = node(y.data(), base, link.a), b = node(y.data(), base, link.b);
+    start(link.terms, a.x - b.x, a.v - b.v);
+  }
+  for (size_t i = 0; i < n; ++i) start(on_dof_[i], y[i], y[n + i]);
   return y;
 }
 

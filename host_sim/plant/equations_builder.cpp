@@ -1,15 +1,16 @@
 // From a rig in memory to the flat tables of Equations.
+#include <algorithm>
 #include <cmath>
-#include <map>
 
+#include "hal/rig_file/effect_words.hpp"
 #include "host_sim/plant/equations.hpp"
 #include "host_sim/plant/plant_error.hpp"
 
 namespace host_sim {
-
 namespace {
 
-constexpr double kTwoPi = 6.283185307179586476925;
+using firmware::EffectKind;
+using firmware::EffectPlace;
 
 double known(const rig_file::Coefficient& coefficient, const std::string& name) {
   if (coefficient.estimate)
@@ -19,39 +20,23 @@ double known(const rig_file::Coefficient& coefficient, const std::string& name) 
   return coefficient.value;
 }
 
-double shape_of(const rig_file::Effect& effect, const std::string& where, const char* key,
-                const char* other_key = nullptr) {
-  for (const auto& entry : effect.shape)
-    for (const char* wanted : {key, other_key})
-      if (wanted != nullptr && entry.first.compare(0, std::string(wanted).size(), wanted) == 0) {
-        if (entry.second > 0.0) return entry.second;
-        throw PlantError(where + ": " + entry.first + " is " + std::to_string(entry.second) + ", expected more than 0");
-      }
-  throw PlantError(where + ": no key \"" + key + "_...\", expected the shape parameter of " + effect.kind);
-}
-
-struct ShapeWord {
-  TermShape shape;
-  const char* key;  // begins the name of the shape parameter, null where there is none
-  bool may_be_left_out = false;
-};
-
-const std::map<std::string, ShapeWord>& shape_words() {
-  static const std::map<std::string, ShapeWord> words = {
-      {"cubic_stiffness", {TermShape::kCubicStiffness, nullptr}},
-      {"quadratic_stiffness", {TermShape::kQuadraticStiffness, nullptr}},
-      {"backlash", {TermShape::kBacklash, "gap"}},
-      {"end_stop", {TermShape::kEndStop, "gap"}},
-      {"quadratic_damping", {TermShape::kQuadraticDamping, nullptr}},
-      {"cubic_damping", {TermShape::kCubicDamping, nullptr}},
-      {"stribeck", {TermShape::kStribeck, "stribeck_velocity"}},
-      {"presliding_hysteresis", {TermShape::kPresliding, "presliding_length"}},
-      {"force_offset", {TermShape::kForceOffset, nullptr}},
-      {"asymmetric_viscous", {TermShape::kAsymmetricViscous, nullptr}},
-      {"displacement_dependent_damping", {TermShape::kDisplacementDependent, nullptr}},
-      {"drifting_viscous", {TermShape::kDrifting, "drift_time", true}},
-  };
-  return words;
+// In the order of the row; a key of the other kind of DOF, or of another unit, is not found.
+vocabulary::Shape shape_of(const rig_file::Effect& effect, const firmware::EffectRow& row, const std::string& where,
+                           bool rotating) {
+  vocabulary::Shape shape;
+  for (int i = 0; i < row.shape.count; ++i) {
+    const std::string key = rig_file::shape_key(row, i, rotating);
+    const firmware::ShapeParameter& parameter = row.shape.at[i];
+    const auto found = effect.shape.find(key);
+    if (found == effect.shape.end()) {
+      if (parameter.may_be_left_out || parameter.zero_allowed) continue;
+      throw PlantError(where + ": no key \"" + key + "\", expected the shape parameter of " + effect.kind);
+    }
+    if (found->second < 0.0 || (found->second == 0.0 && !parameter.zero_allowed))
+      throw PlantError(where + ": " + key + " is " + std::to_string(found->second) + ", expected more than 0");
+    shape.p[i] = found->second;
+  }
+  return shape;
 }
 
 }  // namespace
@@ -61,49 +46,37 @@ class EquationsBuilder {
   EquationsBuilder(const rig_file::RigModel& rig, Equations& target) : rig_(rig), target_(target) {}
 
   void build() {
-    target_.dofs_ = rig_.dofs.size();
     if (rig_.dofs.empty()) throw PlantError("rig has no [[dof]], expected at least one");
     for (size_t i = 0; i < rig_.dofs.size(); ++i) add_dof(i);
-    for (size_t i = 0; i < rig_.dofs.size(); ++i) add_hidden_masses(i);
     for (const rig_file::Link& link : rig_.links) add_link(link);
-    for (const PlantLink& link : hidden_links_) target_.links_.push_back(link);
+    number_terms();
     target_.roots_ = 2 * target_.gaps_;
     for (const PlantLink& link : target_.links_) target_.roots_ += link.watch_rate ? 1 : 0;
   }
 
  private:
+  using Terms = std::vector<PlantTerm>;
+
   void add_dof(size_t i) {
     const std::string label = "[" + std::to_string(i + 1) + "]";
     double mass = known(rig_.dofs[i].mass_kg, "mass" + label);
-    for (const rig_file::Effect& effect : rig_.dofs[i].effects)
-      if (effect.kind == "mass_error") mass += known(effect.coefficient, "mass_error" + label);
+    Terms on_dof, on_drive;
+    for (const rig_file::Effect& effect : rig_.dofs[i].effects) {
+      const firmware::EffectRow& row = row_of(effect, label, EffectPlace::kDof);
+      if (row.role == firmware::EffectRole::kCorrection)
+        mass += known(effect.coefficient, effect.kind + label);
+      else
+        add_effect(effect, row, label, rig_.dofs[i].rotating,
+                   row.role == firmware::EffectRole::kDriveFault ? on_drive : on_dof);
+    }
     if (!(mass > 0.0))
       throw PlantError(
           "mass" + label + " is " + std::to_string(mass) +
           ": a DOF without inertia cannot move freely, expected more than 0 (records with imposed motion can "
           "be estimated, but not simulated)");
     target_.mass_.push_back(mass);
-  }
-
-  void add_hidden_masses(size_t i) {
-    for (const rig_file::Effect& effect : rig_.dofs[i].effects) {
-      const std::string where = effect.kind + "[" + std::to_string(i + 1) + "]";
-      if (effect.kind == "mass_error") continue;
-      if (effect.kind != "unmodelled_resonance")
-        throw PlantError(where + ": not an effect of a DOF, expected mass_error or unmodelled_resonance");
-      const double mass = known(effect.coefficient, where);
-      if (mass == 0.0) continue;
-      if (mass < 0.0) throw PlantError(where + ": hidden mass is negative, expected more than 0");
-      const double omega = kTwoPi * shape_of(effect, where, "resonance", "frequency");
-      const auto ratio = effect.shape.find("damping_ratio");
-      PlantLink link;
-      link.a = target_.mass_.size();
-      link.b = i;
-      link.k = mass * omega * omega;
-      link.c = 2.0 * (ratio == effect.shape.end() ? 0.0 : ratio->second) * mass * omega;
-      target_.mass_.push_back(mass);
-      hidden_links_.push_back(link);
-    }
+    target_.on_dof_.push_back(on_dof);
+    target_.on_drive_.push_back(on_drive);
   }
 
   size_t node_of(int dof, const std::string& label) const {
@@ -123,43 +96,79 @@ class EquationsBuilder {
     if (link.a == link.b || (link.a >= target_.masses() && link.b >= target_.masses()))
       throw PlantError("link " + label +
                        " has no DOF that it could move, expected two different ends, one of them a DOF");
-    link.k = known(source.stiffness_N_m, "stiffness[" + label + "]");
-    link.c = known(source.viscous_N_s_m, "viscous[" + label + "]");
-    link.coulomb = known(source.coulomb_N, "coulomb[" + label + "]");
-    link.gravity = known(source.gravity_torque_N_m, "gravity_torque[" + label + "]");
-    for (const rig_file::Effect& effect : source.effects) add_effect(effect, label, link);
-    link.hold = link.coulomb;
-    link.watch_rate = link.coulomb != 0.0;
-    for (const EffectTerm& term : link.effects) {
-      if (term.shape == TermShape::kStribeck) link.hold += term.coefficient;
-      link.watch_rate |= term.shape == TermShape::kStribeck || term.shape == TermShape::kPresliding ||
-                         term.shape == TermShape::kAsymmetricViscous || term.shape == TermShape::kQuadraticDamping;
+    const std::string place = "[" + label + "]";
+    add_own(EffectKind::kStiffness, source.stiffness_N_m, place, link.terms);
+    add_own(EffectKind::kViscous, source.viscous_N_s_m, place, link.terms);
+    add_own(EffectKind::kCoulomb, source.coulomb_N, place, link.terms);
+    add_own(EffectKind::kGravityTorque, source.gravity_torque_N_m, place, link.terms);
+    for (const rig_file::Effect& effect : source.effects) {
+      const firmware::EffectRow& row = row_of(effect, place, EffectPlace::kLink);
+      if (row.role == firmware::EffectRole::kCorrection)
+        own_term(row, link.terms).coefficient += known(effect.coefficient, effect.kind + place);
+      else
+        add_effect(effect, row, place, rig_file::link_rotates(rig_, source), link.terms);
+    }
+    link.terms.erase(std::remove_if(link.terms.begin(), link.terms.end(),
+                                    [](const PlantTerm& term) { return term.coefficient == 0.0; }),
+                     link.terms.end());
+    for (const PlantTerm& term : link.terms) {
+      const firmware::Nature& nature = firmware::row_of(term.kind).nature;
+      link.hold += term.coefficient * vocabulary::hold_level(term.kind);
+      link.watch_rate |= nature.events == firmware::Events::kRateZero;
     }
     target_.links_.push_back(link);
   }
 
-  void add_effect(const rig_file::Effect& effect, const std::string& label, PlantLink& link) {
-    const std::string where = effect.kind + "[" + label + "]";
-    const double value = known(effect.coefficient, where);
-    if (effect.kind == "stiffness_error") return void(link.k += value);
-    if (effect.kind == "missing_viscous") return void(link.c += value);
-    if (effect.kind == "missing_coulomb") return void(link.coulomb += value);
-    const auto word = shape_words().find(effect.kind);
-    if (word == shape_words().end()) throw PlantError(where + ": not an effect of a link that can be simulated");
-    EffectTerm term;
-    term.shape = word->second.shape;
-    term.coefficient = value;
-    const bool left_out = effect.shape.empty() && word->second.may_be_left_out;
-    if (word->second.key != nullptr && !left_out) term.p = shape_of(effect, where, word->second.key);
-    if (value == 0.0) return;
-    if (term.shape == TermShape::kBacklash || term.shape == TermShape::kEndStop) term.index = target_.gaps_++;
-    if (term.shape == TermShape::kPresliding) term.index = target_.presliding_++;
-    link.effects.push_back(term);
+  static const firmware::EffectRow& row_of(const rig_file::Effect& effect, const std::string& place,
+                                           EffectPlace where) {
+    const firmware::EffectRow* row = rig_file::find_effect_row(effect.kind);
+    if (row == nullptr || !rig_file::stands_on(*row, where))
+      throw PlantError(effect.kind + place + ": not an effect of a " + (where == EffectPlace::kDof ? "DOF" : "link") +
+                       " that can be simulated");
+    return *row;
+  }
+
+  static void add_own(EffectKind kind, const rig_file::Coefficient& coefficient, const std::string& place,
+                      Terms& terms) {
+    PlantTerm term;
+    term.kind = kind;
+    term.coefficient = known(coefficient, firmware::row_of(kind).word.text + place);
+    terms.push_back(term);
+  }
+
+  // The rig file's own term that a row corrects: the one with the same column.
+  static PlantTerm& own_term(const firmware::EffectRow& row, Terms& terms) {
+    return *std::find_if(terms.begin(), terms.end(),
+                         [&](const PlantTerm& term) { return term.kind == firmware::row_of(row.core.term).kind; });
+  }
+
+  static void add_effect(const rig_file::Effect& effect, const firmware::EffectRow& row, const std::string& place,
+                         bool rotating, Terms& terms) {
+    const std::string where = effect.kind + place;
+    PlantTerm term;
+    term.kind = row.kind;
+    term.coefficient = known(effect.coefficient, where);
+    term.shape = shape_of(effect, row, where, rotating);
+    if (term.coefficient < 0.0 && row.nature.memory == firmware::Memory::kHiddenMass)
+      throw PlantError(where + ": hidden mass is negative, expected more than 0");
+    if (term.coefficient != 0.0) terms.push_back(term);
+  }
+
+  // Gaps and memories are numbered link by link, then DOF by DOF.
+  void number_terms() {
+    const auto number = [this](Terms& terms) {
+      for (PlantTerm& term : terms) {
+        if (firmware::row_of(term.kind).nature.events == firmware::Events::kGap) term.gap = target_.gaps_++;
+        term.memory = target_.memory_of_.size();
+        for (int m = 0; m < vocabulary::law_of(term.kind).memories; ++m) target_.memory_of_.push_back({term.kind, m});
+      }
+    };
+    for (PlantLink& link : target_.links_) number(link.terms);
+    for (size_t i = 0; i < target_.masses(); ++i) number(target_.on_dof_[i]), number(target_.on_drive_[i]);
   }
 
   const rig_file::RigModel& rig_;
   Equations& target_;
-  std::vector<PlantLink> hidden_links_;
 };
 
 Equations::Equations(const rig_file::RigModel& rig) { EquationsBuilder(rig, *this).build(); }

@@ -35,17 +35,30 @@ void Equations::root_functions(double t_s, const double* y, const double* force,
     for (size_t j = 0; j < held.size(); ++j)
       g[held_root[j]] = kReserveGain * (1.0 + kReleaseMargin - std::fabs(hold[j]) / links_[held[j]].hold);
   }
-  gap_roots(y, base, scale, g + root);
+  each_gap(y, force, base, [&](const PlantTerm& term, double value, bool of_force) {
+    vocabulary::Point at;
+    at.u = value;
+    for (int e = 0; e < 2; ++e)
+      g[root + 2 * term.gap + static_cast<size_t>(e)] = vocabulary::event_function(term.kind, e, at, term.shape).value /
+                                                        (of_force ? scale.force : scale.displacement);
+  });
 }
 
-void Equations::gap_roots(const double* y, const Motion& base, const MotionScale& scale, double* g) const {
-  for (const PlantLink& link : links_)
-    for (const EffectTerm& term : link.effects)
-      if (term.shape == TermShape::kBacklash || term.shape == TermShape::kEndStop) {
-        const double u = node(y, base, link.a).x - node(y, base, link.b).x;
-        g[2 * term.index] = (u - term.p) / scale.displacement;
-        g[2 * term.index + 1] = (u + term.p) / scale.displacement;
-      }
+template <typename Visit>
+void Equations::each_gap(const double* y, const double* force, const Motion& base, Visit visit) const {
+  if (gaps_ == 0) return;
+  const auto each = [&](const std::vector<PlantTerm>& terms, double value, bool of_force) {
+    for (const PlantTerm& term : terms)
+      if (firmware::row_of(term.kind).nature.events == firmware::Events::kGap) visit(term, value, of_force);
+  };
+  for (const PlantLink& link : links_) each(link.terms, node(y, base, link.a).x - node(y, base, link.b).x, false);
+  for (size_t i = 0; i < masses(); ++i) each(on_dof_[i], y[i], false), each(on_drive_[i], force[i], true);
+}
+
+void Equations::find_gap_sides(const double* y, const double* force, const Motion& base, Modes& modes) const {
+  each_gap(y, force, base, [&](const PlantTerm& term, double value, bool) {
+    modes.gap_side[term.gap] = vocabulary::point(term.kind, value, 0.0, 0.0, term.shape).side;
+  });
 }
 
 std::vector<bool> Equations::apply_roots(const int* direction, Modes& modes) const {
@@ -72,14 +85,11 @@ Modes Equations::start_modes(double t_s, double* y, const double* force, const M
   Modes modes{std::vector<int>(links_.size(), 1), std::vector<int>(gaps_, 0)};
   std::vector<bool> resting(links_.size(), false);
   for (size_t l = 0; l < links_.size(); ++l) {
-    const Node a = node(y, base, links_[l].a), b = node(y, base, links_[l].b);
-    const double u = a.x - b.x, w = a.v - b.v;
+    const double w = node(y, base, links_[l].a).v - node(y, base, links_[l].b).v;
     resting[l] = w == 0.0 && links_[l].watch_rate && links_[l].hold > 0.0;
     modes.rate_sign[l] = sign_of(w);
-    for (const EffectTerm& term : links_[l].effects)
-      if (term.shape == TermShape::kBacklash || term.shape == TermShape::kEndStop)
-        modes.gap_side[term.index] = u > term.p ? 1 : (u < -term.p ? -1 : 0);
   }
+  find_gap_sides(y, force, base, modes);
   solve_rest(t_s, y, force, base, resting, modes);
   std::vector<double> dy(states());
   derivative(t_s, y, force, base, modes, dy.data());
@@ -92,19 +102,16 @@ Modes Equations::start_modes(double t_s, double* y, const double* force, const M
   return modes;
 }
 
-bool Equations::resync(double* y, const Motion& base, Modes& modes) const {
+bool Equations::resync(double* y, const double* force, const Motion& base, Modes& modes) const {
   bool friction = false;
   for (size_t l = 0; l < links_.size(); ++l) {
-    const Node a = node(y, base, links_[l].a), b = node(y, base, links_[l].b);
-    const double u = a.x - b.x, w = a.v - b.v;
+    const double w = node(y, base, links_[l].a).v - node(y, base, links_[l].b).v;
     if (links_[l].watch_rate && modes.rate_sign[l] * w < 0.0) {
       modes.rate_sign[l] = sign_of(w);
       friction |= links_[l].hold > 0.0;
     }
-    for (const EffectTerm& term : links_[l].effects)
-      if (term.shape == TermShape::kBacklash || term.shape == TermShape::kEndStop)
-        modes.gap_side[term.index] = u > term.p ? 1 : (u < -term.p ? -1 : 0);
   }
+  find_gap_sides(y, force, base, modes);
   return friction;
 }
 

@@ -68,6 +68,7 @@ struct Integrator::Working {
   void create();
   void first_scale();
   void grow_scale();
+  void scale_memories();
   void handle_root();
   void check(int flag, const char* what) {
     if (flag >= 0) return;
@@ -97,7 +98,16 @@ void Integrator::Working::first_scale() {
     scale[i] = largest_x;
     scale[n + i] = largest_v;
   }
-  root_scale = {largest_x, largest_v};
+  double largest_force = 0.0;
+  for (const SignalPtr& force_signal : excitation.force_N)
+    if (force_signal) largest_force = std::max(largest_force, force_signal->peak());
+  root_scale = {largest_x, largest_v, largest_force > 0.0 ? largest_force : 1.0};
+  scale_memories();
+}
+
+void Integrator::Working::scale_memories() {
+  for (size_t i = 2 * equations.masses(); i < equations.states(); ++i)
+    scale[i] = equations.memory_scale(i - 2 * equations.masses(), root_scale);
 }
 
 void Integrator::Working::grow_scale() {
@@ -110,6 +120,7 @@ void Integrator::Working::grow_scale() {
     double& largest = i < equations.masses() ? root_scale.displacement : root_scale.velocity;
     largest = std::max(largest, scale[i]);
   }
+  scale_memories();
 }
 
 void Integrator::Working::create() {
@@ -173,7 +184,7 @@ void Integrator::advance_to(double t_s) {
   w.grow_scale();
   w.excite(w.t);
   if (w.equations.roots() == 0) return;
-  if (w.equations.resync(w.y.data(), w.base, w.modes)) w.restart = true;
+  if (w.equations.resync(w.y.data(), w.force.data(), w.base, w.modes)) w.restart = true;
   w.equations.equalise(w.y.data(), w.base, w.modes);
 }
 

@@ -43,7 +43,7 @@ void store(const Integrator& integrator, const Equations& equations, Output outp
   const std::vector<double> dy = integrator.derivative();
   size_t column = 0;
   const auto put = [&](double value) { record.channels[column++].values[row] = value; };
-  for (size_t i = 0; i < equations.dofs(); ++i) {
+  for (size_t i = 0; i < equations.masses(); ++i) {
     if (output.forces) put(integrator.forces()[i]);
     put(y[i]);
     put(y[equations.masses() + i]);

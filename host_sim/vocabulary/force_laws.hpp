@@ -1,4 +1,4 @@
-// Force per unit coefficient and its slopes, one function a law. Included by law_table.cpp alone.
+// Force per unit coefficient and its slopes, one function a law. Included by law_table.hpp alone.
 #pragma once
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-// Laws that remember: bristles (Dahl, LuGre) and a hidden mass on a spring. Included by law_table.cpp alone.
+// Laws that remember: bristles (Dahl, LuGre) and a hidden mass on a spring. Included by law_table.hpp alone.
 #pragma once
 #include <cmath>
 

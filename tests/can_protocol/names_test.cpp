@@ -17,7 +17,7 @@ rig_file::Coefficient unknown() {
 }
 
 // A DOF on the ground and one on the base, each with one effect of the vocabulary.
-rig_file::RigModel rig_with(const rig_file::EffectWord* word, bool rotating) {
+rig_file::RigModel rig_with(const firmware::EffectRow* word, bool rotating) {
   rig_file::RigModel model;
   model.dofs.resize(2);
   for (rig_file::Dof& dof : model.dofs) {
@@ -31,11 +31,10 @@ rig_file::RigModel rig_with(const rig_file::EffectWord* word, bool rotating) {
   if (rotating) link.gravity_torque_N_m = unknown();
   if (word != nullptr) {
     rig_file::Effect effect;
-    effect.kind = word->kind;
+    effect.kind = word->word.text;
     effect.coefficient = unknown();
-    for (int i : {0, 1})
-      if (!rig_file::shape_key(*word, i, rotating).empty())
-        effect.shape[rig_file::shape_key(*word, i, rotating)] = 0.01;
+    for (int i = 0; i < word->shape.count; ++i)
+      if (word->shape.at[i].in_core) effect.shape[rig_file::shape_key(*word, i, rotating)] = 0.01;
     link.effects.push_back(effect);
   }
   model.links.push_back(link);
@@ -66,18 +65,13 @@ TEST(Names, AreThoseOfTheRigFile) {
 }
 
 // An effect that corrects a term of the rig file travels as that term: the core knows no other.
-bool corrects_a_plain_term(const rig_file::EffectWord& word) {
-  return word.term == firmware::TermKind::kMass || word.term == firmware::TermKind::kStiffness ||
-         word.term == firmware::TermKind::kViscous || word.term == firmware::TermKind::kCoulomb;
-}
-
 TEST(Names, OfEveryEffectThatTheCoreEstimates) {
   int effects = 0;
-  for (const rig_file::EffectWord& word : rig_file::effect_words()) {
-    if (!word.in_core || word.place != rig_file::EffectPlace::kLink || corrects_a_plain_term(word)) continue;
+  for (const firmware::EffectRow& row : firmware::kEffectTable) {
+    if (!row.core.estimable || row.role != firmware::EffectRole::kExtension) continue;
     for (bool rotating : {false, true}) {
-      SCOPED_TRACE(word.kind);
-      expect_same_names(rig_with(&word, rotating), rotating);
+      SCOPED_TRACE(row.word.text);
+      expect_same_names(rig_with(&row, rotating), rotating);
     }
     ++effects;
   }

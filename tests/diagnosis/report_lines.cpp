@@ -38,7 +38,7 @@ bool add_truth(const Draw& draw, rig_file::RigModel& rig) {
     else {
       rig_file::Effect effect;
       effect.kind = e.kind, effect.coefficient = {0, true};
-      const rig_file::EffectWord* word = rig_file::find_effect_word(e.kind);
+      const firmware::EffectRow* word = rig_file::find_effect_row(e.kind);
       if (!word) return false;
       if (const std::string key = rig_file::shape_key(*word, 0, false); !key.empty()) effect.shape[key] = e.shape;
       link.effects.push_back(effect);

@@ -1,4 +1,4 @@
-// Every force law against its formula in double.
+// What columns of effects do beyond the laws of one instant (those: tests/vocabulary/core_laws_test.cpp).
 #include "firmware/links/effects.hpp"
 
 #include <gtest/gtest.h>
@@ -46,38 +46,7 @@ struct Case {
   double at(int i) const { return frame->column[kEffectColumn][kLeadIn + i] * to_double(unit[kEffectColumn]); }
 };
 
-double u_of(double t) { return 0.3 * std::sin(40.0 * t); }
-double w_of(double t) { return 5.0 * std::cos(40.0 * t); }
-
-void expect_law(TermKind kind, double shape, double tolerance, const std::function<double(double, double)>& law) {
-  Case test(kind, shape);
-  for (int block = 0; block < 20; ++block) {
-    test.block(block * kBlockSamples, u_of, w_of);
-    for (int i = 0; i < kBlockSamples; ++i) {
-      const double t = (block * kBlockSamples + i) * kPeriod;
-      EXPECT_NEAR(test.at(i), law(u_of(t), w_of(t)), tolerance) << "at " << t;
-    }
-  }
-}
-
-double sign(double x) { return (x > 0) - (x < 0); }
-
 }  // namespace
-
-TEST(Effects, ForceLawsMatchTheirFormulas) {
-  // Tolerances: a few steps of the column (Q26 of the range 1/2 m and 8 m/s) and of the codes.
-  expect_law(TermKind::kGravity, 0.0, 1e-7, [](double u, double) { return std::sin(u); });
-  expect_law(TermKind::kCubicStiffness, 0.0, 1e-7, [](double u, double) { return u * u * u; });
-  expect_law(TermKind::kQuadraticStiffness, 0.0, 1e-7, [](double u, double) { return u * u; });
-  expect_law(TermKind::kBacklash, 0.1, 1e-7, [](double u, double) { return -std::fmax(-0.1, std::fmin(0.1, u)); });
-  expect_law(TermKind::kEndStop, 0.1, 1e-7, [](double u, double) { return u - std::fmax(-0.1, std::fmin(0.1, u)); });
-  expect_law(TermKind::kQuadraticDamping, 0.0, 3e-5, [](double, double w) { return w * std::fabs(w); });
-  expect_law(TermKind::kCubicDamping, 0.0, 3e-4, [](double, double w) { return w * w * w; });
-  expect_law(TermKind::kStribeck, 0.7, 2e-6, [](double, double w) { return sign(w) * std::exp(-std::fabs(w) / 0.7); });
-  expect_law(TermKind::kForceOffset, 0.0, 1e-9, [](double, double) { return 1.0; });
-  expect_law(TermKind::kAsymmetricViscous, 0.0, 2e-6, [](double, double w) { return std::fabs(w); });
-  expect_law(TermKind::kDisplacementDependentDamping, 0.0, 2e-6, [](double u, double w) { return u * u * w; });
-}
 
 TEST(Effects, GravityBeyondOneTurn) {
   Case test(TermKind::kGravity, 0.0);
@@ -114,7 +83,7 @@ TEST(Effects, DahlFrictionSaturatesAndTurns) {
   // Pulled steadily: z = 1 - exp(-u / length) from rest; after a reversal it heads for -1 with the same length.
   Case test(TermKind::kPreslidingHysteresis, 0.01);
   const auto pull = [](double t) { return 0.1 * (t + kPeriod); };  // u = 0 one sample before the first block
-  const auto rate = [](double) { return 0.1; };
+  const auto rate = [](double t) { return t < 0 ? 0.0 : 0.1; };    // still at rest where the level starts
   for (int block = 0; block < 10; ++block) {
     test.block(block * kBlockSamples, pull, rate);
     for (int i : {0, 10, 31}) {
