@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "free_run.hpp"
+#include "host_sim/vocabulary/held_in_place.hpp"
 #include "sharpen.hpp"
 
 namespace diagnosis {
@@ -23,23 +24,6 @@ Series trusted(const FusedRecord& f, const DofMotion& m, Eigen::Index from, cons
   Series whole = Series::Zero(static_cast<Eigen::Index>(f.samples));
   whole.segment(from, s.size()) = s;
   return f.fourier->inverse(f.fourier->forward(whole).cwiseProduct(m.trust)).segment(from, s.size());
-}
-
-// A spring of the rig file, or a chain of them, ties every DOF to the ground or the base.
-bool held_in_place(const System& s) {
-  std::vector<bool> held(s.dofs(), false);
-  const auto is_held = [&](int end) { return end <= 0 || held[static_cast<size_t>(end - 1)]; };
-  for (size_t round = 0; round < s.dofs(); ++round)
-    for (size_t l = 0; l < s.known_links; ++l) {
-      const rig_file::Link& k = s.links[l];
-      const auto given = [](const rig_file::Coefficient& c) { return c.estimate || c.value > 0; };
-      bool spring = given(k.stiffness_N_m) || given(k.gravity_torque_N_m);
-      for (const rig_file::Effect& e : k.effects) spring = spring || e.kind == "cubic_stiffness";
-      if (!spring) continue;
-      if (k.a > 0 && is_held(k.b)) held[static_cast<size_t>(k.a - 1)] = true;
-      if (k.b > 0 && is_held(k.a)) held[static_cast<size_t>(k.b - 1)] = true;
-    }
-  return std::all_of(held.begin(), held.end(), [](bool h) { return h; });
 }
 
 Eigen::MatrixXd force_errors(const System& system, const std::vector<ActiveTerm>& model, const FusedRecord& f,
@@ -75,7 +59,7 @@ bool any_massless(const System& system, const std::vector<ActiveTerm>& model) {
 }
 
 Eigen::Index span_of(const System& system, const FusedRecord& f, Eigen::Index whole) {
-  return held_in_place(system) ? whole : std::max<Eigen::Index>(2, std::lround(1 / f.period_s));
+  return vocabulary::held_in_place(system.rig) ? whole : std::max<Eigen::Index>(2, std::lround(1 / f.period_s));
 }
 
 }  // namespace

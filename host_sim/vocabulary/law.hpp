@@ -69,8 +69,8 @@ inline MemoryRate memory_rate(EffectKind kind, const Point& at, const Shape& sha
 void start_memory(EffectKind kind, const Point& at, const Shape& shape, double* z);
 
 // z from one sample to the next, h_s later, where the motion between is known at the samples alone: exact for bristles
-// if the elongation does not turn in between; for a hidden mass the motion between is taken as a straight line in velocity.
-// from.z is not read.
+// if the elongation does not turn in between; for a hidden mass the motion between is the cubic through place and velocity
+// at both. from.z is not read.
 void advance_memory(EffectKind kind, const Point& from, const Point& to, double h_s, const Shape& shape, double* z);
 
 // Where a law is not smooth: the roots of functions g of the motion. At a root of kRateZero `sign` changes, at those of

@@ -59,15 +59,22 @@ inline MemoryRate hidden_mass_rate(const Point& at, const Shape& shape) {
   return r;
 }
 inline void hidden_mass_at_start(const Point& at, const Shape&, double* z) { z[0] = at.u, z[1] = at.w; }
-// Newmark's average acceleration: stable at any step.
+// The oscillator's own decay and turn over a step, and a polynomial that solves its equation under the DOF's motion, taken
+// as the cubic through place and velocity at both ends: exact for that motion at any step.
 inline void move_hidden_mass(const Point& from, const Point& to, double h, const Shape& shape, double* z) {
   constexpr double kTwoPi = 6.283185307179586476925;
-  const double o = kTwoPi * shape.p[0], c = 2.0 * shape.p[1] * o, k = o * o;
-  const double before = k * (from.u - z[0]) + c * (from.w - z[1]);
-  const double x = z[0] + h * z[1] + 0.25 * h * h * before, v = z[1] + 0.5 * h * before;
-  const double after = (k * (to.u - x) + c * (to.w - v)) / (1.0 + 0.5 * h * c + 0.25 * h * h * k);
-  z[0] = x + 0.25 * h * h * after;
-  z[1] = v + 0.5 * h * after;
+  const double o = kTwoPi * shape.p[0], sigma = shape.p[1] * o, c = 2.0 * sigma, k = o * o;
+  const double slope = (to.u - from.u) / h;
+  const double x2 = (3.0 * slope - 2.0 * from.w - to.w) / h, x3 = (from.w + to.w - 2.0 * slope) / (h * h);
+  const double f0 = k * from.u + c * from.w, f1 = k * from.w + 2.0 * c * x2, f2 = k * x2 + 3.0 * c * x3, f3 = k * x3;
+  const double p3 = f3 / k, p2 = (f2 - 3.0 * c * p3) / k, p1 = (f1 - 2.0 * c * p2 - 6.0 * p3) / k,
+               p0 = (f0 - c * p1 - 2.0 * p2) / k;
+  const double square = k - sigma * sigma, turn = std::sqrt(std::abs(square)) * h;
+  const double cosine = square > 0.0 ? std::cos(turn) : std::cosh(turn);
+  const double sine = turn == 0.0 ? h : (square > 0.0 ? std::sin(turn) : std::sinh(turn)) * h / turn;
+  const double decay = std::exp(-sigma * h), x = z[0] - p0, v = z[1] - p1;
+  z[0] = p0 + h * (p1 + h * (p2 + h * p3)) + decay * (x * (cosine + sigma * sine) + v * sine);
+  z[1] = p1 + h * (2.0 * p2 + 3.0 * h * p3) + decay * (v * (cosine - sigma * sine) - x * k * sine);
 }
 
 }  // namespace laws

@@ -8,7 +8,12 @@
 
 #include "hal/rig_file/rig_reader.hpp"
 #include "host_sim/plant/simulate.hpp"
+<<<<<<< HEAD
 #include "host_sim/reports/data/free_simulation.hpp"
+=======
+#include "host_sim/reports/free_simulation.hpp"
+#include "host_sim/vocabulary/held_in_place.hpp"
+>>>>>>> c82820f (Held in place, the experiment that sets an effect apart and the documentation's tables come from the vocabulary too; a test finds every effect in everybody who lists effects)
 
 namespace {
 
@@ -87,8 +92,8 @@ TEST(Compare, ALinkThatOnlyTheExtendedRigHasIsShown) {
 // Without a spring the simulation restarts every second, so an error cannot grow for longer.
 TEST(Compare, ARigThatNothingHoldsRestarts) {
   const auto sliding = rig("viscous_N_s_m = 4.0\n");
-  EXPECT_FALSE(reports::held_in_place(sliding));
-  EXPECT_TRUE(reports::held_in_place(rig(kGiven)));
+  EXPECT_FALSE(vocabulary::held_in_place(sliding));
+  EXPECT_TRUE(vocabulary::held_in_place(rig(kGiven)));
   InitialState initial;
   initial.v_m_s = {1.0};
   const Record record = simulate(sliding, initial, Excitation{}, SampleTimes{1e-3, 0, 0, 3001, 0.0});

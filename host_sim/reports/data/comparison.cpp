@@ -8,6 +8,7 @@
 #include "host_sim/plant/plant_error.hpp"
 #include "host_sim/reports/data/channel_words.hpp"
 #include "host_sim/reports/data/free_simulation.hpp"
+#include "host_sim/vocabulary/held_in_place.hpp"
 
 namespace host_sim::reports {
 namespace {
@@ -21,7 +22,7 @@ struct Simulations {
 
 std::vector<size_t> start_samples(const Record& record, const rig_file::RigModel& rig) {
   std::vector<size_t> starts = {0};
-  if (!held_in_place(rig)) {
+  if (!vocabulary::held_in_place(rig)) {
     const size_t step = std::max<size_t>(2, static_cast<size_t>(std::lround(kRestart_s / record.sample_period_s)));
     for (size_t at = step; at + step <= record.samples(); at += step) starts.push_back(at);
   }
@@ -205,7 +206,7 @@ Comparison compare(const Record& record, const rig_file::RigModel& given_rig, co
   const Simulations simulated{try_to_simulate(given, record, "rig as given", out.notes),
                               try_to_simulate(extended, record, "extended rig", out.notes)};
   const bool free = !simulated.given.channels.empty();
-  if (free && !held_in_place(given))
+  if (free && !vocabulary::held_in_place(given))
     out.notes.push_back(
         "nothing holds the rig in its place: the simulations restart from the measured state every second");
   const ForceBalance before = force_balance(given, record), after = force_balance(extended, record);

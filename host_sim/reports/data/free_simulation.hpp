@@ -8,10 +8,6 @@
 
 namespace host_sim::reports {
 
-// Does every DOF have a way to the ground or the base by springs (stiffness, gravity, springs that are effects)? Where
-// not, nothing pulls a simulation back to the measurement.
-bool held_in_place(const rig_file::RigModel& rig);
-
 // Displacement, velocity and acceleration of every DOF for all samples of the record; the state is the measured one at
 // each sample of `starts` (ascending, the first 0). Throws PlantError.
 Record simulate_from(const rig_file::RigModel& rig, const Record& record, const std::vector<size_t>& starts);
