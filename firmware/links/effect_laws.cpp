@@ -49,6 +49,7 @@ constexpr CoreLaw kLaws[] = {
     {TermKind::kAsymmetricViscous, 0, 1, ShapeUse::kNone, one_way_damper},
     {TermKind::kDisplacementDependentDamping, 2, 1, ShapeUse::kNone, displaced_damper},
     {TermKind::kDriftingViscous, 0, 1, ShapeUse::kDecayOfTime, drifting_damper},
+    {TermKind::kCogging, 0, 0, ShapeUse::kTurns, sine},
 };
 constexpr bool in_order() {
   for (int i = kFirst; i < kTermKinds; ++i)

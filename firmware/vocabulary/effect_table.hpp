@@ -21,6 +21,10 @@ constexpr ShapeParameter kBristleTime("bristle_time", "bristle_time", kTime,
                                       Range(RangeOf::kSlideTime, 20000, 50000000), true, true, false);
 constexpr ShapeParameter kDriftTime("drift_time", "drift_time", kTime, Range(RangeOf::kDuration, 20000, 2000000), false,
                                     true, true);
+constexpr ShapeParameter kCoggingPitch("pitch", "cogging_pitch", kLength,
+                                       Range(RangeOf::kElongationPeak, 20000, 3000000), false, false, true);
+constexpr ShapeParameter kCoggingPhase("phase", "cogging_phase", Unit("rad", "rad"), Range(RangeOf::kOne, 0, 6283185),
+                                       true, true, true);
 constexpr ShapeParameter kResonance("resonance", "resonance_frequency", kHertz,
                                     Range(RangeOf::kSamplingRate, 2000, 121000), false, false, false);
 constexpr ShapeParameter kDampingRatio("damping_ratio", "resonance_damping_ratio", kPure,

@@ -24,6 +24,7 @@ enum class TermKind : uint8_t {
   kAsymmetricViscous,             // c_a |w|: c + c_a for w > 0, c - c_a for w < 0
   kDisplacementDependentDamping,  // c_u u^2 w
   kDriftingViscous,  // c_t w t, t in s since the level's start; shape = time constant tau: c_t w tau (1 - exp(-t / tau))
+  kCogging,          // a sin(2 pi u / pitch + phase); shape = pitch, second shape = phase
   kCount
 };
 constexpr int kTermKinds = static_cast<int>(TermKind::kCount);
@@ -52,6 +53,7 @@ enum class EffectKind : uint8_t {
   kMissingViscous,
   kMissingCoulomb,
   kDriftingViscous,
+  kCogging,
   // effects on a DOF
   kMassError,
   kUnmodelledResonance,

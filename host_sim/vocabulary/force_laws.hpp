@@ -98,6 +98,16 @@ inline Force drifting_damper(const Point& at, const Shape& shape) {
   if (tau > 0.0) f.slope.shape[0] = at.w * (-std::expm1(-t / tau) - t / tau * std::exp(-t / tau));
   return f;
 }
+inline Force cogging(const Point& at, const Shape& shape) {
+  Force f;
+  constexpr double kTwoPi = 6.283185307179586476925;
+  const double angle = kTwoPi * at.u / shape.p[0] + shape.p[1];
+  f.value = std::sin(angle);
+  f.slope.shape[1] = std::cos(angle);
+  f.slope.u = kTwoPi / shape.p[0] * f.slope.shape[1];
+  f.slope.shape[0] = -f.slope.u * at.u / shape.p[0];
+  return f;
+}
 // Gain, offset and delay of a reading: c, 1 and, to its first order, -dc/dt.
 inline Force late(const Point& at, const Shape&) {
   Force f;

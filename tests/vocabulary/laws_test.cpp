@@ -35,6 +35,8 @@ const Hand kHands[] = {
     {EffectKind::kDisplacementDependentDamping, -2, -3, 0, 0, 0, -12},
     {EffectKind::kDriftingViscous, -2, 3, 5, 0, 0, 15},
     {EffectKind::kDriftingViscous, -2, 3, 5, 5, 0, 9.4818083824283644},  // 3 * 5 (1 - exp(-1))
+    {EffectKind::kCogging, -2, 3, 0, 8, 0, -1},                          // a quarter of a pitch back
+    {EffectKind::kCogging, -2, 3, 0, 4, 1.5707963267948966, -1},         // half a pitch back from the top
     {EffectKind::kSensorDelay, -2, 3, 0, 0, 0, -3},
     {EffectKind::kSensorGain, -2, 3, 0, 0, 0, -2},
     {EffectKind::kMainsHum, -2, 3, 0.01, 50, 0, -1},  // half a cycle
