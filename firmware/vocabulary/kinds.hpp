@@ -54,6 +54,7 @@ enum class EffectKind : uint8_t {
   kMissingCoulomb,
   kDriftingViscous,
   kCogging,
+  kMissingGravityTorque,
   // effects on a DOF
   kMassError,
   kUnmodelledResonance,

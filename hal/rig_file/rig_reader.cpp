@@ -106,6 +106,10 @@ Link read_link(const Place& place, const toml::table& table, const RigModel& mod
   if (const toml::node* gravity = table.get(weight); gravity != nullptr && link.b != kGround)
     refuse(place, *gravity, weight, "stands on a link between DOFs, expected it on a link to the ground (0)");
   link.effects = read_effects(place, table, EffectPlace::kLink, rotates);
+  for (const Effect& effect : link.effects)
+    if (find_effect_row(effect.kind)->core.term == firmware::TermKind::kGravity && link.b != kGround)
+      refuse(place, table, "effect",
+             effect.kind + " stands on a link between DOFs, expected it on a link to the ground (0)");
   return link;
 }
 

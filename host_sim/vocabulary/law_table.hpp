@@ -36,6 +36,7 @@ inline constexpr Law kLaws[] = {
     plain(EffectKind::kMissingCoulomb, laws::dry_friction),
     plain(EffectKind::kDriftingViscous, laws::drifting_damper),
     plain(EffectKind::kCogging, laws::cogging),
+    plain(EffectKind::kMissingGravityTorque, laws::pendulum),
     plain(EffectKind::kMassError, laws::acceleration),
     {EffectKind::kUnmodelledResonance, laws::hidden_mass, 2, laws::hidden_mass_rate, laws::hidden_mass_at_start,
      laws::move_hidden_mass},

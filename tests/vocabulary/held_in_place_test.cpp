@@ -9,8 +9,9 @@
 
 TEST(HeldInPlace, TheKindsThatPullBack) {
   using firmware::EffectKind;
-  const std::set<EffectKind> expected = {EffectKind::kStiffness, EffectKind::kStiffnessError,
-                                         EffectKind::kGravityTorque, EffectKind::kCubicStiffness, EffectKind::kEndStop};
+  const std::set<EffectKind> expected = {EffectKind::kStiffness,      EffectKind::kStiffnessError,
+                                         EffectKind::kGravityTorque,  EffectKind::kMissingGravityTorque,
+                                         EffectKind::kCubicStiffness, EffectKind::kEndStop};
   for (const firmware::EffectRow& row : firmware::kEffectTable)
     if (row.role != firmware::EffectRole::kCorrection || expected.count(row.kind) > 0) {
       EXPECT_EQ(vocabulary::pulls_back(row.kind), expected.count(row.kind) > 0) << row.word.text;

@@ -37,6 +37,7 @@ const Hand kHands[] = {
     {EffectKind::kDriftingViscous, -2, 3, 5, 5, 0, 9.4818083824283644},  // 3 * 5 (1 - exp(-1))
     {EffectKind::kCogging, -2, 3, 0, 8, 0, -1},                          // a quarter of a pitch back
     {EffectKind::kCogging, -2, 3, 0, 4, 1.5707963267948966, -1},         // half a pitch back from the top
+    {EffectKind::kMissingGravityTorque, -1.5707963267948966, 3, 0, 0, 0, -1},
     {EffectKind::kSensorDelay, -2, 3, 0, 0, 0, -3},
     {EffectKind::kSensorGain, -2, 3, 0, 0, 0, -2},
     {EffectKind::kMainsHum, -2, 3, 0.01, 50, 0, -1},  // half a cycle
