@@ -34,6 +34,9 @@ constexpr ShapeParameter kMainsFrequency("frequency", "mains_frequency", kHertz,
 constexpr ShapeParameter kMainsPhase("phase", "mains_phase", Unit("rad", "rad"), Range(RangeOf::kOne, 0, 6283185), true,
                                      true, false);
 
+constexpr ShapeParameter kDeadBand("dead_band", "drive_dead_band_width", Unit("N", "N m"),
+                                   Range(RangeOf::kForcePeak, 1000, 900000), false, false, false);
+
 }  // namespace parameter
 
 namespace nature {

@@ -64,6 +64,7 @@ enum class EffectKind : uint8_t {
   kMainsHum,
   kSensorOffset,
   kForceHold,
+  kDriveDeadBand,
   kCount
 };
 constexpr int kEffectKinds = static_cast<int>(EffectKind::kCount);

@@ -51,6 +51,11 @@ inline Force gap_lost(const Point& at, const Shape& shape) {  // -clamp(u, -gap,
     f.value = -at.side * shape.p[0], f.slope.shape[0] = -at.side;
   return f;
 }
+inline Force within_gap(const Point& at, const Shape& shape) {  // clamp(u, -gap, gap)
+  Force f = gap_lost(at, shape);
+  f.value = -f.value, f.slope.u = -f.slope.u, f.slope.shape[0] = -f.slope.shape[0];
+  return f;
+}
 inline Force beyond_gap(const Point& at, const Shape& shape) {
   Force f;
   if (at.side != 0) f.value = at.u - at.side * shape.p[0], f.slope.u = 1.0, f.slope.shape[0] = -at.side;

@@ -45,6 +45,7 @@ inline constexpr Law kLaws[] = {
     plain(EffectKind::kMainsHum, laws::hum),
     plain(EffectKind::kSensorOffset, laws::constant),
     plain(EffectKind::kForceHold, nullptr),
+    plain(EffectKind::kDriveDeadBand, laws::within_gap),
 };
 
 constexpr bool a_law_for_each_row() {

@@ -38,6 +38,7 @@ const Hand kHands[] = {
     {EffectKind::kCogging, -2, 3, 0, 8, 0, -1},                          // a quarter of a pitch back
     {EffectKind::kCogging, -2, 3, 0, 4, 1.5707963267948966, -1},         // half a pitch back from the top
     {EffectKind::kMissingGravityTorque, -1.5707963267948966, 3, 0, 0, 0, -1},
+    {EffectKind::kDriveDeadBand, -2, 3, 0, 0.5, 0, -0.5},
     {EffectKind::kSensorDelay, -2, 3, 0, 0, 0, -3},
     {EffectKind::kSensorGain, -2, 3, 0, 0, 0, -2},
     {EffectKind::kMainsHum, -2, 3, 0.01, 50, 0, -1},  // half a cycle
