@@ -8,12 +8,8 @@
 
 #include "hal/rig_file/rig_reader.hpp"
 #include "host_sim/plant/simulate.hpp"
-<<<<<<< HEAD
 #include "host_sim/reports/data/free_simulation.hpp"
-=======
-#include "host_sim/reports/free_simulation.hpp"
 #include "host_sim/vocabulary/held_in_place.hpp"
->>>>>>> c82820f (Held in place, the experiment that sets an effect apart and the documentation's tables come from the vocabulary too; a test finds every effect in everybody who lists effects)
 
 namespace {
 
