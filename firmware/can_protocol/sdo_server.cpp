@@ -2,6 +2,7 @@
 #include "firmware/can_protocol/sdo_server.hpp"
 
 #include "firmware/can_protocol/packing.hpp"
+#include "firmware/configuration/bytes.hpp"
 
 namespace firmware {
 namespace {
@@ -13,16 +14,6 @@ constexpr uint8_t kWriteDone = 0x60;
 constexpr uint8_t kReadSized = 0x43;  // expedited, size given: bits 2 and 3 count the unused bytes
 constexpr uint8_t kReadSegmented = 0x41;
 constexpr int kSegmentBytes = 7;
-
-void put32(CanMessage& message, int place, uint32_t value) {
-  for (int i = 0; i < 4; ++i) message.data[place + i] = static_cast<uint8_t>(value >> (8 * i));
-}
-
-uint32_t get32(const CanMessage& message, int place) {
-  uint32_t value = 0;
-  for (int i = 3; i >= 0; --i) value = value << 8 | message.data[place + i];
-  return value;
-}
 
 uint16_t index_of(const CanMessage& message) { return static_cast<uint16_t>(message.data[1] | message.data[2] << 8); }
 
@@ -53,7 +44,7 @@ bool SdoServer::answer(const CanMessage& request, int node, CanMessage& reply) {
 void SdoServer::abort(SdoAbort code, CanMessage& reply) {
   segmented_ = false;
   reply.data[0] = kAbort;
-  put32(reply, 4, static_cast<uint32_t>(code));
+  put32(reply.data + 4, static_cast<uint32_t>(code));
 }
 
 void SdoServer::read_object(const CanMessage& request, CanMessage& reply) {
@@ -64,7 +55,7 @@ void SdoServer::read_object(const CanMessage& request, CanMessage& reply) {
   toggle_ = false;
   if (segmented_) {
     reply.data[0] = kReadSegmented;
-    put32(reply, 4, size_);
+    put32(reply.data + 4, size_);
     return;
   }
   reply.data[0] = static_cast<uint8_t>(kReadSized | (4 - size_) << 2);
@@ -95,7 +86,7 @@ bool SdoServer::write_object(const CanMessage& request, CanMessage& reply) {
   }
   const bool sized = command & 0x01;
   const auto size = static_cast<uint8_t>(sized ? 4 - ((command >> 2) & 3) : 0);  // 0: not said
-  uint32_t value = get32(request, 4);
+  uint32_t value = get32(request.data + 4);
   if (sized && size < 4) value &= (1u << (8 * size)) - 1;
   const SdoAbort code = objects_.write(index_of(request), request.data[3], value, size);
   pending_ = reply;

@@ -3,22 +3,12 @@
 
 #include <type_traits>
 
+#include "firmware/configuration/bytes.hpp"
+
 namespace firmware {
 namespace {
 
 constexpr uint32_t kVersion = 0x52433034;  // "RC04": changes with the list of fields
-
-class Crc32 {
- public:
-  void add(uint8_t byte) {
-    value_ ^= byte;
-    for (int bit = 0; bit < 8; ++bit) value_ = (value_ >> 1) ^ (value_ & 1 ? 0xEDB88320u : 0u);
-  }
-  uint32_t value() const { return ~value_; }
-
- private:
-  uint32_t value_ = 0xFFFFFFFFu;
-};
 
 // Bytes go to a buffer where there is one, and into the check sum.
 class Writer {
@@ -249,19 +239,13 @@ Writer write(const ControllerConfiguration& configuration, uint8_t* bytes, size_
   return writer;
 }
 
-uint32_t read32(const uint8_t* bytes) {
-  uint32_t value = 0;
-  Reader(bytes, 4).field(value);
-  return value;
-}
-
 constexpr size_t kVersionBytes = 4, kCrcBytes = 4;
 
 bool whole(const uint8_t* bytes, size_t size) {
-  if (size < kVersionBytes + kCrcBytes || read32(bytes) != kVersion) return false;
+  if (size < kVersionBytes + kCrcBytes || get32(bytes) != kVersion) return false;
   Crc32 crc;
   for (size_t i = 0; i + kCrcBytes < size; ++i) crc.add(bytes[i]);
-  return crc.value() == read32(bytes + size - kCrcBytes);
+  return crc.value() == get32(bytes + size - kCrcBytes);
 }
 
 }  // namespace

@@ -3,30 +3,23 @@
 
 #include <algorithm>
 
+#include "firmware/configuration/bytes.hpp"
+
 namespace hal {
 namespace {
 
 constexpr size_t kFrameBytes = 8;  // generation and check sum
 
-// FNV-1a, 32 bits.
-uint32_t check_sum(const uint8_t* bytes, size_t size) {
-  uint32_t sum = 2166136261u;
-  for (size_t i = 0; i < size; ++i) sum = (sum ^ bytes[i]) * 16777619u;
-  return sum;
-}
-
-uint32_t read32(const uint8_t* bytes) {
-  uint32_t value = 0;
-  for (int i = 3; i >= 0; --i) value = value << 8 | bytes[i];
-  return value;
-}
+using firmware::get32;
 
 void append32(std::vector<uint8_t>& bytes, uint32_t value) {
-  for (int i = 0; i < 4; ++i) bytes.push_back(static_cast<uint8_t>(value >> (8 * i)));
+  bytes.resize(bytes.size() + 4);
+  firmware::put32(bytes.data() + bytes.size() - 4, value);
 }
 
 bool good(const std::vector<uint8_t>& slot) {
-  return slot.size() > kFrameBytes && check_sum(slot.data(), slot.size() - 4) == read32(slot.data() + slot.size() - 4);
+  return slot.size() > kFrameBytes &&
+         firmware::crc32(slot.data(), slot.size() - 4) == get32(slot.data() + slot.size() - 4);
 }
 
 }  // namespace
@@ -35,7 +28,7 @@ const std::vector<uint8_t>* FakeConfigurationStore::newest() const {
   const bool first = good(slots_[0]);
   const bool second = good(slots_[1]);
   if (!first && !second) return nullptr;
-  if (first && second) return read32(slots_[0].data()) > read32(slots_[1].data()) ? &slots_[0] : &slots_[1];
+  if (first && second) return get32(slots_[0].data()) > get32(slots_[1].data()) ? &slots_[0] : &slots_[1];
   return first ? &slots_[0] : &slots_[1];
 }
 
@@ -55,9 +48,9 @@ bool FakeConfigurationStore::save(const uint8_t* bytes, size_t size) {
   const std::vector<uint8_t>* present = newest();
   std::vector<uint8_t>& slot = present == &slots_[0] ? slots_[1] : slots_[0];
   std::vector<uint8_t> image;
-  append32(image, present ? read32(present->data()) + 1 : 1);
+  append32(image, present ? get32(present->data()) + 1 : 1);
   image.insert(image.end(), bytes, bytes + size);
-  append32(image, check_sum(image.data(), image.size()));
+  append32(image, firmware::crc32(image.data(), image.size()));
   for (size_t i = 0; i < image.size(); ++i)
     if (!write(slot, i, image[i])) return false;
   slot.resize(image.size());

@@ -2,37 +2,24 @@
 
 #include <cstring>
 
+#include "firmware/configuration/bytes.hpp"
+
 namespace hal {
 namespace {
+
+using firmware::crc32;
+using firmware::get32;
+using firmware::put32;
 
 constexpr uint8_t kMagic[4] = {'R', 'I', 'G', 'C'};
 constexpr size_t kHeader = 12, kTrailer = 4;
 constexpr const char* kNew = "configuration.new";
 constexpr const char* kNames[2] = {"configuration.0", "configuration.1"};
 
-void put32(uint8_t* bytes, uint32_t value) {
-  for (int i = 0; i < 4; ++i) bytes[i] = static_cast<uint8_t>(value >> (8 * i));
-}
-
-uint32_t get32(const uint8_t* bytes) {
-  uint32_t value = 0;
-  for (int i = 0; i < 4; ++i) value |= static_cast<uint32_t>(bytes[i]) << (8 * i);
-  return value;
-}
-
 // Generations count on past 2^32; the later one is at most half the circle ahead.
 bool later(uint32_t a, uint32_t b) { return static_cast<int32_t>(a - b) > 0; }
 
 }  // namespace
-
-uint32_t crc32(const uint8_t* bytes, size_t size, uint32_t previous) {
-  uint32_t crc = ~previous;
-  for (size_t i = 0; i < size; ++i) {
-    crc ^= bytes[i];
-    for (int bit = 0; bit < 8; ++bit) crc = (crc >> 1) ^ (0xEDB88320u & (0u - (crc & 1u)));
-  }
-  return ~crc;
-}
 
 FileConfigurationStore::Slot FileConfigurationStore::inspect(int index) {
   Slot slot;

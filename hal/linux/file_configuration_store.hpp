@@ -14,8 +14,6 @@
 
 namespace hal {
 
-uint32_t crc32(const uint8_t* bytes, size_t size, uint32_t previous = 0);
-
 class FileConfigurationStore final : public ConfigurationStore {
  public:
   explicit FileConfigurationStore(FileOperations& files) : files_(files) {}

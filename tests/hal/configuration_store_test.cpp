@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <set>
 
+#include "firmware/configuration/bytes.hpp"
 #include "hal/linux/file_configuration_store.hpp"
 #include "hal/linux/posix_file_operations.hpp"
 #include "tests/hal/power_cut_files.hpp"
@@ -64,7 +65,7 @@ std::vector<Disk> cut_everywhere(const Disk& before, const Bytes& old_content, c
 // The check value of CRC-32 as in zip: the CRC of the nine digits.
 TEST(ConfigurationStore, CheckSumIsThatOfZip) {
   const char digits[] = "123456789";
-  EXPECT_EQ(hal::crc32(reinterpret_cast<const uint8_t*>(digits), 9), 0xCBF43926u);
+  EXPECT_EQ(firmware::crc32(reinterpret_cast<const uint8_t*>(digits), 9), 0xCBF43926u);
 }
 
 TEST(ConfigurationStore, EmptyFolderHoldsNothing) {
