@@ -2,7 +2,7 @@
 # The emulated boards: AST2600 (armhf: GPIO and ADC by the kernel's own drivers, vcan) and arm64 virt (two SJA1000 CAN
 # controllers, PL061 GPIO), with Debian's kernels and the cross-built rig_controller. Called by tests/run.sh --board.
 #   --bench       the endurance test takes 10 minutes of guest time instead of one
-#   --only TEST   one test (package, hal, replay, stop, killed, kernel, settings, faults, session,
+#   --only TESTS  these tests (package, hal, replay, stop, killed, kernel, settings, faults, session,
 #                 samples, gpiod2, endurance) instead of all
 # Downloads go to ${XDG_CACHE_HOME:-~/.cache}/rig_damping/board, results to build/board.
 set -euo pipefail
@@ -14,7 +14,7 @@ while [ $# -gt 0 ]; do
   case $1 in
     --bench) seconds=600 ;;
     --only) only=$2; shift ;;
-    *) echo "tests/board/run.sh: unknown option $1, expected --bench or --only TEST" >&2; exit 2 ;;
+    *) echo "tests/board/run.sh: unknown option $1, expected --bench or --only TESTS" >&2; exit 2 ;;
   esac
   shift
 done
@@ -105,11 +105,13 @@ make_initrd arm64 --program lib/systemd/systemd-networkd --program lib/systemd/s
   --file $results/arm64/usr/share/doc/rig-controller/80-rig-can-fd.network=/run/systemd/network/70-rig-can-fd.network \
   --module kvaser_pci --module vcan --module can-raw --module sch_tbf --module i6300esb
 
+wanted() { [ -z "$only" ] || [[ " $only " = *" $1 "* ]]; }
+
 # board_test ARCH TEST [option...]
 board_test() {
   local arch=$1 test=$2
   shift 2
-  [ -z "$only" ] || [ "$only" = "$test" ] || return 0
+  wanted "$test" || return 0
   if [ "$test" = gpiod2 ] && [ -z "$gpiod2" ]; then
     echo "$arch gpiod2: SKIPPED, Debian 13's libgpiod could not be downloaded (message above)"
     return 0
@@ -122,7 +124,7 @@ board_test() {
 # The estimates' frames of a board against those of this machine: identifier and data, in their order.
 estimates() { grep -oE ' 4[0-7][0-9A-F]#[0-9A-F]+' "$1" || true; }
 compare() {
-  [ -z "$only" ] || [ "$only" = replay ] || return 0
+  wanted replay || return 0
   local log=$results/$1_replay_estimates.log count
   count=$(estimates $results/reference.log | wc -l)
   if [ "$count" -gt 0 ] && cmp <(estimates $results/reference.log) <(estimates "$log"); then
@@ -134,7 +136,7 @@ compare() {
 
 # The package holds what `cmake --install` copies, and asks for a C library as new as the program's symbols.
 package_test() {
-  [ -z "$only" ] || [ "$only" = package ] || return 0
+  wanted package || return 0
   local deb=build/${preset[$1]}/rig-controller_*_$1.deb folder=$results/$1 copy=$results/$1_installed asked newest
   cmake --install build/${preset[$1]} --prefix $copy/usr >/dev/null
   asked=$(dpkg-deb -f $deb Depends | sed -n 's/.*libc6 (>= \([0-9.]*\)).*/\1/p')

@@ -63,6 +63,7 @@ interface_up() {
 
 # start_controller FILE [option...]: in the background; its words go to /tmp/controller.log
 start_controller() {
+  rm -f /tmp/controller.log # of a start before: it says that it runs, too
   rig_controller "$@" 2>/tmp/controller.log &
   controller=$!
   await grep -q "node 1 on" /tmp/controller.log || give_up start
