@@ -2,6 +2,7 @@
 
 #include "firmware/can_protocol/bus_load.hpp"
 #include "firmware/can_protocol/packing.hpp"
+#include "firmware/can_protocol/single_precision.hpp"
 
 namespace firmware {
 namespace {
@@ -27,6 +28,16 @@ void set_record(CanMessage& message, const EstimateRecord& record, int bit_offse
   can::set_raw(message, signal(kStatus), static_cast<int64_t>(record.status), bit_offset);
   can::set_raw(message, signal(kStdExponent), record.std_exponent, bit_offset);
   can::set_raw(message, signal(kWindowCounter), record.window, bit_offset);
+}
+
+void set_float_record(CanMessage& message, const ParameterEstimate& estimate, int bit_offset) {
+  const bool estimated = estimate.status != EstimateStatus::kStale &&
+                         estimate.status != EstimateStatus::kNoExcitation &&
+                         estimate.status != EstimateStatus::kSaturated;
+  const uint32_t value = estimated ? single_precision_bits(estimate.value) : kNotANumberBits;
+  const uint32_t std = estimated ? single_precision_bits(abs(estimate.std)) : kNotANumberBits;
+  can::set_raw(message, can::kEstimateFloatSignals[0], value, bit_offset);
+  can::set_raw(message, can::kEstimateFloatSignals[1], std, bit_offset);
 }
 
 // The busiest stream: all 48 estimates and their window frame every 50 ms on a 500 kbit/s bus.
@@ -102,6 +113,33 @@ bool unpack_estimates_fd(const CanMessage& message, int& node, int& frame_index,
     present[i] = static_cast<int>(records[i].status) != kAbsent;
   }
   return true;
+}
+
+CanMessage pack_estimate_float(int node, int index, const ParameterEstimate& estimate) {
+  CanMessage message = can::empty_frame(can::kEstimateFloat, node, index);
+  set_float_record(message, estimate, 0);
+  return message;
+}
+
+CanMessage pack_estimates_float_fd(int node, int frame_index, const Estimates& estimates) {
+  static const ParameterEstimate kNothing;  // STALE
+  CanMessage message = can::empty_frame(can::kEstimateFloatFd, node, frame_index);
+  for (int i = 0; i < kEstimatesPerFdFrame; ++i) {
+    const int index = frame_index * kEstimatesPerFdFrame + i;
+    const bool present = index < estimates.unknown_count;
+    set_float_record(message, present ? estimates.parameters[index] : kNothing,
+                     i * can::record_bits(can::kEstimateFloatFd));
+  }
+  return message;
+}
+
+bool float_estimates_fit(int unknown_count, int64_t window_us, bool fd) {
+  constexpr int64_t kMost_permille = 300;
+  if (window_us <= 0) return false;
+  const can::Frame& frame = fd ? can::kEstimateFd : can::kEstimate;  // as long as its float form
+  const int frames = 2 * (fd ? fd_frames(unknown_count) : unknown_count);
+  return can::load_permille(frame, frames, window_us, 500000) + can::load_permille(can::kWindow, 1, window_us, 500000) <
+         kMost_permille;
 }
 
 }  // namespace firmware

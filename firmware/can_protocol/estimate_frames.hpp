@@ -38,4 +38,12 @@ CanMessage pack_estimates_fd(int node, int frame_index, const Estimates& estimat
 bool unpack_estimates_fd(const CanMessage& message, int& node, int& frame_index,
                          EstimateRecord (&records)[kEstimatesPerFdFrame], bool (&present)[kEstimatesPerFdFrame]);
 
+// The same as 32-bit floats in SI units (single_precision.hpp). Where nothing was estimated (STALE, NO_EXCITATION,
+// SATURATED) both are not a number, so that a plot shows a gap and not a zero.
+CanMessage pack_estimate_float(int node, int index, const ParameterEstimate& estimate);
+CanMessage pack_estimates_float_fd(int node, int frame_index, const Estimates& estimates);
+// Whether the estimates and their floats together take less than 30 % of a bus of 500 kbit/s (CAN FD: 2 Mbit/s for the
+// data), at worst.
+bool float_estimates_fit(int unknown_count, int64_t window_us, bool fd);
+
 }  // namespace firmware

@@ -53,17 +53,19 @@ constexpr int64_t highest_raw(const Signal& signal) {
 
 // The identifiers of a kind of frame: one per node (node_stride > 0) or one set for the whole rig (node_stride = 0),
 // and in each of these `members` identifiers, laid in banks:
-//   id(node, member) = base + node_stride * node + bank_stride * (member / bank_members) + member % bank_members
+//   id(node, member) = base + node_stride * node + bank_offset[member / bank_members] + member % bank_members
 struct IdPlan {
   uint16_t base;
   uint8_t node_stride = 1;
   uint8_t members = 1;
   uint8_t bank_members = 32;
-  uint8_t bank_stride = 32;
+  uint16_t bank_offset[3] = {0, 32, 64};
 };
 
+constexpr int bank_count(const IdPlan& plan) { return (plan.members + plan.bank_members - 1) / plan.bank_members; }
+
 constexpr uint32_t frame_id(const IdPlan& plan, int node, int member = 0) {
-  return static_cast<uint32_t>(plan.base + plan.node_stride * node + plan.bank_stride * (member / plan.bank_members) +
+  return static_cast<uint32_t>(plan.base + plan.node_stride * node + plan.bank_offset[member / plan.bank_members] +
                                member % plan.bank_members);
 }
 

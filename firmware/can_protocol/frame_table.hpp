@@ -104,13 +104,27 @@ inline constexpr Signal kEstimateSignals[] = {
     {"status", 53, 3, false, 1, 1, 0, "state", states(kEstimateStates), "whether to believe the number"},
     {"std_exponent", 56, 4, false, 1, 1, 0, "1", {}, "decimal exponent of std above that of value"},
     {"window", 60, 4, false, 1, 1, 0, "1", {}, "windows closed since start, modulo 16"}};
-inline constexpr Frame kEstimate =
-    describe("estimate", {0x400, 16, kMaxUnknowns, 16, 0x80}, Sender::kController, 1000, "each window, 50 ms to 1 s", 8,
-             kEstimateSignals, "One estimated parameter; its name is in the frame `parameter` of the same index.");
+inline constexpr Frame kEstimate = describe(
+    "estimate", {0x400, 16, kMaxUnknowns, 16, {0, 0x80, 0x100}}, Sender::kController, 1000, "each window, 50 ms to 1 s",
+    8, kEstimateSignals, "One estimated parameter; its name is in the frame `parameter` of the same index.");
 inline constexpr Frame kEstimateFd =
     describe("estimates_fd", {0x2C0, 8, kMaxUnknowns / 8}, Sender::kController, 1000,
              "each window, in place of `estimate`, on a CAN FD bus", 64, kEstimateSignals,
              "Eight estimates in one frame: frame j holds those of index 8j to 8j + 7.", true, 8);
+
+// The same estimates once more, for tools that plot numbers and know no decimal exponents. Integers here; a DBC for a
+// rig declares them as floats. Also the record of the CAN FD form.
+inline constexpr Signal kEstimateFloatSignals[] = {
+    {"value_bits", 0, 32, false, 1, 1, 0, "hex", {}, "value in SI units as IEEE 754 single precision"},
+    {"std_bits", 32, 32, false, 1, 1, 0, "hex", {}, "standard deviation, likewise"}};
+inline constexpr Frame kEstimateFloat =
+    describe("estimate_float", {0x580, 16, kMaxUnknowns, 16, {0, 0x80, 0x180}}, Sender::kController, 1000,
+             "each window, behind everything else, where the load allows", 8, kEstimateFloatSignals,
+             "The estimate of the same index as two 32-bit floats; not a number where nothing was estimated.");
+inline constexpr Frame kEstimateFloatFd =
+    describe("estimates_float_fd", {0x330, 8, kMaxUnknowns / 8}, Sender::kController, 1000,
+             "each window, in place of `estimate_float`, on a CAN FD bus", 64, kEstimateFloatSignals,
+             "Eight estimates as floats in one frame: frame j holds those of index 8j to 8j + 7.", true, 8);
 
 inline constexpr Signal kDiagnosisSignals[] = {
     {"cause", 0, 8, false, 1, 1, 0, "state", states(kCauses), "effect that explains the energy residual"},
@@ -219,10 +233,10 @@ inline constexpr Frame kSdoReply = describe("sdo_reply", {0x580}, Sender::kContr
 
 // In rising order of identifiers, so of falling priority on the bus.
 inline constexpr const Frame* kFrames[] = {
-    &kNetworkCommand, &kSync,      &kEmergency,   &kStatus,   &kSensorMotion16, &kSensorMotion24,
-    &kSensorForce24,  &kDrive,     &kSensorForce, &kSensorFd, &kHealth,         &kBusHealth,
-    &kEstimateFd,     &kIdentity,  &kWindow,      &kEstimate, &kDiagnosis,      &kSdoReply,
-    &kSdoRequest,     &kParameter, &kScaling,     &kRange,    &kHeartbeat};
+    &kNetworkCommand, &kSync,        &kEmergency, &kStatus,    &kSensorMotion16, &kSensorMotion24, &kSensorForce24,
+    &kDrive,          &kSensorForce, &kSensorFd,  &kHealth,    &kBusHealth,      &kEstimateFd,     &kEstimateFloatFd,
+    &kIdentity,       &kWindow,      &kEstimate,  &kDiagnosis, &kSdoReply,       &kEstimateFloat,  &kSdoRequest,
+    &kParameter,      &kScaling,     &kRange,     &kHeartbeat};
 constexpr int kFrameCount = static_cast<int>(sizeof(kFrames) / sizeof(kFrames[0]));
 
 }  // namespace can

@@ -43,12 +43,15 @@ bool is_frame(const Frame& frame, const CanMessage& message, int& node, int& mem
   const bool per_node = ids.node_stride > 0;
   for (int n = per_node ? kFirstNode : 0; n <= (per_node ? kLastNode : 0); ++n) {
     const int64_t offset = static_cast<int64_t>(message.id) - frame_id(ids, n);
-    if (offset < 0 || offset % ids.bank_stride >= ids.bank_members) continue;
-    const int64_t candidate = offset / ids.bank_stride * ids.bank_members + offset % ids.bank_stride;
-    if (candidate >= ids.members) continue;
-    node = n;
-    member = static_cast<int>(candidate);
-    return true;
+    for (int bank = 0; bank < bank_count(ids); ++bank) {
+      const int64_t place = offset - ids.bank_offset[bank];
+      if (place < 0 || place >= ids.bank_members) continue;
+      const int64_t candidate = bank * ids.bank_members + place;
+      if (candidate >= ids.members) continue;
+      node = n;
+      member = static_cast<int>(candidate);
+      return true;
+    }
   }
   return false;
 }

@@ -200,6 +200,7 @@ template <typename Archive, typename Node>
 constexpr void walk_node(Archive& archive, Node& node) {
   archive.field(node.node);
   archive.field(node.can_fd);
+  archive.field(node.float_estimates);
   archive.field(node.sync_closes_window);
   archive.field(node.listen_on_command);
   archive.field(node.drive_on_can);

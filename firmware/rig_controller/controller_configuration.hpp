@@ -11,9 +11,13 @@
 
 namespace firmware {
 
+// The estimates once more as 32-bit floats, for tools that plot them from a DBC.
+enum class FloatEstimates : uint8_t { kWhereLoadAllows = 0, kAlways = 1, kNever = 2 };
+
 struct NodeConfiguration {
-  uint8_t node = 1;                // 1 to 7
-  bool can_fd = false;             // estimates in CAN FD frames
+  uint8_t node = 1;     // 1 to 7
+  bool can_fd = false;  // estimates in CAN FD frames
+  FloatEstimates float_estimates = FloatEstimates::kWhereLoadAllows;
   bool sync_closes_window = true;  // SYNC frame and sync edge
   bool listen_on_command = false;  // without a programme: a level lasts from start to stop, not from the first sample
   bool drive_on_can = false;       // the drive command is also sent as a frame, each sample

@@ -109,6 +109,8 @@ class RigController final : private ObjectDictionary {
   void send_estimates();
   void tell_judgement(bool judged, const Diagnosis& judgement);
   void run_schedule();
+  bool floats_wanted() const;
+  void send_some_floats();
   void describe_some();
   void send_status();
   void send_health();
@@ -160,6 +162,7 @@ class RigController final : private ObjectDictionary {
   BusMonitor bus_;
   SdoServer sdo_;
   Periodic heartbeat_, status_, second_, five_seconds_;
+  int next_float_ = 0;           // float estimates still to send
   int next_parameter_ = 0;       // descriptions still to send; kMaxUnknowns: none
   int next_channel_ = 0;         // node * kQuantities + quantity; kMaxNodes * kQuantities: none
   uint16_t passing_faults_ = 0;  // seen since the last status frame

@@ -8,6 +8,7 @@ namespace firmware {
 namespace {
 
 constexpr uint64_t kMillisecond_ns = 1000000, kJudgement_ns = 1000 * kMillisecond_ns;
+constexpr int kEnoughRoom = TransmitQueue::kCapacity / 2;  // in the queue, for what is not urgent
 
 CanMessage to_message(const hal::CanFrame& frame) {
   CanMessage message;
@@ -102,6 +103,7 @@ void RigController::send_estimates() {
   const uint8_t node = configuration_.node.node;
   const Estimates& estimates = *estimates_;
   queue_.push(pack_window(node, window_result(estimates)));
+  next_float_ = 0;
   if (configuration_.node.can_fd) {
     for (int i = 0; i < fd_frames(estimates.unknown_count); ++i) queue_.push(pack_estimates_fd(node, i, estimates));
     return;
@@ -121,15 +123,34 @@ void RigController::run_schedule() {
     next_parameter_ = 0;
   }
   if (five_seconds_.due(now_ns_)) next_channel_ = 0;
+  send_some_floats();
   describe_some();
   send_alarms();
+}
+
+bool RigController::floats_wanted() const {
+  const NodeConfiguration& node = configuration_.node;
+  if (node.float_estimates != FloatEstimates::kWhereLoadAllows) return node.float_estimates == FloatEstimates::kAlways;
+  const CoreConfiguration& core = configuration_.core;
+  const Scaled window_us = core.sample_period_s * Scaled::from_int(int64_t{1000000} * node.window_samples);
+  return float_estimates_fit(core.unknown_count, to_fixed(window_us, 0), node.can_fd);
+}
+
+// The estimates of the last window as floats, a few at a time: they say nothing new, so all else goes first.
+void RigController::send_some_floats() {
+  if (estimates_ == nullptr || !floats_wanted()) return;
+  const NodeConfiguration& node = configuration_.node;
+  const int count = node.can_fd ? fd_frames(estimates_->unknown_count) : estimates_->unknown_count;
+  for (; next_float_ < count && queue_.room() > kEnoughRoom; ++next_float_) {
+    queue_.push(node.can_fd ? pack_estimates_float_fd(node.node, next_float_, *estimates_)
+                            : pack_estimate_float(node.node, next_float_, estimates_->parameters[next_float_]));
+  }
 }
 
 // The descriptions of parameters and channels go out a few at a time, behind everything else.
 void RigController::describe_some() {
   const CoreConfiguration& core = configuration_.core;
   const auto rotating = [this](int node) { return node < 32 && (configuration_.node.rotating_nodes >> node & 1) != 0; };
-  constexpr int kEnoughRoom = TransmitQueue::kCapacity / 2;
   while (next_parameter_ < core.unknown_count && queue_.room() > kEnoughRoom) {
     ParameterDescription description;
     const int unknown = next_parameter_++;

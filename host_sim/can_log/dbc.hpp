@@ -1,4 +1,5 @@
-// The frame table as a DBC, the file that CAN tools load: little-endian integer signals, no multiplexing, no floats.
+// The frame table as a DBC, the file that CAN tools load: little-endian integer signals, no multiplexing. Floats stand
+// in it only where the parameters are named.
 #pragma once
 #include <ostream>
 #include <string>
@@ -6,8 +7,14 @@
 
 namespace can_log {
 
-// Every frame of every node, DOF and estimate. With names ("viscous[1-2]", in the order of the estimates) only as many
-// estimates as there are names, each with its name in its comment.
-void dbc(std::ostream& output, const std::vector<std::string>& parameter_names = {});
+struct DbcParameter {
+  std::string name;  // "viscous[1-2]"
+  std::string unit;  // "N s/m"
+};
+
+// Every frame of every node, DOF and estimate. With parameters (in the order of the estimates) only as many estimates as
+// there are of them, each with its name in its comment; and the frames of floats hold one float signal for the value
+// (viscous_1_2) and one for the standard deviation (viscous_1_2_std), in the unit of the parameter.
+void dbc(std::ostream& output, const std::vector<DbcParameter>& parameters = {});
 
 }  // namespace can_log

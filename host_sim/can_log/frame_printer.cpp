@@ -90,6 +90,8 @@ void FramePrinter::known_frame(const Address& address, const CanMessage& message
     for (int i = 0; i < can::kEstimateFd.repeats; ++i)
       estimate(address.node, address.member * can::kEstimateFd.repeats + i, i * can::record_bits(can::kEstimateFd),
                message);
+  } else if (address.frame == &can::kEstimateFloat || address.frame == &can::kEstimateFloatFd) {
+    float_estimates(address, message);
   } else if (address.frame == &can::kParameter) {
     parameter(message);
   } else if (address.frame == &can::kScaling || address.frame == &can::kRange) {
@@ -121,6 +123,20 @@ void FramePrinter::estimate(int node, int index, int bit_offset, const CanMessag
   line(padded(names_.parameter(node, index), 14) + " = " +
        padded(number_text(value, meaningful_digits(value, std)) + " " + names_.unit(node, index), 20) + "  std " +
        padded(number_text(std, 2), 8) + "  " + status);
+}
+
+// The same estimates once more, so their names are left to `estimate`: its history is not doubled.
+void FramePrinter::float_estimates(const Address& address, const CanMessage& message) {
+  const Frame& frame = *address.frame;
+  for (int record = 0; record < frame.repeats; ++record) {
+    const int index = address.member * frame.repeats + record, offset = record * firmware::can::record_bits(frame);
+    const float value = float_of_bits(firmware::can::get_raw(message, frame.signals[0], offset));
+    const float std = float_of_bits(firmware::can::get_raw(message, frame.signals[1], offset));
+    if (frame.fd && std::isnan(value)) continue;  // an unused record says nothing
+    const std::string name = "float " + std::to_string(index), unit = " " + names_.unit(address.node, index);
+    line(name + " value = " + number_text(value, 9) + unit);
+    line(name + " std = " + number_text(std, 9) + unit);
+  }
 }
 
 void FramePrinter::parameter(const CanMessage& message) {

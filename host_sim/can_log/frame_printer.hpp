@@ -19,6 +19,7 @@ class FramePrinter {
   void line(const std::string& text);
   void known_frame(const firmware::can::Address& address, const firmware::CanMessage& message);
   void estimate(int node, int index, int bit_offset, const firmware::CanMessage& message);
+  void float_estimates(const firmware::can::Address& address, const firmware::CanMessage& message);
   void parameter(const firmware::CanMessage& message);
   void channel_description(const firmware::can::Address& address, const firmware::CanMessage& message);
   void sensor(const firmware::can::Address& address, const firmware::CanMessage& message);

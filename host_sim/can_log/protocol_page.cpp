@@ -28,8 +28,11 @@ std::string id_formula(const Frame& frame) {
   if (ids.node_stride > 1) text += " + " + std::to_string(ids.node_stride) + " n";
   if (ids.members == 1) return text;
   if (ids.members <= ids.bank_members) return text + " + j";
-  return text + " + " + hex_text(ids.bank_stride, 2) + " (k div " + std::to_string(ids.bank_members) + ") + (k mod " +
-         std::to_string(ids.bank_members) + ")";
+  text += " + {";
+  for (int bank = 0; bank < can::bank_count(ids); ++bank)
+    text += (bank > 0 ? ", " : "") + (ids.bank_offset[bank] > 0 ? hex_text(ids.bank_offset[bank], 2) : "0");
+  const std::string size = std::to_string(ids.bank_members);
+  return text + "}[k div " + size + "] + (k mod " + size + ")";
 }
 
 std::string id_range(const Frame& frame) {
@@ -91,7 +94,9 @@ void frame_section(std::ostream& output, const Frame& frame) {
   if (frame.signal_count == 0) return;
   if (frame.repeats > 1)
     output << static_cast<int>(frame.repeats) << " records of " << can::record_bits(frame) / 8
-           << " bytes, each laid out as `estimate`; an unused record has the status ABSENT.\n\n";
+           << " bytes, each laid out as "
+           << (&frame == &can::kEstimateFd ? "`estimate`; an unused record has the status ABSENT.\n\n"
+                                           : "`estimate_float`; an unused record is not a number.\n\n");
   if (frame.repeats > 1) return;
   output << "| bits | type | unit | signal | meaning | values |\n|---|---|---|---|---|---|\n";
   for (int i = 0; i < frame.signal_count; ++i) {
@@ -120,6 +125,8 @@ void load_table(std::ostream& output) {
   load_row(output, "48 estimates and their window frame, each 50 ms", can::kEstimate, 49, 50000);
   load_row(output, "5 estimates and their window frame, each 50 ms", can::kEstimate, 6, 50000);
   load_row(output, "48 estimates, CAN FD, each 50 ms", can::kEstimateFd, 6, 50000);
+  load_row(output, "5 estimates once more as floats, each 50 ms", can::kEstimateFloat, 5, 50000);
+  load_row(output, "48 estimates once more as floats, each 1 s", can::kEstimateFloat, 48, 1000000);
   load_row(output, "48 names, each 1 s", can::kParameter, 48, 1000000);
   load_row(output, "status, each 100 ms", can::kStatus, 1, 100000);
   load_row(output, "one DOF, 16 bits without force, 1 kHz", can::kSensorMotion16, 1, 1000);

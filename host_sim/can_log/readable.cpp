@@ -1,6 +1,7 @@
 #include "host_sim/can_log/readable.hpp"
 
 #include <cstdio>
+#include <cstring>
 
 #include "host_sim/can_log/table_text.hpp"
 
@@ -44,6 +45,13 @@ std::string number_text(double value, int digits) {
   char text[48];
   std::snprintf(text, sizeof text, "%.*g", digits, value);
   return text;
+}
+
+float float_of_bits(int64_t bits) {
+  const auto pattern = static_cast<uint32_t>(bits);
+  float value = 0;
+  std::memcpy(&value, &pattern, sizeof value);
+  return value;
 }
 
 std::string hex_text(uint64_t value, int digits) {

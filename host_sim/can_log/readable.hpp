@@ -9,6 +9,7 @@
 namespace can_log {
 
 std::string number_text(double value, int digits);   // "20.00123", "1.25e-05"
+float float_of_bits(int64_t bits);                   // IEEE 754 single precision
 std::string hex_text(uint64_t value, int digits);    // "0x0A"
 std::string bytes_text(const hal::CanFrame& frame);  // "11 22 33"
 

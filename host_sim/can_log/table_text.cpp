@@ -21,7 +21,7 @@ std::string shortest(double value) {
   }
   std::string result = text;
   // Plain digits where they are few: 4294967295, not 4.294967295e+09.
-  if (value == static_cast<double>(static_cast<int64_t>(value)) && value < 1e15 && value > -1e15)
+  if (value < 1e15 && value > -1e15 && value == static_cast<double>(static_cast<int64_t>(value)))
     result = std::to_string(static_cast<int64_t>(value));
   return result;
 }

@@ -14,7 +14,7 @@ namespace dbc_reader {
 struct Signal {
   std::string name;
   int start = 0, length = 0;
-  bool little_endian = false, is_signed = false;
+  bool little_endian = false, is_signed = false, is_float = false;
   double factor = 0, offset = 0, minimum = 0, maximum = 0;
   std::string unit, comment;
   std::map<int64_t, std::string> values;
@@ -50,7 +50,7 @@ class Reader {
  private:
   bool take(const char* line) {
     return message(line) || signal(line) || comment(line) || attribute(line) || values(line) || nodes(line) ||
-           other(line);
+           value_type(line) || other(line);
   }
 
   // %n is set only where everything before it matched; `end` then has to be the end of the line.
@@ -136,6 +136,17 @@ class Reader {
     return true;
   }
 
+  bool value_type(const char* line) {
+    unsigned id = 0;
+    int type = 0, end = 0;
+    char name[64];
+    if (std::sscanf(line, "SIG_VALTYPE_ %u %63[A-Za-z0-9_] : %d;%n", &id, name, &type, &end) != 3) return false;
+    Signal* found = dbc_.messages[id].find(name);
+    if (found == nullptr || type != 1 || line[end] != '\0') return false;
+    found->is_float = true;
+    return true;
+  }
+
   static bool other(const std::string& line) {
     for (const char* start : {"VERSION ", "NS_ :", "\t", "BS_:", "BA_DEF_ ", "BA_DEF_DEF_ "})
       if (line.rfind(start, 0) == 0) return true;
@@ -156,6 +167,18 @@ inline int64_t raw_value(const Signal& signal, const uint8_t* data) {
   const uint64_t half = uint64_t{1} << (signal.length - 1);
   if (signal.is_signed && value >= half) return static_cast<int64_t>(value) - static_cast<int64_t>(2 * half);
   return static_cast<int64_t>(value);
+}
+
+// 1 bit sign, 8 bits exponent with a bias of 127, 23 bits fraction; not for subnormal or infinite numbers.
+inline double float_value(const Signal& signal, const uint8_t* data) {
+  Signal bits = signal;
+  bits.is_signed = false;
+  const int64_t raw = raw_value(bits, data);
+  if (raw == 0) return 0.0;
+  double value = 1.0 + static_cast<double>(raw % 8388608) / 8388608.0;
+  for (int64_t e = raw / 8388608 % 256; e > 127; --e) value *= 2.0;
+  for (int64_t e = raw / 8388608 % 256; e < 127; ++e) value /= 2.0;
+  return raw >= int64_t{2147483648} ? -value : value;
 }
 
 inline double physical(const Signal& signal, const uint8_t* data) {

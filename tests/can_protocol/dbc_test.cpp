@@ -161,13 +161,48 @@ TEST(Dbc, GivesTheNumbersThatWerePacked) {
 
 TEST(Dbc, OfARigNamesItsParametersInTheComments) {
   std::ostringstream output;
-  can_log::dbc(output, {"viscous[1-0]", "viscous[1-2]", "coulomb[3-0]"});
+  can_log::dbc(output, {{"viscous[1-0]", "N s/m"}, {"viscous[1-2]", "N s/m"}, {"coulomb[3-0]", "N"}});
   std::istringstream input(output.str());
   dbc_reader::Dbc dbc = dbc_reader::read(input);
   EXPECT_EQ(dbc.messages[0x411].comment.rfind("viscous[1-2]. ", 0), 0u) << dbc.messages[0x411].comment;
   EXPECT_EQ(dbc.messages.count(0x413), 0u);  // no fourth parameter
   EXPECT_NE(dbc.messages[0x2C8].comment.find("coulomb[3-0]"), std::string::npos);
   EXPECT_EQ(dbc.messages.count(0x2C9), 0u);
+}
+
+TEST(Dbc, OfARigHasItsEstimatesAsFloatsInSiUnits) {
+  std::ostringstream output;
+  can_log::dbc(output, {{"viscous[1-0]", "N s/m"}, {"displacement_dependent_damping[12-base]", "N s/m^3"}});
+  std::istringstream input(output.str());
+  dbc_reader::Dbc dbc = dbc_reader::read(input);
+  for (const std::string& fault : dbc.faults) ADD_FAILURE() << fault;
+  EXPECT_EQ(dbc.messages.count(0x592), 0u);  // no third parameter
+  dbc_reader::Message& message = dbc.messages[0x590];
+  EXPECT_EQ(message.name, "estimate_float_1_0");
+  dbc_reader::Signal* value = message.find("viscous_1_0");
+  dbc_reader::Signal* std = message.find("viscous_1_0_std");
+  ASSERT_TRUE(value != nullptr && std != nullptr);
+  EXPECT_TRUE(value->is_float && std->is_float && value->is_signed);
+  EXPECT_EQ(value->unit, "N s/m");
+  EXPECT_EQ(value->factor, 1.0);
+  EXPECT_EQ(value->comment, "viscous[1-0]");
+  // The words of a long kind are cut to four letters: 32 characters is the longest name that every tool reads.
+  ASSERT_NE(dbc.messages[0x591].find("disp_depe_damp_12_base_std"), nullptr);
+  for (const auto& entry : dbc.messages)
+    for (const dbc_reader::Signal& signal : entry.second.signals) EXPECT_LE(signal.name.size(), 32u) << signal.name;
+
+  firmware::ParameterEstimate estimate;
+  estimate.value = firmware::Scaled::ratio(-200012, 10000);
+  estimate.std = firmware::Scaled::ratio(123, 10000);
+  estimate.status = firmware::EstimateStatus::kValid;
+  const CanMessage packed = firmware::pack_estimate_float(1, 0, estimate);
+  EXPECT_EQ(dbc_reader::float_value(*value, packed.data), static_cast<double>(-20.0012f));
+  EXPECT_EQ(dbc_reader::float_value(*std, packed.data), static_cast<double>(0.0123f));
+
+  // CAN FD: both parameters in the first frame, and nothing else.
+  EXPECT_EQ(dbc.messages[0x338].signals.size(), 4u);
+  EXPECT_EQ(dbc.messages[0x338].signals[3].name, "disp_depe_damp_12_base_std");
+  EXPECT_EQ(dbc.messages[0x338].signals[3].start, 96);
 }
 
 }  // namespace

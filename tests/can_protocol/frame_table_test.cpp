@@ -32,6 +32,22 @@ TEST(FrameTable, IdentifiersOfTheNotes) {
   // Node 2, estimate 16: second bank, 0x480 + 32; estimate 47: third bank, 0x500 + 32 + 15.
   EXPECT_EQ(frame_id(kEstimate.ids, 2, 16), 0x4A0u);
   EXPECT_EQ(frame_id(kEstimate.ids, 2, 47), 0x52Fu);
+  // The float forms: 0x580, 0x600 and 0x700 + 16 n; node 2, estimate 47: 0x700 + 32 + 15.
+  EXPECT_EQ(frame_id(kEstimateFloat.ids, 1, 0), 0x590u);
+  EXPECT_EQ(frame_id(kEstimateFloat.ids, 7, 16), 0x670u);
+  EXPECT_EQ(frame_id(kEstimateFloat.ids, 2, 47), 0x72Fu);
+  // Other CANopen devices keep node numbers 8 to 15: none of their predefined identifiers is used.
+  for (const uint32_t base : {0x080, 0x180, 0x200, 0x280, 0x300, 0x380, 0x400, 0x480, 0x500, 0x580, 0x600, 0x700}) {
+    for (uint32_t n = 8; n <= 15; ++n) {
+      for (const bool fd : {false, true}) {
+        CanMessage message;
+        message.id = base + n;
+        message.fd = fd;
+        message.length = fd ? 64 : 8;
+        EXPECT_EQ(identify(message).frame, nullptr) << std::hex << message.id;
+      }
+    }
+  }
   EXPECT_EQ(frame_id(kSensorMotion24.ids, 0, kBaseNode), 0x1C0u + 17);
 }
 

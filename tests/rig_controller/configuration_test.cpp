@@ -84,6 +84,7 @@ std::vector<Change> changes() {
       [](C& c) { c.limits.response_limit_code[16][3] = -9; },
       [](C& c) { c.node.node = 5; },
       [](C& c) { c.node.can_fd = true; },
+      [](C& c) { c.node.float_estimates = firmware::FloatEstimates::kNever; },
       [](C& c) { c.node.sync_closes_window = false; },
       [](C& c) { c.node.drive_on_can = true; },
       [](C& c) { c.node.listen_on_command = true; },

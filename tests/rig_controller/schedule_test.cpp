@@ -76,6 +76,28 @@ TEST(Schedule, FdBusSendsTheEstimatesInOneFrame) {
   EXPECT_EQ(bench.can.last(0x2C8)->length, 64);
 }
 
+TEST(Schedule, TheEstimatesGoOutAsFloatsTooWhereTheLoadAllows) {
+  Bench bench(bench::listening());  // few estimates, each second
+  bench.run_samples(1001);
+  EXPECT_EQ(bench.can.count(0x590), bench.can.count(kEstimate0));
+  EXPECT_GT(bench.can.count(0x590), 0u);
+
+  auto configuration = bench::listening();
+  configuration.node.float_estimates = firmware::FloatEstimates::kNever;
+  Bench silent(configuration);
+  silent.run_samples(1001);
+  EXPECT_EQ(silent.can.count(0x590), 0u);
+  EXPECT_GT(silent.can.count(kEstimate0), 0u);
+
+  configuration.node.float_estimates = firmware::FloatEstimates::kAlways;
+  configuration.node.can_fd = true;
+  Bench fd(configuration);
+  fd.run_samples(1001);
+  EXPECT_EQ(fd.can.count(0x590), 0u);
+  ASSERT_NE(fd.can.last(0x338), nullptr);
+  EXPECT_EQ(fd.can.last(0x338)->length, 64);
+}
+
 TEST(Schedule, SyncFrameAndSyncEdgeCloseTheWindow) {
   Bench bench(bench::listening());
   bench.run_samples(100);

@@ -68,6 +68,9 @@ void read_can(const Section& section, BoardFile& board) {
   board.bit_rates.data = 1000 * section.whole("data_bit_rate_kbit_s", 2000, 10, 8000);
   if (board.bit_rates.data < board.bit_rates.nominal && section.has("data_bit_rate_kbit_s"))
     section.refuse("data_bit_rate_kbit_s", "is below bit_rate_kbit_s, expected at least as much");
+  if (section.has("float_estimates"))
+    board.controller.node.float_estimates =
+        static_cast<firmware::FloatEstimates>(section.choice("float_estimates", {"auto", "on", "off"}));
 }
 
 void read_gpio(const Section& section, BoardFile& board) {

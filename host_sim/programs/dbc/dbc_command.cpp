@@ -10,9 +10,11 @@ namespace host_sim {
 namespace {
 
 void print_dbc(const std::string& rig) {
-  std::vector<std::string> names;
-  if (!rig.empty()) names = rig_file::parameter_names(rig_file::read_rig_file(rig));
-  can_log::dbc(std::cout, names);
+  std::vector<can_log::DbcParameter> parameters;
+  if (!rig.empty())
+    for (const rig_file::ParameterInfo& info : rig_file::parameter_table(rig_file::read_rig_file(rig)))
+      parameters.push_back({info.name, info.unit});
+  can_log::dbc(std::cout, parameters);
 }
 
 }  // namespace
@@ -20,7 +22,8 @@ void print_dbc(const std::string& rig) {
 void add_dbc_command(CLI::App& app, Action& chosen) {
   CLI::App* command = app.add_subcommand("dbc", "Print the DBC of every frame");
   auto rig = std::make_shared<std::string>();
-  command->add_option("--rig", *rig, "name the estimates after the unknowns of this rig file");
+  command->add_option("--rig", *rig,
+                      "name the estimates after the unknowns of this rig file, and declare them as floats in SI units");
   command->footer("Example: host_sim dbc > rig.dbc");
   command->callback([rig, &chosen] { chosen = [rig] { print_dbc(*rig); }; });
 }
