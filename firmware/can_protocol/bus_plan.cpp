@@ -44,10 +44,10 @@ BusPlan bus_plan(const BusTraffic& traffic) {
   add(plan, can::kDrive, traffic.drive_on_can ? 1 : 0, traffic.sample_period_ns);
   add(plan, can::kWindow, 1, traffic.window_ns);
   const int records = can::kEstimateFd.repeats;
-  if (traffic.can_fd)
-    add(plan, can::kEstimateFd, (traffic.unknowns + records - 1) / records, traffic.window_ns);
-  else
-    add(plan, can::kEstimate, traffic.unknowns, traffic.window_ns);
+  const int estimates = traffic.can_fd ? (traffic.unknowns + records - 1) / records : traffic.unknowns;
+  add(plan, traffic.can_fd ? can::kEstimateFd : can::kEstimate, estimates, traffic.window_ns);
+  if (traffic.float_estimates)
+    add(plan, traffic.can_fd ? can::kEstimateFloatFd : can::kEstimateFloat, estimates, traffic.window_ns);
   add(plan, can::kHeartbeat, 1, traffic.heartbeat_ms * kMillisecond_ns);
   add(plan, can::kStatus, 1, traffic.status_ms * kMillisecond_ns);
   for (const can::Frame* frame : {&can::kHealth, &can::kBusHealth, &can::kIdentity, &can::kDiagnosis})

@@ -3,6 +3,7 @@
 
 #include <type_traits>
 
+#include "firmware/can_protocol/estimate_frames.hpp"
 #include "firmware/configuration/bytes.hpp"
 
 namespace firmware {
@@ -281,6 +282,14 @@ Stored read_stored(const uint8_t* bytes, size_t size, const ControllerConfigurat
 
 uint32_t configuration_crc(const ControllerConfiguration& configuration) {
   return write(configuration, nullptr, 0).crc();
+}
+
+bool sends_float_estimates(const ControllerConfiguration& configuration) {
+  const NodeConfiguration& node = configuration.node;
+  if (node.float_estimates != FloatEstimates::kWhereLoadAllows) return node.float_estimates == FloatEstimates::kAlways;
+  const CoreConfiguration& core = configuration.core;
+  const Scaled window_us = core.sample_period_s * Scaled::from_int(int64_t{1000000} * node.window_samples);
+  return float_estimates_fit(core.unknown_count, to_fixed(window_us, 0), node.can_fd);
 }
 
 }  // namespace firmware

@@ -35,6 +35,9 @@ struct ControllerConfiguration {
   LimitConfiguration limits;
 };
 
+// Whether the estimates go out as floats too: as the node is told, or where their load allows (estimate_frames.hpp).
+bool sends_float_estimates(const ControllerConfiguration& configuration);
+
 // Little-endian fields one after another, then their CRC-32 (polynomial 0xEDB88320): no padding, no host layout.
 constexpr size_t kConfigurationBytes =
     hal::ConfigurationStore::kCapacity;  // the longest fits; encode() says how many are used

@@ -109,7 +109,6 @@ class RigController final : private ObjectDictionary {
   void send_estimates();
   void tell_judgement(bool judged, const Diagnosis& judgement);
   void run_schedule();
-  bool floats_wanted() const;
   void send_some_floats();
   void describe_some();
   void send_status();

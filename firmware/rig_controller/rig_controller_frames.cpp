@@ -128,17 +128,9 @@ void RigController::run_schedule() {
   send_alarms();
 }
 
-bool RigController::floats_wanted() const {
-  const NodeConfiguration& node = configuration_.node;
-  if (node.float_estimates != FloatEstimates::kWhereLoadAllows) return node.float_estimates == FloatEstimates::kAlways;
-  const CoreConfiguration& core = configuration_.core;
-  const Scaled window_us = core.sample_period_s * Scaled::from_int(int64_t{1000000} * node.window_samples);
-  return float_estimates_fit(core.unknown_count, to_fixed(window_us, 0), node.can_fd);
-}
-
 // The estimates of the last window as floats, a few at a time: they say nothing new, so all else goes first.
 void RigController::send_some_floats() {
-  if (estimates_ == nullptr || !floats_wanted()) return;
+  if (estimates_ == nullptr || !sends_float_estimates(configuration_)) return;
   const NodeConfiguration& node = configuration_.node;
   const int count = node.can_fd ? fd_frames(estimates_->unknown_count) : estimates_->unknown_count;
   for (; next_float_ < count && queue_.room() > kEnoughRoom; ++next_float_) {

@@ -2,18 +2,34 @@
 
 #include "host_sim/can_log/frame_printer.hpp"
 #include "host_sim/can_log/log_reader.hpp"
+#include "host_sim/can_log/row_writer.hpp"
 
 namespace can_log {
 
-DecodeSummary decode(std::istream& input, std::ostream& output, std::ostream& messages, DecodeOptions options) {
-  LogReader reader(input);
-  FramePrinter printer(output, options.changes_only);
-  DecodeSummary summary;
+namespace {
+
+template <typename Output>
+void decode_all(std::istream& input, std::ostream& output, LogReader& reader, DecodeSummary& summary, Output write) {
   LogEntry entry;
   while (reader.next(entry)) {
-    if (!printer.print(entry)) ++summary.foreign_frames;
+    if (!write(entry)) ++summary.foreign_frames;
     if (input.rdbuf()->in_avail() <= 0) output.flush();  // nothing waits: a live bus, let the reader see it
     if (!output) break;
+  }
+}
+
+}  // namespace
+
+DecodeSummary decode(std::istream& input, std::ostream& output, std::ostream& messages, DecodeOptions options) {
+  LogReader reader(input);
+  DecodeSummary summary;
+  if (options.format == DecodeFormat::kLines) {
+    FramePrinter printer(output, options.changes_only);
+    decode_all(input, output, reader, summary, [&](const LogEntry& entry) { return printer.print(entry); });
+  } else {
+    const RowFormat format = options.format == DecodeFormat::kCsv ? RowFormat::kCsv : RowFormat::kJson;
+    RowWriter writer(output, format, options.changes_only);
+    decode_all(input, output, reader, summary, [&](const LogEntry& entry) { return writer.write(entry); });
   }
   output.flush();
   summary.frames = reader.frames();

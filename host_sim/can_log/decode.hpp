@@ -13,11 +13,14 @@ struct DecodeSummary {
   uint64_t skipped_lines = 0;   // no frame at all
 };
 
+enum class DecodeFormat { kLines, kCsv, kJson };
+
 struct DecodeOptions {
+  DecodeFormat format = DecodeFormat::kLines;
   bool changes_only = false;  // leave out what says the same as the line of this signal before it
 };
 
-// Writes one line per signal as frames come (so a live bus can be piped through). An estimate is one line: name, value,
+// Writes one line per signal (row_writer.hpp: CSV and JSON) as frames come (so a live bus can be piped through). An estimate is one line: name, value,
 // unit, standard deviation, status. Lines that are no frames are counted, and their number is named on `messages` at
 // the end.
 DecodeSummary decode(std::istream& input, std::ostream& output, std::ostream& messages, DecodeOptions options = {});

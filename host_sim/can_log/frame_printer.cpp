@@ -51,12 +51,6 @@ int meaningful_digits(double value, double std) {
   return digits < kFewest ? kFewest : digits > kMost ? kMost : static_cast<int>(digits);
 }
 
-int quantity_of(const char* signal_name) {
-  for (const firmware::can::NamedValue& entry : firmware::can::kQuantities)
-    if (std::string(entry.name) == signal_name) return entry.value;
-  return -1;
-}
-
 }  // namespace
 
 // A line is "name = value" or words; its name is what stands before the sign.

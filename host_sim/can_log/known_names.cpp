@@ -46,6 +46,12 @@ std::string channel_unit(int quantity, bool rotating) {
   return rotating ? kChannelUnits[quantity].rotating : kChannelUnits[quantity].translating;
 }
 
+int quantity_of(const std::string& signal_name) {
+  for (const firmware::can::NamedValue& entry : firmware::can::kQuantities)
+    if (entry.name == signal_name && entry.value < firmware::kQuantities) return entry.value;
+  return -1;
+}
+
 void KnownNames::learn(const firmware::CanMessage& message) {
   int node = 0;
   firmware::ParameterDescription parameter;
@@ -74,12 +80,22 @@ std::string KnownNames::unit(int node, int index) const {
   return parameter.known ? parameter_unit(parameter.description.kind, parameter.description.rotating) : "SI";
 }
 
-std::string KnownNames::in_units(int place, int quantity, int64_t code) const {
+bool KnownNames::knows(int node, int index) const { return parameters_[node][index].known; }
+
+bool KnownNames::in_si_units(int place, int quantity, int64_t code, double& value, std::string& unit) const {
   const Channel& channel = channels_[place][quantity];
-  if (!channel.scaling_known || !channel.range_known) return "";
-  const double value = static_cast<double>(code - channel.range.offset_code) * channel.scaling.unit_per_code *
-                       std::pow(10.0, channel.scaling.exponent);
-  return " = " + number_text(value, 7) + " " + channel_unit(quantity, channel.scaling.rotating);
+  if (!channel.scaling_known || !channel.range_known) return false;
+  const double counts = static_cast<double>(code - channel.range.offset_code) * channel.scaling.unit_per_code;
+  const int exponent = channel.scaling.exponent;
+  value = exponent < 0 ? counts / std::pow(10.0, -exponent) : counts * std::pow(10.0, exponent);
+  unit = channel_unit(quantity, channel.scaling.rotating);
+  return true;
+}
+
+std::string KnownNames::in_units(int place, int quantity, int64_t code) const {
+  double value = 0.0;
+  std::string unit;
+  return in_si_units(place, quantity, code, value, unit) ? " = " + number_text(value, 7) + " " + unit : "";
 }
 
 }  // namespace can_log

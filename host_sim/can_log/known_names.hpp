@@ -16,6 +16,7 @@ std::string channel_label(int place, int quantity);
 // SI units; "SI" for a kind that is not known.
 std::string parameter_unit(firmware::TermKind kind, bool rotating);
 std::string channel_unit(int quantity, bool rotating);
+int quantity_of(const std::string& signal_name);  // -1: the signal is no channel
 
 class KnownNames {
  public:
@@ -23,6 +24,9 @@ class KnownNames {
   // "estimate 3" with unit "SI" as long as no description has been seen.
   std::string parameter(int node, int index) const;
   std::string unit(int node, int index) const;
+  bool knows(int node, int index) const;  // a description has been seen
+  // False as long as the scaling of the channel is not known; value and unit then stay as they are.
+  bool in_si_units(int place, int quantity, int64_t code, double& value, std::string& unit) const;
   // " = 1.25e-05 m" for a code of a channel whose scaling is known, else nothing.
   std::string in_units(int place, int quantity, int64_t code) const;
 

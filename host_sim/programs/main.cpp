@@ -1,8 +1,10 @@
 // host_sim: simulate a rig, estimate from measured data, name what a model lacks, read the frames.
 #include <cstdio>
 
+#include "firmware/version.hpp"
 #include "host_sim/programs/commands.hpp"
 #include "host_sim/programs/shared/failures.hpp"
+#include "host_sim/programs/shared/human_output.hpp"
 #include "host_sim/records/output_file.hpp"
 
 namespace {
@@ -24,6 +26,7 @@ bool known_first_word(const CLI::App& app, int argc, char** argv) {
 int main(int argc, char** argv) {
   CLI::App app{"Damping of vibration rigs: simulate, estimate, diagnose, read CAN frames", "host_sim"};
   app.require_subcommand(1);
+  app.set_version_flag("--version", std::string("host_sim ") + firmware::kVersionText);
   host_sim::remove_temporary_files_on_signals();
   host_sim::Action chosen;
   host_sim::add_run_command(app, chosen);
@@ -36,8 +39,11 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    const bool asked_for_help = app.exit(error) == 0;
-    return static_cast<int>(asked_for_help ? host_sim::ExitStatus::kDone : host_sim::ExitStatus::kBadInput);
+    if (app.exit(error) != 0) return static_cast<int>(host_sim::ExitStatus::kBadInput);
+    return host_sim::guarded(host_sim::finish_stdout);  // help or version
   }
-  return host_sim::guarded(chosen);
+  return host_sim::guarded([&] {
+    chosen();
+    host_sim::finish_stdout();
+  });
 }

@@ -67,6 +67,11 @@ TEST(BusPlan, OtherWiringsSendOtherFrames) {
   EXPECT_EQ(frames(flexible, can::kEstimateFd), 1);
   EXPECT_EQ(frames(flexible, can::kDrive), 0);
   EXPECT_EQ(frames(flexible, can::kHeartbeat), 0);
+  // The estimates once more as floats: as many frames again.
+  fast.float_estimates = true;
+  EXPECT_EQ(frames(bus_plan(fast), can::kEstimateFloatFd), 1);
+  fast.can_fd = false;
+  EXPECT_EQ(frames(bus_plan(fast), can::kEstimateFloat), 5);
   // A bus without sensor frames: reports alone, under a per cent and a half.
   BusTraffic reports = traffic(fd);
   reports.sensors = nullptr;

@@ -123,6 +123,7 @@ BoardFile read_board_file(const std::string& path) {
   board.controller.core = rig_file::compile_rig(board.rig, 1.0 / board.samples.rate_Hz, read_channels(root, board));
   read_excitation(path, root, drive, board.samples.rate_Hz, cycle_Hz, board.controller);
   require_stop(drive, board);
+  fit_float_estimates(board);
   return board;
 }
 

@@ -34,6 +34,7 @@ firmware::BusPlan plan_of(const BoardFile& file, const Choice& choice) {
   traffic.sample_period_ns = static_cast<int64_t>(1e9 / choice.rate_Hz);
   traffic.drive_on_can = choice.drive_on_can;
   traffic.can_fd = choice.can_fd;
+  traffic.float_estimates = firmware::sends_float_estimates(file.controller);
   traffic.heartbeat_ms = node.heartbeat_ms;
   traffic.status_ms = node.status_ms;
   traffic.window_ns = static_cast<int64_t>(node.window_samples * 1e9 / file.samples.rate_Hz);
@@ -128,6 +129,13 @@ BusCheck check_bus(const BoardFile& file) {
   result.fits = load_of(file, choice) <= firmware::kHighestLoad_permille;
   if (!result.fits) result.instead = alternatives(file);
   return result;
+}
+
+// They repeat what the other estimates say, so they give way first.
+void fit_float_estimates(BoardFile& file) {
+  firmware::FloatEstimates& floats = file.controller.node.float_estimates;
+  if (floats == firmware::FloatEstimates::kWhereLoadAllows && !check_bus(file).fits)
+    floats = firmware::FloatEstimates::kNever;
 }
 
 void require_bus(const BoardFile& file) {

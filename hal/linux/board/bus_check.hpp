@@ -14,6 +14,9 @@ struct BusCheck {
 };
 BusCheck check_bus(const BoardFile& file);
 
+// Where the bus has no room for the estimates as floats, and the file does not ask for them, they are left out.
+void fit_float_estimates(BoardFile& file);
+
 // Throws rig_file::RigFileError at [can] where it does not fit.
 void require_bus(const BoardFile& file);
 

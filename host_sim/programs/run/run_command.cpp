@@ -108,6 +108,14 @@ void run(const RunArguments& arguments) {
   if (!missing.empty()) throw CannotAnswer(missing);
 }
 
+// CLI11 would take -1 for the largest number there is.
+const CLI::Validator whole_number(
+    [](const std::string& text) {
+      const bool digits = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
+      return digits ? "" : "\"" + text + "\" is no seed, expected a whole number from 0";
+    },
+    "");
+
 }  // namespace
 
 void add_run_command(CLI::App& app, Action& chosen) {
@@ -129,6 +137,7 @@ void add_run_command(CLI::App& app, Action& chosen) {
       "--records", arguments->records,
       "write the simulated measurements (CSV) and the rig file to this folder, for estimate and diagnose");
   command->add_option("--seed", arguments->seed, "of all random numbers; the same seed gives the same bytes")
+      ->check(whole_number)
       ->capture_default_str();
   command->footer("Shipped scenarios:" + names +
                   "\nExample: host_sim run --scenario paper_2dof --log - | host_sim decode");

@@ -1,6 +1,7 @@
 // Where text for people goes: stdout, unless a result is asked for there ("-"); then stderr.
 #pragma once
 #include <cstdio>
+#include <iostream>
 #include <memory>
 #include <string>
 
@@ -37,6 +38,13 @@ class ResultTarget {
 inline std::FILE* human_stream(const ResultTarget& a, const ResultTarget& b) {
   if (a.to_stdout() && b.to_stdout()) throw UsageError("two results are to go to stdout, expected \"-\" once");
   return a.to_stdout() || b.to_stdout() ? stderr : stdout;
+}
+
+// At the end of every command: what it printed has been taken. A full disk shows only now, when the buffer goes out.
+inline void finish_stdout() {
+  std::cout.flush();
+  if (!std::cout || std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+    throw OutputError("stdout: cannot be written, expected a reader, or a disk with room");
 }
 
 }  // namespace host_sim

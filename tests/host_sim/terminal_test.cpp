@@ -1,0 +1,62 @@
+// What every command does at the terminal: version, bad numbers, a disk without room, logs without frames.
+#include <fstream>
+#include <thread>
+
+#include "tests/host_sim/program_test.hpp"
+
+namespace {
+
+class Terminal : public test_support::ProgramTest {
+ protected:
+  // Through a shell, with host_sim as $H.
+  test_support::ProgramResult shell(const std::string& script) const {
+    return test_support::run_program({"bash", "-c", "H=" + std::string(HOST_SIM) + "; " + script}, workspace_.path());
+  }
+};
+
+TEST_F(Terminal, TellsItsVersion) {
+  const auto result = host_sim({"--version"});
+  EXPECT_EQ(result.status, 0);
+  EXPECT_EQ(result.output, "host_sim 0.1.0\n");
+}
+
+TEST_F(Terminal, SeedsBelowZeroAreRefused) {
+  const auto result = host_sim({"run", "--seed", "-1"});
+  EXPECT_EQ(result.status, 2);
+  EXPECT_NE(result.errors.find("-1"), std::string::npos) << result.errors;
+  EXPECT_TRUE(workspace_.entries().empty());
+}
+
+TEST_F(Terminal, AFullDiskIsNoticedByEveryCommand) {
+  ASSERT_EQ(shell("$H run --scenario paper_1dof --records rig --log rig.log > table").status, 0);
+  for (const char* command :
+       {"$H dbc", "$H decode rig.log", "$H decode --csv rig.log", "$H run --print --scenario paper_1dof",
+        "$H estimate --rig rig/rig.toml --data rig/level_1.csv", "$H --help", "$H --version",
+        "$H diagnose --rig rig/rig.toml --data rig/level_1.csv"}) {
+    const auto result = shell(std::string(command) + " > /dev/full");
+    EXPECT_EQ(result.status, 2) << command;
+    EXPECT_NE(result.errors.find("cannot be written"), std::string::npos) << command << result.errors;
+  }
+}
+
+TEST_F(Terminal, ALogWithoutAFrameCannotAnswer) {
+  workspace_.write("words.log", "no\nframes\n");
+  for (const char* command : {"$H decode words.log", "$H decode < words.log", "$H decode --csv words.log"}) {
+    const auto result = shell(command);
+    EXPECT_EQ(result.status, 3) << command;
+    EXPECT_NE(result.errors.find("no CAN frame"), std::string::npos) << result.errors;
+  }
+}
+
+// The line that comes later is decoded while the program waits; an interrupt ends it.
+TEST_F(Terminal, DecodeFollowsAGrowingLog) {
+  workspace_.write("grow.log", "(1.0) can0 701#05\n(1.1) can0 70");
+  const auto result = shell(
+      "$H decode --csv --follow grow.log > rows & pid=$!; "
+      "until grep -q OPERATIONAL rows 2>/dev/null; do sleep 0.01; done; echo '2#04' >> grow.log; "
+      "until grep -q STOPPED rows; do sleep 0.01; done; kill -INT $pid || kill $pid; wait $pid; cat rows");
+  EXPECT_NE(result.output.find("1.100000,can0,node 2,heartbeat,state,4,,1,STOPPED\n"), std::string::npos)
+      << result.output << result.errors;
+}
+
+}  // namespace
