@@ -1,5 +1,7 @@
 #include "host_sim/can_log/readable.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstring>
 
@@ -44,6 +46,17 @@ std::string list_bits(const BitName (&names)[N], uint32_t bits) {
 std::string number_text(double value, int digits) {
   char text[48];
   std::snprintf(text, sizeof text, "%.*g", digits, value);
+  return text;
+}
+
+std::string rounded_to(double value, double uncertainty) {
+  if (value == 0.0 || !(uncertainty > 0.0)) return number_text(value, 7);
+  const int top = static_cast<int>(std::floor(std::log10(std::abs(value))));
+  const int last = static_cast<int>(std::floor(std::log10(uncertainty))) - 1;
+  const int digits = std::clamp(top - last + 1, 3, 9);
+  if (top < -4 || top > 8) return number_text(value, digits);
+  char text[64];
+  std::snprintf(text, sizeof text, "%.*f", std::max(0, digits - 1 - top), value);
   return text;
 }
 

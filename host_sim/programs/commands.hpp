@@ -14,5 +14,6 @@ void add_diagnose_command(CLI::App& app, Action& chosen);
 void add_sweep_command(CLI::App& app, Action& chosen);
 void add_decode_command(CLI::App& app, Action& chosen);
 void add_dbc_command(CLI::App& app, Action& chosen);
+void add_watch_command(CLI::App& app, Action& chosen);
 
 }  // namespace host_sim

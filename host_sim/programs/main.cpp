@@ -34,6 +34,7 @@ int main(int argc, char** argv) {
   host_sim::add_diagnose_command(app, chosen);
   host_sim::add_sweep_command(app, chosen);
   host_sim::add_decode_command(app, chosen);
+  host_sim::add_watch_command(app, chosen);
   host_sim::add_dbc_command(app, chosen);
   if (!known_first_word(app, argc, argv)) return static_cast<int>(host_sim::ExitStatus::kBadInput);
   try {

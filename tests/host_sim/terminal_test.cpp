@@ -31,7 +31,7 @@ TEST_F(Terminal, AFullDiskIsNoticedByEveryCommand) {
   ASSERT_EQ(shell("$H run --scenario paper_1dof --records rig --log rig.log > table").status, 0);
   for (const char* command :
        {"$H dbc", "$H decode rig.log", "$H decode --csv rig.log", "$H run --print --scenario paper_1dof",
-        "$H estimate --rig rig/rig.toml --data rig/level_1.csv", "$H --help", "$H --version",
+        "$H estimate --rig rig/rig.toml --data rig/level_1.csv", "$H --help", "$H --version", "$H watch rig.log --once",
         "$H diagnose --rig rig/rig.toml --data rig/level_1.csv"}) {
     const auto result = shell(std::string(command) + " > /dev/full");
     EXPECT_EQ(result.status, 2) << command;
@@ -41,7 +41,8 @@ TEST_F(Terminal, AFullDiskIsNoticedByEveryCommand) {
 
 TEST_F(Terminal, ALogWithoutAFrameCannotAnswer) {
   workspace_.write("words.log", "no\nframes\n");
-  for (const char* command : {"$H decode words.log", "$H decode < words.log", "$H decode --csv words.log"}) {
+  for (const char* command : {"$H decode words.log", "$H decode < words.log", "$H decode --csv words.log",
+                              "$H watch words.log --once", "$H watch - < words.log"}) {
     const auto result = shell(command);
     EXPECT_EQ(result.status, 3) << command;
     EXPECT_NE(result.errors.find("no CAN frame"), std::string::npos) << result.errors;

@@ -4,11 +4,13 @@
 #include <cmath>
 #include <cstdio>
 
+#include "host_sim/can_log/readable.hpp"
 #include "host_sim/programs/shared/terminal.hpp"
 
 namespace host_sim {
 namespace {
 
+using can_log::rounded_to;
 using firmware::EstimateStatus;
 
 std::string plain(double value, int digits) {
@@ -82,17 +84,6 @@ std::string format_fit(const EstimateResult& result) {
 }
 
 }  // namespace
-
-std::string rounded_to(double value, double uncertainty) {
-  if (value == 0.0 || !(uncertainty > 0.0)) return plain(value, 7);
-  const int top = static_cast<int>(std::floor(std::log10(std::abs(value))));
-  const int last = static_cast<int>(std::floor(std::log10(uncertainty))) - 1;
-  const int digits = std::clamp(top - last + 1, 3, 9);
-  if (top < -4 || top > 8) return plain(value, digits);
-  char text[64];
-  std::snprintf(text, sizeof text, "%.*f", std::max(0, digits - 1 - top), value);
-  return text;
-}
 
 std::string format_table(const EstimateResult& result, bool colours) {
   const std::vector<Column> columns = columns_of(result);

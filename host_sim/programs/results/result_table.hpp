@@ -10,7 +10,4 @@ namespace host_sim {
 // the residual, the condition number and the MSE of Eq. 13. Numbers carry the digits that their interval supports.
 std::string format_table(const EstimateResult& result, bool colours);
 
-// "20.0041" for a half-width of 0.0003: two digits of the uncertainty, 3 to 9 significant digits in all.
-std::string rounded_to(double value, double uncertainty);
-
 }  // namespace host_sim

@@ -1,12 +1,29 @@
 #include "host_sim/programs/shared/terminal.hpp"
 
+#include <langinfo.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <clocale>
 #include <cstdlib>
 #include <cstring>
 
 namespace host_sim {
+
+int terminal_width(std::FILE* stream) {
+  constexpr int kDefault = 80, kFewest = 60, kMost = 200;
+  const char* given = std::getenv("COLUMNS");
+  winsize size{};
+  int columns = given != nullptr ? std::atoi(given) : 0;
+  if (columns <= 0 && ::ioctl(::fileno(stream), TIOCGWINSZ, &size) == 0) columns = size.ws_col;
+  return std::clamp(columns > 0 ? columns : kDefault, kFewest, kMost);
+}
+
+bool unicode_locale() {
+  std::setlocale(LC_CTYPE, "");
+  return std::strcmp(nl_langinfo(CODESET), "UTF-8") == 0;
+}
 
 bool is_terminal(std::FILE* stream) {
   const char* term = std::getenv("TERM");

@@ -7,6 +7,10 @@ namespace host_sim {
 
 enum class Colour { kGood, kDoubtful, kBad, kQuiet, kBold };
 
+// Columns for text on this stream: COLUMNS where it is set, else the terminal's, else 80; 60 to 200.
+int terminal_width(std::FILE* stream);
+bool unicode_locale();  // the user's locale writes UTF-8
+
 bool is_terminal(std::FILE* stream);  // and colours are wanted: NO_COLOR unset, TERM not dumb
 std::string coloured(const std::string& text, Colour colour, bool on);
 
