@@ -9,10 +9,10 @@ namespace firmware {
 struct BusTraffic {
   const SensorPlan* sensors = nullptr;  // frames of the sensors; nullptr: the samples do not come over this bus
   int64_t sample_period_ns = 1000000;
-  bool drive_on_can = false;  // a drive command for each sample
-  bool can_fd = false;        // estimates in CAN FD frames
+  bool drive_on_can = false;     // a drive command for each sample
+  bool can_fd = false;           // estimates in CAN FD frames
   bool float_estimates = false;  // once more as floats
-  int heartbeat_ms = 100;     // 0: none
+  int heartbeat_ms = 100;        // 0: none
   int status_ms = 100;
   int64_t window_ns = 1000000000;  // from one set of estimates to the next
   int unknowns = 0;

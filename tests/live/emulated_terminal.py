@@ -72,6 +72,13 @@ class Terminal:
     def wait_for_text(self, words, timeout=20.0, meanwhile=None):
         self.wait_for(lambda text: words in text, words, timeout, meanwhile)
 
+    def wait_until_quiet(self, seconds=0.3):
+        """Takes output until none has come for so long: for a screen that has stopped changing."""
+        before = -1
+        while before != len(self.raw):
+            before = len(self.raw)
+            self.take(seconds)
+
     def end(self, timeout=20.0):
         """Waits for the program to end; its exit status, 128 + signal where a signal ended it."""
         end = time.monotonic() + timeout

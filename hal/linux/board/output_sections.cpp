@@ -43,7 +43,7 @@ Section node_section(const std::string& file, const toml::table& root) {
 
 Section can_section(const std::string& file, const toml::table& root) {
   return Section(file, "can", sub_table(file, root, "can"),
-                 {"interface", "fd", "bit_rate_kbit_s", "data_bit_rate_kbit_s"});
+                 {"interface", "fd", "float_estimates", "bit_rate_kbit_s", "data_bit_rate_kbit_s"});
 }
 
 Section gpio_section(const std::string& file, const toml::table& root) {

@@ -9,6 +9,7 @@
 #include "host_sim/programs/diagnose/diagnosis_text.hpp"
 #include "host_sim/programs/results/result_json.hpp"
 #include "host_sim/programs/shared/human_output.hpp"
+#include "host_sim/programs/shared/stage_line.hpp"
 #include "host_sim/programs/shared/terminal.hpp"
 #include "host_sim/records/record_checks.hpp"
 #include "host_sim/records/record_reader.hpp"
@@ -38,26 +39,25 @@ void diagnose(const DiagnoseArguments& arguments) {
   diagnosis::Diagnosis found;
   reports::DiagnosisReportData data;
   {
-    ProgressBar bar("diagnosing");
-    bar.show(0.0);
+    StageLine line("diagnosing");
+    line.begin("reading the recordings");
     const std::vector<Record> training = read_all(arguments.data, model), holdout = read_all(arguments.holdout, model);
     std::vector<Record> all = training;
     all.insert(all.end(), holdout.begin(), holdout.end());
     require_same_channels(all);
-    bar.show(0.1);
+    line.begin("searching for what the rig file lacks");
     found = diagnosis::diagnose(model, training, holdout, options);
-    bar.show(0.8);
+    line.begin("simulating what was found");
     data = reports::findings_of(model, training, holdout, found);
     if (!arguments.report.empty()) {
       reports::add_pictures(model, training, holdout, found, data);
-      bar.show(0.9);
+      line.begin("drawing");
       reports::write_diagnosis_report(arguments.report, data);
     }
-    bar.show(1.0);
   }
   json.deliver(to_text(diagnosis::to_json(found)));
   extended_rig.deliver(rig_file::format_rig(found.extended_rig));
-  std::fputs(diagnosis_text(data, is_terminal(people)).c_str(), people);
+  std::fputs(diagnosis_text(data, is_terminal(people), wrap_width(people)).c_str(), people);
   if (!arguments.report.empty()) std::fprintf(people, "report: %s/index.html\n", arguments.report.c_str());
   if (extended_rig.wanted() && !extended_rig.to_stdout())
     std::fprintf(people, "extended rig: %s\n", arguments.extended_rig.c_str());

@@ -47,10 +47,10 @@ std::string interval_text(const reports::Interval& interval) {
 }
 
 std::string parameters_text(const reports::DiagnosisReportData& data) {
-  std::vector<Row> rows = {{"parameter", "unit", "rig as given (95 %)", "extended rig (95 %)"}};
+  std::vector<Row> rows = {{"parameter", "unit", "rig as given (95 %)", "extended rig (95 %)", "status"}};
   for (const reports::ParameterChange& parameter : data.parameters)
-    rows.push_back({parameter.name, reports::unit_text(parameter.unit), interval_text(parameter.before),
-                    interval_text(parameter.after)});
+    rows.push_back({parameter.name, parameter.unit, interval_text(parameter.before), interval_text(parameter.after),
+                    parameter.status});
   return rows.size() > 1 ? "\n" + table(rows) : "";
 }
 
@@ -76,18 +76,30 @@ std::string limits_text(const reports::DiagnosisReportData& data) {
   return "\n" + table(rows);
 }
 
+// Units as every other table spells them ("N s/m^2"): the pages' raised digits and dots are for browsers.
+std::string plain_units(const std::string& text) {
+  static const std::pair<const char*, const char*> kPlain[] = {{"·", " "},  {"²", "^2"}, {"³", "^3"},
+                                                               {"⁴", "^4"}, {"⁵", "^5"}, {"–", "-"}};
+  std::string out = text;
+  for (const auto& [pretty, plain] : kPlain)
+    for (size_t at = 0; (at = out.find(pretty, at)) != std::string::npos; at += std::string(plain).size())
+      out.replace(at, std::string(pretty).size(), plain);
+  return out;
+}
+
 }  // namespace
 
-std::string diagnosis_text(const reports::DiagnosisReportData& data, bool colours) {
+std::string diagnosis_text(const reports::DiagnosisReportData& data, bool colours, int width) {
   const bool sure = data.verdict == "none" || data.verdict == "explained";
+  const std::string verdict = wrapped(data.verdict + ": " + reports::verdict_sentence(data), width, "  ");
   std::string out = data.rig_name + "\n" + coloured(data.verdict, sure ? Colour::kGood : Colour::kDoubtful, colours) +
-                    ": " + reports::verdict_sentence(data) + "\n";
+                    verdict.substr(data.verdict.size()) + "\n";
   for (const reports::Cause& cause : data.causes)
-    for (const std::string& parameter : cause.parameters) out += "  " + parameter + "\n";
+    for (const std::string& parameter : cause.parameters) out += "  " + wrapped(parameter, width, "    ") + "\n";
   out += parameters_text(data) + gains_text(data) + limits_text(data);
   if (!data.advice.empty()) out += "\nWhat to measure next:\n";
-  for (const std::string& advice : data.advice) out += "  - " + advice + "\n";
-  return out + "\n";
+  for (const std::string& advice : data.advice) out += "  - " + wrapped(advice, width - 2, "    ") + "\n";
+  return plain_units(out) + "\n";
 }
 
 }  // namespace host_sim

@@ -6,6 +6,7 @@
 
 namespace host_sim {
 
-std::string diagnosis_text(const reports::DiagnosisReportData& data, bool colours);
+// Sentences are wrapped at `width` columns; 0: not at all.
+std::string diagnosis_text(const reports::DiagnosisReportData& data, bool colours, int width = 0);
 
 }  // namespace host_sim

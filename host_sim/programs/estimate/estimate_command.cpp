@@ -22,7 +22,7 @@ void print_table(std::FILE* stream, const rig_file::RigModel& model, const Estim
   const bool colours = is_terminal(stream);
   std::fprintf(stream, "%s\n%zu samples at %g Hz, %u record%s\n\n%s", model.name.c_str(), result.samples,
                result.sample_rate_Hz, result.levels, result.levels == 1 ? "" : "s",
-               format_table(result, colours).c_str());
+               format_table(result, colours, wrap_width(stream)).c_str());
 }
 
 void estimate(const EstimateArguments& arguments) {

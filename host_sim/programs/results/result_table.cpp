@@ -85,7 +85,7 @@ std::string format_fit(const EstimateResult& result) {
 
 }  // namespace
 
-std::string format_table(const EstimateResult& result, bool colours) {
+std::string format_table(const EstimateResult& result, bool colours, int width) {
   const std::vector<Column> columns = columns_of(result);
   std::string text;
   for (const Column& column : columns)
@@ -98,7 +98,7 @@ std::string format_table(const EstimateResult& result, bool colours) {
       text += last ? coloured(cell, colour_of(result.parameters[row].status), colours) + "\n" : cell + "  ";
     }
   text += format_fit(result);
-  for (const std::string& note : result.notes) text += "note: " + note + "\n";
+  for (const std::string& note : result.notes) text += wrapped("note: " + note, width, "  ") + "\n";
   return text;
 }
 

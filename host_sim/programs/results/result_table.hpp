@@ -8,6 +8,7 @@ namespace host_sim {
 
 // One line per parameter: name, truth and the paper's figure where known, estimate, 95 % interval, unit, status; then
 // the residual, the condition number and the MSE of Eq. 13. Numbers carry the digits that their interval supports.
-std::string format_table(const EstimateResult& result, bool colours);
+// Notes are wrapped at `width` columns; 0: not at all.
+std::string format_table(const EstimateResult& result, bool colours, int width = 0);
 
 }  // namespace host_sim

@@ -59,7 +59,7 @@ void print_summary(std::FILE* stream, const Scenario& scenario, const RunArgumen
   std::fprintf(stream, "%s: %s\n%zu samples at %g Hz, %u level%s, seed %llu\n\n%s", scenario.name.c_str(),
                scenario.description.c_str(), result.samples, result.sample_rate_Hz, result.levels,
                result.levels == 1 ? "" : "s", static_cast<unsigned long long>(arguments.seed),
-               format_table(result, is_terminal(stream)).c_str());
+               format_table(result, is_terminal(stream), wrap_width(stream)).c_str());
 }
 
 void print_shipped(const std::string& name) {

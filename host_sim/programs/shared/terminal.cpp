@@ -20,6 +20,33 @@ int terminal_width(std::FILE* stream) {
   return std::clamp(columns > 0 ? columns : kDefault, kFewest, kMost);
 }
 
+int wrap_width(std::FILE* stream) {
+  return std::getenv("COLUMNS") != nullptr || ::isatty(::fileno(stream)) != 0 ? terminal_width(stream) : 0;
+}
+
+std::string wrapped(const std::string& text, int width, const std::string& indent) {
+  if (width <= 0) return text;
+  std::string out;
+  int column = 0;
+  for (size_t begin = 0; begin < text.size();) {
+    const size_t end = std::min(text.find(' ', begin), text.size());
+    const std::string word = text.substr(begin, end - begin);
+    const int length = static_cast<int>(
+        std::count_if(word.begin(), word.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+    if (column > 0 && column + 1 + length > width) {
+      out += "\n" + indent;
+      column = static_cast<int>(indent.size());
+    } else if (begin > 0) {
+      out += " ";
+      ++column;
+    }
+    out += word;
+    column += length;
+    begin = end + 1;
+  }
+  return out;
+}
+
 bool unicode_locale() {
   std::setlocale(LC_CTYPE, "");
   return std::strcmp(nl_langinfo(CODESET), "UTF-8") == 0;
