@@ -22,17 +22,22 @@ void rewind_if_shorter(int file) {
 
 }  // namespace
 
-FollowBuffer::FollowBuffer(const std::string& path)
-    : file_(::open(path.c_str(), O_RDONLY | O_CLOEXEC)), bytes_(kBufferBytes) {}
+FollowBuffer::FollowBuffer(const std::string& path) : file_(::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {}
 
 std::streambuf::int_type FollowBuffer::underflow() {
+  char bytes[kBufferBytes];
   for (;;) {
-    const ssize_t count = ::read(file_.get(), bytes_.data(), bytes_.size());
+    const ssize_t count = ::read(file_.get(), bytes, sizeof bytes);
+    if (count < 0 && errno != EINTR) return traits_type::eof();
     if (count > 0) {
-      setg(bytes_.data(), bytes_.data(), bytes_.data() + count);
+      pending_.append(bytes, static_cast<size_t>(count));
+      const size_t end = pending_.size() > kBufferBytes ? pending_.size() - 1 : pending_.rfind('\n');
+      if (end == std::string::npos) continue;
+      lines_ = pending_.substr(0, end + 1);
+      pending_.erase(0, end + 1);
+      setg(lines_.data(), lines_.data(), lines_.data() + lines_.size());
       return traits_type::to_int_type(*gptr());
     }
-    if (count < 0 && errno != EINTR) return traits_type::eof();
     rewind_if_shorter(file_.get());
     ::poll(nullptr, 0, kWait_ms);
   }

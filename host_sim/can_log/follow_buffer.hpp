@@ -1,9 +1,8 @@
 // A file that grows, as a stream that never ends: at its end it waits for more, and it starts again where the file has
-// become shorter.
+// become shorter. Whole lines alone are handed on: who reads lines never waits within one.
 #pragma once
 #include <streambuf>
 #include <string>
-#include <vector>
 
 #include "hal/linux/file_descriptor.hpp"
 
@@ -19,7 +18,8 @@ class FollowBuffer : public std::streambuf {
 
  private:
   hal::FileDescriptor file_;
-  std::vector<char> bytes_;
+  std::string lines_;    // handed on
+  std::string pending_;  // the beginning of a line
 };
 
 }  // namespace can_log

@@ -55,7 +55,7 @@ TEST_F(Terminal, DecodeFollowsAGrowingLog) {
   const auto result = shell(
       "$H decode --csv --follow grow.log > rows & pid=$!; "
       "until grep -q OPERATIONAL rows 2>/dev/null; do sleep 0.01; done; echo '2#04' >> grow.log; "
-      "until grep -q STOPPED rows; do sleep 0.01; done; kill -INT $pid || kill $pid; wait $pid; cat rows");
+      "until grep -q STOPPED rows; do sleep 0.01; done; kill $pid; wait $pid; cat rows");
   EXPECT_NE(result.output.find("1.100000,can0,node 2,heartbeat,state,4,,1,STOPPED\n"), std::string::npos)
       << result.output << result.errors;
 }
