@@ -40,6 +40,8 @@ class EstimatorCore {
   const Estimates& estimates() const { return estimates_; }  // of the last solve
   const CoreHealth& health() const { return health_; }
   const BatchTable& table() const { return table_; }
+  // Of the last solve: how the estimates move together (their correlation is that of (R^T R)^-1).
+  const TriangularFactor& factor() const { return memory_.fit.factor(); }
   // A level of n samples makes a window of n - margin_samples() sample intervals: filters and end corrections look further.
   int margin_samples() const { return kLevelMarginSamples + conditioning_.history_samples(); }
 

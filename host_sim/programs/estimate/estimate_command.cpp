@@ -1,12 +1,15 @@
 // host_sim estimate: measured data through the fixed-point core, as the board would.
 #include "hal/rig_file/rig_reader.hpp"
 #include "host_sim/programs/commands.hpp"
+#include "host_sim/programs/estimate/estimate_report_data.hpp"
 #include "host_sim/programs/estimate/estimation.hpp"
+#include "host_sim/programs/estimate/model_export.hpp"
 #include "host_sim/programs/results/result_json.hpp"
 #include "host_sim/programs/results/result_table.hpp"
 #include "host_sim/programs/shared/human_output.hpp"
 #include "host_sim/programs/shared/terminal.hpp"
 #include "host_sim/records/record_reader.hpp"
+#include "host_sim/reports/page/report.hpp"
 
 namespace host_sim {
 namespace {
@@ -14,7 +17,7 @@ namespace {
 struct EstimateArguments {
   std::string rig;
   std::vector<std::string> data;
-  std::string json, log;
+  std::string json, log, report, export_to;
   double frequency_Hz = 0.0;
 };
 
@@ -23,6 +26,21 @@ void print_table(std::FILE* stream, const rig_file::RigModel& model, const Estim
   std::fprintf(stream, "%s\n%zu samples at %g Hz, %u record%s\n\n%s", model.name.c_str(), result.samples,
                result.sample_rate_Hz, result.levels, result.levels == 1 ? "" : "s",
                format_table(result, colours, wrap_width(stream)).c_str());
+}
+
+// Page and files for other programs, where they are wanted.
+void show_more(const EstimateArguments& arguments, const rig_file::RigModel& model, const std::vector<Record>& records,
+               const EstimateResult& result, std::FILE* people) {
+  if (arguments.report.empty() && arguments.export_to.empty()) return;
+  const reports::EstimateReportData data = estimate_report_data(model, records, result);
+  if (!arguments.report.empty()) {
+    reports::write_estimate_report(arguments.report, data);
+    std::fprintf(people, "report: %s/index.html\n", arguments.report.c_str());
+  }
+  if (!arguments.export_to.empty()) {
+    export_model(arguments.export_to, model, result, estimated_modes(model, result), data.views);
+    std::fprintf(people, "exported: %s/model.json, model.mat, responses as CSV\n", arguments.export_to.c_str());
+  }
 }
 
 void estimate(const EstimateArguments& arguments) {
@@ -44,6 +62,7 @@ void estimate(const EstimateArguments& arguments) {
   print_table(people, model, estimation.result);
   json.deliver(to_text(to_json(estimation.result)));
   log.deliver(estimation.frames);
+  show_more(arguments, model, records, estimation.result, people);
   const std::string missing = unanswered(estimation.result);
   if (!missing.empty()) throw CannotAnswer(missing);
 }
@@ -60,6 +79,10 @@ void add_estimate_command(CLI::App& app, Action& chosen) {
   command->add_option("--json", arguments->json, "write the result as JSON to this file (- is stdout)");
   command->add_option("--log", arguments->log,
                       "write the CAN frames that a board would send as a candump log (- is stdout)");
+  command->add_option("--report", arguments->report, "write a page with pictures to this folder");
+  command->add_option("--export", arguments->export_to,
+                      "write parameters with covariance, modes and state space as JSON and MAT, and the responses as "
+                      "CSV, to this folder");
   command
       ->add_option("--frequency", arguments->frequency_Hz,
                    "excitation frequency in Hz, where it is periodic: windows are then whole cycles")

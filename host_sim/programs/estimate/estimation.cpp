@@ -123,6 +123,7 @@ Estimation estimate_records(const rig_file::RigModel& model, const std::vector<R
 
   Estimation estimation;
   estimation.result = result_of(model, estimates);
+  estimation.result.covariance = covariance_of(estimation.result, board.core());
   estimation.result.samples = samples;
   estimation.result.sample_rate_Hz = 1.0 / records.front().sample_period_s;
   estimation.result.levels = static_cast<unsigned>(records.size());

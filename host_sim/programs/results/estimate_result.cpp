@@ -115,4 +115,19 @@ std::string unanswered(const EstimateResult& result) {
   return text;
 }
 
+std::vector<std::vector<double>> covariance_of(const EstimateResult& result, const firmware::EstimatorCore& core) {
+  const size_t n = result.parameters.size();
+  std::vector<std::vector<double>> out(n, std::vector<double>(n, 0.0));
+  const auto entry = [&](size_t i, size_t j) {
+    return rig_file::to_double(core.factor().covariance(static_cast<int>(i), static_cast<int>(j)));
+  };
+  for (size_t i = 0; i < n; ++i)
+    for (size_t j = 0; j < n; ++j) {
+      const double size = std::sqrt(entry(i, i) * entry(j, j));
+      const double correlation = i == j ? 1.0 : size > 0.0 ? entry(i, j) / size : 0.0;
+      out[i][j] = correlation * result.parameters[i].std * result.parameters[j].std;
+    }
+  return out;
+}
+
 }  // namespace host_sim

@@ -37,6 +37,8 @@ struct EstimateResult {
   size_t samples = 0;
   double sample_rate_Hz = 0.0;
   unsigned levels = 0, rows = 0;
+  // Of the parameters, in their order: the correlation of the least squares with the quoted standard deviations.
+  std::vector<std::vector<double>> covariance;
   firmware::CoreHealth health;
   std::vector<SkewResult> skews;
   std::string advice;              // what to measure next; empty: nothing
@@ -49,6 +51,8 @@ const char* status_word(firmware::EstimateStatus status);  // "VALID"
 // Parameters, residual and condition number of the core's estimates.
 EstimateResult result_of(const rig_file::RigModel& model, const firmware::Estimates& estimates);
 std::vector<double> values_of(const EstimateResult& result);
+// EstimateResult::covariance of the core's last solve.
+std::vector<std::vector<double>> covariance_of(const EstimateResult& result, const firmware::EstimatorCore& core);
 
 // Empty where every parameter is answered; else why not and what to measure instead.
 std::string unanswered(const EstimateResult& result);

@@ -8,6 +8,7 @@
 #include "host_sim/plant/plant_error.hpp"
 #include "host_sim/reports/data/channel_words.hpp"
 #include "host_sim/reports/data/free_simulation.hpp"
+#include "host_sim/reports/data/rig_views.hpp"
 #include "host_sim/vocabulary/held_in_place.hpp"
 
 namespace host_sim::reports {
@@ -186,6 +187,11 @@ LinkView link_view(const rig_file::RigModel& given_rig, const rig_file::RigModel
   return view;
 }
 
+// An integrated acceleration drifts: energies made with it are pictures of the drift.
+bool velocity_known(const Record& record, int dof) {
+  return record.find(Quantity::kVelocity, dof) != nullptr || record.find(Quantity::kDisplacement, dof) != nullptr;
+}
+
 // Links that only the extended rig has, without any force.
 rig_file::RigModel with_links_of(rig_file::RigModel rig, const rig_file::RigModel& extended) {
   for (size_t l = rig.links.size(); l < extended.links.size(); ++l) {
@@ -221,11 +227,12 @@ Comparison compare(const Record& record, const rig_file::RigModel& given_rig, co
     view.period_s = period_s;
     view.waveforms = free ? waveforms(record, simulated, dof, given.dofs[i].rotating)
                           : std::vector<Waveform>{force_waveform(before, after, i, given.dofs[i].rotating)};
-    view.energy = energy_balance(given, before, after, dof, time_s, period_s);
+    if (velocity_known(record, dof)) view.energy = energy_balance(given, before, after, dof, time_s, period_s);
     out.dofs.push_back(std::move(view));
   }
   for (size_t l = 0; l < given.links.size(); ++l)
-    out.links.push_back(link_view(given, extended, l, before, after, time_s));
+    if (elongation_measured(record, given.links[l]))
+      out.links.push_back(link_view(given, extended, l, before, after, time_s));
   return out;
 }
 

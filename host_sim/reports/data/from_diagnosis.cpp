@@ -6,6 +6,7 @@
 
 #include "hal/rig_file/coefficient_walk.hpp"
 #include "host_sim/reports/data/comparison.hpp"
+#include "host_sim/reports/data/rig_views.hpp"
 #include "host_sim/reports/figures/numbers.hpp"
 
 namespace host_sim::reports {
@@ -167,6 +168,11 @@ void add_pictures(const rig_file::RigModel& rig, const std::vector<Record>& trai
   const rig_file::RigModel& extended = found.extended_rig.dofs.empty() ? rig : found.extended_rig;
   const Comparison comparison = compare(shown, with_parameters(rig, found.baseline.parameters),
                                         with_parameters(extended, found.extended.parameters));
+  const rig_file::RigModel best = with_parameters(extended, found.extended.parameters);
+  data.views = rig_views(best, training);
+  for (const Mode& mode : modes_of(best))
+    data.views.modes.push_back(
+        mode_rows({{{mode.frequency_Hz, kNone, kNone}, {mode.damping_ratio, kNone, kNone}, mode.shape}}).front());
   data.dofs = comparison.dofs;
   data.links = comparison.links;
   data.facts.push_back("pictures: " + std::filesystem::path(shown.file).filename().string() +

@@ -1,12 +1,14 @@
 #include "host_sim/reports/data/from_run.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "firmware/can_protocol/frame_description.hpp"
 #include "firmware/can_protocol/value_tables.hpp"
 #include "hal/rig_file/scaled_double.hpp"
 #include "host_sim/can_log/readable.hpp"
 #include "host_sim/reports/data/channel_words.hpp"
+#include "host_sim/reports/data/rig_views.hpp"
 
 namespace host_sim::reports {
 namespace {
@@ -82,6 +84,21 @@ RunRecord record_of_level(const Scenario& scenario, const RunResult& result, siz
   return record;
 }
 
+// The rig with the estimates beside what the sensors delivered.
+void add_views(const Scenario& scenario, const RunResult& result, RunReportData& data) {
+  std::vector<double> values;
+  for (const host_sim::RunParameter& parameter : result.parameters) values.push_back(parameter.value);
+  const rig_file::RigModel rig = rig_file::with_values(scenario.rig, values);
+  std::vector<Record> records = result.measured.measured;
+  for (size_t l = 0; l < records.size(); ++l)
+    for (Channel& channel : records[l].channels) channel.values = measured_part(channel.values, scenario.levels[l]);
+  if (!records.empty()) data.views = rig_views(rig, records);
+  std::vector<UncertainMode> modes;
+  for (const Mode& mode : modes_of(rig))
+    modes.push_back({{mode.frequency_Hz, NAN, NAN}, {mode.damping_ratio, NAN, NAN}, mode.shape});
+  data.views.modes = mode_rows(modes);
+}
+
 }  // namespace
 
 void ConvergenceRecorder::begin(const Scenario& scenario, const firmware::CoreConfiguration& configuration) {
@@ -123,6 +140,7 @@ RunReportData run_report_data(const Scenario& scenario, uint64_t seed, const Run
   }
   for (size_t level = 0; level < result.measured.truth.size(); ++level)
     data.records.push_back(record_of_level(scenario, result, level));
+  add_views(scenario, result, data);
   return data;
 }
 

@@ -54,6 +54,45 @@ struct LinkView {
   std::vector<double> named_force;  // force of the named effect at the same samples
 };
 
+// Motion per force over frequency, measured and simulated by the same averages. Vectors of one length; `simulated`
+// is empty where there is no simulation.
+struct ResponseView {
+  std::string title;                                                 // "acceleration of DOF 2 per force on DOF 1"
+  std::string label, unit;                                           // "acceleration per force", "m/s^2/N"
+  std::vector<double> frequency_Hz, measured, simulated, coherence;  // magnitudes; coherence 0 to 1
+  size_t segments = 0;                                               // averaged
+};
+
+// A mode of the estimated rig's linear part.
+struct ModeRow {
+  Interval frequency_Hz, damping_ratio;
+  std::vector<double> shape;  // per DOF, the largest 1; negative: against it
+};
+
+// Restoring force of a link over elongation and rate: mean of the samples in each cell, measured and by the model.
+struct ForceStateMap {
+  std::string link, force_unit = "N", elongation_unit = "m", rate_unit = "m/s";
+  size_t columns = 0, rows = 0;  // of cells: elongation across, rate upwards
+  double elongation_low = 0.0, elongation_high = 0.0, rate_low = 0.0, rate_high = 0.0;
+  std::vector<double> measured, model;  // row by row from below; NaN where no sample was
+};
+
+// What of the force no term explains, over frequency, beside the force that drives or accelerates the DOF.
+struct ResidualSpectrum {
+  int dof = 1;
+  std::string unit = "N";
+  std::vector<double> frequency_Hz, residual, reference;  // power densities, unit^2 / Hz
+};
+
+// What every page shows of a rig with numbers: filled by data/rig_views.
+struct RigViews {
+  std::vector<ResponseView> responses;
+  std::vector<ModeRow> modes;
+  std::vector<ForceStateMap> maps;
+  std::vector<ResidualSpectrum> residuals;
+  std::vector<std::string> notes;  // what these sensors cannot show, and why
+};
+
 struct Cause {
   std::string effect, where;            // the contract's words: "cubic_stiffness", "link 1-2"
   double explains_percent = 0.0;        // not a number: taken out of the record before the rig is judged
@@ -102,6 +141,16 @@ struct DiagnosisReportData {
   std::vector<DofGain> gains;
   std::vector<Detectable> minimum_detectable;
   std::vector<std::string> advice;
+  RigViews views;
+};
+
+struct EstimateReportData {
+  std::string rig_name;
+  std::vector<std::string> files, facts, notes;
+  std::vector<ParameterChange> parameters;  // `after` is the estimate
+  std::vector<std::string> advice;          // what to measure next
+  std::vector<DofView> dofs;
+  RigViews views;
 };
 
 // An estimate as the windows close: vectors of one length.
@@ -144,6 +193,7 @@ struct RunReportData {
   double condition_number, residual_mean_abs;
   std::vector<RunParameter> parameters;
   std::vector<RunRecord> records;
+  RigViews views;
 };
 
 }  // namespace host_sim::reports

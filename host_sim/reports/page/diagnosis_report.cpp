@@ -6,6 +6,7 @@
 #include "host_sim/reports/page/detectable_tables.hpp"
 #include "host_sim/reports/page/diagnosis_pictures.hpp"
 #include "host_sim/reports/page/report.hpp"
+#include "host_sim/reports/page/rig_sections.hpp"
 #include "host_sim/reports/page/shared_parts.hpp"
 #include "host_sim/reports/page/verdict.hpp"
 
@@ -160,6 +161,7 @@ std::string diagnosis_page(const DiagnosisReportData& data) {
   add_gain(page, data);
   add_parameters(page, data);
   add_pictures(page, data);
+  add_rig_sections(page, data.views);
   add_candidates(page, data);
   if (data.verdict != "none") add_detectable(page, data);
   return page.finish();

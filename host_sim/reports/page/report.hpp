@@ -1,4 +1,4 @@
-// The two pages. Each is one file, DIR/index.html, that opens offline: styles and pictures are inside, no scripts.
+// The pages. Each is one file, DIR/index.html, that opens offline: styles and pictures are inside, no scripts.
 #pragma once
 #include <string>
 
@@ -9,10 +9,12 @@ namespace host_sim::reports {
 // Writes DIR/index.html (DIR is made where missing). Throws OutputError where that fails;
 // an earlier index.html then stays as it was and nothing half-written is left.
 void write_diagnosis_report(const std::string& directory, const DiagnosisReportData& data);
+void write_estimate_report(const std::string& directory, const EstimateReportData& data);
 void write_run_report(const std::string& directory, const RunReportData& data);
 
 // The same pages as text, for tests.
 std::string diagnosis_page(const DiagnosisReportData& data);
+std::string estimate_page(const EstimateReportData& data);
 std::string run_page(const RunReportData& data);
 
 }  // namespace host_sim::reports

@@ -6,6 +6,7 @@
 #include "host_sim/reports/figures/numbers.hpp"
 #include "host_sim/reports/figures/reduce.hpp"
 #include "host_sim/reports/page/report.hpp"
+#include "host_sim/reports/page/rig_sections.hpp"
 #include "host_sim/reports/page/shared_parts.hpp"
 
 namespace host_sim::reports {
@@ -175,6 +176,7 @@ std::string run_page(const RunReportData& data) {
   page.section("accelerations", "Acceleration of each DOF",
                "The rig's own, and simulated with the estimates in place of the true values (Figures 3, 5 and 7).");
   for (const RunRecord& record : data.records) add_accelerations(page, record);
+  add_rig_sections(page, data.views);
   return page.finish();
 }
 

@@ -1,0 +1,57 @@
+#include "host_sim/programs/estimate/estimate_report_data.hpp"
+
+#include <cstdio>
+#include <filesystem>
+#include <limits>
+
+#include "host_sim/reports/data/comparison.hpp"
+#include "host_sim/reports/data/rig_views.hpp"
+
+namespace host_sim {
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+std::string text(const char* format, double value) {
+  char out[96];
+  std::snprintf(out, sizeof out, format, value);
+  return out;
+}
+
+void add_facts(const std::vector<Record>& records, const EstimateResult& result, reports::EstimateReportData& data) {
+  for (const Record& record : records) data.files.push_back(std::filesystem::path(record.file).filename().string());
+  data.facts.push_back(std::to_string(result.samples) + text(" samples at %g Hz", result.sample_rate_Hz));
+  data.facts.push_back(text("condition number %.3g", result.condition_number));
+  for (size_t i = 0; i < result.mse_percent.size(); ++i)
+    if (result.mse_percent[i])
+      data.facts.push_back("MSE of DOF " + std::to_string(i + 1) + text(" (Eq. 13) %.3g %%", *result.mse_percent[i]));
+}
+
+}  // namespace
+
+std::vector<UncertainMode> estimated_modes(const rig_file::RigModel& model, const EstimateResult& result) {
+  return modes_with_intervals(model, values_of(result), result.covariance);
+}
+
+reports::EstimateReportData estimate_report_data(const rig_file::RigModel& model, const std::vector<Record>& records,
+                                                 const EstimateResult& result) {
+  reports::EstimateReportData data;
+  data.rig_name = model.name.empty() ? "the rig" : model.name;
+  add_facts(records, result, data);
+  for (const ParameterResult& p : result.parameters)
+    data.parameters.push_back(
+        {p.info.name, p.info.unit, {kNone, kNone, kNone}, {p.value, p.ci95_low, p.ci95_high}, status_word(p.status)});
+  if (!result.advice.empty()) data.advice.push_back(result.advice);
+  data.notes = result.notes;
+  const rig_file::RigModel rig = rig_file::with_values(model, values_of(result));
+  reports::Comparison comparison = reports::compare(records.front(), rig, rig);
+  for (reports::DofView& view : comparison.dofs)
+    for (reports::Waveform& waveform : view.waveforms) waveform.extended.clear();
+  data.dofs = std::move(comparison.dofs);
+  data.notes.insert(data.notes.end(), comparison.notes.begin(), comparison.notes.end());
+  data.views = reports::rig_views(rig, records);
+  data.views.modes = reports::mode_rows(estimated_modes(model, result));
+  return data;
+}
+
+}  // namespace host_sim
