@@ -43,7 +43,7 @@ ClosedLoopRig::ClosedLoopRig(const RigSettings& settings)
   options.relative_tolerance = 1e-9;
   integrator_ = std::make_unique<host_sim::Integrator>(equations_, excitation_, options, 0.0, settings.sample_period_s,
                                                        equations_.initial_state({}, {}, {}));
-  for (size_t dof = 1; dof <= equations_.dofs(); ++dof) {
+  for (size_t dof = 1; dof <= equations_.masses(); ++dof) {
     const std::pair<firmware::Quantity, double> ranges[] = {
         {firmware::Quantity::kForce, settings.full_scale_force_N},
         {firmware::Quantity::kDisplacement, settings.displacement_range_m},

@@ -1,5 +1,6 @@
 // What every command does at the terminal: version, bad numbers, a disk without room, logs without frames.
 #include <fstream>
+#include <sstream>
 #include <thread>
 
 #include "tests/host_sim/program_test.hpp"
@@ -46,6 +47,20 @@ TEST_F(Terminal, ALogWithoutAFrameCannotAnswer) {
     const auto result = shell(command);
     EXPECT_EQ(result.status, 3) << command;
     EXPECT_NE(result.errors.find("no CAN frame"), std::string::npos) << result.errors;
+  }
+}
+
+// No line is wider than the terminal; name, estimate, interval, unit and status stand at every width.
+TEST_F(Terminal, TheTableFitsItsWidth) {
+  for (const int width : {60, 70, 80, 200}) {
+    const auto result = shell("COLUMNS=" + std::to_string(width) + " $H run");
+    ASSERT_EQ(result.status, 0) << result.errors;
+    std::istringstream lines(result.output);
+    for (std::string line; std::getline(lines, line);)
+      EXPECT_TRUE(line.size() <= static_cast<size_t>(width) || line.find("frames:") == 0) << line;
+    for (const char* words : {"viscous[1-0]", "estimate", "95 % from", "N s/m", "VALID"})
+      EXPECT_NE(result.output.find(words), std::string::npos) << words << result.output;
+    EXPECT_EQ(result.output.find("paper   ") != std::string::npos, width >= 80) << result.output;
   }
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <sstream>
 
 #include "host_sim/can_log/readable.hpp"
 #include "host_sim/programs/shared/terminal.hpp"
@@ -66,6 +67,23 @@ std::vector<Column> columns_of(const EstimateResult& result) {
   return columns;
 }
 
+// What stands between the columns. Where they are too wide, one blank instead of two; then the paper's figures and the
+// truth go, which the JSON keeps. width 0: as wide as they are.
+std::string fit_to(int width, std::vector<Column>& columns) {
+  const auto fits = [&](size_t gap) {
+    size_t total = 0;
+    for (const Column& column : columns) total += column.width() + (&column == &columns.back() ? 0 : gap);
+    return width <= 0 || total <= static_cast<size_t>(width);
+  };
+  for (const char* unneeded : {"", "paper", "truth"}) {
+    const auto same = [&](const Column& column) { return column.heading == unneeded; };
+    columns.erase(std::remove_if(columns.begin(), columns.end(), same), columns.end());
+    for (const size_t gap : {size_t{2}, size_t{1}})
+      if (fits(gap)) return std::string(gap, ' ');
+  }
+  return " ";
+}
+
 std::string format_fit(const EstimateResult& result) {
   std::string text = "mean normalised residual " + plain(result.residual_mean_abs, 3);
   if (result.paper_residual) text += " (paper " + plain(*result.paper_residual, 3) + ")";
@@ -86,18 +104,20 @@ std::string format_fit(const EstimateResult& result) {
 }  // namespace
 
 std::string format_table(const EstimateResult& result, bool colours, int width) {
-  const std::vector<Column> columns = columns_of(result);
+  std::vector<Column> columns = columns_of(result);
+  const std::string gap = fit_to(width, columns);
   std::string text;
   for (const Column& column : columns)
     text += coloured(padded(column.heading, column.width(), column.right), Colour::kBold, colours) +
-            (&column == &columns.back() ? "\n" : "  ");
+            (&column == &columns.back() ? "\n" : gap);
   for (size_t row = 0; row < result.parameters.size(); ++row)
     for (const Column& column : columns) {
       const bool last = &column == &columns.back();
       const std::string cell = padded(column.cells[row], last ? 0 : column.width(), column.right);
-      text += last ? coloured(cell, colour_of(result.parameters[row].status), colours) + "\n" : cell + "  ";
+      text += last ? coloured(cell, colour_of(result.parameters[row].status), colours) + "\n" : cell + gap;
     }
-  text += format_fit(result);
+  std::istringstream fit(format_fit(result));
+  for (std::string line; std::getline(fit, line);) text += wrapped(line, width, "  ") + "\n";
   for (const std::string& note : result.notes) text += wrapped("note: " + note, width, "  ") + "\n";
   return text;
 }

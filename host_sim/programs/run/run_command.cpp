@@ -56,9 +56,10 @@ std::unique_ptr<FrameSink> open_sink(const RunArguments& arguments, const std::s
 
 void print_summary(std::FILE* stream, const Scenario& scenario, const RunArguments& arguments,
                    const EstimateResult& result) {
-  std::fprintf(stream, "%s: %s\n%zu samples at %g Hz, %u level%s, seed %llu\n\n%s", scenario.name.c_str(),
-               scenario.description.c_str(), result.samples, result.sample_rate_Hz, result.levels,
-               result.levels == 1 ? "" : "s", static_cast<unsigned long long>(arguments.seed),
+  const std::string head = wrapped(scenario.name + ": " + scenario.description, wrap_width(stream), "  ");
+  std::fprintf(stream, "%s\n%zu samples at %g Hz, %u level%s, seed %llu\n\n%s", head.c_str(), result.samples,
+               result.sample_rate_Hz, result.levels, result.levels == 1 ? "" : "s",
+               static_cast<unsigned long long>(arguments.seed),
                format_table(result, is_terminal(stream), wrap_width(stream)).c_str());
 }
 
