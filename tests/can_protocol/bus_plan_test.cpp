@@ -86,6 +86,24 @@ TEST(BusPlan, FasterSamplingIsMoreLoad) {
   EXPECT_GE(load_permille(bus_plan(fast), {1000000, 2000000}), 3325);
 }
 
+// A frame that the table says is sent again and again is in the plan of some rig: a new one is not forgotten.
+TEST(BusPlan, EveryFrameThatRepeatsIsCounted) {
+  for (const can::Frame* frame : can::kFrames) {
+    if (frame->cycle_ms == 0) continue;
+    bool counted = false;
+    for (const SensorWiring wiring : {SensorWiring::k16, SensorWiring::k24, SensorWiring::kFd})
+      for (const bool can_fd : {false, true}) {
+        const SensorPlan sensors = three_dofs(wiring);
+        BusTraffic all = traffic(sensors);
+        all.can_fd = can_fd;
+        all.float_estimates = true;
+        const BusPlan plan = bus_plan(all);
+        for (int i = 0; i < plan.count; ++i) counted = counted || plan.streams[i].frame == frame;
+      }
+    EXPECT_TRUE(counted) << frame->name;
+  }
+}
+
 // The largest rig: every stream has its place.
 TEST(BusPlan, NothingIsLeftOutOfTheLargest) {
   SensorPlan sensors;
