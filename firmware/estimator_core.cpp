@@ -8,7 +8,7 @@ constexpr uint32_t kLongestBlock = kBlockSamples;
 }  // namespace
 
 EstimatorCore::EstimatorCore(const CoreConfiguration& configuration, CoreDetail detail)
-    : configuration_(configuration) {
+    : configuration_(configuration), memory_() {
   conditioning_.configure(configuration);
   sums_.configure(configuration, static_cast<int>(detail));
   reset();

@@ -16,16 +16,17 @@ void add(BusPlan& plan, const can::Frame& frame, int frames, int64_t period_ns) 
 }
 
 void add_sensors(BusPlan& plan, const SensorPlan& sensors, int64_t period_ns) {
-  for (const SensorWiring wiring : {SensorWiring::k16, SensorWiring::k24, SensorWiring::kFd}) {
+  for (const SensorWiring wiring : {SensorWiring::k16, SensorWiring::k24, SensorWiring::kFd, SensorWiring::kPairs}) {
     int motion = 0, force = 0;
     for (int node = 0; node < kMaxNodes; ++node) {
       if (sensors.wiring[node] != wiring) continue;
       motion += sensors.expected[node] & 1;
       force += sensors.expected[node] >> 1 & 1;
     }
-    const can::Frame& motion_frame = wiring == SensorWiring::kFd   ? can::kSensorFd
-                                     : wiring == SensorWiring::k24 ? can::kSensorMotion24
-                                                                   : can::kSensorMotion16;
+    const can::Frame& motion_frame = wiring == SensorWiring::kFd      ? can::kSensorFd
+                                     : wiring == SensorWiring::kPairs ? can::kSensorPair24
+                                     : wiring == SensorWiring::k24    ? can::kSensorMotion24
+                                                                      : can::kSensorMotion16;
     add(plan, motion_frame, motion, period_ns);
     add(plan, wiring == SensorWiring::k24 ? can::kSensorForce24 : can::kSensorForce, force, period_ns);
   }

@@ -1,5 +1,7 @@
 #include "firmware/can_protocol/decimal.hpp"
 
+#include "firmware/fixed_point/precondition.hpp"
+
 namespace firmware {
 namespace {
 
@@ -25,13 +27,15 @@ Scaled times_power_of_ten(Scaled value, int32_t exponent) {
 }  // namespace
 
 int64_t decimal_mantissa(Scaled value, int32_t exponent, int64_t limit) {
+  FIRMWARE_PRECONDITION(limit > 0 && limit <= int64_t{1} << 61);
   if (value.is_zero()) return 0;
-  int64_t magnitude = to_fixed(times_power_of_ten(abs(value), -exponent), 0);
-  if (magnitude > limit) magnitude = limit;
-  return value.is_negative() ? -magnitude : magnitude;
+  int64_t digits = to_fixed(times_power_of_ten(abs(value), -exponent), 0);
+  if (digits > limit) digits = limit;
+  return value.is_negative() ? -digits : digits;
 }
 
 Decimal to_decimal(Scaled value, int64_t limit, int32_t lowest, int32_t highest) {
+  FIRMWARE_PRECONDITION(lowest >= -kExactPower && lowest <= highest && highest <= kExactPower);
   if (value.is_zero()) return Decimal{0, lowest};
   // A first guess from the binary exponents (log10 2 is close to 1233 / 4096), then a step or two.
   const int64_t decades = (static_cast<int64_t>(log2_floor(value)) - log2_floor(Scaled::from_int(limit))) * 1233 / 4096;

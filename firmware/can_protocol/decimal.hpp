@@ -1,10 +1,12 @@
 // Block-floating numbers to decimal mantissa and exponent, so that a person can read what travels on the bus.
 //
 // Arithmetic stated first:
-//   input     Scaled, |value| between 2^-(2^20) and 2^(2^20), or 0.
-//   product   value times or divided by a power of ten: 10^e with |e| <= 26 is exact (5^26 < 2^61), so one rounding,
-//   2^-60. output    mantissa rounded to the nearest integer, halves away from zero; integers alone, so the same on
-//   every board. overflow  at the largest exponent allowed the mantissa saturates at the limit.
+//   input      Scaled, |value| between 2^-(2^20) and 2^(2^20), or 0
+//   product    value times or divided by a power of ten: 10^e with |e| <= 26 is exact (5^26 < 2^61), so one rounding,
+//              2^-60
+//   output     mantissa rounded to the nearest integer, halves away from zero; integers alone, so the same on every
+//              board
+//   overflow   at the largest exponent allowed the mantissa saturates at the limit
 #pragma once
 #include <cstdint>
 

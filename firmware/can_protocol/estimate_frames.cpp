@@ -21,7 +21,7 @@ static_assert(kLowestExponent == -24 && kHighestExponent == 7 && kStdExponents =
 static_assert(can::record_bits(can::kEstimateFd) == 64 && can::kEstimateFd.repeats == kEstimatesPerFdFrame,
               "one record, twice used");
 
-void set_record(CanMessage& message, const EstimateRecord& record, int bit_offset) {
+void set_record(CanFrame& message, const EstimateRecord& record, int bit_offset) {
   can::set_raw(message, signal(kValue), record.value, bit_offset);
   can::set_raw(message, signal(kStd), record.std, bit_offset);
   can::set_raw(message, signal(kExponent), record.exponent - kOffset, bit_offset);
@@ -30,7 +30,7 @@ void set_record(CanMessage& message, const EstimateRecord& record, int bit_offse
   can::set_raw(message, signal(kWindowCounter), record.window, bit_offset);
 }
 
-void set_float_record(CanMessage& message, const ParameterEstimate& estimate, int bit_offset) {
+void set_float_record(CanFrame& message, const ParameterEstimate& estimate, int bit_offset) {
   const bool estimated = estimate.status != EstimateStatus::kStale &&
                          estimate.status != EstimateStatus::kNoExcitation &&
                          estimate.status != EstimateStatus::kSaturated;
@@ -46,7 +46,7 @@ static_assert(can::load_permille(can::kEstimate, kMaxUnknowns + 1, 50000, 500000
 
 }  // namespace
 
-EstimateRecord record_at(const CanMessage& message, int bit_offset) {
+EstimateRecord record_at(const CanFrame& message, int bit_offset) {
   EstimateRecord record;
   record.value = static_cast<int32_t>(can::get_raw(message, signal(kValue), bit_offset));
   record.std = static_cast<uint16_t>(can::get_raw(message, signal(kStd), bit_offset));
@@ -79,20 +79,20 @@ Scaled record_std(const EstimateRecord& record) {
   return from_decimal(Decimal{record.std, record.exponent + record.std_exponent});
 }
 
-CanMessage pack_estimate(int node, int index, const ParameterEstimate& estimate, uint32_t window_counter) {
-  CanMessage message = can::empty_frame(can::kEstimate, node, index);
+CanFrame pack_estimate(int node, int index, const ParameterEstimate& estimate, uint32_t window_counter) {
+  CanFrame message = can::empty_frame(can::kEstimate, node, index);
   set_record(message, estimate_record(estimate, window_counter), 0);
   return message;
 }
 
-bool unpack_estimate(const CanMessage& message, int& node, int& index, EstimateRecord& record) {
+bool unpack_estimate(const CanFrame& message, int& node, int& index, EstimateRecord& record) {
   if (!can::is_frame(can::kEstimate, message, node, index)) return false;
   record = record_at(message, 0);
   return true;
 }
 
-CanMessage pack_estimates_fd(int node, int frame_index, const Estimates& estimates) {
-  CanMessage message = can::empty_frame(can::kEstimateFd, node, frame_index);
+CanFrame pack_estimates_fd(int node, int frame_index, const Estimates& estimates) {
+  CanFrame message = can::empty_frame(can::kEstimateFd, node, frame_index);
   for (int i = 0; i < kEstimatesPerFdFrame; ++i) {
     const int index = frame_index * kEstimatesPerFdFrame + i;
     const int bit_offset = i * can::record_bits(can::kEstimateFd);
@@ -105,7 +105,7 @@ CanMessage pack_estimates_fd(int node, int frame_index, const Estimates& estimat
   return message;
 }
 
-bool unpack_estimates_fd(const CanMessage& message, int& node, int& frame_index,
+bool unpack_estimates_fd(const CanFrame& message, int& node, int& frame_index,
                          EstimateRecord (&records)[kEstimatesPerFdFrame], bool (&present)[kEstimatesPerFdFrame]) {
   if (!can::is_frame(can::kEstimateFd, message, node, frame_index)) return false;
   for (int i = 0; i < kEstimatesPerFdFrame; ++i) {
@@ -115,15 +115,15 @@ bool unpack_estimates_fd(const CanMessage& message, int& node, int& frame_index,
   return true;
 }
 
-CanMessage pack_estimate_float(int node, int index, const ParameterEstimate& estimate) {
-  CanMessage message = can::empty_frame(can::kEstimateFloat, node, index);
+CanFrame pack_estimate_float(int node, int index, const ParameterEstimate& estimate) {
+  CanFrame message = can::empty_frame(can::kEstimateFloat, node, index);
   set_float_record(message, estimate, 0);
   return message;
 }
 
-CanMessage pack_estimates_float_fd(int node, int frame_index, const Estimates& estimates) {
+CanFrame pack_estimates_float_fd(int node, int frame_index, const Estimates& estimates) {
   static const ParameterEstimate kNothing;  // STALE
-  CanMessage message = can::empty_frame(can::kEstimateFloatFd, node, frame_index);
+  CanFrame message = can::empty_frame(can::kEstimateFloatFd, node, frame_index);
   for (int i = 0; i < kEstimatesPerFdFrame; ++i) {
     const int index = frame_index * kEstimatesPerFdFrame + i;
     const bool present = index < estimates.unknown_count;

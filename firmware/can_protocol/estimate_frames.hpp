@@ -7,7 +7,7 @@
 // exponent. The standard deviation has an exponent of its own, counted from that of the value: four to five digits of
 // it, from 5e-10 of the value up to 6.5e19 in units of the last digit; beyond that it saturates.
 #pragma once
-#include "firmware/can_protocol/can_message.hpp"
+#include "firmware/can_protocol/can_frame.hpp"
 #include "firmware/can_protocol/decimal.hpp"
 #include "firmware/identification/estimate.hpp"
 
@@ -26,22 +26,22 @@ Scaled record_value(const EstimateRecord& record);
 Scaled record_std(const EstimateRecord& record);
 
 // Classic CAN: one frame for the estimate of an index.
-CanMessage pack_estimate(int node, int index, const ParameterEstimate& estimate, uint32_t window_counter);
-EstimateRecord record_at(const CanMessage& message, int bit_offset);  // whatever frame it is: the caller knows
-bool unpack_estimate(const CanMessage& message, int& node, int& index, EstimateRecord& record);
+CanFrame pack_estimate(int node, int index, const ParameterEstimate& estimate, uint32_t window_counter);
+EstimateRecord record_at(const CanFrame& message, int bit_offset);  // whatever frame it is: the caller knows
+bool unpack_estimate(const CanFrame& message, int& node, int& index, EstimateRecord& record);
 
 // CAN FD: frame j of a window holds the estimates 8j to 8j + 7; records beyond unknown_count are marked ABSENT.
 constexpr int kEstimatesPerFdFrame = 8;
 constexpr int fd_frames(int unknown_count) { return (unknown_count + kEstimatesPerFdFrame - 1) / kEstimatesPerFdFrame; }
-CanMessage pack_estimates_fd(int node, int frame_index, const Estimates& estimates);
+CanFrame pack_estimates_fd(int node, int frame_index, const Estimates& estimates);
 // records[i] is that of index 8j + i; present[i] is false where the sender marked it ABSENT.
-bool unpack_estimates_fd(const CanMessage& message, int& node, int& frame_index,
+bool unpack_estimates_fd(const CanFrame& message, int& node, int& frame_index,
                          EstimateRecord (&records)[kEstimatesPerFdFrame], bool (&present)[kEstimatesPerFdFrame]);
 
 // The same as 32-bit floats in SI units (single_precision.hpp). Where nothing was estimated (STALE, NO_EXCITATION,
 // SATURATED) both are not a number, so that a plot shows a gap and not a zero.
-CanMessage pack_estimate_float(int node, int index, const ParameterEstimate& estimate);
-CanMessage pack_estimates_float_fd(int node, int frame_index, const Estimates& estimates);
+CanFrame pack_estimate_float(int node, int index, const ParameterEstimate& estimate);
+CanFrame pack_estimates_float_fd(int node, int frame_index, const Estimates& estimates);
 // Whether the estimates and their floats together take less than 30 % of a bus of 500 kbit/s (CAN FD: 2 Mbit/s for the
 // data), at worst.
 bool float_estimates_fit(int unknown_count, int64_t window_us, bool fd);

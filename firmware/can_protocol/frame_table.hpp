@@ -195,6 +195,14 @@ inline constexpr Frame kSensorForce24 =
     describe("sensor_force_24", {0x1E1, 0, kMaxNodes}, Sender::kSensor, 1, "each sample", 8, kSensorForce24Signals,
              "24-bit force and acceleration of a DOF.");
 
+inline constexpr Signal kSensorPair24Signals[] = {
+    {"sequence", 0, 16, false, 1, 1, 0, "samples", {}, "number of the sample, modulo 65536"},
+    {"first", 16, 24, true, 1, 1, 0, "codes", {}, "raw code of the rig's channel number 2 d - 1"},
+    {"second", 40, 24, true, 1, 1, 0, "codes", {}, "raw code of the rig's channel number 2 d; 0 where there is none"}};
+inline constexpr Frame kSensorPair24 =
+    describe("sensor_pair_24", {0x261, 0, kMaxNodes}, Sender::kSensor, 1, "each sample", 8, kSensorPair24Signals,
+             "Two channels of the rig, whichever DOFs they are of: channels are numbered by DOF, then quantity.");
+
 inline constexpr Signal kSensorForceSignals[] = {
     {"sequence", 0, 16, false, 1, 1, 0, "samples", {}, "number of the sample, modulo 65536"},
     {"force", 16, 24, true, 1, 1, 0, "codes", {}, "raw code"}};
@@ -233,10 +241,10 @@ inline constexpr Frame kSdoReply = describe("sdo_reply", {0x580}, Sender::kContr
 
 // In rising order of identifiers, so of falling priority on the bus.
 inline constexpr const Frame* kFrames[] = {
-    &kNetworkCommand, &kSync,        &kEmergency, &kStatus,    &kSensorMotion16, &kSensorMotion24, &kSensorForce24,
-    &kDrive,          &kSensorForce, &kSensorFd,  &kHealth,    &kBusHealth,      &kEstimateFd,     &kEstimateFloatFd,
-    &kIdentity,       &kWindow,      &kEstimate,  &kDiagnosis, &kSdoReply,       &kEstimateFloat,  &kSdoRequest,
-    &kParameter,      &kScaling,     &kRange,     &kHeartbeat};
+    &kNetworkCommand,  &kSync,        &kEmergency, &kStatus,       &kSensorMotion16, &kSensorMotion24, &kSensorForce24,
+    &kDrive,           &kSensorForce, &kSensorFd,  &kSensorPair24, &kHealth,         &kBusHealth,      &kEstimateFd,
+    &kEstimateFloatFd, &kIdentity,    &kWindow,    &kEstimate,     &kDiagnosis,      &kSdoReply,       &kEstimateFloat,
+    &kSdoRequest,      &kParameter,   &kScaling,   &kRange,        &kHeartbeat};
 constexpr int kFrameCount = static_cast<int>(sizeof(kFrames) / sizeof(kFrames[0]));
 
 }  // namespace can

@@ -6,7 +6,7 @@ namespace {
 
 // The raw values of a frame in the order of the table, or false where the message is another.
 template <size_t N>
-bool unpack(const can::Frame& frame, const CanMessage& message, int& node, int64_t (&raw)[N]) {
+bool unpack(const can::Frame& frame, const CanFrame& message, int& node, int64_t (&raw)[N]) {
   int member = 0;
   if (!can::is_frame(frame, message, node, member)) return false;
   for (size_t i = 0; i < N; ++i) raw[i] = can::get_raw(message, frame.signals[i]);
@@ -20,18 +20,18 @@ void assign(T& field, int64_t raw) {
 
 }  // namespace
 
-CanMessage pack_sync() { return can::empty_frame(can::kSync, 0); }
+CanFrame pack_sync() { return can::empty_frame(can::kSync, 0); }
 
-bool is_sync(const CanMessage& message) {
+bool is_sync(const CanFrame& message) {
   int node = 0, member = 0;
   return can::is_frame(can::kSync, message, node, member);
 }
 
-CanMessage pack_network_command(const NetworkCommand& command) {
+CanFrame pack_network_command(const NetworkCommand& command) {
   return can::pack<can::kNetworkCommand>(0, 0, {static_cast<int64_t>(command.command), command.node});
 }
 
-bool unpack_network_command(const CanMessage& message, NetworkCommand& command) {
+bool unpack_network_command(const CanFrame& message, NetworkCommand& command) {
   int64_t raw[2];
   int node = 0;
   if (!unpack(can::kNetworkCommand, message, node, raw)) return false;
@@ -40,24 +40,24 @@ bool unpack_network_command(const CanMessage& message, NetworkCommand& command) 
   return true;
 }
 
-CanMessage pack_heartbeat(int node, HeartbeatState state) {
+CanFrame pack_heartbeat(int node, HeartbeatState state) {
   return can::pack<can::kHeartbeat>(node, 0, {static_cast<int64_t>(state)});
 }
 
-bool unpack_heartbeat(const CanMessage& message, int& node, HeartbeatState& state) {
+bool unpack_heartbeat(const CanFrame& message, int& node, HeartbeatState& state) {
   int64_t raw[1];
   if (!unpack(can::kHeartbeat, message, node, raw)) return false;
   assign(state, raw[0]);
   return true;
 }
 
-CanMessage pack_emergency(int node, const Emergency& emergency) {
+CanFrame pack_emergency(int node, const Emergency& emergency) {
   return can::pack<can::kEmergency>(node, 0,
                                     {static_cast<int64_t>(emergency.code), emergency.error_register, emergency.place,
                                      emergency.quantity, emergency.detail});
 }
 
-bool unpack_emergency(const CanMessage& message, int& node, Emergency& emergency) {
+bool unpack_emergency(const CanFrame& message, int& node, Emergency& emergency) {
   int64_t raw[5];
   if (!unpack(can::kEmergency, message, node, raw)) return false;
   assign(emergency.code, raw[0]);
@@ -68,13 +68,13 @@ bool unpack_emergency(const CanMessage& message, int& node, Emergency& emergency
   return true;
 }
 
-CanMessage pack_status(int node, const NodeStatus& status) {
+CanFrame pack_status(int node, const NodeStatus& status) {
   return can::pack<can::kStatus>(node, 0,
                                  {status.faults, static_cast<int64_t>(status.mode),
                                   static_cast<int64_t>(status.quality), status.condition_log2, status.update_counter});
 }
 
-bool unpack_status(const CanMessage& message, int& node, NodeStatus& status) {
+bool unpack_status(const CanFrame& message, int& node, NodeStatus& status) {
   int64_t raw[5];
   if (!unpack(can::kStatus, message, node, raw)) return false;
   assign(status.faults, raw[0]);
@@ -85,12 +85,12 @@ bool unpack_status(const CanMessage& message, int& node, NodeStatus& status) {
   return true;
 }
 
-CanMessage pack_health(int node, const NodeHealth& health) {
+CanFrame pack_health(int node, const NodeHealth& health) {
   return can::pack<can::kHealth>(
       node, 0, {health.uptime_s, health.core.missed_samples, health.core.saturated_samples, health.bus_off});
 }
 
-bool unpack_health(const CanMessage& message, int& node, NodeHealth& health) {
+bool unpack_health(const CanFrame& message, int& node, NodeHealth& health) {
   int64_t raw[4];
   if (!unpack(can::kHealth, message, node, raw)) return false;
   assign(health.uptime_s, raw[0]);
@@ -100,13 +100,13 @@ bool unpack_health(const CanMessage& message, int& node, NodeHealth& health) {
   return true;
 }
 
-CanMessage pack_bus_health(int node, const BusHealth& health) {
+CanFrame pack_bus_health(int node, const BusHealth& health) {
   return can::pack<can::kBusHealth>(node, 0,
                                     {health.restarts, health.error_passive, health.controller_overflow,
                                      health.interface_down, health.frames_not_sent, health.sensor_frames_lost});
 }
 
-bool unpack_bus_health(const CanMessage& message, int& node, BusHealth& health) {
+bool unpack_bus_health(const CanFrame& message, int& node, BusHealth& health) {
   int64_t raw[6];
   if (!unpack(can::kBusHealth, message, node, raw)) return false;
   assign(health.restarts, raw[0]);
@@ -118,13 +118,13 @@ bool unpack_bus_health(const CanMessage& message, int& node, BusHealth& health) 
   return true;
 }
 
-CanMessage pack_identity(int node, const Identity& identity) {
+CanFrame pack_identity(int node, const Identity& identity) {
   return can::pack<can::kIdentity>(node, 0,
                                    {identity.version_major, identity.version_minor, identity.version_patch,
                                     identity.parameters, identity.configuration_crc});
 }
 
-bool unpack_identity(const CanMessage& message, int& node, Identity& identity) {
+bool unpack_identity(const CanFrame& message, int& node, Identity& identity) {
   int64_t raw[5];
   if (!unpack(can::kIdentity, message, node, raw)) return false;
   assign(identity.version_major, raw[0]);
@@ -135,11 +135,11 @@ bool unpack_identity(const CanMessage& message, int& node, Identity& identity) {
   return true;
 }
 
-CanMessage pack_window(int node, const WindowResult& window) {
+CanFrame pack_window(int node, const WindowResult& window) {
   return can::pack<can::kWindow>(node, 0, {window.residual_e9, window.equations, window.window & 0xFFFF});
 }
 
-bool unpack_window(const CanMessage& message, int& node, WindowResult& window) {
+bool unpack_window(const CanFrame& message, int& node, WindowResult& window) {
   int64_t raw[3];
   if (!unpack(can::kWindow, message, node, raw)) return false;
   assign(window.residual_e9, raw[0]);
@@ -148,13 +148,13 @@ bool unpack_window(const CanMessage& message, int& node, WindowResult& window) {
   return true;
 }
 
-CanMessage pack_diagnosis(int node, const Diagnosis& diagnosis) {
+CanFrame pack_diagnosis(int node, const Diagnosis& diagnosis) {
   return can::pack<can::kDiagnosis>(node, 0,
                                     {static_cast<int64_t>(diagnosis.cause), diagnosis.place_a, diagnosis.place_b,
                                      diagnosis.quantity, diagnosis.unexplained_permille, diagnosis.gained_permille});
 }
 
-bool unpack_diagnosis(const CanMessage& message, int& node, Diagnosis& diagnosis) {
+bool unpack_diagnosis(const CanFrame& message, int& node, Diagnosis& diagnosis) {
   int64_t raw[6];
   if (!unpack(can::kDiagnosis, message, node, raw)) return false;
   assign(diagnosis.cause, raw[0]);
@@ -166,13 +166,13 @@ bool unpack_diagnosis(const CanMessage& message, int& node, Diagnosis& diagnosis
   return true;
 }
 
-CanMessage pack_parameter(int node, const ParameterDescription& parameter) {
+CanFrame pack_parameter(int node, const ParameterDescription& parameter) {
   return can::pack<can::kParameter>(node, 0,
                                     {parameter.index, parameter.count, static_cast<int64_t>(parameter.kind),
                                      parameter.place_a, parameter.place_b, parameter.rotating});
 }
 
-bool unpack_parameter(const CanMessage& message, int& node, ParameterDescription& parameter) {
+bool unpack_parameter(const CanFrame& message, int& node, ParameterDescription& parameter) {
   int64_t raw[6];
   if (!unpack(can::kParameter, message, node, raw)) return false;
   assign(parameter.index, raw[0]);
@@ -184,13 +184,13 @@ bool unpack_parameter(const CanMessage& message, int& node, ParameterDescription
   return true;
 }
 
-CanMessage pack_scaling(int node, const ChannelScaling& scaling) {
+CanFrame pack_scaling(int node, const ChannelScaling& scaling) {
   return can::pack<can::kScaling>(node, 0,
                                   {scaling.place, static_cast<int64_t>(scaling.quantity), scaling.rotating,
                                    scaling.exponent, scaling.unit_per_code, scaling.delay_us});
 }
 
-bool unpack_scaling(const CanMessage& message, int& node, ChannelScaling& scaling) {
+bool unpack_scaling(const CanFrame& message, int& node, ChannelScaling& scaling) {
   int64_t raw[6];
   if (!unpack(can::kScaling, message, node, raw)) return false;
   assign(scaling.place, raw[0]);
@@ -202,13 +202,13 @@ bool unpack_scaling(const CanMessage& message, int& node, ChannelScaling& scalin
   return true;
 }
 
-CanMessage pack_range(int node, const ChannelRange& range) {
+CanFrame pack_range(int node, const ChannelRange& range) {
   return can::pack<can::kRange>(
       node, 0,
       {range.place, static_cast<int64_t>(range.quantity), range.rotating, range.offset_code, range.full_scale_code});
 }
 
-bool unpack_range(const CanMessage& message, int& node, ChannelRange& range) {
+bool unpack_range(const CanFrame& message, int& node, ChannelRange& range) {
   int64_t raw[5];
   if (!unpack(can::kRange, message, node, raw)) return false;
   assign(range.place, raw[0]);
@@ -219,11 +219,11 @@ bool unpack_range(const CanMessage& message, int& node, ChannelRange& range) {
   return true;
 }
 
-CanMessage pack_drive(int node, const DriveCommand& drive) {
+CanFrame pack_drive(int node, const DriveCommand& drive) {
   return can::pack<can::kDrive>(node, 0, {drive.drive_q31, drive.sequence & 0xFFFF, static_cast<int64_t>(drive.state)});
 }
 
-bool unpack_drive(const CanMessage& message, int& node, DriveCommand& drive) {
+bool unpack_drive(const CanFrame& message, int& node, DriveCommand& drive) {
   int64_t raw[3];
   if (!unpack(can::kDrive, message, node, raw)) return false;
   assign(drive.drive_q31, raw[0]);

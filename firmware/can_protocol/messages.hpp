@@ -6,6 +6,7 @@
 #include "firmware/configuration/configuration.hpp"
 #include "firmware/estimator_core.hpp"
 #include "firmware/identification/estimate.hpp"
+#include "firmware/supervision/controller_mode.hpp"
 #include "firmware/vocabulary/effect_table.hpp"
 
 namespace firmware {
@@ -17,18 +18,6 @@ enum class NetworkCommandCode : uint8_t { kStart = 1, kStop = 2, kReset = 129 };
 struct NetworkCommand {
   NetworkCommandCode command = NetworkCommandCode::kStop;
   uint8_t node = 0;  // 0: all
-};
-
-enum class ControllerMode : uint8_t {
-  kInitialising = 0,
-  kIdle = 1,
-  kRamp = 2,
-  kSettle = 3,
-  kIntegrate = 4,
-  kFreeDecay = 5,
-  kDone = 6,
-  kEmergencyStop = 7,
-  kFault = 8,
 };
 
 // Bit numbers of NodeStatus::faults.

@@ -1,6 +1,7 @@
 #include "firmware/can_protocol/packing.hpp"
 
 #include "firmware/can_protocol/frame_plan_check.hpp"
+#include "firmware/fixed_point/precondition.hpp"
 
 namespace firmware {
 namespace can {
@@ -8,9 +9,10 @@ namespace can {
 static_assert(ids_do_not_collide(kFrames), "two frames share an identifier");
 static_assert(all_signals_fit(kFrames), "a signal leaves its frame or overlaps another");
 
-void set_raw(CanMessage& message, const Signal& signal, int64_t raw, int bit_offset) {
+void set_raw(CanFrame& message, const Signal& signal, int64_t raw, int bit_offset) {
   if (raw < lowest_raw(signal)) raw = lowest_raw(signal);
   if (raw > highest_raw(signal)) raw = highest_raw(signal);
+  FIRMWARE_PRECONDITION(bit_offset + signal.start_bit + signal.length <= 8 * static_cast<int>(sizeof message.data));
   const uint64_t bits = static_cast<uint64_t>(raw);
   for (int i = 0; i < signal.length; ++i) {
     const int position = bit_offset + signal.start_bit + i;
@@ -20,7 +22,8 @@ void set_raw(CanMessage& message, const Signal& signal, int64_t raw, int bit_off
   }
 }
 
-int64_t get_raw(const CanMessage& message, const Signal& signal, int bit_offset) {
+int64_t get_raw(const CanFrame& message, const Signal& signal, int bit_offset) {
+  FIRMWARE_PRECONDITION(bit_offset + signal.start_bit + signal.length <= 8 * static_cast<int>(sizeof message.data));
   int64_t raw = 0;
   for (int i = 0; i < signal.length; ++i) {
     const int position = bit_offset + signal.start_bit + i;
@@ -29,16 +32,18 @@ int64_t get_raw(const CanMessage& message, const Signal& signal, int bit_offset)
   return raw > highest_raw(signal) ? raw - (int64_t{1} << signal.length) : raw;
 }
 
-CanMessage empty_frame(const Frame& frame, int node, int member) {
-  CanMessage message;
+CanFrame empty_frame(const Frame& frame, int node, int member) {
+  CanFrame message;
   message.id = frame_id(frame.ids, node, member);
   message.fd = frame.fd;
+  message.flags = frame.fd ? 1 : 0;  // the data part at the higher bit rate
   message.length = frame.length;
   return message;
 }
 
-bool is_frame(const Frame& frame, const CanMessage& message, int& node, int& member) {
-  if (message.extended || message.fd != frame.fd || message.length < frame.length) return false;
+bool is_frame(const Frame& frame, const CanFrame& message, int& node, int& member) {
+  if (message.extended || message.remote || message.error || message.fd != frame.fd || message.length < frame.length)
+    return false;
   const IdPlan& ids = frame.ids;
   const bool per_node = ids.node_stride > 0;
   for (int n = per_node ? kFirstNode : 0; n <= (per_node ? kLastNode : 0); ++n) {
@@ -56,7 +61,7 @@ bool is_frame(const Frame& frame, const CanMessage& message, int& node, int& mem
   return false;
 }
 
-Address identify(const CanMessage& message) {
+Address identify(const CanFrame& message) {
   Address address;
   for (const Frame* frame : kFrames) {
     if (is_frame(*frame, message, address.node, address.member)) {

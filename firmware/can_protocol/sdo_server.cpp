@@ -15,11 +15,11 @@ constexpr uint8_t kReadSized = 0x43;  // expedited, size given: bits 2 and 3 cou
 constexpr uint8_t kReadSegmented = 0x41;
 constexpr int kSegmentBytes = 7;
 
-uint16_t index_of(const CanMessage& message) { return static_cast<uint16_t>(message.data[1] | message.data[2] << 8); }
+uint16_t index_of(const CanFrame& message) { return static_cast<uint16_t>(message.data[1] | message.data[2] << 8); }
 
 }  // namespace
 
-bool SdoServer::answer(const CanMessage& request, int node, CanMessage& reply) {
+bool SdoServer::answer(const CanFrame& request, int node, CanFrame& reply) {
   int addressed = 0, member = 0;
   if (!can::is_frame(can::kSdoRequest, request, addressed, member) || addressed != node) return false;
   if (request.data[0] == kAbort) {
@@ -41,13 +41,13 @@ bool SdoServer::answer(const CanMessage& request, int node, CanMessage& reply) {
   return true;
 }
 
-void SdoServer::abort(SdoAbort code, CanMessage& reply) {
+void SdoServer::abort(SdoAbort code, CanFrame& reply) {
   segmented_ = false;
   reply.data[0] = kAbort;
   put32(reply.data + 4, static_cast<uint32_t>(code));
 }
 
-void SdoServer::read_object(const CanMessage& request, CanMessage& reply) {
+void SdoServer::read_object(const CanFrame& request, CanFrame& reply) {
   const SdoAbort code = objects_.read(index_of(request), request.data[3], bytes_, size_);
   if (code != SdoAbort::kNone) return abort(code, reply);
   segmented_ = size_ > 4;
@@ -62,7 +62,7 @@ void SdoServer::read_object(const CanMessage& request, CanMessage& reply) {
   for (int i = 0; i < size_; ++i) reply.data[4 + i] = bytes_[i];
 }
 
-void SdoServer::next_segment(const CanMessage& request, CanMessage& reply) {
+void SdoServer::next_segment(const CanFrame& request, CanFrame& reply) {
   if (!segmented_) return abort(SdoAbort::kCommand, reply);
   if (((request.data[0] & 0x10) != 0) != toggle_) return abort(SdoAbort::kToggle, reply);
   const int left = size_ - sent_;
@@ -76,7 +76,7 @@ void SdoServer::next_segment(const CanMessage& request, CanMessage& reply) {
 }
 
 // False: not answered yet.
-bool SdoServer::write_object(const CanMessage& request, CanMessage& reply) {
+bool SdoServer::write_object(const CanFrame& request, CanFrame& reply) {
   segmented_ = false;
   const uint8_t command = request.data[0];
   const bool expedited = command & 0x02;
@@ -95,8 +95,8 @@ bool SdoServer::write_object(const CanMessage& request, CanMessage& reply) {
   return !waiting_;
 }
 
-CanMessage SdoServer::complete(SdoAbort code) {
-  CanMessage reply = pending_;
+CanFrame SdoServer::complete(SdoAbort code) {
+  CanFrame reply = pending_;
   waiting_ = false;
   if (code == SdoAbort::kNone)
     reply.data[0] = kWriteDone;

@@ -3,7 +3,7 @@
 #pragma once
 #include <cstdint>
 
-#include "firmware/can_protocol/can_message.hpp"
+#include "firmware/can_protocol/can_frame.hpp"
 
 namespace firmware {
 
@@ -39,15 +39,15 @@ class SdoServer {
  public:
   explicit SdoServer(ObjectDictionary& objects) : objects_(objects) {}
   // False where the request is no request to this node and needs no answer.
-  bool answer(const CanMessage& request, int node, CanMessage& reply);
+  bool answer(const CanFrame& request, int node, CanFrame& reply);
   // The answer to the write that was kPending.
-  CanMessage complete(SdoAbort code);
+  CanFrame complete(SdoAbort code);
 
  private:
-  void read_object(const CanMessage& request, CanMessage& reply);
-  bool write_object(const CanMessage& request, CanMessage& reply);
-  void next_segment(const CanMessage& request, CanMessage& reply);
-  void abort(SdoAbort code, CanMessage& reply);
+  void read_object(const CanFrame& request, CanFrame& reply);
+  bool write_object(const CanFrame& request, CanFrame& reply);
+  void next_segment(const CanFrame& request, CanFrame& reply);
+  void abort(SdoAbort code, CanFrame& reply);
 
   ObjectDictionary& objects_;
   uint8_t bytes_[ObjectDictionary::kLongestObject] = {};
@@ -55,7 +55,7 @@ class SdoServer {
   uint8_t sent_ = 0;
   bool segmented_ = false;
   bool toggle_ = false;
-  CanMessage pending_;    // the beginning of the answer to the last write
+  CanFrame pending_;      // the beginning of the answer to the last write
   bool waiting_ = false;  // it was kPending: other writes are refused until complete()
 };
 

@@ -11,7 +11,7 @@ bool present(const CoreConfiguration& configuration, int node, Quantity quantity
   return configuration.channels[node][static_cast<int>(quantity)].present;
 }
 
-CanMessage pack_one(SensorWiring wiring, bool force_frame, int node, const RawSample& sample) {
+CanFrame pack_one(SensorWiring wiring, bool force_frame, int node, const RawSample& sample) {
   const int32_t(&code)[kQuantities] = sample.code[node];
   const int64_t force = code[0], x = code[1], v = code[2], a = code[3];
   const int64_t sequence16 = sample.sequence & 0xFFFF;
@@ -37,6 +37,7 @@ constexpr SensorFrame kSensorFrames[] = {
     {&can::kSensorMotion24, SensorWiring::k24, kMotionBit, {-1, 1, 2, -1, -1}},
     {&can::kSensorForce24, SensorWiring::k24, kForceBit, {-1, 0, 3, -1, -1}},
     {&can::kSensorFd, SensorWiring::kFd, kMotionBit, {-1, 0, 1, 2, 3}},
+    {&can::kSensorPair24, SensorWiring::kPairs, kMotionBit, {-1, -1, -1, -1, -1}},
 };
 
 // How far a lies after b on the circle of 2^32 sequence numbers.
@@ -44,8 +45,25 @@ int32_t ahead(uint32_t a, uint32_t b) { return static_cast<int32_t>(a - b); }
 
 }  // namespace
 
+bool add_to_pairs(SensorPlan& plan, int node, Quantity quantity) {
+  if (plan.channel_count == 2 * kMaxNodes) return false;
+  const int pair = plan.channel_count / 2;
+  plan.wiring[pair] = SensorWiring::kPairs;
+  plan.expected[pair] = kMotionBit;
+  plan.channels[plan.channel_count++] = {static_cast<uint8_t>(node), static_cast<uint8_t>(quantity)};
+  return true;
+}
+
 SensorPlan sensor_plan(const CoreConfiguration& configuration, SensorWiring wiring) {
   SensorPlan plan;
+  if (wiring == SensorWiring::kPairs) {
+    for (int node = 0; node < kMaxNodes; ++node)
+      for (int quantity = 0; quantity < kQuantities; ++quantity)
+        if (configuration.channels[node][quantity].present &&
+            !add_to_pairs(plan, node, static_cast<Quantity>(quantity)))
+          return SensorPlan{};
+    return plan;
+  }
   for (int node = 0; node < kMaxNodes; ++node) {
     const bool force = present(configuration, node, Quantity::kForce);
     const bool slow =
@@ -55,6 +73,7 @@ SensorPlan sensor_plan(const CoreConfiguration& configuration, SensorWiring wiri
     plan.wiring[node] = wiring;
     switch (wiring) {
       case SensorWiring::kNone:
+      case SensorWiring::kPairs:
         break;
       case SensorWiring::kFd:
         plan.expected[node] = kMotionBit;
@@ -76,9 +95,20 @@ int sensor_frames_per_sample(const SensorPlan& plan) {
   return count;
 }
 
-int pack_sample(const SensorPlan& plan, const RawSample& sample, CanMessage (&messages)[kMaxSensorFrames]) {
+// The channel's code; 0 for one that is not there.
+static int64_t pair_code(const SensorPlan& plan, const RawSample& sample, int channel) {
+  if (channel >= plan.channel_count) return 0;
+  return sample.code[plan.channels[channel].node][plan.channels[channel].quantity];
+}
+
+int pack_sample(const SensorPlan& plan, const RawSample& sample, CanFrame (&messages)[kMaxSensorFrames]) {
   int count = 0;
   for (int node = 0; node < kMaxNodes; ++node) {
+    if (plan.wiring[node] == SensorWiring::kPairs) {
+      const int64_t first = pair_code(plan, sample, 2 * node), second = pair_code(plan, sample, 2 * node + 1);
+      messages[count++] = can::pack<can::kSensorPair24>(0, node, {sample.sequence & 0xFFFF, first, second});
+      continue;
+    }
     if (plan.expected[node] & kMotionBit) messages[count++] = pack_one(plan.wiring[node], false, node, sample);
     if (plan.expected[node] & kForceBit) messages[count++] = pack_one(plan.wiring[node], true, node, sample);
   }
@@ -146,7 +176,7 @@ SensorAssembler::OpenSample* SensorAssembler::open(uint32_t sequence, uint64_t t
   return free_slot;
 }
 
-bool SensorAssembler::push(const CanMessage& message, uint64_t time_ns, RawSample& sample) {
+bool SensorAssembler::push(const CanFrame& message, uint64_t time_ns, RawSample& sample) {
   const SensorFrame* kind = nullptr;
   int rig = 0, node = 0;
   for (const SensorFrame& candidate : kSensorFrames) {
@@ -175,8 +205,16 @@ bool SensorAssembler::push(const CanMessage& message, uint64_t time_ns, RawSampl
     return false;
   }
   target->received[node] = static_cast<uint8_t>(target->received[node] | kind->bit);
-  for (int i = 1; i < kind->frame->signal_count; ++i)
-    target->sample.code[node][kind->quantity[i]] = static_cast<int32_t>(can::get_raw(message, kind->frame->signals[i]));
+  for (int i = 1; i < kind->frame->signal_count; ++i) {
+    SensorPlan::Channel place{static_cast<uint8_t>(node), static_cast<uint8_t>(kind->quantity[i])};
+    if (kind->wiring == SensorWiring::kPairs) {
+      const int channel = 2 * node + i - 1;
+      if (channel >= plan_.channel_count) break;
+      place = plan_.channels[channel];
+    }
+    target->sample.code[place.node][place.quantity] =
+        static_cast<int32_t>(can::get_raw(message, kind->frame->signals[i]));
+  }
   if (!complete(*target)) return false;
 
   sample = target->sample;

@@ -4,29 +4,40 @@
 //   k16  sensor_motion_16 (x, v, a: 16 bits each), and sensor_force (24 bits) where the DOF is driven
 //   k24  sensor_motion_24 (x, v) and sensor_force_24 (force, a); each is sent only where it carries a channel
 //   kFd  sensor_fd: all four with 24 bits, CAN FD
+// and one of the whole rig:
+//   kPairs  sensor_pair_24: its channels two by two, 24 bits each, in the order of DOF (the base last) and quantity; no
+//           place stays empty, so 3 DOFs with 3 channels take 5 frames where k24 takes 6
 // All frames of one sample carry its number; the classic ones 16 bits of it, which the receiver counts on to 32.
 #pragma once
 #include "firmware/acquisition/raw_sample.hpp"
-#include "firmware/can_protocol/can_message.hpp"
+#include "firmware/can_protocol/can_frame.hpp"
 #include "firmware/configuration/configuration.hpp"
 
 namespace firmware {
 
-enum class SensorWiring : uint8_t { kNone = 0, k16, k24, kFd };
+enum class SensorWiring : uint8_t { kNone = 0, k16, k24, kFd, kPairs };
 
 // Which frames make a sample complete. Bit 0 of expected[node]: the motion frame (or the FD frame), bit 1: the force
 // frame.
 struct SensorPlan {
   SensorWiring wiring[kMaxNodes] = {};
   uint8_t expected[kMaxNodes] = {};
+  // kPairs: pair number i, at wiring[i] and expected[i] like a node, carries the channels 2 i and 2 i + 1.
+  struct Channel {
+    uint8_t node = 0, quantity = 0;
+  };
+  Channel channels[2 * kMaxNodes];
+  int channel_count = 0;
 };
 SensorPlan sensor_plan(const CoreConfiguration& configuration,
                        SensorWiring wiring);  // one wiring for all channels present
+// Adds the next channel of kPairs; false where there is no room for it.
+bool add_to_pairs(SensorPlan& plan, int node, Quantity quantity);
 int sensor_frames_per_sample(const SensorPlan& plan);
 
 constexpr int kMaxSensorFrames = 2 * kMaxNodes;
 // Writes the frames of a sample and returns their number. Codes beyond the width of their signal are clamped.
-int pack_sample(const SensorPlan& plan, const RawSample& sample, CanMessage (&messages)[kMaxSensorFrames]);
+int pack_sample(const SensorPlan& plan, const RawSample& sample, CanFrame (&messages)[kMaxSensorFrames]);
 
 // Counters since start, each named by its cause.
 struct AssemblyHealth {
@@ -51,7 +62,7 @@ class SensorAssembler {
   void reset();
   // True where this frame completes a sample, which is then in `sample` with the reception time of its first frame.
   // Frames that are no sensor frames of the plan are passed over.
-  bool push(const CanMessage& message, uint64_t time_ns, RawSample& sample);
+  bool push(const CanFrame& message, uint64_t time_ns, RawSample& sample);
   const AssemblyHealth& health() const { return health_; }
 
  private:

@@ -1,5 +1,7 @@
 #include "firmware/conditioning/conditioning.hpp"
 
+#include "firmware/fixed_point/precondition.hpp"
+
 namespace firmware {
 namespace {
 
@@ -72,6 +74,7 @@ void Conditioning::restart() {
 }
 
 bool Conditioning::append(const RawSample& sample, Frame& frame, int at) {
+  FIRMWARE_PRECONDITION(configuration_ != nullptr && at >= 0 && at < kFrameSamples);
   int32_t* __restrict column = &frame.column[0][at];
   int32_t beyond[kQuantities] = {};
   for (int node = 0; node < nodes_; ++node, column += kQuantities * kFrameStride) {

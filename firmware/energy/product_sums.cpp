@@ -1,5 +1,7 @@
 #include "firmware/energy/product_sums.hpp"
 
+#include "firmware/fixed_point/precondition.hpp"
+
 namespace firmware {
 namespace {
 
@@ -34,11 +36,13 @@ void ProductSums::ends(const Frame& frame, int at, int64_t* result) const {
 }
 
 void ProductSums::start(const Frame& frame, int at) {
+  FIRMWARE_PRECONDITION(at >= 1 && at + 1 < kFrameSamples);
   ends(frame, at, start_);
   for (int i = 0; i < product_count_; ++i) sum_[i] = 0;
 }
 
 void ProductSums::add_block(const Frame& frame, int from, int to) {
+  FIRMWARE_PRECONDITION(from >= kLeadIn && from <= to && to <= kFrameSamples && to - from <= kBlockSamples);
   if (to - from == kBlockSamples) return add_whole_block(frame, from);
   for (int i = 0; i < product_count_; ++i)
     sum_[i] += dot(&frame.column[product_[i].a][from], &frame.column[product_[i].b][from], to - from);

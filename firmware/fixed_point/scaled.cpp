@@ -1,6 +1,7 @@
 // Block-floating arithmetic; its 128-bit steps are in wide.cpp.
 #include "firmware/fixed_point/scaled.hpp"
 
+#include "firmware/fixed_point/magnitude.hpp"
 #include "firmware/fixed_point/wide.hpp"
 
 namespace firmware {
@@ -9,10 +10,6 @@ namespace {
 constexpr int kMantissaBits = 62;  // |mantissa| < 2^62
 constexpr int32_t kExponentLimit = 1 << 20;
 constexpr int64_t kLargestMantissa = (int64_t{1} << kMantissaBits) - 1;
-
-uint64_t magnitude(int64_t value) {
-  return value < 0 ? ~static_cast<uint64_t>(value) + 1 : static_cast<uint64_t>(value);
-}
 
 int64_t with_sign(uint64_t value, bool negative) {
   return negative ? -static_cast<int64_t>(value) : static_cast<int64_t>(value);

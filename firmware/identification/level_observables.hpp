@@ -33,13 +33,11 @@ class LevelObservables {
 
   static int control(int dof, int which) { return kControlsPerDof * dof + which; }
   static int equation(int e) { return kMaxControls + e; }
-  bool control_valid(int c) const {
-    return valid_[c];
-  }  // measured, and its mean is zero as far as its scatter can tell
+  // Measured, and its mean is zero as far as its scatter can tell.
+  bool control_valid(int c) const { return valid_[c]; }
   Scaled deviation(int observable, int batch) const { return deviation_[observable][batch]; }
-  Scaled end_variance(int c) const {
-    return end_variance_[c];
-  }                                                // of the level's own two end points, left out of deviation
+  // Of the level's own two end points, left out of deviation.
+  Scaled end_variance(int c) const { return end_variance_[c]; }
   Scaled total(int c) const { return total_[c]; }  // periodic levels: sum over the batches, ends included
 
   Scaled inverse_scale(int batch, int dof) const { return inverse_scale_[batch][dof]; }  // 1 in periodic levels

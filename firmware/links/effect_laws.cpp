@@ -1,12 +1,13 @@
 #include "firmware/links/effect_laws.hpp"
 
 #include "firmware/fixed_point/functions.hpp"
+#include "firmware/fixed_point/magnitude.hpp"
 
 namespace firmware {
 namespace {
 
 int64_t product(int64_t a, int64_t b) { return (a * b) >> kLawFraction; }
-int64_t magnitude(int64_t x) { return x < 0 ? -x : x; }
+int64_t size_of(int64_t x) { return static_cast<int64_t>(magnitude(x)); }  // far from 2^63 here
 int64_t clamp(int64_t x, int64_t limit) { return x > limit ? limit : (x < -limit ? -limit : x); }
 int sign(int64_t x) { return (x > 0) - (x < 0); }
 int64_t exponential_q26(int64_t log2_q26) { return exp2_of_minus(log2_q26).raw >> (30 - kLawFraction); }
@@ -19,13 +20,13 @@ int32_t cubic_spring(const LawPoint& at, const LawShape&) { return narrow(produc
 int32_t quadratic_spring(const LawPoint& at, const LawShape&) { return narrow(product(at.u, at.u)); }
 int32_t gap_lost(const LawPoint& at, const LawShape& shape) { return narrow(-clamp(at.u, shape.gap_q26)); }
 int32_t beyond_gap(const LawPoint& at, const LawShape& shape) { return narrow(at.u - clamp(at.u, shape.gap_q26)); }
-int32_t quadratic_damper(const LawPoint& at, const LawShape&) { return narrow(product(magnitude(at.w), at.w)); }
+int32_t quadratic_damper(const LawPoint& at, const LawShape&) { return narrow(product(size_of(at.w), at.w)); }
 int32_t cubic_damper(const LawPoint& at, const LawShape&) { return narrow(product(product(at.w, at.w), at.w)); }
 int32_t stribeck(const LawPoint& at, const LawShape& shape) {
-  return narrow(sign(at.w) * exponential_q26(times(shape.ratio, magnitude(at.w))));
+  return narrow(sign(at.w) * exponential_q26(times(shape.ratio, size_of(at.w))));
 }
 int32_t constant(const LawPoint&, const LawShape&) { return narrow(kLawOne); }
-int32_t one_way_damper(const LawPoint& at, const LawShape&) { return narrow(magnitude(at.w)); }
+int32_t one_way_damper(const LawPoint& at, const LawShape&) { return narrow(size_of(at.w)); }
 int32_t displaced_damper(const LawPoint& at, const LawShape&) { return narrow(product(product(at.u, at.u), at.w)); }
 int32_t drifting_damper(const LawPoint& at, const LawShape& shape) {
   if (shape.ratio.mantissa != 0)  // tau (1 - exp(-t / tau)), in units of tau
@@ -66,7 +67,7 @@ const CoreLaw& core_law(TermKind kind) { return kLaws[static_cast<int>(kind) - k
 int64_t bent_bristles(int64_t z_q26, int64_t step_q26, const LawShape& shape) {
   if (step_q26 == 0) return z_q26;
   const int64_t towards = sign(step_q26) * kLawOne;
-  return towards + product(z_q26 - towards, exponential_q26(times(shape.ratio, magnitude(step_q26))));
+  return towards + product(z_q26 - towards, exponential_q26(times(shape.ratio, size_of(step_q26))));
 }
 
 }  // namespace firmware

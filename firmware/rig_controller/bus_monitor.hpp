@@ -1,9 +1,9 @@
 // What is known of the CAN bus: from error frames, from the answers to sending and receiving, and from the passing of
 // time.
 //
-//   good <-> passive            error-passive and active again
-//   any -> bus_off -> good      on the restart message, on any received frame, or when sending has worked for
-//   kProbationNs any -> down -> good         when a send or receive works again
+//   good <-> passive         error-passive and active again
+//   any -> bus_off -> good   on the restart message, on any received frame, or when a send works kProbationNs later
+//   any -> down -> good      when a send or receive works again
 #pragma once
 #include <cstdint>
 
@@ -17,8 +17,8 @@ enum class BusEvent : uint8_t { kNone, kBecamePassive, kWentOff, kWentDown, kOve
 
 class BusMonitor {
  public:
-  static constexpr uint64_t kProbationNs =
-      500000000;  // longer than the 100 ms restart time of the shipped network file
+  // Longer than the 100 ms restart time of the shipped network file.
+  static constexpr uint64_t kProbationNs = 500000000;
 
   // An error frame in SocketCAN's form (linux/can/error.h): class bits in id, controller state in data[1].
   BusEvent error_frame(const hal::CanFrame& frame, uint64_t now_ns);

@@ -1,27 +1,18 @@
 #include "firmware/rig_controller/can_sample_source.hpp"
 
-#include <algorithm>
-#include <cstring>
-
 namespace firmware {
 
 hal::SampleResult CanSampleSource::read(RawSample& sample) {
   hal::CanFrame frame;
   for (int i = 0; i < kFramesPerRead && bus_.receive(frame) == hal::CanResult::kDone; ++i) {
     if (frame.error || frame.remote) continue;
-    CanMessage message;
-    message.id = frame.id;
-    message.extended = frame.extended;
-    message.fd = frame.fd;
-    message.length = frame.length;
-    std::memcpy(message.data, frame.data, sizeof message.data);
-    if (assembler_.push(message, frame.time_ns, sample)) return hal::SampleResult::kSample;
+    if (assembler_.push(frame, frame.time_ns, sample)) return hal::SampleResult::kSample;
   }
   return hal::SampleResult::kNone;
 }
 
 size_t sensor_ids(const SensorPlan& plan, uint32_t (&ids)[kMaxSensorFrames]) {
-  CanMessage messages[kMaxSensorFrames];
+  CanFrame messages[kMaxSensorFrames];
   const int count = pack_sample(plan, RawSample(), messages);
   for (int i = 0; i < count; ++i) ids[i] = messages[i].id;
   return static_cast<size_t>(count);

@@ -1,6 +1,8 @@
 // See estimation.hpp.
 #include "firmware/rig_controller/estimation.hpp"
 
+#include "firmware/fixed_point/precondition.hpp"
+
 namespace firmware {
 
 void Estimation::reset() {
@@ -48,6 +50,7 @@ void Estimation::ask(Kind kind) {
 }
 
 Estimation::Entry& Estimation::append(Kind kind) {
+  FIRMWARE_PRECONDITION(count_ < kMaxWaiting);
   Entry& entry = ring_[(first_ + count_) % kMaxWaiting];
   ++count_;
   entry.kind = kind;

@@ -12,6 +12,8 @@ RigController::RigController(const ControllerConfiguration& configuration, const
       estimation_(configuration_.core, ports.worker),
       drive_(ports.drive, queue_),
       safe_(ports.emergency_stop, ports.relay, drive_),
+      lamp_(ports.ready_lamp),
+      settings_(ports.store, ports.store_worker),
       sdo_(*this) {
   excitation_.configure(configuration_.programme, configuration_.core.dof_count,
                         static_cast<uint32_t>(core().margin_samples()));
@@ -32,13 +34,13 @@ void RigController::step() {
   estimation_.advance(now_ns_);
   check_worker();
   take_results();
-  take_samples();
+  const bool all_taken = take_samples();
   check_sync_edge();
   if (safe_.state() == SafeState::State::kStopping) safe_.make_safe();
-  if (start_waits_ && safe_.may_start()) start();
+  if (start_waits_ && all_taken && safe_.may_start()) start();
   run_schedule();
   flush_queue();
-  set_ready_lamp();
+  lamp_.show(!safe_.tripped());
   if (!safe_.output_refuses() && !worker_late_) ports_.watchdog.feed();
 }
 
@@ -119,7 +121,8 @@ bool RigController::reset() {
   return true;
 }
 
-void RigController::take_samples() {
+// False where samples are left: those that waited while the program started are too old to drive by.
+bool RigController::take_samples() {
   RawSample sample;
   for (int taken = 0; taken < kSamplesPerStep; ++taken) {
     switch (ports_.samples.read(sample)) {
@@ -128,13 +131,16 @@ void RigController::take_samples() {
         take_sample(sample);
         break;
       case hal::SampleResult::kNone:
-        return;
+        return true;
       case hal::SampleResult::kEnd:
-        return source_stopped(false);
+        source_stopped(false);
+        return true;
       case hal::SampleResult::kFault:
-        return source_stopped(true);
+        source_stopped(true);
+        return true;
     }
   }
+  return false;
 }
 
 void RigController::take_sample(const RawSample& sample) {
@@ -246,13 +252,6 @@ void RigController::handle(const Alarm& alarm) {
   }
   alarms_.push(emergency_of(alarm, error_register()), stopped);
   if (stopped) send_status();
-}
-
-void RigController::set_ready_lamp() {
-  const bool on = !safe_.tripped();
-  if (lamp_known_ && on == lamp_on_) return;
-  lamp_known_ = ports_.ready_lamp.set(on);
-  lamp_on_ = on;
 }
 
 ControllerMode RigController::mode() const {

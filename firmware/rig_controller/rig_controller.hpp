@@ -19,8 +19,10 @@
 #include "firmware/rig_controller/bus_monitor.hpp"
 #include "firmware/rig_controller/controller_configuration.hpp"
 #include "firmware/rig_controller/estimation.hpp"
+#include "firmware/rig_controller/ready_lamp.hpp"
 #include "firmware/rig_controller/safe_state.hpp"
 #include "firmware/rig_controller/schedule.hpp"
+#include "firmware/rig_controller/settings_store.hpp"
 #include "firmware/rig_controller/transmit_queue.hpp"
 #include "firmware/supervision/supervisor.hpp"
 #include "hal/interface/can_bus.hpp"
@@ -86,7 +88,7 @@ class RigController final : private ObjectDictionary {
   void boot();
   bool start_listening();
   void forget_estimates();
-  void take_samples();
+  bool take_samples();
   void take_sample(const RawSample& sample);
   void source_stopped(bool fault);
   void follow(ExcitationEvent event);
@@ -97,7 +99,6 @@ class RigController final : private ObjectDictionary {
   void handle(const Alarm& alarm);
   void judge(const Alarm& alarm);
   void check_worker();
-  void set_ready_lamp();
 
   // rig_controller_frames.cpp: what goes over the bus
   void receive_frames();
@@ -127,8 +128,7 @@ class RigController final : private ObjectDictionary {
   void load_from_store();
   SdoAbort begin_save();
   void check_save();
-  void end_save();
-  static void save(void* self);
+  SdoAbort end_save(SettingsStore::Outcome outcome);
   void apply_node_settings();
 
   ControllerConfiguration configuration_;
@@ -140,6 +140,8 @@ class RigController final : private ObjectDictionary {
   TransmitQueue queue_;
   DriveLink drive_;
   SafeState safe_;
+  ReadyLamp lamp_;
+  SettingsStore settings_;
   const Estimates* estimates_ = nullptr;
   uint32_t configuration_crc_ = 0;
 
@@ -150,11 +152,9 @@ class RigController final : private ObjectDictionary {
   bool measuring_ = false;  // samples go to the core
   bool finished_ = false;
   bool source_stopped_ = false;
-  bool start_waits_ = false;  // start_at_boot, until the outputs are safe
+  bool start_waits_ = false;  // start_at_boot, until the outputs are safe and the samples fresh
   bool worker_late_ = false;
   uint32_t told_dropped_ = 0;
-  bool lamp_on_ = false;
-  bool lamp_known_ = false;
   uint32_t samples_in_window_ = 0;
 
   AlarmQueue alarms_;
@@ -167,14 +167,9 @@ class RigController final : private ObjectDictionary {
   uint16_t passing_faults_ = 0;  // seen since the last status frame
   uint32_t reported_drops_ = 0;
   uint32_t reported_overflows_ = 0;
-  bool store_damaged_ = false;
-  bool saving_ = false;  // store_bytes_ belong to the store
-  bool saved_ = false;   // how it went, once the worker is done
-  size_t store_size_ = 0;
   Diagnosis diagnosis_;
   bool judged_ = false;  // diagnosis_ holds a judgement of the last window
   uint64_t next_judgement_ns_ = 0;
-  uint8_t store_bytes_[kConfigurationBytes] = {};
 };
 
 }  // namespace firmware

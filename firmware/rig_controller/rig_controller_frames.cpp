@@ -10,16 +10,6 @@ namespace {
 constexpr uint64_t kMillisecond_ns = 1000000, kJudgement_ns = 1000 * kMillisecond_ns;
 constexpr int kEnoughRoom = TransmitQueue::kCapacity / 2;  // in the queue, for what is not urgent
 
-CanMessage to_message(const hal::CanFrame& frame) {
-  CanMessage message;
-  message.id = frame.id;
-  message.extended = frame.extended;
-  message.fd = frame.fd;
-  message.length = frame.length;
-  for (int i = 0; i < frame.length && i < 64; ++i) message.data[i] = frame.data[i];
-  return message;
-}
-
 }  // namespace
 
 void RigController::receive_frames() {
@@ -38,15 +28,14 @@ void RigController::receive(const hal::CanFrame& frame) {
   if (frame.error) return follow(bus_.error_frame(frame, now_ns_));
   follow(bus_.frame_received());
   if (frame.remote) return;
-  const CanMessage message = to_message(frame);
-  CanMessage reply;
+  CanFrame reply;
   NetworkCommand command;
-  if (unpack_network_command(message, command)) return follow(command);
-  if (is_sync(message)) {
+  if (unpack_network_command(frame, command)) return follow(command);
+  if (is_sync(frame)) {
     if (configuration_.node.sync_closes_window && measuring_ && samples_in_window_ > 0) close_window();
     return;
   }
-  if (sdo_.answer(message, configuration_.node.node, reply)) queue_.push(reply, false);
+  if (sdo_.answer(frame, configuration_.node.node, reply)) queue_.push(reply, false);
 }
 
 void RigController::follow(const NetworkCommand& command) {
@@ -165,8 +154,8 @@ void RigController::describe_some() {
 
 void RigController::send_heartbeat() {
   const HeartbeatState state = safe_.tripped() ? HeartbeatState::kStopped : HeartbeatState::kOperational;
-  const CanMessage heartbeat = pack_heartbeat(configuration_.node.node, state);
-  const CanMessage* waiting = queue_.find(heartbeat.id);
+  const CanFrame heartbeat = pack_heartbeat(configuration_.node.node, state);
+  const CanFrame* waiting = queue_.find(heartbeat.id);
   const bool boot_up_waits = waiting != nullptr && waiting->data[0] == static_cast<uint8_t>(HeartbeatState::kBootUp);
   if (!boot_up_waits) queue_.push(heartbeat);
 }
@@ -175,7 +164,7 @@ uint16_t RigController::fault_bits() const {
   uint32_t bits = status_bit(safe_.latched().cause) | passing_faults_;
   if (bus_.state() == BusState::kPassive) bits |= fault_bit(Fault::kCanErrorPassive);
   if (bus_.state() == BusState::kBusOff) bits |= fault_bit(Fault::kCanBusOff);
-  if (store_damaged_) bits |= fault_bit(Fault::kStore);
+  if (settings_.damaged()) bits |= fault_bit(Fault::kStore);
   if (estimates_ != nullptr) {
     for (int i = 0; i < estimates_->unknown_count; ++i) {
       if (estimates_->parameters[i].status == EstimateStatus::kSaturated)
@@ -188,7 +177,7 @@ uint16_t RigController::fault_bits() const {
 uint8_t RigController::error_register() const {
   uint32_t bits = error_register_bit(safe_.latched().cause);
   if (bus_.state() != BusState::kGood) bits |= error_register_bit(AlarmCause::kCanErrorPassive);
-  if (store_damaged_) bits |= error_register_bit(AlarmCause::kStore);
+  if (settings_.damaged()) bits |= error_register_bit(AlarmCause::kStore);
   return static_cast<uint8_t>(bits != 0 ? bits | 1 : 0);
 }
 

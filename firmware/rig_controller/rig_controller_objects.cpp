@@ -91,7 +91,7 @@ SdoAbort RigController::write(uint16_t index, uint8_t subindex, uint32_t value, 
       if (subindex != 1) return subindex == 0 ? SdoAbort::kReadOnly : SdoAbort::kNoSubindex;
       if (size != 0 && size != 4) return SdoAbort::kLength;
       if (value != (index == 0x1010 ? kSaveSignature : kLoadSignature)) return SdoAbort::kNotStored;
-      if (safe_.live() || saving_) return SdoAbort::kDeviceState;
+      if (safe_.live() || settings_.busy()) return SdoAbort::kDeviceState;
       if (index == 0x1011) {
         configuration_.node = default_node_;
         apply_node_settings();
@@ -128,43 +128,25 @@ void RigController::apply_node_settings() {
 
 // The answer to the request comes once the store is done: a memory card may take seconds, and no step waits for it.
 SdoAbort RigController::begin_save() {
-  store_size_ = encode(configuration_, store_bytes_);
-  saving_ = true;
-  if (ports_.store_worker != nullptr) {
-    ports_.store_worker->start(&RigController::save, this);
-    return SdoAbort::kPending;
-  }
-  save(this);
-  end_save();
-  return saved_ ? SdoAbort::kNone : SdoAbort::kNotStored;
-}
-
-void RigController::save(void* self) {
-  auto& own = *static_cast<RigController*>(self);
-  own.saved_ = own.ports_.store.save(own.store_bytes_, own.store_size_);
+  settings_.begin(configuration_);
+  const SettingsStore::Outcome outcome = settings_.take_outcome();  // none yet where a worker saves
+  return outcome == SettingsStore::Outcome::kNone ? SdoAbort::kPending : end_save(outcome);
 }
 
 void RigController::check_save() {
-  if (!saving_ || !ports_.store_worker->done()) return;
-  end_save();
-  queue_.push(sdo_.complete(saved_ ? SdoAbort::kNone : SdoAbort::kNotStored), false);
+  const SettingsStore::Outcome outcome = settings_.take_outcome();
+  if (outcome != SettingsStore::Outcome::kNone) queue_.push(sdo_.complete(end_save(outcome)), false);
 }
 
-void RigController::end_save() {
-  saving_ = false;
-  store_damaged_ = !saved_;
-  if (!saved_) handle({AlarmCause::kStore});
+SdoAbort RigController::end_save(SettingsStore::Outcome outcome) {
+  if (outcome == SettingsStore::Outcome::kSaved) return SdoAbort::kNone;
+  handle({AlarmCause::kStore});
+  return SdoAbort::kNotStored;
 }
 
-// What is stored counts only where it was saved for this very rig, programme and limits: an edited file wins.
 void RigController::load_from_store() {
-  const size_t size = ports_.store.load(store_bytes_, kConfigurationBytes);
-  if (size == 0) return;
   NodeConfiguration stored = configuration_.node;
-  if (read_stored(store_bytes_, size, configuration_, stored) == Stored::kDamaged) {
-    store_damaged_ = true;
-    return handle({AlarmCause::kStore});
-  }
+  if (!settings_.load(configuration_, stored)) return handle({AlarmCause::kStore});
   configuration_.node.heartbeat_ms = stored.heartbeat_ms;
 }
 

@@ -2,26 +2,11 @@
 #include "firmware/rig_controller/transmit_queue.hpp"
 
 namespace firmware {
-namespace {
-
-hal::CanFrame to_frame(const CanMessage& message) {
-  hal::CanFrame frame;
-  frame.id = message.id;
-  frame.extended = message.extended;
-  frame.fd = message.fd;
-  frame.flags = message.fd ? 1 : 0;
-  frame.length = message.length;
-  for (int i = 0; i < message.length; ++i) frame.data[i] = message.data[i];
-  return frame;
-}
-
-}  // namespace
-
 TransmitQueue::TransmitQueue() {
   for (int i = 0; i < kCapacity; ++i) order_[i] = static_cast<uint8_t>(i);
 }
 
-void TransmitQueue::push(const CanMessage& message, bool replace) {
+void TransmitQueue::push(const CanFrame& message, bool replace) {
   if (replace) {
     for (int rank = 0; rank < count_; ++rank) {
       if (waiting_at(rank).id != message.id) continue;
@@ -56,7 +41,7 @@ hal::CanResult TransmitQueue::flush(hal::CanBus& bus) {
   hal::CanResult result = hal::CanResult::kEmpty;
   ++flushes_;
   while (count_ > 0) {
-    result = bus.send(to_frame(waiting_at(0)));
+    result = bus.send(waiting_at(0));
     if (result == hal::CanResult::kDone) {
       ++sent_;
       watched_sent_ = watched_sent_ || waiting_at(0).id == watched_id_;
@@ -76,7 +61,7 @@ bool TransmitQueue::take_watched_sent() {
   return sent;
 }
 
-const CanMessage* TransmitQueue::find(uint32_t id) const {
+const CanFrame* TransmitQueue::find(uint32_t id) const {
   for (int rank = 0; rank < count_; ++rank)
     if (frames_[order_[rank]].id == id) return &frames_[order_[rank]];
   return nullptr;

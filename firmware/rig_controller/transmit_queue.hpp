@@ -4,7 +4,7 @@
 #pragma once
 #include <cstdint>
 
-#include "firmware/can_protocol/can_message.hpp"
+#include "firmware/can_protocol/can_frame.hpp"
 #include "hal/interface/can_bus.hpp"
 
 namespace firmware {
@@ -16,7 +16,7 @@ class TransmitQueue {
 
   TransmitQueue();
   // replace: a queued frame with the same identifier is superseded.
-  void push(const CanMessage& message, bool replace = true);
+  void push(const CanFrame& message, bool replace = true);
   // Sends until the bus refuses (a frame that the driver cannot send at all is given up) or nothing is left. Returns
   // the last answer of the bus; kEmpty: nothing was waiting.
   hal::CanResult flush(hal::CanBus& bus);
@@ -25,17 +25,17 @@ class TransmitQueue {
   void watch(uint32_t id) { watched_id_ = id; }
   bool take_watched_sent();
 
-  const CanMessage* find(uint32_t id) const;  // a waiting frame; nullptr: none
+  const CanFrame* find(uint32_t id) const;  // a waiting frame; nullptr: none
   int waiting() const { return count_; }
   int room() const { return kCapacity - count_; }
   uint32_t given_up() const { return given_up_; }
   uint32_t sent() const { return sent_; }
 
  private:
-  CanMessage& waiting_at(int rank) { return frames_[order_[rank]]; }
+  CanFrame& waiting_at(int rank) { return frames_[order_[rank]]; }
   void remove_first();
 
-  CanMessage frames_[kCapacity] = {};
+  CanFrame frames_[kCapacity] = {};
   // flushes_ when it came: superseded before the bus has refused it, it is no loss
   uint32_t pushed_at_[kCapacity] = {};
   // the first count_: places in frames_ by identifier, oldest first among equals; then the free places

@@ -2,19 +2,11 @@
 #pragma once
 #include <cstdint>
 
+#include "firmware/can_protocol/can_frame.hpp"
+
 namespace hal {
 
-struct CanFrame {
-  uint32_t id = 0;  // 11 or 29 bits
-  bool extended = false;
-  bool remote = false;
-  bool error = false;  // an error frame: id holds the SocketCAN error class bits
-  bool fd = false;
-  uint8_t flags = 0;   // CAN FD: bit 0 bit-rate switch, bit 1 error state indicator
-  uint8_t length = 0;  // bytes: 0 to 8, CAN FD up to 64
-  uint8_t data[64] = {};
-  uint64_t time_ns = 0;  // reception time, from the kernel or the simulator
-};
+using firmware::CanFrame;
 
 enum class CanResult : uint8_t {
   kDone,       // sent or received

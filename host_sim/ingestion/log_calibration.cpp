@@ -26,7 +26,8 @@ constexpr SensorFrameKind kKinds[] = {{&can::kSensorMotion16, SensorWiring::k16,
                                       {&can::kSensorForce, SensorWiring::k16, kForceBit, 0b0001},
                                       {&can::kSensorMotion24, SensorWiring::k24, kMotionBit, 0b0110},
                                       {&can::kSensorForce24, SensorWiring::k24, kForceBit, 0b1001},
-                                      {&can::kSensorFd, SensorWiring::kFd, kMotionBit, 0b1111}};
+                                      {&can::kSensorFd, SensorWiring::kFd, kMotionBit, 0b1111},
+                                      {&can::kSensorPair24, SensorWiring::kPairs, kMotionBit, 0}};
 
 int dof_of_node(int node) { return node == firmware::kBaseNode ? rig_file::kBase : node + 1; }
 
@@ -59,7 +60,37 @@ void LogCalibration::learn(const firmware::CanMessage& message, const std::strin
   }
 }
 
+// The channels of `sensor_pair_24` are all those that the log describes or, where it describes none, the rig file.
+void LogCalibration::lay_out_pairs(const std::string& file, const rig_file::RigModel& model) {
+  int pairs = 0;
+  while (pairs < firmware::kMaxNodes && plan_.wiring[pairs] == SensorWiring::kPairs) ++pairs;
+  if (pairs == 0) return;
+  bool known[firmware::kMaxNodes][firmware::kQuantities] = {};
+  for (const rig_file::ChannelEntry& entry : model.channels)
+    if (const auto name = rig_file::parse_channel_name(entry.name); name && !described())
+      known[rig_file::node_index(name->dof)][static_cast<int>(name->quantity)] = true;
+  for (int node = 0; node < firmware::kMaxNodes; ++node)
+    for (int quantity = 0; quantity < firmware::kQuantities; ++quantity)
+      if (described_[node][quantity].known || known[node][quantity])
+        firmware::add_to_pairs(plan_, node, static_cast<firmware::Quantity>(quantity));
+  if ((plan_.channel_count + 1) / 2 != pairs)
+    throw DataFileError(file, 0,
+                        "holds " + std::to_string(pairs) + " frames sensor_pair_24 for each sample and describes " +
+                            std::to_string(plan_.channel_count) +
+                            " channels, expected a frame for every two: frames `scaling` in the log, or a [[channel]] "
+                            "for each in the rig file");
+}
+
+bool LogCalibration::described() const {
+  for (const auto& node : described_)
+    for (const Description& channel : node)
+      if (channel.known) return true;
+  return false;
+}
+
 bool LogCalibration::carried(int node, int quantity) const {
+  for (int i = 0; i < plan_.channel_count; ++i)
+    if (plan_.channels[i].node == node && plan_.channels[i].quantity == quantity) return true;
   for (const SensorFrameKind& kind : kKinds)
     if (kind.wiring == plan_.wiring[node] && (plan_.expected[node] & kind.bit) != 0 &&
         (kind.quantities >> quantity & 1) != 0)

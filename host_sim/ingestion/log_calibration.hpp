@@ -21,6 +21,8 @@ struct LogChannel {
 class LogCalibration {
  public:
   void learn(const firmware::CanMessage& message, const std::string& file, size_t line);
+  // After the last frame.
+  void lay_out_pairs(const std::string& file, const rig_file::RigModel& model);
   // Which frames make a sample whole: those that the log holds.
   const firmware::SensorPlan& plan() const { return plan_; }
   bool any_sensor_frame() const { return any_sensor_frame_; }
@@ -36,6 +38,7 @@ class LogCalibration {
     int32_t offset_code = 0;
   };
   bool carried(int node, int quantity) const;
+  bool described() const;
 
   firmware::SensorPlan plan_;
   bool any_sensor_frame_ = false;

@@ -17,7 +17,7 @@ bool ends_with(const std::string& text, std::string_view end) {
 
 bool usable(const can_log::LogEntry& entry) { return entry.has_time && !entry.frame.error && !entry.frame.remote; }
 
-LogCalibration calibration_of(const std::string& text, const std::string& file) {
+LogCalibration calibration_of(const std::string& text, const std::string& file, const rig_file::RigModel& model) {
   std::istringstream input(text);
   can_log::LogReader reader(input);
   can_log::LogEntry entry;
@@ -26,6 +26,7 @@ LogCalibration calibration_of(const std::string& text, const std::string& file) 
     if (usable(entry)) calibration.learn(can_log::to_message(entry.frame), file, static_cast<size_t>(reader.line()));
   if (!calibration.any_sensor_frame())
     throw DataFileError(file, 0, "no sensor frame, expected a candump log that holds the samples (frames sensor_...)");
+  calibration.lay_out_pairs(file, model);
   return calibration;
 }
 
@@ -47,7 +48,7 @@ bool is_sensor_log(const std::string& path, std::string_view content) {
 
 Record parse_sensor_log(std::string_view content, const std::string& file, const rig_file::RigModel& model) {
   const std::string text(content);
-  const LogCalibration calibration = calibration_of(text, file);
+  const LogCalibration calibration = calibration_of(text, file, model);
   const std::vector<LogChannel> channels = calibration.channels(file, model);
   Record record;
   record.file = file;

@@ -46,6 +46,30 @@ TEST(BusPlan, ThreeDofsOnClassicCanByHand) {
   EXPECT_LT(load_permille(plan, {1000000, 2000000}), kHighestLoad_permille);
 }
 
+// Three DOFs with displacement, velocity and acceleration of 24 bits at 1 kHz. A frame of 8 bytes takes at most 135 bits
+// and carries 48 bits of codes beside its number: six frames of k24 are 810 bits each millisecond, five pairs 675. So at
+// 1 Mbit/s pairs fit and k24 does not; 500 kbit/s is too little even for the bare 216 bits of codes in 8-byte frames
+// without a number (4 of them, 540 bits). With CAN FD three frames of 16 bytes do.
+TEST(BusPlan, NineChannelsOf24BitsFitAMegabitAsPairs) {
+  CoreConfiguration configuration;
+  configuration.dof_count = 3;
+  for (int node = 0; node < 3; ++node)
+    for (int quantity = 1; quantity < kQuantities; ++quantity) configuration.channels[node][quantity].present = true;
+  const auto load = [&](SensorWiring wiring, const BitRates& rates) {
+    const SensorPlan sensors = sensor_plan(configuration, wiring);
+    BusTraffic traffic;
+    traffic.sensors = &sensors;
+    traffic.unknowns = 5;
+    traffic.channels = 9;
+    return load_permille(bus_plan(traffic), rates);
+  };
+  EXPECT_GT(load(SensorWiring::k24, {1000000, 1000000}), 810);
+  EXPECT_GE(load(SensorWiring::kPairs, {1000000, 1000000}), 675);
+  EXPECT_LT(load(SensorWiring::kPairs, {1000000, 1000000}), 700);
+  EXPECT_GT(load(SensorWiring::kPairs, {500000, 500000}), 1350);
+  EXPECT_LT(load(SensorWiring::kFd, {500000, 2000000}), kHighestLoad_permille);
+}
+
 TEST(BusPlan, OtherWiringsSendOtherFrames) {
   const auto frames = [](const BusPlan& plan, const can::Frame& frame) {
     for (int i = 0; i < plan.count; ++i)

@@ -32,19 +32,19 @@ struct Objects final : ObjectDictionary {
   uint32_t written = 0;
 };
 
-CanMessage request(uint32_t id, std::initializer_list<int> bytes) {
-  CanMessage message;
+CanFrame request(uint32_t id, std::initializer_list<int> bytes) {
+  CanFrame message;
   message.id = id;
   for (int byte : bytes) message.data[message.length++] = static_cast<uint8_t>(byte);
   return message;
 }
 
-Bytes bytes_of(const CanMessage& message) { return Bytes(message.data, message.data + message.length); }
+Bytes bytes_of(const CanFrame& message) { return Bytes(message.data, message.data + message.length); }
 
 class SdoServerTest : public ::testing::Test {
  protected:
   Bytes answer(std::initializer_list<int> bytes) {
-    CanMessage reply;
+    CanFrame reply;
     EXPECT_TRUE(server_.answer(request(0x602, bytes), 2, reply));
     EXPECT_EQ(reply.id, 0x582u);
     return bytes_of(reply);
@@ -73,7 +73,7 @@ TEST_F(SdoServerTest, WritesWhatIsTwoBytesLong) {
 
 // The answer to a write that takes its time is that write's own, whatever is asked for meanwhile.
 TEST_F(SdoServerTest, AnswersALongWriteWhenItIsDone) {
-  CanMessage reply;
+  CanFrame reply;
   EXPECT_FALSE(server_.answer(request(0x602, {0x23, 0x03, 0x20, 7, 1, 2, 3, 4}), 2, reply));
   EXPECT_EQ(answer({0x40, 0x00, 0x20, 0, 0, 0, 0, 0})[0], 0x43);  // reading goes on
   // Another write: 0x08000022, not in this state.
@@ -91,7 +91,7 @@ TEST_F(SdoServerTest, RandomRequestsAreAnswered) {
   for (int i = 0; i < 50000; ++i) {
     const int command = random() % 4 == 0 ? static_cast<int>(random() % 256) : commands[random() % 8];
     const int index = 0x2000 + static_cast<int>(random() % 3);
-    CanMessage reply;
+    CanFrame reply;
     const bool answered = server_.answer(
         request(0x602, {command, index & 255, index >> 8, static_cast<int>(random() % 2), 1, 0, 0, 0}), 2, reply);
     ASSERT_EQ(answered, command != 0x80);
@@ -101,7 +101,7 @@ TEST_F(SdoServerTest, RandomRequestsAreAnswered) {
 }
 
 TEST_F(SdoServerTest, LeavesOtherFramesAlone) {
-  CanMessage reply;
+  CanFrame reply;
   EXPECT_FALSE(server_.answer(request(0x601, {0x40, 0, 0x20, 0, 0, 0, 0, 0}), 2, reply));  // another node
   EXPECT_FALSE(server_.answer(request(0x602, {0x40, 0, 0x20, 0, 0, 0, 0}), 2, reply));     // seven bytes
   EXPECT_FALSE(server_.answer(request(0x602, {0x80, 0, 0x20, 0, 0, 0, 0, 8}), 2, reply));  // an abort

@@ -73,6 +73,42 @@ TEST(SensorFrames, ByHand) {
   EXPECT_EQ(hex(frames[0]), "241#45230100000080010000FFFFFFFFFF7F");
 }
 
+// Six channels two by two, by DOF and then by quantity: f1 x1 | v1 a1 | x2 v2. 24 bits: f1 = -2^23 = 00 00 80, x1 = 1,
+// v1 = -1, a1 = FF FF 7F, x2 = 56 34 12, v2 = -2.
+TEST(SensorFrames, PairsByHand) {
+  const SensorPlan plan = sensor_plan(two_dofs(), SensorWiring::kPairs);
+  EXPECT_EQ(sensor_frames_per_sample(plan), 3);
+  const std::vector<CanMessage> frames = frames_of(plan, sample_of(0x12345));
+  ASSERT_EQ(frames.size(), 3u);
+  EXPECT_EQ(hex(frames[0]), "261#4523000080010000");
+  EXPECT_EQ(hex(frames[1]), "262#4523FFFFFFFFFF7F");
+  EXPECT_EQ(hex(frames[2]), "263#4523563412FEFFFF");
+  SensorAssembler assembler(plan);
+  RawSample out;
+  EXPECT_FALSE(assembler.push(frames[2], 1, out));
+  EXPECT_FALSE(assembler.push(frames[0], 2, out));
+  ASSERT_TRUE(assembler.push(frames[1], 3, out));
+  for (int node : {0, 1})
+    for (int q = 0; q < kQuantities; ++q) EXPECT_EQ(out.code[node][q], sample_of(0).code[node][q]) << node << " " << q;
+}
+
+// An odd number of channels leaves the last place empty; more channels than frames can carry make no plan at all.
+TEST(SensorFrames, PairsOfAnOddNumberAndOfTooMany) {
+  CoreConfiguration configuration;
+  add(configuration, 1, Quantity::kVelocity);
+  add(configuration, 4, Quantity::kForce);
+  add(configuration, kBaseNode, Quantity::kAcceleration);
+  RawSample sample;
+  sample.code[kBaseNode][3] = 5;
+  const SensorPlan plan = sensor_plan(configuration, SensorWiring::kPairs);
+  const std::vector<CanMessage> frames = frames_of(plan, sample);
+  ASSERT_EQ(frames.size(), 2u);
+  EXPECT_EQ(hex(frames[1]), "262#0000050000000000");
+  for (int node = 0; node < kMaxNodes; ++node)
+    for (int q = 1; q < kQuantities; ++q) add(configuration, node, static_cast<Quantity>(q));
+  EXPECT_EQ(sensor_frames_per_sample(sensor_plan(configuration, SensorWiring::kPairs)), 0);
+}
+
 TEST(SensorFrames, TheBaseHasNumber17) {
   CoreConfiguration configuration;
   add(configuration, kBaseNode, Quantity::kAcceleration);

@@ -43,3 +43,8 @@ TEST(Crossings, AbsoluteValueOfASineAtHundredSamplesACycle) {
   EXPECT_GT(std::fabs(trapezoid / exact - 1.0), 1e-4);
   EXPECT_LT(std::fabs(corrected / exact - 1.0), 1e-5);
 }
+// Preconditions are checked in every test: a rate that does not change its sign has no crossing.
+TEST(Crossings, APreconditionThatDoesNotHoldEndsTheProgram) {
+  testing::FLAGS_gtest_death_test_style = "threadsafe";
+  EXPECT_DEATH(firmware::crossing_correction_q16(5, 3, 1, 1), "");
+}

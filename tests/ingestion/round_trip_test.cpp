@@ -21,9 +21,14 @@ class RoundTrip : public testing::TestWithParam<SensorWiring> {};
 // unit_per_code 1: the values are the codes.
 TEST_P(RoundTrip, EveryCodeComesBack) {
   firmware::SensorPlan plan;
-  plan.wiring[0] = plan.wiring[1] = GetParam();
+  if (GetParam() == SensorWiring::kPairs) {
+    for (const auto& [node, quantity] : {std::pair{0, 0}, {0, 1}, {1, 2}, {1, 3}})
+      firmware::add_to_pairs(plan, node, static_cast<firmware::Quantity>(quantity));
+  }
+  if (GetParam() != SensorWiring::kPairs) plan.wiring[0] = plan.wiring[1] = GetParam();
   plan.expected[0] = GetParam() == SensorWiring::kFd ? 1 : 3;
   plan.expected[1] = GetParam() == SensorWiring::k24 ? 3 : 1;
+  if (GetParam() == SensorWiring::kPairs) plan.expected[0] = 1;
   std::mt19937 random(1);
   std::vector<firmware::RawSample> samples(kSamples);
   std::ostringstream log;
@@ -49,6 +54,8 @@ TEST_P(RoundTrip, EveryCodeComesBack) {
       EXPECT_EQ(channel.values[i], samples[i].code[channel.dof - 1][static_cast<int>(channel.quantity)]);
 }
 
-INSTANTIATE_TEST_SUITE_P(Wirings, RoundTrip, testing::Values(SensorWiring::k16, SensorWiring::k24, SensorWiring::kFd));
+INSTANTIATE_TEST_SUITE_P(Wirings, RoundTrip,
+                         testing::Values(SensorWiring::k16, SensorWiring::k24, SensorWiring::kFd,
+                                         SensorWiring::kPairs));
 
 }  // namespace

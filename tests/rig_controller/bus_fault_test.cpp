@@ -188,7 +188,7 @@ TEST(TransmitQueue, OnlyFramesThatTheBusRefusedCountAsGivenUp) {
   hal::ManualClock clock;
   hal::FakeCanBus bus(clock);
   firmware::TransmitQueue queue;
-  firmware::CanMessage message;
+  firmware::CanFrame message;
   message.id = 0x181;
   queue.push(message);
   queue.push(message);  // superseded before the bus was asked: no loss

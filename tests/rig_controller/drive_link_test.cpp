@@ -118,4 +118,26 @@ TEST(DriveLink, AStartByItselfWaitsForTheBusToComeUp) {
   EXPECT_EQ(bench.controller->mode(), ControllerMode::kRamp);
 }
 
+// Samples that have waited in the driver since before the program's first step do not stop the programme that it starts.
+TEST(DriveLink, AStartByItselfWaitsForFreshSamples) {
+  auto configuration = bench::driving();
+  configuration.programme.start_at_boot = true;
+  Bench bench(configuration);
+  std::vector<firmware::RawSample> waiting(200);
+  for (size_t i = 0; i < waiting.size(); ++i) {
+    waiting[i].sequence = bench.sequence++;
+    waiting[i].time_ns = (i + 1) * bench::kMillisecond_ns;
+  }
+  bench.clock.set_ns(200 * bench::kMillisecond_ns);
+  bench.source = hal::FakeSampleSource(waiting);
+  bench.source.release(waiting.size() - 1);  // the last one is kept back: after it the source would end
+  bench.step();
+  EXPECT_FALSE(bench.relay.active());
+  bench.step();
+  bench.step();
+  bench.step();
+  EXPECT_FALSE(bench.controller->latched_alarm());
+  EXPECT_TRUE(bench.relay.active());
+}
+
 }  // namespace

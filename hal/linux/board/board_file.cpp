@@ -36,7 +36,7 @@ void read_samples(const Section& section, BoardFile& board) {
   samples.kind = static_cast<SampleKind>(section.choice("source", {"can", "iio", "iio_direct"}));
   samples.rate_Hz = section.number("rate_Hz", 1000.0, 10.0, 20000.0);
   if (samples.kind == SampleKind::kCan) {
-    samples.wiring = static_cast<firmware::SensorWiring>(section.choice("wiring", {"16", "24", "fd"}) + 1);
+    samples.wiring = static_cast<firmware::SensorWiring>(section.choice("wiring", {"16", "24", "fd", "pairs"}) + 1);
     for (const char* key : {"device", "trigger"})
       if (section.has(key)) section.refuse(key, "stands beside source = \"can\", expected it with an IIO source only");
   } else {
@@ -86,6 +86,11 @@ std::vector<rig_file::ChannelCalibration> read_channels(const toml::table& root,
   }
   if (calibrations.empty())
     throw rig_file::RigFileError(board.path, 0, "key \"channel\"", "is missing, expected at least one [[channel]]");
+  constexpr size_t kMostInPairs = 2 * firmware::kMaxNodes;
+  if (board.samples.wiring == firmware::SensorWiring::kPairs && calibrations.size() > kMostInPairs)
+    throw rig_file::RigFileError(board.path, 0, "samples, key \"wiring\"",
+                                 "is \"pairs\" for " + std::to_string(calibrations.size()) +
+                                     " channels, expected at most " + std::to_string(kMostInPairs));
   return calibrations;
 }
 

@@ -92,6 +92,9 @@ std::string alternatives(const BoardFile& file) {
   other.rates.data = std::max(now.rates.data, other.rates.nominal);
   if (other.rates.nominal != now.rates.nominal) offer("bit_rate_kbit_s = 1000", other);
   if (sensors && now.wiring == SensorWiring::k24) {
+    Choice pairs = other;
+    pairs.wiring = SensorWiring::kPairs;
+    offer("wiring = \"pairs\", at 1000 kbit/s", pairs);
     other.wiring = SensorWiring::k16;
     offer("wiring = \"16\" for sensors of 16 bits, at 1000 kbit/s", other);
   }

@@ -44,7 +44,7 @@ std::string zero_on_can(const BoardFile& file) {
 }  // namespace
 
 bool send_zero_drive(hal::SocketCan& bus, int node) {
-  const firmware::CanMessage message = firmware::pack_drive(node, {0, 0, firmware::DriveState::kStopped});
+  const firmware::CanFrame message = firmware::pack_drive(node, {0, 0, firmware::DriveState::kStopped});
   hal::CanFrame frame;
   frame.id = message.id;
   frame.length = message.length;
