@@ -115,7 +115,7 @@ TEST(BusPlan, EveryFrameThatRepeatsIsCounted) {
   for (const can::Frame* frame : can::kFrames) {
     if (frame->cycle_ms == 0) continue;
     bool counted = false;
-    for (const SensorWiring wiring : {SensorWiring::k16, SensorWiring::k24, SensorWiring::kFd})
+    for (const SensorWiring wiring : {SensorWiring::k16, SensorWiring::k24, SensorWiring::kFd, SensorWiring::kPairs})
       for (const bool can_fd : {false, true}) {
         const SensorPlan sensors = three_dofs(wiring);
         BusTraffic all = traffic(sensors);
