@@ -48,7 +48,8 @@ constexpr int64_t lowest_raw(const Signal& signal) {
 }
 // A signal has 1 to 32 bits (frame_plan_check.hpp).
 constexpr int64_t highest_raw(const Signal& signal) {
-  return (int64_t{1} << (signal.is_signed ? signal.length - 1 : signal.length)) - 1;  // NOLINT(clang-analyzer-core.*)
+  // NOLINTNEXTLINE(clang-analyzer-core.UndefinedBinaryOperatorResult)
+  return (int64_t{1} << (signal.is_signed ? signal.length - 1 : signal.length)) - 1;
 }
 
 // The identifiers of a kind of frame: one per node (node_stride > 0) or one set for the whole rig (node_stride = 0),

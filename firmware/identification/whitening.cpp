@@ -84,7 +84,8 @@ Whitening measure_whitening(const EquationList& list, const LevelObservables& le
   observable[result.count] = static_cast<uint8_t>(LevelObservables::equation(e));
   Scaled sums[kSize][kSize];
   gram(level, observable, result.count + 1, sums);
-  const Scaled unreduced = sums[result.count][result.count];  // NOLINT(clang-analyzer-core.*): gram() filled it
+  // gram() filled it. NOLINTNEXTLINE(clang-analyzer-core.uninitialized.Assign)
+  const Scaled unreduced = sums[result.count][result.count];
   const Scaled energy = level.energy_square(e);
   // The energies of repeated batches add up, their noise only in squares.
   if (!energy.is_zero())

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "host_sim/records/output_file.hpp"
-#include "host_sim/reports/page/diagnosis_pictures.hpp"
 #include "host_sim/reports/figures/numbers.hpp"
+#include "host_sim/reports/page/diagnosis_pictures.hpp"
 #include "host_sim/reports/page/shared_parts.hpp"
 #include "host_sim/reports/page/verdict.hpp"
 
