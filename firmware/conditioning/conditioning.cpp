@@ -11,6 +11,12 @@ constexpr int kStateFraction = 16;
 // metres: t^2 exp(-t / tau) must fall below 1e-5 of it, which takes 16 time constants.
 constexpr int settling_time_constants(int order) { return order > 2 ? 16 : 4; }
 
+// log2 of how much lower the corner of the velocity is whose sign friction has.
+constexpr int kLowerSignCorner = 3;
+// Of the fusion's corner, until the noise of the slope that it started with is forgotten; the corner comes down step by step
+// (starting_leak), four time constants each.
+constexpr int kFusionTimeConstants = 2;
+
 int32_t clamp32(int64_t value) {
   if (value > INT32_MAX) return INT32_MAX;
   if (value < -INT32_MAX) return -INT32_MAX;
@@ -25,6 +31,13 @@ int32_t within(int32_t rail, int64_t offset) {
 
 int32_t between(int32_t lowest, int32_t code, int32_t highest) {
   return code < lowest ? lowest : code > highest ? highest : code;
+}
+
+// A pole that starts fast and comes down to 1 - 2^-leak_shift: what a level starts with is forgotten within its own length.
+int starting_leak(uint32_t samples, int leak_shift) {
+  int leak = 1;
+  while (leak < leak_shift && (samples / 4 + 2) >> (leak + 1) != 0) ++leak;
+  return leak;
 }
 
 }  // namespace
@@ -46,23 +59,59 @@ void Conditioning::configure(const CoreConfiguration& configuration) {
     for (int quantity = 0; quantity < kQuantities; ++quantity) {
       const SignalConfiguration& signal = configuration.signals[node][quantity];
       if (!signal.available) continue;
-      Path& path = path_[path_count_++];
-      path.node = static_cast<uint8_t>(node);
-      path.quantity = static_cast<uint8_t>(quantity);
-      path.source = signal.source;
-      path.column = static_cast<uint16_t>(signal_column(node, static_cast<Quantity>(quantity)));
+      add_path(node, quantity, signal_column(node, static_cast<Quantity>(quantity)));
       if (signal.half_length > reach_) reach_ = signal.half_length;
     }
   }
+  if (configuration.high_pass_order > 0)
+    for (int node = 0; node < nodes_; ++node) add_sign_velocity(node);
   history_samples_ = 2 * reach_;
   if (configuration.high_pass_order > 0)
     history_samples_ += settling_time_constants(configuration.high_pass_order) << configuration.high_pass_shift;
+  link_fused_paths();
   plain_ = configuration.high_pass_order == 0;
   for (int i = 0; i < path_count_; ++i) {
     const SignalConfiguration& signal = configuration.signals[path_[i].node][path_[i].quantity];
     if (signal.half_length > 0 || signal.tap[0].raw != 0) plain_ = false;
   }
   restart();
+}
+
+Conditioning::Path& Conditioning::add_path(int node, int quantity, int column) {
+  const SignalConfiguration& signal = configuration_->signals[node][quantity];
+  Path& path = path_[path_count_++];
+  path.node = static_cast<uint8_t>(node);
+  path.quantity = static_cast<uint8_t>(quantity);
+  path.source = signal.source;
+  path.column = static_cast<uint16_t>(column);
+  path.sections = configuration_->high_pass_order;
+  path.integrations = signal.integrations;
+  path.shift = configuration_->high_pass_shift;
+  return path;
+}
+
+void Conditioning::add_sign_velocity(int node) {
+  const int velocity = static_cast<int>(Quantity::kVelocity);
+  if (!configuration_->signals[node][velocity].available) return;
+  Path& path = add_path(node, velocity, kSignVelocityColumn + node);
+  path.sections = path.integrations > 0 ? 2 : 0;
+  path.shift = static_cast<uint8_t>(path.shift + kLowerSignCorner);
+}
+
+void Conditioning::link_fused_paths() {
+  int settling = 0;
+  for (int i = 0; i < path_count_; ++i) {
+    Path& path = path_[i];
+    const FusionConfiguration& fusion = configuration_->fusion[path.node];
+    path.fused_with = -1;
+    if (!fusion.used || path.quantity != static_cast<int>(Quantity::kVelocity)) continue;
+    for (int j = 0; j < path_count_; ++j)
+      if (path_[j].node == path.node && path_[j].quantity == static_cast<int>(Quantity::kAcceleration))
+        path.fused_with = static_cast<int16_t>(j);
+    const int needed = kFusionTimeConstants << fusion.leak_shift;
+    if (needed > settling) settling = needed;
+  }
+  history_samples_ += settling;
 }
 
 void Conditioning::restart() {
@@ -94,6 +143,8 @@ bool Conditioning::filter(const RawSample& sample, Frame& frame, int at) {
     const int32_t code = sample.code[path.node][path.source];
     frame.column[path.column][at] = filtered(path, centred(path.node, path.source, code));
   }
+  for (int i = 0; i < path_count_; ++i)
+    if (path_[i].fused_with >= 0) frame.column[path_[i].column][at] = fused(path_[i]);
   if (++history_at_ == kHistory) history_at_ = 0;
   ++received_;
   return received_ > static_cast<uint32_t>(history_samples_);
@@ -110,15 +161,16 @@ int32_t Conditioning::centred(int node, int quantity, int32_t code) const {
   return between(lowest_[node][quantity], code, highest_[node][quantity]) - offset_[node][quantity];
 }
 
-int32_t Conditioning::filtered(Path& path, int32_t code) {
-  const SignalConfiguration& signal = configuration_->signals[path.node][path.quantity];
-  const int32_t input = configuration_->high_pass_order == 0 ? code : high_passed(path, signal.integrations, code);
-  path.history[history_at_] = path.history[history_at_ + kHistory] = input;
-  const int32_t* window = &path.history[history_at_ + 1];  // window[kHistory - 1] is the newest sample
-  const int first = kHistory - 1 - reach_ - signal.half_length;
+// A weighted sum over the window of a path, whose centre is `reach` samples old.
+template <int kTaps>
+int64_t weighted(const Fixed<int32_t, 0> (&tap)[kTaps], const int32_t* first, int half_length) {
   int64_t sum = 0;
-  for (int k = 0; k <= 2 * signal.half_length; ++k) sum += static_cast<int64_t>(signal.tap[k].raw) * window[first + k];
-  if (signal.shift > 0) sum = (sum + (int64_t{1} << (signal.shift - 1))) >> signal.shift;
+  for (int k = 0; k <= 2 * half_length; ++k) sum += static_cast<int64_t>(tap[k].raw) * first[k];
+  return sum;
+}
+
+int32_t Conditioning::rounded(int64_t sum, int shift) {
+  if (shift > 0) sum = (sum + (int64_t{1} << (shift - 1))) >> shift;
   if (sum > kSignalLimit || sum < -kSignalLimit) {
     if (received_ >= static_cast<uint32_t>(history_samples_)) saturated_ = true;  // not while the filters fill
     sum = sum > 0 ? kSignalLimit : -kSignalLimit;
@@ -126,15 +178,50 @@ int32_t Conditioning::filtered(Path& path, int32_t code) {
   return static_cast<int32_t>(sum);
 }
 
+int32_t Conditioning::filtered(Path& path, int32_t code) {
+  const SignalConfiguration& signal = configuration_->signals[path.node][path.quantity];
+  const int32_t input = path.sections == 0 ? code : high_passed(path, code);
+  path.history[history_at_] = path.history[history_at_ + kHistory] = input;
+  if (path.fused_with >= 0) return 0;                      // filled once the acceleration's history is
+  const int32_t* window = &path.history[history_at_ + 1];  // window[kHistory - 1] is the newest sample
+  const int first = kHistory - 1 - reach_ - signal.half_length;
+  const bool for_sign = path.column >= kSignVelocityColumn;  // of which the limit does not matter
+  const bool saturated = saturated_;
+  const int32_t value = rounded(weighted(signal.tap, window + first, signal.half_length), signal.shift);
+  if (for_sign) saturated_ = saturated;
+  return value;
+}
+
+// section[0] and section[1] are the difference of the two velocities after one and two high-pass sections, previous[0] the
+// last slope, previous[1] the last section[0]. The first slope is taken to have stood there for ever.
+int32_t Conditioning::fused(Path& path) {
+  const SignalConfiguration& signal = configuration_->signals[path.node][path.quantity];
+  const FusionConfiguration& fusion = configuration_->fusion[path.node];
+  const int first = history_at_ + 1 + kHistory - 1 - reach_ - signal.half_length;
+  const int64_t slope = weighted(signal.tap, &path.history[first], signal.half_length);
+  const int64_t step = weighted(fusion.step_tap, &path_[path.fused_with].history[first], signal.half_length);
+  if (received_ + 1 < static_cast<uint32_t>(2 * reach_ + 1)) return 0;
+  if (received_ + 1 == static_cast<uint32_t>(2 * reach_ + 1)) path.previous[0] = slope;
+  const int leak = starting_leak(received_ - static_cast<uint32_t>(2 * reach_), fusion.leak_shift);
+  int64_t& once = path.section[0];
+  int64_t& twice = path.section[1];
+  once += step - (slope - path.previous[0]) - (once >> leak);
+  twice += once - path.previous[1] - (twice >> leak);
+  path.previous[0] = slope;
+  path.previous[1] = once;
+  return rounded(slope + twice, signal.shift);
+}
+
 // First-order sections with the pole 1 - 2^-shift. The differences come first, they take the offset away before the
 // integrations sum anything; the very first sample is taken to have stood there for ever, so there is no switch-on
 // step.
-int32_t Conditioning::high_passed(Path& path, int integrations, int32_t code) const {
-  const int shift = configuration_->high_pass_shift;
-  const int differences = configuration_->high_pass_order - integrations;
+int32_t Conditioning::high_passed(Path& path, int32_t code) const {
+  const int differences = path.sections - path.integrations;
+  const bool for_sign = path.column >= kSignVelocityColumn;
+  const int shift = for_sign ? starting_leak(received_, path.shift) : path.shift;
   int64_t value = static_cast<int64_t>(code) * (int64_t{1} << kStateFraction);
   if (received_ == 0) path.previous[0] = value;
-  for (int s = 0; s < configuration_->high_pass_order; ++s) {
+  for (int s = 0; s < path.sections; ++s) {
     int64_t& state = path.section[s];
     if (s < differences) {
       state += value - path.previous[s] - (state >> shift);
@@ -142,7 +229,7 @@ int32_t Conditioning::high_passed(Path& path, int integrations, int32_t code) co
       value = state;
     } else {
       state += value - (state >> shift);
-      value = state >> (shift - kIntegrationExtraBits);
+      value = state >> (configuration_->high_pass_shift - kIntegrationExtraBits);
     }
   }
   return clamp32((value + (int64_t{1} << (kStateFraction - 1))) >> kStateFraction);

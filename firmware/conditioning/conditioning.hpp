@@ -2,6 +2,9 @@
 //
 //   code - offset -> [high-pass and integrations] -> [FIR] -> rounded shift -> column of the frame
 //
+// Where signals pass a high-pass, which leads by up to a quarter of a turn, friction takes its sign from a velocity of its own
+// (kSignVelocityColumn): as measured, or integrated with a corner eight times lower and one section that takes the offset away.
+//
 // Formats: code 24 bits; section states Q16 in int64, below 2^57 for two integrations at the slowest corner (shift 12);
 // FIR: 57 taps of 30 bits times codes of 24 bits, or of 25 bits times 31, stay below 2^62. Signals leave with |value| <= 2^23; a signal at that limit and a code at
 // one of its channel's rails count as saturated.
@@ -33,11 +36,19 @@ class Conditioning {
     int32_t history[2 * kHistory] = {};   // every entry twice, so that a window is contiguous
     int64_t section[kMaxSections] = {};   // Q16
     int64_t previous[kMaxSections] = {};  // Q16, last input of a difference section
+    // High-pass: differences come first, then integrations, all with the pole 1 - 2^-shift.
+    uint8_t sections = 0, integrations = 0, shift = 0;
+    int16_t fused_with = -1;  // the path of the node's acceleration; section and previous are of the fusion
   };
   bool filter(const RawSample& sample, Frame& frame, int at);
   int32_t centred(int node, int quantity, int32_t code) const;
+  void link_fused_paths();
   int32_t filtered(Path& path, int32_t code);
-  int32_t high_passed(Path& path, int integrations, int32_t code) const;
+  int32_t fused(Path& path);
+  int32_t rounded(int64_t sum, int shift);
+  int32_t high_passed(Path& path, int32_t code) const;
+  Path& add_path(int node, int quantity, int column);
+  void add_sign_velocity(int node);
 
   const CoreConfiguration* configuration_ = nullptr;
   // Codes at or beyond these are saturated; beyond them they are taken for these, so that code - offset holds 24 bits
@@ -46,7 +57,7 @@ class Conditioning {
   alignas(16) int32_t highest_[kMaxNodes][kQuantities];
   alignas(16) int32_t offset_[kMaxNodes][kQuantities];
   int nodes_ = 0;  // nodes in use, the base included
-  Path path_[kMaxNodes * kQuantities];
+  Path path_[kMaxNodes * (kQuantities + 1)];
   int path_count_ = 0;
   int reach_ = 0;  // longest half_length: the common delay in samples
   int history_samples_ = 0;

@@ -44,6 +44,18 @@ struct SignalConfiguration {
   Scaled unit_per_code;                        // SI units per signal code
 };
 
+// A velocity made from displacement and acceleration: the slope of x, of which what changes faster than the corner is replaced
+// by the integral of a. Both halves are filtered by complements, so noise-free channels give the velocity itself, without a
+// filter on any other signal; the noise is that of x below the corner and that of a above it.
+//   v = x' + H H (integral of a - x'),   H = (1 - z^-1) / (1 - (1 - 2^-leak_shift) z^-1)
+// x' is the FIR of SignalConfiguration on x, the step of the integral the FIR below on a, with the same half_length and shift.
+constexpr int kFusionHalf = 12;
+struct FusionConfiguration {
+  bool used = false;
+  uint8_t leak_shift = 5;
+  Fixed<int32_t, 0> step_tap[2 * kFusionHalf + 1];
+};
+
 // A link between two nodes: elongation u = x_a - x_b, rate w = v_a - v_b; its force acts on a with -1, on b with +1.
 struct LinkConfiguration {
   uint8_t node_a = 0;  // 0 .. kMaxDofs-1, kBaseNode or kGroundNode
@@ -86,6 +98,7 @@ struct CoreConfiguration {
   Term terms[kMaxTerms];
   ChannelConfiguration channels[kMaxNodes][kQuantities];  // as measured
   SignalConfiguration signals[kMaxNodes][kQuantities];    // as the equations use them
+  FusionConfiguration fusion[kMaxNodes];                  // of a node's velocity
   // Every signal passes as many first-order high-pass sections (corner = rate / (2 pi 2^shift)) as the most integrated one has
   // integrations, plus one where any is integrated; an integration takes the place of one section's difference.
   uint8_t high_pass_order = 0;

@@ -22,6 +22,7 @@ void accumulate(Batch& a, const Batch& b, const RowLayout& layout) {
     add_packed(a.dof[i].elastic_end, b.dof[i].elastic_end);
     add_packed(a.dof[i].velocity_square, b.dof[i].velocity_square);
     add_packed(a.dof[i].velocity_instrument, b.dof[i].velocity_instrument);
+    add_packed(a.dof[i].weight_square, b.dof[i].weight_square);
     add_packed(a.dof[i].acceleration_square, b.dof[i].acceleration_square);
   }
 }

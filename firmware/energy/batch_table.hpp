@@ -50,6 +50,9 @@ struct BatchDof {
   PackedScaled elastic_end;          // (x_end^2 - x_start^2) / 2, per unit stiffness
   PackedScaled velocity_square;      // integral of v^2 dt
   PackedScaled velocity_instrument;  // integral of v z dt: velocity_square minus this is the noise energy of v
+  // integral of v times the weight of the velocity row: velocity_instrument without the samples in which a friction has no
+  // clear sign
+  PackedScaled weight_square;
   PackedScaled acceleration_square;  // integral of a^2 dt, 0 where a is not measured
 };
 

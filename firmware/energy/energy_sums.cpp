@@ -9,8 +9,20 @@ constexpr int kPlain = static_cast<int>(Weight::kPlain);
 constexpr int kInstrument = static_cast<int>(Weight::kInstrument);
 constexpr int kDisplacement = static_cast<int>(Weight::kDisplacement);
 
+// Mean differences between a rate and its neighbours beyond which the rate's sign is clear (links/clear_sign.hpp). Half of a
+// derived velocity's noise and more is slower than that.
+constexpr int kClearMeans = 4, kClearMeansDerived = 8;
+
 bool measured_velocity(const CoreConfiguration& configuration, int node) {
   return node == kGroundNode || !configuration.signals[node][static_cast<int>(Quantity::kVelocity)].derived;
+}
+
+// Of the rate whose sign friction has.
+RateGains sign_gains(const CoreConfiguration& configuration, RateGains gains) {
+  if (configuration.high_pass_order == 0) return gains;
+  gains.column_a = static_cast<uint16_t>(kSignVelocityColumn + gains.column_a / kQuantities);
+  gains.column_b = static_cast<uint16_t>(kSignVelocityColumn + gains.column_b / kQuantities);
+  return gains;
 }
 
 }  // namespace
@@ -26,15 +38,19 @@ void EnergySums::configure(const CoreConfiguration& configuration, int weights) 
   for (int l = 0; l < configuration.link_count; ++l) {
     const LinkConfiguration& link = configuration.links[l];
     gains_[l] = rate_gains(configuration, link);
-    has_sign_[l] = false;
-    smooth_is_white_[l] =
-        measured_velocity(configuration, link.node_a) && measured_velocity(configuration, link.node_b);
+    const bool white = measured_velocity(configuration, link.node_a) && measured_velocity(configuration, link.node_b);
+    clear_sign_[l].configure(sign_gains(configuration, gains_[l]), white ? kClearMeans : kClearMeansDerived,
+                             configuration.high_pass_order > 0 && !white);
+    has_sign_[l] = wants_clear_sign_[l] = wants_all_signs_[l] = false;
+    smooth_is_white_[l] = white;
   }
   for (bool& locates : locates_crossings_) locates = false;
   for (int n = 0; n < plan_.incidence_count; ++n) {
     const Term& term = configuration.terms[plan_.incidence[n].term];
     if (!is_sign_term(term.kind)) continue;
     has_sign_[term.place] = true;
+    const bool clear = plan_.dof[plan_.incidence[n].dof].clear_signs_only;
+    (clear ? wants_clear_sign_ : wants_all_signs_)[term.place] = true;
     if (!plan_.dof[plan_.incidence[n].dof].has_acceleration) locates_crossings_[term.place] = true;
   }
   restart();
@@ -42,6 +58,8 @@ void EnergySums::configure(const CoreConfiguration& configuration, int weights) 
 
 void EnergySums::restart() {
   effects_.restart();
+  for (ClearSign& sign : clear_sign_) sign.restart();
+  for (HighPassedSign& sign : high_passed_sign_) sign.restart();
   started_ = false;
   samples_ = 0;
 }
@@ -61,7 +79,8 @@ void EnergySums::fill_instruments(Frame& frame, int from, int to) {
 }
 
 void EnergySums::fill_signs(Frame& frame, int link, int from, int to) {
-  for (int stream = 0; stream < (weights_ > kInstrument ? 2 : 1); ++stream) {
+  const bool smooth_too = weights_ > kInstrument && wants_all_signs_[link];
+  for (int stream = 0; stream < (smooth_too ? 2 : 1); ++stream) {
     int32_t* sign = frame.column[(stream == 0 ? kSignColumn : kSmoothSignColumn) + link];
     if (!locates_crossings_[link] && equal_units(gains_[link])) {
       signs_of_difference(gains_[link], frame, stream == 1, from, to, sign);
@@ -74,6 +93,38 @@ void EnergySums::fill_signs(Frame& frame, int link, int from, int to) {
   }
 }
 
+// The equation's weights: the instruments, without the samples in which a friction at the DOF has no clear sign.
+void EnergySums::fill_clear_signs(Frame& frame, int from, int to, int advance) {
+  for (int i = 0; i < configuration_->dof_count; ++i) {
+    if (!plan_.dof[i].clear_signs_only) continue;
+    for (int n = from; n < to; ++n) {
+      frame.column[kClearInstrumentColumn + i][n] = frame.column[kInstrumentColumn + i][n];
+      frame.column[kClearDisplacementColumn + i][n] = frame.column[kDisplacementInstrumentColumn + i][n];
+    }
+  }
+  for (int l = 0; l < configuration_->link_count; ++l) {
+    if (!wants_clear_sign_[l]) continue;
+    int32_t clear[kFrameStride];
+    int32_t* sign = frame.column[kClearSignColumn + l];
+    clear_sign_[l].fill(frame, from, to, advance, clear, sign);
+    if (configuration_->high_pass_order > 0)
+      high_passed_sign_[l].fill(configuration_->high_pass_order, configuration_->high_pass_shift, from, to, advance,
+                                sign);
+    leave_out(frame, l, from, to, clear);
+  }
+}
+
+void EnergySums::leave_out(Frame& frame, int link, int from, int to, const int32_t* clear) {
+  const int nodes[2] = {configuration_->links[link].node_a, configuration_->links[link].node_b};
+  for (const int i : nodes) {
+    if (i >= configuration_->dof_count || !plan_.dof[i].clear_signs_only) continue;
+    for (int n = from; n < to; ++n) {
+      if (clear[n] != 0) continue;
+      frame.column[kClearInstrumentColumn + i][n] = frame.column[kClearDisplacementColumn + i][n] = 0;
+    }
+  }
+}
+
 void EnergySums::add_crossings(const Frame& frame, int link, bool smoothed, const int64_t* rate, int from, int to) {
   for (int n = 0; n < plan_.incidence_count; ++n) {
     const Incidence& incidence = plan_.incidence[n];
@@ -81,7 +132,8 @@ void EnergySums::add_crossings(const Frame& frame, int link, bool smoothed, cons
     if (!is_sign_term(term.kind) || term.place != link || plan_.dof[incidence.dof].has_acceleration) continue;
     for (int q = 0; q < weights_; ++q)
       if ((q == kInstrument) == smoothed)
-        crossing_q16_[n][q] += crossing_corrections_q16(rate, frame.column[weight_column(incidence.dof, q)], from, to);
+        crossing_q16_[n][q] +=
+            crossing_corrections_q16(rate, frame.column[weight_column(plan_, incidence.dof, q)], from, to);
   }
 }
 
@@ -91,6 +143,7 @@ void EnergySums::fill_columns(Frame& frame, int count) {
   if (weights_ > kInstrument) fill_instruments(frame, from, to);
   for (int l = 0; l < configuration_->link_count; ++l)
     if (has_sign_[l]) fill_signs(frame, l, from, to);
+  if (weights_ > kInstrument) fill_clear_signs(frame, from, to, count);
   effects_.fill(frame, from, to, count);
 }
 
@@ -125,11 +178,6 @@ void EnergySums::clear_crossings() {
     for (int64_t& correction : crossing_q16_[n]) correction = 0;
 }
 
-int EnergySums::weight_column(int dof, int weight) const {
-  if (weight == kInstrument) return kInstrumentColumn + dof;
-  return weight == kPlain ? signal_column(dof, Quantity::kVelocity) : kDisplacementInstrumentColumn + dof;
-}
-
 // 24 times the sum and its ends fit one word where the sum is below 2^57 (the ends are): the usual case. Both ways are
 // exact up to 62 bits and round alike.
 void EnergySums::read_integrals() {
@@ -147,7 +195,9 @@ void EnergySums::read_integrals() {
 // rate (link_motion.hpp) has 67/200 of the white noise variance of the rate itself, so the loss is extrapolated to no noise:
 // (C_smooth - g C) / (1 - g), g = 67/200.
 Scaled EnergySums::friction_energy(const Incidence& incidence, int weight) const {
-  const int column = weight_column(incidence.dof, weight);
+  const bool clear = plan_.dof[incidence.dof].clear_signs_only;
+  if (clear && (weight != kPlain || configuration_->high_pass_order > 0)) return integral(incidence.product_a[weight]);
+  const int column = weight_column(plan_, incidence.dof, weight);
   const int link = configuration_->terms[incidence.term].place;
   const Scaled crossing = configuration_->sample_period_s * plan_.column_unit[column] *
                           Scaled::from_int(crossing_q16_[&incidence - plan_.incidence][weight], -16);
@@ -158,12 +208,11 @@ Scaled EnergySums::friction_energy(const Incidence& incidence, int weight) const
   return (smooth * Scaled::from_int(200) - own * Scaled::from_int(67)) / Scaled::from_int(133);
 }
 
-// Energy per unit mass: with the measured acceleration, else from the end points.
+// Energy per unit mass from the end points.
 Scaled EnergySums::kinetic_energy(int dof, int weight) const {
   const DofProducts& products = plan_.dof[dof];
   const int velocity = signal_column(dof, Quantity::kVelocity),
             displacement = signal_column(dof, Quantity::kDisplacement);
-  if (products.has_acceleration) return integral(products.acceleration[weight]);
   const int64_t v0 = start_.velocity[dof], v1 = end_.velocity[dof];
   if (weight != kDisplacement) {
     const Scaled unit = plan_.column_unit[velocity];
@@ -178,7 +227,8 @@ Scaled EnergySums::energy(const Incidence& incidence, int weight) const {
   const Term& term = configuration_->terms[incidence.term];
   Scaled result;
   if (term.kind == TermKind::kMass) {
-    result = kinetic_energy(incidence.dof, weight);
+    const bool measured = plan_.dof[incidence.dof].has_acceleration;
+    result = measured ? integral(incidence.product_a[weight]) : kinetic_energy(incidence.dof, weight);
   } else if (is_sign_term(term.kind)) {
     result = friction_energy(incidence, weight);
   } else {
@@ -223,6 +273,7 @@ void EnergySums::close_dof(int i, const EndPoint& end, Batch& batch) const {
   dof.elastic_end = pack(elastic_end);
   dof.velocity_square = pack(integral(products.velocity_square));
   dof.velocity_instrument = pack(integral(products.velocity_instrument));
+  dof.weight_square = pack(integral(products.weight_square));
   dof.acceleration_square = pack(integral(products.acceleration_square));
 }
 

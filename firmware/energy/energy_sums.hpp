@@ -4,7 +4,9 @@
 #include "firmware/energy/batch_table.hpp"
 #include "firmware/energy/equation_plan.hpp"
 #include "firmware/energy/product_sums.hpp"
+#include "firmware/links/clear_sign.hpp"
 #include "firmware/links/effects.hpp"
+#include "firmware/links/high_passed_sign.hpp"
 #include "firmware/links/link_motion.hpp"
 
 namespace firmware {
@@ -29,13 +31,14 @@ class EnergySums {
   void fill_columns(Frame& frame, int count);
   void fill_instruments(Frame& frame, int from, int to);
   void fill_signs(Frame& frame, int link, int from, int to);
+  void fill_clear_signs(Frame& frame, int from, int to, int advance);
+  void leave_out(Frame& frame, int link, int from, int to, const int32_t* clear);
   void add_crossings(const Frame& frame, int link, bool smoothed, const int64_t* rate, int from, int to);
   void start_batch(const Frame& frame, int at);
   EndPoint end_point(const Frame& frame, int at) const;
   void clear_crossings();
   void read_integrals();
   Scaled integral(int product) const { return product == kNoProduct ? Scaled{} : integral_[product]; }
-  int weight_column(int dof, int weight) const;
   Scaled energy(const Incidence& incidence, int weight) const;
   Scaled friction_energy(const Incidence& incidence, int weight) const;
   Scaled kinetic_energy(int dof, int weight) const;
@@ -49,6 +52,10 @@ class EnergySums {
   ProductSums sums_;
   RateGains gains_[kMaxLinks];
   bool has_sign_[kMaxLinks];
+  bool wants_clear_sign_[kMaxLinks];  // friction of a DOF whose equation is taken only where signs are clear
+  bool wants_all_signs_[kMaxLinks];   // friction of a DOF whose equation is taken everywhere
+  ClearSign clear_sign_[kMaxLinks];
+  HighPassedSign high_passed_sign_[kMaxLinks];
   bool locates_crossings_[kMaxLinks];  // a DOF at the link has no measured acceleration
   bool
       smooth_is_white_[kMaxLinks];  // both velocities are measured: the noise of the two sign streams is known to scale

@@ -1,7 +1,15 @@
 #include "firmware/energy/equation_plan.hpp"
 
+#include "firmware/links/high_passed_sign.hpp"
+
 namespace firmware {
 namespace {
+
+int all_samples_column(int i, int weight) {
+  if (weight == static_cast<int>(Weight::kInstrument)) return kInstrumentColumn + i;
+  if (weight == static_cast<int>(Weight::kPlain)) return signal_column(i, Quantity::kVelocity);
+  return kDisplacementInstrumentColumn + i;
+}
 
 class Planner {
  public:
@@ -13,13 +21,17 @@ class Planner {
     products.has_displacement = has(i, Quantity::kDisplacement);
     products.has_velocity = has(i, Quantity::kVelocity);
     products.has_acceleration = has(i, Quantity::kAcceleration);
+    products.clear_signs_only = products.has_acceleration && weights_ > 1 && has_friction(i);
     for (int q = 0; q < weights_; ++q) {
       products.force[q] = weighted(i, q, i, Quantity::kForce);
-      products.displacement[q] = weighted(i, q, i, Quantity::kDisplacement);
-      products.acceleration[q] = weighted(i, q, i, Quantity::kAcceleration);
+      products.displacement[q] = kinematic(i, q, Quantity::kDisplacement);
+      products.acceleration[q] = kinematic(i, q, Quantity::kAcceleration);
     }
     products.velocity_square = weighted(i, 0, i, Quantity::kVelocity);
-    if (weights_ > 1) products.velocity_instrument = weighted(i, 1, i, Quantity::kVelocity);
+    if (weights_ > 1) {
+      products.velocity_instrument = kinematic(i, 1, Quantity::kVelocity);
+      products.weight_square = weighted(i, 1, i, Quantity::kVelocity);
+    }
     const int acceleration = signal_column(i, Quantity::kAcceleration);
     if (products.has_acceleration && weights_ > 1) products.acceleration_square = sums_.add(acceleration, acceleration);
   }
@@ -36,7 +48,8 @@ class Planner {
       if (term.kind == TermKind::kMass) {
         incidence.product_a[q] = weighted(i, q, i, Quantity::kAcceleration);
       } else if (is_sign_term(term.kind)) {
-        incidence.column_a = static_cast<uint16_t>(kSignColumn + term.place);
+        const bool clear = (q > 0 || configuration_.high_pass_order > 0) && plan_.dof[i].clear_signs_only;
+        incidence.column_a = static_cast<uint16_t>((clear ? kClearSignColumn : kSignColumn) + term.place);
         incidence.product_a[q] = weighted_column(i, q, incidence.column_a);
       } else if (is_effect_term(term.kind)) {
         incidence.column_a = static_cast<uint16_t>(kEffectColumn + effect);
@@ -50,7 +63,7 @@ class Planner {
         incidence.column_b = static_cast<uint16_t>(signal_column(link.node_b % kMaxNodes, quantity));
       }
     }
-    if (is_sign_term(term.kind) && weights_ > 1)
+    if (is_sign_term(term.kind) && weights_ > 1 && !plan_.dof[i].clear_signs_only)
       incidence.product_smooth = weighted_column(i, 1, kSmoothSignColumn + term.place);
   }
 
@@ -58,15 +71,25 @@ class Planner {
   bool has(int node, Quantity quantity) const {
     return configuration_.signals[node][static_cast<int>(quantity)].available;
   }
-  int weight_column(int i, int weight) const {
-    if (weight == static_cast<int>(Weight::kInstrument)) return kInstrumentColumn + i;
-    if (weight == static_cast<int>(Weight::kPlain)) return signal_column(i, Quantity::kVelocity);
-    return kDisplacementInstrumentColumn + i;
+  bool has_friction(int i) const {
+    for (int t = 0; t < configuration_.term_count; ++t) {
+      const Term& term = configuration_.terms[t];
+      if (!is_sign_term(term.kind)) continue;
+      const LinkConfiguration& link = configuration_.links[term.place];
+      if (link.node_a == i || link.node_b == i) return true;
+    }
+    return false;
+  }
+  bool has_weight(int i, int weight) const {
+    return has(i, weight == static_cast<int>(Weight::kDisplacement) ? Quantity::kDisplacement : Quantity::kVelocity);
   }
   int16_t weighted_column(int i, int weight, int column) {
-    const Quantity needed =
-        weight == static_cast<int>(Weight::kDisplacement) ? Quantity::kDisplacement : Quantity::kVelocity;
-    return has(i, needed) ? sums_.add(weight_column(i, weight), column) : kNoProduct;
+    return has_weight(i, weight) ? sums_.add(weight_column(plan_, i, weight), column) : kNoProduct;
+  }
+  // Of the identities that hold for any rig: all samples count.
+  int16_t kinematic(int i, int weight, Quantity quantity) {
+    if (!has_weight(i, weight) || !has(i, quantity)) return kNoProduct;
+    return sums_.add(all_samples_column(i, weight), signal_column(i, quantity));
   }
   int16_t weighted(int i, int weight, int node, Quantity quantity) {
     return has(node, quantity) ? weighted_column(i, weight, signal_column(node, quantity)) : kNoProduct;
@@ -86,9 +109,16 @@ void set_column_units(const CoreConfiguration& configuration, EquationPlan& plan
     const Scaled displacement = configuration.signals[node][static_cast<int>(Quantity::kDisplacement)].unit_per_code;
     plan.column_unit[kInstrumentColumn + node] = velocity / Scaled::from_int(6);
     plan.column_unit[kDisplacementInstrumentColumn + node] = displacement / Scaled::from_int(6);
+    if (node >= kMaxDofs) continue;
+    plan.column_unit[kClearInstrumentColumn + node] = plan.column_unit[kInstrumentColumn + node];
+    plan.column_unit[kClearDisplacementColumn + node] = plan.column_unit[kDisplacementInstrumentColumn + node];
   }
   for (int link = 0; link < kMaxLinks; ++link)
-    plan.column_unit[kSignColumn + link] = plan.column_unit[kSmoothSignColumn + link] = Scaled::from_int(1);
+    plan.column_unit[kSignColumn + link] = plan.column_unit[kSmoothSignColumn + link] =
+        plan.column_unit[kClearSignColumn + link] = Scaled::from_int(1);
+  if (configuration.high_pass_order == 0) return;
+  for (int link = 0; link < kMaxLinks; ++link)
+    plan.column_unit[kClearSignColumn + link] = Scaled::from_int(1, -kHighPassedSignBits);
 }
 
 // Gives every unknown of DOF i a slot, in the order of the unknowns' first appearance.
@@ -112,6 +142,11 @@ void assign_slots(const CoreConfiguration& configuration, EquationPlan& plan, Ro
 
 }  // namespace
 
+int weight_column(const EquationPlan& plan, int i, int weight) {
+  if (weight == static_cast<int>(Weight::kPlain) || !plan.dof[i].clear_signs_only) return all_samples_column(i, weight);
+  return (weight == static_cast<int>(Weight::kInstrument) ? kClearInstrumentColumn : kClearDisplacementColumn) + i;
+}
+
 bool is_sign_term(TermKind kind) { return kind == TermKind::kCoulomb; }
 bool is_effect_term(TermKind kind) { return kind >= TermKind::kGravity; }
 
@@ -119,6 +154,7 @@ void make_equation_plan(const CoreConfiguration& configuration, int weights, Equ
                         RowLayout& layout) {
   sums.clear_plan();
   plan.incidence_count = 0;
+  for (DofProducts& products : plan.dof) products = DofProducts{};
   Planner planner(configuration, weights, plan, sums);
   for (int i = 0; i < configuration.dof_count; ++i) planner.dof(i);
   int effects = 0;

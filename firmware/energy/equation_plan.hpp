@@ -22,10 +22,13 @@ constexpr int kMaxTermIncidences = 2 * kMaxTerms;
 
 struct DofProducts {
   bool has_displacement = false, has_velocity = false, has_acceleration = false;
+  // The equation is taken only where the signs of all friction at the DOF are clear (links/clear_sign.hpp).
+  bool clear_signs_only = false;
   int16_t force[kWeights] = {kNoProduct, kNoProduct, kNoProduct};         // q f
   int16_t displacement[kWeights] = {kNoProduct, kNoProduct, kNoProduct};  // q x
   int16_t acceleration[kWeights] = {kNoProduct, kNoProduct, kNoProduct};  // q a
   int16_t velocity_square = kNoProduct, velocity_instrument = kNoProduct, acceleration_square = kNoProduct;
+  int16_t weight_square = kNoProduct;  // weight of the velocity row times velocity
 };
 
 struct EquationPlan {
@@ -38,6 +41,8 @@ struct EquationPlan {
 // weights: how many of the Weight kinds are summed, from the first: 1 plain, 2 and the instrument, 3 and the displacement.
 void make_equation_plan(const CoreConfiguration& configuration, int weights, EquationPlan& plan, ProductSums& sums,
                         RowLayout& layout);
+// The column that weighs DOF i's equation.
+int weight_column(const EquationPlan& plan, int i, int weight);
 
 // The term's force on the DOF per unit coefficient has this kind of column: of a signal, of a sign, or computed.
 bool is_sign_term(TermKind kind);

@@ -18,6 +18,14 @@ Scaled sum_of_squares(const Scaled* values, int count) {
   return sum;
 }
 
+// Integral of v^2 over the samples that the velocity row counts (all, or those with clear signs of friction).
+Scaled weighted_motion(const BatchDof& batch, bool instrument) {
+  const Scaled motion = unpack(batch.velocity_square);
+  if (!instrument || batch.weight_square.bits == batch.velocity_instrument.bits) return motion;
+  const Scaled counted = unpack(batch.weight_square), all = unpack(batch.velocity_instrument);
+  return counted > Scaled{} && all > Scaled{} ? motion * counted / all : Scaled{};
+}
+
 }  // namespace
 
 void LevelObservables::load(const EquationList& list, const RowLayout& layout, const Level& level) {
@@ -42,8 +50,8 @@ void LevelObservables::load_scale(int dof) {
   rows_used_[dof] = 0;
   for (int b = 0; b < n; ++b) {
     const BatchDof& batch = level_->batch[b].dof[dof];
-    const Scaled motion = unpack(batch.velocity_square);
-    used_[b][dof] = level_->periodic || moves(batch, list_->instrument, motion_mean_[dof]);
+    const Scaled motion = weighted_motion(batch, list_->instrument);
+    used_[b][dof] = level_->periodic || (moves(batch, list_->instrument, motion_mean_[dof]) && !motion.is_zero());
     if (used_[b][dof] && !motion.is_zero()) ++rows_used_[dof];
     inverse_scale_[b][dof] = level_->periodic ? Scaled::from_int(1) : Scaled{};
     if (!level_->periodic && used_[b][dof]) inverse_scale_[b][dof] = Scaled::from_int(1) / sqrt(motion);

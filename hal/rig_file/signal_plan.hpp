@@ -19,6 +19,8 @@ namespace rig_file {
 // costs resolution). A signal has 22 bits for it and one to spare.
 struct SignalRanges {
   double largest[firmware::kMaxNodes][firmware::kQuantities] = {};
+  // Standard deviation of a channel's noise, from what its neighbours do not foretell of a sample.
+  double noise[firmware::kMaxNodes][firmware::kQuantities] = {};
 };
 
 // Fills configuration.signals and the high-pass from configuration.channels, links and terms.

@@ -15,7 +15,9 @@ using Signal = std::function<double(size_t)>;
 class Energies {
  public:
   Energies(const firmware::CoreConfiguration& configuration, const std::vector<firmware::RawSample>& codes)
-      : configuration_(configuration), codes_(codes), step_s_(rig_file::to_double(configuration.sample_period_s)) {}
+      : configuration_(configuration), codes_(codes), step_s_(rig_file::to_double(configuration.sample_period_s)) {
+    for (int l = 0; l < configuration.link_count; ++l) clear_.push_back(clear_signs(l));
+  }
 
   double value(int node, Quantity quantity, size_t n) const {
     if (node == firmware::kGroundNode) return 0.0;
@@ -46,13 +48,37 @@ class Energies {
     const firmware::LinkConfiguration& l = configuration_.links[link];
     return value(l.node_a, Quantity::kVelocity, n) - value(l.node_b, Quantity::kVelocity, n);
   }
-  double smooth_rate(int link, size_t n) const {
-    return 10 * rate(link, n) + 4 * (rate(link, n - 2) + rate(link, n + 2)) + rate(link, n - 1) + rate(link, n + 1);
+  double rate_of_neighbours(int link, size_t n) const {
+    return (4 * (rate(link, n - 1) + rate(link, n + 1)) - rate(link, n - 2) - rate(link, n + 2)) / 6;
+  }
+  // -1 or 1 where the neighbours' rate is over four times the mean difference between it and the rate, and the rate agrees.
+  std::vector<int> clear_signs(int link) const {
+    std::vector<int> signs(codes_.size(), 0);
+    double sum = 0, count = 0;
+    for (size_t n = 2; n + 2 < codes_.size(); ++n) {
+      const double own = rate(link, n), neighbours = rate_of_neighbours(link, n);
+      sum += std::abs(own - neighbours);
+      if (++count == 2048) sum /= 2, count /= 2;
+      if (std::abs(neighbours) * count > 4 * sum && own * neighbours > 0) signs[n] = neighbours > 0 ? 1 : -1;
+    }
+    return signs;
+  }
+  bool rubs(int i, int link) const {
+    for (int t = 0; t < configuration_.term_count; ++t)
+      if (configuration_.terms[t].kind == TermKind::kCoulomb && configuration_.terms[t].place == link)
+        return configuration_.links[link].node_a == i || configuration_.links[link].node_b == i;
+    return false;
+  }
+  // The weight of DOF i's equation: nothing where a friction at it has no clear sign.
+  double weight(int i, size_t n) const {
+    for (int l = 0; l < configuration_.link_count; ++l)
+      if (rubs(i, l) && clear_[static_cast<size_t>(l)][n] == 0) return 0.0;
+    return instrument(i, n);
   }
 
-  // Work of the term's unit force on the DOF, signs aside: friction extrapolated to a rate without noise.
+  // Work of the term's unit force on the DOF, signs aside.
   double work(const firmware::Term& term, int i) const {
-    const Signal z = [this, i](size_t n) { return instrument(i, n); };
+    const Signal z = [this, i](size_t n) { return weight(i, n); };
     if (term.kind == TermKind::kMass)
       return integral([&](size_t n) { return z(n) * value(i, Quantity::kAcceleration, n); });
     if (term.kind == TermKind::kStiffness) {
@@ -62,11 +88,7 @@ class Energies {
       });
     }
     if (term.kind == TermKind::kViscous) return integral([&](size_t n) { return z(n) * rate(term.place, n); });
-    const auto sign = [](double w) { return w > 0.0 ? 1.0 : w < 0.0 ? -1.0 : 0.0; };
-    const double own = integral([&](size_t n) { return z(n) * sign(rate(term.place, n)); });
-    const double smooth = integral([&](size_t n) { return z(n) * sign(smooth_rate(term.place, n)); });
-    constexpr double kNoiseLeft = 67.0 / 200.0;  // (10^2 + 2 * 4^2 + 2 * 1^2) / 20^2 = 134/400
-    return (smooth - kNoiseLeft * own) / (1.0 - kNoiseLeft);
+    return integral([&](size_t n) { return z(n) * clear_[term.place][n]; });
   }
 
   void dof(LevelEnergies& level, Eigen::Index b, int i) {
@@ -80,7 +102,9 @@ class Energies {
     level.elastic(b, i) = integral([&](size_t n) { return z(n) * x(n); }) - level.elastic_end(b, i);
     level.motion(b, i) = integral([&](size_t n) { return v(n) * v(n); });
     level.clean(b, i) = integral([&](size_t n) { return z(n) * v(n); });
-    double rhs = integral([&](size_t n) { return z(n) * value(i, Quantity::kForce, n); });
+    const auto q = [&](size_t n) { return weight(i, n); };
+    level.counted(b, i) = integral([&](size_t n) { return q(n) * v(n); });
+    double rhs = integral([&](size_t n) { return q(n) * value(i, Quantity::kForce, n); });
     for (int t = 0; t < configuration_.term_count; ++t) {
       const firmware::Term& term = configuration_.terms[t];
       double sign = 1.0;
@@ -105,6 +129,7 @@ class Energies {
   const std::vector<firmware::RawSample>& codes_;
   double step_s_;
   size_t from_ = 0, to_ = 0;
+  std::vector<std::vector<int>> clear_;  // per link and sample
 };
 
 }  // namespace

@@ -30,6 +30,7 @@ Data read(const firmware::BatchTable& table, int l) {
       data.elastic_end(b, i) = real(dof.elastic_end);
       data.motion(b, i) = real(dof.velocity_square);
       data.clean(b, i) = real(dof.velocity_instrument);
+      data.counted(b, i) = real(dof.weight_square);
       for (int s = table.layout.first[i]; s < table.layout.first[i + 1]; ++s)
         data.columns[i](b, table.layout.unknown[s]) = real(level.batch[b].column[q][s]);
     }
@@ -93,7 +94,8 @@ class Reference {
     const double mean = data.motion.col(i).mean();
     for (Eigen::Index b = 0; b < s.size(); ++b) {
       const double v = data.motion(b, i), z = data.clean(b, i);
-      s(b) = v > mean / 17179869184.0 && v - z < z ? 1.0 / std::sqrt(v) : 0.0;
+      const double counted = data.counted(b, i) == z ? v : v * std::max(data.counted(b, i), 0.0) / z;
+      s(b) = v > mean / 17179869184.0 && v - z < z && counted > 0.0 ? 1.0 / std::sqrt(counted) : 0.0;
     }
     return s;
   }
@@ -225,7 +227,8 @@ class Reference {
 }  // namespace
 
 LevelEnergies::LevelEnergies(bool is_periodic, Eigen::Index batches, int dofs, int unknowns) : periodic(is_periodic) {
-  for (MatrixXd* m : {&rhs, &kinetic, &elastic, &kinetic_end, &elastic_end, &motion, &clean}) m->setZero(batches, dofs);
+  for (MatrixXd* m : {&rhs, &kinetic, &elastic, &kinetic_end, &elastic_end, &motion, &clean, &counted})
+    m->setZero(batches, dofs);
   columns.assign(static_cast<size_t>(dofs), MatrixXd::Zero(batches, unknowns));
 }
 

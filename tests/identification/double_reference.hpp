@@ -12,7 +12,7 @@ namespace reference {
 // One level: for each batch (rows of the matrices) and DOF (columns), under the instrument's weight. In SI units.
 struct LevelEnergies {
   bool periodic = false;
-  Eigen::MatrixXd rhs, kinetic, elastic, kinetic_end, elastic_end, motion, clean;
+  Eigen::MatrixXd rhs, kinetic, elastic, kinetic_end, elastic_end, motion, clean, counted;
   std::vector<Eigen::MatrixXd> columns;  // per DOF: batches x unknowns
 
   LevelEnergies(bool periodic, Eigen::Index batches, int dofs, int unknowns);

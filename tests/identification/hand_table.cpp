@@ -58,7 +58,7 @@ void HandTable::batch(const std::vector<DofEntry>& dofs) {
       dof.kinetic_discrepancy[q] = packed(entry.kinetic);
       dof.elastic_discrepancy[q] = packed(entry.elastic);
     }
-    dof.velocity_square = dof.velocity_instrument = packed(entry.motion);
+    dof.velocity_square = dof.velocity_instrument = dof.weight_square = packed(entry.motion);
     dof.acceleration_square = packed(entry.acceleration_square);
   }
 }
