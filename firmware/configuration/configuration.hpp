@@ -99,6 +99,9 @@ struct CoreConfiguration {
   ChannelConfiguration channels[kMaxNodes][kQuantities];  // as measured
   SignalConfiguration signals[kMaxNodes][kQuantities];    // as the equations use them
   FusionConfiguration fusion[kMaxNodes];                  // of a node's velocity
+  // Mean product of the noise in a weight of a node's equation (plain, instrument, displacement) with the noise in the node's own
+  // signal, SI units: what filters make them share. Taken out of the energies; 0 where nothing is shared or known.
+  Scaled shared_noise[kMaxNodes][3][kQuantities];
   // Every signal passes as many first-order high-pass sections (corner = rate / (2 pi 2^shift)) as the most integrated one has
   // integrations, plus one where any is integrated; an integration takes the place of one section's difference.
   uint8_t high_pass_order = 0;

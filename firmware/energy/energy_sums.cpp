@@ -228,13 +228,28 @@ Scaled EnergySums::energy(const Incidence& incidence, int weight) const {
   Scaled result;
   if (term.kind == TermKind::kMass) {
     const bool measured = plan_.dof[incidence.dof].has_acceleration;
-    result = measured ? integral(incidence.product_a[weight]) : kinetic_energy(incidence.dof, weight);
+    result = measured
+                 ? integral(incidence.product_a[weight]) - shared_noise(incidence.dof, weight, Quantity::kAcceleration)
+                 : kinetic_energy(incidence.dof, weight);
   } else if (is_sign_term(term.kind)) {
     result = friction_energy(incidence, weight);
   } else {
     result = integral(incidence.product_a[weight]) - integral(incidence.product_b[weight]);
   }
-  return incidence.sign < 0 ? -result : result;
+  if (incidence.sign < 0) result = -result;
+  if (term.kind == TermKind::kViscous) result = result - shared_noise(incidence.dof, weight, Quantity::kVelocity);
+  if (term.kind == TermKind::kStiffness) result = result - shared_noise(incidence.dof, weight, Quantity::kDisplacement);
+  return result;
+}
+
+// Over the samples that the equation counts.
+Scaled EnergySums::shared_noise(int dof, int weight, Quantity quantity) const {
+  const Scaled product = configuration_->shared_noise[dof][weight][static_cast<int>(quantity)];
+  if (product.is_zero()) return product;
+  const Scaled all = integral(plan_.dof[dof].velocity_instrument), counted = integral(plan_.dof[dof].weight_square);
+  const Scaled time = configuration_->sample_period_s * Scaled::from_int(samples_);
+  if (weight == kPlain || counted.is_zero() || all.is_zero() || !plan_.dof[dof].clear_signs_only) return product * time;
+  return product * time * counted / all;
 }
 
 void EnergySums::close_dof(int i, const EndPoint& end, Batch& batch) const {

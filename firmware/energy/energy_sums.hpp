@@ -42,6 +42,7 @@ class EnergySums {
   Scaled energy(const Incidence& incidence, int weight) const;
   Scaled friction_energy(const Incidence& incidence, int weight) const;
   Scaled kinetic_energy(int dof, int weight) const;
+  Scaled shared_noise(int dof, int weight, Quantity quantity) const;
   void close_dof(int dof, const EndPoint& end, Batch& batch) const;
 
   const CoreConfiguration* configuration_ = nullptr;

@@ -106,6 +106,31 @@ Scaled imitated_damping(const CoreConfiguration& configuration, const BatchTable
   return damping;
 }
 
+Scaled motion_of(const BatchTable& table, int dof) {
+  Scaled motion;
+  for (int l = 0; l < table.level_count; ++l)
+    for (int b = 0; b < table.level[l].batch_count; ++b)
+      motion = motion + unpack(table.level[l].batch[b].dof[dof].velocity_square);
+  return motion;
+}
+
+// Work in the DOF's equation of springs whose other end's displacement is skewed, at the most.
+Scaled work_of_neighbours(const CoreConfiguration& configuration, const BatchTable& table, int dof,
+                          const Estimates& estimates) {
+  Scaled work;
+  for (int t = 0; t < configuration.term_count; ++t) {
+    const Term& term = configuration.terms[t];
+    if (term.kind != TermKind::kStiffness) continue;
+    const LinkConfiguration& link = configuration.links[term.place];
+    if (link.node_a != dof && link.node_b != dof) continue;
+    const int other = link.node_a == dof ? link.node_b : link.node_a;
+    if (other >= configuration.dof_count || !estimates.displacement_skew[other].significant) continue;
+    const Scaled damping = abs(coefficient(term, estimates) * estimates.displacement_skew[other].late_s);
+    work = work + damping * sqrt(motion_of(table, dof) * motion_of(table, other));
+  }
+  return work;
+}
+
 }  // namespace
 
 void measure_skew(const EquationList& list, const BatchTable& table, Estimates& estimates) {
@@ -130,7 +155,9 @@ bool skew_matters(const EquationList& list, const BatchTable& table, const CoreC
             energy = energy + unpack(batch.column[static_cast<int>(list.equation[i].weight)][n]);
       }
     if (energy.is_zero()) continue;
-    const Scaled shift = imitated_damping(configuration, table, i, estimates) * motion / abs(energy);
+    const Scaled work = imitated_damping(configuration, table, i, estimates) * motion +
+                        work_of_neighbours(configuration, table, i, estimates);
+    const Scaled shift = work / abs(energy);
     if (shift > scale_by_power_of_two(parameter.std, 1) && shift > abs(parameter.value) / Scaled::from_int(50))
       return true;
   }

@@ -8,12 +8,13 @@ namespace {
 // Rounding of codes and interpolation inside a sample repeat with every cycle and do not show in any scatter: 1e-6 of the
 // value, the largest such error of the clean scenarios (docs/accuracy.md), is part of every deviation.
 constexpr int kRepeatedErrorLog2 = -20;
+constexpr int kLeastLevels = 3;  // that show a scatter of their own
 
 struct Sums {
   Scaled variance[kMaxUnknowns];
   Scaled variance_square_per_freedom[kMaxUnknowns];
-  Scaled
-      batch_rows;  // rows of levels that are not periodic: their residuals have also lent degrees of freedom to the fit
+  // Of one level: what its residuals pull the parameter by, and the variance of that; over all levels: sum of pull squares.
+  Scaled pull[kMaxUnknowns], pull_square[kMaxUnknowns];
   Scaled relative_residuals;
   uint32_t rows = 0;
   uint32_t relative_rows = 0;
@@ -33,6 +34,7 @@ void add_equation(const EquationList& list, const LevelObservables& level, const
     for (int k = 0; k < list.unknown_count; ++k) share[k] = share[k] + gain[k] * gain[k];
     Scaled residual = row.rhs;
     for (int k = 0; k < list.unknown_count; ++k) residual = residual - row.column[k] * fit.parameters()[k];
+    for (int k = 0; k < list.unknown_count; ++k) sums.pull[k] = sums.pull[k] + gain[k] * residual;
     if (!row.rhs.is_zero()) {
       sums.relative_residuals = sums.relative_residuals + abs(residual / row.rhs);
       ++sums.relative_rows;
@@ -82,16 +84,37 @@ void report(const EquationList& list, const WeightedFit& fit, const Sums& sums, 
                          : Scaled{};
 }
 
+// A parameter that differs between levels (friction that warms up) shows no more scatter within any of them: the levels pull it
+// apart. Where they pull by more than noise does once in 10^3 fits (chi-square over its freedom n stays below 1 + 4.4 / sqrt(n) +
+// 6.2 / n, Wilson and Hilferty), the variance is theirs, with as many degrees of freedom as there are levels less one.
+void add_scatter_between_levels(const EquationList& list, int levels, Sums& sums) {
+  const Scaled freedom = Scaled::from_int(levels - 1);
+  const Scaled limit = Scaled::from_int(1) + Scaled::ratio(44, 10) / sqrt(freedom) + Scaled::ratio(62, 10) / freedom;
+  for (int k = 0; k < list.unknown_count; ++k) {
+    const Scaled between = sums.pull_square[k] * Scaled::ratio(levels, levels - 1);
+    if (between <= sums.variance[k] * limit) continue;
+    sums.variance[k] = between;
+    sums.variance_square_per_freedom[k] = between * between / freedom;
+  }
+}
+
 }  // namespace
 
 void estimate_uncertainty(const EquationList& list, const BatchTable& table, WeightedFit& fit, Estimates& estimates) {
   Sums sums;
   bool periodic = true;
+  int levels = 0;
   for (int l = 0; l < table.level_count; ++l) {
     const LevelObservables& level = fit.load_level(l);
     periodic = periodic && level.periodic();
     for (int e = 0; e < list.count; ++e) add_equation(list, level, fit.whitening(l, e), e, fit, sums);
+    for (int k = 0; k < list.unknown_count; ++k) {
+      sums.pull_square[k] = sums.pull_square[k] + sums.pull[k] * sums.pull[k];
+      sums.pull[k] = Scaled{};
+    }
+    if (level.batch_count() > 0) ++levels;
   }
+  if (levels >= kLeastLevels && !periodic) add_scatter_between_levels(list, levels, sums);
   report(list, fit, sums, variance_factor(list, fit, sums.rows, periodic), fit.all_measured(), estimates);
 }
 

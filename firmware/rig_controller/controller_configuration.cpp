@@ -9,7 +9,7 @@
 namespace firmware {
 namespace {
 
-constexpr uint32_t kVersion = 0x52433034;  // "RC04": changes with the list of fields
+constexpr uint32_t kVersion = 0x52433035;  // "RC05": changes with the list of fields
 
 // Bytes go to a buffer where there is one, and into the check sum.
 class Writer {
@@ -129,6 +129,29 @@ constexpr void walk_signal(Archive& archive, Signal& signal) {
   walk_scaled(archive, signal.unit_per_code);
 }
 
+// What follows `used` is there where it says so; taps beyond the filter's length are zero and are left out.
+template <typename Archive, typename Fusion>
+constexpr void walk_fusion(Archive& archive, Fusion& fusion, int half_length) {
+  archive.field(fusion.used);
+  archive.field(fusion.leak_shift);
+  archive.clear(fusion.step_tap);
+  if (!fusion.used) return;
+  for (int i = 0; i <= 2 * half_length && i <= 2 * kFusionHalf; ++i) archive.field(fusion.step_tap[i].raw);
+}
+
+// Noise that a derived velocity shares with its neighbours; none elsewhere.
+template <typename Archive, typename Core>
+constexpr void walk_shared_noise(Archive& archive, Core& core) {
+  for (int node = 0; node < kMaxNodes; ++node) {
+    const bool derived = core.signals[node][static_cast<int>(Quantity::kVelocity)].derived;
+    for (auto& weight : core.shared_noise[node]) {
+      archive.clear(weight);
+      if (!derived) continue;
+      for (int q = 1; q < kQuantities; ++q) walk_scaled(archive, weight[q]);
+    }
+  }
+}
+
 template <typename Archive, typename Core>
 constexpr void walk_core(Archive& archive, Core& core) {
   archive.field(core.dof_count);
@@ -153,6 +176,9 @@ constexpr void walk_core(Archive& archive, Core& core) {
     for (auto& channel : node) walk_channel(archive, channel);
   for (auto& node : core.signals)
     for (auto& signal : node) walk_signal(archive, signal);
+  for (int node = 0; node < kMaxNodes; ++node)
+    walk_fusion(archive, core.fusion[node], core.signals[node][static_cast<int>(Quantity::kVelocity)].half_length);
+  walk_shared_noise(archive, core);
   archive.field(core.high_pass_order);
   archive.field(core.high_pass_shift);
   archive.field(core.window.mode);
@@ -219,11 +245,14 @@ constexpr void walk_rig(Archive& archive, Configuration& configuration) {
   walk_limits(archive, configuration.limits);
 }
 
-// Every filter at its longest; everything else has one length. Version before it and check sum behind it.
+// Every filter at its longest (a fused velocity's two are shorter together); everything else has one length. Version before it and check sum behind it.
 constexpr size_t longest_encoding() {
   ControllerConfiguration longest;
   for (auto& node : longest.core.signals)
-    for (SignalConfiguration& signal : node) signal.half_length = kFilterHalf;
+    for (SignalConfiguration& signal : node) {
+      signal.half_length = kFilterHalf;
+      signal.derived = true;
+    }
   Counter counter;
   counter.field(kVersion);
   walk_rig(counter, longest);

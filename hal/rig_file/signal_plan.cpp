@@ -248,6 +248,63 @@ double largest_fused(const CoreConfiguration& c, int node, const std::vector<fir
   return std::ldexp(largest, -signal.shift) * to_double(signal.unit_per_code);
 }
 
+// Responses of a node's signals to one code of one of its channels, over `count` samples about the middle, SI units.
+std::vector<double> response(const CoreConfiguration& c, int node, int q, int channel, size_t count) {
+  const SignalConfiguration& signal = c.signals[node][q];
+  std::vector<double> out(count, 0.0);
+  const double unit = to_double(signal.unit_per_code) * std::ldexp(1.0, -signal.shift);
+  const auto filtered = [&](const auto& tap, size_t n) {  // the impulse stands at count / 4
+    const long k = static_cast<long>(count / 4) - static_cast<long>(n) + signal.half_length;
+    return k < 0 || k > 2 * signal.half_length ? 0.0 : static_cast<double>(tap[k].raw);
+  };
+  const bool plain = signal.half_length == 0 && signal.tap[0].raw == 0;
+  if (!(q == kV && c.fusion[node].used)) {
+    if (channel != signal.source) return out;
+    for (size_t n = 0; n < count; ++n) out[n] = plain ? (n == count / 4 ? unit : 0.0) : unit * filtered(signal.tap, n);
+    return out;
+  }
+  const double keep = 1.0 - std::ldexp(1.0, -c.fusion[node].leak_shift);
+  double once = 0.0, twice = 0.0, before = 0.0;
+  for (size_t n = 0; n < count; ++n) {
+    const double slope = channel == kX ? filtered(signal.tap, n) : 0.0;
+    const double step = channel == kA ? filtered(c.fusion[node].step_tap, n) : 0.0;
+    const double last = once;
+    once = keep * once + step - (slope - before);
+    twice = keep * twice + once - last;
+    before = slope;
+    out[n] = unit * (slope + twice);
+  }
+  return out;
+}
+
+// Where velocities are derived or fused, the noise of one channel is in several signals and in neighbouring samples.
+void find_shared_noise(CoreConfiguration& c, const SignalRanges& ranges) {
+  for (int node = 0; node < firmware::kMaxNodes; ++node) {
+    if (!c.signals[node][kV].available || !c.signals[node][kV].derived || c.high_pass_order > 0) continue;
+    const size_t count = c.fusion[node].used ? size_t{64} << c.fusion[node].leak_shift : 256;
+    double shared[3][kQuantities] = {};
+    for (const int channel : {kX, kA}) {
+      const double sd = ranges.noise[node][channel] / to_double(c.channels[node][channel].unit_per_code);
+      if (!c.channels[node][channel].present || !(sd > 0.0)) continue;
+      std::vector<double> of[kQuantities];
+      for (int q = kX; q <= kA; ++q)
+        of[q] = c.signals[node][q].available ? response(c, node, q, channel, count) : std::vector<double>(count, 0.0);
+      for (size_t n = 2; n + 2 < count; ++n) {
+        const auto around = [&](int q) {
+          return (4.0 * (of[q][n - 1] + of[q][n + 1]) - of[q][n - 2] - of[q][n + 2]) / 6.0;
+        };
+        for (int q = kX; q <= kA; ++q) {
+          shared[0][q] += sd * sd * of[kV][n] * of[q][n];
+          shared[1][q] += sd * sd * around(kV) * of[q][n];
+          shared[2][q] += sd * sd * around(kX) * of[q][n];
+        }
+      }
+    }
+    for (int w = 0; w < 3; ++w)
+      for (int q = kX; q <= kA; ++q) c.shared_noise[node][w][q] = to_scaled(shared[w][q]);
+  }
+}
+
 // The signals' values over one record, in double: as firmware/conditioning, without its rounding.
 double largest_value(const CoreConfiguration& c, int node, int q, const std::vector<firmware::RawSample>& record) {
   const SignalConfiguration& signal = c.signals[node][q];
@@ -275,18 +332,25 @@ double largest_value(const CoreConfiguration& c, int node, int q, const std::vec
   return std::ldexp(largest, -signal.shift) * to_double(signal.unit_per_code);
 }
 
-// From the difference between a sample and the cubic through its four neighbours: of white noise 1.394 standard deviations,
-// 1.112 in the mean of the magnitude, which a jump of a friction force hardly moves.
+// Standard deviation of white noise from a difference of high order, which leaves little of a signal: the median of its
+// magnitude, which jumps of friction hardly move. Order 8 for displacements; order 4 where the signal itself may jump.
 double noise(const std::vector<std::vector<firmware::RawSample>>& records, int node, int q) {
-  double sum = 0.0;
-  size_t count = 0;
+  static const std::vector<double> kFourth = {1, -4, 6, -4, 1}, kEighth = {1, -8, 28, -56, 70, -56, 28, -8, 1};
+  const std::vector<double>& weights = q == kX ? kEighth : kFourth;
+  double squares = 0.0;
+  for (double w : weights) squares += w * w;
+  std::vector<double> magnitudes;
   for (const auto& record : records)
-    for (size_t n = 2; n + 2 < record.size(); ++n) {
-      const auto at = [&](size_t i) { return static_cast<double>(record[i].code[node][q]); };
-      sum += std::fabs(at(n) - (4.0 * (at(n - 1) + at(n + 1)) - at(n - 2) - at(n + 2)) / 6.0);
-      ++count;
+    for (size_t n = 0; n + weights.size() <= record.size(); ++n) {
+      double sum = 0.0;
+      for (size_t k = 0; k < weights.size(); ++k) sum += weights[k] * record[n + k].code[node][q];
+      magnitudes.push_back(std::fabs(sum));
     }
-  return count == 0 ? 0.0 : sum / static_cast<double>(count) / 1.112;
+  if (magnitudes.empty()) return 0.0;
+  const auto middle = magnitudes.begin() + static_cast<long>(magnitudes.size() / 2);
+  std::nth_element(magnitudes.begin(), middle, magnitudes.end());
+  constexpr double kMedianOfNormal = 0.6745;
+  return *middle / kMedianOfNormal / std::sqrt(squares);
 }
 
 }  // namespace
@@ -294,10 +358,14 @@ double noise(const std::vector<std::vector<firmware::RawSample>>& records, int n
 void plan_signals(CoreConfiguration& configuration, const SignalRanges& ranges) {
   Plan plan(configuration, ranges);
   plan.choose_sources();
+  for (auto& node : configuration.shared_noise)
+    for (auto& weight : node)
+      for (firmware::Scaled& product : weight) product = {};
   if (!plan.filtered()) return;
   for (int node = 0; node < firmware::kMaxNodes; ++node)
     for (int q = 0; q < kQuantities; ++q)
       if (configuration.signals[node][q].available) plan.quantise(node, q, ranges.largest[node][q]);
+  find_shared_noise(configuration, ranges);
 }
 
 SignalRanges measure_ranges(const CoreConfiguration& planned,

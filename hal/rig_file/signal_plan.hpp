@@ -1,6 +1,7 @@
 // Decides how every signal of the energy equations is made from the channels a rig has: measured, derived, delayed, filtered.
 //
 //   all of x, v (and a) measured, no delays   codes as they are
+//   x and a                                   v fused of both, nothing else filtered (configuration.hpp)
 //   only x                                    v and a by differences, every channel through the same low-pass
 //   v without x                               x by integration, every channel through the same high-pass (0.16 Hz at 1 kHz)
 //   only a                                    v and x by integration, likewise (1.2 Hz at 1 kHz)

@@ -11,8 +11,7 @@ namespace coverage {
 
 Answer answer_to(const rig_file::RigModel& rig, const std::vector<host_sim::Record>& records) {
   const auto calibrations = host_sim::calibrate(records, rig);
-  firmware::CoreConfiguration configuration =
-      rig_file::compile_rig(rig, records.front().sample_period_s, calibrations);
+  firmware::CoreConfiguration configuration = rig_file::compile_rig(rig, records.front().sample_period_s, calibrations);
   std::vector<std::vector<firmware::RawSample>> samples;
   bool force = false;
   for (const host_sim::Channel& c : records.front().channels)

@@ -54,6 +54,16 @@ std::vector<Change> changes() {
       [](C& c) { c.core.signals[16][3].shift = 4; },
       [](C& c) { c.core.signals[16][3].tap[0].raw = -4; },
       [](C& c) { c.core.signals[16][3].unit_per_code.mantissa = 4; },
+      [](C& c) { c.core.fusion[16].used = true; },
+      [](C& c) { c.core.fusion[16].leak_shift = 7; },
+      [](C& c) {
+        c.core.fusion[16].used = true;
+        c.core.fusion[16].step_tap[0].raw = 7;
+      },
+      [](C& c) {
+        c.core.signals[16][2].derived = true;
+        c.core.shared_noise[16][2][3].mantissa = 7;
+      },
       [](C& c) { c.core.high_pass_order = 2; },
       [](C& c) { c.core.high_pass_shift = 2; },
       [](C& c) { c.core.window.mode = firmware::WindowMode::kFreeDecay; },

@@ -6,6 +6,7 @@
 
 #include "hal/rig_file/signal_plan.hpp"
 #include "host_sim/can_log/log_writer.hpp"
+#include "host_sim/programs/estimate/delay_correction.hpp"
 #include "host_sim/programs/results/fit_quality.hpp"
 #include "host_sim/programs/shared/failures.hpp"
 #include "host_sim/records/data_file_error.hpp"
@@ -100,11 +101,8 @@ class Feed {
   uint64_t time_ns_ = 0;
 };
 
-}  // namespace
-
-Estimation estimate_records(const rig_file::RigModel& model, const std::vector<Record>& records,
+Estimation estimate_as_told(const rig_file::RigModel& model, const std::vector<Record>& records,
                             const EstimationOptions& options) {
-  check_records(records);
   const std::vector<rig_file::ChannelCalibration> calibrations = calibrate(records, model);
   firmware::CoreConfiguration configuration =
       rig_file::compile_rig(model, records.front().sample_period_s, calibrations);
@@ -132,8 +130,26 @@ Estimation estimate_records(const rig_file::RigModel& model, const std::vector<R
     estimation.result.notes.push_back(plan);
   for (const std::string& name : rig_file::simulator_only_effects(model))
     estimation.result.notes.push_back(name + " is known to the simulator only; the energy equations leave it out");
-  judge_fit(model, records, estimation.result);
   estimation.frames = log_text.str();
+  return estimation;
+}
+
+}  // namespace
+
+Estimation estimate_records(const rig_file::RigModel& model, const std::vector<Record>& records,
+                            const EstimationOptions& options) {
+  check_records(records);
+  Estimation estimation = estimate_as_told(model, records, options);
+  const auto corrections = delays_to_correct(estimation.result.skews, records.front().sample_period_s);
+  if (!corrections.empty()) {
+    Estimation corrected = estimate_as_told(with_delays(model, corrections), records, options);
+    if (delays_to_correct(corrected.result.skews, records.front().sample_period_s).empty()) {
+      estimation = std::move(corrected);
+      for (const DelayCorrection& correction : corrections)
+        estimation.result.notes.push_back(correction_note(correction));
+    }
+  }
+  judge_fit(model, records, estimation.result);
   return estimation;
 }
 

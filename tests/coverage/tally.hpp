@@ -1,0 +1,22 @@
+// Nothing is hidden: how many coefficients go out VALID, and how many of their 95 % intervals hold the truth.
+#pragma once
+#include <cstdint>
+#include <string>
+
+namespace coverage {
+
+struct Tally {
+  int coefficients = 0, valid = 0, held = 0;
+  int wrong = 0;  // VALID, over 5 % and over four quoted standard deviations off
+  int of_status[16] = {};
+  int refused = 0;  // draws that the core's plan refuses: a DOF lacks channels
+  double valid_percent() const { return coefficients == 0 ? 0.0 : 100.0 * valid / coefficients; }
+  double held_percent() const { return valid == 0 ? 0.0 : 100.0 * held / valid; }
+  void add(const Tally& other);
+};
+
+// tell: one line per coefficient on stdout.
+Tally count(const std::string& condition, const std::string& sensors, uint64_t first_seed, int draws,
+            bool tell = false);
+
+}  // namespace coverage

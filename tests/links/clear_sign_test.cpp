@@ -1,0 +1,92 @@
+// Where is the sign of a rate clear, and what does a sign look like behind a high-pass?
+#include "firmware/links/clear_sign.hpp"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+
+#include "firmware/links/high_passed_sign.hpp"
+
+namespace {
+
+using namespace firmware;
+
+constexpr int kVelocity = signal_column(0, Quantity::kVelocity);
+
+struct Signs {
+  int32_t clear[kFrameStride] = {}, own[kFrameStride] = {};
+};
+
+RateGains one_velocity() {
+  RateGains gains;
+  gains.has_a = true;
+  gains.gain_a = 1 << 23;
+  gains.column_a = kVelocity;
+  return gains;
+}
+
+Signs of(const Frame& frame, int means = 4) {
+  ClearSign sign;
+  sign.configure(one_velocity(), means, false);
+  Signs result;
+  sign.fill(frame, 2, 37, 35, result.clear, result.own);
+  return result;
+}
+
+// A rate of 1000 with noise of +-10 in turn: the neighbours' rate is (4 * 2 (1000 -+ 10) - 2 (1000 +- 10)) / 6 = 1000 -+ 16.7,
+// which differs from the sample's own by 26.7; four of them are 107, far below 1000.
+TEST(ClearSign, IsClearFarAboveTheNoise) {
+  const auto frame = std::make_unique<Frame>();
+  for (int i = 0; i < kFrameStride; ++i) frame->column[kVelocity][i] = -1000 + (i % 2 == 0 ? 10 : -10);
+  const Signs signs = of(*frame);
+  for (int i = 2; i < 37; ++i) EXPECT_EQ(signs.clear[i], -1);
+}
+
+// The same noise about a rate of 60, which is below 107.
+TEST(ClearSign, IsNotClearWithinFourMeanDifferences) {
+  const auto frame = std::make_unique<Frame>();
+  for (int i = 0; i < kFrameStride; ++i) frame->column[kVelocity][i] = 60 + (i % 2 == 0 ? 10 : -10);
+  const Signs signs = of(*frame);
+  for (int i = 2; i < 37; ++i) {
+    EXPECT_EQ(signs.clear[i], 0);
+    EXPECT_EQ(signs.own[i], 1);
+  }
+}
+
+TEST(ClearSign, ALinkAtRestIsNeverClear) {
+  const auto frame = std::make_unique<Frame>();
+  const Signs signs = of(*frame);
+  for (int i = 2; i < 37; ++i) EXPECT_EQ(signs.clear[i], 0);
+}
+
+// On a straight line the neighbours foretell every sample; where it crosses zero at a sample no sign is clear.
+TEST(ClearSign, OnAStraightLineEverySampleButTheCrossingIsClear) {
+  const auto frame = std::make_unique<Frame>();
+  for (int i = 0; i < kFrameStride; ++i) frame->column[kVelocity][i] = 100 * (i - 20);
+  const Signs signs = of(*frame);
+  for (int i = 2; i < 37; ++i) EXPECT_EQ(signs.clear[i], (i > 20) - (i < 20));
+}
+
+// One section with the pole 1 - 1/4 on a step from 0 to 1: 1, 3/4, 9/16, ... times 2^20.
+TEST(HighPassedSign, AStepDecaysWithTheFiltersPole) {
+  HighPassedSign filter;
+  int32_t sign[kFrameStride] = {0, 1, 1, 1, 1};
+  filter.fill(1, 2, 0, 5, 5, sign);
+  const int32_t expected[] = {0, 1 << 20, 3 << 18, 9 << 16, 27 << 14};
+  for (int i = 0; i < 5; ++i) EXPECT_EQ(sign[i], expected[i]);
+}
+
+// A block that overlaps the next one by two samples gives the same column as one block.
+TEST(HighPassedSign, GoesOnFromWhereTheNextBlockBegins) {
+  int32_t whole[12] = {1, 1, -1, -1, 1, 1, 1, -1, 1, 1, -1, 1}, first[8], second[6];
+  for (int i = 0; i < 8; ++i) first[i] = whole[i];
+  for (int i = 0; i < 6; ++i) second[i] = whole[6 + i];
+  HighPassedSign one, two;
+  one.fill(3, 3, 0, 12, 12, whole);
+  two.fill(3, 3, 0, 8, 6, first);
+  two.fill(3, 3, 0, 6, 6, second);
+  for (int i = 0; i < 8; ++i) EXPECT_EQ(first[i], whole[i]);
+  for (int i = 0; i < 6; ++i) EXPECT_EQ(second[i], whole[6 + i]);
+}
+
+}  // namespace
