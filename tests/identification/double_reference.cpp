@@ -215,7 +215,31 @@ class Reference {
     const double misfit = freedom > 0.0 ? (y - a * result_.value).squaredNorm() / freedom : 0.0;
     const double factor = misfit > 1.0 + std::sqrt(50.0 / freedom) + 6.0 / freedom ? std::max(misfit, lost) : lost;
     const Eigen::ArrayXd repeated = result_.value.array() / 1048576.0;  // errors that no scatter shows: 2^-20
-    result_.deviation = ((gain.array().square().matrix() * inflation).array() * factor + repeated.square()).sqrt();
+    const VectorXd variance =
+        with_levels(rows, gain, y - a * result_.value, gain.array().square().matrix() * inflation);
+    result_.deviation = (variance.array() * factor + repeated.square()).sqrt();
+  }
+
+  // Three levels or more that pull a parameter apart by more than chi-square allows once in a thousand give it their scatter.
+  VectorXd with_levels(const std::vector<Whitened>& rows, const MatrixXd& gain, const VectorXd& residual,
+                       VectorXd variance) const {
+    const size_t levels = levels_.size();
+    if (levels < 3) return variance;
+    VectorXd squares = VectorXd::Zero(unknowns_);
+    Eigen::Index at = 0;
+    for (size_t l = 0; l < levels; ++l) {
+      Eigen::Index count = 0;
+      for (size_t r = l * rows.size() / levels; r < (l + 1) * rows.size() / levels; ++r) count += rows[r].rhs.size();
+      squares += (gain.middleCols(at, count) * residual.segment(at, count)).array().square().matrix();
+      at += count;
+    }
+    const double freedom = static_cast<double>(levels) - 1.0;
+    const double limit = 1.0 + 4.4 / std::sqrt(freedom) + 6.2 / freedom;
+    for (Eigen::Index k = 0; k < variance.size(); ++k) {
+      const double between = squares(k) * static_cast<double>(levels) / freedom;
+      if (between > variance(k) * limit) variance(k) = between;
+    }
+    return variance;
   }
 
   int dofs_, unknowns_;
