@@ -224,7 +224,7 @@ class Reference {
   VectorXd with_levels(const std::vector<Whitened>& rows, const MatrixXd& gain, const VectorXd& residual,
                        VectorXd variance) const {
     const size_t levels = levels_.size();
-    if (levels < 3) return variance;
+    if (levels < 3 || levels_.front().periodic) return variance;
     VectorXd squares = VectorXd::Zero(unknowns_);
     Eigen::Index at = 0;
     for (size_t l = 0; l < levels; ++l) {
