@@ -79,12 +79,11 @@ Whitening measure_whitening(const EquationList& list, const LevelObservables& le
   if (rows < kLeastBatches) return result;
   int limit = (rows - 1) / kBatchesPerCoefficient;
   if (limit > kMaxPredecessors) limit = kMaxPredecessors;
-  uint8_t observable[kSize];
+  uint8_t observable[kSize] = {};
   result.count = static_cast<uint8_t>(list_predecessors(list, level, e, limit, observable));
   observable[result.count] = static_cast<uint8_t>(LevelObservables::equation(e));
   Scaled sums[kSize][kSize];
   gram(level, observable, result.count + 1, sums);
-  // gram() filled it. NOLINTNEXTLINE(clang-analyzer-core.uninitialized.Assign)
   const Scaled unreduced = sums[result.count][result.count];
   const Scaled energy = level.energy_square(e);
   // The energies of repeated batches add up, their noise only in squares.
