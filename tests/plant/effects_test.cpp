@@ -160,6 +160,39 @@ TEST(Effects, UnmodelledResonanceIsAHiddenMassOnASpring) {
   }
 }
 
+// m = 1, released at rest 0.3 m away in a force 2 sin(2 pi x / 0.5 + 1): the energy is v^2 / 2 - 2 * 0.5 / (2 pi)
+// cos(2 pi x / 0.5 + 1).
+TEST(Effects, CoggingGivesBackWhatItTakes) {
+  rig_file::Effect cogging = effect("cogging", 2.0, "pitch_m", 0.5);
+  cogging.shape["phase_rad"] = 1.0;
+  const Motion m = run(with(cogging), 0.3, 0.0, 2001);
+  const double two_pi = 2.0 * 3.14159265358979323846;
+  const auto energy = [&](size_t i) {
+    return 0.5 * m.v[i] * m.v[i] - 1.0 / two_pi * std::cos(two_pi * m.x[i] / 0.5 + 1.0);
+  };
+  for (size_t i = 0; i < 2001; ++i) EXPECT_NEAR(energy(i), energy(0), 1e-9);
+  EXPECT_GT(std::fabs(m.x[1000] - 0.3), 0.01);
+}
+
+// A drive with a dead band of 2 N that is asked for 5 N pushes with 3 N, asked for 1 N not at all.
+TEST(Effects, ADeadBandOfTheDriveTakesItsBand) {
+  rig_file::RigModel rig = oscillator(1.0, 0.0);
+  rig.dofs[0].effects.push_back(effect("drive_dead_band", 1.0, "dead_band_N", 2.0));
+  EXPECT_NEAR(run(rig, 0.0, 0.0, 1001, 5.0).v[1000], 3.0, 1e-9);
+  EXPECT_NEAR(run(rig, 0.0, 0.0, 1001, -5.0).v[1000], -3.0, 1e-9);
+  EXPECT_EQ(run(rig, 0.0, 0.0, 1001, 1.0).x[1000], 0.0);
+}
+
+// An unbalanced weight of 20 N m adds to one of 5 N m that the file has: J = 2, v^2 - 25 cos u stays.
+TEST(Effects, AMissingGravityTorqueAddsToTheFiles) {
+  rig_file::RigModel rig = oscillator(2.0, 0.0);
+  rig.dofs[0].rotating = true;
+  rig.links[0].gravity_torque_N_m.value = 5.0;
+  rig.links[0].effects.push_back(effect("missing_gravity_torque", 20.0));
+  const Motion m = run(rig, 2.0, 0.0, 1001);
+  for (size_t i = 0; i < 1001; ++i) EXPECT_NEAR(m.v[i] * m.v[i] - 25.0 * std::cos(m.x[i]), -25.0 * std::cos(2.0), 1e-8);
+}
+
 // Terms named as errors of the rig file add to what is there: k 50 + 50, c 1 + 1, m 0.5 + 0.5 swing as m 1, k 100, c 2.
 TEST(Effects, ErrorsAddToTheRigFilesTerms) {
   rig_file::RigModel rig = oscillator(0.5, 50.0, 1.0);
