@@ -123,12 +123,20 @@ enum class AtRest : uint8_t {
   kHolds,   // carries up to its coefficient while its ends stand still
 };
 
+// Of the force with coefficient 1 along a motion: a force of place times the elongation, any other times the rate.
+enum class Work : uint8_t {
+  kOneSign,     // never changes its sign: a link that moves adds it up, noise does not
+  kEitherSign,  // cancels over a motion that is alike in both directions
+};
+
 struct Nature {
   bool conservative;  // a force of place (or of acceleration) alone: gives back what it takes
   Memory memory;
   Events events;
   AtRest at_rest;
-  constexpr Nature(bool c, Memory m, Events e, AtRest r) : conservative(c), memory(m), events(e), at_rest(r) {}
+  Work work;
+  constexpr Nature(bool c, Memory m, Events e, AtRest r, Work w)
+      : conservative(c), memory(m), events(e), at_rest(r), work(w) {}
 };
 
 struct CoreTerm {  // the column of the core that carries it

@@ -40,11 +40,13 @@ constexpr ShapeParameter kDeadBand("dead_band", "drive_dead_band_width", Unit("N
 }  // namespace parameter
 
 namespace nature {
-constexpr Nature kSpring(true, Memory::kNone, Events::kNone, AtRest::kPasses);
-constexpr Nature kGapSpring(true, Memory::kNone, Events::kGap, AtRest::kPasses);
-constexpr Nature kDamper(false, Memory::kNone, Events::kNone, AtRest::kPasses);
-constexpr Nature kDirectedDamper(false, Memory::kNone, Events::kRateZero, AtRest::kPasses);
-constexpr Nature kFriction(false, Memory::kNone, Events::kRateZero, AtRest::kHolds);
+constexpr Nature kSpring(true, Memory::kNone, Events::kNone, AtRest::kPasses, Work::kOneSign);
+constexpr Nature kUnevenSpring(true, Memory::kNone, Events::kNone, AtRest::kPasses, Work::kEitherSign);
+constexpr Nature kGapSpring(true, Memory::kNone, Events::kGap, AtRest::kPasses, Work::kOneSign);
+constexpr Nature kDamper(false, Memory::kNone, Events::kNone, AtRest::kPasses, Work::kOneSign);
+constexpr Nature kDirectedDamper(false, Memory::kNone, Events::kRateZero, AtRest::kPasses, Work::kOneSign);
+constexpr Nature kUnevenDamper(false, Memory::kNone, Events::kRateZero, AtRest::kPasses, Work::kEitherSign);
+constexpr Nature kFriction(false, Memory::kNone, Events::kRateZero, AtRest::kHolds, Work::kOneSign);
 }  // namespace nature
 
 inline constexpr EffectRow kEffectTable[] = {
