@@ -1,0 +1,259 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+#include "../fit/start.hpp"
+#include "choice.hpp"
+
+namespace diagnosis::runs {
+namespace {
+
+// A normal deviate that chance passes on one of 200 candidates once in 500 records, with a margin for what is not normal.
+constexpr double kSignificant = 4.5;
+// Of what is still to be explained, that a cause has to take.
+constexpr double kShare = 0.3;
+constexpr size_t kMostCauses = 4;
+constexpr size_t kShortList = 5, kPairs = 40, kPairTrials = 2;
+constexpr double kLinear = 0.25;        // error over motion up to which a linearisation is trusted
+constexpr double kShortestHorizon = 0.2;  // periods
+constexpr int kBaseSteps = 12, kTrialSteps = 6;
+constexpr double kClear = 2;            // of a difference, paired over windows, in standard errors
+
+bool talk() { return std::getenv("RIG_DIAGNOSIS_TRACE") != nullptr; }
+
+struct Task {
+  const System& system;
+  const std::vector<Prepared>& records;
+  size_t training;
+};
+
+void lay(const Task& task, double periods, State& s) {
+  const bool apart = task.training < task.records.size();
+  s.seen.clear(), s.unseen.clear();
+  for (Window& w : lay_windows(task.records, periods, apart ? 0 : 0.3)) {
+    const bool unseen = apart ? w.record >= task.training : w.unseen;
+    (unseen ? s.unseen : s.seen).push_back(w);
+  }
+}
+
+void settle(const Task& task, State& s, int steps) {
+  s.fit = fit(task.system, task.records, s.model, s.seen, steps);
+  if (!s.fit.ok) return;
+  Model frozen = s.model;
+  s.unseen_fit = fit(task.system, task.records, frozen, s.unseen, steps, true);
+}
+
+double motion_error(const Task& task, const State& s) {
+  if (!s.fit.ok) return 1e300;
+  Evaluator e(task.system, s.model, task.records);
+  double worst = 0;
+  for (size_t c = 0; c < e.traces(0).size(); ++c) {
+    double sum = 0, count = 0;
+    for (const Window& w : s.seen) {
+      const auto y = e.traces(w.record)[c].y.segment(w.from, w.length).array();
+      sum += (y - y.mean()).square().sum(), count += static_cast<double>(w.length);
+    }
+    worst = std::max(worst, std::sqrt(s.fit.mean_square[static_cast<Index>(c)] / std::max(1e-300, sum / count)));
+  }
+  return worst;
+}
+
+// The longest windows over which the model stays within reach of its linearisation.
+double horizon(const Task& task, State& s, double from, bool massless) {
+  const Model start = s.model;
+  double periods = from;
+  for (;; periods /= 2) {
+    s.model = start;
+    lay(task, periods, s);
+    settle(task, s, kBaseSteps);
+    if (massless || (s.fit.ok && motion_error(task, s) < kLinear) || periods / 2 < kShortestHorizon) return periods;
+  }
+}
+
+struct Trial {
+  std::vector<Candidate> candidates;
+  State state;
+  double error = 1e300, unseen = 1e300, z = 0;
+  int complexity = 0;
+};
+
+double least_z(const Trial& t, size_t added_from) {
+  const std::vector<Determined> d = determined(t.state.fit, t.state.model);
+  const std::vector<Parameter> p = parameters_of(t.state.model);
+  double least = 1e300;
+  for (size_t i = 0; i < p.size(); ++i)
+    if (p[i].term >= added_from && !p[i].shape) least = std::min(least, std::abs(d[i].z));
+  return least;
+}
+
+// A term that acts in another's place has no coefficient of its own: what it brings, block by block.
+double paired_z(const Fitted& before, const Fitted& after) {
+  const size_t n = std::min(before.window_ss.size(), after.window_ss.size());
+  double sum = 0, square = 0;
+  for (size_t w = 0; w < n; ++w) {
+    const double d = (before.window_ss[w] - after.window_ss[w]).cwiseQuotient(before.mean_square).sum();
+    sum += d, square += d * d;
+  }
+  const double mean = sum / static_cast<double>(n);
+  const double variance = (square / static_cast<double>(n) - mean * mean) / std::max(1.0, static_cast<double>(n) - 1);
+  return normal_deviate(mean / std::sqrt(variance + 1e-300), std::max(1.0, static_cast<double>(n) - 1));
+}
+
+Trial try_out(const Task& task, const State& now, const std::vector<Candidate>& candidates,
+              const std::vector<std::vector<double>>& values, int steps) {
+  Trial t;
+  t.candidates = candidates;
+  t.state.model = now.model, t.state.seen = now.seen, t.state.unseen = now.unseen;
+  bool hosted = false;
+  for (size_t i = 0; i < candidates.size(); ++i) {
+    t.state.model = joined(t.state.model, candidates[i], values[i]);
+    t.complexity += candidates[i].complexity, hosted = hosted || candidates[i].host >= 0;
+  }
+  settle(task, t.state, steps);
+  t.error = error_over(t.state.fit, now.fit), t.unseen = error_over(t.state.unseen_fit, now.unseen_fit);
+  if (t.state.fit.ok) {
+    t.z = std::min(1e300, least_z(t, now.model.size()));
+    if (hosted) t.z = std::min(t.z, paired_z(now.fit, t.state.fit));
+  }
+  return t;
+}
+
+std::string words(const Task& task, const Trial& t) {
+  std::string out;
+  for (const Candidate& c : t.candidates)
+    out += std::string(out.empty() ? "" : " + ") + word_of(c.terms[0].kind) +
+           (c.terms[0].link >= 0 ? " link " + rig_file::link_label(task.system.links[static_cast<size_t>(c.terms[0].link)])
+                                 : " dof " + std::to_string(c.terms[0].dof + 1)) +
+           (c.terms[0].quantity >= 0 ? "q" + std::to_string(c.terms[0].quantity) : "");
+  return out;
+}
+
+// Share of what is not noise that a trial takes.
+double share_of(const Trial& t, double noise) { return (1 - t.error) / std::max(1e-12, 1 - std::min(noise, t.error)); }
+
+double noise_share(const Left& left, const Fitted& fit) {
+  return left.noise.size() ? left.noise.cwiseQuotient(fit.mean_square).cwiseMin(1.0).mean() : 0;
+}
+
+bool passes(const Trial& t, size_t already, double noise) {
+  const double n = static_cast<double>(already + t.candidates.size());
+  return t.z > kSignificant * std::sqrt(n) && share_of(t, noise) > 1 - std::pow(1 - kShare, n) && t.unseen < 1;
+}
+
+// Whether one trial is clearly better than another, over windows taken in pairs, or leaves much less.
+bool clearly_better(const Trial& a, const Trial& b, double noise) {
+  const double over = b.error - a.error, left = std::max(1e-12, a.error - std::min(noise, a.error));
+  if (over < 0.5 * left) return false;
+  return paired_z(b.state.fit, a.state.fit) > kClear;
+}
+
+struct Round {
+  Trial best;
+  std::vector<Trial> rivals;
+  double noise = 0;
+  bool found = false;
+};
+
+Round round_of(const Task& task, const State& now, size_t already, Choice& choice) {
+  Round round;
+  const Left left = left_by(task.system, task.records, now);
+  round.noise = noise_share(left, now.fit);
+  choice.last_candidates = candidates_beside(task.system, now.model, task.records);
+  choice.last_screen = screen(task.system, task.records, now.model, now.seen, now.fit, choice.last_candidates, kPairs);
+  const Screen& s = choice.last_screen;
+  if (talk()) {
+    std::printf("round %zu: noise %.3f in band %.1f, %zu candidates\n", already + 1, round.noise, left.worst(), choice.last_candidates.size());
+    for (size_t i = 0; i < std::min<size_t>(8, s.singles.size()); ++i) {
+      Trial t;
+      t.candidates = {choice.last_candidates[s.singles[i].candidate]};
+      std::printf("   %-40s gain %.4f z %.1f value %g shape %g\n", words(task, t).c_str(), s.singles[i].gain, s.singles[i].z, s.singles[i].value[0], t.candidates[0].terms[0].shape);
+    }
+    for (size_t i = 0; i < std::min<size_t>(3, s.pairs.size()); ++i) {
+      Trial t;
+      t.candidates = {choice.last_candidates[s.pairs[i].first], choice.last_candidates[s.pairs[i].second]};
+      std::printf("   pair %-50s gain %.4f\n", words(task, t).c_str(), s.pairs[i].gain);
+    }
+  }
+  std::vector<Trial> singles;
+  for (const Screened& one : s.singles) {
+    if (singles.size() >= kShortList) break;
+    if (one.z < 2) continue;
+    singles.push_back(try_out(task, now, {choice.last_candidates[one.candidate]}, {one.value}, kTrialSteps));
+    const Trial& t = singles.back();
+    if (talk()) std::printf("   fitted %-40s error %.4f unseen %.4f z %.1f share %.3f\n", words(task, t).c_str(), t.error, t.unseen, t.z, share_of(t, round.noise));
+  }
+  std::sort(singles.begin(), singles.end(), [](const Trial& a, const Trial& b) { return a.error < b.error; });
+  const auto first = std::find_if(singles.begin(), singles.end(), [&](const Trial& t) { return passes(t, already, round.noise); });
+  if (first != singles.end()) round.best = *first, round.found = true;
+  // two that help only together: where no single does, or where they leave half of what the best single with its best partner does
+  double with_best = 0;
+  for (const ScreenedPair& p : s.pairs)
+    for (size_t c : {p.first, p.second})
+      if (round.found && choice.last_candidates[c].same_place(round.best.candidates[0])) with_best = std::max(with_best, p.gain);
+  std::vector<Trial> pairs;
+  for (const ScreenedPair& p : s.pairs) {
+    if (pairs.size() >= kPairTrials || already + 2 > kMostCauses) break;
+    if (round.found && 1 - p.gain > 0.5 * (1 - with_best)) break;
+    const std::vector<Candidate> both = {choice.last_candidates[p.first], choice.last_candidates[p.second]};
+    pairs.push_back(try_out(task, now, both, {{0.0}, {0.0}}, 2 * kTrialSteps));
+    const Trial& t = pairs.back();
+    if (talk()) std::printf("   fitted pair %-50s error %.4f unseen %.4f z %.1f share %.3f\n", words(task, t).c_str(), t.error, t.unseen, t.z, share_of(t, round.noise));
+  }
+  for (const Trial& t : pairs)
+    if (passes(t, already, round.noise) && (!round.found || t.error < 0.5 * round.best.error)) round.best = t, round.found = true;
+  if (!round.found) return round;
+  if (round.best.candidates.size() == 1)
+    for (const Trial& t : singles)
+      if (!t.candidates[0].same_place(round.best.candidates[0]) && t.z > kSignificant && t.unseen < 1 && !clearly_better(round.best, t, round.noise))
+        round.rivals.push_back(t);
+  return round;
+}
+
+// The simplest of those that do equally well is named.
+void name_simplest(Round& round) {
+  for (Trial& t : round.rivals)
+    if (t.complexity < round.best.complexity || (t.complexity == round.best.complexity && t.error < round.best.error)) std::swap(t, round.best);
+}
+
+}  // namespace
+
+Choice choose(const System& system, const std::vector<Prepared>& records, size_t training, const std::function<void(double)>& progress) {
+  const Task task{system, records, training};
+  Choice choice;
+  State now;
+  now.model = rig_as_given(system, records);
+  start_values(system, records, now.model);
+  const bool massless = Evaluator(system, now.model, records).massless();
+  choice.periods = horizon(task, now, longest_horizon(records), massless);
+  progress(0.3);
+  choice.base = now;
+  if (!now.fit.ok) {
+    choice.base_fits_nothing = true;
+    choice.final = now;
+    return choice;
+  }
+  choice.base_left = left_by(system, records, now);
+  if (talk()) std::printf("base: periods %.2f, %zu + %zu windows, error %.4f\n", choice.periods, now.seen.size(), now.unseen.size(), motion_error(task, now));
+  while (choice.named.size() < kMostCauses) {
+    Round round = round_of(task, now, choice.named.size(), choice);
+    if (!round.found) break;
+    name_simplest(round);
+    if (talk()) std::printf(" -> %s, %zu rivals\n", words(task, round.best).c_str(), round.rivals.size());
+    for (const Candidate& c : round.best.candidates) {
+      Named named;
+      named.candidate = c, named.z = round.best.z, named.share = share_of(round.best, round.noise);
+      for (const Trial& t : round.rivals) named.rivals.push_back({t.candidates[0], t.error / round.best.error});
+      choice.named.push_back(named);
+    }
+    now = round.best.state;
+    settle(task, now, kBaseSteps);
+    progress(0.3 + 0.6 * static_cast<double>(choice.named.size()) / static_cast<double>(kMostCauses));
+  }
+  choice.final = now;
+  choice.final_left = left_by(system, records, now);
+  progress(1);
+  return choice;
+}
+
+}  // namespace diagnosis::runs
