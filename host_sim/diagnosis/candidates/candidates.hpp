@@ -14,7 +14,8 @@ struct Candidate {
   bool same_place(const Candidate& o) const { return terms[0].same_place(o.terms[0]); }
 };
 
-std::vector<Candidate> candidates_beside(const System& system, const Model& model, const std::vector<Prepared>& records);
+std::vector<Candidate> candidates_beside(const System& system, const Model& model,
+                                         const std::vector<Prepared>& records);
 
 struct Screened {
   size_t candidate = 0;
@@ -29,11 +30,12 @@ struct ScreenedPair {
 struct Screen {
   std::vector<Screened> singles;  // best first; one per kind and place, its best shape
   std::vector<ScreenedPair> pairs;
-  Vec force_noise_response;       // per channel: mean square of the response to force noise of standard deviation 1 each
+  Vec force_noise_response;  // per channel: mean square of the response to force noise of standard deviation 1 each
 };
 // `fit` has settled over `windows`. pairs: how many of the best singles are tried two by two.
 Screen screen(const System& system, const std::vector<Prepared>& records, const Model& model,
-              const std::vector<Window>& windows, const Fitted& fit, const std::vector<Candidate>& candidates, size_t pairs);
+              const std::vector<Window>& windows, const Fitted& fit, const std::vector<Candidate>& candidates,
+              size_t pairs);
 
 // The model with a candidate and its first values.
 Model joined(const Model& model, const Candidate& candidate, const std::vector<double>& value);

@@ -48,7 +48,8 @@ Vec Columns::force(const Term& t, const Window& w, const WindowRun& run, Memory&
     double before = 0;
     const bool replaces = t.kind == Kind::kPresliding && [&] {
       for (const ModelTerm& m : model_)
-        if (m.term.link == t.link && (m.term.kind == Kind::kCoulomb || m.term.kind == Kind::kMissingCoulomb)) return true;
+        if (m.term.link == t.link && (m.term.kind == Kind::kCoulomb || m.term.kind == Kind::kMissingCoulomb))
+          return true;
       return false;
     }();
     for (Index k = 0; k < len; ++k) {
@@ -80,7 +81,8 @@ Vec Columns::force(const Term& t, const Window& w, const WindowRun& run, Memory&
   const Index d = t.dof;
   if (t.kind == Kind::kMassError) return run.a.row(d);
   if (t.kind == Kind::kResonance) {  // Newmark, average acceleration
-    const double o = kTwoPi * t.shape, c = 2 * t.shape2 * o, q = o * o, yield = 1 / (1 + 0.5 * h * c + 0.25 * h * h * q);
+    const double o = kTwoPi * t.shape, c = 2 * t.shape2 * o, q = o * o,
+                 yield = 1 / (1 + 0.5 * h * c + 0.25 * h * h * q);
     if (!follows) memory.z = run.x(d, 0), memory.v = run.v(d, 0);
     double z = memory.z, s = memory.v, a = c * (run.v(d, 0) - s) + q * (run.x(d, 0) - z);
     for (Index k = 0; k < len; ++k) {
@@ -94,8 +96,8 @@ Vec Columns::force(const Term& t, const Window& w, const WindowRun& run, Memory&
     return out;
   }
   const Vec f = record.force[static_cast<size_t>(d)].segment(w.from, len);
-  if (t.kind == Kind::kForceGain) return f;                   // the true force is smaller than its reading
-  if (t.kind == Kind::kForceDelay) return -slope_of(f, h);    // the true force was there earlier
+  if (t.kind == Kind::kForceGain) return f;                 // the true force is smaller than its reading
+  if (t.kind == Kind::kForceDelay) return -slope_of(f, h);  // the true force was there earlier
   for (Index k = 0; k < len; ++k) {
     const double angle = kTwoPi * t.shape * record.time_s(w.from + k);
     out[k] = t.kind == Kind::kForceHumCos50 ? std::cos(angle) : t.kind == Kind::kForceHumSin50 ? std::sin(angle) : 0;
@@ -103,7 +105,8 @@ Vec Columns::force(const Term& t, const Window& w, const WindowRun& run, Memory&
   return out;
 }
 
-bool Columns::of_channel(const Term& t, const Window& w, const WindowRun& run, const std::vector<MotionTrace>& traces, Vec& rows) const {
+bool Columns::of_channel(const Term& t, const Window& w, const WindowRun& run, const std::vector<MotionTrace>& traces,
+                         Vec& rows) const {
   const bool force = of_force_sensor(t.kind);
   if ((t.kind < Kind::kChannelDelay || t.kind > Kind::kHumSin) && !(massless_ && force)) return false;
   const Index len = w.length;
@@ -126,8 +129,8 @@ bool Columns::of_channel(const Term& t, const Window& w, const WindowRun& run, c
   return true;
 }
 
-void Columns::make(const std::vector<Term>& terms, const Window& w, const WindowRun& run, const std::vector<MotionTrace>& traces,
-                   Mat& out) {
+void Columns::make(const std::vector<Term>& terms, const Window& w, const WindowRun& run,
+                   const std::vector<MotionTrace>& traces, Mat& out) {
   const Index count = static_cast<Index>(terms.size()), len = w.length;
   const Index channels = static_cast<Index>(traces.size());
   if (memory_.size() != terms.size()) memory_.assign(terms.size(), {});
@@ -146,7 +149,8 @@ void Columns::make(const std::vector<Term>& terms, const Window& w, const Window
   std::vector<std::pair<int, int>> ends(terms.size());
   for (size_t i = 0; i < terms.size(); ++i) {
     const Term& t = terms[i];
-    ends[i] = t.link >= 0 ? std::make_pair(node_of(system_.links[static_cast<size_t>(t.link)].a), node_of(system_.links[static_cast<size_t>(t.link)].b))
+    ends[i] = t.link >= 0 ? std::make_pair(node_of(system_.links[static_cast<size_t>(t.link)].a),
+                                           node_of(system_.links[static_cast<size_t>(t.link)].b))
                           : std::make_pair(t.dof, -1);
   }
   if (massless_) {

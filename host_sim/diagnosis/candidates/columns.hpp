@@ -10,8 +10,8 @@ class Columns {
   Columns(const System& system, const Model& model, const std::vector<Prepared>& records, bool massless)
       : system_(system), model_(model), records_(records), massless_(massless) {}
   // terms x rows of the window's run, which kept its transitions (and is not yet weighted).
-  void make(const std::vector<Term>& terms, const Window& w, const WindowRun& run, const std::vector<MotionTrace>& traces,
-            Mat& out);
+  void make(const std::vector<Term>& terms, const Window& w, const WindowRun& run,
+            const std::vector<MotionTrace>& traces, Mat& out);
 
  private:
   struct Memory {
@@ -20,7 +20,8 @@ class Columns {
     double z = 0, v = 0;
   };
   Vec force(const Term& t, const Window& w, const WindowRun& run, Memory& memory) const;
-  bool of_channel(const Term& t, const Window& w, const WindowRun& run, const std::vector<MotionTrace>& traces, Vec& rows) const;
+  bool of_channel(const Term& t, const Window& w, const WindowRun& run, const std::vector<MotionTrace>& traces,
+                  Vec& rows) const;
   double base(const Window& w, Index k, bool rate) const;
   const System& system_;
   const Model& model_;

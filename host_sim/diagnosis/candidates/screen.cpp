@@ -8,10 +8,10 @@
 namespace diagnosis::runs {
 namespace {
 
-constexpr Index kAtOnce = 192;  // columns: bounds memory
+constexpr Index kAtOnce = 192;      // columns: bounds memory
 constexpr double kDistinct = 1e-5;  // share of a column's square that the model cannot make itself
 
-struct Sums {  // of the columns, per window
+struct Sums {              // of the columns, per window
   Mat residual;            // columns x windows
   std::vector<Mat> model;  // per window: columns x parameters
   Mat square;              // columns x windows
@@ -24,7 +24,8 @@ struct Beside {
 
 class Pass {
  public:
-  Pass(const System& system, const std::vector<Prepared>& records, const Model& model, const std::vector<Window>& windows, const Fitted& fit)
+  Pass(const System& system, const std::vector<Prepared>& records, const Model& model,
+       const std::vector<Window>& windows, const Fitted& fit)
       : evaluator_(system, model, records), windows_(windows), columns_(system, model, records, evaluator_.massless()) {
     weights_ = fit.mean_square.cwiseSqrt().cwiseInverse();
   }
@@ -54,7 +55,8 @@ class Pass {
         a = scale.asDiagonal() * a * scale.asDiagonal();
         a.diagonal().array() += 1e-9;
         const Eigen::LLT<Mat> solver(a);
-        const Mat basis = solver.matrixL().solve((scale.asDiagonal() * states.transpose()).eval());  // s x rows, orthonormal
+        const Mat basis =
+            solver.matrixL().solve((scale.asDiagonal() * states.transpose()).eval());  // s x rows, orthonormal
         made -= (made * basis.transpose()) * basis;
         parameters -= basis.transpose() * (basis * parameters);
         run.residual -= basis.transpose() * (basis * run.residual);
@@ -79,7 +81,8 @@ struct Judged {
 }  // namespace
 
 Screen screen(const System& system, const std::vector<Prepared>& records, const Model& model,
-              const std::vector<Window>& windows, const Fitted& fit, const std::vector<Candidate>& candidates, size_t pairs) {
+              const std::vector<Window>& windows, const Fitted& fit, const std::vector<Candidate>& candidates,
+              size_t pairs) {
   Screen out;
   std::vector<Term> terms;
   std::vector<size_t> first;
@@ -91,7 +94,8 @@ Screen screen(const System& system, const std::vector<Prepared>& records, const 
   const size_t nw = windows.size();
   std::vector<Mat> own_model(nw), cross(nw, Mat());
   std::vector<Vec> own_score(nw);
-  Mat residual = Mat::Zero(count, static_cast<Index>(nw)), square = residual, mate = residual;  // mate: with the next column
+  Mat residual = Mat::Zero(count, static_cast<Index>(nw)), square = residual,
+      mate = residual;  // mate: with the next column
   double total = 0;
   for (Index from = 0; from < count; from += kAtOnce) {
     const Index n = std::min(kAtOnce, count - from);
@@ -132,9 +136,11 @@ Screen screen(const System& system, const std::vector<Prepared>& records, const 
     const double value = right / left;
     double influence = 0, leverage = 0;
     for (size_t w = 0; w < nw; ++w) {
-      const double own = square(i, static_cast<Index>(w)) - 2 * beta.row(i).dot(cross[w].row(i)) + beta.row(i) * own_model[w] * beta.row(i).transpose();
+      const double own = square(i, static_cast<Index>(w)) - 2 * beta.row(i).dot(cross[w].row(i)) +
+                         beta.row(i) * own_model[w] * beta.row(i).transpose();
       const double h = std::clamp(own / left, 0.0, 0.95);
-      const double s = (residual(i, static_cast<Index>(w)) - beta.row(i).dot(own_score[w]) - value * own) / left / (1 - h);
+      const double s =
+          (residual(i, static_cast<Index>(w)) - beta.row(i).dot(own_score[w]) - value * own) / left / (1 - h);
       influence += s * s, leverage += h * h;
     }
     j.value = {value}, j.gain = right * value / total;
@@ -166,8 +172,9 @@ Screen screen(const System& system, const std::vector<Prepared>& records, const 
   }
   std::sort(all.begin(), all.end(), [](const Screened& a, const Screened& b) { return a.gain > b.gain; });
   for (const Screened& s : all) {
-    const bool seen = std::any_of(out.singles.begin(), out.singles.end(),
-                                  [&](const Screened& o) { return candidates[o.candidate].same_place(candidates[s.candidate]); });
+    const bool seen = std::any_of(out.singles.begin(), out.singles.end(), [&](const Screened& o) {
+      return candidates[o.candidate].same_place(candidates[s.candidate]);
+    });
     if (!seen) out.singles.push_back(s);
   }
   // Two at a time, in closed form: of every kind and place its three best shapes.
@@ -175,7 +182,8 @@ Screen screen(const System& system, const std::vector<Prepared>& records, const 
   for (const Screened& s : all) {
     if (chosen.size() >= pairs) break;
     if (candidates[s.candidate].terms.size() > 1) continue;
-    const auto same = std::count_if(chosen.begin(), chosen.end(), [&](size_t o) { return candidates[o].same_place(candidates[s.candidate]); });
+    const auto same = std::count_if(chosen.begin(), chosen.end(),
+                                    [&](size_t o) { return candidates[o].same_place(candidates[s.candidate]); });
     if (same < 2) chosen.push_back(s.candidate);
   }
   if (chosen.size() < 2) return out;
@@ -201,7 +209,8 @@ Screen screen(const System& system, const std::vector<Prepared>& records, const 
       if ((a.sign != 0 && a.sign * v[0] < 0) || (b.sign != 0 && b.sign * v[1] < 0)) continue;
       out.pairs.push_back({chosen[static_cast<size_t>(i)], chosen[static_cast<size_t>(j)], v.dot(rhs) / total});
     }
-  std::sort(out.pairs.begin(), out.pairs.end(), [](const ScreenedPair& a, const ScreenedPair& b) { return a.gain > b.gain; });
+  std::sort(out.pairs.begin(), out.pairs.end(),
+            [](const ScreenedPair& a, const ScreenedPair& b) { return a.gain > b.gain; });
   return out;
 }
 

@@ -65,7 +65,8 @@ std::vector<Candidate> candidates_beside(const System& s, const Model& model, co
     for (const Vec& f : p.force) any_force = any_force || f.size() > 0;
   }
   for (const ModelTerm& t : model) any_mass = any_mass || (t.term.kind == Kind::kMass);
-  const bool scale_known = std::any_of(model.begin(), model.end(), [](const ModelTerm& t) { return t.known && !t.added && t.value != 0; });
+  const bool scale_known =
+      std::any_of(model.begin(), model.end(), [](const ModelTerm& t) { return t.known && !t.added && t.value != 0; });
   const bool based = records[0].guess.back().given;
   for (size_t i = 0; i < s.links.size(); ++i) {
     const int l = static_cast<int>(i);
@@ -76,12 +77,13 @@ std::vector<Candidate> candidates_beside(const System& s, const Model& model, co
     const int friction = find(model, l, {Kind::kCoulomb, Kind::kMissingCoulomb});
     const int spring = find(model, l, {Kind::kStiffness});
     const bool hysteretic = find(model, l, {Kind::kPresliding}) >= 0;
-    if (viscous < 0 || model[static_cast<size_t>(viscous)].known) add({on_link(Kind::kMissingViscous, l)}, 0, viscous < 0 ? 1 : 0);
+    if (viscous < 0 || model[static_cast<size_t>(viscous)].known)
+      add({on_link(Kind::kMissingViscous, l)}, 0, viscous < 0 ? 1 : 0);
     if (friction < 0 && !hysteretic) add({on_link(Kind::kMissingCoulomb, l)}, 0, 1);
     if (!listed) continue;
     if (spring < 0 || model[static_cast<size_t>(spring)].known) add({on_link(Kind::kStiffnessError, l)}, 0);
-    for (Kind k : {Kind::kForceOffset, Kind::kAsymmetricViscous, Kind::kQuadraticDamping, Kind::kCubicStiffness, Kind::kQuadraticStiffness,
-                   Kind::kCubicDamping, Kind::kDisplacementDamping})
+    for (Kind k : {Kind::kForceOffset, Kind::kAsymmetricViscous, Kind::kQuadraticDamping, Kind::kCubicStiffness,
+                   Kind::kQuadraticStiffness, Kind::kCubicDamping, Kind::kDisplacementDamping})
       add({on_link(k, l)}, 0);
     add({on_link(Kind::kDriftingViscous, l)}, 0);
     for (double share : {0.06, 0.2, 0.6}) add({on_link(Kind::kDriftingViscous, l, share * duration_s)}, 1);
@@ -89,10 +91,12 @@ std::vector<Candidate> candidates_beside(const System& s, const Model& model, co
       for (double share : {0.001, 0.003, 0.01, 0.03, 0.1, 0.25, 0.5}) {
         add({on_link(Kind::kBacklash, l, share * e.u_peak)}, 1, 1, spring);
       }
-    for (double share : {0.2, 0.35, 0.5, 0.62, 0.74, 0.85, 0.93}) add({on_link(Kind::kEndStop, l, share * e.u_peak)}, 1, 1);
+    for (double share : {0.2, 0.35, 0.5, 0.62, 0.74, 0.85, 0.93})
+      add({on_link(Kind::kEndStop, l, share * e.u_peak)}, 1, 1);
     if (!hysteretic)
       for (double share : {0.05, 0.12, 0.3, 0.7}) add({on_link(Kind::kStribeck, l, share * e.w_rms)}, 1, 1);
-    for (double share : {0.003, 0.01, 0.03, 0.1, 0.25, 0.6, 1.2}) add({on_link(Kind::kPresliding, l, share * e.u_rms)}, 1, 1, friction);
+    for (double share : {0.003, 0.01, 0.03, 0.1, 0.25, 0.6, 1.2})
+      add({on_link(Kind::kPresliding, l, share * e.u_rms)}, 1, 1, friction);
   }
   for (size_t d = 0; d < s.dofs(); ++d) {
     const int dof = static_cast<int>(d);
@@ -101,7 +105,8 @@ std::vector<Candidate> candidates_beside(const System& s, const Model& model, co
         if (model[i].term.kind == Kind::kMass && model[i].term.dof == dof) return static_cast<int>(i);
       return -1;
     }();
-    if (mass >= 0 && model[static_cast<size_t>(mass)].known && (any_force || s.dofs() > 1 || based)) add({on_dof(Kind::kMassError, dof)}, 0);
+    if (mass >= 0 && model[static_cast<size_t>(mass)].known && (any_force || s.dofs() > 1 || based))
+      add({on_dof(Kind::kMassError, dof)}, 0);
     if (mass >= 0) {
       const double low = 0.7 / slowest_s, high = 1.4 * fastest_Hz;
       for (int i = 0; i < 24 && high > low; ++i) {

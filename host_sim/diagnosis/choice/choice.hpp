@@ -28,8 +28,8 @@ struct Named {
 
 // What is left, channel by channel.
 struct Left {
-  Vec noise;     // mean square of what looks like noise: the level above the motion's band
-  Vec in_band;   // residual's level in the band of the motion over that beside it
+  Vec noise;    // mean square of what looks like noise: the level above the motion's band
+  Vec in_band;  // residual's level in the band of the motion over that beside it
   double worst() const { return in_band.size() ? in_band.maxCoeff() : 0; }
 };
 
@@ -43,8 +43,22 @@ struct Choice {
   bool base_fits_nothing = false;  // not even over a fifth of a period does the rig as given describe the motion
 };
 
-// progress: called with the share done.
-Choice choose(const System& system, const std::vector<Prepared>& records, size_t training, const std::function<void(double)>& progress);
+// The rig as given, fitted over the longest windows that it can follow; `training` of the records may be fitted, the others
+// are unseen (where there are none, the last 30 % of each).
+struct Task {
+  const System& system;
+  const std::vector<Prepared>& records;
+  size_t training;
+};
+Choice rig_fitted(const Task& task);
+// Error of the windows' runs over the motion, the worst channel's; huge where there is no fit.
+double motion_error(const Task& task, const State& state);
+// Goes on from rig_fitted(): names what is missing. progress: called with the share done.
+void choose(const Task& task, Choice& choice, const std::function<void(double)>& progress);
+// Whether every one of these, found by another test, is borne out: it stays significant beside the others, and without it
+// unseen data are simulated worse.
+bool borne_out(const Task& task, const State& base, const std::vector<Candidate>& found,
+               const std::vector<double>& values);
 
 Left left_by(const System& system, const std::vector<Prepared>& records, const State& state);
 // Squared error of a state over that of another, mean over the channels; seen or unseen windows.

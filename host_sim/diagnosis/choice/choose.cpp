@@ -11,22 +11,21 @@ namespace {
 
 // A normal deviate that chance passes on one of 200 candidates once in 500 records, with a margin for what is not normal.
 constexpr double kSignificant = 4.5;
+// The same where most of the residual is not noise: there the share of it and unseen data decide, and chance is no rival.
+constexpr double kPlain = 3;
+constexpr double kMostlyNoise = 0.5;
+constexpr double kWorthFitting = 2;
 // Of what is still to be explained, that a cause has to take.
 constexpr double kShare = 0.3;
 constexpr size_t kMostCauses = 4;
 constexpr size_t kShortList = 5, kPairs = 40, kPairTrials = 2;
-constexpr double kLinear = 0.25;        // error over motion up to which a linearisation is trusted
+constexpr double kLinear = 0.25;          // error over motion up to which a linearisation is trusted
 constexpr double kShortestHorizon = 0.2;  // periods
 constexpr int kBaseSteps = 12, kTrialSteps = 6;
-constexpr double kClear = 2;            // of a difference, paired over windows, in standard errors
+constexpr double kAsWell = 1.1;  // of the squared error: so near, the simpler is named
+constexpr double kClear = 2;     // of a difference, paired over windows, in standard errors
 
 bool talk() { return std::getenv("RIG_DIAGNOSIS_TRACE") != nullptr; }
-
-struct Task {
-  const System& system;
-  const std::vector<Prepared>& records;
-  size_t training;
-};
 
 void lay(const Task& task, double periods, State& s) {
   const bool apart = task.training < task.records.size();
@@ -42,21 +41,6 @@ void settle(const Task& task, State& s, int steps) {
   if (!s.fit.ok) return;
   Model frozen = s.model;
   s.unseen_fit = fit(task.system, task.records, frozen, s.unseen, steps, true);
-}
-
-double motion_error(const Task& task, const State& s) {
-  if (!s.fit.ok) return 1e300;
-  Evaluator e(task.system, s.model, task.records);
-  double worst = 0;
-  for (size_t c = 0; c < e.traces(0).size(); ++c) {
-    double sum = 0, count = 0;
-    for (const Window& w : s.seen) {
-      const auto y = e.traces(w.record)[c].y.segment(w.from, w.length).array();
-      sum += (y - y.mean()).square().sum(), count += static_cast<double>(w.length);
-    }
-    worst = std::max(worst, std::sqrt(s.fit.mean_square[static_cast<Index>(c)] / std::max(1e-300, sum / count)));
-  }
-  return worst;
 }
 
 // The longest windows over which the model stays within reach of its linearisation.
@@ -122,10 +106,11 @@ Trial try_out(const Task& task, const State& now, const std::vector<Candidate>& 
 std::string words(const Task& task, const Trial& t) {
   std::string out;
   for (const Candidate& c : t.candidates)
-    out += std::string(out.empty() ? "" : " + ") + word_of(c.terms[0].kind) +
-           (c.terms[0].link >= 0 ? " link " + rig_file::link_label(task.system.links[static_cast<size_t>(c.terms[0].link)])
-                                 : " dof " + std::to_string(c.terms[0].dof + 1)) +
-           (c.terms[0].quantity >= 0 ? "q" + std::to_string(c.terms[0].quantity) : "");
+    out +=
+        std::string(out.empty() ? "" : " + ") + word_of(c.terms[0].kind) +
+        (c.terms[0].link >= 0 ? " link " + rig_file::link_label(task.system.links[static_cast<size_t>(c.terms[0].link)])
+                              : " dof " + std::to_string(c.terms[0].dof + 1)) +
+        (c.terms[0].quantity >= 0 ? "q" + std::to_string(c.terms[0].quantity) : "");
   return out;
 }
 
@@ -136,16 +121,33 @@ double noise_share(const Left& left, const Fitted& fit) {
   return left.noise.size() ? left.noise.cwiseQuotient(fit.mean_square).cwiseMin(1.0).mean() : 0;
 }
 
+// On all windows, the unseen ones with their share.
+double whole_error(const Trial& t) {
+  const double seen = static_cast<double>(t.state.seen.size()), unseen = static_cast<double>(t.state.unseen.size());
+  return (seen * t.error + unseen * t.unseen) / (seen + unseen);
+}
+
 bool passes(const Trial& t, size_t already, double noise) {
   const double n = static_cast<double>(already + t.candidates.size());
-  return t.z > kSignificant * std::sqrt(n) && share_of(t, noise) > 1 - std::pow(1 - kShare, n) && t.unseen < 1;
+  const bool plain = noise < kMostlyNoise && 1 - t.unseen > 0.5 * (1 - t.error);
+  return t.z > (plain ? kPlain : kSignificant) * std::sqrt(n) && share_of(t, noise) > 1 - std::pow(1 - kShare, n) &&
+         t.unseen < 1;
+}
+
+// Over seen and unseen windows: how clearly the second leaves less than the first.
+double paired_over_all(const Trial& a, const Trial& b) {
+  Fitted x = a.state.fit, y = b.state.fit;
+  for (const Vec& v : a.state.unseen_fit.window_ss) x.window_ss.push_back(v);
+  for (const Vec& v : b.state.unseen_fit.window_ss) y.window_ss.push_back(v);
+  return paired_z(x, y);
 }
 
 // Whether one trial is clearly better than another, over windows taken in pairs, or leaves much less.
 bool clearly_better(const Trial& a, const Trial& b, double noise) {
-  const double over = b.error - a.error, left = std::max(1e-12, a.error - std::min(noise, a.error));
-  if (over < 0.5 * left) return false;
-  return paired_z(b.state.fit, a.state.fit) > kClear;
+  const double over = whole_error(b) - whole_error(a),
+               left = std::max(1e-12, whole_error(a) - std::min(noise, whole_error(a)));
+  if (paired_over_all(b, a) > kClear) return true;
+  return over > left;
 }
 
 struct Round {
@@ -163,34 +165,42 @@ Round round_of(const Task& task, const State& now, size_t already, Choice& choic
   choice.last_screen = screen(task.system, task.records, now.model, now.seen, now.fit, choice.last_candidates, kPairs);
   const Screen& s = choice.last_screen;
   if (talk()) {
-    std::printf("round %zu: noise %.3f in band %.1f, %zu candidates\n", already + 1, round.noise, left.worst(), choice.last_candidates.size());
+    std::fprintf(stderr, "round %zu: noise %.3f in band %.1f, %zu candidates\n", already + 1, round.noise, left.worst(),
+                 choice.last_candidates.size());
     for (size_t i = 0; i < std::min<size_t>(8, s.singles.size()); ++i) {
       Trial t;
       t.candidates = {choice.last_candidates[s.singles[i].candidate]};
-      std::printf("   %-40s gain %.4f z %.1f value %g shape %g\n", words(task, t).c_str(), s.singles[i].gain, s.singles[i].z, s.singles[i].value[0], t.candidates[0].terms[0].shape);
+      std::fprintf(stderr, "   %-40s gain %.4f z %.1f value %g shape %g\n", words(task, t).c_str(), s.singles[i].gain,
+                   s.singles[i].z, s.singles[i].value[0], t.candidates[0].terms[0].shape);
     }
     for (size_t i = 0; i < std::min<size_t>(3, s.pairs.size()); ++i) {
       Trial t;
       t.candidates = {choice.last_candidates[s.pairs[i].first], choice.last_candidates[s.pairs[i].second]};
-      std::printf("   pair %-50s gain %.4f\n", words(task, t).c_str(), s.pairs[i].gain);
+      std::fprintf(stderr, "   pair %-50s gain %.4f\n", words(task, t).c_str(), s.pairs[i].gain);
     }
   }
   std::vector<Trial> singles;
   for (const Screened& one : s.singles) {
     if (singles.size() >= kShortList) break;
-    if (one.z < 2) continue;
+    if (one.z < (round.noise < kMostlyNoise ? kWorthFitting : kPlain) * std::sqrt(static_cast<double>(already + 1)))
+      continue;
     singles.push_back(try_out(task, now, {choice.last_candidates[one.candidate]}, {one.value}, kTrialSteps));
     const Trial& t = singles.back();
-    if (talk()) std::printf("   fitted %-40s error %.4f unseen %.4f z %.1f share %.3f\n", words(task, t).c_str(), t.error, t.unseen, t.z, share_of(t, round.noise));
+    if (talk())
+      std::fprintf(stderr, "   fitted %-40s error %.4f unseen %.4f z %.1f share %.3f\n", words(task, t).c_str(),
+                   t.error, t.unseen, t.z, share_of(t, round.noise));
   }
-  std::sort(singles.begin(), singles.end(), [](const Trial& a, const Trial& b) { return a.error < b.error; });
-  const auto first = std::find_if(singles.begin(), singles.end(), [&](const Trial& t) { return passes(t, already, round.noise); });
+  std::sort(singles.begin(), singles.end(),
+            [](const Trial& a, const Trial& b) { return whole_error(a) < whole_error(b); });
+  const auto first =
+      std::find_if(singles.begin(), singles.end(), [&](const Trial& t) { return passes(t, already, round.noise); });
   if (first != singles.end()) round.best = *first, round.found = true;
   // two that help only together: where no single does, or where they leave half of what the best single with its best partner does
   double with_best = 0;
   for (const ScreenedPair& p : s.pairs)
     for (size_t c : {p.first, p.second})
-      if (round.found && choice.last_candidates[c].same_place(round.best.candidates[0])) with_best = std::max(with_best, p.gain);
+      if (round.found && choice.last_candidates[c].same_place(round.best.candidates[0]))
+        with_best = std::max(with_best, p.gain);
   std::vector<Trial> pairs;
   for (const ScreenedPair& p : s.pairs) {
     if (pairs.size() >= kPairTrials || already + 2 > kMostCauses) break;
@@ -198,14 +208,18 @@ Round round_of(const Task& task, const State& now, size_t already, Choice& choic
     const std::vector<Candidate> both = {choice.last_candidates[p.first], choice.last_candidates[p.second]};
     pairs.push_back(try_out(task, now, both, {{0.0}, {0.0}}, 2 * kTrialSteps));
     const Trial& t = pairs.back();
-    if (talk()) std::printf("   fitted pair %-50s error %.4f unseen %.4f z %.1f share %.3f\n", words(task, t).c_str(), t.error, t.unseen, t.z, share_of(t, round.noise));
+    if (talk())
+      std::fprintf(stderr, "   fitted pair %-50s error %.4f unseen %.4f z %.1f share %.3f\n", words(task, t).c_str(),
+                   t.error, t.unseen, t.z, share_of(t, round.noise));
   }
   for (const Trial& t : pairs)
-    if (passes(t, already, round.noise) && (!round.found || t.error < 0.5 * round.best.error)) round.best = t, round.found = true;
+    if (passes(t, already, round.noise) && (!round.found || whole_error(t) < 0.5 * whole_error(round.best)))
+      round.best = t, round.found = true;
   if (!round.found) return round;
   if (round.best.candidates.size() == 1)
     for (const Trial& t : singles)
-      if (!t.candidates[0].same_place(round.best.candidates[0]) && t.z > kSignificant && t.unseen < 1 && !clearly_better(round.best, t, round.noise))
+      if (!t.candidates[0].same_place(round.best.candidates[0]) && t.z > kPlain && t.unseen < 1 &&
+          !clearly_better(round.best, t, round.noise))
         round.rivals.push_back(t);
   return round;
 }
@@ -213,33 +227,51 @@ Round round_of(const Task& task, const State& now, size_t already, Choice& choic
 // The simplest of those that do equally well is named.
 void name_simplest(Round& round) {
   for (Trial& t : round.rivals)
-    if (t.complexity < round.best.complexity || (t.complexity == round.best.complexity && t.error < round.best.error)) std::swap(t, round.best);
+    if (t.complexity < round.best.complexity && whole_error(t) < kAsWell * whole_error(round.best))
+      std::swap(t, round.best);
 }
 
 }  // namespace
 
-Choice choose(const System& system, const std::vector<Prepared>& records, size_t training, const std::function<void(double)>& progress) {
-  const Task task{system, records, training};
+double motion_error(const Task& task, const State& s) {
+  if (!s.fit.ok) return 1e300;
+  Evaluator e(task.system, s.model, task.records);
+  double worst = 0;
+  for (size_t c = 0; c < e.traces(0).size(); ++c) {
+    double sum = 0, count = 0;
+    for (const Window& w : s.seen) {
+      const auto y = e.traces(w.record)[c].y.segment(w.from, w.length).array();
+      sum += (y - y.mean()).square().sum(), count += static_cast<double>(w.length);
+    }
+    worst = std::max(worst, std::sqrt(s.fit.mean_square[static_cast<Index>(c)] / std::max(1e-300, sum / count)));
+  }
+  return worst;
+}
+
+Choice rig_fitted(const Task& task) {
   Choice choice;
   State now;
-  now.model = rig_as_given(system, records);
-  start_values(system, records, now.model);
-  const bool massless = Evaluator(system, now.model, records).massless();
-  choice.periods = horizon(task, now, longest_horizon(records), massless);
-  progress(0.3);
-  choice.base = now;
-  if (!now.fit.ok) {
-    choice.base_fits_nothing = true;
-    choice.final = now;
-    return choice;
-  }
-  choice.base_left = left_by(system, records, now);
-  if (talk()) std::printf("base: periods %.2f, %zu + %zu windows, error %.4f\n", choice.periods, now.seen.size(), now.unseen.size(), motion_error(task, now));
+  now.model = rig_as_given(task.system, task.records);
+  start_values(task.system, task.records, now.model);
+  const bool massless = Evaluator(task.system, now.model, task.records).massless();
+  choice.periods = horizon(task, now, longest_horizon(task.records), massless);
+  choice.base = choice.final = now;
+  choice.base_fits_nothing = !massless && !(motion_error(task, now) < kLinear);
+  if (now.fit.ok) choice.base_left = choice.final_left = left_by(task.system, task.records, now);
+  if (talk())
+    std::fprintf(stderr, "base: periods %.2f, %zu + %zu windows, error %.4f\n", choice.periods, now.seen.size(),
+                 now.unseen.size(), motion_error(task, now));
+  return choice;
+}
+
+void choose(const Task& task, Choice& choice, const std::function<void(double)>& progress) {
+  State now = choice.base;
+  if (!now.fit.ok || now.unseen.empty()) return;
   while (choice.named.size() < kMostCauses) {
     Round round = round_of(task, now, choice.named.size(), choice);
     if (!round.found) break;
     name_simplest(round);
-    if (talk()) std::printf(" -> %s, %zu rivals\n", words(task, round.best).c_str(), round.rivals.size());
+    if (talk()) std::fprintf(stderr, " -> %s, %zu rivals\n", words(task, round.best).c_str(), round.rivals.size());
     for (const Candidate& c : round.best.candidates) {
       Named named;
       named.candidate = c, named.z = round.best.z, named.share = share_of(round.best, round.noise);
@@ -248,12 +280,27 @@ Choice choose(const System& system, const std::vector<Prepared>& records, size_t
     }
     now = round.best.state;
     settle(task, now, kBaseSteps);
-    progress(0.3 + 0.6 * static_cast<double>(choice.named.size()) / static_cast<double>(kMostCauses));
+    progress(static_cast<double>(choice.named.size()) / static_cast<double>(kMostCauses));
   }
   choice.final = now;
-  choice.final_left = left_by(system, records, now);
-  progress(1);
-  return choice;
+  choice.final_left = left_by(task.system, task.records, now);
+}
+
+bool borne_out(const Task& task, const State& base, const std::vector<Candidate>& found,
+               const std::vector<double>& values) {
+  std::vector<std::vector<double>> starts;
+  for (double v : values) starts.push_back({v});
+  const Trial all = try_out(task, base, found, starts, kTrialSteps);
+  if (talk()) std::fprintf(stderr, "borne out? error %.4f unseen %.4f z %.1f\n", all.error, all.unseen, all.z);
+  if (!all.state.fit.ok || !(all.z > kPlain) || !(all.unseen < 1)) return false;
+  for (size_t i = 0; found.size() > 1 && i < found.size(); ++i) {
+    std::vector<Candidate> fewer = found;
+    std::vector<std::vector<double>> start = starts;
+    fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(i)),
+        start.erase(start.begin() + static_cast<std::ptrdiff_t>(i));
+    if (try_out(task, base, fewer, start, kTrialSteps).unseen <= all.unseen) return false;
+  }
+  return true;
 }
 
 }  // namespace diagnosis::runs

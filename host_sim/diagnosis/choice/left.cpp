@@ -8,7 +8,7 @@
 namespace diagnosis::runs {
 namespace {
 
-constexpr double kAboveMotion = 1.4;  // times its highest frequency: the band that shows noise alone
+constexpr double kAboveMotion = 1.4;       // times its highest frequency: the band that shows noise alone
 constexpr double kMedianOfSpread = 0.693;  // of an exponential law, per mean
 
 double median(std::vector<double> v) {
@@ -51,7 +51,8 @@ Left left_by(const System& system, const std::vector<Prepared>& records, const S
     }
     const double level = median(beside) / kMedianOfSpread;
     left.noise[static_cast<Index>(c)] = level;
-    left.in_band[static_cast<Index>(c)] = inside.empty() || level <= 0 ? 1 : sum / static_cast<double>(inside.size()) / level;
+    left.in_band[static_cast<Index>(c)] =
+        inside.empty() || level <= 0 ? 1 : sum / static_cast<double>(inside.size()) / level;
   }
   return left;
 }

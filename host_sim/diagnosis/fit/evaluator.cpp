@@ -31,7 +31,11 @@ Vec slope_of(const Vec& h, double step_s) {
 }  // namespace
 
 Evaluator::Evaluator(const System& system, const Model& model, const std::vector<Prepared>& records)
-    : model_(model), records_(records) {
+    : model_(model), records_(records), dofs_(static_cast<Index>(system.dofs())) {
+  for (const Prepared& p : records) {
+    driven_ = driven_ || p.guess.back().given;
+    for (const Vec& f : p.force) driven_ = driven_ || (f.size() > 0 && f.cwiseAbs().maxCoeff() > 0);
+  }
   for (const Prepared& p : records) {
     simulators_.push_back(std::make_unique<Simulator>(system, model, p));
     const Simulator& s = *simulators_.back();
@@ -59,9 +63,20 @@ Evaluator::Evaluator(const System& system, const Model& model, const std::vector
       if (list.empty()) throw CannotAnswer("no mass and no force channel: nothing balances the links' forces");
 }
 
-Vec Evaluator::guessed_state(const Window& w) const {
+Vec Evaluator::carried_state(const Window& w) const {
   if (massless_) return Vec();
-  return simulators_[w.record]->guessed_state(w.from);
+  const Simulator& s = *simulators_[w.record];
+  Index offsets = 0;
+  for (const MotionTrace& t : traces_[w.record]) offsets += has_offset(t);
+  Vec state = Vec::Zero(s.states() + offsets);
+  if (w.state.size() == state.size()) return w.state;
+  state.head(s.states()) = s.guessed_state(w.from);
+  if (w.state.size() >= 2 * dofs_ + offsets && w.state.size() < state.size()) {  // the DOFs keep what they had
+    const Index nodes = w.state.size() == 2 * dofs_ + offsets ? dofs_ : 0;
+    if (nodes) state.head(dofs_) = w.state.head(dofs_), state.segment(s.nodes(), dofs_) = w.state.segment(dofs_, dofs_);
+    state.tail(offsets) = w.state.tail(offsets);
+  }
+  return state;
 }
 
 void Evaluator::moved(const Window& w, const Vec& change, Vec& state) const {
@@ -90,14 +105,16 @@ void Evaluator::from_motion(const Window& w, bool slopes, WindowRun& out) const 
     h.row(c) = f.force.row(d).segment(w.from, len);
     if (slopes)
       for (Index p = 0; p < parameters_; ++p)
-        out.slopes.col(p).segment(c * len, len) = f.slopes[static_cast<size_t>(p)].row(d).segment(w.from, len).transpose();
+        out.slopes.col(p).segment(c * len, len) =
+            f.slopes[static_cast<size_t>(p)].row(d).segment(w.from, len).transpose();
   }
   const Prepared& record = records_[w.record];
   const Index n = static_cast<Index>(record.guess.size()) - 1;
   out.x.resize(n, len), out.v.resize(n, len), out.a.resize(n, len);
   for (Index d = 0; d < n; ++d) {
     const Guess& g = record.guess[static_cast<size_t>(d)];
-    out.x.row(d) = g.x.segment(w.from, len), out.v.row(d) = g.v.segment(w.from, len), out.a.row(d) = g.a.segment(w.from, len);
+    out.x.row(d) = g.x.segment(w.from, len), out.v.row(d) = g.v.segment(w.from, len),
+    out.a.row(d) = g.a.segment(w.from, len);
   }
   faults(w, slopes, h, out);
 }
@@ -108,15 +125,17 @@ bool Evaluator::simulate(const Window& w, bool slopes, bool keep, WindowRun& out
   const Index channels = static_cast<Index>(traces.size()), len = w.length, ns = s.states(), n = s.nodes();
   bool acceleration = false;
   Index offsets = 0;
-  for (const MotionTrace& t : traces) acceleration = acceleration || t.quantity == 2, offsets += t.quantity == 2;
+  for (const MotionTrace& t : traces) acceleration = acceleration || t.quantity == 2, offsets += has_offset(t);
   out.nuisances = ns + offsets;
-  Vec y = w.state, acc;
+  Vec y = w.state.head(ns), acc;
   Mat one, sensitivity = Mat::Zero(ns, ns + parameters_), acc_slopes;
   sensitivity.leftCols(ns).setIdentity();
   Mat h(channels, len);
   if (slopes) out.slopes.setZero(channels * len, out.nuisances + parameters_);
   out.x.resize(n, len), out.v.resize(n, len), out.a.resize(n, len);
-  if (keep) out.step.resize(static_cast<size_t>(len)), out.acc.resize(static_cast<size_t>(len)), out.yield.resize(static_cast<size_t>(len));
+  if (keep)
+    out.step.resize(static_cast<size_t>(len)), out.acc.resize(static_cast<size_t>(len)),
+        out.yield.resize(static_cast<size_t>(len));
   s.start(w.from, y);
   for (Index k = 0; k < len; ++k) {
     s.accelerations(w.from + k, y, acc, slopes ? &acc_slopes : nullptr);
@@ -131,11 +150,13 @@ bool Evaluator::simulate(const Window& w, bool slopes, bool keep, WindowRun& out
     for (Index c = 0; c < channels; ++c) {
       const MotionTrace& t = traces[static_cast<size_t>(c)];
       h(c, k) = t.quantity == 0 ? y[t.dof] : t.quantity == 1 ? y[n + t.dof] : acc[t.dof];
+      const Index own = offset;
+      if (has_offset(t)) h(c, k) += w.state[offset++];
       if (!slopes) continue;
       auto row = out.slopes.row(c * len + k);
       const auto from = t.quantity == 2 ? acc_rows.row(t.dof) : sensitivity.row(t.quantity == 0 ? t.dof : n + t.dof);
       row.head(ns) = from.head(ns), row.tail(parameters_) = from.tail(parameters_);
-      if (t.quantity == 2) row[offset++] = 1;
+      if (has_offset(t)) row[own] = 1;
     }
     if (k + 1 == len) break;
     if (!s.advance(w.from + k, y, slopes ? &one : nullptr)) return false;

@@ -11,19 +11,19 @@ namespace diagnosis::runs {
 struct Window {
   size_t record = 0;
   Index from = 0, length = 0;
-  Vec state;           // x and v of every DOF, then what the model adds; empty: to be guessed
+  Vec state;            // of the simulator, then the offsets of channels that have one; empty: to be guessed
   bool unseen = false;  // not for the fit
 };
 
 // One window's run. Rows: channel by channel, sample by sample.
 struct WindowRun {
-  Vec residual;               // measured less simulated
-  Mat slopes;                 // of the simulated: rows x (states, offsets, parameters)
-  Mat x, v, a;                // nodes x samples
-  std::vector<Mat> step;      // per sample: states x states, where kept
-  std::vector<Mat> acc;       // per sample: nodes x states
-  std::vector<Mat> yield;     // per sample: nodes x nodes
-  Index nuisances = 0;        // states and offsets, the first columns of slopes
+  Vec residual;            // measured less simulated
+  Mat slopes;              // of the simulated: rows x (states, offsets, parameters)
+  Mat x, v, a;             // nodes x samples
+  std::vector<Mat> step;   // per sample: states x states, where kept
+  std::vector<Mat> acc;    // per sample: nodes x states
+  std::vector<Mat> yield;  // per sample: nodes x nodes
+  Index nuisances = 0;     // states and offsets, the first columns of slopes
 };
 
 class Evaluator {
@@ -33,12 +33,16 @@ class Evaluator {
   bool massless() const { return massless_; }
   Index parameters() const { return parameters_; }
   const std::vector<MotionTrace>& traces(size_t record) const { return traces_[record]; }
-  Vec guessed_state(const Window& w) const;
+  // The guess for a window, keeping what it has where the model has changed since.
+  Vec carried_state(const Window& w) const;
   // False where the run does not stay finite. keep: transitions too, for candidates.
   bool run(const Window& w, bool slopes, bool keep, WindowRun& out);
   void moved(const Window& w, const Vec& change, Vec& state) const;  // state after a change of the nuisances
 
  private:
+  // Channels whose zero is free in every window: accelerations, and displacements that nothing drives (where a sensor's zero
+  // and a constant force are the same).
+  bool has_offset(const MotionTrace& t) const { return t.quantity == 2 || (t.quantity == 0 && !driven_); }
   bool simulate(const Window& w, bool slopes, bool keep, WindowRun& out);
   void from_motion(const Window& w, bool slopes, WindowRun& out) const;
   void faults(const Window& w, bool slopes, Mat& h, WindowRun& out) const;
@@ -51,8 +55,8 @@ class Evaluator {
     std::vector<Mat> slopes;
   };
   std::vector<MotionForces> forces_;  // per record, without masses
-  bool sound_ = true, massless_ = false;
-  Index parameters_ = 0;
+  bool sound_ = true, massless_ = false, driven_ = false;
+  Index parameters_ = 0, dofs_ = 0;
 };
 
 }  // namespace diagnosis::runs

@@ -7,12 +7,12 @@
 namespace diagnosis::runs {
 namespace {
 
-constexpr double kRidge = 1e-9;      // of a column's square: what is not determined stays where it is
-constexpr double kSettled = 0.02;    // of the cost: a fall that no test can notice
+constexpr double kRidge = 1e-9;       // of a column's square: what is not determined stays where it is
+constexpr double kSettled = 0.02;     // of the cost: a fall that no test can notice
 constexpr double kLongestStep = 0.5;  // of a shape's logarithm
 constexpr double kLeastShare = 0.3;   // of a positive number, that one step may leave of it
 
-struct Normal {  // of one window
+struct Normal {              // of one window
   Mat states_inverse_cross;  // what a change of the parameters does to the state
   Vec state_step;
   Mat gram;
@@ -99,22 +99,7 @@ Fitted fit(const System& system, const std::vector<Prepared>& records, Model& mo
   if (windows.empty()) return out;
   auto evaluator = std::make_unique<Evaluator>(system, model, records);
   if (!evaluator->sound()) return out;
-  for (Window& w : windows) {
-    const Vec guess = evaluator->guessed_state(w);
-    if (w.state.size() != guess.size()) {
-      Vec state = guess;  // what the model adds starts from the guess
-      const Index dofs = static_cast<Index>(system.dofs());
-      const Index nodes_before = w.state.size() ? std::min<Index>(dofs, w.state.size() / 2) : 0;
-      if (nodes_before == dofs && w.state.size() == 2 * dofs) {
-        const Index nodes = dofs + (guess.size() > 2 * dofs ? std::count_if(model.begin(), model.end(), [](const ModelTerm& t) {
-                                      return t.term.kind == Kind::kResonance;
-                                    })
-                                                            : 0);
-        state.head(dofs) = w.state.head(dofs), state.segment(nodes, dofs) = w.state.tail(dofs);
-      }
-      w.state = state;
-    }
-  }
+  for (Window& w : windows) w.state = evaluator->carried_state(w);
   Pass now = pass_over(*evaluator, windows, nullptr, false);
   if (!now.ok) return out;
   Vec weights = now.mean_square.cwiseSqrt().cwiseInverse();

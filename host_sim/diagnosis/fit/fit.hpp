@@ -16,8 +16,8 @@ struct Fitted {
 
 // How each parameter is determined: block influences over the windows, corrected for leverage.
 struct Determined {
-  double std = 0;   // of the parameter, so that value +- 1.96 std is its 95 % interval
-  double z = 0;     // value over standard error, as a normal deviate
+  double std = 0;  // of the parameter, so that value +- 1.96 std is its 95 % interval
+  double z = 0;    // value over standard error, as a normal deviate
 };
 std::vector<Determined> determined(const Fitted& fit, const Model& model);
 

@@ -21,7 +21,8 @@ void require_scale(const System& system, const Model& model, const std::vector<P
   if (known || forced) return;
   (void)system;
   throw CannotAnswer(
-      "without a force and without one known coefficient the equations only determine ratios: state one mass (or inertia), "
+      "without a force and without one known coefficient the equations only determine ratios: state one mass (or "
+      "inertia), "
       "for example 1, and read every other coefficient per unit of it");
 }
 
@@ -105,13 +106,15 @@ void start_values(const System& system, const std::vector<Prepared>& records, Mo
         } else if (t.link >= 0) {
           const rig_file::Link& l = system.links[static_cast<size_t>(t.link)];
           const double u = value(l.a, 0, k) - value(l.b, 0, k), w = value(l.a, 1, k) - value(l.b, 1, k);
-          const double spread = 0.5 * std::abs(value(l.a, 1, k + 1) - value(l.b, 1, k + 1) - value(l.a, 1, k - 1) + value(l.b, 1, k - 1));
+          const double spread =
+              0.5 * std::abs(value(l.a, 1, k + 1) - value(l.b, 1, k + 1) - value(l.a, 1, k - 1) + value(l.b, 1, k - 1));
           const bool friction = t.kind == Kind::kCoulomb || t.kind == Kind::kStribeck || t.kind == Kind::kPresliding;
           const double f = friction ? sign_of(w, spread) : law(t.kind, u, w, r.time_s(k), t.shape, t.shape2).force;
           put(l.a, f), put(l.b, -f);
         }
       }
-      for (Index d = 0; d < n; ++d) rows[static_cast<size_t>(d)].row(count) = columns.row(d), target[static_cast<size_t>(d)][count] = given[d];
+      for (Index d = 0; d < n; ++d)
+        rows[static_cast<size_t>(d)].row(count) = columns.row(d), target[static_cast<size_t>(d)][count] = given[d];
     }
     for (Index d = 0; d < n; ++d) {
       const auto a = rows[static_cast<size_t>(d)].topRows(count);

@@ -12,6 +12,7 @@ namespace {
 constexpr double kTwoPi = 6.283185307179586;
 constexpr double kSamplesPerTop = 24;  // of the fastest motion: one Runge-Kutta step each is right to 1e-4
 constexpr double kPowerBelowTop = 0.999;
+constexpr double kPowerOfDisplacement = 0.9999;  // its velocity, on which friction acts, is faster
 constexpr Index kLeast = 100;
 
 double rms_about_mean(const Vec& y) { return std::sqrt((y.array() - y.mean()).square().mean()); }
@@ -35,13 +36,13 @@ double top_frequency(const Vec& y, double step_s, bool displacement) {
     const Index a = std::max<Index>(0, i - 4), b = std::min(p.size() - 1, i + 4);
     const double level = p.segment(a, b - a + 1).mean();
     net[i] = level > 4 * floor ? level - floor : 0;
-    if (displacement) net[i] *= static_cast<double>(i * i);  // of its velocity: friction acts on that
     total += net[i];
   }
   double sum = 0;
   for (Index i = 0; i < p.size(); ++i) {
     sum += net[i];
-    if (sum >= kPowerBelowTop * total) return static_cast<double>(std::max<Index>(i, 2)) / (static_cast<double>(n) * step_s);
+    if (sum >= (displacement ? kPowerOfDisplacement : kPowerBelowTop) * total)
+      return static_cast<double>(std::max<Index>(i, 2)) / (static_cast<double>(n) * step_s);
   }
   return 0.5 / step_s;
 }
@@ -53,7 +54,8 @@ Vec thinned(const Vec& y, int by) {
   Vec kernel(2 * half + 1);
   for (Index i = -half; i <= half; ++i) {
     const double t = static_cast<double>(i) / by * 0.8, s = i == 0 ? 1 : std::sin(kTwoPi / 2 * t) / (kTwoPi / 2 * t);
-    kernel[i + half] = s * (0.54 + 0.46 * std::cos(kTwoPi / 2 * static_cast<double>(i) / static_cast<double>(half + 1)));
+    kernel[i + half] =
+        s * (0.54 + 0.46 * std::cos(kTwoPi / 2 * static_cast<double>(i) / static_cast<double>(half + 1)));
   }
   kernel /= kernel.sum();
   const Index count = (y.size() - 2 * half - 1) / by + 1;
@@ -132,7 +134,8 @@ Needs needs_of(const host_sim::Record& record) {
   for (const host_sim::Channel& c : record.channels) {
     if (c.quantity == host_sim::Quantity::kForce) continue;
     const Vec y = Vec::Map(c.values.data(), static_cast<Index>(c.values.size()));
-    needs.top_Hz = std::max(needs.top_Hz, top_frequency(y, record.sample_period_s, c.quantity == host_sim::Quantity::kDisplacement));
+    needs.top_Hz = std::max(needs.top_Hz,
+                            top_frequency(y, record.sample_period_s, c.quantity == host_sim::Quantity::kDisplacement));
   }
   const double wanted = 1 / (record.sample_period_s * kSamplesPerTop * needs.top_Hz);
   const double most = static_cast<double>(record.samples()) / 4000;  // short work as it is
@@ -167,7 +170,9 @@ Prepared prepare_by(const rig_file::RigModel& rig, const host_sim::Record& recor
       p.force[static_cast<size_t>(c.dof - 1)] = series(c);
       continue;
     }
-    const int quantity = c.quantity == host_sim::Quantity::kDisplacement ? 0 : c.quantity == host_sim::Quantity::kVelocity ? 1 : 2;
+    const int quantity = c.quantity == host_sim::Quantity::kDisplacement ? 0
+                         : c.quantity == host_sim::Quantity::kVelocity   ? 1
+                                                                         : 2;
     if (c.dof == rig_file::kBase)
       base[static_cast<size_t>(quantity)] = series(c);
     else if (c.dof >= 1 && c.dof <= n)
@@ -175,7 +180,8 @@ Prepared prepare_by(const rig_file::RigModel& rig, const host_sim::Record& recor
   }
   for (const MotionTrace& t : p.traces) p.samples = t.y.size();
   if (p.samples < kLeast)
-    throw CannotAnswer(record.file + ": " + std::to_string(record.samples()) + " samples; a diagnosis needs at least 400");
+    throw CannotAnswer(record.file + ": " + std::to_string(record.samples()) +
+                       " samples; a diagnosis needs at least 400");
   const Index half = std::clamp<Index>(static_cast<Index>(0.15 / (p.top_Hz * p.step_s)), 2, p.samples / 8);
   const Index slow = std::clamp<Index>(static_cast<Index>(8 / (p.top_Hz * p.step_s)), 8, p.samples / 3);
   for (int d = 0; d < n; ++d) {

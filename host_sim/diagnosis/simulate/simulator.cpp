@@ -24,7 +24,8 @@ Simulator::Simulator(const System& system, const Model& model, const Prepared& r
     Vec stiff = Vec::Zero(nodes_), drag = Vec::Zero(nodes_);
     for (const Element& e : elements_) {
       double k = 0, c = 0;
-      if (e.kind == Kind::kStiffness || e.kind == Kind::kStiffnessError || e.kind == Kind::kGravity || e.kind == Kind::kEndStop)
+      if (e.kind == Kind::kStiffness || e.kind == Kind::kStiffnessError || e.kind == Kind::kGravity ||
+          e.kind == Kind::kEndStop)
         k = std::abs(e.value);
       if (e.kind == Kind::kPresliding) k = std::abs(e.value) / e.shape;
       if (e.kind == Kind::kViscous || e.kind == Kind::kMissingViscous) c = std::abs(e.value);
@@ -77,7 +78,8 @@ void Simulator::compile(const System& system, const Model& model) {
       if (kind == Kind::kPresliding) e.z = hysteresis_++;
       elements_.push_back(e);
       if (kind != Kind::kCoulomb && kind != Kind::kMissingCoulomb && kind != Kind::kStribeck) continue;
-      auto f = std::find_if(friction_.begin(), friction_.end(), [&](const Friction& g) { return g.a == a && g.b == b; });
+      auto f =
+          std::find_if(friction_.begin(), friction_.end(), [&](const Friction& g) { return g.a == a && g.b == b; });
       if (f == friction_.end()) friction_.push_back({a, b, 1, {}}), f = friction_.end() - 1;
       f->levels.push_back(elements_.size() - 1);
     } else if (of_force_sensor(kind)) {
@@ -117,23 +119,27 @@ void Simulator::upsample(const Model& model) {
     for (Index i = 0; i < count; ++i) {
       const double t = static_cast<double>(i) * h;
       if (f.kind == Kind::kForceDelay)
-        slope[i] = i + 2 < count && i > 1 ? (8 * (force[i + 1] - force[i - 1]) - (force[i + 2] - force[i - 2])) / (12 * h) : 0;
+        slope[i] =
+            i + 2 < count && i > 1 ? (8 * (force[i + 1] - force[i - 1]) - (force[i + 2] - force[i - 2])) / (12 * h) : 0;
       else if (f.kind == Kind::kForceGain)
         slope[i] = -force[i];
       else
-        slope[i] = -(f.kind == Kind::kForceHumCos50 || f.kind == Kind::kForceHumCos60 ? std::cos(kTwoPi * f.frequency * t)
-                                                                                        : std::sin(kTwoPi * f.frequency * t));
+        slope[i] =
+            -(f.kind == Kind::kForceHumCos50 || f.kind == Kind::kForceHumCos60 ? std::cos(kTwoPi * f.frequency * t)
+                                                                               : std::sin(kTwoPi * f.frequency * t));
     }
     fine_slope_.push_back(slope);
   }
   for (size_t i = 0; i < faults_.size(); ++i) {
     if (faults_[i].kind == Kind::kForceDelay) continue;
     for (const ModelTerm& t : model)
-      if (t.term.kind == faults_[i].kind && t.term.dof == fine_node_[faults_[i].fine] && t.term.shape == faults_[i].frequency)
+      if (t.term.kind == faults_[i].kind && t.term.dof == fine_node_[faults_[i].fine] &&
+          t.term.shape == faults_[i].frequency)
         fine_[faults_[i].fine] += t.value * fine_slope_[i];
   }
   if (record_.guess.back().given)
-    base_x_ = finer(record_.guess.back().x), base_v_ = finer(record_.guess.back().v), base_a_ = finer(record_.guess.back().a);
+    base_x_ = finer(record_.guess.back().x), base_v_ = finer(record_.guess.back().v),
+    base_a_ = finer(record_.guess.back().a);
 }
 
 Simulator::Outside Simulator::outside(double r) const {
@@ -207,7 +213,8 @@ void Simulator::accelerations(const Vec& y, const Outside& o, Vec& acc, bool slo
     }
     if (e.by_value >= 0) add(e.a, states() + e.by_value, -f.force), add(e.b, states() + e.by_value, f.force);
     if (e.by_shape >= 0)
-      add(e.a, states() + e.by_shape, -e.value * f.by_log_shape), add(e.b, states() + e.by_shape, e.value * f.by_log_shape);
+      add(e.a, states() + e.by_shape, -e.value * f.by_log_shape),
+          add(e.b, states() + e.by_shape, e.value * f.by_log_shape);
   };
   for (const Element& e : elements_) {
     if (e.kind == Kind::kCoulomb || e.kind == Kind::kMissingCoulomb || e.kind == Kind::kStribeck) continue;
@@ -250,12 +257,13 @@ void Simulator::accelerations(const Vec& y, const Outside& o, Vec& acc, bool slo
       const double r = (o.t_s * substeps_ / record_.step_s - static_cast<double>(at_) / 2);
       const Vec& s = fine_slope_[i];
       slope_x_(fine_node_[faults_[i].fine], states() + faults_[i].by_value) +=
-          s[at_] + r * (-3 * s[at_] + 4 * s[at_ + 1] - s[at_ + 2]) + r * r * (2 * s[at_] - 4 * s[at_ + 1] + 2 * s[at_ + 2]);
+          s[at_] + r * (-3 * s[at_] + 4 * s[at_ + 1] - s[at_ + 2]) +
+          r * r * (2 * s[at_] - 4 * s[at_ + 1] + 2 * s[at_ + 2]);
     }
   for (Index node = 0; node < nodes_; ++node)
     for (Index p : by_mass_[static_cast<size_t>(node)]) slope_x_(node, states() + p) -= acc[node];
   if (!stuck_)
-    slope_x_ = mass_.cwiseInverse().asDiagonal() * slope_x_;
+    for (Index i = 0; i < nodes_; ++i) slope_x_.row(i) /= mass_[i];
   else
     slope_x_ = yield_ * slope_x_;
 }
@@ -283,11 +291,11 @@ void Simulator::bend(const Vec& start, Vec& y, const Outside& o0, const Outside&
 void Simulator::step(double from, double length, Vec& y, Mat* s) {
   const double h = length * record_.step_s / substeps_;
   const Outside o0 = outside(from), o1 = outside(from + 0.5 * length), o2 = outside(from + length);
-  const Vec y0 = y;
+  static thread_local Vec y0, yn;
+  y0 = y, yn = y;
   static thread_local Mat s0, sn;
   const Index n = nodes_, c = states() + parameters_;
   if (s) s0 = *s, sn = *s;
-  Vec yn = y0;
   static thread_local Vec kx[4];
   const auto slope = [&](int i, const Outside& o) {
     accelerations(yn, o, acc_[i], s != nullptr);
@@ -432,7 +440,8 @@ bool Simulator::advance(Index sample, Vec& y, Mat* s) {
       const Outside o0 = outside(from), o1 = outside(1);
       for (Friction& f : friction_) {
         if (f.sign == 0) continue;
-        const double w0 = f.sign * relative(y0, nodes_, f.a, f.b, o0.v), w1 = f.sign * relative(y, nodes_, f.a, f.b, o1.v);
+        const double w0 = f.sign * relative(y0, nodes_, f.a, f.b, o0.v),
+                     w1 = f.sign * relative(y, nodes_, f.a, f.b, o1.v);
         if (w1 >= 0) continue;
         const double share = w0 <= 0 ? 0 : w0 / (w0 - w1);
         if (share < first) first = share, turning = &f;
@@ -446,7 +455,8 @@ bool Simulator::advance(Index sample, Vec& y, Mat* s) {
         y = y0;
         step(from, share * (1 - from), y, nullptr);
         const double w0 = turning->sign * relative(y0, nodes_, turning->a, turning->b, o0.v);
-        const double w = turning->sign * relative(y, nodes_, turning->a, turning->b, outside(from + share * (1 - from)).v);
+        const double w =
+            turning->sign * relative(y, nodes_, turning->a, turning->b, outside(from + share * (1 - from)).v);
         if (w0 <= 0 || std::abs(w) < 1e-6 * w0) break;
         share = std::clamp(share * w0 / (w0 - w), 0.0, 1.0);
       }
@@ -500,9 +510,10 @@ void Simulator::forces_of_motion(const Mat& x, const Mat& v, const Mat& a, Mat& 
         z = sign + (z - sign) * fade, before = u;
         f.force = z, f.by_log_shape = z_slope;
       } else if (e.kind == Kind::kCoulomb || e.kind == Kind::kMissingCoulomb || e.kind == Kind::kStribeck) {
-        const double spread = k + 1 < count && k > 0
-                                  ? 0.25 * std::abs(end(v, e.a, k + 1) - end(v, e.b, k + 1) - end(v, e.a, k - 1) + end(v, e.b, k - 1))
-                                  : 0;
+        const double spread =
+            k + 1 < count && k > 0
+                ? 0.25 * std::abs(end(v, e.a, k + 1) - end(v, e.b, k + 1) - end(v, e.a, k - 1) + end(v, e.b, k - 1))
+                : 0;
         const double sign = spread > 0 ? std::clamp(w / spread, -1.0, 1.0) : w < 0 ? -1.0 : 1.0;
         const double share = e.kind == Kind::kStribeck ? std::exp(-std::abs(w) / e.shape) : 1;
         f.force = sign * share, f.by_log_shape = e.kind == Kind::kStribeck ? sign * share * std::abs(w) / e.shape : 0;

@@ -47,7 +47,7 @@ class Simulator {
     std::vector<size_t> levels;
   };
   struct Outside {  // what acts from outside at an instant
-    Vec force;
+    Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 48, 1> force;
     double x = 0, v = 0, a = 0;
     double t_s = 0;
   };
@@ -73,7 +73,7 @@ class Simulator {
   std::vector<std::vector<Index>> by_mass_;  // per node: parameters that add to its mass
   std::vector<std::pair<int, int>> link_ends_;
   int substeps_ = 1;
-  std::vector<Vec> fine_;                        // force per node with one, 2 substeps per sample
+  std::vector<Vec> fine_;  // force per node with one, 2 substeps per sample
   std::vector<int> fine_node_;
   struct ForceFault {
     Kind kind;

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kAtRest = 0.05;      // of the record's motion: friction holds, and what holds is no law of motion
 constexpr double kForcedPeriods = 8;  // a window; at least 12 of them
-constexpr double kFreePeriods = 24;   // a decay shows slowly; at least 6
+constexpr double kFreePeriods = 24;   // a decay shows slowly; at least 6 of them
 constexpr Index kLeastLength = 12;    // samples
 
 double motion_of(const Prepared& p, Index from, Index length) {

@@ -5,7 +5,7 @@
 namespace diagnosis::runs {
 
 struct WindowPlan {
-  double periods = 8;     // length in periods of the motion
+  double periods = 8;         // length in periods of the motion
   double unseen_share = 0.3;  // of each record, its end
 };
 
