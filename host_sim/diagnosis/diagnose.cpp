@@ -132,7 +132,8 @@ namespace {
 struct RowsSay {
   Diagnosis d;
   bool noise_only = false;
-  std::vector<Term> terms;  // that it names beside the rig's own
+  std::vector<SensorFault> faults;  // of motion channels, already taken out
+  std::vector<Term> terms;          // that it names beside the rig's own
   std::vector<double> values;
 };
 
@@ -142,6 +143,7 @@ RowsSay ask_rows(const System& system, const Asked& asked) {
   std::vector<SensorCheck> checks;
   auto owner = std::make_unique<Bench>(Bench{system, ready(asked.rig, asked.training, asked.options, &checks), {}});
   report_faults(checks, d);
+  for (const SensorCheck& check : checks) say.faults.insert(say.faults.end(), check.faults.begin(), check.faults.end());
   owner->lay_out_sharpened();
   SensorCheck alone;
   SearchResult found = search_plain_first(owner, alone);
@@ -185,6 +187,22 @@ bool springs_and_masses_known(const rig_file::RigModel& rig) {
                       [](const rig_file::Link& l) { return l.stiffness_N_m.estimate; });
 }
 
+// Gains and delays of motion channels as the simulation's candidates, one per channel and kind.
+void add_faults(const std::vector<SensorFault>& faults, std::vector<runs::Candidate>& list,
+                std::vector<double>& values) {
+  for (const SensorFault& f : faults) {
+    if (is_hum(f.kind)) continue;
+    runs::Candidate c;
+    c.terms = {on_dof(f.kind == FaultKind::kGain ? Kind::kChannelGain : Kind::kChannelDelay, static_cast<int>(f.dof))};
+    c.terms[0].quantity = static_cast<int>(f.quantity);
+    const auto same = [&](const runs::Candidate& o) { return o.same_place(c); };
+    if (std::any_of(list.begin(), list.end(), same)) continue;  // of a further record
+    list.push_back(c), values.push_back(f.value);
+  }
+}
+
+bool two_channels_a_dof(const runs::Prepared& p) { return p.traces.size() > p.guess.size() - 1; }
+
 // The rows' terms as the simulation's candidates; false where it has no such term.
 bool as_candidates(const runs::Model& model, const RowsSay& say, std::vector<runs::Candidate>& list) {
   for (const Term& t : say.terms) {
@@ -201,14 +219,17 @@ bool as_candidates(const runs::Model& model, const RowsSay& say, std::vector<run
   return true;
 }
 
+constexpr double kMostlyNoise = 0.8;   // of the squared residual
 constexpr double kRightAnyway = 3e-4;  // of the motion: what a simulation misses that is as good as right
 
 // The rows' answer stands where nothing is left beyond their noise and runs that have not seen the data bear it out.
 bool rows_stand(const runs::Task& task, const runs::Choice& fitted, const RowsSay& say) {
   if (!say.noise_only) return false;
   std::vector<runs::Candidate> list;
-  if (!as_candidates(fitted.base.model, say, list) || list.empty()) return true;
-  return runs::borne_out(task, fitted.base, list, say.values);
+  if (!as_candidates(fitted.base.model, say, list)) return true;
+  std::vector<double> values = say.values;
+  add_faults(say.faults, list, values);
+  return list.empty() || runs::borne_out(task, fitted.base, list, values);
 }
 
 }  // namespace
@@ -241,6 +262,19 @@ Diagnosis diagnose(const rig_file::RigModel& rig, const std::vector<host_sim::Re
         return d;
       }
       d.unknown_trace = say.d.unknown_trace;
+      choice.noise_is_enough = say.noise_only;
+    } else if (!massless(rig)) {
+      choice.noise_is_enough = runs::noise_share(choice.base_left, choice.base.fit) > kMostlyNoise;
+    }
+    if (!massless(rig) && two_channels_a_dof(records[0])) {
+      std::vector<SensorCheck> checks;
+      ready(rig, training, options, &checks);
+      std::vector<SensorFault> faults;
+      for (const SensorCheck& check : checks) faults.insert(faults.end(), check.faults.begin(), check.faults.end());
+      std::vector<runs::Candidate> list;
+      std::vector<double> values;
+      add_faults(faults, list, values);
+      if (!list.empty() && runs::borne_out(task, choice.base, list, values)) runs::adopt(task, list, values, choice);
     }
     runs::choose(task, choice, [&](double share) { progress(0.6 + 0.3 * share); });
   }

@@ -108,7 +108,9 @@ void answer(const Task& task, const Choice& choice, Diagnosis& d) {
   if (!choice.named.empty())
     d.verdict = !d.ambiguous_with.empty() ? Verdict::kAmbiguous : noise ? Verdict::kExplained : Verdict::kPartly;
   else
-    d.verdict = noise || (error < kSmall && worst_free_run < kHalfOfVariance) ? Verdict::kNone : Verdict::kUnknown;
+    d.verdict = noise || ((choice.noise_is_enough || error < kSmall) && worst_free_run < kHalfOfVariance)
+                    ? Verdict::kNone
+                    : Verdict::kUnknown;
   if (choice.base_fits_nothing && choice.named.empty()) {
     d.baseline.parameters.clear(), d.extended.parameters.clear();  // numbers of a model that is not this rig's
     char text[300];

@@ -76,7 +76,10 @@ Score score_unseen(const Task& task, const State& state) {
           continue;
         }
         const Guess& g = p.guess[d];
-        x[d].add(run.x.row(i), g.x.segment(w.from, w.length));
+        const Vec* measured = &g.x;  // as measured where it is
+        for (const MotionTrace& t : p.traces)
+          if (t.dof == static_cast<int>(d) && t.quantity == 0) measured = &t.y;
+        x[d].add(run.x.row(i), measured->segment(w.from, w.length));
         v[d].add(run.v.row(i), g.v.segment(w.from, w.length));
         a[d].add(run.a.row(i), g.a.segment(w.from, w.length));
       }

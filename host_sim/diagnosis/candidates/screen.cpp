@@ -9,6 +9,7 @@ namespace diagnosis::runs {
 namespace {
 
 constexpr Index kAtOnce = 192;      // columns: bounds memory
+constexpr size_t kBlocks = 24;      // that influences are taken over: fewer leave Student's law no way to be sure
 constexpr double kDistinct = 1e-5;  // share of a column's square that the model cannot make itself
 
 struct Sums {              // of the columns, per window
@@ -91,7 +92,8 @@ Screen screen(const System& system, const std::vector<Prepared>& records, const 
     terms.insert(terms.end(), c.terms.begin(), c.terms.end());
   }
   const Index count = static_cast<Index>(terms.size());
-  const size_t nw = windows.size();
+  const size_t parts = std::max<size_t>(1, (kBlocks + windows.size() - 1) / std::max<size_t>(1, windows.size()));
+  const size_t nw = windows.size() * parts;  // blocks
   std::vector<Mat> own_model(nw), cross(nw, Mat());
   std::vector<Vec> own_score(nw);
   Mat residual = Mat::Zero(count, static_cast<Index>(nw)), square = residual,
@@ -101,17 +103,29 @@ Screen screen(const System& system, const std::vector<Prepared>& records, const 
     const Index n = std::min(kAtOnce, count - from);
     const std::vector<Term> some(terms.begin() + from, terms.begin() + from + n);
     Pass pass(system, records, model, windows, fit);
-    const bool fine = pass.over(some, [&](size_t w, const Mat& c, const Mat& b, const Vec& r) {
-      const Index p = b.cols();
-      if (from == 0) {
-        own_model[w] = b.transpose() * b, own_score[w] = b.transpose() * r, total += r.squaredNorm();
-        cross[w].resize(count, p);
+    const bool fine = pass.over(some, [&](size_t w, const Mat& all_c, const Mat& all_b, const Vec& all_r) {
+      const Index p = all_b.cols(), len = windows[w].length, channels = all_r.size() / len;
+      if (from == 0) total += all_r.squaredNorm();
+      for (size_t part = 0; part < parts; ++part) {
+        const size_t block = w * parts + part;
+        const Index col = static_cast<Index>(block),
+                    first_sample = static_cast<Index>(part) * len / static_cast<Index>(parts);
+        const Index samples = static_cast<Index>(part + 1) * len / static_cast<Index>(parts) - first_sample;
+        if (from == 0)
+          own_model[block] = Mat::Zero(p, p), own_score[block] = Vec::Zero(p), cross[block] = Mat::Zero(count, p);
+        for (Index channel = 0; channel < channels; ++channel) {
+          const Index at = channel * len + first_sample;
+          const auto c = all_c.middleCols(at, samples);
+          const auto b = all_b.middleRows(at, samples);
+          const auto r = all_r.segment(at, samples);
+          if (from == 0) own_model[block] += b.transpose() * b, own_score[block] += b.transpose() * r;
+          residual.col(col).segment(from, n) += c * r;
+          square.col(col).segment(from, n) += c.rowwise().squaredNorm();
+          for (Index i = 0; i + 1 < n; ++i)
+            if (candidates.size() != terms.size()) mate(from + i, col) += c.row(i).dot(c.row(i + 1));
+          cross[block].middleRows(from, n) += c * b;
+        }
       }
-      const Index col = static_cast<Index>(w);
-      residual.col(col).segment(from, n) = c * r;
-      square.col(col).segment(from, n) = c.rowwise().squaredNorm();
-      for (Index i = 0; i + 1 < n; ++i) mate(from + i, col) = c.row(i).dot(c.row(i + 1));
-      cross[w].middleRows(from, n) = c * b;
     });
     if (!fine) return out;
   }

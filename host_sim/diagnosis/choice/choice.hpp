@@ -40,6 +40,7 @@ struct Choice {
   Left base_left, final_left;
   Screen last_screen;  // beside the final model
   std::vector<Candidate> last_candidates;
+  bool noise_is_enough = false;    // no other test says that something beyond noise is left
   bool base_fits_nothing = false;  // not even over a fifth of a period does the rig as given describe the motion
 };
 
@@ -53,6 +54,8 @@ struct Task {
 Choice rig_fitted(const Task& task);
 // Error of the windows' runs over the motion, the worst channel's; huge where there is no fit.
 double motion_error(const Task& task, const State& state);
+// Takes causes that another test found and borne_out() confirms.
+void adopt(const Task& task, const std::vector<Candidate>& found, const std::vector<double>& values, Choice& choice);
 // Goes on from rig_fitted(): names what is missing. progress: called with the share done.
 void choose(const Task& task, Choice& choice, const std::function<void(double)>& progress);
 // Whether every one of these, found by another test, is borne out: it stays significant beside the others, and without it
@@ -60,6 +63,8 @@ void choose(const Task& task, Choice& choice, const std::function<void(double)>&
 bool borne_out(const Task& task, const State& base, const std::vector<Candidate>& found,
                const std::vector<double>& values);
 
+// Share of a fit's squared residual that looks like noise, mean over the channels.
+double noise_share(const Left& left, const Fitted& fit);
 Left left_by(const System& system, const std::vector<Prepared>& records, const State& state);
 // Squared error of a state over that of another, mean over the channels; seen or unseen windows.
 double error_over(const Fitted& now, const Fitted& before);

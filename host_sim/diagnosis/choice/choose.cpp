@@ -14,6 +14,7 @@ constexpr double kSignificant = 4.5;
 // The same where most of the residual is not noise: there the share of it and unseen data decide, and chance is no rival.
 constexpr double kPlain = 3;
 constexpr double kMostlyNoise = 0.5;
+constexpr double kNoiseAlone = 0.8;
 constexpr double kWorthFitting = 2;
 // Of what is still to be explained, that a cause has to take.
 constexpr double kShare = 0.3;
@@ -117,10 +118,6 @@ std::string words(const Task& task, const Trial& t) {
 // Share of what is not noise that a trial takes.
 double share_of(const Trial& t, double noise) { return (1 - t.error) / std::max(1e-12, 1 - std::min(noise, t.error)); }
 
-double noise_share(const Left& left, const Fitted& fit) {
-  return left.noise.size() ? left.noise.cwiseQuotient(fit.mean_square).cwiseMin(1.0).mean() : 0;
-}
-
 // On all windows, the unseen ones with their share.
 double whole_error(const Trial& t) {
   const double seen = static_cast<double>(t.state.seen.size()), unseen = static_cast<double>(t.state.unseen.size());
@@ -185,6 +182,8 @@ Round round_of(const Task& task, const State& now, size_t already, Choice& choic
     if (one.z < (round.noise < kMostlyNoise ? kWorthFitting : kPlain) * std::sqrt(static_cast<double>(already + 1)))
       continue;
     singles.push_back(try_out(task, now, {choice.last_candidates[one.candidate]}, {one.value}, kTrialSteps));
+    if (round.noise > kNoiseAlone)
+      singles.back().z = std::max(singles.back().z, one.z);  // finer blocks: they are independent
     const Trial& t = singles.back();
     if (talk())
       std::fprintf(stderr, "   fitted %-40s error %.4f unseen %.4f z %.1f share %.3f\n", words(task, t).c_str(),
@@ -248,6 +247,10 @@ double motion_error(const Task& task, const State& s) {
   return worst;
 }
 
+double noise_share(const Left& left, const Fitted& fit) {
+  return left.noise.size() ? left.noise.cwiseQuotient(fit.mean_square).cwiseMin(1.0).mean() : 0;
+}
+
 Choice rig_fitted(const Task& task) {
   Choice choice;
   State now;
@@ -265,7 +268,7 @@ Choice rig_fitted(const Task& task) {
 }
 
 void choose(const Task& task, Choice& choice, const std::function<void(double)>& progress) {
-  State now = choice.base;
+  State now = choice.final;
   if (!now.fit.ok || now.unseen.empty()) return;
   while (choice.named.size() < kMostCauses) {
     Round round = round_of(task, now, choice.named.size(), choice);
@@ -284,6 +287,19 @@ void choose(const Task& task, Choice& choice, const std::function<void(double)>&
   }
   choice.final = now;
   choice.final_left = left_by(task.system, task.records, now);
+}
+
+void adopt(const Task& task, const std::vector<Candidate>& found, const std::vector<double>& values, Choice& choice) {
+  std::vector<std::vector<double>> starts;
+  for (double v : values) starts.push_back({v});
+  Trial t = try_out(task, choice.base, found, starts, kBaseSteps);
+  if (!t.state.fit.ok) return;
+  for (const Candidate& c : found) {
+    Named named;
+    named.candidate = c, named.z = t.z, named.share = share_of(t, noise_share(choice.base_left, choice.base.fit));
+    choice.named.push_back(named);
+  }
+  choice.final = t.state;
 }
 
 bool borne_out(const Task& task, const State& base, const std::vector<Candidate>& found,
