@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "answer.hpp"
+#include "host_sim/vocabulary/held_in_place.hpp"
 
 namespace diagnosis::runs {
 namespace {
@@ -24,19 +25,6 @@ struct Sums {
 
 double capped(double percent) { return std::isfinite(percent) ? std::min(percent, kMostPercent) : kMostPercent; }
 
-bool held_in_place(const Task& task) {
-  std::vector<bool> held(task.system.dofs() + 1, false);
-  held[0] = true;
-  for (size_t pass = 0; pass < held.size(); ++pass)
-    for (const rig_file::Link& l : task.system.rig.links) {
-      const bool spring = l.stiffness_N_m.estimate || l.stiffness_N_m.value != 0 || l.gravity_torque_N_m.estimate ||
-                          l.gravity_torque_N_m.value != 0;
-      const size_t a = static_cast<size_t>(std::max(0, l.a)), b = static_cast<size_t>(std::max(0, l.b));
-      if (spring && (held[a] || held[b])) held[a] = held[b] = true;
-    }
-  return std::all_of(held.begin(), held.end(), [](bool h) { return h; });
-}
-
 }  // namespace
 
 Score score_unseen(const Task& task, const State& state) {
@@ -44,7 +32,7 @@ Score score_unseen(const Task& task, const State& state) {
   Evaluator evaluator(task.system, state.model, task.records);
   std::vector<Sums> x(n), v(n), a(n);
   bool finite = evaluator.sound();
-  const bool held = held_in_place(task);
+  const bool held = vocabulary::held_in_place(task.system.rig);
   const bool apart = task.training < task.records.size();
   WindowRun run;
   for (size_t r = apart ? task.training : 0; r < task.records.size() && finite; ++r) {

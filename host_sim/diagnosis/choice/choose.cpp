@@ -1,7 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 
 #include "../fit/start.hpp"
 #include "choice.hpp"
@@ -25,8 +23,6 @@ constexpr double kShortestHorizon = 0.2;  // periods
 constexpr int kBaseSteps = 12, kTrialSteps = 6;
 constexpr double kAsWell = 1.1;  // of the squared error: so near, the simpler is named
 constexpr double kClear = 2;     // of a difference, paired over windows, in standard errors
-
-bool talk() { return std::getenv("RIG_DIAGNOSIS_TRACE") != nullptr; }
 
 void lay(const Task& task, double periods, State& s) {
   const bool apart = task.training < task.records.size();
@@ -104,17 +100,6 @@ Trial try_out(const Task& task, const State& now, const std::vector<Candidate>& 
   return t;
 }
 
-std::string words(const Task& task, const Trial& t) {
-  std::string out;
-  for (const Candidate& c : t.candidates)
-    out +=
-        std::string(out.empty() ? "" : " + ") + word_of(c.terms[0].kind) +
-        (c.terms[0].link >= 0 ? " link " + rig_file::link_label(task.system.links[static_cast<size_t>(c.terms[0].link)])
-                              : " dof " + std::to_string(c.terms[0].dof + 1)) +
-        (c.terms[0].quantity >= 0 ? "q" + std::to_string(c.terms[0].quantity) : "");
-  return out;
-}
-
 // Share of what is not noise that a trial takes.
 double share_of(const Trial& t, double noise) { return (1 - t.error) / std::max(1e-12, 1 - std::min(noise, t.error)); }
 
@@ -161,21 +146,6 @@ Round round_of(const Task& task, const State& now, size_t already, Choice& choic
   choice.last_candidates = candidates_beside(task.system, now.model, task.records);
   choice.last_screen = screen(task.system, task.records, now.model, now.seen, now.fit, choice.last_candidates, kPairs);
   const Screen& s = choice.last_screen;
-  if (talk()) {
-    std::fprintf(stderr, "round %zu: noise %.3f in band %.1f, %zu candidates\n", already + 1, round.noise, left.worst(),
-                 choice.last_candidates.size());
-    for (size_t i = 0; i < std::min<size_t>(8, s.singles.size()); ++i) {
-      Trial t;
-      t.candidates = {choice.last_candidates[s.singles[i].candidate]};
-      std::fprintf(stderr, "   %-40s gain %.4f z %.1f value %g shape %g\n", words(task, t).c_str(), s.singles[i].gain,
-                   s.singles[i].z, s.singles[i].value[0], t.candidates[0].terms[0].shape);
-    }
-    for (size_t i = 0; i < std::min<size_t>(3, s.pairs.size()); ++i) {
-      Trial t;
-      t.candidates = {choice.last_candidates[s.pairs[i].first], choice.last_candidates[s.pairs[i].second]};
-      std::fprintf(stderr, "   pair %-50s gain %.4f\n", words(task, t).c_str(), s.pairs[i].gain);
-    }
-  }
   std::vector<Trial> singles;
   for (const Screened& one : s.singles) {
     if (singles.size() >= kShortList) break;
@@ -185,9 +155,6 @@ Round round_of(const Task& task, const State& now, size_t already, Choice& choic
     if (round.noise > kNoiseAlone)
       singles.back().z = std::max(singles.back().z, one.z);  // finer blocks: they are independent
     const Trial& t = singles.back();
-    if (talk())
-      std::fprintf(stderr, "   fitted %-40s error %.4f unseen %.4f z %.1f share %.3f\n", words(task, t).c_str(),
-                   t.error, t.unseen, t.z, share_of(t, round.noise));
   }
   std::sort(singles.begin(), singles.end(),
             [](const Trial& a, const Trial& b) { return whole_error(a) < whole_error(b); });
@@ -207,9 +174,6 @@ Round round_of(const Task& task, const State& now, size_t already, Choice& choic
     const std::vector<Candidate> both = {choice.last_candidates[p.first], choice.last_candidates[p.second]};
     pairs.push_back(try_out(task, now, both, {{0.0}, {0.0}}, 2 * kTrialSteps));
     const Trial& t = pairs.back();
-    if (talk())
-      std::fprintf(stderr, "   fitted pair %-50s error %.4f unseen %.4f z %.1f share %.3f\n", words(task, t).c_str(),
-                   t.error, t.unseen, t.z, share_of(t, round.noise));
   }
   for (const Trial& t : pairs)
     if (passes(t, already, round.noise) && (!round.found || whole_error(t) < 0.5 * whole_error(round.best)))
@@ -261,9 +225,6 @@ Choice rig_fitted(const Task& task) {
   choice.base = choice.final = now;
   choice.base_fits_nothing = !massless && !(motion_error(task, now) < kLinear);
   if (now.fit.ok) choice.base_left = choice.final_left = left_by(task.system, task.records, now);
-  if (talk())
-    std::fprintf(stderr, "base: periods %.2f, %zu + %zu windows, error %.4f\n", choice.periods, now.seen.size(),
-                 now.unseen.size(), motion_error(task, now));
   return choice;
 }
 
@@ -274,7 +235,6 @@ void choose(const Task& task, Choice& choice, const std::function<void(double)>&
     Round round = round_of(task, now, choice.named.size(), choice);
     if (!round.found) break;
     name_simplest(round);
-    if (talk()) std::fprintf(stderr, " -> %s, %zu rivals\n", words(task, round.best).c_str(), round.rivals.size());
     for (const Candidate& c : round.best.candidates) {
       Named named;
       named.candidate = c, named.z = round.best.z, named.share = share_of(round.best, round.noise);
@@ -307,7 +267,6 @@ bool borne_out(const Task& task, const State& base, const std::vector<Candidate>
   std::vector<std::vector<double>> starts;
   for (double v : values) starts.push_back({v});
   const Trial all = try_out(task, base, found, starts, kTrialSteps);
-  if (talk()) std::fprintf(stderr, "borne out? error %.4f unseen %.4f z %.1f\n", all.error, all.unseen, all.z);
   if (!all.state.fit.ok || !(all.z > kPlain) || !(all.unseen < 1)) return false;
   for (size_t i = 0; found.size() > 1 && i < found.size(); ++i) {
     std::vector<Candidate> fewer = found;

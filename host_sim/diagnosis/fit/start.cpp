@@ -59,7 +59,7 @@ Model rig_as_given(const System& s, const std::vector<Prepared>& records) {
       Term term = on_link(Kind::kStiffness, i);
       if (!kind_of_word(e.kind, &term.kind)) continue;
       term.given = true;
-      term.shape = rig_file::first_shape(e, rig_file::link_rotates(s.rig, link));
+      term.shape = rig_file::shape_of(e, 0, rig_file::link_rotates(s.rig, link));
       add(term, e.coefficient);
     }
   }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hal/rig_file/effect_words.hpp"
+#include "host_sim/vocabulary/law.hpp"
 
 namespace diagnosis::runs {
 
@@ -67,8 +67,8 @@ LawValue law(Kind kind, double u, double w, double t_s, double shape, double sha
     case Kind::kDisplacementDamping:
       return {u * u * w, 2 * u * w, u * u, 0};
     case Kind::kDriftingViscous: {
-      const double gone = rig_file::drifted_s(t_s, shape), e = 1e-3;
-      const double slope = shape > 0 ? (rig_file::drifted_s(t_s, shape * (1 + e)) - gone) / e : 0;
+      const double gone = vocabulary::drifted_s(t_s, shape), e = 1e-3;
+      const double slope = shape > 0 ? (vocabulary::drifted_s(t_s, shape * (1 + e)) - gone) / e : 0;
       return {gone * w, 0, gone, slope * w};
     }
     case Kind::kUnknownPitch: {  // cogging
