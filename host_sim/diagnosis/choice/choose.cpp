@@ -154,7 +154,6 @@ Round round_of(const Task& task, const State& now, size_t already, Choice& choic
     singles.push_back(try_out(task, now, {choice.last_candidates[one.candidate]}, {one.value}, kTrialSteps));
     if (round.noise > kNoiseAlone)
       singles.back().z = std::max(singles.back().z, one.z);  // finer blocks: they are independent
-    const Trial& t = singles.back();
   }
   std::sort(singles.begin(), singles.end(),
             [](const Trial& a, const Trial& b) { return whole_error(a) < whole_error(b); });
@@ -173,7 +172,6 @@ Round round_of(const Task& task, const State& now, size_t already, Choice& choic
     if (round.found && 1 - p.gain > 0.5 * (1 - with_best)) break;
     const std::vector<Candidate> both = {choice.last_candidates[p.first], choice.last_candidates[p.second]};
     pairs.push_back(try_out(task, now, both, {{0.0}, {0.0}}, 2 * kTrialSteps));
-    const Trial& t = pairs.back();
   }
   for (const Trial& t : pairs)
     if (passes(t, already, round.noise) && (!round.found || whole_error(t) < 0.5 * whole_error(round.best)))
@@ -236,10 +234,9 @@ void choose(const Task& task, Choice& choice, const std::function<void(double)>&
     if (!round.found) break;
     name_simplest(round);
     for (const Candidate& c : round.best.candidates) {
-      Named named;
-      named.candidate = c, named.z = round.best.z, named.share = share_of(round.best, round.noise);
-      for (const Trial& t : round.rivals) named.rivals.push_back({t.candidates[0], t.error / round.best.error});
-      choice.named.push_back(named);
+      choice.named.push_back(Named{c, round.best.z, share_of(round.best, round.noise), {}});
+      for (const Trial& t : round.rivals)
+        choice.named.back().rivals.push_back(Rival{t.candidates[0], t.error / round.best.error});
     }
     now = round.best.state;
     settle(task, now, kBaseSteps);
@@ -255,9 +252,7 @@ void adopt(const Task& task, const std::vector<Candidate>& found, const std::vec
   Trial t = try_out(task, choice.base, found, starts, kBaseSteps);
   if (!t.state.fit.ok) return;
   for (const Candidate& c : found) {
-    Named named;
-    named.candidate = c, named.z = t.z, named.share = share_of(t, noise_share(choice.base_left, choice.base.fit));
-    choice.named.push_back(named);
+    choice.named.push_back(Named{c, t.z, share_of(t, noise_share(choice.base_left, choice.base.fit)), {}});
   }
   choice.final = t.state;
 }
