@@ -112,7 +112,7 @@ double whole_error(const Trial& t) {
 bool passes(const Trial& t, size_t already, double noise) {
   const double n = static_cast<double>(already + t.candidates.size());
   const bool plain = noise < kMostlyNoise && 1 - t.unseen > 0.5 * (1 - t.error);
-  return t.z > (plain ? kPlain : kSignificant) * std::sqrt(n) && share_of(t, noise) > 1 - std::pow(1 - kShare, n) &&
+  return t.z > (plain ? kPlain : kSignificant * std::sqrt(n)) && share_of(t, noise) > 1 - std::pow(1 - kShare, n) &&
          t.unseen < 1;
 }
 
