@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "advice.hpp"
+#include "answer/answer.hpp"
 #include "bench.hpp"
 #include "beyond_noise.hpp"
 #include "diagnosis.hpp"
@@ -120,18 +121,29 @@ void simulate_unseen(const Asked& asked, Bench& bench, SearchResult& found, Rema
 }  // namespace
 
 const char* verdict_word(Verdict v) {
-  constexpr const char* kWords[] = {"none", "explained", "ambiguous", "unknown"};
+  constexpr const char* kWords[] = {"none", "explained", "partly", "ambiguous", "unknown"};
   return kWords[static_cast<size_t>(v)];
 }
 
-Diagnosis diagnose(const rig_file::RigModel& rig, const std::vector<host_sim::Record>& training,
-                   const std::vector<host_sim::Record>& holdout, const Options& options) {
-  if (training.empty()) throw CannotAnswer("no record to diagnose");
+namespace {
+
+// What the equations' rows say, weighted by noise: right where their assumptions hold (a force, masses that are known, noise
+// that is white or first order), and fast. noise_only: they do hold as far as what is left can tell.
+struct RowsSay {
   Diagnosis d;
-  const System system = make_system(rig);
+  bool noise_only = false;
+  std::vector<SensorFault> faults;  // of motion channels, already taken out
+  std::vector<Term> terms;          // that it names beside the rig's own
+  std::vector<double> values;
+};
+
+RowsSay ask_rows(const System& system, const Asked& asked) {
+  RowsSay say;
+  Diagnosis& d = say.d;
   std::vector<SensorCheck> checks;
-  auto owner = std::make_unique<Bench>(Bench{system, ready(rig, training, options, &checks), {}});
+  auto owner = std::make_unique<Bench>(Bench{system, ready(asked.rig, asked.training, asked.options, &checks), {}});
   report_faults(checks, d);
+  for (const SensorCheck& check : checks) say.faults.insert(say.faults.end(), check.faults.begin(), check.faults.end());
   owner->lay_out_sharpened();
   SensorCheck alone;
   SearchResult found = search_plain_first(owner, alone);
@@ -143,9 +155,14 @@ Diagnosis diagnose(const rig_file::RigModel& rig, const std::vector<host_sim::Re
   Bench& bench = *owner;
   d.baseline_misfit = found.base_fit.ratio(), d.extended_misfit = found.fit.ratio();
   Remainder remainder = remainder_of(*bench.rows, *bench.bank, found);
-  if (options.simulate) simulate_unseen({rig, training, holdout, options}, bench, found, remainder, d);
+  say.noise_only = remainder.noise_only;
+  d.unknown_trace = remainder.trace;
+  if (!say.noise_only) return say;
+  if (asked.options.simulate) simulate_unseen(asked, bench, found, remainder, d);
+  say.noise_only = remainder.noise_only;
   Rows& rows = *bench.rows;
   report_terms(system, rows, found, d);
+  for (const Found& f : found.added) say.terms.push_back(f.candidate.term()), say.values.push_back(f.gain.coefficient);
   if (!found.added.empty()) also_ambiguous(as_well, d), also_ambiguous(equivalents(bench, found), d);
   d.ranked = ranking(system, rows, *bench.bank, found, 12);
   d.baseline.parameters = parameters_of(system, found.base);
@@ -155,12 +172,115 @@ Diagnosis diagnose(const rig_file::RigModel& rig, const std::vector<host_sim::Re
   d.minimum_detectable = detection_limits(rows, *bench.bank, found.model, found.fit);
   checks.push_back({{}, {}, smallest_of_sole_channels(bench, found)});
   for (const DetectionLimit& limit : fault_limits(checks)) d.minimum_detectable.push_back(limit);
-  d.unknown_trace = remainder.trace;
-  d.verdict = !remainder.noise_only      ? Verdict::kUnknown
-              : d.causes.empty()         ? Verdict::kNone
-              : d.ambiguous_with.empty() ? Verdict::kExplained
-                                         : Verdict::kAmbiguous;
-  d.advice = advice_for(d);
+  d.verdict = d.causes.empty() ? Verdict::kNone : d.ambiguous_with.empty() ? Verdict::kExplained : Verdict::kAmbiguous;
+  return say;
+}
+
+bool massless(const rig_file::RigModel& rig) {
+  return std::all_of(rig.dofs.begin(), rig.dofs.end(),
+                     [](const rig_file::Dof& d) { return !d.mass_kg.estimate && d.mass_kg.value == 0; });
+}
+
+bool springs_and_masses_known(const rig_file::RigModel& rig) {
+  return std::none_of(rig.dofs.begin(), rig.dofs.end(), [](const rig_file::Dof& d) { return d.mass_kg.estimate; }) &&
+         std::none_of(rig.links.begin(), rig.links.end(),
+                      [](const rig_file::Link& l) { return l.stiffness_N_m.estimate; });
+}
+
+// Gains and delays of motion channels as the simulation's candidates, one per channel and kind.
+void add_faults(const std::vector<SensorFault>& faults, std::vector<runs::Candidate>& list,
+                std::vector<double>& values) {
+  for (const SensorFault& f : faults) {
+    if (is_hum(f.kind)) continue;
+    runs::Candidate c;
+    c.terms = {on_dof(f.kind == FaultKind::kGain ? Kind::kChannelGain : Kind::kChannelDelay, static_cast<int>(f.dof))};
+    c.terms[0].quantity = static_cast<int>(f.quantity);
+    const auto same = [&](const runs::Candidate& o) { return o.same_place(c); };
+    if (std::any_of(list.begin(), list.end(), same)) continue;  // of a further record
+    list.push_back(c), values.push_back(f.value);
+  }
+}
+
+bool two_channels_a_dof(const runs::Prepared& p) { return p.traces.size() > p.guess.size() - 1; }
+
+// The rows' terms as the simulation's candidates; false where it has no such term.
+bool as_candidates(const runs::Model& model, const RowsSay& say, std::vector<runs::Candidate>& list) {
+  for (const Term& t : say.terms) {
+    runs::Candidate c;
+    c.terms = {t};
+    if (t.kind >= Kind::kForceHumCos50 && t.kind <= Kind::kForceHumSin60) return false;
+    if (t.kind == Kind::kBacklash || t.kind == Kind::kPresliding)
+      for (size_t i = 0; i < model.size(); ++i)
+        if (model[i].term.link == t.link &&
+            (t.kind == Kind::kBacklash ? model[i].term.kind == Kind::kStiffness : model[i].term.kind == Kind::kCoulomb))
+          c.host = static_cast<int>(i);
+    list.push_back(c);
+  }
+  return true;
+}
+
+constexpr double kMostlyNoise = 0.8;   // of the squared residual
+constexpr double kRightAnyway = 3e-4;  // of the motion: what a simulation misses that is as good as right
+
+// The rows' answer stands where nothing is left beyond their noise and runs that have not seen the data bear it out.
+bool rows_stand(const runs::Task& task, const runs::Choice& fitted, const RowsSay& say) {
+  if (!say.noise_only) return false;
+  std::vector<runs::Candidate> list;
+  if (!as_candidates(fitted.base.model, say, list)) return true;
+  std::vector<double> values = say.values;
+  add_faults(say.faults, list, values);
+  return list.empty() || runs::borne_out(task, fitted.base, list, values);
+}
+
+}  // namespace
+
+Diagnosis diagnose(const rig_file::RigModel& rig, const std::vector<host_sim::Record>& training,
+                   const std::vector<host_sim::Record>& holdout, const Options& options) {
+  if (training.empty()) throw CannotAnswer("no record to diagnose");
+  const auto progress = [&](double share) {
+    if (options.progress) options.progress(share);
+  };
+  const System system = make_system(rig);
+  std::vector<host_sim::Record> all = training;
+  all.insert(all.end(), holdout.begin(), holdout.end());
+  const std::vector<runs::Prepared> records = runs::prepare_all(rig, all);
+  const runs::Task task{system, records, training.size()};
+  runs::Choice choice = runs::rig_fitted(task);
+  progress(0.3);
+  Diagnosis d;
+  const double error = runs::motion_error(task, choice.base);
+  const bool driven = runs::forced(records) && !massless(rig) && springs_and_masses_known(rig);
+  if (error > kRightAnyway || massless(rig)) {
+    if (driven && !choice.base_fits_nothing) {
+      RowsSay say = ask_rows(system, {rig, training, holdout, options});
+      progress(0.6);
+      if (rows_stand(task, choice, say)) {
+        d = say.d;
+        for (double gain : d.gain) d.remainder_percent.push_back(100 / std::max(gain, 1e-3));
+        d.advice = advice_for(d);
+        progress(1);
+        return d;
+      }
+      d.unknown_trace = say.d.unknown_trace;
+      choice.noise_is_enough = say.noise_only;
+    } else if (!massless(rig)) {
+      choice.noise_is_enough = runs::noise_share(choice.base_left, choice.base.fit) > kMostlyNoise;
+    }
+    if (!massless(rig) && two_channels_a_dof(records[0])) {
+      std::vector<SensorCheck> checks;
+      ready(rig, training, options, &checks);
+      std::vector<SensorFault> faults;
+      for (const SensorCheck& check : checks) faults.insert(faults.end(), check.faults.begin(), check.faults.end());
+      std::vector<runs::Candidate> list;
+      std::vector<double> values;
+      add_faults(faults, list, values);
+      if (!list.empty() && runs::borne_out(task, choice.base, list, values)) runs::adopt(task, list, values, choice);
+    }
+    runs::choose(task, choice, [&](double share) { progress(0.6 + 0.3 * share); });
+  }
+  runs::answer(task, choice, d);
+  for (const std::string& advice : advice_for(d)) d.advice.push_back(advice);
+  progress(1);
   return d;
 }
 

@@ -1,6 +1,7 @@
 // What a rig file gets wrong about measured data: which effect, where, how strong, and what naming it gains.
 #pragma once
 #include <array>
+#include <functional>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
@@ -10,7 +11,7 @@
 
 namespace diagnosis {
 
-enum class Verdict { kNone, kExplained, kAmbiguous, kUnknown };
+enum class Verdict { kNone, kExplained, kPartly, kAmbiguous, kUnknown };
 const char* verdict_word(Verdict verdict);
 
 struct Parameter {
@@ -59,12 +60,13 @@ struct ModelScore {
 struct Diagnosis {
   Verdict verdict = Verdict::kNone;
   bool baseline_fits() const { return verdict == Verdict::kNone; }
-  bool extended_fits() const { return verdict != Verdict::kUnknown; }
+  bool extended_fits() const { return verdict != Verdict::kUnknown && verdict != Verdict::kPartly; }
   std::vector<Cause> causes;
   std::vector<NamedPlace> ambiguous_with;
   std::vector<Cause> rejected;  // fitted better, simulated worse on held-out data
   ModelScore baseline, extended;
-  std::vector<double> gain;  // baseline / extended NRMSE per DOF
+  std::vector<double> gain;               // baseline / extended NRMSE per DOF
+  std::vector<double> remainder_percent;  // per DOF: of what the rig as given leaves on unseen data
   std::vector<DetectionLimit> minimum_detectable;
   std::vector<std::string> advice;
   std::string force_between_samples = "smooth";  // or "linear", "steps": how it acts there, as the motion tells
@@ -76,9 +78,10 @@ struct Diagnosis {
 };
 
 struct Options {
-  double top_of_band = 0.098;     // of the sampling rate: highest frequency of the equation rows
-  double holdout_fraction = 0.3;  // of each training record, where no hold-out records are given
-  bool simulate = true;           // free-running simulation on held-out data
+  double top_of_band = 0.098;            // of the sampling rate: highest frequency of the equation rows
+  double holdout_fraction = 0.3;         // of each training record, where no hold-out records are given
+  bool simulate = true;                  // free-running simulation on held-out data
+  std::function<void(double)> progress;  // called with the share done, 0 to 1
 };
 
 // Status of a fitted parameter: where the model leaves more than noise, its numbers have taken up some of that.

@@ -41,6 +41,10 @@ constexpr Word kWords[] = {{Kind::kMass, "mass"},
                            {Kind::kForceHumSin50, "mains_hum"},
                            {Kind::kForceHumCos60, "mains_hum"},
                            {Kind::kForceHumSin60, "mains_hum"},
+                           {Kind::kChannelDelay, "sensor_delay"},
+                           {Kind::kChannelGain, "sensor_gain"},
+                           {Kind::kHumCos, "mains_hum"},
+                           {Kind::kHumSin, "mains_hum"},
                            {Kind::kUnknownPitch, "unknown"}};
 
 // Expected sgn of a rate that is known up to a Gaussian error and changes from sample to sample.

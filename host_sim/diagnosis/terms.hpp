@@ -42,6 +42,11 @@ enum class Kind {
   kForceHumSin50,
   kForceHumCos60,
   kForceHumSin60,
+  // faults of a motion channel, seen in what a simulation gives for it
+  kChannelDelay,
+  kChannelGain,
+  kHumCos,
+  kHumSin,
   // outside the vocabulary: its presence makes a residual unknown
   kUnknownPitch
 };
@@ -62,9 +67,10 @@ struct Term {
   bool smooth = false;  // base terms: from the smoothed motion (where the coefficient is fitted)
   bool given = false;   // an effect of the rig file: backlash and presliding as forces of their own
   int record = -1;      // only in this record (what is left of a resonance's start), or -1
+  int quantity = -1;    // a motion channel's fault: 0 displacement, 1 velocity, 2 acceleration of `dof`; -1: the force
   bool operator==(const Term& o) const { return same_place(o) && shape == o.shape && shape2 == o.shape2; }
   bool same_place(const Term& o) const {
-    return kind == o.kind && link == o.link && dof == o.dof && record == o.record;
+    return kind == o.kind && link == o.link && dof == o.dof && record == o.record && quantity == o.quantity;
   }
 };
 

@@ -48,6 +48,7 @@ json to_json(const Diagnosis& d) {
          {"baseline", to_json(d.baseline, d.baseline_fits())},
          {"extended", to_json(d.extended, d.extended_fits())},
          {"gain", d.gain},
+         {"remainder_percent", d.remainder_percent},
          {"advice", d.advice},
          {"force_between_samples", d.force_between_samples},
          {"unknown_trace", d.unknown_trace},

@@ -22,7 +22,9 @@ class MeasuredRigs : public ::testing::Test {
   }
   Diagnosis diagnosed(const std::string& rig_file, const std::vector<std::string>& data,
                       const std::vector<std::string>& holdout) {
-    rig_file::RigModel rig = rig_file::read_rig_file(shared_ + "/contract/" + rig_file);
+    const std::string folder =
+        std::filesystem::exists(shared_ + "/contract/" + rig_file) ? "/contract/" : "/measured/rigs/";
+    rig_file::RigModel rig = rig_file::read_rig_file(shared_ + folder + rig_file);
     if (without_coulomb_) rig.links[0].coulomb_N = {};
     return diagnosis::diagnose(rig, read(data, rig), read(holdout, rig));
   }
@@ -78,6 +80,50 @@ TEST_F(MeasuredRigs, DamperWithStaticForceAndHysteresis) {
       {"mr_damper_0V_record_07.csv", "mr_damper_0V_record_09.csv"});
   EXPECT_EQ(names(d), (Names{"force_offset on link 1-0", "presliding_hysteresis on link 1-0"}));
   EXPECT_GT(d.gain[0], 10);
+}
+
+bool said(const Diagnosis& d, const std::string& effect) {
+  for (const diagnosis::Cause& c : d.causes)
+    if (c.effect == effect) return true;
+  for (const diagnosis::NamedPlace& p : d.ambiguous_with)
+    if (p.effect == effect) return true;
+  return false;
+}
+
+// References: a separate program's, see the recordings' own page.
+TEST_F(MeasuredRigs, RacingDamperWithHysteresisAndGasPressure) {
+  const Diagnosis d = diagnosed("racing_damper.toml", {"racing_damper_cold_3_3.csv"}, {});
+  EXPECT_TRUE(said(d, "presliding_hysteresis"));
+  EXPECT_TRUE(said(d, "force_offset"));
+  EXPECT_GT(d.gain[0], 2);  // half of the reference's 30 -> 7.7, in logarithms
+}
+
+TEST_F(MeasuredRigs, BandedDampersWithHysteresis) {
+  for (const char* file : {"friction_damper_1Hz_20lb.csv", "friction_damper_0p5Hz_30lb.csv"})
+    EXPECT_EQ(names(diagnosed("friction_damper.toml", {file}, {})), Names{"presliding_hysteresis on link 1-0"}) << file;
+}
+
+TEST_F(MeasuredRigs, WeightThatRubs) {
+  const Diagnosis d = diagnosed("spring_weight.toml", {"spring_weight_rubbing.csv"}, {});
+  EXPECT_TRUE(said(d, "missing_coulomb"));
+  EXPECT_GT(d.gain[0], 2.4);  // half of 29 -> 5.2
+}
+
+TEST_F(MeasuredRigs, NothingIsNamedThatIsNotDecidable) {
+  EXPECT_TRUE(diagnosed("spring_weight.toml", {"spring_weight_drag.csv"}, {}).causes.empty());
+  const std::vector<std::string> command = {"servo_pair_command_1.csv", "servo_pair_command_2.csv"};
+  EXPECT_TRUE(diagnosed("servo_pair.toml", command, {}).causes.empty());
+  const std::vector<std::string> measured = {"servo_pair_measured_torque_1.csv", "servo_pair_measured_torque_2.csv"};
+  EXPECT_TRUE(diagnosed("servo_pair.toml", measured, {}).causes.empty());
+}
+
+TEST_F(MeasuredRigs, WingOfTenModesIsToldThatThreeMassesCannotDescribeIt) {
+  const Diagnosis d = diagnosed("f16_wing.toml", {"f16_wing_level_1.csv"}, {});
+  EXPECT_EQ(d.verdict, diagnosis::Verdict::kUnknown);
+  ASSERT_FALSE(d.advice.empty());
+  EXPECT_NE(d.advice[0].find("cannot describe"), std::string::npos);
+  EXPECT_TRUE(d.baseline.parameters.empty());
+  for (double nrmse : d.baseline.holdout_nrmse_percent) EXPECT_LE(nrmse, 1000);
 }
 
 }  // namespace

@@ -77,6 +77,7 @@ std::string verdict_sentence(const DiagnosisReportData& data) {
            "show.";
   if (data.verdict == "explained") return named(data) + ".";
   if (data.verdict == "ambiguous") return one_of(data.causes, data.ambiguous_with);
+  if (data.verdict == "partly") return named(data) + ". What remains is beyond noise, its cause not known.";
   if (data.causes.empty())
     return "The rig file does not explain the measurement, and no effect in the vocabulary explains what is left.";
   return named(data) + ". A residual beyond noise remains that no effect in the vocabulary explains.";

@@ -1,0 +1,128 @@
+#include "answer.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "../naming.hpp"
+
+namespace diagnosis::runs {
+namespace {
+
+constexpr double kBeyondNoise = 3;  // in the band of the motion over beside it: 0.95 to 1.05 on complete drawn rigs
+constexpr double kHalfOfVariance = 70.7;  // NRMSE in percent
+constexpr double kSmall = 0.02;  // of the motion, over a window: what is left and nothing explains is said to be there
+
+// As the words and units of terms are kept.
+std::vector<ActiveTerm> active(const Model& model, const std::vector<Determined>& found) {
+  std::vector<ActiveTerm> list;
+  for (const ModelTerm& t : model) {
+    ActiveTerm a;
+    a.term = t.term, a.known = t.known && t.host < 0, a.added = t.added;
+    a.value = t.host >= 0 ? model[static_cast<size_t>(t.host)].value : t.value;
+    if (t.term.kind == Kind::kBacklash && t.added)
+      a.value = -a.value;  // a rig file takes its stiffness away inside the gap
+    if (t.host >= 0) a.known = model[static_cast<size_t>(t.host)].known;
+    list.push_back(a);
+  }
+  const std::vector<Parameter> parameters = runs::parameters_of(model);
+  for (size_t i = 0; i < parameters.size() && i < found.size(); ++i)
+    if (!parameters[i].shape) list[parameters[i].term].std = found[i].std;
+  for (size_t i = 0; i < model.size(); ++i)
+    if (model[i].host >= 0) list[i].std = list[static_cast<size_t>(model[i].host)].std;
+  return list;
+}
+
+bool of_motion_channel(Kind kind) { return kind >= Kind::kChannelDelay && kind <= Kind::kHumSin; }
+
+std::string place(const Task& task, const Term& t) {
+  if (of_motion_channel(t.kind))
+    for (const MotionTrace& trace : task.records[0].traces)
+      if (trace.dof == t.dof && trace.quantity == t.quantity) return "channel " + trace.channel;
+  return place_of(task.system, t, FusedRecord());
+}
+
+std::vector<diagnosis::Parameter> parameters_of_cause(const Task& task, const std::vector<ActiveTerm>& list,
+                                                      const ActiveTerm& a) {
+  if (!of_motion_channel(a.term.kind)) return parameters_of_term(task.system, list, a);
+  const std::string channel = place(task, a.term).substr(8);
+  const bool delay = a.term.kind == Kind::kChannelDelay;
+  return {{std::string(word_of(a.term.kind)) + "[" + channel + "]", a.value, delay ? "s" : "1", a.std, true}};
+}
+
+std::vector<diagnosis::Parameter> all_parameters(const Task& task, const std::vector<ActiveTerm>& list) {
+  std::vector<diagnosis::Parameter> out;
+  for (const ActiveTerm& a : list)
+    if (a.added || !a.known)
+      for (const diagnosis::Parameter& p : parameters_of_cause(task, list, a)) out.push_back(p);
+  return out;
+}
+
+// A backlash and what acts in another's place are named with that one's coefficient.
+void take(const Score& score, ModelScore& to) {
+  to.holdout_nrmse_percent = score.nrmse_percent, to.holdout_mse_percent = score.mse_percent;
+  to.holdout_velocity_nrmse_percent = score.velocity_percent;
+}
+
+}  // namespace
+
+void answer(const Task& task, const Choice& choice, Diagnosis& d) {
+  const std::vector<ActiveTerm> base = active(choice.base.model, determined(choice.base.fit, choice.base.model));
+  const std::vector<ActiveTerm> full = active(choice.final.model, determined(choice.final.fit, choice.final.model));
+  const double whole = error_over(choice.final.fit, choice.base.fit);
+  for (const Named& named : choice.named) {
+    Cause c;
+    c.effect = word_of(named.candidate.terms[0].kind), c.where = place(task, named.candidate.terms[0]);
+    c.significance = named.z * named.z;
+    c.explains_percent = std::clamp(100 * named.share, 0.0, 100.0);
+    for (const ActiveTerm& a : full)
+      if (a.added && a.term.same_place(named.candidate.terms[0])) c.parameters = parameters_of_cause(task, full, a);
+    d.causes.push_back(c);
+    for (const Rival& r : named.rivals)
+      d.ambiguous_with.push_back({word_of(r.candidate.terms[0].kind), place(task, r.candidate.terms[0])});
+  }
+  d.baseline.parameters = all_parameters(task, base);
+  d.extended.parameters = all_parameters(task, full);
+  const Score before = score_unseen(task, choice.base),
+              after = choice.named.empty() ? before : score_unseen(task, choice.final);
+  take(before, d.baseline), take(after, d.extended);
+  d.gain.clear();
+  double worst_free_run = 0;
+  for (size_t i = 0; i < before.nrmse_percent.size(); ++i) {
+    d.gain.push_back(before.nrmse_percent[i] / std::max(1e-9, after.nrmse_percent[i]));
+    worst_free_run = std::max(worst_free_run, after.nrmse_percent[i]);
+    d.remainder_percent.push_back(choice.named.empty() ? 100
+                                                       : std::min(1000.0, 100 * after.nrmse_percent[i] /
+                                                                              std::max(1e-9, before.nrmse_percent[i])));
+  }
+  std::vector<ActiveTerm> writable;
+  for (const ActiveTerm& a : full)
+    if (!of_motion_channel(a.term.kind)) writable.push_back(a);
+  d.extended_rig = extended_rig(task.system, writable);
+  state_delays(d.causes, d.extended_rig);
+  d.baseline_misfit = choice.base_left.worst(), d.extended_misfit = choice.final_left.worst();
+  (void)whole;
+  const double error = motion_error(task, choice.final);
+  const bool noise =
+      choice.final.fit.ok && choice.final_left.worst() < kBeyondNoise && worst_free_run < kHalfOfVariance;
+  if (!choice.named.empty())
+    d.verdict = !d.ambiguous_with.empty() ? Verdict::kAmbiguous : noise ? Verdict::kExplained : Verdict::kPartly;
+  else
+    d.verdict = noise || ((choice.noise_is_enough || error < kSmall) && worst_free_run < kHalfOfVariance)
+                    ? Verdict::kNone
+                    : Verdict::kUnknown;
+  if (choice.base_fits_nothing && choice.named.empty()) {
+    d.baseline.parameters.clear(), d.extended.parameters.clear();  // numbers of a model that is not this rig's
+    char text[300];
+    std::snprintf(
+        text, sizeof text,
+        "the rig file cannot describe this recording: even over %.2g of a period, each from its own best start, its "
+        "simulation misses %.0f %% of the motion; it has %zu DOF, so count the modes in the spectrum and the masses, "
+        "and "
+        "check the units and the channels' places",
+        choice.periods, std::min(100.0, 100 * error), task.system.dofs());
+    d.advice.push_back(text);
+  }
+}
+
+}  // namespace diagnosis::runs

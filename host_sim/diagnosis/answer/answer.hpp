@@ -1,0 +1,17 @@
+// What is said of a choice: the contract's fields.
+#pragma once
+#include "../choice/choice.hpp"
+#include "../diagnosis.hpp"
+
+namespace diagnosis::runs {
+
+// Causes, rivals, both models' parameters, their free runs on unseen data, the extended rig, the remainder and the verdict.
+void answer(const Task& task, const Choice& choice, Diagnosis& d);
+
+// A model's free run on unseen data, from the measured state at its start; errors over 1000 % are said as 1000.
+struct Score {
+  std::vector<double> nrmse_percent, velocity_percent, mse_percent;  // per DOF
+};
+Score score_unseen(const Task& task, const State& state);
+
+}  // namespace diagnosis::runs

@@ -1,0 +1,86 @@
+// Free runs on data that the fit has not seen.
+#include <algorithm>
+#include <cmath>
+
+#include "answer.hpp"
+#include "host_sim/vocabulary/held_in_place.hpp"
+
+namespace diagnosis::runs {
+namespace {
+
+constexpr double kMostPercent = 1000;  // more says no more
+constexpr double kRestart_s = 1;       // where no spring holds a DOF in its place the run starts anew that often
+
+struct Sums {
+  double error = 0, square = 0, sum = 0, count = 0;
+  void add(const Vec& simulated, const Vec& measured) {
+    error += (simulated - measured).squaredNorm(), square += measured.squaredNorm(), sum += measured.sum();
+    count += static_cast<double>(measured.size());
+  }
+  double ratio() const {  // mean square over variance
+    const double variance = square / count - std::pow(sum / count, 2);
+    return variance > 0 ? error / count / variance : 0;
+  }
+};
+
+double capped(double percent) { return std::isfinite(percent) ? std::min(percent, kMostPercent) : kMostPercent; }
+
+}  // namespace
+
+Score score_unseen(const Task& task, const State& state) {
+  const size_t n = task.system.dofs();
+  Evaluator evaluator(task.system, state.model, task.records);
+  std::vector<Sums> x(n), v(n), a(n);
+  bool finite = evaluator.sound();
+  const bool held = vocabulary::held_in_place(task.system.rig);
+  const bool apart = task.training < task.records.size();
+  WindowRun run;
+  for (size_t r = apart ? task.training : 0; r < task.records.size() && finite; ++r) {
+    const Prepared& p = task.records[r];
+    const Index first = apart ? 0 : static_cast<Index>(0.7 * static_cast<double>(p.samples));
+    const Index part = held || evaluator.massless() ? p.samples - first
+                                                    : std::max<Index>(12, static_cast<Index>(kRestart_s / p.step_s));
+    for (Index from = first; from + 12 <= p.samples && finite; from += part) {
+      Window w;
+      w.record = r, w.from = from, w.length = std::min(part, p.samples - from);
+      // the state at its start: as the first window of a short fit tells, where there is one
+      for (const Window& u : state.unseen)
+        if (u.record == r && u.from == from && u.state.size()) w.state = u.state;
+      w.state = evaluator.carried_state(w);
+      if (!evaluator.run(w, false, false, run)) {
+        finite = false;
+        break;
+      }
+      for (size_t d = 0; d < n; ++d) {
+        const Index i = static_cast<Index>(d);
+        if (evaluator.massless()) {
+          const auto& traces = evaluator.traces(r);
+          for (size_t c = 0; c < traces.size(); ++c)
+            if (traces[c].dof == static_cast<int>(d)) {
+              const Vec y = traces[c].y.segment(w.from, w.length);
+              x[d].add(y - run.residual.segment(static_cast<Index>(c) * w.length, w.length), y);
+              v[d] = a[d] = x[d];
+            }
+          continue;
+        }
+        const Guess& g = p.guess[d];
+        const Vec* measured = &g.x;  // as measured where it is
+        for (const MotionTrace& t : p.traces)
+          if (t.dof == static_cast<int>(d) && t.quantity == 0) measured = &t.y;
+        x[d].add(run.x.row(i), measured->segment(w.from, w.length));
+        v[d].add(run.v.row(i), g.v.segment(w.from, w.length));
+        a[d].add(run.a.row(i), g.a.segment(w.from, w.length));
+      }
+    }
+  }
+  Score score;
+  for (size_t d = 0; d < n; ++d) {
+    const bool any = finite && x[d].count > 0;
+    score.nrmse_percent.push_back(any ? capped(100 * std::sqrt(x[d].ratio())) : kMostPercent);
+    score.velocity_percent.push_back(any ? capped(100 * std::sqrt(v[d].ratio())) : kMostPercent);
+    score.mse_percent.push_back(any ? capped(100 * a[d].ratio()) : kMostPercent);
+  }
+  return score;
+}
+
+}  // namespace diagnosis::runs

@@ -1,0 +1,231 @@
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "columns.hpp"
+
+namespace diagnosis::runs {
+namespace {
+
+constexpr Index kAtOnce = 192;      // columns: bounds memory
+constexpr size_t kBlocks = 24;      // that influences are taken over: fewer leave Student's law no way to be sure
+constexpr double kDistinct = 1e-5;  // share of a column's square that the model cannot make itself
+
+struct Sums {              // of the columns, per window
+  Mat residual;            // columns x windows
+  std::vector<Mat> model;  // per window: columns x parameters
+  Mat square;              // columns x windows
+};
+
+// One window's columns beside its free state.
+struct Beside {
+  Mat columns;  // columns x rows, weighted, free of the nuisances
+};
+
+class Pass {
+ public:
+  Pass(const System& system, const std::vector<Prepared>& records, const Model& model,
+       const std::vector<Window>& windows, const Fitted& fit)
+      : evaluator_(system, model, records), windows_(windows), columns_(system, model, records, evaluator_.massless()) {
+    weights_ = fit.mean_square.cwiseSqrt().cwiseInverse();
+  }
+  Evaluator& evaluator() { return evaluator_; }
+  // visit(window index, projected columns, projected slopes of the parameters, projected residual)
+  template <typename Visit>
+  bool over(const std::vector<Term>& terms, Visit visit) {
+    WindowRun run;
+    Mat made;
+    for (size_t i = 0; i < windows_.size(); ++i) {
+      const Window& w = windows_[i];
+      if (!evaluator_.run(w, true, true, run)) return false;
+      const auto& traces = evaluator_.traces(w.record);
+      columns_.make(terms, w, run, traces, made);
+      const Index channels = static_cast<Index>(traces.size());
+      for (Index c = 0; c < channels; ++c) {
+        made.middleCols(c * w.length, w.length) *= weights_[c];
+        run.slopes.middleRows(c * w.length, w.length) *= weights_[c];
+        run.residual.segment(c * w.length, w.length) *= weights_[c];
+      }
+      const Index s = run.nuisances, p = run.slopes.cols() - s;
+      Mat parameters = run.slopes.rightCols(p);
+      if (s > 0) {
+        const Mat states = run.slopes.leftCols(s);
+        Mat a = states.transpose() * states;
+        const Vec scale = a.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
+        a = scale.asDiagonal() * a * scale.asDiagonal();
+        a.diagonal().array() += 1e-9;
+        const Eigen::LLT<Mat> solver(a);
+        const Mat basis =
+            solver.matrixL().solve((scale.asDiagonal() * states.transpose()).eval());  // s x rows, orthonormal
+        made -= (made * basis.transpose()) * basis;
+        parameters -= basis.transpose() * (basis * parameters);
+        run.residual -= basis.transpose() * (basis * run.residual);
+      }
+      visit(i, made, parameters, run.residual);
+    }
+    return true;
+  }
+
+ private:
+  Evaluator evaluator_;
+  const std::vector<Window>& windows_;
+  Columns columns_;
+  Vec weights_;
+};
+
+struct Judged {
+  double gain = 0, z = 0;
+  std::vector<double> value;
+};
+
+}  // namespace
+
+Screen screen(const System& system, const std::vector<Prepared>& records, const Model& model,
+              const std::vector<Window>& windows, const Fitted& fit, const std::vector<Candidate>& candidates,
+              size_t pairs) {
+  Screen out;
+  std::vector<Term> terms;
+  std::vector<size_t> first;
+  for (const Candidate& c : candidates) {
+    first.push_back(terms.size());
+    terms.insert(terms.end(), c.terms.begin(), c.terms.end());
+  }
+  const Index count = static_cast<Index>(terms.size());
+  const size_t parts = std::max<size_t>(1, (kBlocks + windows.size() - 1) / std::max<size_t>(1, windows.size()));
+  const size_t nw = windows.size() * parts;  // blocks
+  std::vector<Mat> own_model(nw), cross(nw, Mat());
+  std::vector<Vec> own_score(nw);
+  Mat residual = Mat::Zero(count, static_cast<Index>(nw)), square = residual,
+      mate = residual;  // mate: with the next column
+  double total = 0;
+  for (Index from = 0; from < count; from += kAtOnce) {
+    const Index n = std::min(kAtOnce, count - from);
+    const std::vector<Term> some(terms.begin() + from, terms.begin() + from + n);
+    Pass pass(system, records, model, windows, fit);
+    const bool fine = pass.over(some, [&](size_t w, const Mat& all_c, const Mat& all_b, const Vec& all_r) {
+      const Index p = all_b.cols(), len = windows[w].length, channels = all_r.size() / len;
+      if (from == 0) total += all_r.squaredNorm();
+      for (size_t part = 0; part < parts; ++part) {
+        const size_t block = w * parts + part;
+        const Index col = static_cast<Index>(block),
+                    first_sample = static_cast<Index>(part) * len / static_cast<Index>(parts);
+        const Index samples = static_cast<Index>(part + 1) * len / static_cast<Index>(parts) - first_sample;
+        if (from == 0)
+          own_model[block] = Mat::Zero(p, p), own_score[block] = Vec::Zero(p), cross[block] = Mat::Zero(count, p);
+        for (Index channel = 0; channel < channels; ++channel) {
+          const Index at = channel * len + first_sample;
+          const auto c = all_c.middleCols(at, samples);
+          const auto b = all_b.middleRows(at, samples);
+          const auto r = all_r.segment(at, samples);
+          if (from == 0) own_model[block] += b.transpose() * b, own_score[block] += b.transpose() * r;
+          residual.col(col).segment(from, n) += c * r;
+          square.col(col).segment(from, n) += c.rowwise().squaredNorm();
+          for (Index i = 0; i + 1 < n; ++i)
+            if (candidates.size() != terms.size()) mate(from + i, col) += c.row(i).dot(c.row(i + 1));
+          cross[block].middleRows(from, n) += c * b;
+        }
+      }
+    });
+    if (!fine) return out;
+  }
+  const Index p = own_model.empty() ? 0 : own_model[0].rows();
+  Mat gram = Mat::Zero(p, p), all_cross = Mat::Zero(count, p);
+  Vec score = Vec::Zero(p);
+  for (size_t w = 0; w < nw; ++w) gram += own_model[w], all_cross += cross[w], score += own_score[w];
+  Mat inverse = Mat::Zero(p, p);
+  if (p > 0) {
+    const Vec scale = gram.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
+    Mat a = scale.asDiagonal() * gram * scale.asDiagonal();
+    a.diagonal().array() += 1e-10;
+    inverse = scale.asDiagonal() * a.ldlt().solve(Mat::Identity(p, p)) * scale.asDiagonal();
+  }
+  const Mat beta = all_cross * inverse;  // columns x parameters
+  const auto single = [&](Index i) {
+    Judged j;
+    const double whole = square.row(i).sum();
+    const double left = whole - beta.row(i).dot(all_cross.row(i));
+    if (!(left > kDistinct * whole)) return j;
+    const double right = residual.row(i).sum() - beta.row(i).dot(score);
+    const double value = right / left;
+    double influence = 0, leverage = 0;
+    for (size_t w = 0; w < nw; ++w) {
+      const double own = square(i, static_cast<Index>(w)) - 2 * beta.row(i).dot(cross[w].row(i)) +
+                         beta.row(i) * own_model[w] * beta.row(i).transpose();
+      const double h = std::clamp(own / left, 0.0, 0.95);
+      const double s =
+          (residual(i, static_cast<Index>(w)) - beta.row(i).dot(own_score[w]) - value * own) / left / (1 - h);
+      influence += s * s, leverage += h * h;
+    }
+    j.value = {value}, j.gain = right * value / total;
+    j.z = std::abs(normal_deviate(value / std::sqrt(influence + 1e-300), std::max(1.0, 1 / std::max(1e-12, leverage))));
+    return j;
+  };
+  const auto double_column = [&](Index i) {
+    Judged j;
+    Eigen::Matrix2d a;
+    Eigen::Vector2d b;
+    for (Index k = 0; k < 2; ++k) {
+      a(k, k) = square.row(i + k).sum() - beta.row(i + k).dot(all_cross.row(i + k));
+      b[k] = residual.row(i + k).sum() - beta.row(i + k).dot(score);
+    }
+    a(0, 1) = a(1, 0) = mate.row(i).sum() - beta.row(i).dot(all_cross.row(i + 1));
+    if (!(a.determinant() > 1e-8 * a(0, 0) * a(1, 1))) return j;
+    const Eigen::Vector2d v = a.inverse() * b;
+    j.value = {v[0], v[1]}, j.gain = v.dot(b) / total;
+    j.z = std::max(single(i).z, single(i + 1).z);
+    return j;
+  };
+  std::vector<Screened> all;
+  for (size_t c = 0; c < candidates.size(); ++c) {
+    const Index i = static_cast<Index>(first[c]);
+    const Judged j = candidates[c].terms.size() == 2 ? double_column(i) : single(i);
+    if (j.value.empty() || !std::isfinite(j.gain)) continue;
+    if (candidates[c].sign != 0 && candidates[c].sign * j.value[0] < 0) continue;
+    all.push_back({c, j.gain, j.z, j.value});
+  }
+  std::sort(all.begin(), all.end(), [](const Screened& a, const Screened& b) { return a.gain > b.gain; });
+  for (const Screened& s : all) {
+    const bool seen = std::any_of(out.singles.begin(), out.singles.end(), [&](const Screened& o) {
+      return candidates[o.candidate].same_place(candidates[s.candidate]);
+    });
+    if (!seen) out.singles.push_back(s);
+  }
+  // Two at a time, in closed form: of every kind and place its three best shapes.
+  std::vector<size_t> chosen;
+  for (const Screened& s : all) {
+    if (chosen.size() >= pairs) break;
+    if (candidates[s.candidate].terms.size() > 1) continue;
+    const auto same = std::count_if(chosen.begin(), chosen.end(),
+                                    [&](size_t o) { return candidates[o].same_place(candidates[s.candidate]); });
+    if (same < 2) chosen.push_back(s.candidate);
+  }
+  if (chosen.size() < 2) return out;
+  std::vector<Term> some;
+  for (size_t c : chosen) some.push_back(candidates[c].terms[0]);
+  const Index n = static_cast<Index>(some.size());
+  Mat all_gram = Mat::Zero(n, n), with_model = Mat::Zero(n, p);
+  Vec right = Vec::Zero(n);
+  Pass pass(system, records, model, windows, fit);
+  pass.over(some, [&](size_t, const Mat& c, const Mat& b, const Vec& r) {
+    all_gram.noalias() += c * c.transpose(), with_model.noalias() += c * b, right.noalias() += c * r;
+  });
+  all_gram -= with_model * inverse * with_model.transpose();
+  right -= with_model * inverse * score;
+  for (Index i = 0; i < n; ++i)
+    for (Index j = 0; j < i; ++j) {
+      const Candidate &a = candidates[chosen[static_cast<size_t>(i)]], &b = candidates[chosen[static_cast<size_t>(j)]];
+      if (a.same_place(b)) continue;
+      Eigen::Matrix2d g;
+      g << all_gram(i, i), all_gram(i, j), all_gram(i, j), all_gram(j, j);
+      if (!(g.determinant() > 1e-4 * g(0, 0) * g(1, 1))) continue;
+      const Eigen::Vector2d rhs(right[i], right[j]), v = g.inverse() * rhs;
+      if ((a.sign != 0 && a.sign * v[0] < 0) || (b.sign != 0 && b.sign * v[1] < 0)) continue;
+      out.pairs.push_back({chosen[static_cast<size_t>(i)], chosen[static_cast<size_t>(j)], v.dot(rhs) / total});
+    }
+  std::sort(out.pairs.begin(), out.pairs.end(),
+            [](const ScreenedPair& a, const ScreenedPair& b) { return a.gain > b.gain; });
+  return out;
+}
+
+}  // namespace diagnosis::runs

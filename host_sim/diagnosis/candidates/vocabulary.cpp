@@ -1,0 +1,149 @@
+// Which effects make sense beside a model.
+#include <algorithm>
+#include <cmath>
+
+#include "candidates.hpp"
+
+namespace diagnosis::runs {
+namespace {
+
+struct Extent {
+  double u_peak = 0, u_rms = 0, w_rms = 0;
+};
+
+Extent extent_of(const System& s, const std::vector<Prepared>& records, size_t link) {
+  Extent e;
+  const rig_file::Link& l = s.links[link];
+  for (const Prepared& p : records) {
+    const auto end = [&](int dof, bool rate) -> const Vec* {
+      if (dof == rig_file::kGround) return nullptr;
+      const Guess& g = p.guess[dof == rig_file::kBase ? s.dofs() : static_cast<size_t>(dof - 1)];
+      return g.given ? (rate ? &g.v : &g.x) : nullptr;
+    };
+    for (bool rate : {false, true}) {
+      Vec d = Vec::Zero(p.samples);
+      if (const Vec* a = end(l.a, rate)) d += *a;
+      if (const Vec* b = end(l.b, rate)) d -= *b;
+      const double rms = std::sqrt(d.squaredNorm() / static_cast<double>(d.size()));
+      if (rate)
+        e.w_rms = std::max(e.w_rms, rms);
+      else
+        e.u_rms = std::max(e.u_rms, rms), e.u_peak = std::max(e.u_peak, d.cwiseAbs().maxCoeff());
+    }
+  }
+  return e;
+}
+
+int find(const Model& model, int link, std::initializer_list<Kind> kinds) {
+  for (size_t i = 0; i < model.size(); ++i)
+    if (model[i].term.link == link && std::find(kinds.begin(), kinds.end(), model[i].term.kind) != kinds.end())
+      return static_cast<int>(i);
+  return -1;
+}
+
+bool measures(const std::vector<Prepared>& records, int dof, int quantity) {
+  for (const MotionTrace& t : records[0].traces)
+    if (t.dof == dof && t.quantity == quantity) return true;
+  return false;
+}
+
+}  // namespace
+
+std::vector<Candidate> candidates_beside(const System& s, const Model& model, const std::vector<Prepared>& records) {
+  std::vector<Candidate> list;
+  const auto has = [&](const Term& t) {
+    return std::any_of(model.begin(), model.end(), [&](const ModelTerm& m) { return m.term.same_place(t); });
+  };
+  const auto add = [&](std::vector<Term> terms, int complexity, int sign = 0, int host = -1) {
+    if (!has(terms[0])) list.push_back({std::move(terms), host, sign, complexity});
+  };
+  double duration_s = 0, fastest_Hz = 0, slowest_s = 0;
+  bool any_mass = false, any_force = false;
+  for (const Prepared& p : records) {
+    duration_s = std::max(duration_s, p.time_s(p.samples)), fastest_Hz = std::max(fastest_Hz, p.top_Hz);
+    slowest_s = std::max(slowest_s, p.period_s);
+    for (const Vec& f : p.force) any_force = any_force || f.size() > 0;
+  }
+  for (const ModelTerm& t : model) any_mass = any_mass || (t.term.kind == Kind::kMass);
+  const bool scale_known =
+      std::any_of(model.begin(), model.end(), [](const ModelTerm& t) { return t.known && !t.added && t.value != 0; });
+  const bool based = records[0].guess.back().given;
+  for (size_t i = 0; i < s.links.size(); ++i) {
+    const int l = static_cast<int>(i);
+    const bool listed = i < s.known_links || find(model, l, {Kind::kMissingViscous, Kind::kMissingCoulomb}) >= 0;
+    const Extent e = extent_of(s, records, i);
+    if (e.w_rms <= 0) continue;
+    const int viscous = find(model, l, {Kind::kViscous, Kind::kMissingViscous});
+    const int friction = find(model, l, {Kind::kCoulomb, Kind::kMissingCoulomb});
+    const int spring = find(model, l, {Kind::kStiffness});
+    const bool hysteretic = find(model, l, {Kind::kPresliding}) >= 0;
+    if (viscous < 0 || model[static_cast<size_t>(viscous)].known)
+      add({on_link(Kind::kMissingViscous, l)}, 0, viscous < 0 ? 1 : 0);
+    if (friction < 0 && !hysteretic) add({on_link(Kind::kMissingCoulomb, l)}, 0, 1);
+    if (!listed) continue;
+    if (spring < 0 || model[static_cast<size_t>(spring)].known) add({on_link(Kind::kStiffnessError, l)}, 0);
+    for (Kind k : {Kind::kForceOffset, Kind::kAsymmetricViscous, Kind::kQuadraticDamping, Kind::kCubicStiffness,
+                   Kind::kQuadraticStiffness, Kind::kCubicDamping, Kind::kDisplacementDamping})
+      add({on_link(k, l)}, 0);
+    add({on_link(Kind::kDriftingViscous, l)}, 0);
+    for (double share : {0.06, 0.2, 0.6}) add({on_link(Kind::kDriftingViscous, l, share * duration_s)}, 1);
+    if (spring >= 0)
+      for (double share : {0.001, 0.003, 0.01, 0.03, 0.1, 0.25, 0.5}) {
+        add({on_link(Kind::kBacklash, l, share * e.u_peak)}, 1, 1, spring);
+      }
+    for (double share : {0.2, 0.35, 0.5, 0.62, 0.74, 0.85, 0.93})
+      add({on_link(Kind::kEndStop, l, share * e.u_peak)}, 1, 1);
+    if (!hysteretic)
+      for (double share : {0.05, 0.12, 0.3, 0.7}) add({on_link(Kind::kStribeck, l, share * e.w_rms)}, 1, 1);
+    for (double share : {0.003, 0.01, 0.03, 0.1, 0.25, 0.6, 1.2})
+      add({on_link(Kind::kPresliding, l, share * e.u_rms)}, 1, 1, friction);
+  }
+  for (size_t d = 0; d < s.dofs(); ++d) {
+    const int dof = static_cast<int>(d);
+    const int mass = [&] {
+      for (size_t i = 0; i < model.size(); ++i)
+        if (model[i].term.kind == Kind::kMass && model[i].term.dof == dof) return static_cast<int>(i);
+      return -1;
+    }();
+    if (mass >= 0 && model[static_cast<size_t>(mass)].known && (any_force || s.dofs() > 1 || based))
+      add({on_dof(Kind::kMassError, dof)}, 0);
+    if (mass >= 0) {
+      const double low = 0.7 / slowest_s, high = 1.4 * fastest_Hz;
+      for (int i = 0; i < 24 && high > low; ++i) {
+        const double hertz = low * std::pow(high / low, i / 23.0);
+        add({on_dof(Kind::kResonance, dof, hertz, 0.02)}, 2, 1);
+      }
+    }
+    const bool forced = records[0].force[d].size() > 0;
+    if (forced) {
+      if (scale_known && mass >= 0) add({on_dof(Kind::kForceGain, dof)}, 0);
+      add({on_dof(Kind::kForceDelay, dof)}, 0);
+    }
+    for (int q = 0; q < 3 && mass >= 0; ++q) {
+      if (!measures(records, dof, q)) continue;
+      Term gain = on_dof(Kind::kChannelGain, dof), delay = on_dof(Kind::kChannelDelay, dof);
+      gain.quantity = delay.quantity = q;
+      if (scale_known || records[0].traces.size() > 1) add({gain}, 0), add({delay}, 0);
+    }
+  }
+  (void)any_mass;
+  return list;
+}
+
+Model joined(const Model& model, const Candidate& c, const std::vector<double>& value) {
+  Model out = model;
+  for (size_t i = 0; i < c.terms.size(); ++i) {
+    ModelTerm t;
+    t.term = c.terms[i], t.known = false, t.added = true, t.host = c.host;
+    t.value = i < value.size() ? value[i] : 0;
+    if (positive(t.term.kind) && t.value <= 0) t.value = 1e-3 * std::abs(t.value) + 1e-12;
+    const Kind k = t.term.kind;
+    t.shape_free = k == Kind::kBacklash || k == Kind::kEndStop || k == Kind::kStribeck || k == Kind::kPresliding ||
+                   k == Kind::kResonance || (k == Kind::kDriftingViscous && t.term.shape > 0);
+    if (t.host >= 0) t.value = out[static_cast<size_t>(t.host)].value;
+    out.push_back(t);
+  }
+  return out;
+}
+
+}  // namespace diagnosis::runs

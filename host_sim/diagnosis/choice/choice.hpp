@@ -1,0 +1,72 @@
+// Which effects a rig lacks, as far as its records tell: causes one after the other, or two that help only together.
+#pragma once
+#include <functional>
+
+#include "../candidates/candidates.hpp"
+#include "../windows/windows.hpp"
+
+namespace diagnosis::runs {
+
+// Everything a fit needs, and what it left.
+struct State {
+  Model model;
+  std::vector<Window> seen, unseen;
+  Fitted fit, unseen_fit;
+};
+
+struct Rival {
+  Candidate candidate;
+  double error = 0;  // squared error over that of the model named
+};
+
+struct Named {
+  Candidate candidate;
+  double z = 0;      // significance
+  double share = 0;  // of what was still to be explained
+  std::vector<Rival> rivals;
+};
+
+// What is left, channel by channel.
+struct Left {
+  Vec noise;    // mean square of what looks like noise: the level above the motion's band
+  Vec in_band;  // residual's level in the band of the motion over that beside it
+  double worst() const { return in_band.size() ? in_band.maxCoeff() : 0; }
+};
+
+struct Choice {
+  double periods = 0;  // of a window
+  State base, final;
+  std::vector<Named> named;
+  Left base_left, final_left;
+  Screen last_screen;  // beside the final model
+  std::vector<Candidate> last_candidates;
+  bool noise_is_enough = false;    // no other test says that something beyond noise is left
+  bool base_fits_nothing = false;  // not even over a fifth of a period does the rig as given describe the motion
+};
+
+// The rig as given, fitted over the longest windows that it can follow; `training` of the records may be fitted, the others
+// are unseen (where there are none, the last 30 % of each).
+struct Task {
+  const System& system;
+  const std::vector<Prepared>& records;
+  size_t training;
+};
+Choice rig_fitted(const Task& task);
+// Error of the windows' runs over the motion, the worst channel's; huge where there is no fit.
+double motion_error(const Task& task, const State& state);
+// Takes causes that another test found and borne_out() confirms.
+void adopt(const Task& task, const std::vector<Candidate>& found, const std::vector<double>& values, Choice& choice);
+// Goes on from rig_fitted(): names what is missing. progress: called with the share done.
+void choose(const Task& task, Choice& choice, const std::function<void(double)>& progress);
+// Whether every one of these, found by another test, is borne out: it stays significant beside the others, and without it
+// unseen data are simulated worse.
+bool borne_out(const Task& task, const State& base, const std::vector<Candidate>& found,
+               const std::vector<double>& values);
+
+// Share of a fit's squared residual that looks like noise, mean over the channels.
+double noise_share(const Left& left, const Fitted& fit);
+Left left_by(const System& system, const std::vector<Prepared>& records, const State& state);
+// Squared error of a state over that of another, mean over the channels; seen or unseen windows.
+double error_over(const Fitted& now, const Fitted& before);
+
+}  // namespace diagnosis::runs

@@ -1,0 +1,62 @@
+// One model against the windows of its records: residuals, and how they answer to states and parameters.
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "../simulate/simulator.hpp"
+
+namespace diagnosis::runs {
+
+// A stretch of a record that is simulated by itself, from a free state.
+struct Window {
+  size_t record = 0;
+  Index from = 0, length = 0;
+  Vec state;            // of the simulator, then the offsets of channels that have one; empty: to be guessed
+  bool unseen = false;  // not for the fit
+};
+
+// One window's run. Rows: channel by channel, sample by sample.
+struct WindowRun {
+  Vec residual;            // measured less simulated
+  Mat slopes;              // of the simulated: rows x (states, offsets, parameters)
+  Mat x, v, a;             // nodes x samples
+  std::vector<Mat> step;   // per sample: states x states, where kept
+  std::vector<Mat> acc;    // per sample: nodes x states
+  std::vector<Mat> yield;  // per sample: nodes x nodes
+  Index nuisances = 0;     // states and offsets, the first columns of slopes
+};
+
+class Evaluator {
+ public:
+  Evaluator(const System& system, const Model& model, const std::vector<Prepared>& records);
+  bool sound() const { return sound_; }
+  bool massless() const { return massless_; }
+  Index parameters() const { return parameters_; }
+  const std::vector<MotionTrace>& traces(size_t record) const { return traces_[record]; }
+  // The guess for a window, keeping what it has where the model has changed since.
+  Vec carried_state(const Window& w) const;
+  // False where the run does not stay finite. keep: transitions too, for candidates.
+  bool run(const Window& w, bool slopes, bool keep, WindowRun& out);
+  void moved(const Window& w, const Vec& change, Vec& state) const;  // state after a change of the nuisances
+
+ private:
+  // Channels whose zero is free in every window: accelerations, and displacements that nothing drives (where a sensor's zero
+  // and a constant force are the same).
+  bool has_offset(const MotionTrace& t) const { return t.quantity == 2 || (t.quantity == 0 && !driven_); }
+  bool simulate(const Window& w, bool slopes, bool keep, WindowRun& out);
+  void from_motion(const Window& w, bool slopes, WindowRun& out) const;
+  void faults(const Window& w, bool slopes, Mat& h, WindowRun& out) const;
+  const Model& model_;
+  const std::vector<Prepared>& records_;
+  std::vector<std::vector<MotionTrace>> traces_;  // massless: the forces
+  std::vector<std::unique_ptr<Simulator>> simulators_;
+  struct MotionForces {
+    Mat force;
+    std::vector<Mat> slopes;
+  };
+  std::vector<MotionForces> forces_;  // per record, without masses
+  bool sound_ = true, massless_ = false, driven_ = false;
+  Index parameters_ = 0, dofs_ = 0;
+};
+
+}  // namespace diagnosis::runs

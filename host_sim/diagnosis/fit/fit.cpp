@@ -1,0 +1,183 @@
+#include "fit.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+namespace diagnosis::runs {
+namespace {
+
+constexpr double kRidge = 1e-9;       // of a column's square: what is not determined stays where it is
+constexpr double kSettled = 0.02;     // of the cost: a fall that no test can notice
+constexpr double kLongestStep = 0.5;  // of a shape's logarithm
+constexpr double kLeastShare = 0.3;   // of a positive number, that one step may leave of it
+
+struct Normal {              // of one window
+  Mat states_inverse_cross;  // what a change of the parameters does to the state
+  Vec state_step;
+  Mat gram;
+  Vec score;
+  Vec ss;
+};
+
+struct Pass {
+  bool ok = false;
+  std::vector<Normal> windows;
+  Vec mean_square;
+  double cost = 0, rows = 0;
+};
+
+Pass pass_over(Evaluator& evaluator, const std::vector<Window>& windows, const Vec* weights, bool slopes) {
+  Pass pass;
+  const Index channels = static_cast<Index>(evaluator.traces(0).size());
+  Vec sum = Vec::Zero(channels);
+  double samples = 0;
+  WindowRun run;
+  for (const Window& w : windows) {
+    if (!evaluator.run(w, slopes, false, run)) return pass;
+    Normal n;
+    n.ss.resize(channels);
+    for (Index c = 0; c < channels; ++c) n.ss[c] = run.residual.segment(c * w.length, w.length).squaredNorm();
+    sum += n.ss, samples += static_cast<double>(w.length);
+    if (slopes) {
+      for (Index c = 0; c < channels; ++c) {
+        run.slopes.middleRows(c * w.length, w.length) *= (*weights)[c];
+        run.residual.segment(c * w.length, w.length) *= (*weights)[c];
+      }
+      const Index s = run.nuisances, p = run.slopes.cols() - s;
+      Mat gram = Mat::Zero(s + p, s + p);
+      gram.selfadjointView<Eigen::Lower>().rankUpdate(run.slopes.transpose());
+      gram.triangularView<Eigen::StrictlyUpper>() = gram.transpose();
+      const Vec right = run.slopes.transpose() * run.residual;
+      if (s > 0) {
+        Mat a = gram.topLeftCorner(s, s);
+        const Vec scale = a.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
+        a = scale.asDiagonal() * a * scale.asDiagonal();
+        a.diagonal().array() += kRidge;
+        const Eigen::LLT<Mat> solver(a);
+        n.states_inverse_cross = scale.asDiagonal() * solver.solve(scale.asDiagonal() * gram.topRightCorner(s, p));
+        n.state_step = scale.asDiagonal() * solver.solve(scale.asDiagonal() * right.head(s));
+        n.gram = gram.bottomRightCorner(p, p) - gram.bottomLeftCorner(p, s) * n.states_inverse_cross;
+        n.score = right.tail(p) - n.states_inverse_cross.transpose() * right.head(s);
+      } else {
+        n.gram = gram, n.score = right;
+      }
+    }
+    pass.windows.push_back(std::move(n));
+  }
+  pass.mean_square = (sum / std::max(1.0, samples)).cwiseMax(1e-300);
+  pass.cost = 0.5 * samples * pass.mean_square.array().log().sum();
+  pass.rows = samples * static_cast<double>(channels);
+  pass.ok = std::isfinite(pass.cost);
+  return pass;
+}
+
+void step_parameters(Model& model, const Vec& change) {
+  const std::vector<Parameter> parameters = parameters_of(model);
+  for (size_t i = 0; i < parameters.size(); ++i) {
+    ModelTerm& t = model[parameters[i].term];
+    const double d = change[static_cast<Index>(i)];
+    if (parameters[i].shape) {
+      t.term.shape *= std::exp(std::clamp(d, -kLongestStep, kLongestStep));
+    } else {
+      const double next = t.value + d;
+      t.value = positive(t.term.kind) && t.value > 0 ? std::max(next, kLeastShare * t.value) : next;
+    }
+  }
+}
+
+}  // namespace
+
+double normal_deviate(double t, double dof) {  // Wallace 1959
+  const double z = std::sqrt(dof * std::log1p(t * t / dof)) * (8 * dof + 1) / (8 * dof + 3);
+  return t < 0 ? -z : z;
+}
+
+Fitted fit(const System& system, const std::vector<Prepared>& records, Model& model, std::vector<Window>& windows,
+           int iterations, bool only_states) {
+  Fitted out;
+  if (windows.empty()) return out;
+  auto evaluator = std::make_unique<Evaluator>(system, model, records);
+  if (!evaluator->sound()) return out;
+  for (Window& w : windows) w.state = evaluator->carried_state(w);
+  Pass now = pass_over(*evaluator, windows, nullptr, false);
+  if (!now.ok) return out;
+  Vec weights = now.mean_square.cwiseSqrt().cwiseInverse();
+  now = pass_over(*evaluator, windows, &weights, true);
+  if (!now.ok) return out;
+  double damping = 1e-4;
+  for (int i = 0; i < iterations; ++i) {
+    const Index p = evaluator->parameters();
+    Mat gram = Mat::Zero(p, p);
+    Vec score = Vec::Zero(p);
+    for (const Normal& n : now.windows) gram += n.gram, score += n.score;
+    bool better = false;
+    double fall = 0;
+    for (int attempt = 0; attempt < 5 && !better; ++attempt) {
+      Vec change = Vec::Zero(p);
+      if (!only_states && p > 0) {
+        const Vec scale = gram.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
+        Mat a = scale.asDiagonal() * gram * scale.asDiagonal();
+        a.diagonal().array() += damping;
+        change = scale.asDiagonal() * a.ldlt().solve(scale.asDiagonal() * score);
+      }
+      Model trial = model;
+      step_parameters(trial, change);
+      std::vector<Window> moved = windows;
+      auto next_evaluator = std::make_unique<Evaluator>(system, trial, records);
+      if (next_evaluator->sound()) {
+        if (!evaluator->massless())
+          for (size_t w = 0; w < windows.size(); ++w) {
+            const Normal& n = now.windows[w];
+            next_evaluator->moved(moved[w], n.state_step - n.states_inverse_cross * change, moved[w].state);
+          }
+        Pass next = pass_over(*next_evaluator, moved, &weights, true);
+        if (next.ok && next.cost < now.cost + 1e-9 * std::abs(now.cost)) {
+          fall = now.cost - next.cost;
+          model = trial, windows = moved, now = std::move(next);
+          evaluator = std::make_unique<Evaluator>(system, model, records);
+          weights = now.mean_square.cwiseSqrt().cwiseInverse();
+          damping = std::max(1e-6, damping / 10), better = true;
+          break;
+        }
+      }
+      damping = std::max(1e-3, damping * 30);
+    }
+    if (!better || fall < kSettled) break;
+  }
+  out.ok = true, out.cost = now.cost, out.mean_square = now.mean_square, out.total_rows = now.rows;
+  for (Normal& n : now.windows) out.window_ss.push_back(n.ss), out.gram.push_back(n.gram), out.score.push_back(n.score);
+  return out;
+}
+
+std::vector<Determined> determined(const Fitted& fit, const Model& model) {
+  const std::vector<Parameter> parameters = parameters_of(model);
+  const Index p = static_cast<Index>(parameters.size());
+  std::vector<Determined> list(parameters.size());
+  if (p == 0 || fit.gram.empty()) return list;
+  Mat total = Mat::Zero(p, p);
+  for (const Mat& g : fit.gram) total += g;
+  const Vec scale = total.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
+  Mat a = scale.asDiagonal() * total * scale.asDiagonal();
+  a.diagonal().array() += 1e-12;
+  const Mat inverse = scale.asDiagonal() * a.ldlt().solve(Mat::Identity(p, p)) * scale.asDiagonal();
+  for (Index i = 0; i < p; ++i) {
+    const Vec direction = inverse.col(i) / inverse(i, i);
+    const double whole = 1 / inverse(i, i);
+    double square = 0, leverage = 0;
+    for (size_t w = 0; w < fit.gram.size(); ++w) {
+      const double h = std::clamp(direction.dot(fit.gram[w] * direction) / whole, 0.0, 0.95);
+      const double influence = inverse.row(i).dot(fit.score[w]) / (1 - h);
+      square += influence * influence, leverage += h * h;
+    }
+    const double dof = std::max(1.0, 1 / std::max(1e-12, leverage));
+    const ModelTerm& t = model[parameters[static_cast<size_t>(i)].term];
+    const double se = std::sqrt(square), value = parameters[static_cast<size_t>(i)].shape ? 1.0 : t.value;
+    list[static_cast<size_t>(i)].z = normal_deviate(value / std::max(se, 1e-300), dof);
+    // Student's 97.5 % point over 1.96
+    list[static_cast<size_t>(i)].std = se * (1 + 1.4 / dof + 1.2 / (dof * dof));
+  }
+  return list;
+}
+
+}  // namespace diagnosis::runs

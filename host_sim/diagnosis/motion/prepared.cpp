@@ -1,0 +1,251 @@
+#include "prepared.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "../fourier.hpp"
+#include "../motion.hpp"
+
+namespace diagnosis::runs {
+namespace {
+
+constexpr double kTwoPi = 6.283185307179586;
+constexpr double kSamplesPerTop = 24;  // of the fastest motion: one Runge-Kutta step each is right to 1e-4
+constexpr double kPowerBelowTop = 0.999;
+constexpr double kPowerOfDisplacement = 0.9999;  // its velocity, on which friction acts, is faster
+constexpr Index kLeast = 100;
+
+double rms_about_mean(const Vec& y) { return std::sqrt((y.array() - y.mean()).square().mean()); }
+
+// Frequency below which nearly all power above the noise floor lies.
+double top_frequency(const Vec& y, double step_s, bool displacement) {
+  const size_t n = fast_length(static_cast<size_t>(y.size()));
+  Vec w = y.head(static_cast<Index>(n));
+  // take the straight line off, then a Hann taper: what is left at high frequencies is not that of the ends
+  w.array() -= w.mean();
+  for (Index i = 0; i < w.size(); ++i)
+    w[i] *= 0.5 - 0.5 * std::cos(kTwoPi * static_cast<double>(i) / static_cast<double>(n));
+  Vec p = Fourier(n).forward(w).cwiseAbs2();
+  std::vector<double> upper(p.data() + p.size() / 2, p.data() + p.size());
+  std::nth_element(upper.begin(), upper.begin() + static_cast<std::ptrdiff_t>(upper.size() / 2), upper.end());
+  const double floor = upper[upper.size() / 2] / 0.69;  // median of an exponential spread
+  // smoothed over 9 bins, less the floor
+  double total = 0;
+  Vec net = Vec::Zero(p.size());
+  for (Index i = 0; i < p.size(); ++i) {
+    const Index a = std::max<Index>(0, i - 4), b = std::min(p.size() - 1, i + 4);
+    const double level = p.segment(a, b - a + 1).mean();
+    net[i] = level > 4 * floor ? level - floor : 0;
+    total += net[i];
+  }
+  double sum = 0;
+  for (Index i = 0; i < p.size(); ++i) {
+    sum += net[i];
+    if (sum >= (displacement ? kPowerOfDisplacement : kPowerBelowTop) * total)
+      return static_cast<double>(std::max<Index>(i, 2)) / (static_cast<double>(n) * step_s);
+  }
+  return 0.5 / step_s;
+}
+
+// Low-pass of windowed-sinc shape for thinning out by `by`; ends are left out (3 by samples each).
+Vec thinned(const Vec& y, int by) {
+  if (by <= 1) return y;
+  const Index half = 3 * by;
+  Vec kernel(2 * half + 1);
+  for (Index i = -half; i <= half; ++i) {
+    const double t = static_cast<double>(i) / by * 0.8, s = i == 0 ? 1 : std::sin(kTwoPi / 2 * t) / (kTwoPi / 2 * t);
+    kernel[i + half] =
+        s * (0.54 + 0.46 * std::cos(kTwoPi / 2 * static_cast<double>(i) / static_cast<double>(half + 1)));
+  }
+  kernel /= kernel.sum();
+  const Index count = (y.size() - 2 * half - 1) / by + 1;
+  Vec out(count);
+  for (Index i = 0; i < count; ++i) out[i] = kernel.dot(y.segment(i * by, 2 * half + 1));
+  return out;
+}
+
+// Local cubic over 2 half + 1 samples: value and slope of the record (Savitzky and Golay).
+void smooth_cubic(const Vec& y, Index half, double step_s, Vec* value, Vec* slope) {
+  const Index n = y.size();
+  double s2 = 0, s4 = 0, s6 = 0;
+  for (Index i = -half; i <= half; ++i) {
+    const double q = static_cast<double>(i * i);
+    s2 += q, s4 += q * q, s6 += q * q * q;
+  }
+  const double s0 = static_cast<double>(2 * half + 1), d0 = s0 * s4 - s2 * s2, d1 = s2 * s6 - s4 * s4;
+  if (value) value->resize(n);
+  if (slope) slope->resize(n);
+  for (Index c = 0; c < n; ++c) {
+    const Index m = std::clamp(c, half, n - 1 - half);
+    double a0 = 0, a1 = 0, a2 = 0, a3 = 0;
+    for (Index i = -half; i <= half; ++i) {
+      const double t = static_cast<double>(i), q = t * t, f = y[m + i];
+      a0 += f * (s4 - s2 * q) / d0, a2 += f * (s0 * q - s2) / d0;
+      a1 += f * t * (s6 - s4 * q) / d1, a3 += f * t * (s2 * q - s4) / d1;
+    }
+    const double t = static_cast<double>(c - m);
+    if (value) (*value)[c] = a0 + t * (a1 + t * (a2 + t * a3));
+    if (slope) (*slope)[c] = (a1 + t * (2 * a2 + 3 * t * a3)) / step_s;
+  }
+}
+
+// Integrates and takes off what is slower than two periods.
+Vec integrated(const Vec& y, double step_s, Index slow) {
+  Vec z(y.size());
+  z[0] = 0;
+  for (Index i = 1; i < y.size(); ++i) z[i] = z[i - 1] + 0.5 * step_s * (y[i] + y[i - 1]);
+  Vec sums(z.size() + 1);
+  sums[0] = 0;
+  for (Index i = 0; i < z.size(); ++i) sums[i + 1] = sums[i] + z[i];
+  Vec out(z.size());
+  for (Index i = 0; i < z.size(); ++i) {
+    const Index half = std::min({slow, i, z.size() - 1 - i});
+    out[i] = z[i] - (sums[i + half + 1] - sums[i - half]) / static_cast<double>(2 * half + 1);
+  }
+  return out;
+}
+
+Guess guess_of(const std::vector<const Vec*>& measured, double step_s, Index half, Index slow) {
+  Guess g;
+  g.given = true;
+  if (measured[0]) {
+    smooth_cubic(*measured[0], half, step_s, &g.x, &g.v);
+  }
+  if (measured[1]) {
+    smooth_cubic(*measured[1], half, step_s, &g.v, &g.a);
+    if (!measured[0]) g.x = integrated(*measured[1], step_s, slow);
+  }
+  if (measured[2]) {
+    g.a = *measured[2];
+    if (!measured[0] && !measured[1]) {
+      g.v = integrated(Vec(g.a.array() - g.a.mean()), step_s, slow), g.x = integrated(g.v, step_s, slow);
+    }
+  }
+  if (g.a.size() == 0) smooth_cubic(g.v, half, step_s, nullptr, &g.a);
+  return g;
+}
+
+struct Needs {
+  int by = 1;
+  double top_Hz = 0;
+};
+Needs needs_of(const host_sim::Record& record) {
+  Needs needs;
+  for (const host_sim::Channel& c : record.channels) {
+    if (c.quantity == host_sim::Quantity::kForce) continue;
+    const Vec y = Vec::Map(c.values.data(), static_cast<Index>(c.values.size()));
+    needs.top_Hz = std::max(needs.top_Hz,
+                            top_frequency(y, record.sample_period_s, c.quantity == host_sim::Quantity::kDisplacement));
+  }
+  const double wanted = 1 / (record.sample_period_s * kSamplesPerTop * needs.top_Hz);
+  const double most = static_cast<double>(record.samples()) / 4000;  // short work as it is
+  needs.by = std::max(1, static_cast<int>(std::min(wanted, most)));
+  return needs;
+}
+
+double period_of(const Prepared& p) {
+  double longest = 0;
+  for (size_t i = 0; i < p.guess.size(); ++i) {
+    const Guess& g = p.guess[i];
+    if (!g.given) continue;
+    const double v = rms_about_mean(g.v), x = rms_about_mean(g.x);
+    if (v > 0) longest = std::max(longest, kTwoPi * x / v);
+  }
+  return longest;
+}
+
+Prepared prepare_by(const rig_file::RigModel& rig, const host_sim::Record& record, const Needs& needs) {
+  Prepared p;
+  p.file = record.file;
+  p.step_s = record.sample_period_s * needs.by;
+  p.top_Hz = needs.top_Hz;
+  const auto series = [&](const host_sim::Channel& c) {
+    return thinned(Vec::Map(c.values.data(), static_cast<Index>(c.values.size())), needs.by);
+  };
+  const int n = static_cast<int>(rig.dofs.size());
+  p.force.resize(static_cast<size_t>(n));
+  std::vector<Vec> base(3);
+  for (const host_sim::Channel& c : record.channels) {
+    if (c.quantity == host_sim::Quantity::kForce && c.dof >= 1 && c.dof <= n) {
+      p.force[static_cast<size_t>(c.dof - 1)] = series(c);
+      continue;
+    }
+    const int quantity = c.quantity == host_sim::Quantity::kDisplacement ? 0
+                         : c.quantity == host_sim::Quantity::kVelocity   ? 1
+                                                                         : 2;
+    if (c.dof == rig_file::kBase)
+      base[static_cast<size_t>(quantity)] = series(c);
+    else if (c.dof >= 1 && c.dof <= n)
+      p.traces.push_back({c.dof - 1, quantity, c.name, series(c)});
+  }
+  for (const MotionTrace& t : p.traces) p.samples = t.y.size();
+  if (p.samples < kLeast)
+    throw CannotAnswer(record.file + ": " + std::to_string(record.samples()) +
+                       " samples; a diagnosis needs at least 400");
+  const Index half = std::clamp<Index>(static_cast<Index>(0.15 / (p.top_Hz * p.step_s)), 2, p.samples / 8);
+  const Index slow = std::clamp<Index>(static_cast<Index>(8 / (p.top_Hz * p.step_s)), 8, p.samples / 3);
+  for (int d = 0; d < n; ++d) {
+    std::vector<const Vec*> measured(3, nullptr);
+    for (const MotionTrace& t : p.traces)
+      if (t.dof == d) measured[static_cast<size_t>(t.quantity)] = &t.y;
+    if (!measured[0] && !measured[1] && !measured[2])
+      throw CannotAnswer(record.file + ": no displacement, velocity or acceleration of DOF " + std::to_string(d + 1) +
+                         "; measure one of them");
+    p.guess.push_back(guess_of(measured, p.step_s, half, slow));
+  }
+  p.guess.push_back({});
+  const std::vector<const Vec*> measured = {base[0].size() ? &base[0] : nullptr, base[1].size() ? &base[1] : nullptr,
+                                            base[2].size() ? &base[2] : nullptr};
+  if (measured[0] || measured[1] || measured[2]) p.guess.back() = guess_of(measured, p.step_s, half, slow);
+  p.period_s = period_of(p);
+  return p;
+}
+
+}  // namespace
+
+Prepared prepare(const rig_file::RigModel& rig, const host_sim::Record& record) {
+  return prepare_by(rig, record, needs_of(record));
+}
+
+std::vector<Prepared> prepare_all(const rig_file::RigModel& rig, const std::vector<host_sim::Record>& records) {
+  std::vector<Needs> needs;
+  double step_s = 1e300;
+  for (const host_sim::Record& r : records) {
+    needs.push_back(needs_of(r));
+    step_s = std::min(step_s, r.sample_period_s * needs.back().by);
+  }
+  std::vector<Prepared> list;
+  for (size_t i = 0; i < records.size(); ++i) {
+    needs[i].by = std::max(1, static_cast<int>(step_s / records[i].sample_period_s + 1e-6));
+    list.push_back(prepare_by(rig, records[i], needs[i]));
+  }
+  return list;
+}
+
+double between(const Vec& y, Index sample, double share) {
+  const Index n = y.size();
+  if (n < 6) return y[std::clamp<Index>(sample, 0, n - 1)];
+  const Index first = std::clamp<Index>(sample - 2, 0, n - 6);
+  const double t = static_cast<double>(sample - first) + share;
+  double sum = 0;
+  constexpr double kDenominator[6] = {-120, 24, -12, 12, -24, 120};
+  for (int i = 0; i < 6; ++i) {
+    double product = 1;
+    for (int j = 0; j < 6; ++j)
+      if (j != i) product *= t - j;
+    sum += y[first + i] * product / kDenominator[i];
+  }
+  return sum;
+}
+
+Vec delayed(const Vec& y, double samples) {
+  Vec out(y.size());
+  for (Index i = 0; i < y.size(); ++i) {
+    const double t = std::clamp(static_cast<double>(i) - samples, 0.0, static_cast<double>(y.size() - 1));
+    const Index k = std::min<Index>(static_cast<Index>(t), y.size() - 1);
+    out[i] = between(y, k, t - static_cast<double>(k));
+  }
+  return out;
+}
+
+}  // namespace diagnosis::runs

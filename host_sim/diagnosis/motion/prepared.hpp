@@ -1,0 +1,51 @@
+// A record made ready for simulation: every channel low-passed and thinned out to what its motion needs, and a first guess
+// of displacement, velocity and acceleration of every DOF.
+#pragma once
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "hal/rig_file/rig_model.hpp"
+#include "host_sim/records/record.hpp"
+
+namespace diagnosis::runs {
+
+using Vec = Eigen::VectorXd;
+using Mat = Eigen::MatrixXd;
+using Index = Eigen::Index;
+
+struct MotionTrace {
+  int dof = 0;       // from 0
+  int quantity = 0;  // 0 displacement, 1 velocity, 2 acceleration
+  std::string channel;
+  Vec y;  // SI units
+};
+
+struct Guess {  // of one DOF; base: after the last DOF
+  bool given = false;
+  Vec x, v, a;
+};
+
+struct Prepared {
+  std::string file;
+  double step_s = 0;
+  Index samples = 0;
+  double period_s = 0;  // of the motion: 2 pi rms(x) / rms(v)
+  double top_Hz = 0;    // highest frequency of the motion
+  std::vector<MotionTrace> traces;
+  std::vector<Vec> force;  // per DOF; empty: none
+  std::vector<Guess> guess;
+  double time_s(Index sample) const { return static_cast<double>(sample) * step_s; }
+};
+
+// Throws CannotAnswer where a DOF has no motion channel or the record is too short.
+Prepared prepare(const rig_file::RigModel& rig, const host_sim::Record& record);
+// All records at one step: that of the fastest motion among them.
+std::vector<Prepared> prepare_all(const rig_file::RigModel& rig, const std::vector<host_sim::Record>& records);
+
+// Delays `y` by a whole or broken number of samples (six-point interpolation; ends repeat).
+Vec delayed(const Vec& y, double samples);
+// Value between samples: six-point Lagrange.
+double between(const Vec& y, Index sample, double share);
+
+}  // namespace diagnosis::runs

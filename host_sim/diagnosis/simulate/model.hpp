@@ -1,0 +1,36 @@
+// The terms of a model under test and their free numbers.
+#pragma once
+#include <vector>
+
+#include "../motion/prepared.hpp"
+#include "../terms.hpp"
+
+namespace diagnosis::runs {
+
+struct ModelTerm {
+  Term term;
+  double value = 0;  // SI units
+  double std = 0;    // 0: not fitted
+  bool known = true;
+  bool added = false;       // not of the rig file
+  bool shape_free = false;  // term.shape is fitted too, in its logarithm
+  int host = -1;            // acts in place of this term's force, with its coefficient
+};
+using Model = std::vector<ModelTerm>;
+
+struct Parameter {
+  size_t term = 0;
+  bool shape = false;
+};
+std::vector<Parameter> parameters_of(const Model& model);
+
+// Whether a negative coefficient has no physical sense.
+bool positive(Kind kind);
+
+// Force of a law with coefficient one (positive against the motion) and its slopes. t_s: time since the record's start.
+struct LawValue {
+  double force = 0, by_u = 0, by_w = 0, by_log_shape = 0;
+};
+LawValue law(Kind kind, double u, double w, double t_s, double shape, double shape2);
+
+}  // namespace diagnosis::runs

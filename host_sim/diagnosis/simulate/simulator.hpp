@@ -1,0 +1,97 @@
+// One model on one record: free runs with their exact sensitivities to states and parameters.
+//
+// State y = [x of every node | v of every node | z of every presliding term]; nodes are the DOFs and the hidden masses.
+// Between two events the right-hand side is smooth and one Runge-Kutta step of order 4 goes from instant to instant; a link
+// whose rate passes zero stops there, sticks where its friction holds it, and slides on else. The sensitivities jump there
+// as the trajectory's kink demands (saltation matrix).
+#pragma once
+#include <array>
+
+#include "model.hpp"
+
+namespace diagnosis::runs {
+
+class Simulator {
+ public:
+  Simulator(const System& system, const Model& model, const Prepared& record);
+  Index states() const { return 2 * nodes_ + hysteresis_; }
+  Index nodes() const { return nodes_; }
+  Index parameters() const { return parameters_; }
+  bool sound() const { return sound_; }  // every node has mass
+  bool massless() const { return massless_; }
+
+  // The state at a sample from the record's guess.
+  Vec guessed_state(Index sample) const;
+  void start(Index sample, const Vec& y);  // sets modes
+  // From a sample to the next; `sensitivity` (states x (states + parameters)), where given, is that of this step alone.
+  bool advance(Index sample, Vec& y, Mat* sensitivity);
+  // Accelerations at the present state, and their sensitivity (nodes x (states + parameters)) where wanted.
+  void accelerations(Index sample, const Vec& y, Vec& a, Mat* slopes);
+  const Mat& yield() const { return yield_; }  // accelerations per force on each node, at the last accelerations()
+
+  // Forces of a model without masses under given motion, and their slopes by the parameters (dofs x parameters).
+  void forces_of_motion(const Mat& x, const Mat& v, const Mat& a, Mat& force, std::vector<Mat>& slopes) const;
+  double elongation(const Vec& y, size_t link, Index sample) const;
+
+ private:
+  struct Element {
+    Kind kind;
+    int a, b;  // nodes; -1 ground, -2 base
+    double value, shape, shape2;
+    Index by_value = -1, by_shape = -1;
+    Index z = -1;  // presliding: its state
+  };
+  struct Friction {
+    int a, b;
+    int sign = 0;  // of the rate; 0: stuck
+    std::vector<size_t> levels;
+  };
+  struct Outside {  // what acts from outside at an instant
+    Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 48, 1> force;
+    double x = 0, v = 0, a = 0;
+    double t_s = 0;
+  };
+  void compile(const System& system, const Model& model);
+  void upsample(const Model& model);
+  Outside outside(double share) const;  // of the present substep
+  double relative(const Vec& y, Index offset, int a, int b, double base) const;
+  void accelerations(const Vec& y, const Outside& o, Vec& acc, bool slopes);
+  double level(const Friction& f, double w) const;
+  void renew_yield();
+  double hold_force(const Friction& f) const;
+  void bend(const Vec& start, Vec& y, const Outside& o0, const Outside& o1, const Mat* s0, Mat* s) const;
+  void step(double from, double length, Vec& y, Mat* s);
+  void turn(Friction& f, double at, Vec& y, Mat* s);
+  void release(const Vec& y, double at);
+
+  const Prepared& record_;
+  Index nodes_ = 0, hysteresis_ = 0, parameters_ = 0;
+  bool sound_ = true, massless_ = false;
+  std::vector<Element> elements_;
+  std::vector<Friction> friction_;
+  Vec mass_;
+  std::vector<std::vector<Index>> by_mass_;  // per node: parameters that add to its mass
+  std::vector<std::pair<int, int>> link_ends_;
+  int substeps_ = 1;
+  std::vector<Vec> fine_;  // force per node with one, 2 substeps per sample
+  std::vector<int> fine_node_;
+  struct ForceFault {
+    Kind kind;
+    size_t fine;
+    double frequency;
+    Index by_value;
+  };
+  std::vector<ForceFault> faults_;
+  std::vector<Vec> fine_slope_;  // of faults_, on the same instants
+  Vec base_x_, base_v_, base_a_;
+  Index at_ = 0;  // first fine instant of the present substep
+  Mat yield_, slope_x_;
+  Vec net_;
+  Mat ka_[4], kv_[4];
+  Vec last_hold_;
+  bool stuck_ = false;
+  bool yield_old_ = true;
+  Vec acc_[4];
+};
+
+}  // namespace diagnosis::runs

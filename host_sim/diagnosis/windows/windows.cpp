@@ -1,0 +1,64 @@
+#include "windows.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace diagnosis::runs {
+namespace {
+
+constexpr double kAtRest = 0.05;      // of the record's motion: friction holds, and what holds is no law of motion
+constexpr double kForcedPeriods = 8;  // a window; at least 12 of them
+constexpr double kFreePeriods = 24;   // a decay shows slowly; at least 6 of them
+constexpr Index kLeastLength = 12;    // samples
+
+double motion_of(const Prepared& p, Index from, Index length) {
+  double sum = 0;
+  for (size_t d = 0; d + 1 < p.guess.size(); ++d) {
+    const Vec& v = p.guess[d].v;
+    const double all = v.squaredNorm() / static_cast<double>(v.size());
+    if (all > 0) sum = std::max(sum, v.segment(from, length).squaredNorm() / static_cast<double>(length) / all);
+  }
+  return std::sqrt(sum);
+}
+
+}  // namespace
+
+bool forced(const std::vector<Prepared>& records) {
+  for (const Prepared& p : records) {
+    if (p.guess.back().given) return true;
+    for (const Vec& f : p.force)
+      if (f.size() && f.cwiseAbs().maxCoeff() > 0) return true;
+  }
+  return false;
+}
+
+double longest_horizon(const std::vector<Prepared>& records) {
+  const bool driven = forced(records);
+  double whole = 0;
+  for (const Prepared& p : records) whole += static_cast<double>(p.samples) * p.step_s / p.period_s;
+  return std::min(driven ? kForcedPeriods : kFreePeriods, 0.7 * whole / (driven ? 12 : 6));
+}
+
+std::vector<Window> lay_windows(const std::vector<Prepared>& records, double periods, double unseen_share) {
+  std::vector<Window> list;
+  for (size_t r = 0; r < records.size(); ++r) {
+    const Prepared& p = records[r];
+    const Index seen = static_cast<Index>((1 - unseen_share) * static_cast<double>(p.samples));
+    const auto cover = [&](Index from, Index to, bool unseen) {
+      const double wanted = std::max<double>(static_cast<double>(kLeastLength), periods * p.period_s / p.step_s);
+      const Index count = std::max<Index>(1, static_cast<Index>(static_cast<double>(to - from) / wanted + 0.5));
+      for (Index i = 0; i < count; ++i) {
+        Window w;
+        w.record = r, w.from = from + i * (to - from) / count;
+        w.length = from + (i + 1) * (to - from) / count - w.from;
+        w.unseen = unseen;
+        if (w.length >= kLeastLength && motion_of(p, w.from, w.length) > kAtRest) list.push_back(w);
+      }
+    };
+    cover(0, seen, false);
+    if (unseen_share > 0) cover(seen, p.samples, true);
+  }
+  return list;
+}
+
+}  // namespace diagnosis::runs

@@ -1,0 +1,114 @@
+// Free runs with sensitivities: against motions worked out by hand and against differences.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "host_sim/diagnosis/fit/fit.hpp"
+
+namespace {
+
+using namespace diagnosis;
+using namespace diagnosis::runs;
+
+constexpr double kPi = 3.141592653589793;
+
+// One mass of 1 kg, a spring of 4 pi^2 N/m (1 Hz) and what the test adds; 100 Hz.
+struct Rig {
+  System system;
+  Model model;
+  std::vector<Prepared> records;
+  explicit Rig(Index samples) {
+    rig_file::RigModel rig;
+    rig.dofs.resize(1), rig.links.resize(1);
+    rig.links[0].a = 1, rig.links[0].b = 0;
+    system = make_system(rig);
+    add(on_dof(Kind::kMass, 0), 1, true), add(on_link(Kind::kStiffness, 0), 4 * kPi * kPi, true);
+    Prepared p;
+    p.step_s = 0.01, p.samples = samples, p.period_s = 1, p.top_Hz = 2;
+    p.force = {Vec()}, p.guess.resize(2);
+    p.guess[0] = {true, Vec::Zero(samples), Vec::Zero(samples), Vec::Zero(samples)};
+    p.traces.push_back({0, 0, "displacement_1_m", Vec::Zero(samples)});
+    records.push_back(p);
+  }
+  void add(const Term& term, double value, bool known) {
+    ModelTerm t;
+    t.term = term, t.value = value, t.known = known;
+    model.push_back(t);
+  }
+  Vec run(double x, double v, Index samples) {
+    Simulator s(system, model, records[0]);
+    Vec y(2);
+    y << x, v;
+    s.start(0, y);
+    for (Index k = 0; k + 1 < samples; ++k) s.advance(k, y, nullptr);
+    return y;
+  }
+};
+
+// Coulomb friction takes 4 F / k off the amplitude in every period and leaves the frequency: from 1 m after 1 s
+// 1 - 4 * 1 / 39.478 = 0.89868 m, at rest.
+TEST(FreeRun, CoulombFrictionTakesTheSameOffEveryPeriod) {
+  Rig rig(201);
+  rig.add(on_link(Kind::kCoulomb, 0), 1, true);
+  EXPECT_NEAR(rig.run(1, 0, 101)[0], 1 - 4 / (4 * kPi * kPi), 1e-5);
+}
+
+// At 0.02 m the spring pulls with 0.79 N, less than the friction of 1 N: it stays.
+TEST(FreeRun, FrictionHoldsWhatTheSpringCannotMove) {
+  Rig rig(201);
+  rig.add(on_link(Kind::kCoulomb, 0), 1, true);
+  const Vec y = rig.run(0.02, 0, 201);
+  EXPECT_NEAR(y[0], 0.02, 1e-4);
+  EXPECT_NEAR(y[1], 0, 1e-9);
+}
+
+// Sensitivities of a run that turns six times, to its first state and to viscous and Coulomb friction, against differences.
+TEST(FreeRun, SensitivitiesAreThoseOfDifferences) {
+  Rig rig(301);
+  rig.add(on_link(Kind::kViscous, 0), 0.3, false), rig.add(on_link(Kind::kCoulomb, 0), 1, false);
+  Simulator s(rig.system, rig.model, rig.records[0]);
+  Vec y(2);
+  y << 1, 0.5;
+  Mat total = Mat::Zero(2, 4), one;
+  total.leftCols(2).setIdentity();
+  s.start(0, y);
+  for (Index k = 0; k < 290; ++k) {
+    s.advance(k, y, &one);
+    Mat next = one.leftCols(2) * total;
+    next.rightCols(2) += one.rightCols(2);
+    total = next;
+  }
+  const double step = 1e-5;
+  for (int column = 0; column < 4; ++column) {
+    Vec ends[2];
+    for (int side = 0; side < 2; ++side) {
+      const double d = side == 0 ? -step : step;
+      Rig other = rig;
+      if (column >= 2) other.model[static_cast<size_t>(column)].value += d;
+      ends[side] = other.run(1 + (column == 0 ? d : 0), 0.5 + (column == 1 ? d : 0), 291);
+    }
+    const Vec slope = (ends[1] - ends[0]) / (2 * step);
+    EXPECT_NEAR(total(0, column), slope[0], 2e-3 * (1 + std::abs(slope[0]))) << "column " << column;
+    EXPECT_NEAR(total(1, column), slope[1], 2e-3 * (1 + std::abs(slope[1]))) << "column " << column;
+  }
+}
+
+// x = exp(-d t) cos(w t) with c = 2 d m: 0.4 N s/m is found from its displacement to 1e-4, from a first value of 0.1.
+TEST(FreeRun, FitFindsViscousDamping) {
+  Rig rig(801);
+  rig.add(on_link(Kind::kViscous, 0), 0.1, false);
+  const double d = 0.2, w = std::sqrt(4 * kPi * kPi - d * d);
+  Prepared& p = rig.records[0];
+  for (Index k = 0; k < p.samples; ++k) {
+    const double t = p.time_s(k), e = std::exp(-d * t);
+    p.traces[0].y[k] = p.guess[0].x[k] = e * std::cos(w * t);
+    p.guess[0].v[k] = e * (-d * std::cos(w * t) - w * std::sin(w * t));
+  }
+  std::vector<Window> windows(4);
+  for (size_t i = 0; i < 4; ++i) windows[i].from = static_cast<Index>(200 * i), windows[i].length = 200;
+  const Fitted found = fit(rig.system, rig.records, rig.model, windows, 10);
+  ASSERT_TRUE(found.ok);
+  EXPECT_NEAR(rig.model[2].value, 0.4, 1e-4);
+}
+
+}  // namespace
