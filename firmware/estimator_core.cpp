@@ -1,9 +1,17 @@
 #include "firmware/estimator_core.hpp"
 
+#include "firmware/warrant/verdict.hpp"
+
 namespace firmware {
 namespace {
 
 constexpr uint32_t kLongestBlock = kBlockSamples;
+
+bool any_estimate(const Estimates& estimates) {
+  for (int k = 0; k < estimates.unknown_count; ++k)
+    if (estimates.parameters[k].status != EstimateStatus::kStale) return true;
+  return false;
+}
 
 }  // namespace
 
@@ -11,11 +19,14 @@ EstimatorCore::EstimatorCore(const CoreConfiguration& configuration, CoreDetail 
     : configuration_(configuration), memory_() {
   conditioning_.configure(configuration);
   sums_.configure(configuration, static_cast<int>(detail));
+  probes_ = detail == CoreDetail::kFull && configuration.probe_products_per_sample > 0;
+  if (probes_) score_sums_.configure(configuration, sums_.effect_units());
   reset();
 }
 
 void EstimatorCore::reset() {
   collector_.clear(configuration_, sums_.layout());
+  if (probes_) score_sums_.clear();
   estimates_ = Estimates{};
   estimates_.unknown_count = configuration_.unknown_count;
   health_ = CoreHealth{};
@@ -29,6 +40,7 @@ void EstimatorCore::reset() {
 void EstimatorCore::begin_level() {
   end_level();
   collector_.begin_level();
+  if (probes_) score_sums_.begin_level();
   sequence_known_ = false;  // what lies between levels is not missed
   if (collector_.level_open()) aim();
 }
@@ -49,6 +61,7 @@ void EstimatorCore::push(const RawSample& sample) {
   }
   if (!usable || !collector_.level_open()) return;
   ++filled_;
+  if (probes_) score_sums_.work();
   if (filled_ == full_) process(full_ - kLevelMarginSamples);
 }
 
@@ -67,6 +80,7 @@ void EstimatorCore::aim() {
 // Works on the block, then moves the frame on by its length.
 void EstimatorCore::process(int count) {
   sums_.add_block(frame_, count);
+  if (probes_) score_sums_.offer(frame_, count);
   level_samples_ += static_cast<uint32_t>(count);
   if (level_samples_ == aim_) {
     sums_.close_batch(frame_, kLeadIn + count, batch_);
@@ -91,6 +105,8 @@ void EstimatorCore::break_window() {
     }
   }
   conditioning_.restart();
+  if (probes_) score_sums_.finish();
+  if (probes_) score_sums_.restart();
   sums_.restart();
   filled_ = 0;
   level_samples_ = units_ = 0;
@@ -105,6 +121,10 @@ void EstimatorCore::end_level() {
 const Estimates& EstimatorCore::solve() {
   collector_.settle();
   identify(configuration_, table_, memory_, estimates_);
+  if (!probes_) return estimates_;
+  score_sums_.flush();
+  const bool judged = any_estimate(estimates_) && score_test_.judge(configuration_, score_sums_, estimates_);
+  give_verdict(configuration_, score_sums_, score_test_, judged, estimates_);
   return estimates_;
 }
 

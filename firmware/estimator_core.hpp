@@ -6,6 +6,7 @@
 #include "firmware/energy/batch_collector.hpp"
 #include "firmware/energy/energy_sums.hpp"
 #include "firmware/identification/identification.hpp"
+#include "firmware/warrant/score_test.hpp"
 
 namespace firmware {
 
@@ -42,6 +43,8 @@ class EstimatorCore {
   const BatchTable& table() const { return table_; }
   // Of the last solve: how the estimates move together (their correlation is that of (R^T R)^-1).
   const TriangularFactor& factor() const { return memory_.fit.factor(); }
+  const ScoreSums& score_sums() const { return score_sums_; }
+  const ScoreTest& score_test() const { return score_test_; }
   // A level of n samples makes a window of n - margin_samples() sample intervals: filters and end corrections look further.
   int margin_samples() const { return kLevelMarginSamples + conditioning_.history_samples(); }
 
@@ -63,6 +66,9 @@ class EstimatorCore {
   BatchCollector collector_{table_};
   IdentificationMemory memory_;
   Batch batch_;
+  bool probes_ = false;
+  ScoreSums score_sums_;
+  ScoreTest score_test_;
   Estimates estimates_;
   CoreHealth health_;
   uint32_t next_sequence_ = 0;

@@ -7,7 +7,15 @@
 namespace firmware {
 namespace {
 
-enum SignalIndex { kValue, kStd, kExponent, kStatus, kStdExponent, kWindowCounter };  // order of kEstimateSignals
+enum SignalIndex {
+  kValue,
+  kStd,
+  kExponent,
+  kStatus,
+  kStdExponent,
+  kWindowCounter,
+  kUntestedBit
+};  // order of kEstimateSignals
 
 constexpr const can::Signal& signal(SignalIndex index) { return can::kEstimateSignals[index]; }
 constexpr int32_t kOffset = signal(kExponent).offset;
@@ -16,7 +24,7 @@ constexpr int32_t kHighestExponent = kOffset + static_cast<int32_t>(can::highest
 constexpr int32_t kStdExponents = static_cast<int32_t>(can::highest_raw(signal(kStdExponent)));
 constexpr int64_t kLargestValue = can::highest_raw(signal(kValue));
 constexpr int64_t kLargestStd = can::highest_raw(signal(kStd));
-constexpr int kAbsent = 7;
+constexpr int64_t kAbsentValue = -2147483648ll;  // no estimate has it: mantissas are symmetric
 static_assert(kLowestExponent == -24 && kHighestExponent == 7 && kStdExponents == 15, "as estimate_frames.hpp says");
 static_assert(can::record_bits(can::kEstimateFd) == 64 && can::kEstimateFd.repeats == kEstimatesPerFdFrame,
               "one record, twice used");
@@ -25,7 +33,10 @@ void set_record(CanFrame& message, const EstimateRecord& record, int bit_offset)
   can::set_raw(message, signal(kValue), record.value, bit_offset);
   can::set_raw(message, signal(kStd), record.std, bit_offset);
   can::set_raw(message, signal(kExponent), record.exponent - kOffset, bit_offset);
-  can::set_raw(message, signal(kStatus), static_cast<int64_t>(record.status), bit_offset);
+  const bool untested = record.status == EstimateStatus::kUntested;
+  can::set_raw(message, signal(kStatus), static_cast<int64_t>(untested ? EstimateStatus::kModelSuspect : record.status),
+               bit_offset);
+  can::set_raw(message, signal(kUntestedBit), untested ? 1 : 0, bit_offset);
   can::set_raw(message, signal(kStdExponent), record.std_exponent, bit_offset);
   can::set_raw(message, signal(kWindowCounter), record.window, bit_offset);
 }
@@ -52,6 +63,7 @@ EstimateRecord record_at(const CanFrame& message, int bit_offset) {
   record.std = static_cast<uint16_t>(can::get_raw(message, signal(kStd), bit_offset));
   record.exponent = static_cast<int8_t>(can::get_raw(message, signal(kExponent), bit_offset) + kOffset);
   record.status = static_cast<EstimateStatus>(can::get_raw(message, signal(kStatus), bit_offset));
+  if (can::get_raw(message, signal(kUntestedBit), bit_offset) != 0) record.status = EstimateStatus::kUntested;
   record.std_exponent = static_cast<uint8_t>(can::get_raw(message, signal(kStdExponent), bit_offset));
   record.window = static_cast<uint8_t>(can::get_raw(message, signal(kWindowCounter), bit_offset));
   return record;
@@ -69,9 +81,11 @@ EstimateRecord estimate_record(const ParameterEstimate& estimate, uint32_t windo
   record.std = static_cast<uint16_t>(std.mantissa);
   record.std_exponent = static_cast<uint8_t>(std.exponent - exponent);
   record.status = estimate.status;
-  record.window = static_cast<uint8_t>(window_counter & 15u);
+  record.window = static_cast<uint8_t>(window_counter & 7u);
   return record;
 }
+
+bool is_absent(const EstimateRecord& record) { return record.value == kAbsentValue; }
 
 Scaled record_value(const EstimateRecord& record) { return from_decimal(Decimal{record.value, record.exponent}); }
 
@@ -99,7 +113,8 @@ CanFrame pack_estimates_fd(int node, int frame_index, const Estimates& estimates
     if (index < estimates.unknown_count) {
       set_record(message, estimate_record(estimates.parameters[index], estimates.window_counter), bit_offset);
     } else {
-      can::set_raw(message, signal(kStatus), kAbsent, bit_offset);
+      can::set_raw(message, signal(kValue), kAbsentValue, bit_offset);
+      can::set_raw(message, signal(kStatus), static_cast<int64_t>(EstimateStatus::kStale), bit_offset);
     }
   }
   return message;
@@ -110,7 +125,7 @@ bool unpack_estimates_fd(const CanFrame& message, int& node, int& frame_index,
   if (!can::is_frame(can::kEstimateFd, message, node, frame_index)) return false;
   for (int i = 0; i < kEstimatesPerFdFrame; ++i) {
     records[i] = record_at(message, i * can::record_bits(can::kEstimateFd));
-    present[i] = static_cast<int>(records[i].status) != kAbsent;
+    present[i] = !is_absent(records[i]);
   }
   return true;
 }

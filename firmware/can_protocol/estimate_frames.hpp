@@ -19,9 +19,10 @@ struct EstimateRecord {
   int8_t exponent = 0;       // -24 to 7
   uint8_t std_exponent = 0;  // 0 to 15, above exponent
   EstimateStatus status = EstimateStatus::kStale;
-  uint8_t window = 0;  // modulo 16
+  uint8_t window = 0;  // modulo 8
 };
 EstimateRecord estimate_record(const ParameterEstimate& estimate, uint32_t window_counter);
+bool is_absent(const EstimateRecord& record);  // an unused record of a CAN FD frame
 Scaled record_value(const EstimateRecord& record);
 Scaled record_std(const EstimateRecord& record);
 
@@ -30,11 +31,11 @@ CanFrame pack_estimate(int node, int index, const ParameterEstimate& estimate, u
 EstimateRecord record_at(const CanFrame& message, int bit_offset);  // whatever frame it is: the caller knows
 bool unpack_estimate(const CanFrame& message, int& node, int& index, EstimateRecord& record);
 
-// CAN FD: frame j of a window holds the estimates 8j to 8j + 7; records beyond unknown_count are marked ABSENT.
+// CAN FD: frame j of a window holds the estimates 8j to 8j + 7; records beyond unknown_count hold the value -2^31 and are STALE.
 constexpr int kEstimatesPerFdFrame = 8;
 constexpr int fd_frames(int unknown_count) { return (unknown_count + kEstimatesPerFdFrame - 1) / kEstimatesPerFdFrame; }
 CanFrame pack_estimates_fd(int node, int frame_index, const Estimates& estimates);
-// records[i] is that of index 8j + i; present[i] is false where the sender marked it ABSENT.
+// records[i] is that of index 8j + i; present[i] is false where the sender left it unused.
 bool unpack_estimates_fd(const CanFrame& message, int& node, int& frame_index,
                          EstimateRecord (&records)[kEstimatesPerFdFrame], bool (&present)[kEstimatesPerFdFrame]);
 

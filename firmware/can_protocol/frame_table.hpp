@@ -54,7 +54,7 @@ inline constexpr Frame kEmergency =
 inline constexpr Signal kStatusSignals[] = {
     {"faults", 0, 16, false, 1, 1, 0, "flags", flags(kFaults), "present now"},
     {"mode", 16, 4, false, 1, 1, 0, "state", states(kModes), "step of the excitation programme"},
-    {"quality", 20, 4, false, 1, 1, 0, "state", states(kEstimateStates), "gravest status among the estimates"},
+    {"quality", 20, 4, false, 1, 1, 0, "state", states(kQualityStates), "gravest status among the estimates"},
     {"condition_log2", 24, 8, false, 1, 1, 0, "1", {}, "log2 of the condition number, rounded down"},
     {"update_counter", 32, 32, false, 1, 1, 0, "1", {}, "windows closed since start"}};
 inline constexpr Frame kStatus = describe("status", {0x180}, Sender::kController, 100, "100 ms", 8, kStatusSignals,
@@ -103,7 +103,9 @@ inline constexpr Signal kEstimateSignals[] = {
     {"exponent", 48, 5, false, 1, 1, -24, "1", {}, "decimal exponent of value"},
     {"status", 53, 3, false, 1, 1, 0, "state", states(kEstimateStates), "whether to believe the number"},
     {"std_exponent", 56, 4, false, 1, 1, 0, "1", {}, "decimal exponent of std above that of value"},
-    {"window", 60, 4, false, 1, 1, 0, "1", {}, "windows closed since start, modulo 16"}};
+    {"window", 60, 3, false, 1, 1, 0, "1", {}, "windows closed since start, modulo 8"},
+    {"untested", 63, 1, false, 1, 1, 0, "state", states(kUntestedStates),
+     "with status 7: the data do not contradict the model, they cannot test it"}};
 inline constexpr Frame kEstimate = describe(
     "estimate", {0x400, 16, kMaxUnknowns, 16, {0, 0x80, 0x100}}, Sender::kController, 1000, "each window, 50 ms to 1 s",
     8, kEstimateSignals, "One estimated parameter; its name is in the frame `parameter` of the same index.");
@@ -137,6 +139,26 @@ inline constexpr Signal kDiagnosisSignals[] = {
 inline constexpr Frame kDiagnosis =
     describe("diagnosis", {0x480}, Sender::kController, 1000, "on change and 1 s", 8, kDiagnosisSignals,
              "What the model of the rig lacks, as far as running sums tell.");
+
+inline constexpr Signal kDiagnosisSizeSignals[] = {
+    {"value", 0, 32, true, 1, 1, 0, "10^exponent", {}, "times 10^exponent: size of the cause, SI units of its effect"},
+    {"std", 32, 16, false, 1, 1, 0, "10^(e+s)", {}, "times 10^(exponent + std_exponent): same unit"},
+    {"exponent", 48, 5, false, 1, 1, -24, "1", {}, "decimal exponent of value"},
+    {"std_exponent", 56, 4, false, 1, 1, 0, "1", {}, "decimal exponent of std above that of value"}};
+inline constexpr Frame kDiagnosisSize =
+    describe("diagnosis_size", {0x3A0}, Sender::kController, 1000, "after each diagnosis that names a cause", 8,
+             kDiagnosisSizeSignals, "How large the named cause is: N/m^3 for a cubic stiffness, s for a delay.");
+
+inline constexpr Signal kDiagnosisRivalSignals[] = {
+    {"cause", 0, 8, false, 1, 1, 0, "state", states(kCauses), "effect that explains the residual next best"},
+    {"place_a", 8, 8, false, 1, 1, 0, "DOF", states(kPlaces), "DOF, or first end of the link"},
+    {"place_b", 16, 8, false, 1, 1, 0, "DOF", states(kPlaces), "second end of the link; NONE for a DOF or a channel"},
+    {"quantity", 24, 8, false, 1, 1, 0, "state", states(kQuantities),
+     "of the channel, where the cause is in the measurement"},
+    {"likelihood", 32, 16, false, 1, 10, 0, "%", {}, "gain in log-likelihood, as a part of the named cause's"}};
+inline constexpr Frame kDiagnosisRival =
+    describe("diagnosis_rival", {0x3B0}, Sender::kController, 1000, "after each diagnosis that names a cause", 6,
+             kDiagnosisRivalSignals, "The cause that comes nearest to the named one.");
 
 // ---- What makes a log self-describing
 inline constexpr Signal kParameterSignals[] = {
@@ -241,10 +263,11 @@ inline constexpr Frame kSdoReply = describe("sdo_reply", {0x580}, Sender::kContr
 
 // In rising order of identifiers, so of falling priority on the bus.
 inline constexpr const Frame* kFrames[] = {
-    &kNetworkCommand,  &kSync,        &kEmergency, &kStatus,       &kSensorMotion16, &kSensorMotion24, &kSensorForce24,
-    &kDrive,           &kSensorForce, &kSensorFd,  &kSensorPair24, &kHealth,         &kBusHealth,      &kEstimateFd,
-    &kEstimateFloatFd, &kIdentity,    &kWindow,    &kEstimate,     &kDiagnosis,      &kSdoReply,       &kEstimateFloat,
-    &kSdoRequest,      &kParameter,   &kScaling,   &kRange,        &kHeartbeat};
+    &kNetworkCommand, &kSync,       &kEmergency,       &kStatus,   &kSensorMotion16, &kSensorMotion24,
+    &kSensorForce24,  &kDrive,      &kSensorForce,     &kSensorFd, &kSensorPair24,   &kHealth,
+    &kBusHealth,      &kEstimateFd, &kEstimateFloatFd, &kIdentity, &kWindow,         &kDiagnosisSize,
+    &kDiagnosisRival, &kEstimate,   &kDiagnosis,       &kSdoReply, &kEstimateFloat,  &kSdoRequest,
+    &kParameter,      &kScaling,    &kRange,           &kHeartbeat};
 constexpr int kFrameCount = static_cast<int>(sizeof(kFrames) / sizeof(kFrames[0]));
 
 }  // namespace can

@@ -8,6 +8,7 @@
 #include "firmware/identification/estimate.hpp"
 #include "firmware/supervision/controller_mode.hpp"
 #include "firmware/vocabulary/effect_table.hpp"
+#include "firmware/warrant/cause.hpp"
 
 namespace firmware {
 
@@ -63,8 +64,6 @@ enum class EmergencyCode : uint16_t {
 // by place_of_node().
 constexpr uint8_t place_of_node(int node) { return static_cast<uint8_t>(node == kGroundNode ? 0 : node + 1); }
 
-constexpr uint8_t kNoQuantity = 7;  // in Emergency::quantity and Diagnosis::quantity
-
 struct Emergency {
   EmergencyCode code = EmergencyCode::kNoError;
   uint8_t error_register = 0;
@@ -111,15 +110,12 @@ struct WindowResult {
 };
 WindowResult window_result(const Estimates& estimates);
 
-// The causes that the board itself may name; their numbers are those of the vocabulary's rows, kCauses in value_tables.hpp.
-enum class Cause : uint8_t {
-  kNone = 0,
-  kCubicStiffness = row_of(EffectKind::kCubicStiffness).can.number,
-  kStiffnessError = row_of(EffectKind::kStiffnessError).can.number,
-  kMassError = row_of(EffectKind::kMassError).can.number,
-  kSensorDelay = row_of(EffectKind::kSensorDelay).can.number,
-  kAmbiguous = 254,
-  kUnknown = 255,
+// A number with its deviation, in decimal: value * 10^exponent, std * 10^(exponent + std_exponent), SI units.
+struct DecimalSize {
+  int32_t value = 0;
+  uint16_t std = 0;
+  int8_t exponent = 0;
+  uint8_t std_exponent = 0;
 };
 
 struct Diagnosis {
@@ -128,7 +124,15 @@ struct Diagnosis {
   uint8_t quantity = kNoQuantity;
   uint16_t unexplained_permille = 0;
   uint16_t gained_permille = 0;
+  DecimalSize size;
+  Cause rival = Cause::kNone;
+  uint8_t rival_place_a = 31, rival_place_b = 31;
+  uint8_t rival_quantity = kNoQuantity;
+  uint16_t rival_permille = 0;
 };
+
+// As the last solve's warrant has it.
+Diagnosis diagnosis_of(const Estimates& estimates);
 
 // Name of an estimate: index among the unknowns, kind and place of its term.
 struct ParameterDescription {

@@ -65,6 +65,10 @@ bool unpack_bus_health(const CanFrame& message, int& node, BusHealth& health);
 bool unpack_identity(const CanFrame& message, int& node, Identity& identity);
 bool unpack_window(const CanFrame& message, int& node, WindowResult& window);
 bool unpack_diagnosis(const CanFrame& message, int& node, Diagnosis& diagnosis);
+CanFrame pack_diagnosis_size(int node, const Diagnosis& diagnosis);
+bool unpack_diagnosis_size(const CanFrame& message, int& node, Diagnosis& diagnosis);  // fills the size alone
+CanFrame pack_diagnosis_rival(int node, const Diagnosis& diagnosis);
+bool unpack_diagnosis_rival(const CanFrame& message, int& node, Diagnosis& diagnosis);  // fills the rival alone
 bool unpack_parameter(const CanFrame& message, int& node, ParameterDescription& parameter);
 bool unpack_scaling(const CanFrame& message, int& node, ChannelScaling& scaling);
 bool unpack_range(const CanFrame& message, int& node, ChannelRange& range);

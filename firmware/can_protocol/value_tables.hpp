@@ -10,10 +10,15 @@ namespace can {
 inline constexpr NamedValue kHeartbeatStates[] = {
     {0, "BOOT_UP"}, {4, "STOPPED"}, {5, "OPERATIONAL"}, {127, "PRE_OPERATIONAL"}};
 
-// Order and numbers of firmware::EstimateStatus; ABSENT marks an unused record of a CAN FD frame.
+// Order and numbers of firmware::EstimateStatus. An estimate's frame has three bits for it:
+// UNTESTED is 7 there, with a bit of its own.
 inline constexpr NamedValue kEstimateStates[] = {{0, "VALID"},     {1, "STALE"},           {2, "BIAS_SUSPECT"},
                                                  {3, "SKEWED"},    {4, "ILL_CONDITIONED"}, {5, "NO_EXCITATION"},
-                                                 {6, "SATURATED"}, {7, "ABSENT"}};
+                                                 {6, "SATURATED"}, {7, "MODEL_SUSPECT"}};
+inline constexpr NamedValue kQualityStates[] = {{0, "VALID"},     {1, "STALE"},           {2, "BIAS_SUSPECT"},
+                                                {3, "SKEWED"},    {4, "ILL_CONDITIONED"}, {5, "NO_EXCITATION"},
+                                                {6, "SATURATED"}, {7, "MODEL_SUSPECT"},   {8, "UNTESTED"}};
+inline constexpr NamedValue kUntestedStates[] = {{0, "no"}, {1, "UNTESTED"}};
 
 // Order and numbers of firmware::ControllerMode.
 inline constexpr NamedValue kModes[] = {{0, "INITIALISING"}, {1, "IDLE"},           {2, "RAMP"},

@@ -87,6 +87,8 @@ struct WindowConfiguration {
   uint32_t batch_samples = 0;
 };
 
+constexpr uint16_t kAllProbes = 65535;  // every candidate on every sample, whatever it costs
+
 struct CoreConfiguration {
   uint8_t dof_count = 0;
   uint8_t link_count = 0;
@@ -107,6 +109,8 @@ struct CoreConfiguration {
   uint8_t high_pass_order = 0;
   uint8_t high_pass_shift = 0;
   WindowConfiguration window;
+  // What the score tests (firmware/warrant) may cost: products of two numbers a sample; 0: no tests.
+  uint16_t probe_products_per_sample = kAllProbes;
 };
 
 // Fills signals with plain copies of the measured channels.

@@ -16,6 +16,7 @@ class EnergySums {
   // weights: 1 plain sums only, 2 with the instrument, 3 with the displacement weight too.
   void configure(const CoreConfiguration& configuration, int weights);
   const RowLayout& layout() const { return layout_; }
+  const Scaled* effect_units() const { return &plan_.column_unit[kEffectColumn]; }  // SI, in the order of the terms
 
   void restart();  // a new level
   // Works on positions [kLeadIn, kLeadIn + count) of the frame; position kLeadIn + count is the boundary to what follows.

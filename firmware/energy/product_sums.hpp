@@ -21,6 +21,9 @@ namespace firmware {
 
 constexpr int16_t kNoProduct = -1;
 
+// Sum of a[i] * b[i] over kBlockSamples entries, exact in int64.
+int64_t dot_block(const int32_t* a, const int32_t* b);
+
 class ProductSums {
  public:
   void clear_plan() { product_count_ = 0; }

@@ -57,6 +57,12 @@ int64_t dot1(const int32_t* a, const int32_t* b) {
 
 #if FIRMWARE_HAS_VECTORS
 
+int64_t dot_block(const int32_t* a, const int32_t* b) {
+  const uint64_t offsets =
+      kOffset * (offset_sum(a) + offset_sum(b)) - static_cast<uint64_t>(kBlockSamples) * kOffset * kOffset;
+  return static_cast<int64_t>(offset_dot(a, b) - offsets);
+}
+
 void ProductSums::finish_plan() {
   column_count_ = 0;
   for (int i = 0; i < product_count_; ++i)
@@ -82,6 +88,8 @@ void ProductSums::add_whole_block(const Frame& frame, int from) {
 }
 
 #else
+
+int64_t dot_block(const int32_t* a, const int32_t* b) { return dot1(a, b); }
 
 void ProductSums::group_around(int column, bool (&done)[kMaxProducts]) {
   Group group = {};

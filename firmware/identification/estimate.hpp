@@ -4,10 +4,11 @@
 
 #include "firmware/configuration/capacity.hpp"
 #include "firmware/fixed_point/scaled.hpp"
+#include "firmware/warrant/cause.hpp"
 
 namespace firmware {
 
-// In rising order of severity: a parameter shows the gravest that applies.
+// The numbers travel on CAN. A parameter shows the gravest that applies, see severity().
 enum class EstimateStatus : uint8_t {
   kValid = 0,
   kStale = 1,           // no window closed since the last report
@@ -16,7 +17,33 @@ enum class EstimateStatus : uint8_t {
   kIllConditioned = 4,  // the data cannot separate this parameter from others
   kNoExcitation = 5,    // the parameter's link does not move
   kSaturated = 6,       // a sensor or an accumulator reached its limit
+  kModelSuspect = 7,    // the data contradict the rig's model or a channel in a way that may bend this parameter
+  kUntested = 8,        // the data cannot test the model: what it may lack would not show
 };
+
+constexpr int severity(EstimateStatus status) {
+  switch (status) {
+    case EstimateStatus::kValid:
+      return 0;
+    case EstimateStatus::kStale:
+      return 1;
+    case EstimateStatus::kUntested:
+      return 2;
+    case EstimateStatus::kBiasSuspect:
+      return 3;
+    case EstimateStatus::kSkewed:
+      return 4;
+    case EstimateStatus::kModelSuspect:
+      return 5;
+    case EstimateStatus::kIllConditioned:
+      return 6;
+    case EstimateStatus::kNoExcitation:
+      return 7;
+    case EstimateStatus::kSaturated:
+      return 8;
+  }
+  return 8;
+}
 
 struct ParameterEstimate {
   Scaled value;                // SI units
@@ -45,6 +72,21 @@ enum class Advice : uint8_t {
   kCompensateSkew = 6,  // argument: the DOF with the largest skew
 };
 
+// What the data say of the rig's model.
+struct Finding {
+  Cause cause = Cause::kNone;
+  int8_t node_a = -1, node_b = -1;  // the ends of a link; a DOF alone; -1: none
+  uint8_t quantity = kNoQuantity;   // of the channel at node_a, where the cause is in the measurement
+  Scaled size, std;                 // SI units of the vocabulary's row
+};
+struct Warrant {
+  bool tested = false;  // there was enough to test the model with
+  Finding named, rival;  // the cause that explains the residual best; the next best that is no other word for it
+  // Force of the named cause over the damping force beside it; residual that it takes away; what the rival takes away,
+  // as a share of what the named cause does.
+  Scaled force_ratio, gained, rival_share;
+};
+
 struct Estimates {
   uint8_t unknown_count = 0;
   ParameterEstimate parameters[kMaxUnknowns];
@@ -60,6 +102,7 @@ struct Estimates {
   Scaled advice_frequency_Hz;
   SkewEstimate displacement_skew[kMaxDofs];
   SkewEstimate acceleration_skew[kMaxDofs];
+  Warrant warrant;
 };
 
 }  // namespace firmware

@@ -185,6 +185,7 @@ constexpr void walk_core(Archive& archive, Core& core) {
   archive.field(core.window.cycle_samples_numerator);
   archive.field(core.window.cycle_samples_denominator);
   archive.field(core.window.batch_samples);
+  archive.field(core.probe_products_per_sample);
 }
 
 template <typename Archive, typename Level>

@@ -130,7 +130,8 @@ void Estimation::run(const Entry& entry) {
       core_.solve();
       return;
     case Kind::kSolveAndJudge:
-      judged_ = watch_.judge(configuration_, core_.table(), core_.solve(), judgement_);
+      judged_ = core_.solve().warrant.tested;
+      judgement_ = diagnosis_of(core_.estimates());
       return;
   }
 }

@@ -1,4 +1,4 @@
-// The estimator core and the energy watch as the controller uses them. Two things take longer than a sample period: a
+// The estimator core as the controller uses it. Two things take longer than a sample period: a
 // solve (3 DOF, full table: some 50 million instructions of a 32-bit processor) and the merging of a full table's
 // batches. They run on a worker while samples, drive and stop line go on.
 //
@@ -15,7 +15,6 @@
 
 #include "firmware/can_protocol/messages.hpp"
 #include "firmware/estimator_core.hpp"
-#include "firmware/supervision/energy_watch.hpp"
 #include "hal/interface/worker.hpp"
 
 namespace firmware {
@@ -44,7 +43,7 @@ class Estimation {
   void begin_level();
   void push(const RawSample& sample);
   void end_level();
-  // judge: let the energy watch look as well.
+  // judge: tell the diagnosis as well.
   void solve(bool judge);
 
   void advance(uint64_t now_ns);  // first in a step: goes on with what waits
@@ -80,7 +79,6 @@ class Estimation {
 
   const CoreConfiguration& configuration_;
   EstimatorCore core_;
-  EnergyWatch watch_;
   hal::Worker* worker_;
   bool working_ = false;  // the core belongs to the worker
   bool discard_ = false;  // what runs has been forgotten meanwhile

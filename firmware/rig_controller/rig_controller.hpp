@@ -109,6 +109,7 @@ class RigController final : private ObjectDictionary {
   void take_results();
   void send_estimates();
   void tell_judgement(bool judged, const Diagnosis& judgement);
+  void send_diagnosis();
   void run_schedule();
   void send_some_floats();
   void describe_some();

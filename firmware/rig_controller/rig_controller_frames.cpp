@@ -64,7 +64,7 @@ void RigController::check_sync_edge() {
 
 void RigController::close_window() {
   samples_in_window_ = 0;
-  // The energy watch reads the whole table: once a second and at the end of each level.
+  // The diagnosis is told once a second and at the end of each level.
   const bool judge = now_ns_ >= next_judgement_ns_ || !measuring_;
   if (judge) next_judgement_ns_ = now_ns_ + kJudgement_ns;
   estimation_.solve(judge);
@@ -83,9 +83,18 @@ void RigController::take_results() {
 void RigController::tell_judgement(bool judged, const Diagnosis& judgement) {
   const bool changed = judgement.cause != diagnosis_.cause || judgement.place_a != diagnosis_.place_a ||
                        judgement.place_b != diagnosis_.place_b || judgement.quantity != diagnosis_.quantity;
-  if (judged && (changed || !judged_)) queue_.push(pack_diagnosis(configuration_.node.node, judgement));
+  const bool told = judged && (changed || !judged_);
   judged_ = judged;
   if (judged) diagnosis_ = judgement;
+  if (told) send_diagnosis();
+}
+
+void RigController::send_diagnosis() {
+  const uint8_t node = configuration_.node.node;
+  queue_.push(pack_diagnosis(node, diagnosis_));
+  if (diagnosis_.cause == Cause::kNone) return;
+  queue_.push(pack_diagnosis_size(node, diagnosis_));
+  queue_.push(pack_diagnosis_rival(node, diagnosis_));
 }
 
 void RigController::send_estimates() {
@@ -108,7 +117,7 @@ void RigController::run_schedule() {
   if (second_.due(now_ns_)) {
     send_health();
     tell_overflows();
-    if (judged_) queue_.push(pack_diagnosis(configuration_.node.node, diagnosis_));
+    if (judged_) send_diagnosis();
     next_parameter_ = 0;
   }
   if (five_seconds_.due(now_ns_)) next_channel_ = 0;

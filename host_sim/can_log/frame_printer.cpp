@@ -109,9 +109,9 @@ void FramePrinter::known_frame(const Address& address, const CanMessage& message
 
 void FramePrinter::estimate(int node, int index, int bit_offset, const CanMessage& message) {
   const firmware::EstimateRecord record = firmware::record_at(message, bit_offset);
+  if (firmware::is_absent(record)) return;
   const std::string status =
-      state_name(firmware::can::states(firmware::can::kEstimateStates), static_cast<int64_t>(record.status));
-  if (status == "ABSENT") return;
+      state_name(firmware::can::states(firmware::can::kQualityStates), static_cast<int64_t>(record.status));
   const double value = record.value * std::pow(10.0, record.exponent);
   const double std = record.std * std::pow(10.0, record.exponent + record.std_exponent);
   line(padded(names_.parameter(node, index), 14) + " = " +

@@ -95,7 +95,7 @@ void frame_section(std::ostream& output, const Frame& frame) {
   if (frame.repeats > 1)
     output << static_cast<int>(frame.repeats) << " records of " << can::record_bits(frame) / 8
            << " bytes, each laid out as "
-           << (&frame == &can::kEstimateFd ? "`estimate`; an unused record has the status ABSENT.\n\n"
+           << (&frame == &can::kEstimateFd ? "`estimate`; an unused record has the value -2147483648 and is STALE.\n\n"
                                            : "`estimate_float`; an unused record is not a number.\n\n");
   if (frame.repeats > 1) return;
   output << "| bits | type | unit | signal | meaning | values |\n|---|---|---|---|---|---|\n";

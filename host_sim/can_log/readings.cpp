@@ -66,16 +66,16 @@ Reading FrameReader::estimate(int node, int index, const CanMessage& message, in
   reading.value = times_power_of_ten(record.value, record.exponent);
   reading.std = times_power_of_ten(record.std, record.exponent + record.std_exponent);
   reading.unit = names_.unit(node, index);
-  reading.status = state_name(can::states(can::kEstimateStates), static_cast<int64_t>(record.status));
+  reading.status = state_name(can::states(can::kQualityStates), static_cast<int64_t>(record.status));
   return reading;
 }
 
 void FrameReader::estimates(const Address& address, const CanMessage& message, FrameReadings& result) const {
   const Frame& frame = *address.frame;
   for (int record = 0; record < frame.repeats; ++record) {
-    const Reading reading =
-        estimate(address.node, address.member * frame.repeats + record, message, record * can::record_bits(frame));
-    if (reading.status != "ABSENT") result.readings.push_back(reading);
+    const int bit_offset = record * can::record_bits(frame);
+    if (firmware::is_absent(firmware::record_at(message, bit_offset))) continue;
+    result.readings.push_back(estimate(address.node, address.member * frame.repeats + record, message, bit_offset));
   }
 }
 

@@ -18,10 +18,12 @@
 
 namespace {
 
+constexpr uint16_t kSmallBudget = 30;  // products a sample for the score tests of a small board
 constexpr int kDofs[] = {1, 2, 3, 4, 8, 16};
 
-void core(benchmark::State& state, int dofs, firmware::CoreDetail detail) {
+void core(benchmark::State& state, int dofs, firmware::CoreDetail detail, uint16_t probe_products = 0) {
   const auto configuration = std::make_unique<firmware::CoreConfiguration>(bench::chain(dofs));
+  configuration->probe_products_per_sample = probe_products;
   auto estimator = std::make_unique<firmware::EstimatorCore>(*configuration, detail);
   auto samples = bench::raw_samples(dofs);
   estimator->begin_level();
@@ -81,6 +83,11 @@ void print_table(const std::vector<Result>& results) {
     std::printf("%4d %8.2f %10.2f %11.2f %13.2f %12.2f %16.1f %14.2f\n", d, at("core", d) / d, at("core_full", d) / d,
                 at("double_rls", d) / d, at("double_batch", d) / d, at("double_sums", d) / d,
                 at("double_rls", d) / at("core", d), at("core_full", d) / at("core", d));
+  std::printf("score tests over core_full: %d products a sample", static_cast<int>(kSmallBudget));
+  for (int d : kDofs) std::printf(" %.2f", at("core_warrant", d) / at("core_full", d));
+  std::printf("; all");
+  for (int d : kDofs) std::printf(" %.2f", at("core_warrant_all", d) / at("core_full", d));
+  std::printf("\n");
   std::printf("cost per sample of 16 DOF against 2 DOF: core %.2f, core_full %.2f\n", at("core", 16) / at("core", 2),
               at("core_full", 16) / at("core_full", 2));
 }
@@ -128,6 +135,8 @@ int main(int argc, char** argv) {
     };
     add("core", [d](benchmark::State& s) { core(s, d, firmware::CoreDetail::kPlain); });
     add("core_full", [d](benchmark::State& s) { core(s, d, firmware::CoreDetail::kFull); });
+    add("core_warrant", [d](benchmark::State& s) { core(s, d, firmware::CoreDetail::kFull, kSmallBudget); });
+    add("core_warrant_all", [d](benchmark::State& s) { core(s, d, firmware::CoreDetail::kFull, firmware::kAllProbes); });
     add("double_rls", [d](benchmark::State& s) { baseline<bench::RecursiveLeastSquares>(s, d); });
     add("double_batch", [d](benchmark::State& s) { baseline<bench::BatchLeastSquares>(s, d); });
     add("double_sums", [d](benchmark::State& s) { baseline<bench::EnergySumsInDouble>(s, d); });

@@ -123,7 +123,8 @@ TEST(Dbc, GivesTheNumbersThatWerePacked) {
   const CanMessage fd = firmware::pack_estimates_fd(3, 1, estimates);  // indices 8 to 15: 9 is record 1
   EXPECT_EQ(value_of(fd, "value_1"), -2000120000.0);
   EXPECT_EQ(state_of(fd, "status_1"), "SKEWED");
-  EXPECT_EQ(state_of(fd, "status_2"), "ABSENT");
+  EXPECT_EQ(state_of(fd, "status_2"), "STALE");
+  EXPECT_EQ(value_of(fd, "value_2"), -2147483648.0);  // unused
 
   const CanMessage drive = firmware::pack_drive(1, {-(1 << 30), 0, firmware::DriveState::kEnabled});
   EXPECT_EQ(value_of(drive, "drive"), -50.0);  // half of full scale

@@ -192,6 +192,8 @@ TEST(FrameTable, NamesAgreeWithTheEnums) {
   EXPECT_EQ(name_of(estimates, static_cast<int>(EstimateStatus::kIllConditioned)), "ILL_CONDITIONED");
   EXPECT_EQ(name_of(estimates, static_cast<int>(EstimateStatus::kNoExcitation)), "NO_EXCITATION");
   EXPECT_EQ(name_of(estimates, static_cast<int>(EstimateStatus::kSaturated)), "SATURATED");
+  EXPECT_EQ(name_of(estimates, static_cast<int>(EstimateStatus::kModelSuspect)), "MODEL_SUSPECT");
+  EXPECT_EQ(name_of(states(kQualityStates), static_cast<int>(EstimateStatus::kUntested)), "UNTESTED");
   EXPECT_EQ(name_of(states(kModes), static_cast<int>(ControllerMode::kEmergencyStop)), "EMERGENCY_STOP");
   EXPECT_EQ(name_of(states(kModes), static_cast<int>(ControllerMode::kFault)), "FAULT");
   EXPECT_EQ(name_of(flags(kFaults), static_cast<int>(Fault::kCanBusOff)), "CAN_BUS_OFF");

@@ -67,7 +67,29 @@ TEST(RoundTrip, EveryStruct) {
   EXPECT_EQ(window.window, 70000u - 65536u);
 
   Diagnosis diagnosis;
-  ASSERT_TRUE(unpack_diagnosis(pack_diagnosis(3, {Cause::kUnknown, 1, 17, 7, 1000, 999}), node, diagnosis));
+  Diagnosis found;
+  found.cause = Cause::kUnknown;
+  found.place_a = 1;
+  found.place_b = 17;
+  found.unexplained_permille = 1000;
+  found.gained_permille = 999;
+  found.size = {-123456789, 65535, -24, 15};
+  found.rival = Cause::kAmbiguous;
+  found.rival_place_a = 16;
+  found.rival_quantity = 3;
+  found.rival_permille = 65535;
+  ASSERT_TRUE(unpack_diagnosis(pack_diagnosis(3, found), node, diagnosis));
+  ASSERT_TRUE(unpack_diagnosis_size(pack_diagnosis_size(3, found), node, diagnosis));
+  ASSERT_TRUE(unpack_diagnosis_rival(pack_diagnosis_rival(3, found), node, diagnosis));
+  EXPECT_EQ(diagnosis.size.value, -123456789);
+  EXPECT_EQ(diagnosis.size.std, 65535);
+  EXPECT_EQ(diagnosis.size.exponent, -24);
+  EXPECT_EQ(diagnosis.size.std_exponent, 15);
+  EXPECT_EQ(diagnosis.rival, Cause::kAmbiguous);
+  EXPECT_EQ(diagnosis.rival_place_a, 16);
+  EXPECT_EQ(diagnosis.rival_place_b, 31);
+  EXPECT_EQ(diagnosis.rival_quantity, 3);
+  EXPECT_EQ(diagnosis.rival_permille, 65535);
   EXPECT_EQ(diagnosis.cause, Cause::kUnknown);
   EXPECT_EQ(diagnosis.place_b, 17);
   EXPECT_EQ(diagnosis.unexplained_permille, 1000);
@@ -129,10 +151,10 @@ int takers(const CanMessage& m) {
   bool present[kEstimatesPerFdFrame];
   count += unpack_heartbeat(m, node, a) + unpack_emergency(m, node, b) + unpack_status(m, node, c) +
            unpack_health(m, node, d) + unpack_bus_health(m, node, e) + unpack_identity(m, node, f) +
-           unpack_window(m, node, g) + unpack_diagnosis(m, node, h) + unpack_parameter(m, node, i) +
-           unpack_scaling(m, node, j) + unpack_range(m, node, k) + unpack_drive(m, node, l) + is_sync(m) +
-           unpack_network_command(m, n) + unpack_estimate(m, node, index, record) +
-           unpack_estimates_fd(m, node, index, records, present);
+           unpack_window(m, node, g) + unpack_diagnosis(m, node, h) + unpack_diagnosis_size(m, node, h) +
+           unpack_diagnosis_rival(m, node, h) + unpack_parameter(m, node, i) + unpack_scaling(m, node, j) +
+           unpack_range(m, node, k) + unpack_drive(m, node, l) + is_sync(m) + unpack_network_command(m, n) +
+           unpack_estimate(m, node, index, record) + unpack_estimates_fd(m, node, index, records, present);
   return count;
 }
 

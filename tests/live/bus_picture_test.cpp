@@ -35,7 +35,7 @@ TEST(BusPicture, EstimatesOfAFdFrameAreThoseThatArePresent) {
   for (auto& parameter : estimates.parameters) parameter.value = firmware::Scaled::from_int(3);
   BusPicture picture;
   picture.take(frames::at(1.0, firmware::pack_estimates_fd(2, 1, estimates)));
-  ASSERT_EQ(picture.node(2).estimates.size(), 9u);  // index 8 is the first of the second frame; 9 to 15 are ABSENT
+  ASSERT_EQ(picture.node(2).estimates.size(), 9u);  // index 8 is the first of the second frame; 9 to 15 are unused
   EXPECT_DOUBLE_EQ(picture.node(2).estimates[8].value, 3.0);
 }
 

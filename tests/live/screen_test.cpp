@@ -35,7 +35,7 @@ BusPicture rig() {
   health.core.missed_samples = 7;
   picture.take(frames::at(10.9, firmware::pack_health(1, health)));
   firmware::Diagnosis diagnosis;
-  diagnosis.cause = firmware::Cause::kStiffnessError;
+  diagnosis.cause = firmware::cause_of(firmware::EffectKind::kStiffnessError);
   diagnosis.place_a = 1;
   diagnosis.place_b = 2;
   diagnosis.unexplained_permille = 123;

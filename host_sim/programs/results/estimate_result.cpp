@@ -63,6 +63,10 @@ const char* status_word(EstimateStatus status) {
       return "NO_EXCITATION";
     case EstimateStatus::kSaturated:
       return "SATURATED";
+    case EstimateStatus::kModelSuspect:
+      return "MODEL_SUSPECT";
+    case EstimateStatus::kUntested:
+      return "UNTESTED";
   }
   return "STALE";
 }
@@ -85,6 +89,7 @@ EstimateResult result_of(const rig_file::RigModel& model, const firmware::Estima
   result.condition_number = finite(estimates.condition_number);
   result.rows = estimates.rows;
   result.skews = skews_of(model, estimates);
+  result.warrant = warrant_of(model, estimates.warrant);
   result.advice = advice_text(model, estimates);
   result.unresolved = unresolved_text(model, estimates);
   for (const SkewResult& skew : result.skews)

@@ -7,6 +7,7 @@
 
 #include "firmware/estimator_core.hpp"
 #include "hal/rig_file/compile_rig.hpp"
+#include "host_sim/programs/results/warrant_result.hpp"
 
 namespace host_sim {
 
@@ -41,6 +42,7 @@ struct EstimateResult {
   std::vector<std::vector<double>> covariance;
   firmware::CoreHealth health;
   std::vector<SkewResult> skews;
+  WarrantResult warrant;
   std::string advice;              // what to measure next; empty: nothing
   std::string unresolved;          // the combination of parameters that these data show least
   std::vector<std::string> notes;  // for the reader of table and JSON

@@ -17,6 +17,24 @@ ordered_json to_json(const ParameterResult& parameter) {
   return json;
 }
 
+ordered_json to_json(const FindingResult& finding) {
+  return {{"effect", finding.effect},
+          {"where", finding.where},
+          {"size", finding.size},
+          {"std", finding.std},
+          {"unit", finding.unit}};
+}
+
+ordered_json to_json(const WarrantResult& warrant) {
+  ordered_json json = {{"tested", warrant.tested}};
+  if (warrant.named.effect.empty()) return json;
+  json["suspect"] = to_json(warrant.named);
+  if (warrant.rival.effect.empty()) return json;
+  json["rival"] = to_json(warrant.rival);
+  json["rival"]["likelihood_percent"] = warrant.rival_percent;
+  return json;
+}
+
 }  // namespace
 
 ordered_json to_json(const EstimateResult& result) {
@@ -40,6 +58,7 @@ ordered_json to_json(const EstimateResult& result) {
   for (const SkewResult& skew : result.skews)
     json["skew_us"].push_back(
         {{"channel", skew.channel}, {"late", skew.late_us}, {"std", skew.std_us}, {"significant", skew.significant}});
+  json["warrant"] = to_json(result.warrant);
   json["unresolved"] = result.unresolved;
   json["advice"] = result.advice.empty() ? ordered_json::array() : ordered_json::array({result.advice});
   json["notes"] = result.notes;

@@ -22,8 +22,8 @@ std::string plain(double value, int digits) {
 
 Colour colour_of(EstimateStatus status) {
   if (status == EstimateStatus::kValid) return Colour::kGood;
-  const bool doubtful =
-      status == EstimateStatus::kStale || status == EstimateStatus::kBiasSuspect || status == EstimateStatus::kSkewed;
+  const bool doubtful = status == EstimateStatus::kStale || status == EstimateStatus::kBiasSuspect ||
+                        status == EstimateStatus::kUntested || status == EstimateStatus::kSkewed;
   return doubtful ? Colour::kDoubtful : Colour::kBad;
 }
 
@@ -116,6 +116,7 @@ std::string format_table(const EstimateResult& result, bool colours, int width) 
       const std::string cell = padded(column.cells[row], last ? 0 : column.width(), column.right);
       text += last ? coloured(cell, colour_of(result.parameters[row].status), colours) + "\n" : cell + gap;
     }
+  text += wrapped(warrant_text(result.warrant), width, "  ") + "\n";
   std::istringstream fit(format_fit(result));
   for (std::string line; std::getline(fit, line);) text += wrapped(line, width, "  ") + "\n";
   for (const std::string& note : result.notes) text += wrapped("note: " + note, width, "  ") + "\n";

@@ -20,7 +20,7 @@ std::string plain(double value) {
 }
 
 std::string status_word(firmware::EstimateStatus status) {
-  return can_log::state_name(firmware::can::states(firmware::can::kEstimateStates), static_cast<int64_t>(status));
+  return can_log::state_name(firmware::can::states(firmware::can::kQualityStates), static_cast<int64_t>(status));
 }
 
 std::string level_label(const Scenario& scenario, size_t index) {

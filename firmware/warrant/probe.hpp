@@ -1,0 +1,84 @@
+// Candidate forces that the score tests hold against the residual of the equations of motion, one row each.
+//
+// A place is where a force acts: a link of the rig, a pair of DOFs (or a DOF and ground) that no link joins, or a DOF. It
+// has one or two equations of motion; a link's force stands in its first end's equation with +1, in the second's with -1.
+// A probe is one force law at one place. The terms that the rig estimates are probes too (unknown >= 0): they say how
+// much of a candidate the estimated coefficients take up.
+#pragma once
+#include <cstdint>
+
+#include "firmware/configuration/configuration.hpp"
+#include "firmware/warrant/cause.hpp"
+
+namespace firmware {
+
+// Force law of a probe, over the elongation u and rate w of its place in units of their own rms (a power of two near it);
+// on a DOF over its acceleration and force.
+enum class Form : uint8_t {
+  kElongation,            // u
+  kElongationSquare,      // u^2
+  kElongationCube,        // u^3
+  kWithinGap,             // u, at most an eighth of its unit
+  kBeyondStop,            // what u exceeds 5/4 of its unit by
+  kConstant,              // 1
+  kRate,                  // w
+  kRateSquare,            // w |w|
+  kRateCube,              // w^3
+  kRateMagnitude,         // |w|
+  kElongationSquareRate,  // u^2 w
+  kSign,                  // sgn(w)
+  kSignNarrow,            // exp(-|w| / v) sgn(w), v = 0.15 units
+  kSignWide,              // the same, v = 0.5 units
+  kSignElongation,        // |u| sgn(w)
+  kAcceleration,          // a
+  kJerk,                  // da/dt, per sample
+  kForce,                 // f
+  kForceRate,             // df/dt, per sample
+};
+constexpr bool needs_rate(Form form) { return form >= Form::kRate && form <= Form::kSignElongation; }
+
+constexpr int kMaxPlaces = 2 * kMaxLinks + kMaxDofs;
+constexpr int kPlaceEquations = 2;
+constexpr int kMaxPlaceColumns = 24;  // unknowns in a place's equations; a place with more is not probed
+constexpr int kMaxProbes = 448;
+
+enum class PlaceKind : uint8_t { kLink, kNoLink, kDof };
+
+struct Place {
+  PlaceKind kind = PlaceKind::kLink;
+  uint8_t link = 0;  // kLink
+  uint8_t node_a = 0, node_b = kGroundNode;
+  uint8_t equations = 0;
+  uint8_t dof[kPlaceEquations] = {};
+  int8_t sign[kPlaceEquations] = {};  // of the force in the equation
+  // Unknowns that stand in these equations, and their sign in each (0: not there).
+  uint8_t columns = 0;
+  uint8_t unknown[kMaxPlaceColumns] = {};
+  int8_t column_sign[kMaxPlaceColumns][kPlaceEquations] = {};
+};
+
+struct Probe {
+  Form form = Form::kElongation;
+  uint8_t place = 0;
+  int8_t unknown = -1;  // the estimated term it stands for; -1: a candidate
+  Cause cause = Cause::kUnknown;
+  uint8_t quantity = kNoQuantity;  // of the channel, where the cause is in the measurement
+  uint16_t first_value = 0;        // its sums: one per equation, one per column of the place, one of its own force
+};
+
+struct ProbePlan {
+  Place place[kMaxPlaces];
+  int place_count = 0;
+  Probe probe[kMaxProbes];
+  int probe_count = 0;
+  int base_count = 0;  // the first ones: those of estimated terms
+  int value_count = 0;
+  // Sums of a probe, in their order.
+  int values(const Probe& p) const { return place[p.place].equations + place[p.place].columns + 1; }
+  int own_value(const Probe& p) const { return p.first_value + place[p.place].equations + place[p.place].columns; }
+};
+
+// most_values: sums that there is room for; candidates at the end of the list are left out where they do not fit.
+void make_probe_plan(const CoreConfiguration& configuration, int most_values, ProbePlan& plan);
+
+}  // namespace firmware

@@ -1,0 +1,148 @@
+#include "firmware/warrant/probe_force.hpp"
+
+#include "firmware/fixed_point/functions.hpp"
+
+namespace firmware {
+namespace {
+
+constexpr int kFraction = 18;  // of the normalised quantities
+constexpr int64_t kUnit = 1 << kFraction, kMost = 32 * kUnit;
+constexpr int kPureFraction = 20;
+constexpr int64_t kGap = kUnit / 8, kStop = kUnit + kUnit / 4;
+constexpr int kReversalDeviations = 4;  // of the rate's noise: closer to a reversal a sign is not known
+// log2(e) / v in Q26 per unit of |w| in Q18, v = 0.15 and 0.5 units.
+constexpr int64_t kNarrow = 2462, kWide = 739;
+
+int64_t clamp(int64_t x, int64_t limit) { return x > limit ? limit : (x < -limit ? -limit : x); }
+int64_t magnitude(int64_t x) { return x < 0 ? -x : x; }
+int32_t normalised(int32_t q26, int shift) {
+  const int64_t value = shift >= 0 ? int64_t{q26} >> shift : int64_t{q26} * (int64_t{1} << -shift);
+  return static_cast<int32_t>(clamp(value, kMost));
+}
+int64_t square(int64_t x) { return (x * x) >> 22; }  // Q14
+int64_t decay(int64_t w, int64_t per_unit) {
+  return exp2_of_minus(magnitude(w) * per_unit).raw >> (30 - kPureFraction);
+}
+
+// sign: of the rate, Q20.
+int64_t law(Form form, int64_t u, int64_t w, int64_t sign) {
+  switch (form) {
+    case Form::kElongation:
+    case Form::kAcceleration:
+      return u;
+    case Form::kElongationSquare:
+      return square(u);
+    case Form::kElongationCube:
+      return (square(u) * u) >> 23;
+    case Form::kWithinGap:
+      return clamp(u, kGap);
+    case Form::kBeyondStop:
+      return u - clamp(u, kStop);
+    case Form::kConstant:
+      return 1 << kPureFraction;
+    case Form::kRate:
+    case Form::kForce:
+      return w;
+    case Form::kRateSquare:
+      return w < 0 ? -square(w) : square(w);
+    case Form::kRateCube:
+      return (square(w) * w) >> 23;
+    case Form::kRateMagnitude:
+      return magnitude(w);
+    case Form::kElongationSquareRate:
+      return (square(u) * w) >> 23;
+    case Form::kSign:
+      return sign;
+    case Form::kSignNarrow:
+      return (sign * decay(w, kNarrow)) >> kPureFraction;
+    case Form::kSignWide:
+      return (sign * decay(w, kWide)) >> kPureFraction;
+    case Form::kSignElongation:
+      return (sign * magnitude(u)) >> kPureFraction;
+    case Form::kJerk:
+    case Form::kForceRate:
+      return 0;
+  }
+  return 0;
+}
+
+}  // namespace
+
+void fill_motion(const BlockMotion& block, const Place& place, const PlaceScale& scale, PlaceMotion& motion) {
+  for (int q = 0; q < 2; ++q) {
+    const Difference& d = scale.difference[q];
+    const int32_t *a = block.signal(d.row_a), *b = block.signal(d.row_b);
+    for (int n = 0; n < kBlockSamples; ++n) {
+      const bool inside = scale.present[q];
+      motion.instrument[q][n] = inside ? normalised(BlockMotion::smoothed(d, a, b, n), scale.shift[q]) : 0;
+      motion.own[q][n] = inside ? normalised(BlockMotion::own(d, a, b, n), scale.shift[q]) : 0;
+      if (place.kind != PlaceKind::kDof) continue;
+      motion.slope[q][n] = inside ? normalised(BlockMotion::slope(d, a, n), scale.shift[q]) : 0;
+      const int32_t twice = BlockMotion::own(d, a, b, n + 1) / 2 - BlockMotion::own(d, a, b, n - 1) / 2;
+      motion.own_slope[q][n] = inside ? normalised(twice, scale.shift[q]) : 0;
+    }
+  }
+  const int64_t close = scale.near_friction ? int64_t{kReversalDeviations} * scale.noise_q26 : 0;
+  const int64_t limit = scale.shift[1] >= 0 ? close >> scale.shift[1] : close << -scale.shift[1];
+  for (int n = 0; n < kBlockSamples; ++n)
+    motion.used[n] = !scale.near_friction || magnitude(motion.instrument[1][n]) > limit;
+}
+
+void fill_force(Form form, const PlaceScale& scale, const PlaceMotion& motion, int32_t* phi, int32_t* own) {
+  const int64_t noise = scale.shift[1] >= 0 ? scale.noise_q26 >> scale.shift[1]
+                                            : static_cast<int64_t>(scale.noise_q26) << -scale.shift[1];
+  const int64_t width = noise + noise / 4;
+  for (int n = 0; n < kBlockSamples; ++n) {
+    if (!motion.used[n]) {
+      phi[n] = own[n] = 0;
+      continue;
+    }
+    if (form == Form::kJerk || form == Form::kForceRate) {
+      const int q = form == Form::kJerk ? 0 : 1;
+      phi[n] = motion.slope[q][n];
+      own[n] = motion.own_slope[q][n];
+      continue;
+    }
+    const int64_t u = motion.instrument[0][n], w = motion.instrument[1][n];
+    const int64_t own_w = motion.own[1][n];
+    const bool far =
+        form == Form::kSign || form == Form::kSignNarrow || form == Form::kSignWide || form == Form::kSignElongation;
+    const int64_t sign = ((w > 0) - (w < 0)) * (1 << kPureFraction);
+    const int64_t own_sign = width > 0 && magnitude(own_w) < width ? own_w * (1 << kPureFraction) / width
+                                                                   : ((own_w > 0) - (own_w < 0)) * (1 << kPureFraction);
+    const bool unsure = far && magnitude(w) <= kReversalDeviations * noise;
+    phi[n] = unsure ? 0 : static_cast<int32_t>(law(form, u, w, sign));
+    own[n] = static_cast<int32_t>(law(form, motion.own[0][n], own_w, own_sign));
+  }
+}
+
+int32_t force_exponent(Form form, const PlaceScale& scale) {
+  const int32_t u = scale.difference[0].range_exponent - 26 + scale.shift[0];
+  const int32_t w = scale.difference[1].range_exponent - 26 + scale.shift[1];
+  switch (form) {
+    case Form::kElongationSquare:
+      return 2 * u + 22;
+    case Form::kElongationCube:
+      return 3 * u + 45;
+    case Form::kRate:
+    case Form::kRateMagnitude:
+    case Form::kForce:
+    case Form::kForceRate:
+      return w;
+    case Form::kRateSquare:
+      return 2 * w + 22;
+    case Form::kRateCube:
+      return 3 * w + 45;
+    case Form::kElongationSquareRate:
+      return 2 * u + w + 45;
+    case Form::kConstant:
+    case Form::kSign:
+    case Form::kSignNarrow:
+    case Form::kSignWide:
+      return -kPureFraction;
+    default:
+      return u;
+  }
+}
+
+}  // namespace firmware

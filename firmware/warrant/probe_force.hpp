@@ -1,0 +1,34 @@
+// The force laws of the probes over one block: from the neighbours of each sample (the instrument, whose noise the
+// sample's own residual does not contain), and from the sample itself (what a hidden force of that law would be).
+//
+// Formats: elongation, rate, acceleration and force in Q18 of a power of two near their own rms, at most 32 of it: 2^23.
+// Products of them are shifted back to at most 2^24: u^2 in Q14, u^3 in Q9. A force is below 2^24.
+#pragma once
+#include "firmware/warrant/block_motion.hpp"
+#include "firmware/warrant/probe.hpp"
+
+namespace firmware {
+
+// What a place's first and second quantity are: elongation and rate; on a DOF acceleration and force.
+struct PlaceScale {
+  bool present[2] = {};
+  Difference difference[2];
+  int8_t shift[2] = {};        // Q26 of the range to Q18 of the rms
+  int32_t noise_q26 = 0;       // deviation of the rate's noise
+  bool near_friction = false;  // samples close to a reversal are left out
+};
+
+struct PlaceMotion {
+  int32_t instrument[2][kBlockSamples];
+  int32_t own[2][kBlockSamples];
+  int32_t slope[2][kBlockSamples], own_slope[2][kBlockSamples];  // DOFs only
+  bool used[kBlockSamples];
+};
+
+void fill_motion(const BlockMotion& block, const Place& place, const PlaceScale& scale, PlaceMotion& motion);
+// phi from the neighbours, own from the sample itself; zero where the sample is not used.
+void fill_force(Form form, const PlaceScale& scale, const PlaceMotion& motion, int32_t* phi, int32_t* own);
+// SI unit of fill_force's numbers is 2^this, times the units of the quantities (N for pure numbers).
+int32_t force_exponent(Form form, const PlaceScale& scale);
+
+}  // namespace firmware

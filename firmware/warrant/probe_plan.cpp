@@ -1,0 +1,194 @@
+#include "firmware/warrant/probe.hpp"
+
+namespace firmware {
+namespace {
+
+struct Candidate {
+  Form form;
+  EffectKind effect;
+};
+
+// Most telling first: what does not fit is left out from the end.
+constexpr Candidate kOnLink[] = {
+    {Form::kElongation, EffectKind::kStiffnessError},
+    {Form::kElongationCube, EffectKind::kCubicStiffness},
+    {Form::kRateSquare, EffectKind::kQuadraticDamping},
+    {Form::kRate, EffectKind::kMissingViscous},
+    {Form::kSign, EffectKind::kMissingCoulomb},
+    {Form::kElongationSquareRate, EffectKind::kDisplacementDependentDamping},
+    {Form::kRateMagnitude, EffectKind::kAsymmetricViscous},
+    {Form::kElongationSquare, EffectKind::kQuadraticStiffness},
+    {Form::kConstant, EffectKind::kForceOffset},
+    {Form::kWithinGap, EffectKind::kBacklash},
+    {Form::kBeyondStop, EffectKind::kEndStop},
+    {Form::kRateCube, EffectKind::kCubicDamping},
+    {Form::kSignNarrow, EffectKind::kStribeck},
+    {Form::kSignWide, EffectKind::kStribeck},
+    {Form::kSignElongation, EffectKind::kPreslidingHysteresis},
+};
+
+// The law by which an estimated term is weighed.
+Form form_of(TermKind kind) {
+  if (kind == TermKind::kMass) return Form::kAcceleration;
+  if (kind == TermKind::kDriftingViscous) return Form::kRate;
+  for (const Candidate& candidate : kOnLink)
+    if (row_of(candidate.effect).core.estimable && row_of(candidate.effect).core.term == kind) return candidate.form;
+  return Form::kElongation;
+}
+
+bool has(const CoreConfiguration& configuration, int node, Quantity quantity) {
+  return node == kGroundNode || configuration.signals[node][static_cast<int>(quantity)].available;
+}
+
+class Planner {
+ public:
+  Planner(const CoreConfiguration& configuration, int most_values, ProbePlan& plan)
+      : c_(configuration), most_values_(most_values), plan_(plan) {}
+
+  void places() {
+    for (int l = 0; l < c_.link_count; ++l) add_place(PlaceKind::kLink, l, c_.links[l].node_a, c_.links[l].node_b);
+    for (int i = 0; i < c_.dof_count; ++i) add_place(PlaceKind::kDof, 0, i, kGroundNode);
+    for (int i = 0; i < c_.dof_count; ++i) add_missing(i, kGroundNode);
+    for (int i = 0; i < c_.dof_count; ++i)
+      for (int j = i + 1; j < c_.dof_count; ++j)
+        if (share_a_neighbour(i, j)) add_missing(i, j);
+  }
+
+  void base_probes() {
+    for (int t = 0; t < c_.term_count; ++t) {
+      const Term& term = c_.terms[t];
+      if (term.unknown < 0) continue;
+      const PlaceKind kind = term.kind == TermKind::kMass ? PlaceKind::kDof : PlaceKind::kLink;
+      const int place = find_place(kind, term.place);
+      if (place >= 0) add(place, form_of(term.kind), Cause::kUnknown, kNoQuantity, term.unknown);
+    }
+    plan_.base_count = plan_.probe_count;
+  }
+
+  void candidates() {
+    for (const Candidate& candidate : kOnLink)
+      for (int p = 0; p < plan_.place_count; ++p)
+        if (plan_.place[p].kind == PlaceKind::kLink && !estimated(candidate.effect, plan_.place[p].link))
+          add(p, candidate.form, cause_of(candidate.effect), kNoQuantity, -1);
+    for (int p = 0; p < plan_.place_count; ++p) {
+      const Place& place = plan_.place[p];
+      if (place.kind == PlaceKind::kNoLink) {
+        add(p, Form::kRate, cause_of(EffectKind::kMissingViscous), kNoQuantity, -1);
+        add(p, Form::kSign, cause_of(EffectKind::kMissingCoulomb), kNoQuantity, -1);
+      } else if (place.kind == PlaceKind::kDof) {
+        if (!estimated(EffectKind::kMassError, place.node_a))
+          add(p, Form::kAcceleration, cause_of(EffectKind::kMassError), kNoQuantity, -1);
+        add(p, Form::kJerk, cause_of(EffectKind::kSensorDelay), static_cast<uint8_t>(Quantity::kAcceleration), -1);
+        if (!c_.signals[place.node_a][0].available) continue;
+        add(p, Form::kForce, cause_of(EffectKind::kSensorGain), static_cast<uint8_t>(Quantity::kForce), -1);
+        add(p, Form::kForceRate, cause_of(EffectKind::kSensorDelay), static_cast<uint8_t>(Quantity::kForce), -1);
+      }
+    }
+  }
+
+ private:
+  bool joined(int a, int b) const {
+    for (int l = 0; l < c_.link_count; ++l) {
+      const LinkConfiguration& link = c_.links[l];
+      if ((link.node_a == a && link.node_b == b) || (link.node_a == b && link.node_b == a)) return true;
+    }
+    return false;
+  }
+  bool share_a_neighbour(int a, int b) const {
+    for (int n = 0; n < c_.dof_count; ++n)
+      if (joined(a, n) && joined(b, n)) return true;
+    return false;
+  }
+  void add_missing(int a, int b) {
+    if (plan_.place_count < kMaxPlaces && !joined(a, b)) add_place(PlaceKind::kNoLink, 0, a, b);
+  }
+
+  void add_place(PlaceKind kind, int link, int a, int b) {
+    Place& place = plan_.place[plan_.place_count];
+    place = Place{};
+    place.kind = kind;
+    place.link = static_cast<uint8_t>(link);
+    place.node_a = static_cast<uint8_t>(a);
+    place.node_b = static_cast<uint8_t>(b);
+    const int ends[2] = {a, b};
+    for (int e = 0; e < 2; ++e) {
+      if (ends[e] >= c_.dof_count) continue;
+      place.dof[place.equations] = static_cast<uint8_t>(ends[e]);
+      place.sign[place.equations++] = e == 0 ? 1 : -1;
+    }
+    if (place.equations > 0 && add_columns(place)) ++plan_.place_count;
+  }
+
+  bool add_columns(Place& place) const {
+    for (int t = 0; t < c_.term_count; ++t) {
+      const Term& term = c_.terms[t];
+      if (term.unknown < 0) continue;
+      int8_t sign[kPlaceEquations] = {};
+      for (int e = 0; e < place.equations; ++e) sign[e] = sign_in(term, place.dof[e]);
+      if (sign[0] == 0 && sign[1] == 0) continue;
+      if (place.columns == kMaxPlaceColumns) return false;
+      place.unknown[place.columns] = static_cast<uint8_t>(term.unknown);
+      for (int e = 0; e < place.equations; ++e) place.column_sign[place.columns][e] = sign[e];
+      ++place.columns;
+    }
+    return true;
+  }
+  int8_t sign_in(const Term& term, int dof) const {
+    if (term.kind == TermKind::kMass) return static_cast<int8_t>(term.place == dof);
+    const LinkConfiguration& link = c_.links[term.place];
+    return static_cast<int8_t>((link.node_a == dof) - (link.node_b == dof));
+  }
+
+  int find_place(PlaceKind kind, int number) const {
+    for (int p = 0; p < plan_.place_count; ++p) {
+      const Place& place = plan_.place[p];
+      if (place.kind == kind && (kind == PlaceKind::kDof ? place.node_a : place.link) == number) return p;
+    }
+    return -1;
+  }
+  // The rig estimates a coefficient of this very force.
+  bool estimated(EffectKind effect, int number) const {
+    const CoreTerm core = row_of(effect).core;
+    for (int t = 0; t < c_.term_count && core.estimable; ++t)
+      if (c_.terms[t].unknown >= 0 && c_.terms[t].kind == core.term && c_.terms[t].place == number) return true;
+    return false;
+  }
+
+  void add(int place, Form form, Cause cause, uint8_t quantity, int unknown) {
+    const Place& where = plan_.place[place];
+    const bool on_dof = where.kind == PlaceKind::kDof;
+    if (!on_dof) {
+      if (!has(c_, where.node_a, Quantity::kVelocity) || !has(c_, where.node_b, Quantity::kVelocity)) return;
+      const bool far = form == Form::kSignElongation || form == Form::kElongationSquareRate || !needs_rate(form);
+      if (far && (!has(c_, where.node_a, Quantity::kDisplacement) || !has(c_, where.node_b, Quantity::kDisplacement)))
+        return;
+    }
+    const int values = where.equations + where.columns + 1;
+    if (plan_.probe_count == kMaxProbes || plan_.value_count + values > most_values_) return;
+    Probe& probe = plan_.probe[plan_.probe_count++];
+    probe = Probe{};
+    probe.form = form;
+    probe.place = static_cast<uint8_t>(place);
+    probe.unknown = static_cast<int8_t>(unknown);
+    probe.cause = cause;
+    probe.quantity = quantity;
+    probe.first_value = static_cast<uint16_t>(plan_.value_count);
+    plan_.value_count += values;
+  }
+
+  const CoreConfiguration& c_;
+  int most_values_;
+  ProbePlan& plan_;
+};
+
+}  // namespace
+
+void make_probe_plan(const CoreConfiguration& configuration, int most_values, ProbePlan& plan) {
+  plan.place_count = plan.probe_count = plan.base_count = plan.value_count = 0;
+  Planner planner(configuration, most_values, plan);
+  planner.places();
+  planner.base_probes();
+  planner.candidates();
+}
+
+}  // namespace firmware

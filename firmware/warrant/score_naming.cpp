@@ -1,0 +1,134 @@
+// What is beyond chance and large enough, and which probe is named for it.
+#include "firmware/warrant/score_test.hpp"
+
+namespace firmware {
+namespace {
+
+constexpr int kDampingPercent = 3;
+// The plain statistic cannot pass the root of the number of stretches that hold the information: it has to be most of
+// that, or 3.
+constexpr int kPlainLimit = 3, kPlainPercent = 80;
+// What is beyond chance somewhere is named among all probes that see it with half a certainty: the right one may have its
+// information in fewer stretches than its neighbours.
+constexpr int kNamingLimit = 4;
+
+// Student's quantiles at the chance of 4.5 deviations of the normal distribution (7e-6: with 80
+// probes one false finding in 2000 records), in tenths, over degrees of freedom.
+struct Quantile {
+  int freedom, tenths;
+};
+constexpr Quantile kLimits[] = {{2, 3836}, {3, 687}, {4, 306}, {5, 194}, {6, 145}, {8, 103}, {10, 85}, {12, 75},
+                                {16, 65},  {20, 60}, {24, 57}, {32, 54}, {48, 51}, {64, 49}, {128, 47}};
+
+Scaled limit(Scaled freedom) {
+  int tenths = kLimits[0].tenths;
+  for (const Quantile& q : kLimits)
+    if (freedom >= Scaled::from_int(q.freedom)) tenths = q.tenths;
+  return Scaled::ratio(tenths, 10);
+}
+Scaled square(Scaled value) { return value * value; }
+Scaled quotient(Scaled a, Scaled b) { return b.is_zero() ? Scaled{} : a / b; }
+Scaled plain_limit(Scaled freedom) {
+  const Scaled most = sqrt(freedom + Scaled::from_int(1)) * Scaled::ratio(kPlainPercent, 100);
+  return most < Scaled::from_int(kPlainLimit) ? most : Scaled::from_int(kPlainLimit);
+}
+Scaled percent(int value) { return Scaled::ratio(value, 100); }
+
+}  // namespace
+
+Scaled ScoreTest::detectable(int probe) const { return limit(score_[probe].freedom) * score_[probe].std; }
+
+// Sum of squares of the forces of the rig's own damping terms: on a link its own, else (and where it has none) those of all
+// links at the place's DOFs.
+Scaled ScoreTest::damping_square(int number) const {
+  const Place& place = sums_->plan().place[number];
+  const Scaled own = place.kind == PlaceKind::kLink ? terms_square(number, true) : Scaled{};
+  return own.is_zero() ? terms_square(number, false) : own;
+}
+
+Scaled ScoreTest::terms_square(int number, bool own) const {
+  const ProbePlan& plan = sums_->plan();
+  const Place& place = plan.place[number];
+  Scaled sum;
+  for (int t = 0; t < configuration_->term_count; ++t) {
+    const Term& term = configuration_->terms[t];
+    if (term.kind != TermKind::kViscous && term.kind != TermKind::kCoulomb) continue;
+    const LinkConfiguration& link = configuration_->links[term.place];
+    bool counts = own && place.link == term.place;
+    for (int e = 0; e < place.equations && !own; ++e)
+      counts = counts || link.node_a == place.dof[e] || link.node_b == place.dof[e];
+    if (!counts) continue;
+    const Form form = term.kind == TermKind::kViscous ? Form::kRate : Form::kSign;
+    const Scaled value = term.unknown >= 0 ? parameter_[term.unknown] : term.value;
+    for (int j = 0; j < plan.probe_count; ++j) {
+      const Place& at = plan.place[plan.probe[j].place];
+      if (plan.probe[j].form == form && at.kind == PlaceKind::kLink && at.link == term.place)
+        sum = sum + square(value) * abs(own_square_[j]);
+    }
+  }
+  return sum;
+}
+
+Scaled ScoreTest::rate_kurtosis(int link) const {
+  const ProbePlan& plan = sums_->plan();
+  Scaled square_sum, fourth_sum;
+  for (int j = 0; j < plan.probe_count; ++j) {
+    const Place& place = plan.place[plan.probe[j].place];
+    if (place.kind != PlaceKind::kLink || place.link != link) continue;
+    if (plan.probe[j].form == Form::kRate) square_sum = own_square_[j];
+    if (plan.probe[j].form == Form::kRateSquare) fourth_sum = own_square_[j];
+  }
+  return quotient(fourth_sum * samples_, square(square_sum));
+}
+
+Scaled ScoreTest::force_ratio(int number) const {
+  const Scaled damping = damping_square(sums_->plan().probe[number].place);
+  const Scaled force = square(score_[number].effect) * abs(own_square_[number]);
+  return damping.is_zero() ? Scaled::from_int(1) : sqrt(force / damping);
+}
+
+void ScoreTest::judge_size(int number) {
+  ProbeScore& score = score_[number];
+  if (!score.tested) return;
+  const Probe& probe = sums_->plan().probe[number];
+  const Scaled force = square(score.effect) * abs(own_square_[number]);
+  score.rms = sqrt(quotient(force, samples_));
+  score.matters = force > square(percent(kDampingPercent)) * damping_square(probe.place);
+  score.flagged =
+      score.matters && abs(score.wald) > limit(score.freedom) && abs(score.plain) > plain_limit(score.freedom);
+}
+
+// The scatter of a place's scores per information is noise alone for the right probe; the smallest one stands for it.
+void ScoreTest::name() {
+  const ProbePlan& plan = sums_->plan();
+  best_ = rival_ = -1;
+  for (int p = 0; p < plan.place_count; ++p) {
+    Scaled least;
+    for (int j = 0; j < plan.probe_count; ++j) {
+      const ProbeScore& score = score_[j];
+      if (plan.probe[j].place != p || !score.tested) continue;
+      const Scaled level = score.scatter / score.information;
+      if (least.is_zero() || level < least) least = level;
+    }
+    for (int j = 0; j < plan.probe_count; ++j)
+      if (plan.probe[j].place == p && score_[j].tested)
+        score_[j].gain = quotient(square(score_[j].score), score_[j].information * least);
+  }
+  bool any = false;
+  for (int j = 0; j < plan.probe_count; ++j) any = any || score_[j].flagged;
+  if (!any) return;
+  const auto sees = [&](int j) {
+    return score_[j].flagged || (score_[j].matters && abs(score_[j].wald) > Scaled::from_int(kNamingLimit));
+  };
+  const auto better = [&](int j, int than) { return than < 0 || score_[j].gain > score_[than].gain; };
+  for (int j = 0; j < plan.probe_count; ++j)
+    if (sees(j) && better(j, best_)) best_ = j;
+  if (best_ < 0) return;
+  const Probe& named = plan.probe[best_];
+  for (int j = 0; j < plan.probe_count; ++j) {
+    const bool same = plan.probe[j].cause == named.cause && plan.probe[j].place == named.place;
+    if (sees(j) && !same && better(j, rival_)) rival_ = j;
+  }
+}
+
+}  // namespace firmware

@@ -1,0 +1,230 @@
+#include "firmware/warrant/score_sums.hpp"
+
+#include "firmware/energy/product_sums.hpp"
+
+namespace firmware {
+namespace {
+
+constexpr int kScaleBlocks = 8;
+constexpr int kScaleShift = 6;  // Q26 to Q20: squares of 256 samples stay below 2^48
+constexpr int kNormalBits = 18, kHeadroomBits = 5;
+
+int64_t magnitude(int64_t x) { return x < 0 ? -x : x; }
+
+bool has_friction(const CoreConfiguration& configuration, int link) {
+  for (int t = 0; t < configuration.term_count; ++t) {
+    const TermKind kind = configuration.terms[t].kind;
+    const bool friction =
+        kind == TermKind::kCoulomb || kind == TermKind::kStribeck || kind == TermKind::kPreslidingHysteresis;
+    if (friction && configuration.terms[t].place == link) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+void ScoreSums::configure(const CoreConfiguration& configuration, const Scaled* effect_unit) {
+  configuration_ = &configuration;
+  make_probe_plan(configuration, kMostProbeValues, plan_);
+  block_.configure(configuration, effect_unit);
+  table_.configure(plan_.value_count);
+  int filled = 0;
+  for (int p = 0; p < plan_.place_count; ++p)
+    for (int j = 0; j < plan_.probe_count; ++j)
+      if (plan_.probe[j].place == p) order_[filled++] = static_cast<uint16_t>(j);
+  for (int t = 0; t < configuration.term_count; ++t)
+    if (configuration.terms[t].unknown >= 0)
+      unknown_column_[configuration.terms[t].unknown] =
+          static_cast<uint8_t>(block_.column_of(configuration.terms[t], t));
+  for (int p = 0; p < plan_.place_count; ++p) {
+    const Place& place = plan_.place[p];
+    const bool on_dof = place.kind == PlaceKind::kDof;
+    PlaceScale& scale = scale_[p] = PlaceScale{};
+    for (int q = 0; q < 2; ++q) {
+      const Quantity quantity = on_dof ? (q == 0 ? Quantity::kAcceleration : Quantity::kForce)
+                                       : (q == 0 ? Quantity::kDisplacement : Quantity::kVelocity);
+      scale.difference[q] = block_.difference(quantity, place.node_a, on_dof ? kGroundNode : place.node_b);
+      scale.present[q] = scale.difference[q].gain_a != 0 || scale.difference[q].gain_b != 0;
+    }
+    scale.near_friction = place.kind == PlaceKind::kLink && has_friction(configuration, place.link);
+  }
+  clear();
+}
+
+void ScoreSums::clear() {
+  table_.clear();
+  scaled_ = false;
+  scale_blocks_ = 0;
+  for (auto& place : square_) place[0] = place[1] = 0;
+  for (auto& node : noise_square_) node = 0;
+  restart();
+}
+
+void ScoreSums::restart() {
+  block_.restart();
+  busy_ = false;
+  credit_ = 0;
+}
+
+void ScoreSums::begin_level() {
+  restart();
+  table_.begin_level();
+  time_ = skip_ = 0;
+}
+
+void ScoreSums::offer(const Frame& frame, int count) {
+  const uint32_t start = time_;
+  time_ += static_cast<uint32_t>(count);
+  if (configuration_->probe_products_per_sample == 0 || plan_.probe_count == 0) return;
+  if (busy_) {  // the block at hand takes longer: the next one starts anew
+    block_.restart();
+    return;
+  }
+  if (skip_ > 0) {
+    --skip_;
+    return;
+  }
+  for (int from = 0; from < count && !busy_;) {
+    from += block_.append(frame, from, count);
+    if (!block_.full()) return;
+    block_time_ = start + static_cast<uint32_t>(from);
+    start_block();
+  }
+}
+
+void ScoreSums::start_block() {
+  block_.fill_columns();
+  if (scaled_ && outgrown()) clear();
+  if (!scaled_) {
+    measure_scales();
+    return block_.keep_tail();
+  }
+  busy_ = true;
+  next_ = 0;
+  motion_place_ = -1;
+  if (configuration_->probe_products_per_sample == kAllProbes) finish();
+}
+
+void ScoreSums::measure_scales() {
+  for (int p = 0; p < plan_.place_count; ++p)
+    for (int q = 0; q < 2; ++q) {
+      const Difference& d = scale_[p].difference[q];
+      if (!scale_[p].present[q]) continue;
+      const int32_t *a = block_.signal(d.row_a), *b = block_.signal(d.row_b);
+      for (int n = 0; n < kBlockSamples; ++n) {
+        const int64_t value = BlockMotion::smoothed(d, a, b, n) >> kScaleShift;
+        square_[p][q] += value * value;
+      }
+    }
+  for (int node = 0; node < kMaxNodes; ++node) {
+    if (!configuration_->signals[node][static_cast<int>(Quantity::kVelocity)].available) continue;
+    const int32_t* v = block_.signal(signal_column(node, Quantity::kVelocity));
+    for (int n = 0; n < kBlockSamples; ++n) {
+      const int64_t rest = 6 * int64_t{v[n]} - 4 * (int64_t{v[n - 1]} + v[n + 1]) + (int64_t{v[n - 2]} + v[n + 2]);
+      noise_square_[node] += (rest * rest) >> 6;  // 28 bits twice, 256 of them
+    }
+  }
+  if (++scale_blocks_ == kScaleBlocks) set_scales();
+}
+
+void ScoreSums::set_scales() {
+  constexpr int kSamples = kScaleBlocks * kBlockSamples;
+  for (int p = 0; p < plan_.place_count; ++p) {
+    PlaceScale& scale = scale_[p];
+    for (int q = 0; q < 2; ++q) {
+      const Scaled rms = sqrt(Scaled::ratio(square_[p][q], kSamples));
+      const int bits = rms.is_zero() ? 0 : log2_floor(rms) + 1 + kScaleShift;
+      scale.shift[q] = static_cast<int8_t>(bits - kNormalBits);
+    }
+    // (6 v - instrument) has 36 + 2 (16 + 1) times the variance of white noise.
+    Scaled variance;
+    const Difference& rate = scale.difference[1];
+    const int32_t gains[2] = {rate.gain_a, rate.gain_b};
+    const int nodes[2] = {scale.present[1] && rate.gain_a != 0 ? plan_.place[p].node_a : kGroundNode,
+                          scale.present[1] && rate.gain_b != 0 ? plan_.place[p].node_b : kGroundNode};
+    for (int e = 0; e < 2; ++e)
+      if (nodes[e] < kMaxNodes && plan_.place[p].kind != PlaceKind::kDof) {
+        const Scaled gain = Scaled::from_int(gains[e], -25);
+        variance = variance + gain * gain * Scaled::ratio(noise_square_[nodes[e]], kSamples) * Scaled::ratio(64, 70);
+      }
+    const int64_t deviation = to_fixed(sqrt(variance), 0);
+    scale.noise_q26 = static_cast<int32_t>(deviation > INT32_MAX ? INT32_MAX : deviation);
+    if (plan_.place[p].kind == PlaceKind::kLink) block_.set_rate_noise(plan_.place[p].link, scale.noise_q26);
+  }
+  scaled_ = true;
+}
+
+// A quantity beyond the headroom of its scale: what was summed in too small a unit is forgotten.
+bool ScoreSums::outgrown() const {
+  for (int p = 0; p < plan_.place_count; ++p)
+    for (int q = 0; q < 2; ++q) {
+      const PlaceScale& scale = scale_[p];
+      const int bits = kNormalBits + kHeadroomBits + scale.shift[q];
+      if (!scale.present[q] || bits >= 26) continue;
+      const int64_t most = int64_t{1} << (bits > 0 ? bits : 0);
+      const Difference& d = scale.difference[q];
+      const int32_t *a = block_.signal(d.row_a), *b = block_.signal(d.row_b);
+      for (int n = 0; n < kBlockSamples; n += 4)
+        if (magnitude(BlockMotion::smoothed(d, a, b, n)) > most) return true;
+    }
+  return false;
+}
+
+void ScoreSums::work() {
+  if (!busy_) return;
+  credit_ += configuration_->probe_products_per_sample;
+  while (busy_) {
+    const Probe& probe = plan_.probe[order_[next_]];
+    const uint32_t cost = static_cast<uint32_t>(plan_.values(probe) * kBlockSamples);
+    if (credit_ < cost) return;
+    credit_ -= cost;
+    work_on(probe);
+    if (++next_ == plan_.probe_count) end_block();
+  }
+}
+
+void ScoreSums::work_on(const Probe& probe) {
+  const Place& place = plan_.place[probe.place];
+  const PlaceScale& scale = scale_[probe.place];
+  if (motion_place_ != probe.place) fill_motion(block_, place, scale, motion_);
+  motion_place_ = probe.place;
+  alignas(16) int32_t phi[kBlockSamples], own[kBlockSamples];
+  fill_force(probe.form, scale, motion_, phi, own);
+  int value = probe.first_value;
+  for (int e = 0; e < place.equations; ++e)
+    table_.current(value++) += dot_block(phi, block_.column(kKnownColumn + place.dof[e]));
+  for (int k = 0; k < place.columns; ++k)
+    table_.current(value++) += dot_block(phi, block_.column(unknown_column_[place.unknown[k]]));
+  table_.current(value) += dot_block(phi, own);
+}
+
+void ScoreSums::end_block() {
+  busy_ = false;
+  table_.add_block(block_time_);
+  if (configuration_->probe_products_per_sample == kAllProbes) return block_.keep_tail();
+  block_.restart();
+  random_ = random_ * 1664525u + 1013904223u;
+  skip_ = random_ >> 30;  // 0 to 3
+}
+
+void ScoreSums::finish() {
+  while (busy_) {
+    work_on(plan_.probe[order_[next_]]);
+    if (++next_ == plan_.probe_count) end_block();
+  }
+}
+
+Scaled ScoreSums::force_unit(const Probe& probe) const {
+  return Scaled::from_int(1, force_exponent(probe.form, scale_[probe.place]));
+}
+
+Scaled ScoreSums::unit(const Probe& probe, int value) const {
+  const Place& place = plan_.place[probe.place];
+  const Scaled own = force_unit(probe);
+  if (value < place.equations) return own * block_.column_unit(kKnownColumn + place.dof[value]);
+  value -= place.equations;
+  if (value < place.columns) return own * block_.column_unit(unknown_column_[place.unknown[value]]);
+  return own * own;
+}
+
+}  // namespace firmware

@@ -1,0 +1,58 @@
+// The per-sample side of the score tests: takes blocks out of the stream and works through the probes, at most a budget
+// of products a sample. Where the budget is short, blocks are left out between two that are worked on, a random number of
+// them, so that a periodic motion is met at every phase.
+#pragma once
+#include "firmware/warrant/probe_force.hpp"
+#include "firmware/warrant/score_table.hpp"
+
+namespace firmware {
+
+class ScoreSums {
+ public:
+  // effect_unit: SI unit of every effect term's column, in the order of the terms. budget: products a sample, 0 none.
+  void configure(const CoreConfiguration& configuration, const Scaled* effect_unit);
+  void clear();
+  void begin_level();
+  void restart();  // a gap: what comes does not follow what came
+  // The frame's block of count samples has its columns filled.
+  void offer(const Frame& frame, int count);
+  void work();                      // once a sample
+  void flush() { table_.flush(); }  // the table is about to be read
+  void finish();                    // the block that is being worked on, and the exact sums, go into the table
+
+  const ProbePlan& plan() const { return plan_; }
+  const ScoreTable& table() const { return table_; }
+  bool scaled() const { return scaled_; }  // the probes' own units are known: there are sums
+  // SI unit of a probe's sums, per equation, per column of its place, and of its own force.
+  Scaled unit(const Probe& probe, int value) const;
+  Scaled force_unit(const Probe& probe) const;
+
+ private:
+  void start_block();
+  void measure_scales();
+  void set_scales();
+  bool outgrown() const;
+  void work_on(const Probe& probe);
+  void end_block();
+
+  const CoreConfiguration* configuration_ = nullptr;
+  ProbePlan plan_;
+  uint16_t order_[kMaxProbes];  // by place
+  uint8_t unknown_column_[kMaxUnknowns];
+  BlockMotion block_;
+  ScoreTable table_;
+  PlaceScale scale_[kMaxPlaces];
+  int64_t square_[kMaxPlaces][2];    // of the smoothed quantities, Q20 of the range, while scales are measured
+  int64_t noise_square_[kMaxNodes];  // of (6 v - instrument), codes
+  int scale_blocks_ = 0;
+  bool scaled_ = false;
+  bool busy_ = false;
+  int next_ = 0;  // in order_
+  int motion_place_ = -1;
+  PlaceMotion motion_;
+  uint32_t credit_ = 0;
+  uint32_t skip_ = 0, random_ = 1;      // blocks to leave out
+  uint32_t time_ = 0, block_time_ = 0;  // samples since the level's start
+};
+
+}  // namespace firmware

@@ -1,0 +1,62 @@
+// Sums of every probe over stretches of the record, for all levels together: what the score tests are worked out from at
+// the end of a window, with the estimates of that very window.
+//
+// Per probe: sum of phi times the known part of each of its equations, of phi times every unknown's column there, and of
+// phi times its own force. Formats: phi below 2^24, columns below 2^27, 31 samples a block, 32 blocks at the most before
+// the exact int64 sum (2^61) goes into the table, whose numbers have an exponent (pack(): 2^-47).
+//
+// Room is fixed: a rig with few probes gets up to 256 stretches, one with many fewer, at least 16. Where the table is
+// full, neighbouring stretches of each level merge and the length of a stretch doubles: nothing is lost.
+#pragma once
+#include "firmware/energy/batch_table.hpp"
+
+namespace firmware {
+
+#ifdef FIRMWARE_WARRANT_NUMBERS
+constexpr int kWarrantNumbers = FIRMWARE_WARRANT_NUMBERS;
+#else
+constexpr int kWarrantNumbers = 65536;  // 8 bytes each
+#endif
+constexpr int kMostStretches = 256, kFewestStretches = 16;
+constexpr int kMostProbeValues = kWarrantNumbers / kFewestStretches;
+constexpr int kExactBlocks = 32;
+
+struct Stretch {
+  uint8_t level = 0;
+  uint32_t blocks = 0;
+  uint64_t time = 0;  // sum over its blocks of their samples since the level's start
+};
+
+class ScoreTable {
+ public:
+  void configure(int values);
+  void clear();
+  void begin_level();
+  // Exact sums of the block that is being worked on; add_block() closes it.
+  int64_t& current(int value) { return current_[value]; }
+  void add_block(uint32_t time_samples);
+  void flush();  // the exact sums go into the table
+
+  int stretches() const { return count_; }
+  int levels() const { return level_; }
+  const Stretch& stretch(int s) const { return stretch_[s]; }
+  Scaled value(int s, int value) const { return unpack(number_[s * values_ + value]); }
+
+ private:
+  void merge();
+  void add_to(int s, int value, Scaled sum) {
+    PackedScaled& place = number_[s * values_ + value];
+    place = pack(unpack(place) + sum);
+  }
+
+  int values_ = 0, room_ = 0, count_ = 0, level_ = 0;
+  bool open_ = false;     // the last stretch is of this level and not yet full
+  uint32_t length_ = 1;   // blocks of a stretch
+  uint32_t pending_ = 0;  // blocks in the exact sums
+  uint64_t pending_time_ = 0;
+  int64_t current_[kMostProbeValues];
+  Stretch stretch_[kMostStretches];
+  PackedScaled number_[kWarrantNumbers];
+};
+
+}  // namespace firmware

@@ -1,0 +1,49 @@
+#include "firmware/warrant/score_test.hpp"
+
+namespace firmware {
+namespace {
+
+constexpr int kLeastStretches = 8;  // of the whole record
+
+}  // namespace
+
+bool ScoreTest::judge(const CoreConfiguration& configuration, const ScoreSums& sums, const Estimates& estimates) {
+  configuration_ = &configuration;
+  sums_ = &sums;
+  best_ = rival_ = -1;
+  const ScoreTable& table = sums.table();
+  stretches_ = table.stretches();
+  const ProbePlan& plan = sums.plan();
+  for (int j = 0; j < plan.probe_count; ++j) score_[j] = ProbeScore{};
+  if (!sums.scaled() || stretches_ < kLeastStretches) return false;
+  unknowns_ = configuration.unknown_count;
+  levels_ = 0;
+  int last = -1;
+  samples_ = Scaled{};
+  for (int s = 0; s < stretches_; ++s) {
+    const Stretch& stretch = table.stretch(s);
+    if (stretch.level != last && levels_ < kMaxLevels) ++levels_;
+    last = stretch.level;
+    level_of_[s] = static_cast<uint8_t>(levels_ - 1);
+    samples_ = samples_ + Scaled::from_int(static_cast<int64_t>(stretch.blocks) * kBlockSamples);
+  }
+  for (int k = 0; k < unknowns_; ++k) {
+    parameter_[k] = estimates.parameters[k].value;
+    determined_[k] = false;
+    for (int j = 0; j < unknowns_; ++j) normal_[k][j] = Scaled{};
+    for (int s = 0; s < stretches_; ++s) base_score_[s][k] = Scaled{};
+  }
+  for (int p = 0; p < plan.place_count; ++p) weigh(p);
+  for (int j = 0; j < plan.base_count; ++j) add_base(plan.probe[j]);
+  invert();
+  compare();
+  for (int j = 0; j < plan.probe_count; ++j) {
+    own_square_[j] = Scaled{};
+    test(j);
+  }
+  for (int j = 0; j < plan.probe_count; ++j) judge_size(j);
+  name();
+  return true;
+}
+
+}  // namespace firmware

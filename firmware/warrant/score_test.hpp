@@ -1,0 +1,92 @@
+// Is there a force in the record that the rig's model lacks? Score tests of the residual against every probe.
+//
+// With r the residual of the equations of motion at the window's estimates, phi a probe's force made from each sample's
+// neighbours and g its place's weights (b' Omega^-1, b the signs of the force in the place's equations, Omega the
+// covariance of the residual there, from the scatter of the stretches), every stretch s of the record gives
+//   m_s = sum of phi g' r,   G_s = sum of phi g' columns,   P_s = sum of phi g' b own force
+// and, with the scores z of the estimated terms themselves and C = (sum G) (sum N)^-1, N the z's own matrix,
+//   psi_s = m_s - C z_s,   d_s = P_s - C G'_s - G_s b + C N_s b,   b = (sum N)^-1 (sum G'):
+// what the estimated coefficients cannot take up; b is how far a unit of the force bends them. Then
+//   effect = sum psi / sum d,    Wald = sum psi / sqrt( sum of ((psi_s - effect d_s) / (1 - h_s))^2 ),  h_s = d_s / sum d.
+// The scatter is what is left with the effect included (the plain one holds the effect itself); 1 - h_s is the
+// leave-one-out correction for the share of the information that one stretch holds. Limits are Student's for the
+// effective number of stretches, at the chance of 4.5 deviations of the normal distribution (7e-6).
+#pragma once
+#include "firmware/identification/estimate.hpp"
+#include "firmware/warrant/score_sums.hpp"
+
+namespace firmware {
+
+struct ProbeScore {
+  bool tested = false;   // the record can tell this force from the estimated ones
+  bool matters = false;  // large enough beside the damping forces
+  bool flagged = false;  // and beyond chance
+  Scaled effect, std;    // SI units of the probe's coefficient
+  Scaled wald, plain;    // effect over its deviation; the same with the plain scatter
+  Scaled freedom;        // effective number of stretches
+  Scaled information;    // sum of d
+  Scaled share;          // d / P: what of the force the estimated coefficients do not take up
+  Scaled before;         // sum of psi^2
+  Scaled scatter;        // what is left: sum of (psi - effect d)^2
+  Scaled score;          // sum of psi
+  Scaled gain;           // of the log-likelihood, twice; comparable between probes
+  Scaled rms;            // of the force, SI
+};
+
+class ScoreTest {
+ public:
+  // False: there is nothing to test with (yet).
+  bool judge(const CoreConfiguration& configuration, const ScoreSums& sums, const Estimates& estimates);
+  const ProbeScore& score(int probe) const { return score_[probe]; }
+  int best() const { return best_; }    // of the flagged candidates, -1: none
+  int rival() const { return rival_; }  // the next one of another cause or place, -1: none
+  // Mean of w^4 over the squared mean of w^2 of a link's rate; 0 where it is not known.
+  Scaled rate_kurtosis(int link) const;
+  // rms force of a probe's effect over that of the dampers beside it.
+  Scaled force_ratio(int probe) const;
+  // The smallest effect of a tested probe that would be told from chance.
+  Scaled detectable(int probe) const;
+  // What the instrument of the score tests says of an unknown, less the estimate; 0 where it cannot say.
+  Scaled difference(int unknown) const { return difference_[unknown]; }
+  Scaled difference_std(int unknown) const { return difference_std_[unknown]; }
+
+ private:
+  void read(const Probe& probe);
+  void weigh(int place);
+  void weigh_level(const Place& place, int level, int place_number);
+  void add_base(const Probe& probe);
+  void invert();
+  void compare();
+  void test(int number);
+  Scaled taken(const Probe& probe, int stretch, int column) const;
+  void find_answers(const Probe& probe);
+  void share_out(const Probe& probe);
+  void bend_base(Scaled* bent) const;
+  void judge_size(int number);
+  void name();
+  Scaled damping_square(int place) const;
+  Scaled terms_square(int place, bool own) const;
+  Scaled weight(int place, int stretch, int equation) const { return weight_[place][level_of_[stretch]][equation]; }
+
+  const CoreConfiguration* configuration_ = nullptr;
+  const ScoreSums* sums_ = nullptr;
+  Scaled parameter_[kMaxUnknowns];
+  int unknowns_ = 0, stretches_ = 0, levels_ = 0;
+  uint8_t level_of_[kMostStretches];
+  uint8_t place_of_unknown_[kMaxUnknowns];
+  bool determined_[kMaxUnknowns];
+  Scaled weight_[kMaxPlaces][kMaxLevels][kPlaceEquations];
+  Scaled normal_[kMaxUnknowns][kMaxUnknowns], inverse_[kMaxUnknowns][kMaxUnknowns];
+  Scaled base_score_[kMostStretches][kMaxUnknowns];
+  // Of the probe that was read last: C, b, and the answers of the estimated terms' scores.
+  Scaled share_[kMaxUnknowns], bend_[kMaxUnknowns], answer_[kMaxLevels][kMaxPlaceColumns];
+  Scaled residual_[kMostStretches][kPlaceEquations], column_[kMostStretches][kMaxPlaceColumns], own_[kMostStretches];
+  Scaled psi_[kMostStretches], d_[kMostStretches];
+  ProbeScore score_[kMaxProbes];
+  Scaled own_square_[kMaxProbes];  // sum of own forces squared, SI
+  Scaled difference_[kMaxUnknowns], difference_std_[kMaxUnknowns];
+  Scaled samples_;
+  int best_ = -1, rival_ = -1;
+};
+
+}  // namespace firmware

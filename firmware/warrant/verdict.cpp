@@ -1,0 +1,114 @@
+#include "firmware/warrant/verdict.hpp"
+
+namespace firmware {
+namespace {
+
+constexpr int kOneTonePercent = 156;  // of the squared mean of w^2: mean of w^4
+
+void raise(ParameterEstimate& parameter, EstimateStatus status) {
+  if (severity(status) > severity(parameter.status)) parameter.status = status;
+}
+
+const Term* term_of(const CoreConfiguration& configuration, int unknown) {
+  for (int t = 0; t < configuration.term_count; ++t)
+    if (configuration.terms[t].unknown == unknown) return &configuration.terms[t];
+  return nullptr;
+}
+
+Finding finding_of(const ProbePlan& plan, const ScoreTest& test, int probe) {
+  Finding finding;
+  if (probe < 0) return finding;
+  const Probe& p = plan.probe[probe];
+  const Place& place = plan.place[p.place];
+  finding.cause = p.cause;
+  finding.quantity = p.quantity;
+  finding.node_a = static_cast<int8_t>(place.node_a);
+  if (place.kind != PlaceKind::kDof) finding.node_b = static_cast<int8_t>(place.node_b);
+  finding.size = test.score(probe).effect;
+  finding.std = test.score(probe).std;
+  return finding;
+}
+
+// The channel that the kinematic identities find late: no rig model is needed to name it.
+bool late_channel(const Estimates& estimates, Finding& finding) {
+  const SkewEstimate* worst = nullptr;
+  for (int dof = 0; dof < kMaxDofs; ++dof) {
+    const SkewEstimate* const skews[] = {&estimates.displacement_skew[dof], &estimates.acceleration_skew[dof]};
+    for (int which = 0; which < 2; ++which) {
+      const SkewEstimate& skew = *skews[which];
+      if (!skew.significant || (worst != nullptr && abs(skew.late_s) <= abs(worst->late_s))) continue;
+      worst = &skew;
+      finding = Finding{};
+      finding.cause = cause_of(EffectKind::kSensorDelay);
+      finding.node_a = static_cast<int8_t>(dof);
+      finding.quantity = static_cast<uint8_t>(which == 0 ? Quantity::kDisplacement : Quantity::kAcceleration);
+      finding.size = skew.late_s;
+      finding.std = skew.std_s;
+    }
+  }
+  return worst != nullptr;
+}
+
+// The scatter that the effect takes away, as amplitudes.
+Scaled gained(const ProbeScore& score) {
+  return score.before.is_zero() ? Scaled{} : Scaled::from_int(1) - sqrt(score.scatter / score.before);
+}
+
+void tell(const ScoreSums& sums, const ScoreTest& test, Warrant& warrant) {
+  const int best = test.best(), rival = test.rival();
+  if (best < 0) return;
+  warrant.named = finding_of(sums.plan(), test, best);
+  warrant.rival = finding_of(sums.plan(), test, rival);
+  warrant.force_ratio = test.force_ratio(best);
+  warrant.gained = gained(test.score(best));
+  if (rival >= 0) warrant.rival_share = test.score(rival).gain / test.score(best).gain;
+}
+
+bool impossible(const CoreConfiguration& configuration, int unknown, const ParameterEstimate& parameter) {
+  const Term* term = term_of(configuration, unknown);
+  return term != nullptr && row_of(term->kind).sign == Sign::kNotNegative && parameter.ci95_high.is_negative();
+}
+
+bool instruments_differ(const ScoreTest& test, int unknown, const ParameterEstimate& parameter) {
+  const Scaled difference = abs(test.difference(unknown));
+  return difference > test.difference_std(unknown) * Scaled::from_int(4) &&
+         scale_by_power_of_two(difference, 1) > parameter.ci95_high - parameter.ci95_low &&
+         difference * Scaled::from_int(40) > abs(parameter.value);
+}
+
+bool is_damping(TermKind kind) { return kind != TermKind::kMass && !row_of(kind).nature.conservative; }
+
+bool one_amplitude(const CoreConfiguration& configuration, const ScoreTest& test, int unknown) {
+  const Term* term = term_of(configuration, unknown);
+  if (term == nullptr || !is_damping(term->kind)) return false;
+  const Scaled shape = test.rate_kurtosis(term->place);
+  return !shape.is_zero() && shape < Scaled::ratio(kOneTonePercent, 100);
+}
+
+}  // namespace
+
+void give_verdict(const CoreConfiguration& configuration, const ScoreSums& sums, const ScoreTest& test, bool judged,
+                  Estimates& estimates) {
+  Warrant& warrant = estimates.warrant;
+  warrant = Warrant{};
+  warrant.tested = judged;
+  if (judged) tell(sums, test, warrant);
+  Finding late;
+  if (late_channel(estimates, late)) {
+    warrant.rival = warrant.named;
+    warrant.named = late;
+  }
+  for (int k = 0; k < estimates.unknown_count; ++k) {
+    ParameterEstimate& parameter = estimates.parameters[k];
+    if (impossible(configuration, k, parameter)) raise(parameter, EstimateStatus::kModelSuspect);
+    if (!judged) {
+      raise(parameter, EstimateStatus::kUntested);
+      continue;
+    }
+    if (test.best() >= 0) raise(parameter, EstimateStatus::kModelSuspect);
+    if (instruments_differ(test, k, parameter)) raise(parameter, EstimateStatus::kBiasSuspect);
+    if (one_amplitude(configuration, test, k)) raise(parameter, EstimateStatus::kUntested);
+  }
+}
+
+}  // namespace firmware

@@ -1,0 +1,22 @@
+// What the score tests make of the estimates: which are withdrawn, and who is named for it.
+//
+// MODEL_SUSPECT: a force that the model lacks is beyond chance and over 3 % of the damping force beside it: no estimate of
+// the rig is believed, because a wrong term bends its neighbours too. Also a coefficient that physics keeps positive with
+// an interval wholly below zero.
+// BIAS_SUSPECT: the score tests' instrument, which reaches four samples to either side, says another value: by more than
+// four deviations of the difference, the half width of the interval and 1/40 of the value.
+// UNTESTED: the rate of a coefficient's link has one amplitude, as with one tone at one level: the mean of w^4 over the
+// squared mean of w^2 is below 1.56 (1.5 for one tone, 1.72 for two levels apart by half, 2.25 for two tones, 3 for a random
+// band). There a damping law of another power looks like the estimated one. Also where the record is too short to test
+// anything.
+#pragma once
+#include "firmware/identification/estimate.hpp"
+#include "firmware/warrant/score_test.hpp"
+
+namespace firmware {
+
+// judged: score_test has judged these very estimates.
+void give_verdict(const CoreConfiguration& configuration, const ScoreSums& sums, const ScoreTest& test, bool judged,
+                  Estimates& estimates);
+
+}  // namespace firmware

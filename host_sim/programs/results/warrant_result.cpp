@@ -1,0 +1,73 @@
+#include "host_sim/programs/results/warrant_result.hpp"
+
+#include <cstdio>
+
+#include "firmware/vocabulary/effect_table.hpp"
+#include "hal/rig_file/channel_name.hpp"
+#include "hal/rig_file/scaled_double.hpp"
+
+namespace host_sim {
+namespace {
+
+const firmware::EffectRow* row_of_cause(firmware::Cause cause) {
+  for (const firmware::EffectRow& row : firmware::kEffectTable)
+    if (row.can.number != 0 && row.can.number == static_cast<uint8_t>(cause)) return &row;
+  return nullptr;
+}
+
+int dof_of(int node) {
+  if (node == firmware::kBaseNode) return rig_file::kBase;
+  return node == firmware::kGroundNode ? rig_file::kGround : node + 1;
+}
+std::string place(int node) {
+  const int dof = dof_of(node);
+  return dof == rig_file::kBase ? "base" : std::to_string(dof);
+}
+
+FindingResult finding_of(const rig_file::RigModel& model, const firmware::Finding& finding) {
+  FindingResult result;
+  const firmware::EffectRow* row = row_of_cause(finding.cause);
+  if (row == nullptr || finding.node_a < 0) return result;
+  const int dof = dof_of(finding.node_a);
+  const bool rotating = dof > 0 && model.dofs[static_cast<size_t>(dof - 1)].rotating;
+  result.effect = row->word.text;
+  if (finding.quantity != firmware::kNoQuantity)
+    result.where =
+        "channel " + rig_file::format_channel_name({static_cast<firmware::Quantity>(finding.quantity), dof, rotating});
+  else if (finding.node_b >= 0)
+    result.where = "link " + place(finding.node_a) + "-" + place(finding.node_b);
+  else
+    result.where = "dof " + place(finding.node_a);
+  result.size = rig_file::to_double(finding.size);
+  result.std = rig_file::to_double(finding.std);
+  const char* unit = row->unit.of(rotating);
+  result.unit = unit == nullptr ? "" : unit;
+  return result;
+}
+
+}  // namespace
+
+WarrantResult warrant_of(const rig_file::RigModel& model, const firmware::Warrant& warrant) {
+  WarrantResult result;
+  result.tested = warrant.tested;
+  result.named = finding_of(model, warrant.named);
+  result.rival = finding_of(model, warrant.rival);
+  result.rival_percent = 100.0 * rig_file::to_double(warrant.rival_share);
+  return result;
+}
+
+std::string warrant_text(const WarrantResult& warrant) {
+  if (warrant.named.effect.empty())
+    return warrant.tested ? "the board finds nothing that the rig file lacks"
+                          : "the board cannot test the rig file with these data";
+  char size[120];
+  std::snprintf(size, sizeof size, ", %.4g +- %.2g ", warrant.named.size, warrant.named.std);
+  std::string text =
+      "the board suspects " + warrant.named.effect + " on " + warrant.named.where + size + warrant.named.unit;
+  if (warrant.rival.effect.empty()) return text;
+  char share[60];
+  std::snprintf(share, sizeof share, " (%.0f %% of its likelihood)", warrant.rival_percent);
+  return text + "; next best " + warrant.rival.effect + " on " + warrant.rival.where + share;
+}
+
+}  // namespace host_sim

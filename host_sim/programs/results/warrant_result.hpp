@@ -1,0 +1,26 @@
+// What the board says of the rig's model beside its numbers: cause, place, size and the nearest rival, in words.
+#pragma once
+#include <string>
+
+#include "firmware/identification/estimate.hpp"
+#include "hal/rig_file/rig_model.hpp"
+
+namespace host_sim {
+
+struct FindingResult {
+  std::string effect;  // the vocabulary's word; empty: nothing found
+  std::string where;   // "link 1-2", "dof 3", "channel displacement_2_m"
+  double size = 0.0, std = 0.0;
+  std::string unit;
+};
+struct WarrantResult {
+  bool tested = false;
+  FindingResult named, rival;
+  double rival_percent = 0.0;  // gain in log-likelihood, of the named cause's
+};
+
+WarrantResult warrant_of(const rig_file::RigModel& model, const firmware::Warrant& warrant);
+// One line, ends without a line break.
+std::string warrant_text(const WarrantResult& warrant);
+
+}  // namespace host_sim

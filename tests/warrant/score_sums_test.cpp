@@ -1,0 +1,144 @@
+// The fixed point of the score tests at its bounds, and sums worked out by hand.
+#include <gtest/gtest.h>
+
+#include "firmware/energy/product_sums.hpp"
+#include "firmware/warrant/probe_force.hpp"
+#include "firmware/warrant/score_table.hpp"
+#include "hal/rig_file/scaled_double.hpp"
+
+namespace {
+
+using namespace firmware;
+using rig_file::to_double;
+
+// 2^24 * 2^27 * 32 samples * 32 blocks = 2^61: the exact sums at full scale, of either sign.
+TEST(ScoreTable, ExactSumsHoldFullScale) {
+  static int32_t phi[kBlockSamples], column[kBlockSamples];
+  static ScoreTable table;
+  for (const int sign : {1, -1}) {
+    for (int i = 0; i < kBlockSamples; ++i) {
+      phi[i] = 1 << 24;
+      column[i] = sign * (1 << 27);
+    }
+    int64_t sum = 0;
+    for (int block = 0; block < static_cast<int>(kExactBlocks); ++block) sum += dot_block(phi, column);
+    EXPECT_EQ(sum, sign * (int64_t{1} << 61));
+  }
+  // Stretches of one block first; full at 256, they double: 8192 blocks of 2^56 in 256 stretches of 32.
+  table.configure(1);
+  table.begin_level();
+  for (int block = 0; block < 8192; ++block) {
+    table.current(0) += int64_t{1} << 56;
+    table.add_block(0);
+  }
+  ASSERT_EQ(table.stretches(), 256);
+  for (int s = 0; s < 256; ++s) {
+    EXPECT_EQ(table.stretch(s).blocks, 32u);
+    EXPECT_EQ(to_double(table.value(s, 0)), 0x1p61);
+  }
+}
+
+// Levels do not merge into each other. Room for 16 stretches; level one has 3 blocks (1, 2, 3), level two 14 (10 each).
+// The 17th block merges: (1 + 2), 3, then 6 pairs of level two and one left over, which it completes.
+TEST(ScoreTable, NeighboursOfALevelMerge) {
+  static ScoreTable table;
+  table.configure(kWarrantNumbers / kFewestStretches);
+  table.begin_level();
+  for (int block = 1; block <= 3; ++block) {
+    table.current(0) += block;
+    table.add_block(static_cast<uint32_t>(32 * block));
+  }
+  table.begin_level();
+  for (int block = 0; block < 14; ++block) {
+    table.current(0) += 10;
+    table.add_block(0);
+  }
+  table.flush();
+  ASSERT_EQ(table.stretches(), 9);
+  EXPECT_EQ(to_double(table.value(0, 0)), 3.0);
+  EXPECT_EQ(to_double(table.value(1, 0)), 3.0);
+  EXPECT_EQ(table.stretch(1).blocks, 1u);
+  EXPECT_EQ(table.stretch(0).level, 1);
+  EXPECT_EQ(table.stretch(2).level, 2);
+  for (int s = 2; s < 9; ++s) EXPECT_EQ(to_double(table.value(s, 0)), 20.0) << s;
+  EXPECT_EQ(table.stretch(0).time, 96u);  // blocks that ended after 32 and 64 samples
+}
+
+// One link to the ground with codes at full scale, alternating slowly: everything stays inside its format.
+TEST(ProbeForce, FullScaleStaysInItsFormat) {
+  static CoreConfiguration c;
+  c.dof_count = 1;
+  c.link_count = 1;
+  c.sample_period_s = Scaled::ratio(1, 1000);
+  for (int q = 0; q < kQuantities; ++q) {
+    c.channels[0][q].present = true;
+    c.channels[0][q].unit_per_code = Scaled::from_int(1, -20);
+  }
+  copy_measured_signals(c);
+  c.term_count = 2;
+  c.terms[0].kind = TermKind::kMass;
+  c.terms[0].value = Scaled::from_int(3);
+  c.terms[1].kind = TermKind::kStiffness;
+  c.terms[1].value = Scaled::from_int(1000);
+  static BlockMotion block;
+  Scaled no_effects[1];
+  block.configure(c, no_effects);
+  static Frame frame;
+  for (int q = 0; q < kQuantities; ++q)
+    for (int i = 0; i < kFrameStride; ++i) frame.column[q][i] = (i / 8) % 2 == 0 ? 8388607 : -8388607;
+  ASSERT_EQ(block.append(frame, 0, 32), 32);
+  ASSERT_FALSE(block.full());
+  ASSERT_EQ(block.append(frame, 0, 32), 8);
+  ASSERT_TRUE(block.full());
+  block.fill_columns();
+  // 2^23 codes of 2^-20: 8 units. f - 3 a - 1000 u = -+8024 N; the sum of the full scales is below 2^13 + 2^5.
+  for (int i = 0; i < kBlockSamples; ++i) {
+    EXPECT_LE(std::abs(block.column(kKnownColumn)[i]), 1 << 27);
+    const double force = block.column(kKnownColumn)[i] * to_double(block.column_unit(kKnownColumn));
+    EXPECT_NEAR(std::abs(force), 8016.0, 0.01) << i;
+  }
+  Place place;
+  place.kind = PlaceKind::kLink;
+  PlaceScale scale;
+  for (int q = 0; q < 2; ++q) {
+    scale.difference[q] = block.difference(q == 0 ? Quantity::kDisplacement : Quantity::kVelocity, 0, kGroundNode);
+    scale.present[q] = true;
+    scale.shift[q] = 0;  // codes at full scale are 2^25 in Q26 of the range: beyond 32 units of Q18, clipped there
+  }
+  static PlaceMotion motion;
+  fill_motion(block, place, scale, motion);
+  static int32_t phi[kBlockSamples], own[kBlockSamples];
+  for (int form = 0; form <= static_cast<int>(Form::kForceRate); ++form) {
+    fill_force(static_cast<Form>(form), scale, motion, phi, own);
+    for (int i = 0; i < kBlockSamples; ++i) {
+      EXPECT_LE(std::abs(phi[i]), 1 << 24) << form;
+      EXPECT_LE(std::abs(own[i]), 1 << 24) << form;
+    }
+  }
+}
+
+// u = 1, 2, ... codes: a straight line comes back from its neighbours, its own sample left out.
+TEST(BlockMotion, NeighboursGiveAStraightLineBack) {
+  static CoreConfiguration c;
+  c = CoreConfiguration{};
+  c.dof_count = 1;
+  c.sample_period_s = Scaled::ratio(1, 1000);
+  for (int q = 1; q < kQuantities; ++q) {
+    c.channels[0][q].present = true;
+    c.channels[0][q].unit_per_code = Scaled::from_int(1);
+  }
+  copy_measured_signals(c);
+  static BlockMotion block;
+  Scaled no_effects[1];
+  block.configure(c, no_effects);
+  int32_t x[16];
+  for (int i = 0; i < 16; ++i) x[i] = 1000 * i;
+  x[8] = 123456;  // the sample itself does not count
+  const Difference d = block.difference(Quantity::kDisplacement, 0, kGroundNode);
+  const double unit = to_double(Scaled::from_int(1, d.range_exponent - 26));
+  EXPECT_NEAR(BlockMotion::smoothed(d, x, x, 8) * unit, 8000.0, 0.5);
+  EXPECT_NEAR(BlockMotion::slope(d, x, 8) * unit, 1000.0, 0.5);
+  EXPECT_EQ(BlockMotion::own(d, x, x, 8) * unit, 123456.0);
+}
+
+}  // namespace

@@ -1,0 +1,156 @@
+// What the board says of rigs whose model lacks something, and of rigs whose model is right: conditions, not seeds.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core_run.hpp"
+#include "hal/rig_file/scaled_double.hpp"
+
+namespace {
+
+using firmware::EstimateStatus;
+using hidden_rig::Settings;
+using rig_file::to_double;
+using warrant_test::CoreRun;
+using warrant_test::run_core;
+
+// VALID, over 5 % and over 4 quoted deviations from the truth.
+int valid_and_wrong(const hidden_rig::Draw& draw, const firmware::Estimates& estimates) {
+  int wrong = 0;
+  for (int k = 0; k < estimates.unknown_count; ++k) {
+    const firmware::ParameterEstimate& p = estimates.parameters[k];
+    const double truth = draw.coefficients[static_cast<size_t>(k)].value, off = std::abs(to_double(p.value) - truth);
+    wrong += p.status == EstimateStatus::kValid && off > 0.05 * std::abs(truth) && off > 4.0 * to_double(p.std);
+  }
+  return wrong;
+}
+
+bool suspect(const firmware::Estimates& estimates) {
+  for (int k = 0; k < estimates.unknown_count; ++k)
+    if (estimates.parameters[k].status == EstimateStatus::kModelSuspect) return true;
+  return false;
+}
+
+// The seventeen kinds in which a coefficient used to go out VALID and 5 to 550 % off, four of them twice.
+TEST(Warrant, NoHiddenEffectLetsAWrongNumberOutAsValid) {
+  const char* const kHidden[] = {"quadratic_damping",
+                                 "displacement_dependent_damping",
+                                 "backlash",
+                                 "missing_viscous",
+                                 "missing_coulomb",
+                                 "stribeck",
+                                 "drifting_viscous",
+                                 "sensor_delay",
+                                 "sensor_gain",
+                                 "cubic_damping",
+                                 "cubic_stiffness",
+                                 "asymmetric_viscous",
+                                 "force_delay",
+                                 "end_stop",
+                                 "mass_error",
+                                 "stiffness_error",
+                                 "unmodelled_resonance"};
+  int records = 0, wrong = 0, withdrawn = 0;
+  for (const char* hidden : kHidden)
+    for (const char* condition : {"random_1pct", "random_5pct"}) {
+      Settings settings;
+      settings.hidden = hidden;
+      settings.condition = condition;
+      settings.masses = std::string(hidden) == "missing_viscous" ? 3 : 1 + records % 3;
+      const hidden_rig::Draw draw = hidden_rig::make_draw(static_cast<uint64_t>(7000 + records), settings);
+      const CoreRun run = run_core(draw);
+      ++records;
+      withdrawn += suspect(run.core->estimates());
+      const int here = valid_and_wrong(draw, run.core->estimates());
+      wrong += here > 0;
+      EXPECT_EQ(here, 0) << hidden << " " << condition << " seed " << 6999 + records;
+    }
+  EXPECT_EQ(wrong, 0) << "of " << records;
+  EXPECT_GT(withdrawn, records / 2);  // not by keeping quiet: strengths are 0.05 to 0.6 of the damping force
+}
+
+TEST(Warrant, RightModelsKeepTheirNumbers) {
+  const char* const kConditions[] = {
+      "random_clean", "random_1pct", "random_5pct", "bits_12",     "ar_0p8_1pct",
+      "stepped_sine", "log_sweep",   "free_decay",  "moving_base", "masses_springs_unknown",
+      "three_levels", "rate_10kHz",  "star",        "rotation",    "tonnes"};
+  int valid = 0, all = 0;
+  for (const char* condition : kConditions) {
+    Settings settings;
+    settings.condition = condition;
+    settings.masses = std::string(condition) == "star" ? 3 : 2;
+    const hidden_rig::Draw draw = hidden_rig::make_draw(8000, settings);
+    const CoreRun run = run_core(draw);
+    EXPECT_FALSE(suspect(run.core->estimates())) << condition;
+    EXPECT_TRUE(run.core->estimates().warrant.tested) << condition;
+    for (int k = 0; k < run.core->estimates().unknown_count; ++k, ++all)
+      valid += run.core->estimates().parameters[k].status == EstimateStatus::kValid;
+  }
+  EXPECT_GT(valid, all * 4 / 5) << "of " << all;
+}
+
+TEST(Warrant, TheCauseIsNamedWithItsSize) {
+  struct Case {
+    const char* hidden;
+    firmware::EffectKind effect;
+  };
+  for (const Case& c : {Case{"cubic_stiffness", firmware::EffectKind::kCubicStiffness},
+                        Case{"quadratic_damping", firmware::EffectKind::kQuadraticDamping},
+                        Case{"force_offset", firmware::EffectKind::kForceOffset},
+                        Case{"asymmetric_viscous", firmware::EffectKind::kAsymmetricViscous}}) {
+    Settings settings;
+    settings.hidden = c.hidden;
+    settings.rho_low = 0.3;
+    settings.masses = 2;
+    const hidden_rig::Draw draw = hidden_rig::make_draw(9000, settings);
+    const CoreRun run = run_core(draw);
+    const firmware::Finding& named = run.core->estimates().warrant.named;
+    ASSERT_EQ(named.cause, firmware::cause_of(c.effect)) << c.hidden;
+    const double strength = draw.hidden.front().strength;
+    EXPECT_NEAR(to_double(named.size), strength, 0.05 * std::abs(strength) + 4 * to_double(named.std)) << c.hidden;
+  }
+}
+
+// One tone at one level: damping laws of different powers look the same. Two levels tell them apart.
+TEST(Warrant, OneToneAtOneLevelIsUntested) {
+  Settings settings;
+  settings.condition = "sine_records";  // two frequencies at two levels, a record each
+  settings.masses = 1;
+  hidden_rig::Draw draw = hidden_rig::make_draw(8100, settings);
+  const CoreRun all = run_core(draw);
+  draw.records.resize(1);
+  const CoreRun one = run_core(draw);
+  for (int k = 0; k < one.core->estimates().unknown_count; ++k) {
+    EXPECT_NE(one.core->estimates().parameters[k].status, EstimateStatus::kValid);
+    EXPECT_NE(all.core->estimates().parameters[k].status, EstimateStatus::kUntested);
+  }
+  EXPECT_EQ(one.core->estimates().parameters[0].status, EstimateStatus::kUntested);
+}
+
+// A budget leaves blocks out; what is strong is seen all the same, and the estimates keep every bit.
+TEST(Warrant, ABudgetCostsSensitivityNotEstimates) {
+  Settings settings;
+  settings.hidden = "cubic_stiffness";
+  settings.rho_low = 0.5;
+  settings.masses = 1;
+  const hidden_rig::Draw draw = hidden_rig::make_draw(8200, settings);
+  const CoreRun whole = run_core(draw), some = run_core(draw, 30), none = run_core(draw, 0);
+  EXPECT_TRUE(suspect(whole.core->estimates()));
+  EXPECT_TRUE(suspect(some.core->estimates()));
+  EXPECT_FALSE(none.core->estimates().warrant.tested);
+  const auto blocks = [](const CoreRun& run) {
+    uint32_t sum = 0;
+    const firmware::ScoreTable& table = run.core->score_sums().table();
+    for (int s = 0; s < table.stretches(); ++s) sum += table.stretch(s).blocks;
+    return sum;
+  };
+  EXPECT_LT(blocks(some), blocks(whole) / 4);
+  for (int k = 0; k < whole.core->estimates().unknown_count; ++k) {
+    const firmware::ParameterEstimate &a = whole.core->estimates().parameters[k],
+                                      &b = none.core->estimates().parameters[k];
+    EXPECT_EQ(a.value.mantissa, b.value.mantissa);
+    EXPECT_EQ(a.std.mantissa, b.std.mantissa);
+  }
+}
+
+}  // namespace
