@@ -25,6 +25,7 @@ EstimatorCore::EstimatorCore(const CoreConfiguration& configuration, CoreDetail 
 }
 
 void EstimatorCore::reset() {
+  sums_.forget();
   collector_.clear(configuration_, sums_.layout());
   if (probes_) score_sums_.clear();
   estimates_ = Estimates{};
@@ -123,8 +124,11 @@ const Estimates& EstimatorCore::solve() {
   identify(configuration_, table_, memory_, estimates_);
   if (!probes_) return estimates_;
   score_sums_.flush();
-  const bool judged = any_estimate(estimates_) && score_test_.judge(configuration_, score_sums_, estimates_);
-  give_verdict(configuration_, score_sums_, score_test_, judged, estimates_);
+  // The score tests do not know what friction does where its direction is not clear.
+  const bool calibrated = independent_instrument(configuration_) && !sums_.friction_often_unclear();
+  const bool judged =
+      calibrated && any_estimate(estimates_) && score_test_.judge(configuration_, score_sums_, estimates_);
+  give_verdict(configuration_, score_sums_, score_test_, {calibrated, judged}, estimates_);
   return estimates_;
 }
 

@@ -11,7 +11,7 @@ constexpr int kDisplacement = static_cast<int>(Weight::kDisplacement);
 
 // Mean differences between a rate and its neighbours beyond which the rate's sign is clear (links/clear_sign.hpp). Half of a
 // derived velocity's noise and more is slower than that.
-constexpr int kClearMeans = 4, kClearMeansDerived = 8;
+constexpr int kClearMeans = 2, kClearMeansDerived = 8;
 
 bool measured_velocity(const CoreConfiguration& configuration, int node) {
   return node == kGroundNode || !configuration.signals[node][static_cast<int>(Quantity::kVelocity)].derived;
@@ -54,6 +54,16 @@ void EnergySums::configure(const CoreConfiguration& configuration, int weights) 
     if (!plan_.dof[plan_.incidence[n].dof].has_acceleration) locates_crossings_[term.place] = true;
   }
   restart();
+}
+
+void EnergySums::forget() {
+  for (ClearSign& sign : clear_sign_) sign.forget();
+}
+
+bool EnergySums::friction_often_unclear() const {
+  for (int l = 0; l < configuration_->link_count; ++l)
+    if (wants_clear_sign_[l] && clear_sign_[l].often_unclear()) return true;
+  return false;
 }
 
 void EnergySums::restart() {

@@ -19,6 +19,9 @@ class EnergySums {
   const Scaled* effect_units() const { return &plan_.column_unit[kEffectColumn]; }  // SI, in the order of the terms
 
   void restart();  // a new level
+  void forget();   // all levels
+  // Does a link whose friction is estimated have no clear direction in more than a fifth of the samples?
+  bool friction_often_unclear() const;
   // Works on positions [kLeadIn, kLeadIn + count) of the frame; position kLeadIn + count is the boundary to what follows.
   void add_block(Frame& frame, int count);
   uint32_t samples() const { return started_ ? samples_ : 0; }  // since the batch was started

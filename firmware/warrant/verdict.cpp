@@ -81,18 +81,26 @@ bool is_damping(TermKind kind) { return kind != TermKind::kMass && !row_of(kind)
 bool one_amplitude(const CoreConfiguration& configuration, const ScoreTest& test, int unknown) {
   const Term* term = term_of(configuration, unknown);
   if (term == nullptr || !is_damping(term->kind)) return false;
+  if (test.levels() > 1) return false;  // another frequency or amplitude asks the model another question
   const Scaled shape = test.rate_kurtosis(term->place);
   return !shape.is_zero() && shape < Scaled::ratio(kOneTonePercent, 100);
 }
 
 }  // namespace
 
-void give_verdict(const CoreConfiguration& configuration, const ScoreSums& sums, const ScoreTest& test, bool judged,
+bool independent_instrument(const CoreConfiguration& configuration) {
+  for (int node = 0; node < kMaxNodes; ++node)
+    for (const SignalConfiguration& signal : configuration.signals[node])
+      if (signal.available && signal.derived) return false;
+  return true;
+}
+
+void give_verdict(const CoreConfiguration& configuration, const ScoreSums& sums, const ScoreTest& test, TestState state,
                   Estimates& estimates) {
   Warrant& warrant = estimates.warrant;
   warrant = Warrant{};
-  warrant.tested = judged;
-  if (judged) tell(sums, test, warrant);
+  warrant.tested = state.judged;
+  if (warrant.tested) tell(sums, test, warrant);
   Finding late;
   if (late_channel(estimates, late)) {
     warrant.rival = warrant.named;
@@ -101,7 +109,8 @@ void give_verdict(const CoreConfiguration& configuration, const ScoreSums& sums,
   for (int k = 0; k < estimates.unknown_count; ++k) {
     ParameterEstimate& parameter = estimates.parameters[k];
     if (impossible(configuration, k, parameter)) raise(parameter, EstimateStatus::kModelSuspect);
-    if (!judged) {
+    if (!state.calibrated) continue;
+    if (!state.judged) {
       raise(parameter, EstimateStatus::kUntested);
       continue;
     }

@@ -69,21 +69,27 @@ Eigen::MatrixXd covariance(const std::vector<Eigen::VectorXd>& draws, Eigen::Ind
 }  // namespace
 
 Bound::Bound(const BatchTable& clean, const std::vector<double>& truth) : truth_(truth) {
-  for (const Range& range : list_groups(clean)) groups_.push_back({columns(clean, range), {}});
+  for (const Range& range : list_groups(clean)) {
+    const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(clean.layout.dof_count, clean.layout.unknown_count);
+    groups_.push_back({none, {}});
+  }
 }
 
 void Bound::add(const BatchTable& noisy) {
   const std::vector<Range> ranges = list_groups(noisy);
-  for (size_t g = 0; g < groups_.size(); ++g) groups_[g].draws.push_back(observe(noisy, ranges[g], truth_));
+  for (size_t g = 0; g < groups_.size(); ++g) {
+    groups_[g].draws.push_back(observe(noisy, ranges[g], truth_));
+    groups_[g].sum += columns(noisy, ranges[g]);
+  }
 }
 
 std::vector<double> Bound::deviations(bool with_identities) const {
   const auto unknowns = static_cast<Eigen::Index>(truth_.size());
   Eigen::MatrixXd information = Eigen::MatrixXd::Zero(unknowns, unknowns);
   for (const Group& group : groups_) {
-    const Eigen::Index dofs = group.columns.rows(), size = with_identities ? 3 * dofs : dofs;
+    const Eigen::Index dofs = group.sum.rows(), size = with_identities ? 3 * dofs : dofs;
     Eigen::MatrixXd wide = Eigen::MatrixXd::Zero(size, unknowns);
-    wide.topRows(dofs) = group.columns;
+    wide.topRows(dofs) = group.sum / static_cast<double>(group.draws.size());
     information += wide.transpose() * covariance(group.draws, size).ldlt().solve(wide);
   }
   const Eigen::MatrixXd inverse = information.inverse();

@@ -1,4 +1,5 @@
-// The smallest scatter that the energy rows allow: generalised least squares with noise-free rows and the true
+// The smallest scatter that the energy rows, as the core counts them, allow: generalised least squares with rows free of
+// noise (the mean of the draws) and the true
 // covariance of the row noise, which the draws themselves give.
 //
 // Two bounds. "rows": from the energy equations alone. "identities": the kinematic discrepancies of all DOFs are
@@ -23,7 +24,9 @@ class Bound {
  private:
   // What is observed together: all DOFs of one periodic level, or of one batch of another level.
   struct Group {
-    Eigen::MatrixXd columns;             // noise-free, one row per DOF
+    // Of the draws' columns, one row per DOF. Their mean is what the rows really hold: which samples count for friction
+    // depends on the noise (links/clear_sign.hpp), and the instrument's own noise has the mean zero.
+    Eigen::MatrixXd sum;
     std::vector<Eigen::VectorXd> draws;  // row residuals of all DOFs, then kinetic and elastic discrepancies
   };
   std::vector<double> deviations(bool with_identities) const;
