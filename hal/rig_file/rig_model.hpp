@@ -43,6 +43,9 @@ struct ChannelEntry {
   // The converter's rails, a code at or beyond them is a saturated sensor; equal: not told.
   int lowest_code = 0;
   int highest_code = 0;
+  std::string column;       // of the data file that holds the channel: "Chan 3"; empty: the channel's name
+  std::string unit;         // that column is in: "g"; empty: what the file says
+  std::string sensitivity;  // of a sensor whose column is a voltage: "100 mV/g"
 };
 
 struct RigModel {

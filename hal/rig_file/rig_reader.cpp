@@ -162,8 +162,8 @@ void read_codes(const Place& place, const toml::table& table, ChannelEntry& entr
 }
 
 void read_channels(const toml::table& root, const ReadOptions& options, RigModel& model) {
-  std::vector<std::string> known = {"name",        "delay_us",    "unit_per_code", "offset_code", "full_scale_code",
-                                    "lowest_code", "highest_code"};
+  std::vector<std::string> known = {"name",        "delay_us",     "unit_per_code", "offset_code", "full_scale_code",
+                                    "lowest_code", "highest_code", "column",        "unit",        "sensitivity"};
   known.insert(known.end(), options.other_channel_keys.begin(), options.other_channel_keys.end());
   for (const toml::table* table : table_array({model.file, ""}, root, "channel")) {
     const Place place{model.file, "channel " + std::to_string(model.channels.size() + 1)};
@@ -188,6 +188,9 @@ void read_channels(const toml::table& root, const ReadOptions& options, RigModel
       if (entry.unit_per_code == 0.0)
         refuse(place, *node, "unit_per_code", "is 0, expected SI units per converter code");
     }
+    if (const auto* node = optional("column")) entry.column = text(place, *node, "column");
+    if (const auto* node = optional("unit")) entry.unit = text(place, *node, "unit");
+    if (const auto* node = optional("sensitivity")) entry.sensitivity = text(place, *node, "sensitivity");
     read_codes(place, *table, entry);
     for (const char* key : {"offset_code", "full_scale_code", "lowest_code", "highest_code"})
       if (optional(key) != nullptr && entry.unit_per_code == 0.0)

@@ -64,6 +64,9 @@ std::string format_channel(const ChannelEntry& channel) {
                 ? "full_scale_code = " + std::to_string(channel.highest_code) + "\n"
                 : "lowest_code = " + std::to_string(channel.lowest_code) +
                       "\nhighest_code = " + std::to_string(channel.highest_code) + "\n";
+  if (!channel.column.empty()) text += "column = " + quoted(channel.column) + "\n";
+  if (!channel.unit.empty()) text += "unit = " + quoted(channel.unit) + "\n";
+  if (!channel.sensitivity.empty()) text += "sensitivity = " + quoted(channel.sensitivity) + "\n";
   return text;
 }
 

@@ -27,7 +27,7 @@ bool LogReader::next_line() {
 
 bool LogReader::next(LogEntry& entry) {
   while (next_line()) {
-    if (!too_long_ && parse_line(text_, entry)) {
+    if (!too_long_ && (parse_line(text_, entry) || asc_.parse(text_, entry))) {
       ++frames_;
       return true;
     }

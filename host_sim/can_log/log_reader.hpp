@@ -1,10 +1,10 @@
-// Frames out of a candump text, whatever else stands in it.
+// Frames out of a candump text or a Vector .asc log, whatever else stands in it.
 #pragma once
 #include <cstdint>
 #include <istream>
 #include <string>
 
-#include "host_sim/can_log/candump_line.hpp"
+#include "host_sim/can_log/asc_line.hpp"
 
 namespace can_log {
 
@@ -23,6 +23,7 @@ class LogReader {
 
   std::istream& input_;
   std::string text_;
+  AscLog asc_;
   bool too_long_ = false;
   uint64_t frames_ = 0, skipped_ = 0, line_ = 0, first_skipped_line_ = 0;
 };

@@ -68,11 +68,39 @@ struct TextCursor {
   }
 };
 
-// "(seconds.fraction)", one to nine decimals.
+// Days from 1 January 1970 to a date of the Gregorian calendar, whose years are taken to begin in March.
+inline int64_t days_since_1970(int64_t year, int64_t month, int64_t day) {
+  if (month <= 2) --year;
+  const int64_t era = year / 400, year_of_era = year - 400 * era,
+                day_of_year = (153 * (month > 2 ? month - 3 : month + 9) + 2) / 5 + day - 1,
+                day_of_era = 365 * year_of_era + year_of_era / 4 - year_of_era / 100 + day_of_year;
+  return era * 146097 + day_of_era - 719468;
+}
+
+// "2026-11-22 07:00:00" as seconds since 1970, the clock taken as UTC.
+inline bool take_calendar(TextCursor& cursor, uint64_t& seconds) {
+  TextCursor ahead = cursor;
+  uint64_t year = 0, part[5] = {};  // month, day, hour, minute, second
+  const char before[5] = {'-', '-', ' ', ':', ':'};
+  if (ahead.take_decimal(year, 4) != 4 || year < 1970) return false;
+  for (int i = 0; i < 5; ++i)
+    if (!ahead.take(before[i]) || ahead.take_decimal(part[i], 2) != 2) return false;
+  if (part[0] < 1 || part[0] > 12 || part[1] < 1 || part[1] > 31 || part[2] > 23 || part[3] > 59 || part[4] > 60)
+    return false;
+  const int64_t days =
+      days_since_1970(static_cast<int64_t>(year), static_cast<int64_t>(part[0]), static_cast<int64_t>(part[1]));
+  seconds = static_cast<uint64_t>(days) * 86400u + part[2] * 3600u + part[3] * 60u + part[4];
+  cursor = ahead;
+  return true;
+}
+
+// "(seconds.fraction)" or "(2026-11-22 07:00:00.fraction)" (candump -tA), one to nine decimals.
 inline bool take_time(TextCursor& cursor, uint64_t& time_ns) {
   TextCursor ahead = cursor;
   uint64_t seconds = 0, fraction = 0;
-  if (!ahead.take('(') || ahead.take_decimal(seconds, 10) == 0 || !ahead.take('.')) return false;
+  if (!ahead.take('(')) return false;
+  if (!take_calendar(ahead, seconds) && ahead.take_decimal(seconds, 10) == 0) return false;
+  if (!ahead.take('.')) return false;
   int digits = ahead.take_decimal(fraction, 9);
   if (digits == 0 || !ahead.take(')')) return false;
   for (; digits < 9; ++digits) fraction *= 10;

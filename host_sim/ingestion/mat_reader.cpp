@@ -5,6 +5,8 @@
 #include <cmath>
 #include <memory>
 
+#include "host_sim/records/columns/column_meaning.hpp"
+#include "host_sim/records/columns/column_name.hpp"
 #include "host_sim/records/data_file_error.hpp"
 #include "host_sim/records/record_checks.hpp"
 
@@ -79,13 +81,18 @@ std::vector<double> real_values(const std::string& file, const std::string& name
   }
 }
 
-// What a MAT file gives, before it is checked as a whole.
-struct Collected {
-  std::string file;
-  const rig_file::RigModel& model;
-  Record record;
-  std::vector<double> time_s;
+// The variables of one record: the top of the file or one struct.
+struct Group {
+  std::string label;  // of the struct; empty at the top
+  std::vector<Column> names;
+  std::vector<std::vector<double>> values;  // empty where the variable is ignored
   double sample_rate_Hz = 0.0;
+};
+
+struct Source {
+  const std::string& file;
+  const rig_file::RigModel& model;
+  const ReadingOptions& options;
 };
 
 void check_vector(const std::string& file, const std::string& name, const matvar_t& variable) {
@@ -99,76 +106,102 @@ void check_finite(const std::string& file, const std::string& name, const std::v
       fail(file, name, "element " + std::to_string(i + 1) + " is not a finite number, expected measured values");
 }
 
-void collect(const matvar_t& variable, Collected& into) {
-  const std::string name = variable.name == nullptr ? "" : variable.name;
-  if (!numeric(variable) || variable.data == nullptr) return;  // text, cells, empty matrices
-  if (name == "sample_rate_Hz") {
-    const std::vector<double> value = real_values(into.file, name, variable);
-    if (value.size() != 1 || !std::isfinite(value[0]) || !(value[0] > 0.0))
-      fail(into.file, name, "expected one number above 0");
-    into.sample_rate_Hz = value[0];
-    return;
-  }
-  if (name != "t_s" && element_count(variable) == 1) return;
-  check_vector(into.file, name, variable);
-  std::vector<double> values = real_values(into.file, name, variable);
-  check_finite(into.file, name, values);
-  if (name == "t_s") {
-    into.time_s = std::move(values);
-    return;
-  }
-  Channel channel = channel_of_name(name, into.model, into.file, 0);
-  if (into.record.find(channel.quantity, channel.dof) != nullptr)
-    fail(into.file, name, "for the second time, expected each channel once");
-  channel.values = std::move(values);
-  into.record.channels.push_back(std::move(channel));
+bool is_sample_rate(const std::string& name) {
+  return name == "sample_rate_Hz" || name == "sample_rate" || name == "fs" || name == "Fs" || name == "fs_Hz";
 }
 
-void collect_struct(matvar_t& variable, Collected& into) {
-  if (element_count(variable) != 1)
-    fail(into.file, variable.name, "an array of structs, expected one struct (one file per record)");
+void collect(const std::string& name, const matvar_t& variable, const Source& source, Group& group) {
+  if (!numeric(variable) || variable.data == nullptr) return;  // text, cells, empty matrices
+  if (is_sample_rate(name)) {
+    const std::vector<double> value = real_values(source.file, name, variable);
+    if (value.size() != 1 || !std::isfinite(value[0]) || !(value[0] > 0.0))
+      fail(source.file, name, "expected one number above 0");
+    group.sample_rate_Hz = value[0];
+    return;
+  }
+  std::string suffix;
+  const bool wanted = means_channel(name, source.model, source.options) || is_time_name(name, suffix);
+  if (element_count(variable) == 1 && name != "t_s") return;
+  group.names.push_back({name, ""});
+  group.values.emplace_back();
+  if (!wanted) return;
+  check_vector(source.file, name, variable);
+  group.values.back() = real_values(source.file, name, variable);
+  check_finite(source.file, name, group.values.back());
+}
+
+void collect_structs(matvar_t& variable, const Source& source, std::vector<Group>& groups) {
   const unsigned fields = Mat_VarGetNumberOfFields(&variable);
   char* const* const names = Mat_VarGetStructFieldnames(&variable);
-  for (unsigned i = 0; i < fields; ++i) {
-    matvar_t* const field = Mat_VarGetStructFieldByIndex(&variable, i, 0);
-    if (field == nullptr) continue;
-    char* const kept = field->name;  // fields of some files carry no name of their own
-    field->name = names[i];
-    try {
-      collect(*field, into);
-    } catch (...) {
-      field->name = kept;
-      throw;
-    }
-    field->name = kept;
+  const size_t count = element_count(variable);
+  for (size_t element = 0; element < count; ++element) {
+    Group group;
+    group.label = variable.name + (count > 1 ? "(" + std::to_string(element + 1) + ")" : std::string());
+    for (unsigned i = 0; i < fields; ++i)
+      if (const matvar_t* const field = Mat_VarGetStructFieldByIndex(&variable, i, element))
+        collect(names[i], *field, source, group);
+    groups.push_back(std::move(group));
   }
 }
 
-void finish(Collected& collected) {
-  Record& record = collected.record;
-  record.file = collected.file;
-  if (record.channels.empty())
-    throw DataFileError(collected.file, 0, "no channel, expected variables such as force_1_N and displacement_1_m");
+void set_time(const Group& group, const std::vector<double>& time_s, const Source& source, Record& record) {
+  if (!time_s.empty() && source.options.sample_rate_Hz <= 0.0) {
+    if (time_s.size() != record.samples())
+      fail(source.file, "t_s",
+           std::to_string(time_s.size()) + " values, expected " + std::to_string(record.samples()) + " as in " +
+               record.channels.front().name);
+    try {
+      set_time_base(
+          time_s, [](size_t sample) { return sample; }, record);
+    } catch (const DataFileError& error) {  // its line is the element of t_s
+      throw DataFileError(source.file, 0, "element " + std::to_string(error.line + 1) + " of " + error.problem);
+    }
+    return;
+  }
+  const double rate_Hz = source.options.sample_rate_Hz > 0.0 ? source.options.sample_rate_Hz : group.sample_rate_Hz;
+  if (!(rate_Hz > 0.0))
+    throw DataFileError(source.file, 0, "no time, expected a variable t_s or sample_rate_Hz, or --sample-rate");
+  record.sample_period_s = 1.0 / rate_Hz;
+}
+
+[[noreturn]] void refuse_without_channels(const std::vector<Group>& groups, const std::string& file) {
+  std::string names;
+  for (const Group& group : groups)
+    for (const Column& name : group.names) names += (names.empty() ? "" : ", ") + ("\"" + name.head + "\"");
+  throw DataFileError(file, 0,
+                      "no channel" + (names.empty() ? "" : " among the variables " + names) +
+                          ", expected variables such as force_1_N and displacement_1_m, or --column "
+                          "displacement_1=NAME for a variable with a name of its own");
+}
+
+Record record_of(Group& group, const Source& source) {
+  Record record;
+  record.file = source.file + (group.label.empty() ? "" : ", " + group.label);
+  ColumnPlan plan = plan_columns(group.names, source.model, source.options, source.file, 0);
+  record.notes = plan.notes;
+  std::vector<double> time_s;
+  for (size_t i = 0; i < plan.uses.size(); ++i) {
+    ColumnUse& use = plan.uses[i];
+    for (double& value : group.values[i]) value *= use.factor;
+    if (use.kind == ColumnUse::Kind::kTime) time_s = std::move(group.values[i]);
+    if (use.kind != ColumnUse::Kind::kChannel) continue;
+    record.channels.push_back(std::move(use.channel));
+    record.channels.back().values = std::move(group.values[i]);
+  }
+  if (record.channels.empty()) refuse_without_channels({group}, source.file);
   for (const Channel& channel : record.channels)
     if (channel.values.size() != record.samples())
-      fail(collected.file, channel.name,
+      fail(source.file, channel.name,
            std::to_string(channel.values.size()) + " values, expected " + std::to_string(record.samples()) + " as in " +
                record.channels.front().name);
-  if (!collected.time_s.empty()) {
-    if (collected.time_s.size() != record.samples())
-      fail(collected.file, "t_s",
-           std::to_string(collected.time_s.size()) + " values, expected " + std::to_string(record.samples()) +
-               " as in " + record.channels.front().name);
-    try {
-      set_time_base(collected.time_s, 0, record);
-    } catch (const DataFileError& error) {  // its line is the element of t_s
-      throw DataFileError(collected.file, 0, "element " + std::to_string(error.line + 1) + " of " + error.problem);
-    }
-  } else if (collected.sample_rate_Hz > 0.0) {
-    record.sample_period_s = 1.0 / collected.sample_rate_Hz;
-  } else {
-    throw DataFileError(collected.file, 0, "no time, expected a variable t_s or sample_rate_Hz");
-  }
+  set_time(group, time_s, source, record);
+  return record;
+}
+
+bool any_channel(const Group& group) {
+  for (size_t i = 0; i < group.names.size(); ++i)
+    if (!group.values[i].empty() && group.names[i].head != "t_s") return true;
+  return false;
 }
 
 }  // namespace
@@ -179,22 +212,29 @@ bool is_mat(const std::string& path, std::string_view content) {
   return extension || content.substr(0, 7) == "MATLAB ";
 }
 
-Record read_mat(const std::string& path, const rig_file::RigModel& model) {
+std::vector<Record> read_mat(const std::string& path, const rig_file::RigModel& model, const ReadingOptions& options) {
   Mat_LogInitFunc(nullptr, [](int, char*) {});  // the library's own messages say less than ours
   const File file(Mat_Open(path.c_str(), MAT_ACC_RDONLY), Mat_Close);
   if (!file) throw DataFileError(path, 0, "is no MAT file that can be read, expected version 4, 5 or 7.3");
-  Collected collected{path, model, {}, {}, 0.0};
+  const Source source{path, model, options};
+  std::vector<Group> groups(1);
   for (;;) {
     const Variable variable(Mat_VarReadNext(file.get()), Mat_VarFree);
     if (!variable) break;
     if (variable->class_type == MAT_C_STRUCT) {
-      collect_struct(*variable, collected);
+      collect_structs(*variable, source, groups);
     } else {
-      collect(*variable, collected);
+      collect(variable->name == nullptr ? "" : variable->name, *variable, source, groups.front());
     }
   }
-  finish(collected);
-  return std::move(collected.record);
+  std::vector<Record> records;
+  for (Group& group : groups) {
+    if (!any_channel(group) && groups.size() > 1) continue;  // beside structs, what stands at the top may be anything
+    if (group.sample_rate_Hz <= 0.0) group.sample_rate_Hz = groups.front().sample_rate_Hz;
+    records.push_back(record_of(group, source));
+  }
+  if (records.empty()) refuse_without_channels(groups, path);
+  return records;
 }
 
 }  // namespace host_sim

@@ -1,4 +1,5 @@
-// candump logs of the sensor frames (docs/can_protocol.md), as `candump -L` writes them: raw codes to SI units.
+// CAN logs of the sensor frames (docs/can_protocol.md), as `candump -L` or `candump -ta`, `-tA`, `-tz` write them, or
+// Vector's tools as .asc: raw codes to SI units.
 //
 // The calibration of a channel is the rig file's [[channel]] with unit_per_code, or else what the controller on the bus
 // says of it (frames `scaling` and `range`). A channel without one is not read. Every sample must be whole: all frames
@@ -12,7 +13,7 @@
 
 namespace host_sim {
 
-// Extension .log or .candump, or a first line that is a frame.
+// Extension .log, .candump or .asc, or a first line that is a frame or the head of an .asc log.
 bool is_sensor_log(const std::string& path, std::string_view content);
 
 // Throws DataFileError with the line. Lines that are no frame, and frames of others, are passed over.

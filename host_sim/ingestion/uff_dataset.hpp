@@ -13,6 +13,7 @@ class Lines {
   bool next(std::string_view& line);            // false at the end
   std::string_view required(const char* what);  // throws DataFileError at the end of the file
   size_t number() const { return number_; }     // of the last line handed out
+  std::string_view take_bytes(size_t count);    // throws DataFileError where the file ends before them
   [[noreturn]] void fail(const std::string& problem) const;
   const std::string& file() const { return file_; }
 
@@ -45,8 +46,17 @@ struct Units {
   double length = 1.0, force = 1.0;
 };
 
-// Reads dataset 58 after its number, through its closing -1.
-Function read_function(Lines& lines);
+// How the values of a dataset 58b lie in the file, from the line of its number.
+struct BinaryForm {
+  bool big_endian = false;
+  size_t bytes = 0;  // of the values
+};
+// "58b" and its fields; throws DataFileError for floating point formats other than IEEE 754.
+BinaryForm read_binary_form(const Lines& lines, std::string_view line);
+
+// Reads dataset 58 after its number, through its closing -1; with a form, dataset 58b. A function that is no time
+// response (type above 1) comes without values.
+Function read_function(Lines& lines, const BinaryForm* binary = nullptr);
 // Likewise dataset 164.
 Units read_units(Lines& lines);
 

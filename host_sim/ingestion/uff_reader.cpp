@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
+#include <optional>
 #include <set>
 
 #include "hal/rig_file/channel_name.hpp"
 #include "host_sim/ingestion/uff_dataset.hpp"
+#include "host_sim/records/columns/units.hpp"
 #include "host_sim/records/data_file_error.hpp"
 #include "host_sim/records/record_checks.hpp"
 
@@ -32,8 +35,48 @@ bool is_base(const uff::Function& function) {
   throw DataFileError(file, function.line, "dataset 58 that begins here: " + problem);
 }
 
-firmware::Quantity quantity_of(const std::string& file, const uff::Function& function) {
-  switch (function.ordinate_type) {
+// Table of the format's ordinate types (specific data type of record 9).
+const char* ordinate_word(int type) {
+  switch (type) {
+    case 0:
+      return "unknown";
+    case 1:
+      return "general";
+    case 2:
+      return "stress";
+    case 3:
+      return "strain";
+    case 5:
+      return "temperature";
+    case 6:
+      return "heat flux";
+    case 8:
+      return "displacement";
+    case 9:
+      return "reaction force";
+    case 11:
+      return "velocity";
+    case 12:
+      return "acceleration";
+    case 13:
+      return "excitation force";
+    case 15:
+      return "pressure";
+    case 16:
+      return "mass";
+    case 17:
+      return "time";
+    case 18:
+      return "frequency";
+    case 19:
+      return "rpm";
+    default:
+      return "not in the format's table";
+  }
+}
+
+std::optional<firmware::Quantity> quantity_of(int ordinate_type) {
+  switch (ordinate_type) {
     case 8:
       return firmware::Quantity::kDisplacement;
     case 11:
@@ -43,16 +86,35 @@ firmware::Quantity quantity_of(const std::string& file, const uff::Function& fun
     case 13:
       return firmware::Quantity::kForce;
     default:
-      fail(file, function,
-           "ordinate type " + std::to_string(function.ordinate_type) +
-               ", expected 8 (displacement), 11 (velocity), 12 (acceleration) or 13 (excitation force)");
+      return std::nullopt;
   }
 }
 
 struct Contents {
-  std::vector<uff::Function> functions;
+  std::vector<uff::Function> functions;  // time responses of a quantity that is used
   uff::Units units;
+  std::vector<std::string> ignored;  // what the others are, each once
 };
+
+void keep(uff::Function function, Contents& contents) {
+  std::string why;
+  if (function.function_type > 1)
+    why = "function type " + std::to_string(function.function_type) + " (no time response)";
+  else if (!quantity_of(function.ordinate_type))
+    why =
+        "ordinate type " + std::to_string(function.ordinate_type) + " (" + ordinate_word(function.ordinate_type) + ")";
+  if (why.empty()) {
+    contents.functions.push_back(std::move(function));
+  } else if (std::find(contents.ignored.begin(), contents.ignored.end(), why) == contents.ignored.end()) {
+    contents.ignored.push_back(why);
+  }
+}
+
+std::string joined(const std::vector<std::string>& texts) {
+  std::string all;
+  for (const std::string& text : texts) all += (all.empty() ? "" : ", ") + text;
+  return all;
+}
 
 Contents read_contents(std::string_view content, const std::string& file) {
   Contents contents;
@@ -61,18 +123,26 @@ Contents read_contents(std::string_view content, const std::string& file) {
   while (lines.next(line)) {
     if (uff::trimmed(line).empty()) continue;
     if (uff::trimmed(line) != "-1") lines.fail("expected -1, the start of a dataset");
-    const std::string number(uff::trimmed(lines.required("the number of a dataset")));
-    if (number.rfind("58b", 0) == 0) lines.fail("the binary form 58b, expected the ASCII form of dataset 58");
-    if (number == "58") {
-      contents.functions.push_back(uff::read_function(lines));
-    } else if (number == "164") {
+    const std::string_view number = lines.required("the number of a dataset");
+    if (uff::trimmed(number).substr(0, 3) == "58b") {
+      const uff::BinaryForm form = uff::read_binary_form(lines, number);
+      keep(uff::read_function(lines, &form), contents);
+    } else if (uff::trimmed(number) == "58") {
+      keep(uff::read_function(lines), contents);
+    } else if (uff::trimmed(number) == "164") {
       contents.units = uff::read_units(lines);
     } else {
       while (uff::trimmed(lines.required("-1, the end of the dataset")) != "-1") {
       }
     }
   }
-  if (contents.functions.empty()) throw DataFileError(file, 0, "no dataset 58, expected one per channel");
+  if (contents.functions.empty())
+    throw DataFileError(file, 0,
+                        contents.ignored.empty()
+                            ? "no dataset 58, expected one per channel"
+                            : "no channel of use, only " + joined(contents.ignored) +
+                                  "; expected time responses (function type 1) of ordinate type 8 (displacement), 11 "
+                                  "(velocity), 12 (acceleration) or 13 (excitation force)");
   return contents;
 }
 
@@ -81,7 +151,7 @@ std::vector<Place> places_in_order(const Contents& contents, const std::string& 
   std::set<Place> places;
   for (const uff::Function& function : contents.functions)
     if (!is_base(function)) places.insert({function.node, std::abs(function.direction)});
-  if (places.size() != model.dofs.size()) {
+  if (!model.dofs.empty() && places.size() != model.dofs.size()) {
     std::string found;
     for (const Place& place : places)
       found +=
@@ -105,21 +175,40 @@ bool base_rotates(const rig_file::RigModel& model) {
   return false;
 }
 
+// What a value is multiplied with: by the ordinate's label where it is a unit other than SI, else by dataset 164.
+double to_si(const uff::Function& function, const uff::Units& units, firmware::Quantity quantity, bool rotates,
+             const std::string& file) {
+  const Dimension dimension = dimension_of(quantity, rotates);
+  const double by_dataset = 1.0 / unit_factor(units, quantity, rotates);
+  const auto label = find_unit(function.ordinate_unit, dimension);
+  if (!label || label->dimension != dimension || label->to_si == 1.0) return by_dataset;
+  if (by_dataset != 1.0 && std::abs(by_dataset / label->to_si - 1.0) > 1e-3)
+    fail(file, function,
+         "ordinate unit \"" + function.ordinate_unit + "\" and dataset 164 disagree, expected one unit");
+  return label->to_si;
+}
+
 Channel channel_of(const uff::Function& function, int dof, const uff::Units& units, const std::string& file,
-                   const rig_file::RigModel& model) {
-  if (function.function_type > 1)
-    fail(file, function, "function type " + std::to_string(function.function_type) + ", expected 1 (time response)");
-  if (function.ordinate_unit == "g" || function.ordinate_unit == "G")
-    fail(file, function, "ordinate unit \"g\", expected m/s^2");
-  const firmware::Quantity quantity = quantity_of(file, function);
+                   const rig_file::RigModel& model, std::vector<std::string>& notes) {
+  const firmware::Quantity quantity = *quantity_of(function.ordinate_type);
   const int direction = std::abs(function.direction);
-  const bool rotates = direction == 0 ? (dof == rig_file::kBase ? base_rotates(model)
-                                                                : model.dofs[static_cast<size_t>(dof - 1)].rotating)
-                                      : direction > 3;
+  const bool of_rig = !model.dofs.empty();
+  const bool rig_rotates =
+      of_rig && (dof == rig_file::kBase ? base_rotates(model) : model.dofs[static_cast<size_t>(dof - 1)].rotating);
+  const bool rotates = direction == 0 ? rig_rotates : direction > 3;
   Channel channel =
       channel_of_name(rig_file::format_channel_name({quantity, dof, rotates}), model, file, function.line);
-  const double factor = (function.direction < 0 ? -1.0 : 1.0) / unit_factor(units, quantity, rotates);
-  for (double value : function.values) channel.values.push_back(value * factor);
+  const double size = to_si(function, units, quantity, rotates, file);
+  if (size != 1.0) {
+    char factor[40];
+    std::snprintf(factor, sizeof factor, "%.10g", size);
+    notes.push_back(channel.name + " in " +
+                    (function.ordinate_unit.empty() ? "the units of dataset 164" : function.ordinate_unit) +
+                    ": values times " + factor);
+  }
+  const double factor = function.direction < 0 ? -size : size;
+  channel.values.reserve(function.values.size());
+  for (const double value : function.values) channel.values.push_back(value * factor);
   return channel;
 }
 
@@ -141,17 +230,20 @@ bool is_uff(const std::string& path, std::string_view content) {
   return uff::trimmed(content.substr(0, content.find_first_of("\r\n"))) == "-1";
 }
 
-Record parse_uff(std::string_view content, const std::string& file, const rig_file::RigModel& model) {
-  const Contents contents = read_contents(content, file);
+std::vector<Record> parse_uff(std::string_view content, const std::string& file, const rig_file::RigModel& model,
+                              const ReadingOptions&) {
+  Contents contents = read_contents(content, file);
   const std::vector<Place> places = places_in_order(contents, file, model);
-  Record record;
-  record.file = file;
-  for (const uff::Function& function : contents.functions) {
+  std::vector<Record> records(1);
+  for (uff::Function& function : contents.functions) {
     const auto place = std::find(places.begin(), places.end(), Place(function.node, std::abs(function.direction)));
     const int dof = is_base(function) ? rig_file::kBase : static_cast<int>(place - places.begin()) + 1;
-    Channel channel = channel_of(function, dof, contents.units, file, model);
-    if (record.find(channel.quantity, channel.dof) != nullptr)
-      fail(file, function, channel.name + " for the second time, expected each channel once (one file per record)");
+    const Quantity quantity = static_cast<Quantity>(*quantity_of(function.ordinate_type));
+    size_t number = 0;  // a channel's first function is of the first record, its second of the second, ...
+    while (number < records.size() && records[number].find(quantity, dof) != nullptr) ++number;
+    if (number == records.size()) records.emplace_back();
+    Record& record = records[number];
+    Channel channel = channel_of(function, dof, contents.units, file, model, record.notes);
     if (record.channels.empty()) {
       record.sample_period_s = function.step_s;
       record.start_s = function.start_s;
@@ -159,8 +251,12 @@ Record parse_uff(std::string_view content, const std::string& file, const rig_fi
       check_alike(record, function, file);
     }
     record.channels.push_back(std::move(channel));
+    function.values = {};
   }
-  return record;
+  for (size_t i = 0; i < records.size(); ++i)
+    records[i].file = file + (records.size() > 1 ? ", record " + std::to_string(i + 1) : "");
+  if (!contents.ignored.empty()) records.front().notes.push_back("ignored: " + joined(contents.ignored));
+  return records;
 }
 
 }  // namespace host_sim

@@ -10,6 +10,7 @@ using Action = std::function<void()>;
 
 void add_run_command(CLI::App& app, Action& chosen);
 void add_estimate_command(CLI::App& app, Action& chosen);
+void add_check_command(CLI::App& app, Action& chosen);
 void add_diagnose_command(CLI::App& app, Action& chosen);
 void add_sweep_command(CLI::App& app, Action& chosen);
 void add_decode_command(CLI::App& app, Action& chosen);

@@ -31,6 +31,7 @@ int main(int argc, char** argv) {
   host_sim::Action chosen;
   host_sim::add_run_command(app, chosen);
   host_sim::add_estimate_command(app, chosen);
+  host_sim::add_check_command(app, chosen);
   host_sim::add_diagnose_command(app, chosen);
   host_sim::add_sweep_command(app, chosen);
   host_sim::add_decode_command(app, chosen);

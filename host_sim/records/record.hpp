@@ -19,7 +19,9 @@ struct Record {
   std::string file;
   double sample_period_s = 0.0;
   double start_s = 0.0;
-  std::vector<Channel> channels;  // all of one length
+  std::vector<Channel> channels;   // all of one length
+  double time_jitter_s = 0.0;      // rms of the file's sample times about even steps; 0 where it has none
+  std::vector<std::string> notes;  // what the reader made of the file: factors, ignored columns
   size_t samples() const { return channels.empty() ? 0 : channels.front().values.size(); }
   const Channel* find(Quantity quantity, int dof) const {
     for (const Channel& channel : channels)

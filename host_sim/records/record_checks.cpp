@@ -18,11 +18,74 @@ std::string seconds(double value) {
   return text;
 }
 
+double median_step(const std::vector<double>& time_s) {
+  std::vector<double> steps(time_s.size() - 1);
+  for (size_t i = 0; i < steps.size(); ++i) steps[i] = time_s[i + 1] - time_s[i];
+  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+  std::nth_element(steps.begin(), middle, steps.end());
+  return *middle;
+}
+
+// Least squares of t[i] = start + i step, and what is left.
+struct TimeLine {
+  double start = 0.0, step = 0.0, rms = 0.0, largest = 0.0;
+};
+
+TimeLine line_through(const std::vector<double>& time_s) {
+  const auto n = static_cast<double>(time_s.size());
+  const double middle = 0.5 * (n - 1.0);
+  double mean = 0.0, moment = 0.0;
+  for (size_t i = 0; i < time_s.size(); ++i) mean += (time_s[i] - time_s[0]) / n;
+  for (size_t i = 0; i < time_s.size(); ++i)
+    moment += (static_cast<double>(i) - middle) * (time_s[i] - time_s[0] - mean);
+  TimeLine line;
+  line.step = moment / (n * (n * n - 1.0) / 12.0);
+  line.start = time_s[0] + mean - middle * line.step;
+  double squares = 0.0;
+  for (size_t i = 0; i < time_s.size(); ++i) {
+    const double off = time_s[i] - line.start - static_cast<double>(i) * line.step;
+    squares += off * off;
+    line.largest = std::max(line.largest, std::abs(off));
+  }
+  line.rms = std::sqrt(squares / n);
+  return line;
+}
+
+// The place of the last decimal that any of the times has: 0.001 for 0.977 and 1.95. 0 where there is none.
+double last_decimal(const std::vector<double>& time_s) {
+  double place = 1.0;
+  for (int decimals = 0; decimals <= 9; ++decimals, place *= 0.1) {
+    bool whole = true;
+    for (size_t i = 0; whole && i < time_s.size(); ++i) {
+      const double units = time_s[i] / place;
+      whole = std::abs(units - std::nearbyint(units)) < 1e-3;
+    }
+    if (whole) return place;
+  }
+  return 0.0;
+}
+
+// Times that were even before they were rounded lie within half of the last decimal of a line; the line through rounded
+// times may miss the true one by a little, so 0.6 is allowed. A sample that is missing throws them off by half a step.
+bool take_rounded_times(const std::vector<double>& time_s, Record& record) {
+  const double place = last_decimal(time_s);
+  const TimeLine line = line_through(time_s);
+  if (place == 0.0 || !(line.step > 0.0) || time_s.size() < 16 || line.largest > 0.6 * place) return false;
+  if (place > 5.0 * line.step)  // half a step, by which a lost sample moves the line, is then within the 0.6
+    record.notes.push_back("times are rounded to " + seconds(place) + ", more than a step of " + seconds(line.step) +
+                           ": a lost sample would not show");
+  else
+    record.notes.push_back("times are rounded to " + seconds(place) + ": the step is " + seconds(line.step));
+  record.sample_period_s = line.step;
+  return true;
+}
+
 }  // namespace
 
 Channel channel_of_name(const std::string& name, const rig_file::RigModel& model, const std::string& file,
                         size_t line) {
-  const std::string fault = rig_file::channel_name_fault(name, model);
+  const bool any = model.dofs.empty() && rig_file::parse_channel_name(name);
+  const std::string fault = any ? "" : rig_file::channel_name_fault(name, model);
   if (!fault.empty()) throw DataFileError(file, line, "channel \"" + name + "\": " + fault);
   const rig_file::ChannelName parsed = *rig_file::parse_channel_name(name);
   Channel channel;
@@ -32,22 +95,22 @@ Channel channel_of_name(const std::string& name, const rig_file::RigModel& model
   return channel;
 }
 
-void set_time_base(const std::vector<double>& time_s, size_t first_line, Record& record) {
+void set_time_base(const std::vector<double>& time_s, const std::function<size_t(size_t)>& line_of, Record& record) {
   if (time_s.size() < 2)
     throw DataFileError(record.file, 0, "holds " + std::to_string(time_s.size()) + " samples, expected at least 2");
-  std::vector<double> steps(time_s.size() - 1);
-  for (size_t i = 0; i < steps.size(); ++i) steps[i] = time_s[i + 1] - time_s[i];
-  std::vector<double> sorted = steps;
-  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-  std::nth_element(sorted.begin(), middle, sorted.end());
-  const double usual = *middle;
-  for (size_t i = 0; i < steps.size(); ++i)
-    if (!(usual > 0.0) || std::abs(steps[i] - usual) > kStepTolerance * usual)
-      throw DataFileError(record.file, first_line + i + 1,
-                          "t_s steps by " + seconds(steps[i]) + ", expected a constant step" +
-                              (usual > 0.0 ? " of " + seconds(usual) + " within 1 %" : " above 0"));
+  const double usual = median_step(time_s);
+  size_t uneven = 1;
+  while (uneven < time_s.size() && usual > 0.0 &&
+         std::abs(time_s[uneven] - time_s[uneven - 1] - usual) <= kStepTolerance * usual)
+    ++uneven;
+  if (uneven < time_s.size() && !take_rounded_times(time_s, record))
+    throw DataFileError(record.file, line_of(uneven),
+                        "t_s steps by " + seconds(time_s[uneven] - time_s[uneven - 1]) + ", expected a constant step" +
+                            (usual > 0.0 ? " of " + seconds(usual) + " within 1 %" : " above 0"));
   record.start_s = time_s.front();
-  record.sample_period_s = (time_s.back() - time_s.front()) / static_cast<double>(steps.size());
+  if (uneven == time_s.size())
+    record.sample_period_s = (time_s.back() - time_s.front()) / static_cast<double>(time_s.size() - 1);
+  record.time_jitter_s = line_through(time_s).rms;
 }
 
 void require_motion_channels(const Record& record, const rig_file::RigModel& model) {
@@ -68,9 +131,10 @@ void require_motion_channels(const Record& record, const rig_file::RigModel& mod
     if (link.b == rig_file::kBase) require(rig_file::kBase, rig_file::link_rotates(model, link));
 }
 
-void require_same_channels(const std::vector<Record>& records) {
+void require_same_channels(const std::vector<Record>& records) { require_same_channels(records.front(), records); }
+
+void require_same_channels(const Record& first, const std::vector<Record>& records) {
   for (const Record& record : records) {
-    const Record& first = records.front();
     if (std::abs(record.sample_period_s / first.sample_period_s - 1.0) > kStepTolerance)
       throw DataFileError(record.file, 0,
                           "sampled every " + seconds(record.sample_period_s) + ", expected " +

@@ -1,5 +1,6 @@
 // What holds for measured data of any format, once it is in memory.
 #pragma once
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -8,18 +9,21 @@
 
 namespace host_sim {
 
-// The channel of that name, without values. Throws DataFileError (with the line) where the rig has no use for the name.
+// The channel of that name, without values. Throws DataFileError (with the line) where the rig has no use for the name;
+// a rig without DOFs stands for "no rig file" and has use for every channel.
 Channel channel_of_name(const std::string& name, const rig_file::RigModel& model, const std::string& file, size_t line);
 
-// Sets start and sample period from the sample times. Sample i stands on line first_line + i; a step that is off by
-// more than 1 % from the usual (median) step throws DataFileError with its line.
-void set_time_base(const std::vector<double>& time_s, size_t first_line, Record& record);
+// Sets start, sample period and jitter from the sample times; line_of(i) is where sample i stands. A step that is off by
+// more than 1 % from the usual (median) step throws DataFileError with its line, unless all times are those of even
+// steps rounded to their last decimal, as milliseconds are at 1024 Hz.
+void set_time_base(const std::vector<double>& time_s, const std::function<size_t(size_t)>& line_of, Record& record);
 
-// Every DOF of the rig must have a displacement, velocity or acceleration (and so must a moving base): else
+// Every DOF of the rig (none where there is no rig file) must have a displacement, velocity or acceleration (and so must a moving base): else
 // DataFileError.
 void require_motion_channels(const Record& record, const rig_file::RigModel& model);
 
 // Several records of one rig must have the same channels and the same sample period: else DataFileError.
 void require_same_channels(const std::vector<Record>& records);
+void require_same_channels(const Record& first, const std::vector<Record>& records);
 
 }  // namespace host_sim

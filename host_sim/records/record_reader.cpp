@@ -6,8 +6,9 @@
 #include "host_sim/ingestion/mat_reader.hpp"
 #include "host_sim/ingestion/sensor_log_reader.hpp"
 #include "host_sim/ingestion/uff_reader.hpp"
-#include "host_sim/records/csv_reader.hpp"
+#include "host_sim/records/csv/csv_reader.hpp"
 #include "host_sim/records/data_file_error.hpp"
+#include "host_sim/records/file_content.hpp"
 #include "host_sim/records/record_checks.hpp"
 
 namespace host_sim {
@@ -16,16 +17,30 @@ namespace {
 struct RecordFormat {
   const char* name;
   bool (*recognises)(const std::string& path, std::string_view content);
-  Record (*read)(std::string_view content, const std::string& path, const rig_file::RigModel& model);
+  std::vector<Record> (*read)(std::string_view content, const std::string& path, const rig_file::RigModel& model,
+                              const ReadingOptions& options);
 };
+
+std::vector<Record> one(Record record) {
+  std::vector<Record> records;
+  records.push_back(std::move(record));
+  return records;
+}
 
 // The first that recognises the file reads it; the last one takes all.
 constexpr RecordFormat kFormats[] = {
     {"MAT", is_mat,
-     [](std::string_view, const std::string& path, const rig_file::RigModel& model) { return read_mat(path, model); }},
+     [](std::string_view, const std::string& path, const rig_file::RigModel& model, const ReadingOptions& options) {
+       return read_mat(path, model, options);
+     }},
     {"Universal File", is_uff, parse_uff},
-    {"candump log", is_sensor_log, parse_sensor_log},
-    {"CSV", [](const std::string&, std::string_view) { return true; }, parse_csv},
+    {"CAN log", is_sensor_log,
+     [](std::string_view content, const std::string& path, const rig_file::RigModel& model, const ReadingOptions&) {
+       return one(parse_sensor_log(content, path, model));
+     }},
+    {"CSV", [](const std::string&, std::string_view) { return true; },
+     [](std::string_view content, const std::string& path, const rig_file::RigModel& model,
+        const ReadingOptions& options) { return one(parse_csv(content, path, model, options)); }},
 };
 
 }  // namespace
@@ -41,15 +56,23 @@ std::string read_whole_file(const std::string& path) {
   return content;
 }
 
-Record read_record(const std::string& path, const rig_file::RigModel& model) {
-  const std::string content = read_whole_file(path);
+std::vector<Record> read_records(const std::string& path, const rig_file::RigModel& model,
+                                 const ReadingOptions& options) {
+  const FileContent content(path);
   for (const RecordFormat& format : kFormats) {
-    if (!format.recognises(path, content)) continue;
-    Record record = format.read(content, path, model);
-    require_motion_channels(record, model);
-    return record;
+    if (!format.recognises(path, content.text())) continue;
+    std::vector<Record> records = format.read(content.text(), path, model, options);
+    for (const Record& record : records) require_motion_channels(record, model);
+    return records;
   }
-  throw DataFileError(path, 0, "is of no known format, expected CSV, MAT, Universal File 58 or a candump log");
+  throw DataFileError(path, 0, "is of no known format, expected CSV, MAT, Universal File 58 or a CAN log");
+}
+
+Record read_record(const std::string& path, const rig_file::RigModel& model, const ReadingOptions& options) {
+  std::vector<Record> records = read_records(path, model, options);
+  if (records.size() != 1)
+    throw DataFileError(path, 0, "holds " + std::to_string(records.size()) + " records, expected one");
+  return std::move(records.front());
 }
 
 }  // namespace host_sim

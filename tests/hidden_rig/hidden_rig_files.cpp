@@ -7,7 +7,7 @@
 
 #include "draw.hpp"
 #include "hal/rig_file/rig_writer.hpp"
-#include "host_sim/records/csv_writer.hpp"
+#include "host_sim/records/csv/csv_writer.hpp"
 
 namespace {
 

@@ -110,7 +110,12 @@ TEST_F(Estimate, ARigThatDoesNotMoveCannotAnswer) {
   workspace_.write("still.csv", text);
   const auto result = host_sim({"estimate", "--rig", "rig.toml", "--data", "still.csv", "--json", "out.json"});
   EXPECT_EQ(result.status, 3);
-  EXPECT_NE(result.errors.find("viscous[1-0]"), std::string::npos) << result.errors;
+  EXPECT_NE(result.errors.find("displacement_1_m: dead: never changes"), std::string::npos) << result.errors;
+  EXPECT_FALSE(std::filesystem::exists(workspace_.path() / "out.json"));
+  const auto anyway =
+      host_sim({"estimate", "--rig", "rig.toml", "--data", "still.csv", "--json", "out.json", "--anyway"});
+  EXPECT_EQ(anyway.status, 3);
+  EXPECT_NE(anyway.errors.find("viscous[1-0]"), std::string::npos) << anyway.errors;
   EXPECT_EQ(json("out.json")["parameters"][0]["status"], "NO_EXCITATION");
 }
 

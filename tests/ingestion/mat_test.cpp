@@ -15,7 +15,13 @@
 namespace {
 
 using host_sim::Quantity;
-using host_sim::read_mat;
+// The one record of a file.
+host_sim::Record one_record(const std::string& path, const rig_file::RigModel& model,
+                            const host_sim::ReadingOptions& options = {}) {
+  auto records = host_sim::read_mat(path, model, options);
+  EXPECT_EQ(records.size(), 1u);
+  return records.front();
+}
 using test_rigs::dampers;
 using test_rigs::expect_says;
 using test_rigs::refusal;
@@ -62,7 +68,7 @@ class MatFile {
 TEST(Mat, ReadsVectorsByName) {
   MatFile file;
   file.add("t_s", {0.5, 0.6, 0.7}).add("force_1_N", {1, 2, 3}, 1).add("displacement_1_m", {0.1, -0.2, 1.0 / 3.0});
-  const auto record = read_mat(file.path(), dampers(1));
+  const auto record = one_record(file.path(), dampers(1));
   EXPECT_NEAR(record.sample_period_s, 0.1, 1e-15);
   EXPECT_EQ(record.start_s, 0.5);
   EXPECT_EQ(record.find(Quantity::kForce, 1)->values, (std::vector<double>{1, 2, 3}));
@@ -72,7 +78,7 @@ TEST(Mat, ReadsVectorsByName) {
 TEST(Mat, VersionWithHdf5ReadsTheSame) {
   MatFile file(MAT_FT_MAT73);
   file.add("sample_rate_Hz", {250}).add("displacement_1_m", {1, 2, 3});
-  const auto record = read_mat(file.path(), dampers(1));
+  const auto record = one_record(file.path(), dampers(1));
   EXPECT_EQ(record.sample_period_s, 0.004);
   EXPECT_EQ(record.start_s, 0.0);
   EXPECT_EQ(record.channels.at(0).values, (std::vector<double>{1, 2, 3}));
@@ -88,7 +94,7 @@ TEST(Mat, FieldsOfAStructAreChannels) {
   for (int i = 0; i < 3; ++i) Mat_VarSetStructFieldByName(record_variable, names[i], 0, fields[i]);
   MatFile file;
   file.add(record_variable);
-  const auto record = read_mat(file.path(), dampers(1));
+  const auto record = one_record(file.path(), dampers(1));
   EXPECT_EQ(record.sample_period_s, 0.01);
   EXPECT_EQ(record.find(Quantity::kVelocity, 1)->values, (std::vector<double>{6, 7}));
 }
@@ -101,7 +107,7 @@ TEST(Mat, AnyRealNumberClassIsTaken) {
   file.add("sample_rate_Hz", {10});
   file.add(Mat_VarCreate("force_1_N", MAT_C_SINGLE, MAT_T_SINGLE, 2, sizes, single, 0));
   file.add(Mat_VarCreate("displacement_1_m", MAT_C_INT16, MAT_T_INT16, 2, sizes, codes, 0));
-  const auto record = read_mat(file.path(), dampers(1));
+  const auto record = one_record(file.path(), dampers(1));
   EXPECT_EQ(record.find(Quantity::kForce, 1)->values, (std::vector<double>{0.5, 1.5}));
   EXPECT_EQ(record.find(Quantity::kDisplacement, 1)->values, (std::vector<double>{-3, 4}));
 }
@@ -112,7 +118,7 @@ TEST(Mat, TextAndOtherScalarsArePassedOver) {
   MatFile file;
   file.add(Mat_VarCreate("comment", MAT_C_CHAR, MAT_T_UINT8, 2, sizes, text, 0));
   file.add("run", {7}).add("sample_rate_Hz", {10}).add("displacement_1_m", {1, 2});
-  EXPECT_EQ(read_mat(file.path(), dampers(1)).channels.size(), 1u);
+  EXPECT_EQ(one_record(file.path(), dampers(1)).channels.size(), 1u);
 }
 
 TEST(Mat, ReadRecordKnowsTheFormat) {
@@ -122,7 +128,7 @@ TEST(Mat, ReadRecordKnowsTheFormat) {
 }
 
 TEST(Mat, RefusesWithTheVariablesName) {
-  const auto say = [](MatFile& file) { return refusal([&] { read_mat(file.path(), dampers(1)); }); };
+  const auto say = [](MatFile& file) { return refusal([&] { one_record(file.path(), dampers(1)); }); };
   {
     MatFile file;
     expect_says(say(file.add("sample_rate_Hz", {10}).add("displacement_2_m", {1, 2})), "\"displacement_2_m\"");
@@ -165,7 +171,7 @@ TEST(Mat, RefusesWithTheVariablesName) {
   }
 }
 
-TEST(Mat, RefusesComplexNumbersAndArraysOfStructs) {
+TEST(Mat, RefusesComplexNumbers) {
   double real[] = {1, 2}, imaginary[] = {3, 4};
   mat_complex_split_t both = {real, imaginary};
   size_t sizes[2] = {2, 1};
@@ -173,12 +179,45 @@ TEST(Mat, RefusesComplexNumbersAndArraysOfStructs) {
     MatFile file;
     file.add("sample_rate_Hz", {10});
     file.add(Mat_VarCreate("force_1_N", MAT_C_DOUBLE, MAT_T_DOUBLE, 2, sizes, &both, MAT_F_COMPLEX));
-    expect_says(refusal([&] { read_mat(file.path(), dampers(1)); }), "variable \"force_1_N\": complex numbers");
+    expect_says(refusal([&] { one_record(file.path(), dampers(1)); }), "variable \"force_1_N\": complex numbers");
   }
-  const char* names[] = {"force_1_N"};
+}
+
+// runs(1) and runs(2): a record each; the sample rate stands beside them.
+TEST(Mat, ArraysOfStructsAreRecords) {
+  const char* names[] = {"force_1_N", "displacement_1_m"};
+  size_t two[2] = {2, 1};
+  matvar_t* const runs = Mat_VarCreateStruct("runs", 2, two, names, 2);
+  std::vector<double> values[] = {{1, 2}, {3, 4}, {5, 6}, {7, 8}};
+  for (size_t element = 0; element < 2; ++element)
+    for (size_t field = 0; field < 2; ++field)
+      Mat_VarSetStructFieldByName(runs, names[field], element, MatFile::vector(nullptr, values[2 * element + field]));
   MatFile file;
-  file.add(Mat_VarCreateStruct("runs", 2, sizes, names, 1));
-  expect_says(refusal([&] { read_mat(file.path(), dampers(1)); }), "variable \"runs\": an array of structs");
+  file.add("fs", {100});
+  file.add(runs);
+  const auto records = host_sim::read_mat(file.path(), dampers(1));
+  ASSERT_EQ(records.size(), 2u);
+  EXPECT_EQ(records[1].find(Quantity::kForce, 1)->values, (std::vector<double>{5, 6}));
+  EXPECT_EQ(records[1].sample_period_s, 0.01);
+  EXPECT_NE(records[1].file.find("runs(2)"), std::string::npos);
+}
+
+TEST(Mat, OtherNamesUnitsAndVariables) {
+  MatFile file;
+  file.add("fs", {100})
+      .add("Chan3", {1, 2})
+      .add("force_1_kN", {3, 4})
+      .add("temperature", {20, 21})
+      .add("table", {1, 2, 3, 4}, 2);
+  host_sim::ReadingOptions options;
+  options.columns = {{"acceleration_1", "Chan3"}};
+  options.units = {{"acceleration_1", "g"}};
+  const auto record = one_record(file.path(), dampers(1), options);
+  EXPECT_DOUBLE_EQ(record.find(Quantity::kAcceleration, 1)->values[1], 2 * 9.80665);
+  EXPECT_DOUBLE_EQ(record.find(Quantity::kForce, 1)->values[0], 3000.0);
+  std::string notes;
+  for (const std::string& note : record.notes) notes += note + "\n";
+  EXPECT_NE(notes.find("ignored: \"temperature\", \"table\""), std::string::npos) << notes;
 }
 
 TEST(Mat, RefusesAFileThatIsNone) {
@@ -186,7 +225,7 @@ TEST(Mat, RefusesAFileThatIsNone) {
   std::FILE* const file = std::fopen(path.c_str(), "wb");
   std::fputs("this is not a MAT file, whatever its name says, and long enough to look like one...", file);
   std::fclose(file);
-  expect_says(refusal([&] { read_mat(path, dampers(1)); }), path + ": is no MAT file that can be read");
+  expect_says(refusal([&] { one_record(path, dampers(1)); }), path + ": is no MAT file that can be read");
   std::remove(path.c_str());
 }
 

@@ -1,6 +1,7 @@
 // Sensor logs: lines written by hand from the layout in docs/can_protocol.md.
 #include <gtest/gtest.h>
 
+#include "host_sim/can_log/asc_line.hpp"
 #include "host_sim/ingestion/sensor_log_reader.hpp"
 #include "tests/ingestion/rigs.hpp"
 
@@ -31,6 +32,56 @@ TEST(SensorLog, TheRigFilesCalibrationMakesUnitsOfCodes) {
   EXPECT_EQ(record.find(Quantity::kForce, 1)->values, (std::vector<double>{32.0, -32.0}));
   EXPECT_NEAR(record.sample_period_s, 1e-3, 1e-12);
   EXPECT_EQ(record.start_s, 0.0);
+}
+
+// The same two samples as other programs write them: candump with calendar dates (over midnight), with its screen's
+// columns, and Vector's .asc in hexadecimal and in decimal, with absolute and with relative times.
+TEST(SensorLog, OtherProgramsWriteTheSameSamples) {
+  const std::string forms[] = {
+      "(2026-02-28 23:59:59.999000) vcan0 1A1#05000201FFFF0300\n(2026-02-28 23:59:59.999100) vcan0 221#0500100000\n"
+      "(2026-03-01 00:00:00.000000) vcan0 1A1#0600FEFE0100FDFF\n(2026-03-01 00:00:00.000100) vcan0 221#0600F0FFFF\n",
+      " (2026-11-22 07:00:00.000000)  vcan0  1A1   [8]  05 00 02 01 FF FF 03 00\n"
+      " (2026-11-22 07:00:00.000100)  vcan0  221   [5]  05 00 10 00 00\n"
+      " (2026-11-22 07:00:00.001000)  vcan0  1A1   [8]  06 00 FE FE 01 00 FD FF\n"
+      " (2026-11-22 07:00:00.001100)  vcan0  221   [5]  06 00 F0 FF FF\n",
+      "date Sun Nov 22 07:00:00.000 am 2026\nbase hex  timestamps absolute\nno internal events logged\n"
+      "Begin Triggerblock Sun Nov 22 07:00:00.000 am 2026\n   0.000000 Start of measurement\n"
+      "   1.000000 1  1A1             Rx   d 8 05 00 02 01 FF FF 03 00  Length = 244000 BitCount = 125 ID = 417\n"
+      "   1.000100 1  221             Rx   d 5 05 00 10 00 00\n   1.000500 1  Statistic: D 1 R 0\n"
+      "   1.001000 1  1A1             Rx   d 8 06 00 fe fe 01 00 fd ff\n"
+      "   1.001100 1  221             Rx   d 5 06 00 F0 FF FF\nEnd TriggerBlock\n",
+      "date Sun Nov 22 07:00:00.000 am 2026\r\nbase dec  timestamps relative\r\n"
+      "   1.000000 1  417             Rx   d 8 5 0 2 1 255 255 3 0\r\n   0.000100 1  545             Rx   d 5 5 0 16 0 "
+      "0\r\n"
+      "   0.000900 1  417             Rx   d 8 6 0 254 254 1 0 253 255\r\n"
+      "   0.000100 1  545             Rx   d 5 6 0 240 255 255\r\n",
+  };
+  for (const std::string& form : forms) {
+    SCOPED_TRACE(form.substr(0, 60));
+    EXPECT_TRUE(host_sim::is_sensor_log("recording.txt", form));
+    const auto record = parse_sensor_log(form, "s.log", dampers(1, 0, kCalibration));
+    EXPECT_EQ(record.find(Quantity::kDisplacement, 1)->values, (std::vector<double>{125.0, -133.0}));
+    EXPECT_EQ(record.find(Quantity::kForce, 1)->values, (std::vector<double>{32.0, -32.0}));
+    EXPECT_NEAR(record.sample_period_s, 1e-3, 1e-12);
+  }
+}
+
+// CAN FD of .asc: channel, direction, identifier, a name or none, bit rate switch, error state, length code, length.
+TEST(SensorLog, VectorsCanFdLines) {
+  for (const char* name : {"", "Samples "}) {
+    can_log::AscLog log;
+    can_log::LogEntry entry;
+    const std::string line = std::string("   0.003000 CANFD   1 Rx        18FF0102x  ") + name +
+                             "1 0 9 12 11 22 33 44 55 66 77 88 99 AA BB CC 130000 130 303000 e 0 0";
+    ASSERT_TRUE(log.parse(line, entry)) << line;
+    EXPECT_TRUE(entry.frame.fd);
+    EXPECT_TRUE(entry.frame.extended);
+    EXPECT_EQ(entry.frame.id, 0x18FF0102u);
+    EXPECT_EQ(entry.frame.flags, 1);
+    ASSERT_EQ(entry.frame.length, 12);
+    EXPECT_EQ(entry.frame.data[11], 0xCC);
+    EXPECT_EQ(entry.frame.time_ns, 3000000u);
+  }
 }
 
 // scaling (691, node 1): place 1, quantity 2 (velocity) in bits 5 and 6 -> 0x41; exponent -3 -> FD; 25 -> 19000000; no

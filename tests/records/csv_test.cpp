@@ -6,8 +6,8 @@
 #include <random>
 
 #include "hal/rig_file/rig_reader.hpp"
-#include "host_sim/records/csv_reader.hpp"
-#include "host_sim/records/csv_writer.hpp"
+#include "host_sim/records/csv/csv_reader.hpp"
+#include "host_sim/records/csv/csv_writer.hpp"
 #include "host_sim/records/data_file_error.hpp"
 
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "hal/rig_file/rig_reader.hpp"
-#include "host_sim/records/csv_reader.hpp"
+#include "host_sim/records/csv/csv_reader.hpp"
 
 namespace {
 

@@ -8,11 +8,11 @@
 #include "host_sim/programs/commands.hpp"
 #include "host_sim/programs/diagnose/diagnosis_text.hpp"
 #include "host_sim/programs/results/result_json.hpp"
+#include "host_sim/programs/shared/data_options.hpp"
 #include "host_sim/programs/shared/human_output.hpp"
 #include "host_sim/programs/shared/stage_line.hpp"
 #include "host_sim/programs/shared/terminal.hpp"
 #include "host_sim/records/record_checks.hpp"
-#include "host_sim/records/record_reader.hpp"
 #include "host_sim/reports/data/from_diagnosis.hpp"
 #include "host_sim/reports/page/report.hpp"
 
@@ -23,13 +23,8 @@ struct DiagnoseArguments {
   std::string rig;
   std::vector<std::string> data, holdout;
   std::string report, json, extended_rig;
+  DataArguments reading;
 };
-
-std::vector<Record> read_all(const std::vector<std::string>& paths, const rig_file::RigModel& model) {
-  std::vector<Record> records;
-  for (const std::string& path : paths) records.push_back(read_record(path, model));
-  return records;
-}
 
 void diagnose(const DiagnoseArguments& arguments) {
   const rig_file::RigModel model = rig_file::read_rig_file(arguments.rig);
@@ -41,10 +36,12 @@ void diagnose(const DiagnoseArguments& arguments) {
   {
     StageLine line("diagnosing");
     line.begin("reading the recordings");
-    const std::vector<Record> training = read_all(arguments.data, model), holdout = read_all(arguments.holdout, model);
-    std::vector<Record> all = training;
-    all.insert(all.end(), holdout.begin(), holdout.end());
-    require_same_channels(all);
+    const std::vector<Record> training = read_data(arguments.data, model, arguments.reading),
+                              holdout = read_data(arguments.holdout, model, arguments.reading);
+    require_same_channels(training);
+    if (!holdout.empty()) require_same_channels(training.front(), holdout);
+    require_sound(training, model, arguments.reading);
+    require_sound(holdout, model, arguments.reading);
     line.begin("searching for what the rig file lacks");
     found = diagnosis::diagnose(model, training, holdout, options);
     line.begin("simulating what was found");
@@ -57,10 +54,10 @@ void diagnose(const DiagnoseArguments& arguments) {
   }
   json.deliver(to_text(diagnosis::to_json(found)));
   extended_rig.deliver(rig_file::format_rig(found.extended_rig));
-  std::fputs(diagnosis_text(data, is_terminal(people), wrap_width(people)).c_str(), people);
-  if (!arguments.report.empty()) std::fprintf(people, "report: %s/index.html\n", arguments.report.c_str());
-  if (extended_rig.wanted() && !extended_rig.to_stdout())
-    std::fprintf(people, "extended rig: %s\n", arguments.extended_rig.c_str());
+  std::string text = diagnosis_text(data, is_terminal(people), wrap_width(people));
+  if (!arguments.report.empty()) text += "report: " + arguments.report + "/index.html\n";
+  if (extended_rig.wanted() && !extended_rig.to_stdout()) text += "extended rig: " + arguments.extended_rig + "\n";
+  write_text(people, text);
 }
 
 }  // namespace
@@ -78,6 +75,8 @@ void add_diagnose_command(CLI::App& app, Action& chosen) {
   command->add_option("--json", arguments->json, "write the result as JSON to this file (- is stdout)");
   command->add_option("--extended-rig", arguments->extended_rig,
                       "write the rig with the named effects to this file (- is stdout)");
+  add_data_options(*command, arguments->reading);
+  add_anyway_option(*command, arguments->reading);
   command->footer("Example: host_sim diagnose --rig rig.toml --data record.csv --report report");
   command->callback([arguments, &chosen] { chosen = [arguments] { diagnose(*arguments); }; });
 }

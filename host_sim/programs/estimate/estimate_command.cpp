@@ -6,9 +6,10 @@
 #include "host_sim/programs/estimate/model_export.hpp"
 #include "host_sim/programs/results/result_json.hpp"
 #include "host_sim/programs/results/result_table.hpp"
+#include "host_sim/programs/shared/data_options.hpp"
 #include "host_sim/programs/shared/human_output.hpp"
 #include "host_sim/programs/shared/terminal.hpp"
-#include "host_sim/records/record_reader.hpp"
+#include "host_sim/records/record_checks.hpp"
 #include "host_sim/reports/page/report.hpp"
 
 namespace host_sim {
@@ -19,13 +20,15 @@ struct EstimateArguments {
   std::vector<std::string> data;
   std::string json, log, report, export_to;
   double frequency_Hz = 0.0;
+  DataArguments reading;
 };
 
 void print_table(std::FILE* stream, const rig_file::RigModel& model, const EstimateResult& result) {
   const bool colours = is_terminal(stream);
-  std::fprintf(stream, "%s\n%zu samples at %g Hz, %u record%s\n\n%s", model.name.c_str(), result.samples,
-               result.sample_rate_Hz, result.levels, result.levels == 1 ? "" : "s",
-               format_table(result, colours, wrap_width(stream)).c_str());
+  char head[160];
+  std::snprintf(head, sizeof head, "\n%zu samples at %g Hz, %u record%s\n\n", result.samples, result.sample_rate_Hz,
+                result.levels, result.levels == 1 ? "" : "s");
+  write_text(stream, model.name + head + format_table(result, colours, wrap_width(stream)));
 }
 
 // Page and files for other programs, where they are wanted.
@@ -46,10 +49,11 @@ void show_more(const EstimateArguments& arguments, const rig_file::RigModel& mod
 void estimate(const EstimateArguments& arguments) {
   const rig_file::RigModel model = rig_file::read_rig_file(arguments.rig);
   rig_file::require_unknowns(model);
-  std::vector<Record> records;
-  for (const std::string& path : arguments.data) records.push_back(read_record(path, model));
+  const std::vector<Record> records = read_data(arguments.data, model, arguments.reading);
+  require_same_channels(records);
   ResultTarget json(arguments.json), log(arguments.log);
   std::FILE* const people = human_stream(json, log);
+  require_sound(records, model, arguments.reading);
 
   EstimationOptions options;
   if (arguments.frequency_Hz > 0.0) options.excitation_Hz = arguments.frequency_Hz;
@@ -87,6 +91,8 @@ void add_estimate_command(CLI::App& app, Action& chosen) {
       ->add_option("--frequency", arguments->frequency_Hz,
                    "excitation frequency in Hz, where it is periodic: windows are then whole cycles")
       ->check(CLI::PositiveNumber);
+  add_data_options(*command, arguments->reading);
+  add_anyway_option(*command, arguments->reading);
   command->footer(
       "Example: host_sim estimate --rig rig.toml --data low_level.csv --data high_level.csv --json result.json");
   command->callback([arguments, &chosen] { chosen = [arguments] { estimate(*arguments); }; });

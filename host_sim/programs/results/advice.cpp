@@ -24,7 +24,8 @@ void add_skew(const rig_file::RigModel& model, size_t dof_index, firmware::Quant
 
 }  // namespace
 
-std::string advice_text(const rig_file::RigModel& model, const firmware::Estimates& estimates) {
+std::string advice_text(const rig_file::RigModel& model, const firmware::Estimates& estimates, double level_ratio) {
+  constexpr double kOtherLevel = 1.5;  // from here on two records are of two levels
   const std::vector<std::string> names = rig_file::parameter_names(model);
   const auto index = static_cast<size_t>(estimates.advice_index);
   const std::string name = index < names.size() ? names[index] : "the parameter";
@@ -35,7 +36,9 @@ std::string advice_text(const rig_file::RigModel& model, const firmware::Estimat
       return "add a record excited near " + text_of("%.3g", rig_file::to_double(estimates.advice_frequency_Hz)) +
              " Hz as well";
     case firmware::Advice::kAddLevel:
-      return "add a record of the same kind at another excitation level";
+      if (level_ratio < kOtherLevel) return "add a record of the same kind at another excitation level";
+      return "add a record at a level that lies further off (these differ by a factor of " +
+             text_of("%.2g", level_ratio) + "), of a wider band, or drive another DOF";
     case firmware::Advice::kRaiseLevel:
       return "raise the level, or drive another DOF: what " + name + " acts on hardly moves";
     case firmware::Advice::kLongerRecord:

@@ -7,8 +7,9 @@
 
 namespace host_sim {
 
-// "add a record excited near 17.3 Hz as well"; empty where nothing is to be done.
-std::string advice_text(const rig_file::RigModel& model, const firmware::Estimates& estimates);
+// "add a record excited near 17.3 Hz as well"; empty where nothing is to be done. level_ratio: of the largest level that
+// the data hold to the smallest, 1 for one level.
+std::string advice_text(const rig_file::RigModel& model, const firmware::Estimates& estimates, double level_ratio);
 
 // "viscous[1-0] +100 %, viscous[1-2] -83 %": the change of parameters that these data show least.
 std::string unresolved_text(const rig_file::RigModel& model, const firmware::Estimates& estimates);

@@ -37,11 +37,12 @@ const char* reason(EstimateStatus status) {
 }
 
 std::string skew_note(const SkewResult& skew) {
-  char text[160];
+  char text[200];
   std::snprintf(
       text, sizeof text,
-      "%s is %.0f us late against the velocity (+- %.0f): a [[channel]] with delay_us in the rig file takes it away",
-      skew.channel.c_str(), skew.late_us, 2.0 * skew.std_us);
+      "%s is %.0f us %s the velocity (+- %.0f): a [[channel]] with delay_us = %.0f in the rig file takes it away",
+      skew.channel.c_str(), std::abs(skew.late_us), skew.late_us < 0.0 ? "ahead of" : "late against", 2.0 * skew.std_us,
+      skew.late_us);
   return text;
 }
 
@@ -67,7 +68,7 @@ const char* status_word(EstimateStatus status) {
   return "STALE";
 }
 
-EstimateResult result_of(const rig_file::RigModel& model, const firmware::Estimates& estimates) {
+EstimateResult result_of(const rig_file::RigModel& model, const firmware::Estimates& estimates, double level_ratio) {
   EstimateResult result;
   const std::vector<rig_file::ParameterInfo> table = rig_file::parameter_table(model);
   for (size_t i = 0; i < table.size(); ++i) {
@@ -85,7 +86,7 @@ EstimateResult result_of(const rig_file::RigModel& model, const firmware::Estima
   result.condition_number = finite(estimates.condition_number);
   result.rows = estimates.rows;
   result.skews = skews_of(model, estimates);
-  result.advice = advice_text(model, estimates);
+  result.advice = advice_text(model, estimates, level_ratio);
   result.unresolved = unresolved_text(model, estimates);
   for (const SkewResult& skew : result.skews)
     if (skew.significant) result.notes.push_back(skew_note(skew));

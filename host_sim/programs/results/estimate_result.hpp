@@ -48,8 +48,9 @@ struct EstimateResult {
 
 const char* status_word(firmware::EstimateStatus status);  // "VALID"
 
-// Parameters, residual and condition number of the core's estimates.
-EstimateResult result_of(const rig_file::RigModel& model, const firmware::Estimates& estimates);
+// Parameters, residual and condition number of the core's estimates. level_ratio: see advice_text.
+EstimateResult result_of(const rig_file::RigModel& model, const firmware::Estimates& estimates,
+                         double level_ratio = 1.0);
 std::vector<double> values_of(const EstimateResult& result);
 // EstimateResult::covariance of the core's last solve.
 std::vector<std::vector<double>> covariance_of(const EstimateResult& result, const firmware::EstimatorCore& core);

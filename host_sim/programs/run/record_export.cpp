@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "hal/rig_file/rig_writer.hpp"
-#include "host_sim/records/csv_writer.hpp"
+#include "host_sim/records/csv/csv_writer.hpp"
 #include "host_sim/records/output_file.hpp"
 
 namespace host_sim {

@@ -10,6 +10,14 @@
 
 namespace host_sim {
 
+// Throws OutputError where the text does not go out, as on a full disk.
+inline void write_text(std::FILE* stream, const std::string& text) {
+  const bool written = std::fwrite(text.data(), 1, text.size(), stream) == text.size();
+  if (!written || std::fflush(stream) != 0)
+    throw OutputError(std::string(stream == stdout ? "stdout" : "stderr") +
+                      ": cannot be written, expected a reader and a disk with room");
+}
+
 // A result for which the user named a file, or "-" for stdout, or nothing. Opened at once, so that a path that cannot
 // be written is known before the work; the content appears when it is complete.
 class ResultTarget {
@@ -24,8 +32,7 @@ class ResultTarget {
       file_->write(content);
       file_->commit();
     } else if (to_stdout_) {
-      std::fwrite(content.data(), 1, content.size(), stdout);
-      if (std::fflush(stdout) != 0) throw OutputError("stdout: cannot be written, expected a reader");
+      write_text(stdout, content);
     }
   }
 

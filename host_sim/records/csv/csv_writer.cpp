@@ -1,4 +1,4 @@
-#include "host_sim/records/csv_writer.hpp"
+#include "host_sim/records/csv/csv_writer.hpp"
 
 #include <array>
 #include <charconv>

@@ -1,0 +1,180 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <set>
+
+#include "hal/rig_file/channel_name.hpp"
+#include "host_sim/data_check/clipping.hpp"
+#include "host_sim/data_check/data_check.hpp"
+#include "host_sim/data_check/dead.hpp"
+#include "host_sim/data_check/excitation.hpp"
+#include "host_sim/data_check/kinematics.hpp"
+#include "host_sim/data_check/rig_balance.hpp"
+#include "host_sim/data_check/slow_faults.hpp"
+#include "host_sim/data_check/spikes.hpp"
+#include "host_sim/data_check/statistics.hpp"
+
+namespace host_sim::data_check {
+namespace {
+
+bool rotates(const Channel& channel) {
+  const auto name = rig_file::parse_channel_name(channel.name);
+  return name && name->rotating;
+}
+
+bool changes(const Channel& channel) {
+  return std::any_of(channel.values.begin(), channel.values.end(),
+                     [&](double value) { return value != channel.values.front(); });
+}
+
+// How often the estimation differentiates a channel: as often as no other channel of the DOF spares it.
+int differentiated(const Record& record, const Channel& channel) {
+  const bool velocity = record.find(Quantity::kVelocity, channel.dof) != nullptr,
+             acceleration = record.find(Quantity::kAcceleration, channel.dof) != nullptr;
+  if (channel.quantity == Quantity::kDisplacement) return velocity || acceleration ? (velocity ? 0 : 1) : 2;
+  if (channel.quantity == Quantity::kVelocity) return acceleration ? 0 : 1;
+  return 0;
+}
+
+// What the velocity of a DOF spans, from its velocity or displacement; 0 where neither is there.
+double velocity_range(const Record& record, int dof) {
+  if (const Channel* velocity = record.find(Quantity::kVelocity, dof)) return statistics_of(velocity->values).range;
+  const Channel* displacement = record.find(Quantity::kDisplacement, dof);
+  if (displacement == nullptr || displacement->values.size() < 8) return 0.0;
+  std::vector<double> velocity(displacement->values.size() - 4);
+  for (size_t i = 0; i < velocity.size(); ++i)
+    velocity[i] = (displacement->values[i + 4] - displacement->values[i]) / (4.0 * record.sample_period_s);
+  return quantile(velocity, 0.999) - quantile(velocity, 0.001);
+}
+
+double velocity_step(const Record& record, const Channel& channel, const rig_file::RigModel* model) {
+  if (channel.quantity == Quantity::kAcceleration) return record.sample_period_s;
+  if (channel.quantity != Quantity::kForce || model == nullptr || channel.dof < 1) return 0.0;
+  const rig_file::Coefficient& mass = model->dofs[static_cast<size_t>(channel.dof - 1)].mass_kg;
+  return mass.estimate || !(mass.value > 0.0) ? 0.0 : record.sample_period_s / mass.value;
+}
+
+// The converter's ends in SI, where the rig file knows them.
+std::pair<double, double> converter_limits(const Channel& channel, const rig_file::RigModel* model) {
+  if (model == nullptr) return {0.0, 0.0};
+  for (const rig_file::ChannelEntry& entry : model->channels)
+    if (entry.name == channel.name && entry.unit_per_code != 0.0 && entry.highest_code > entry.lowest_code) {
+      const double a = (entry.lowest_code - entry.offset_code) * entry.unit_per_code,
+                   b = (entry.highest_code - entry.offset_code) * entry.unit_per_code;
+      return {std::min(a, b), std::max(a, b)};
+    }
+  return {0.0, 0.0};
+}
+
+ChannelReport report_of(const Record& record, const Channel& channel, const rig_file::RigModel* model) {
+  const Statistics statistics = statistics_of(channel.values);
+  ChannelReport report{channel.name, statistics.rms, statistics.mean, statistics.noise, statistics.resolution, {}};
+  if (statistics.lowest == statistics.highest) return report;
+  Neighbours neighbours{record.sample_period_s, differentiated(record, channel), 0.0, 0.0};
+  if (channel.dof >= 1) {
+    neighbours.velocity_step = velocity_step(record, channel, model);
+    if (neighbours.velocity_step > 0.0) neighbours.velocity_range = velocity_range(record, channel.dof);
+  }
+  if (auto spikes = find_spikes(channel, statistics, neighbours)) {
+    report.findings.push_back(std::move(*spikes));
+  } else {
+    const auto [low, high] = converter_limits(channel, model);
+    if (auto clipped = find_clipping(channel, statistics, low, high)) report.findings.push_back(std::move(*clipped));
+  }
+  for (Finding& finding : find_slow_faults(record, channel, statistics)) report.findings.push_back(std::move(finding));
+  return report;
+}
+
+void attach(std::vector<Finding> findings, RecordReport& report) {
+  for (Finding& finding : findings) {
+    const auto place = std::find_if(report.channels.begin(), report.channels.end(),
+                                    [&](const ChannelReport& channel) { return channel.name == finding.channel; });
+    (place == report.channels.end() ? report.findings : place->findings).push_back(std::move(finding));
+  }
+}
+
+bool has_fault(const RecordReport& report, const char* kind = nullptr) {
+  const auto bad = [kind](const Finding& f) {
+    return f.weight == Weight::kFault && (kind == nullptr || f.kind == kind);
+  };
+  return std::any_of(report.findings.begin(), report.findings.end(), bad) ||
+         std::any_of(report.channels.begin(), report.channels.end(), [&](const ChannelReport& channel) {
+           return std::any_of(channel.findings.begin(), channel.findings.end(), bad);
+         });
+}
+
+// Channels are compared over at most that many samples from the middle of a record: enough to say, and no time lost.
+constexpr size_t kMostCompared = 1 << 17;
+Record middle_of(const Record& record) {
+  Record part;
+  part.file = record.file;
+  part.sample_period_s = record.sample_period_s;
+  const size_t count = std::min(record.samples(), kMostCompared), first = (record.samples() - count) / 2;
+  for (const Channel& channel : record.channels) {
+    const auto begin = channel.values.begin() + static_cast<std::ptrdiff_t>(first);
+    part.channels.push_back({channel.name, channel.quantity, channel.dof,
+                             std::vector<double>(begin, begin + static_cast<std::ptrdiff_t>(count))});
+  }
+  return part;
+}
+
+RecordReport check_record(const Record& record, const rig_file::RigModel* model, const std::vector<bool>& elsewhere) {
+  RecordReport report{record.file, record.samples(), 1.0 / record.sample_period_s, {}, {}};
+  std::vector<std::optional<Finding>> dead = find_dead(record, elsewhere);
+  for (size_t i = 0; i < record.channels.size(); ++i) {
+    report.channels.push_back(report_of(record, record.channels[i], model));
+    if (dead[i]) report.channels.back().findings.push_back(std::move(*dead[i]));
+  }
+  if (auto jitter = find_jitter(record)) report.findings.push_back(std::move(*jitter));
+  if (has_fault(report)) return report;  // what follows compares channels: one that is broken would be blamed on others
+  const Record compared = middle_of(record);
+  std::set<int> dofs;
+  for (const Channel& channel : compared.channels)
+    if (dofs.insert(channel.dof).second) attach(check_kinematics(compared, channel.dof, rotates(channel)), report);
+  if (model != nullptr && !has_fault(report)) attach(check_rig_balance(compared, *model), report);
+  return report;
+}
+
+}  // namespace
+
+Weight Report::worst() const {
+  Weight worst = Weight::kInforms;
+  const auto take = [&worst](const std::vector<Finding>& list) {
+    for (const Finding& finding : list) worst = std::max(worst, finding.weight);
+  };
+  take(findings);
+  for (const RecordReport& record : records) {
+    take(record.findings);
+    for (const ChannelReport& channel : record.channels) take(channel.findings);
+  }
+  return worst;
+}
+
+const char* Report::verdict() const {
+  switch (worst()) {
+    case Weight::kInforms:
+      return "good";
+    case Weight::kDoubt:
+      return "usable";
+    case Weight::kFault:
+      return "unusable";
+  }
+  return "unusable";
+}
+
+Report check(const std::vector<Record>& records, const rig_file::RigModel* model) {
+  Report report;
+  for (const Record& record : records) {
+    std::vector<bool> elsewhere;
+    for (const Channel& channel : record.channels)
+      elsewhere.push_back(std::any_of(records.begin(), records.end(), [&](const Record& other) {
+        const Channel* same = &other == &record ? nullptr : other.find(channel.quantity, channel.dof);
+        return same != nullptr && changes(*same);
+      }));
+    report.records.push_back(check_record(record, model, elsewhere));
+  }
+  report.findings = describe_excitation(records);
+  return report;
+}
+
+}  // namespace host_sim::data_check

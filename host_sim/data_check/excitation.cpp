@@ -1,0 +1,147 @@
+#include "host_sim/data_check/excitation.hpp"
+
+#include <fftw3.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+
+#include "host_sim/data_check/statistics.hpp"
+
+namespace host_sim::data_check {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr size_t kMostLines = 5;
+constexpr double kLineShare = 0.9;
+constexpr size_t kMostSamples = 1 << 18;
+
+// Power of each bin, Hann window, mean taken off.
+std::vector<double> power_spectrum(const std::vector<double>& values, double mean) {
+  const size_t n = std::min(values.size(), kMostSamples);
+  const std::unique_ptr<double, void (*)(void*)> input(fftw_alloc_real(n), fftw_free);
+  const std::unique_ptr<fftw_complex, void (*)(void*)> output(fftw_alloc_complex(n / 2 + 1), fftw_free);
+  for (size_t i = 0; i < n; ++i)
+    input.get()[i] =
+        (values[i] - mean) * (0.5 - 0.5 * std::cos(2.0 * kPi * static_cast<double>(i) / static_cast<double>(n)));
+  const fftw_plan plan = fftw_plan_dft_r2c_1d(static_cast<int>(n), input.get(), output.get(), FFTW_ESTIMATE);
+  fftw_execute(plan);
+  fftw_destroy_plan(plan);
+  std::vector<double> power(n / 2 + 1);
+  for (size_t i = 0; i < power.size(); ++i)
+    power[i] = output.get()[i][0] * output.get()[i][0] + output.get()[i][1] * output.get()[i][1];
+  return power;
+}
+
+// Takes the strongest lines off until 90 % of the power is gone; empty where more than five are needed.
+std::vector<double> lines_of(std::vector<double> power, double bin_Hz) {
+  double total = 0.0;
+  for (const double p : power) total += p;
+  std::vector<double> lines;
+  double held = 0.0;
+  while (lines.size() < kMostLines) {
+    const auto peak = static_cast<size_t>(std::max_element(power.begin(), power.end()) - power.begin());
+    double moment = 0.0, line = 0.0;
+    for (size_t i = peak > 3 ? peak - 3 : 0; i < std::min(power.size(), peak + 4); ++i) {
+      line += power[i];
+      moment += power[i] * static_cast<double>(i);
+      power[i] = 0.0;
+    }
+    if (line > 0.02 * total) lines.push_back(moment / line * bin_Hz);
+    held += line;
+    if (held >= kLineShare * total) {
+      std::sort(lines.begin(), lines.end());
+      return lines;
+    }
+    if (line <= 0.02 * total) return {};
+  }
+  return {};
+}
+
+std::string quantity_unit(const std::string& channel) {
+  const size_t second = channel.find('_', channel.find_first_of("0123456789b"));
+  std::string unit = second == std::string::npos ? "" : channel.substr(second + 1);
+  std::replace(unit.begin(), unit.end(), '_', unit.rfind("N_m", 0) == 0 ? ' ' : '/');
+  return unit;
+}
+
+std::string text_of(const Drive& drive) {
+  char text[200];
+  if (drive.channel.empty()) return "free decay: nothing drives the rig";
+  std::string tones;
+  for (const double line : drive.lines_Hz) {
+    std::snprintf(text, sizeof text, "%s%.4g", tones.empty() ? "" : ", ", line);
+    tones += text;
+  }
+  if (!tones.empty()) {
+    std::snprintf(text, sizeof text, "%s: %.4g %s rms, tone%s at %s Hz", drive.channel.c_str(), drive.rms,
+                  quantity_unit(drive.channel).c_str(), drive.lines_Hz.size() == 1 ? "" : "s", tones.c_str());
+  } else {
+    std::snprintf(text, sizeof text, "%s: %.4g %s rms, %.3g to %.3g Hz (90 %% of its power)", drive.channel.c_str(),
+                  drive.rms, quantity_unit(drive.channel).c_str(), drive.from_Hz, drive.to_Hz);
+  }
+  return text;
+}
+
+}  // namespace
+
+Drive drive_of(const Record& record) {
+  const Channel* strongest = nullptr;
+  double largest = 0.0;
+  for (const bool forces : {true, false})
+    for (const Channel& channel : record.channels) {
+      if (strongest != nullptr && !forces && strongest->quantity == Quantity::kForce) break;
+      if (forces ? channel.quantity != Quantity::kForce : channel.dof != rig_file::kBase) continue;
+      const double rms = statistics_of(channel.values).rms;
+      if (!(rms > largest)) continue;
+      largest = rms;
+      strongest = &channel;
+    }
+  Drive drive;
+  if (strongest == nullptr || strongest->values.size() < 64) return drive;
+  drive.channel = strongest->name;
+  drive.rms = largest;
+  const std::vector<double> power = power_spectrum(strongest->values, statistics_of(strongest->values).mean);
+  const double bin_Hz =
+      1.0 / (static_cast<double>(std::min(strongest->values.size(), kMostSamples)) * record.sample_period_s);
+  drive.lines_Hz = lines_of(power, bin_Hz);
+  double total = 0.0, sum = 0.0;
+  for (const double p : power) total += p;
+  for (size_t i = 0; i < power.size(); ++i) {
+    if (sum < 0.05 * total) drive.from_Hz = static_cast<double>(i) * bin_Hz;
+    if (sum < 0.95 * total) drive.to_Hz = static_cast<double>(i) * bin_Hz;
+    sum += power[i];
+  }
+  return drive;
+}
+
+std::vector<Finding> describe_excitation(const std::vector<Record>& records) {
+  std::vector<Finding> findings;
+  std::vector<Drive> drives;
+  for (const Record& record : records) {
+    drives.push_back(drive_of(record));
+    findings.push_back(
+        {"excitation", Weight::kInforms, "", record.file + ": " + text_of(drives.back()), drives.back().rms});
+  }
+  double low = 0.0, high = 0.0, tone = 0.0;
+  bool one_tone = true;
+  for (const Drive& drive : drives) {
+    if (drive.channel.empty()) return findings;  // a decay passes through all levels
+    low = low == 0.0 ? drive.rms : std::min(low, drive.rms);
+    high = std::max(high, drive.rms);
+    one_tone = one_tone && drive.lines_Hz.size() == 1;
+    if (!one_tone) continue;
+    if (tone != 0.0 && std::abs(drive.lines_Hz[0] / tone - 1.0) > 0.02) one_tone = false;
+    tone = drive.lines_Hz[0];
+  }
+  if (one_tone && high < 1.5 * low)
+    findings.push_back(
+        {"excitation", Weight::kInforms, "",
+         "one tone at one level: viscous and Coulomb friction look alike, and mass, stiffness and several "
+         "dampers cannot be told apart; add a level (a factor of 2) and a frequency or a random band",
+         std::nullopt});
+  return findings;
+}
+
+}  // namespace host_sim::data_check

@@ -1,0 +1,215 @@
+#include "host_sim/data_check/kinematics.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "host_sim/data_check/unit_factors.hpp"
+
+namespace host_sim::data_check {
+namespace {
+
+constexpr double kFewestSpans = 30.0;
+constexpr double kTurnedCorrelation = -0.6;  // of 30 spans: less than one in 10,000 by chance
+constexpr double kGainCorrelation = 0.95;    // then noise bends the gain by less than 5 %
+constexpr double kPlainGain = 3.0;           // no calibration is off by more
+constexpr double kUnitTolerance = 0.05;
+constexpr int kDelays = 3;  // samples that a channel may be late without its sign being in question
+
+// Running sums: sums[i] of the first i values.
+std::vector<double> summed(const std::vector<double>& values, double mean) {
+  std::vector<double> sums(values.size() + 1, 0.0);
+  for (size_t i = 0; i < values.size(); ++i) sums[i + 1] = sums[i] + (values[i] - mean);
+  return sums;
+}
+
+double mean_of(const std::vector<double>& values) {
+  double mean = 0.0;
+  for (const double value : values) mean += value / static_cast<double>(values.size());
+  return mean;
+}
+
+struct Sides {
+  std::vector<double> from_lower, of_upper;  // centred at sample h + i
+};
+
+// Sums by trapezoids, so that ends count half.
+Sides sides_over(const std::vector<double>& lower, const std::vector<double>& upper, size_t h, bool twice, double T) {
+  Sides sides;
+  const size_t n = lower.size(), count = n - 2 * h;
+  sides.from_lower.resize(count);
+  sides.of_upper.resize(count);
+  const double mean = mean_of(upper), span = static_cast<double>(h) * T, steps = static_cast<double>(h);
+  const std::vector<double> once = summed(upper, mean);
+  std::vector<double> half(n, 0.0);  // mean over h steps from i on
+  for (size_t i = 0; i + h < n; ++i)
+    half[i] = (once[i + h + 1] - once[i] - 0.5 * (upper[i] + upper[i + h] - 2.0 * mean)) / steps;
+  const std::vector<double> again = twice ? summed(half, 0.0) : std::vector<double>();
+  for (size_t i = 0; i < count; ++i) {
+    if (twice) {  // a triangle is a mean of means
+      sides.from_lower[i] = (lower[i + 2 * h] - 2.0 * lower[i + h] + lower[i]) / (span * span);
+      sides.of_upper[i] = (again[i + h + 1] - again[i] - 0.5 * (half[i] + half[i + h])) / steps;
+    } else {
+      sides.from_lower[i] = (lower[i + 2 * h] - lower[i]) / (2.0 * span);
+      sides.of_upper[i] = 0.5 * (half[i] + half[i + h]);
+    }
+  }
+  return sides;
+}
+
+struct Moments {
+  double pp = 0.0, qq = 0.0, pq = 0.0;
+  double correlation() const { return pp > 0.0 && qq > 0.0 ? pq / std::sqrt(pp * qq) : 0.0; }
+};
+
+// Of q `lag` samples later, about the means.
+Moments moments(const Sides& sides, int lag) {
+  const size_t count = sides.from_lower.size(), shift = static_cast<size_t>(std::abs(lag));
+  const double* p = sides.from_lower.data() + (lag < 0 ? shift : 0);
+  const double* q = sides.of_upper.data() + (lag > 0 ? shift : 0);
+  double mean_p = 0.0, mean_q = 0.0;
+  const size_t n = count - shift;
+  for (size_t i = 0; i < n; ++i) {
+    mean_p += p[i] / static_cast<double>(n);
+    mean_q += q[i] / static_cast<double>(n);
+  }
+  Moments m;
+  for (size_t i = 0; i < n; ++i) {
+    m.pp += (p[i] - mean_p) * (p[i] - mean_p);
+    m.qq += (q[i] - mean_q) * (q[i] - mean_q);
+    m.pq += (p[i] - mean_p) * (q[i] - mean_q);
+  }
+  return m;
+}
+
+// q(t) = g p(t - late): the late part is what q - g p shares with the slope of p.
+void measure_lateness(const Sides& sides, double T, size_t h, Comparison& result) {
+  double slope_square = 0.0, shared = 0.0, residual = 0.0;
+  const size_t n = sides.from_lower.size();
+  const double mean_p = mean_of(sides.from_lower), mean_q = mean_of(sides.of_upper);
+  for (size_t i = 1; i + 1 < n; ++i) {
+    const double slope = result.gain * (sides.from_lower[i + 1] - sides.from_lower[i - 1]) / (2.0 * T);
+    const double off = sides.of_upper[i] - mean_q - result.gain * (sides.from_lower[i] - mean_p);
+    slope_square += slope * slope;
+    shared -= off * slope;
+    residual += off * off;
+  }
+  if (!(slope_square > 0.0)) return;
+  result.late_s = shared / slope_square;
+  residual -= shared * shared / slope_square;
+  result.late_std_s =
+      std::sqrt(std::max(residual, 0.0) / static_cast<double>(n) * 2.0 * static_cast<double>(h) / slope_square);
+}
+
+std::string sentence(const char* format, double a, double b) {
+  char text[200];
+  std::snprintf(text, sizeof text, format, a, b);
+  return text;
+}
+
+// Whose numbers are too large, and in which unit they would be right. factor: upper over what lower says.
+struct Blame {
+  bool upper = true;
+  std::string unit;
+};
+std::optional<Blame> blame_unit(const Comparison& pair, bool rotating) {
+  const double factor = std::abs(pair.gain);
+  const auto dimension = [&](Quantity q) { return dimension_of(static_cast<firmware::Quantity>(q), rotating); };
+  if (const auto unit = unit_reading(dimension(pair.upper), factor, kUnitTolerance)) return Blame{true, *unit};
+  if (const auto unit = unit_reading(dimension(pair.lower), 1.0 / factor, kUnitTolerance)) return Blame{false, *unit};
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Comparison> compare(const Channel& lower, const Channel& upper, double sample_period_s) {
+  const bool twice = static_cast<int>(upper.quantity) - static_cast<int>(lower.quantity) == 2;
+  const size_t n = lower.values.size();
+  Comparison best;
+  best.lower = lower.quantity;
+  best.upper = upper.quantity;
+  size_t best_span = 0;
+  for (size_t h = 1; static_cast<double>(n) / static_cast<double>(2 * h) >= kFewestSpans; h *= 2) {
+    const double r = moments(sides_over(lower.values, upper.values, h, twice, sample_period_s), 0).correlation();
+    if (std::abs(r) <= std::abs(best.correlation)) continue;
+    best.correlation = r;
+    best_span = h;
+  }
+  if (best_span == 0) return std::nullopt;
+  const Sides sides = sides_over(lower.values, upper.values, best_span, twice, sample_period_s);
+  const Moments at_once = moments(sides, 0);
+  best.independent = static_cast<double>(n) / static_cast<double>(2 * best_span);
+  best.gain = std::copysign(std::sqrt(at_once.qq / at_once.pp), at_once.pq);
+  best.turned = best.correlation < kTurnedCorrelation;
+  for (int lag = -kDelays; lag <= kDelays; ++lag) best.turned = best.turned && moments(sides, lag).pq < 0.0;
+  measure_lateness(sides, sample_period_s, best_span, best);
+  return best;
+}
+
+std::vector<Finding> check_kinematics(const Record& record, int dof, bool rotating) {
+  constexpr Quantity kMotion[] = {Quantity::kDisplacement, Quantity::kVelocity, Quantity::kAcceleration};
+  std::vector<Comparison> pairs;
+  for (int i = 0; i < 3; ++i)
+    for (int j = i + 1; j < 3; ++j) {
+      const Channel *lower = record.find(kMotion[i], dof), *upper = record.find(kMotion[j], dof);
+      if (lower == nullptr || upper == nullptr) continue;
+      if (const auto pair = compare(*lower, *upper, record.sample_period_s)) pairs.push_back(*pair);
+    }
+  const auto name = [&](Quantity quantity) { return record.find(quantity, dof)->name; };
+  // With three channels the one that two pairs complain about; else the one that differentiates more.
+  const auto count_bad = [&](Quantity quantity, auto is_bad) {
+    return std::count_if(pairs.begin(), pairs.end(), [&](const Comparison& pair) {
+      return (pair.lower == quantity || pair.upper == quantity) && is_bad(pair);
+    });
+  };
+  std::vector<Finding> findings;
+  const auto add = [&](Finding finding) {
+    for (const Finding& earlier : findings)
+      if (earlier.kind == finding.kind && earlier.channel == finding.channel) return;
+    findings.push_back(std::move(finding));
+  };
+  const auto turned = [](const Comparison& pair) { return pair.turned; };
+  const auto off = [](const Comparison& pair) {
+    return std::abs(pair.correlation) > kGainCorrelation &&
+           (std::abs(pair.gain) > kPlainGain || std::abs(pair.gain) < 1.0 / kPlainGain);
+  };
+  for (const Comparison& pair : pairs) {
+    if (turned(pair)) {
+      const bool lower = count_bad(pair.lower, turned) > count_bad(pair.upper, turned);
+      const std::string blamed = name(lower ? pair.lower : pair.upper), other = name(lower ? pair.upper : pair.lower);
+      Finding finding{"polarity", Weight::kFault, blamed, "", pair.correlation};
+      finding.detail = "points against " + other +
+                       sentence(" (correlation of the same motion %.2f)", pair.correlation, 0) +
+                       ": the sensor is turned over or its leads are exchanged; change the sign of the column";
+      if (pairs.size() == 1) finding.detail += " (or that of " + other + ")";
+      add(std::move(finding));
+    }
+    if (off(pair)) {
+      const auto blame = blame_unit(pair, rotating);
+      bool upper = count_bad(pair.upper, off) >= count_bad(pair.lower, off);
+      if (blame && count_bad(pair.upper, off) == count_bad(pair.lower, off)) upper = blame->upper;
+      const double factor = upper ? std::abs(pair.gain) : 1.0 / std::abs(pair.gain);
+      const std::string blamed = name(upper ? pair.upper : pair.lower), other = name(upper ? pair.lower : pair.upper);
+      Finding finding{"unit", Weight::kFault, blamed, "", factor};
+      finding.detail = "is " + sentence("%.4g times what ", factor, 0) + other + " says of the same motion";
+      const auto unit =
+          unit_reading(dimension_of(static_cast<firmware::Quantity>(upper ? pair.upper : pair.lower), rotating), factor,
+                       kUnitTolerance);
+      finding.detail += unit ? ": its numbers are in " + *unit + "; name the unit in the column's head or with --unit"
+                             : ": its unit or its calibration is wrong";
+      add(std::move(finding));
+    }
+    const double samples = pair.late_s / record.sample_period_s;
+    if (!pair.turned && pair.correlation > kGainCorrelation && std::abs(samples) > 0.1 && std::abs(samples) < 10.0 &&
+        std::abs(pair.late_s) > 5.0 * pair.late_std_s) {
+      Finding finding{"skew", Weight::kInforms, name(pair.upper), "", pair.late_s};
+      finding.detail = sentence(pair.late_s > 0.0 ? "is %.3g us late against " : "is %.3g us ahead of ",
+                                std::abs(pair.late_s) * 1e6, 0) +
+                       name(pair.lower) + sentence(" (+- %.2g)", 2e6 * pair.late_std_s, 0);
+      add(std::move(finding));
+    }
+  }
+  return findings;
+}
+
+}  // namespace host_sim::data_check

@@ -1,0 +1,30 @@
+// Channels of one DOF beside each other: displacement, velocity and acceleration of one motion must agree, whatever the
+// rig is.
+//
+// Over a span of 2h samples the change of a displacement is the integral of the velocity, and so on:
+//   (x[i+h] - x[i-h]) / (2 h T)          = mean of v over the span
+//   (x[i+h] - 2 x[i] + x[i-h]) / (h T)^2 = mean of a over the span, weighted by a triangle
+// Both sides are compared over the whole record at the span where they agree best.
+#pragma once
+#include <vector>
+
+#include "host_sim/data_check/data_check.hpp"
+
+namespace host_sim::data_check {
+
+struct Comparison {
+  Quantity lower = Quantity::kDisplacement, upper = Quantity::kVelocity;  // upper: once or twice differentiated
+  double correlation = 0.0;               // of both sides, at the span where its magnitude is largest
+  double gain = 1.0;                      // upper over the derivative of lower, with its sign
+  double late_s = 0.0, late_std_s = 0.0;  // upper behind lower
+  bool turned = false;                    // the correlation is negative for every delay of up to 3 samples
+  double independent = 0.0;               // about how many independent spans stand behind it
+};
+
+// Nothing where the record is too short to say (less than 30 independent spans).
+std::optional<Comparison> compare(const Channel& lower, const Channel& upper, double sample_period_s);
+
+// Polarity, unit and lateness of the channels of one DOF (or of the base).
+std::vector<Finding> check_kinematics(const Record& record, int dof, bool rotating);
+
+}  // namespace host_sim::data_check

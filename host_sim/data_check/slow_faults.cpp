@@ -1,0 +1,105 @@
+#include "host_sim/data_check/slow_faults.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstdio>
+
+namespace host_sim::data_check {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr size_t kMostSamples = 1 << 16;  // of a spectrum at single frequencies
+constexpr double kAboveSurroundings = 30.0;
+constexpr size_t kParts = 10;
+constexpr double kSteady = 0.9, kDriftShare = 0.05;
+
+// Amplitude of the channel at one frequency, by a Hann window over the first samples.
+double amplitude_at(const std::vector<double>& values, double mean, double cycles_per_sample) {
+  const size_t n = std::min(values.size(), kMostSamples);
+  const std::complex<double> turn = std::polar(1.0, -2.0 * kPi * cycles_per_sample),
+                             window_turn = std::polar(1.0, 2.0 * kPi / static_cast<double>(n));
+  std::complex<double> phase = 1.0, window = 1.0, sum = 0.0;
+  for (size_t i = 0; i < n; ++i) {
+    sum += (values[i] - mean) * (0.5 - 0.5 * window.real()) * phase;
+    phase *= turn;
+    window *= window_turn;
+  }
+  return 4.0 * std::abs(sum) / static_cast<double>(n);
+}
+
+std::optional<Finding> find_hum(const Channel& channel, const Statistics& statistics, double sample_period_s,
+                                double mains_Hz) {
+  const double resolution_Hz =
+      1.0 / (static_cast<double>(std::min(channel.values.size(), kMostSamples)) * sample_period_s);
+  if (resolution_Hz > 0.5 || mains_Hz + 5.0 > 0.45 / sample_period_s) return std::nullopt;
+  const auto amplitude = [&](double f_Hz) {
+    return amplitude_at(channel.values, statistics.mean, f_Hz * sample_period_s);
+  };
+  double line = 0.0;
+  for (int i = -2; i <= 2; ++i) line = std::max(line, amplitude(mains_Hz + 0.05 * i));
+  double around = 0.0, count = 0.0;
+  for (int i = 0; i < 8; ++i)
+    for (const double side : {-1.0, 1.0}) {
+      const double a = amplitude(mains_Hz + side * (std::max(1.0, 4.0 * resolution_Hz) + 0.37 * i));
+      around += a * a;
+      count += 1.0;
+    }
+  if (!(line * line > kAboveSurroundings * around / count) || line < 1e-6 * statistics.rms) return std::nullopt;
+  char text[200];
+  std::snprintf(
+      text, sizeof text,
+      "carries a line at %.0f Hz of amplitude %.3g (%.2g %% of its rms): mains hum, if the excitation has no such line",
+      mains_Hz, line, 100.0 * line / statistics.rms);
+  return Finding{"hum", Weight::kInforms, channel.name, text, line};
+}
+
+std::optional<Finding> find_drift(const Channel& channel, const Statistics& statistics) {
+  if (channel.quantity == Quantity::kForce || channel.values.size() < 40 * kParts || statistics.rms == 0.0)
+    return std::nullopt;
+  const size_t length = channel.values.size() / kParts;
+  double means[kParts] = {};
+  size_t crossings = 0;
+  for (size_t part = 0; part < kParts; ++part) {
+    for (size_t i = part * length; i < (part + 1) * length; ++i)
+      means[part] += channel.values[i] / static_cast<double>(length);
+    for (size_t i = part * length + 1; i < (part + 1) * length; ++i)
+      if ((channel.values[i] > means[part]) != (channel.values[i - 1] > means[part])) ++crossings;
+  }
+  double mean = 0.0, moment = 0.0, square = 0.0, times = 0.0;
+  for (const double part : means) mean += part / static_cast<double>(kParts);
+  for (size_t part = 0; part < kParts; ++part) {
+    const double t = static_cast<double>(part) - 0.5 * static_cast<double>(kParts - 1);
+    moment += t * (means[part] - mean);
+    square += (means[part] - mean) * (means[part] - mean);
+    times += t * t;
+  }
+  if (!(square > 0.0) || crossings < 4 * kParts) return std::nullopt;
+  const double correlation = moment / std::sqrt(square * times), over_record = moment / times * kParts;
+  if (std::abs(correlation) < kSteady || std::abs(over_record) < kDriftShare * statistics.rms) return std::nullopt;
+  char text[200];
+  std::snprintf(text, sizeof text, "drifts by %.3g over the record (%.2g %% of its rms)", over_record,
+                100.0 * std::abs(over_record) / statistics.rms);
+  return Finding{"drift", Weight::kInforms, channel.name, text, over_record};
+}
+
+}  // namespace
+
+std::vector<Finding> find_slow_faults(const Record& record, const Channel& channel, const Statistics& statistics) {
+  std::vector<Finding> findings;
+  if (statistics.lowest == statistics.highest) return findings;
+  for (const double mains_Hz : {50.0, 60.0})
+    if (auto hum = find_hum(channel, statistics, record.sample_period_s, mains_Hz)) findings.push_back(std::move(*hum));
+  if (auto drift = find_drift(channel, statistics)) findings.push_back(std::move(*drift));
+  return findings;
+}
+
+std::optional<Finding> find_jitter(const Record& record) {
+  if (!(record.time_jitter_s > 1e-3 * record.sample_period_s)) return std::nullopt;
+  char text[160];
+  std::snprintf(text, sizeof text, "the sample times scatter by %.3g us (rms) about even steps of %.6g us",
+                record.time_jitter_s * 1e6, record.sample_period_s * 1e6);
+  return Finding{"jitter", Weight::kInforms, "", text, record.time_jitter_s};
+}
+
+}  // namespace host_sim::data_check

@@ -1,0 +1,98 @@
+#include "host_sim/data_check/statistics.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace host_sim::data_check {
+namespace {
+
+constexpr double kNormalMedian = 0.67448975;  // of |x|, x standard normal
+
+// Standard deviation of white noise from the differences of an even order: their variance is the noise's times the
+// binomial coefficient (2n over n). By the median, so that bursts and edges do not count.
+double noise_by_differences(const std::vector<double>& values, int order) {
+  std::vector<double> differences = values;
+  for (int i = 0; i < order; ++i) {
+    for (size_t k = 0; k + 1 < differences.size(); ++k) differences[k] = differences[k + 1] - differences[k];
+    differences.pop_back();
+  }
+  for (double& difference : differences) difference = std::abs(difference);
+  double binomial = 1.0;
+  for (int i = 1; i <= order; ++i) binomial *= static_cast<double>(order + i) / static_cast<double>(i);
+  return quantile(std::move(differences), 0.5) / kNormalMedian / std::sqrt(binomial);
+}
+
+// The smallest step, where all others are whole multiples of it within a hundredth (99 of 100 of them).
+double resolution_of(const std::vector<double>& values) {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (size_t i = 1; i < values.size(); ++i) {
+    const double step = std::abs(values[i] - values[i - 1]);
+    if (step > 1e-12 * std::abs(values[i])) smallest = std::min(smallest, step);
+  }
+  if (!std::isfinite(smallest)) return 0.0;
+  size_t steps = 0, whole = 0;
+  double sum = 0.0, count = 0.0;
+  for (size_t i = 1; i < values.size(); ++i) {
+    const double multiple = std::abs(values[i] - values[i - 1]) / smallest, nearest = std::nearbyint(multiple);
+    if (nearest < 1.0 || nearest > 50.0) continue;  // beyond, the smallest step's own rounding adds up
+    ++steps;
+    if (std::abs(multiple - nearest) < 0.01 * nearest + 0.01) {
+      ++whole;
+      sum += multiple;
+      count += nearest;
+    }
+  }
+  const bool quantised = steps >= 20 && static_cast<double>(whole) >= 0.99 * static_cast<double>(steps);
+  return quantised ? smallest * sum / count : 0.0;
+}
+
+}  // namespace
+
+double quantile(std::vector<double> values, double q) {
+  if (values.empty()) return 0.0;
+  const auto place = values.begin() + static_cast<std::ptrdiff_t>(q * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), place, values.end());
+  return *place;
+}
+
+std::vector<Run> equal_runs(const std::vector<double>& values, size_t shortest) {
+  std::vector<Run> runs;
+  for (size_t first = 0; first < values.size();) {
+    size_t behind = first + 1;
+    while (behind < values.size() && values[behind] == values[first]) ++behind;
+    if (behind - first >= shortest) runs.push_back({first, behind - first});
+    first = behind;
+  }
+  return runs;
+}
+
+Statistics statistics_of(const std::vector<double>& values) {
+  Statistics s;
+  if (values.empty()) return s;
+  const auto n = static_cast<double>(values.size());
+  for (const double value : values) s.mean += value / n;
+  double squares = 0.0;
+  for (const double value : values) squares += (value - s.mean) * (value - s.mean) / n;
+  s.rms = std::sqrt(squares);
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  s.lowest = *low;
+  s.highest = *high;
+  if (s.lowest == s.highest) return s;
+  const double bottom = quantile(values, 0.001), top = quantile(values, 0.999);
+  s.range = top - bottom;
+  s.resolution = resolution_of(values);
+  const double fourth = noise_by_differences(values, 4), sixth = noise_by_differences(values, 6);
+  s.noise = std::max(fourth, s.resolution / std::sqrt(12.0));
+  s.noisy = sixth > 0.5 * fourth && fourth > 0.3 * s.resolution;  // a smooth signal's sixth differences vanish
+  double inside = 0.0, same = 0.0;
+  for (size_t i = 1; i < values.size(); ++i) {
+    if (values[i] <= bottom + 0.02 * s.range || values[i] >= top - 0.02 * s.range) continue;
+    inside += 1.0;
+    same += values[i] == values[i - 1] ? 1.0 : 0.0;
+  }
+  s.repeats = inside > 0.0 ? same / inside : 1.0;
+  return s;
+}
+
+}  // namespace host_sim::data_check

@@ -1,0 +1,29 @@
+// What one channel says about itself.
+#pragma once
+#include <cstddef>
+#include <vector>
+
+namespace host_sim::data_check {
+
+struct Statistics {
+  double mean = 0.0, rms = 0.0;  // rms about the mean
+  double lowest = 0.0, highest = 0.0;
+  double range = 0.0;       // between the 0.1 and 99.9 percent quantiles: a spike does not widen it
+  double noise = 0.0;       // standard deviation of what is white from sample to sample
+  double resolution = 0.0;  // the step of a quantised channel; 0 where none shows
+  bool noisy = false;       // noise amid which equal neighbours are chance: not a smooth or coarse signal
+  double repeats = 0.0;     // share of samples inside the range that equal their predecessor
+};
+
+Statistics statistics_of(const std::vector<double>& values);
+
+// The q-quantile (0 to 1), by partial sorting of a copy; 0 of nothing.
+double quantile(std::vector<double> values, double q);
+
+// Runs of at least `shortest` equal values.
+struct Run {
+  size_t first = 0, length = 0;
+};
+std::vector<Run> equal_runs(const std::vector<double>& values, size_t shortest);
+
+}  // namespace host_sim::data_check

@@ -1,0 +1,80 @@
+#include "host_sim/programs/shared/data_options.hpp"
+
+#include <cstdio>
+#include <set>
+#include <stdexcept>
+
+#include "host_sim/data_check/to_json.hpp"
+#include "host_sim/programs/shared/failures.hpp"
+#include "host_sim/records/record_reader.hpp"
+
+namespace host_sim {
+namespace {
+
+ReadingOptions::Choices choices(const char* option, const std::vector<std::string>& texts) {
+  ReadingOptions::Choices result;
+  for (const std::string& text : texts) {
+    try {
+      result.push_back(parse_choice(text));
+    } catch (const std::invalid_argument& error) {
+      throw UsageError(std::string(option) + " " + error.what());
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+void add_data_options(CLI::App& command, DataArguments& arguments) {
+  command.add_option("--column", arguments.columns,
+                     "CHANNEL=NAME: the data file's column of that name is this channel; may be repeated");
+  command.add_option("--unit", arguments.units, "CHANNEL=UNIT: the unit that column is in; may be repeated");
+  command.add_option("--sensitivity", arguments.sensitivities,
+                     "CHANNEL=VALUE: of a sensor whose column is a voltage, as in acceleration_1=\"100 mV/g\"");
+  command
+      .add_option("--sample-rate", arguments.sample_rate_Hz,
+                  "samples per second, for files without a column of time (or with one that is not to be believed)")
+      ->check(CLI::PositiveNumber);
+}
+
+void add_anyway_option(CLI::App& command, DataArguments& arguments) {
+  command.add_flag("--anyway", arguments.in_spite_of_faults,
+                   "compute in spite of what the check of the data finds (see host_sim check)");
+}
+
+std::vector<Record> read_data(const std::vector<std::string>& paths, const rig_file::RigModel& model,
+                              const DataArguments& arguments) {
+  ReadingOptions options;
+  options.columns = choices("--column", arguments.columns);
+  options.units = choices("--unit", arguments.units);
+  options.sensitivities = choices("--sensitivity", arguments.sensitivities);
+  options.sample_rate_Hz = arguments.sample_rate_Hz;
+  std::vector<Record> records;
+  std::set<std::string> said;
+  for (const std::string& path : paths)
+    for (Record& record : read_records(path, model, options)) {
+      for (const std::string& note : record.notes)
+        if (said.insert(note).second) std::fprintf(stderr, "%s: %s\n", record.file.c_str(), note.c_str());
+      records.push_back(std::move(record));
+    }
+  return records;
+}
+
+std::string joined_lines(const std::vector<std::string>& lines) {
+  std::string text;
+  for (const std::string& line : lines) text += (text.empty() ? "" : "\n  ") + line;
+  return text;
+}
+
+void require_sound(const std::vector<Record>& records, const rig_file::RigModel& model,
+                   const DataArguments& arguments) {
+  const data_check::Report report = data_check::check(records, &model);
+  const bool stop = report.worst() == data_check::Weight::kFault && !arguments.in_spite_of_faults;
+  if (stop)
+    throw CannotAnswer("the recordings have faults (host_sim check tells more, --anyway computes all the same)\n  " +
+                       joined_lines(data_check::lines_of(report, data_check::Weight::kFault)));
+  for (const std::string& line : data_check::lines_of(report, data_check::Weight::kDoubt))
+    std::fprintf(stderr, "%s\n", line.c_str());
+}
+
+}  // namespace host_sim

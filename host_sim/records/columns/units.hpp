@@ -1,0 +1,48 @@
+// Units that rigs come in, and their factor to SI.
+#pragma once
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "firmware/configuration/configuration.hpp"
+
+namespace host_sim {
+
+// What a unit measures: a quantity of a translating or rotating DOF, a time or a voltage.
+enum class Dimension {
+  kForce,
+  kDisplacement,
+  kVelocity,
+  kAcceleration,
+  kTorque,
+  kAngle,
+  kAngularVelocity,
+  kAngularAcceleration,
+  kTime,
+  kVoltage
+};
+
+Dimension dimension_of(firmware::Quantity quantity, bool rotating);
+const char* si_unit(Dimension dimension);  // "m/s2"
+
+struct Unit {
+  std::string word;     // as the table spells it: "mm/s"
+  Dimension dimension;  // what it measures
+  double to_si = 1.0;   // a value times this is in SI units (N, m, rad, s, V)
+};
+
+// "mm", "(m/s^2)", "[g]", "N·m", "µm", "°/s", "lbf-ft", "1/min": brackets, blanks and the usual spellings are
+// understood, upper and lower case matter ("mN", "MN") unless only one reading exists. Nothing where it is no unit.
+// A word that names units of two dimensions ("N m" is no length) is looked for in `expected` first.
+std::optional<Unit> find_unit(std::string_view text, std::optional<Dimension> expected = std::nullopt);
+// The end of a column name, where "/" and "." are written "_": "mm_s2", "kN_m".
+std::optional<Unit> find_unit_suffix(std::string_view suffix, Dimension expected);
+
+// "100 mV/g", "2.25 mV/N", "0.5 V/(mm/s)": volts per SI unit, and what is measured. Nothing where it is none.
+struct Sensitivity {
+  Dimension dimension;
+  double volts_per_si = 1.0;
+};
+std::optional<Sensitivity> parse_sensitivity(const std::string& text);
+
+}  // namespace host_sim

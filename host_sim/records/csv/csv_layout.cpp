@@ -1,0 +1,174 @@
+#include "host_sim/records/csv/csv_layout.hpp"
+
+#include <algorithm>
+
+#include "host_sim/records/columns/column_name.hpp"
+#include "host_sim/records/columns/units.hpp"
+
+namespace host_sim {
+namespace {
+
+constexpr char kSeparators[] = {'\t', ';', ',', ' '};
+constexpr size_t kLongestPreamble = 200;  // lines
+
+bool blank(char c) { return c == ' ' || c == '\t'; }
+
+std::string_view without_comment_sign(std::string_view line) {
+  const size_t first = line.find_first_not_of(" \t#%/");
+  return first == std::string_view::npos ? std::string_view() : line.substr(first);
+}
+
+struct Header {
+  size_t line = 0;  // 0: none
+  char separator = ',';
+  std::string_view text, rest;
+  size_t passed_over = 0;  // lines before it that are neither blank nor comments
+};
+
+// How many fields mean a channel, and with which separator most do.
+size_t score(std::string_view line, const std::function<bool(const std::string&)>& means_channel, char& separator) {
+  size_t best = 0;
+  for (const char candidate : kSeparators) {
+    const std::vector<std::string> fields = split_fields(line, candidate);
+    const auto count = static_cast<size_t>(std::count_if(fields.begin(), fields.end(), means_channel));
+    if (count > best) {
+      best = count;
+      separator = candidate;
+    }
+  }
+  return best;
+}
+
+Header find_header(std::string_view content, const std::function<bool(const std::string&)>& means_channel) {
+  Header fallback;
+  std::string_view rest = content;
+  size_t passed_over = 0;
+  for (size_t number = 1; !rest.empty() && number <= kLongestPreamble; ++number) {
+    std::string_view line = take_line(rest);
+    if (is_blank(line)) continue;
+    const bool comment = is_comment(line);
+    if (comment) line = without_comment_sign(line);
+    char separator = ',';
+    if (score(line, means_channel, separator) > 0) return {number, separator, line, rest, passed_over};
+    if (comment) continue;
+    if (fallback.line == 0) fallback = {number, ',', line, rest, 0};
+    ++passed_over;
+  }
+  return fallback;
+}
+
+bool has_digit_first(const std::string& field) {
+  const size_t first = field.find_first_not_of(" +-.,");
+  return first != std::string::npos && field[first] >= '0' && field[first] <= '9' && field != "1/min";
+}
+
+// Takes a row of units off the front of the data.
+bool take_units(CsvLayout& layout) {
+  std::string_view rest = layout.data;
+  const std::vector<std::string> fields = split_fields(take_line(rest), layout.separator);
+  bool any = false;
+  for (const std::string& field : fields) {
+    const std::string text = trimmed_text(field);
+    if (text.empty() || text == "-") continue;
+    if (has_digit_first(text)) return false;
+    any = any || find_unit(text).has_value();
+  }
+  if (!any || fields.size() > layout.columns.size() + 1) return false;
+  for (size_t i = 0; i < std::min(fields.size(), layout.columns.size()); ++i) {
+    const HeadParts parts = split_head(fields[i]);
+    layout.columns[i].unit = parts.unit.empty() ? parts.name : parts.unit;  // "(mm)" or "mm"
+  }
+  layout.data = rest;
+  ++layout.data_line;
+  return true;
+}
+
+void skip_blank_and_comment_lines(CsvLayout& layout) {
+  for (std::string_view rest = layout.data; !rest.empty();) {
+    const std::string_view line = take_line(rest);
+    if (!is_comment(line) && !(is_blank(line) && !is_blank(rest))) return;
+    if (is_blank(line) && rest.find_first_not_of(" \t\r\n") == std::string_view::npos) return;
+    layout.data = rest;
+    ++layout.data_line;
+  }
+}
+
+bool commas_are_points(const CsvLayout& layout) {
+  if (layout.separator == ',') return false;
+  constexpr int kRowsLookedAt = 100;
+  std::string_view rest = layout.data;
+  bool comma = false;
+  for (int i = 0; i < kRowsLookedAt && !rest.empty(); ++i) {
+    const std::string_view line = take_line(rest);
+    if (is_comment(line)) continue;
+    for (const std::string& field : split_fields(line, layout.separator)) {
+      if (!has_digit_first(field)) continue;
+      if (field.find_first_of(":") != std::string::npos) continue;  // a clock
+      if (field.find('.') != std::string::npos) return false;
+      comma = comma || field.find(',') != std::string::npos;
+    }
+  }
+  return comma;
+}
+
+}  // namespace
+
+std::vector<std::string> split_fields(std::string_view line, char separator) {
+  std::vector<std::string> fields;
+  std::string field;
+  bool inside = false, any = false;
+  if (separator == ' ')
+    while (!line.empty() && blank(line.front())) line.remove_prefix(1);
+  for (size_t i = 0; i < line.size(); ++i) {
+    const char c = line[i];
+    if (c == '"') {
+      inside = !inside;
+      any = true;
+    } else if (!inside && (separator == ' ' ? blank(c) : c == separator)) {
+      if (separator == ' ' && field.empty() && !any) continue;
+      fields.push_back(field);
+      field.clear();
+      any = false;
+    } else {
+      field += c;
+    }
+  }
+  if (separator != ' ' || !field.empty() || any) fields.push_back(field);
+  return fields;
+}
+
+std::string_view take_line(std::string_view& rest) {
+  const size_t end = rest.find('\n');
+  std::string_view line = rest.substr(0, end);
+  rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
+  if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+  return line;
+}
+
+bool is_blank(std::string_view line) { return line.find_first_not_of(" \t\r") == std::string_view::npos; }
+
+bool is_comment(std::string_view line) {
+  const size_t first = line.find_first_not_of(" \t\"");
+  if (first == std::string_view::npos) return false;
+  return line[first] == '#' || line[first] == '%' || line.substr(first, 2) == "//";
+}
+
+CsvLayout find_layout(std::string_view content, const std::function<bool(const std::string&)>& means_channel) {
+  const Header header = find_header(content, means_channel);
+  CsvLayout layout;
+  layout.separator = header.separator;
+  layout.header_line = header.line;
+  layout.data = header.rest;
+  layout.data_line = header.line + 1;
+  for (const std::string& field : split_fields(header.text, header.separator)) layout.columns.push_back({field, ""});
+  if (header.passed_over > 0)
+    layout.notes.push_back("passed over: " + std::to_string(header.passed_over) + " line" +
+                           (header.passed_over == 1 ? "" : "s") + " before the names of line " +
+                           std::to_string(header.line));
+  skip_blank_and_comment_lines(layout);
+  if (take_units(layout)) skip_blank_and_comment_lines(layout);
+  layout.decimal_comma = commas_are_points(layout);
+  return layout;
+}
+
+}  // namespace host_sim

@@ -1,0 +1,37 @@
+// Where the names, the units and the numbers of a table in a text file stand, and what separates its fields.
+#pragma once
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "host_sim/records/columns/column_meaning.hpp"
+
+namespace host_sim {
+
+// The fields of one line. Quotes are taken off; inside them a separator does not separate. A separator of ' ' stands for
+// any run of blanks and tabs.
+std::vector<std::string> split_fields(std::string_view line, char separator);
+
+// Takes the text up to the next line end (or the end) off the front; a "\r" before the line end goes too.
+std::string_view take_line(std::string_view& rest);
+bool is_blank(std::string_view line);
+bool is_comment(std::string_view line);  // begins with "#", "%" or "//"
+
+struct CsvLayout {
+  char separator = ',';
+  bool decimal_comma = false;
+  std::vector<Column> columns;
+  size_t header_line = 1;          // from 1
+  std::string_view data;           // the rest of the content, from the first row of numbers on
+  size_t data_line = 2;            // its line
+  std::vector<std::string> notes;  // what was passed over
+};
+
+// The header is the first line in which some separator (tab, semicolon, comma, blanks) leaves a field that means a
+// channel or the time; a comment line may be it. Without one the first line that is no comment is taken. Below it a row
+// of units may follow: fields that are units, or blank, and no number. A comma is a decimal point where fields are
+// separated otherwise and the first numbers hold commas and no points.
+CsvLayout find_layout(std::string_view content, const std::function<bool(const std::string&)>& means_channel);
+
+}  // namespace host_sim

@@ -1,0 +1,238 @@
+#include "host_sim/records/csv/csv_reader.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+
+#include "host_sim/records/columns/column_name.hpp"
+#include "host_sim/records/csv/csv_layout.hpp"
+#include "host_sim/records/csv/text_encoding.hpp"
+#include "host_sim/records/data_file_error.hpp"
+#include "host_sim/records/record_checks.hpp"
+
+namespace host_sim {
+namespace {
+
+std::string quoted(std::string_view text) {
+  std::string result = "\"";
+  for (const char c : text.substr(0, 40)) result += static_cast<unsigned char>(c) < 0x20 ? '?' : c;
+  return result + (text.size() > 40 ? "...\"" : "\"");
+}
+
+const char* separator_word(char separator) {
+  return separator == ',' ? "commas" : separator == ';' ? "semicolons" : separator == '\t' ? "tabs" : "blanks";
+}
+
+class CsvParser {
+ public:
+  CsvParser(std::string_view content, const std::string& file, const rig_file::RigModel& model,
+            const ReadingOptions& options)
+      : content_(content), model_(model), options_(options) {
+    record_.file = file;
+  }
+
+  Record parse() {
+    if (content_.find_first_not_of(" \t\r\n") == std::string_view::npos)
+      refuse(0, "is empty, expected a line of column names, then numbers");
+    layout_ = find_layout(content_, [this](const std::string& head) { return means_channel(head, model_, options_); });
+    if (layout_.header_line == 0) refuse(1, "holds no names of columns, expected t_s, then channels");
+    plan();
+    reserve();
+    std::string_view rest = layout_.data;
+    for (line_ = layout_.data_line; !rest.empty(); ++line_) {
+      const std::string_view row = take_line(rest);
+      if (is_comment(row)) {
+        comments_.push_back(samples_);
+      } else if (is_blank(row)) {
+        if (rest.find_first_not_of(" \t\r\n") != std::string_view::npos)
+          refuse(line_, "is blank, expected " + std::to_string(columns_.size()) + " numbers");
+        break;
+      } else {
+        read_row(row);
+        ++samples_;
+      }
+    }
+    finish();
+    return std::move(record_);
+  }
+
+ private:
+  struct Target {
+    std::vector<double>* values = nullptr;  // nullptr: ignored
+    double factor = 1.0;
+    std::string name;
+  };
+
+  [[noreturn]] void refuse(size_t line, const std::string& problem) const {
+    throw DataFileError(record_.file, line, problem);
+  }
+
+  void plan() {
+    const std::string first = trimmed_text(layout_.columns.empty() ? "" : layout_.columns.front().head);
+    ColumnPlan plan = plan_columns(layout_.columns, model_, options_, record_.file, layout_.header_line);
+    const auto channels =
+        static_cast<size_t>(std::count_if(plan.uses.begin(), plan.uses.end(),
+                                          [](const ColumnUse& use) { return use.kind == ColumnUse::Kind::kChannel; }));
+    if (!plan.has_time() && options_.sample_rate_Hz <= 0.0)
+      refuse(layout_.header_line, "has no column of time (the first is " + quoted(first) +
+                                      "), expected t_s, then channels, or --sample-rate");
+    if (channels == 0) refuse_without_channels();
+    record_.notes = layout_.notes;
+    record_.notes.insert(record_.notes.end(), plan.notes.begin(), plan.notes.end());
+    record_.channels.reserve(channels);
+    for (size_t i = 0; i < plan.uses.size(); ++i) {
+      ColumnUse& use = plan.uses[i];
+      Target target;
+      target.name = use.kind == ColumnUse::Kind::kTime ? trimmed_text(layout_.columns[i].head) : use.channel.name;
+      target.factor = use.factor;
+      if (use.kind == ColumnUse::Kind::kTime) target.values = &time_s_;
+      if (use.kind == ColumnUse::Kind::kChannel) {
+        record_.channels.push_back(std::move(use.channel));
+        target.values = &record_.channels.back().values;  // room was reserved: it stays there
+      }
+      columns_.push_back(std::move(target));
+    }
+  }
+
+  [[noreturn]] void refuse_without_channels() const {
+    std::string heads;
+    for (const Column& column : layout_.columns)
+      heads += (heads.empty() ? "" : ", ") + quoted(trimmed_text(column.head));
+    refuse(layout_.header_line, "names no channel (" + heads +
+                                    "), expected t_s and at least one such as displacement_1_m, or --column "
+                                    "displacement_1=NAME for a column with a name of its own");
+  }
+
+  void reserve() {
+    const size_t line_length = layout_.data.find('\n');
+    if (line_length == std::string_view::npos || line_length == 0) return;
+    const size_t rows = layout_.data.size() / (line_length + 1) * 21 / 20 + 1;  // the first rows are often the shortest
+    for (const Target& column : columns_)
+      if (column.values != nullptr) column.values->reserve(rows);
+  }
+
+  void read_row(std::string_view row) {
+    const char* position = row.data();
+    const char* end = row.data() + row.size();
+    const char separator = layout_.separator;
+    if (separator == ' ')
+      while (end != position && (end[-1] == ' ' || end[-1] == '\t')) --end;
+    const size_t count = columns_.size();
+    for (size_t column = 0; column < count; ++column) {
+      const Target& target = columns_[column];
+      if (target.values == nullptr) {
+        skip_field(position, end);
+      } else {
+        target.values->push_back(number(position, end, target) * target.factor);
+      }
+      const bool last = column + 1 == count;
+      if (last && end - position == 1 && at_field_end(position, end)) ++position;  // a separator ends the line
+      if (last != (position == end))
+        refuse(line_,
+               (last ? "has more fields, expected " : "has " + std::to_string(column + 1) + " fields, expected ") +
+                   std::to_string(count) + " numbers separated by " + separator_word(separator));
+      if (!last) ++position;
+    }
+  }
+
+  void skip_blanks(const char*& position, const char* end) const {
+    while (position != end && (*position == ' ' || (*position == '\t' && layout_.separator != '\t'))) ++position;
+  }
+  bool at_field_end(const char* position, const char* end) const {
+    return position == end || *position == layout_.separator || (layout_.separator == ' ' && *position == '\t');
+  }
+
+  void skip_field(const char*& position, const char* end) const {
+    skip_blanks(position, end);
+    for (bool inside = false; position != end && (inside || !at_field_end(position, end)); ++position)
+      if (*position == '"') inside = !inside;
+  }
+
+  // The number at the position, which moves to the separator behind it or to the end.
+  double number(const char*& position, const char* end, const Target& target) const {
+    const char* const start = position;
+    skip_blanks(position, end);
+    const bool in_quotes = position != end && *position == '"';
+    if (in_quotes) ++position;
+    if (position != end && *position == '+') ++position;
+    double value = 0.0;
+    bool good = false;
+    if (layout_.decimal_comma) {
+      good = number_with_comma(position, end, value);
+    } else {
+      const auto [stop, error] = std::from_chars(position, end, value);
+      good = error == std::errc();
+      position = stop;
+    }
+    if (in_quotes) {
+      good = good && position != end && *position == '"';
+      if (good) ++position;
+    }
+    if (layout_.separator != ' ') skip_blanks(position, end);
+    if (!good || !at_field_end(position, end) || !std::isfinite(value)) refuse_field(start, end, target);
+    return value;
+  }
+
+  static bool number_with_comma(const char*& position, const char* end, double& value) {
+    char digits[64];
+    size_t length = 0;
+    const char* at = position;
+    for (; at != end && length < sizeof digits && std::strchr("+-0123456789eE,", *at) != nullptr; ++at)
+      digits[length++] = *at == ',' ? '.' : *at;
+    const auto [stop, error] = std::from_chars(digits, digits + length, value);
+    position += stop - digits;
+    return error == std::errc();
+  }
+
+  [[noreturn]] void refuse_field(const char* start, const char* end, const Target& target) const {
+    const char* stop = start;
+    skip_field(stop, end);
+    const std::string field = trimmed_text(std::string(start, stop));
+    std::string expected = ", expected a finite number";
+    if (layout_.decimal_comma && field.find('.') != std::string::npos)
+      expected += " with a decimal comma, as in the first rows";
+    const auto commas = std::count(field.begin(), field.end(), ',');
+    if (!layout_.decimal_comma && layout_.separator != ',' && commas == 1)
+      expected += " with a decimal point, as in the first rows";
+    if (layout_.separator != ',' && commas > 1)
+      expected += std::string(", fields separated by ") + separator_word(layout_.separator) + " as the names are";
+    refuse(line_, "column " + target.name + " is " + quoted(field) + expected);
+  }
+
+  size_t line_of(size_t sample) const {
+    size_t line = layout_.data_line + sample;
+    for (const size_t before : comments_) line += before <= sample ? 1 : 0;
+    return line;
+  }
+
+  void finish() {
+    if (options_.sample_rate_Hz > 0.0) {
+      if (samples_ < 2) refuse(0, "holds " + std::to_string(samples_) + " samples, expected at least 2");
+      record_.sample_period_s = 1.0 / options_.sample_rate_Hz;
+    } else {
+      set_time_base(
+          time_s_, [this](size_t sample) { return line_of(sample); }, record_);
+    }
+  }
+
+  std::string_view content_;
+  const rig_file::RigModel& model_;
+  const ReadingOptions& options_;
+  CsvLayout layout_;
+  Record record_;
+  std::vector<Target> columns_;
+  std::vector<double> time_s_;
+  std::vector<size_t> comments_;  // how many samples stood before each comment line among the rows
+  size_t line_ = 1, samples_ = 0;
+};
+
+}  // namespace
+
+Record parse_csv(std::string_view content, const std::string& file, const rig_file::RigModel& model,
+                 const ReadingOptions& options) {
+  std::string buffer;
+  return CsvParser(as_utf8(content, buffer), file, model, options).parse();
+}
+
+}  // namespace host_sim

@@ -1,0 +1,110 @@
+// Sound records of every kind raise no doubt: made ones here, measured ones where they are.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "hal/rig_file/rig_reader.hpp"
+#include "host_sim/data_check/data_check.hpp"
+#include "host_sim/data_check/to_json.hpp"
+#include "host_sim/records/record_reader.hpp"
+#include "tests/data_check/made_records.hpp"
+#include "tests/host_sim/run_program.hpp"
+
+namespace {
+
+using host_sim::Record;
+using host_sim::data_check::check;
+using host_sim::data_check::Report;
+using host_sim::data_check::Weight;
+
+std::string doubts(const Report& report) {
+  std::string text;
+  for (const std::string& line : host_sim::data_check::lines_of(report, Weight::kDoubt)) text += line + "\n";
+  return text;
+}
+
+TEST(Quiet, OrdinaryRecordsOfEveryKind) {
+  const rig_file::RigModel rig = made::chain();
+  using made::Drive;
+  for (const Drive drive : {Drive::kRandom, Drive::kTwoTones, Drive::kSweep, Drive::kHammer, Drive::kDecay,
+                            Drive::kDecayToRest, Drive::kRelease})
+    for (const char* sensors : {"xva", "x", "v", "a"})
+      for (const double noise : {0.0, 1e-3, 0.05})
+        for (const double encoder_m : {0.0, 2e-5, 1e-3}) {
+          if (encoder_m > 0.0 && (noise > 0.0 || sensors[0] != 'x')) continue;
+          made::Options options;
+          options.drive = drive;
+          options.sensors = sensors;
+          options.noise = noise;
+          options.duration_s = 12.0;
+          options.encoder_m = encoder_m;
+          options.seed = static_cast<unsigned>(drive) + 7;
+          EXPECT_EQ(doubts(check({made::record(options)}, &rig)), "")
+              << "drive " << static_cast<int>(drive) << " sensors " << sensors << " noise " << noise << " encoder "
+              << encoder_m;
+        }
+}
+
+TEST(Quiet, OtherRatesFrictionAndRigs) {
+  for (const double rate_Hz : {200.0, 5000.0})
+    for (const double friction_N : {0.0, 3.0}) {
+      made::Options options;
+      options.rate_Hz = rate_Hz;
+      options.friction_N = friction_N;
+      const rig_file::RigModel rig = made::chain();
+      EXPECT_EQ(doubts(check({made::record(options)}, &rig)), "") << rate_Hz << " Hz, " << friction_N << " N";
+    }
+}
+
+// A rig file whose masses and springs are a third off is for the diagnosis to say, not for the check.
+TEST(Quiet, AWrongRigFileIsNoFaultOfTheData) {
+  for (const char* sensors : {"xva", "x", "a"})
+    for (const double factor : {0.7, 1.4}) {
+      made::Options options;
+      options.sensors = sensors;
+      rig_file::RigModel rig = made::chain();
+      rig.links[0].stiffness_N_m.value *= factor;
+      EXPECT_EQ(doubts(check({made::record(options)}, &rig)), "") << sensors << " " << factor;
+      rig = made::chain();
+      rig.dofs[1].mass_kg.value *= factor;
+      EXPECT_EQ(doubts(check({made::record(options)}, &rig)), "") << sensors << " " << factor;
+    }
+}
+
+// A fixed base, a force that only drives in one of two records.
+TEST(Quiet, WhatIsRightlyConstant) {
+  Record record = made::record({});
+  record.channels.push_back({"displacement_base_m", host_sim::Quantity::kDisplacement, rig_file::kBase,
+                             std::vector<double>(record.samples(), 0.0)});
+  EXPECT_EQ(doubts(check({record}, nullptr)), "");
+}
+
+// Square waves and trapezoids as they are commanded: flat tops that are true.
+TEST(Quiet, CommandedForcesHaveFlatTops) {
+  Record record = made::record({});
+  std::vector<double>& force = made::values(record, "force_1_N");
+  for (size_t i = 0; i < force.size(); ++i) force[i] = (i / 500) % 2 == 0 ? 5.0 : -5.0;
+  EXPECT_EQ(doubts(check({record}, nullptr)), "");
+  for (size_t i = 0; i < force.size(); ++i) {
+    const double phase = static_cast<double>(i % 1000) / 250.0;  // up, hold, down, hold
+    force[i] = phase < 1 ? phase : phase < 2 ? 1.0 : phase < 3 ? 3.0 - phase : 0.0;
+  }
+  EXPECT_EQ(doubts(check({record}, nullptr)), "");
+}
+
+TEST(Quiet, MeasuredRecordings) {
+  const std::filesystem::path shared = test_support::shared_folder();
+  if (shared.empty() || !std::filesystem::exists(shared / "measured"))
+    GTEST_SKIP() << "no measured recordings here (RIG_SHARED_DIR)";
+  size_t count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(shared / "measured")) {
+    if (entry.path().extension() != ".csv") continue;
+    ++count;
+    const auto records = host_sim::read_records(entry.path().string(), rig_file::RigModel());
+    EXPECT_EQ(doubts(check(records, nullptr)), "");
+  }
+  EXPECT_GT(count, 0u);
+}
+
+}  // namespace

@@ -1,0 +1,297 @@
+// Every way in which people's programs write a table of numbers: each row makes its file and says what comes out of it.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+
+#include "hal/rig_file/rig_reader.hpp"
+#include "host_sim/records/csv/csv_reader.hpp"
+#include "host_sim/records/data_file_error.hpp"
+
+namespace {
+
+using host_sim::Quantity;
+using host_sim::ReadingOptions;
+
+// A mass (DOF 1) and a disc (DOF 2) with dampers to ground; `more` may hold [[channel]] tables.
+rig_file::RigModel rig(const std::string& more = "") {
+  return rig_file::parse_rig(
+      "schema = \"rig/1\"\n[[dof]]\nmass_kg = 1\n[[dof]]\ninertia_kg_m2 = 1\n"
+      "[[link]]\nbetween = [1, 0]\nviscous_N_s_m = \"estimate\"\n"
+      "[[link]]\nbetween = [2, 0]\nviscous_N_m_s_rad = \"estimate\"\n" +
+          more,
+      "rig.toml");
+}
+
+std::string utf16(const std::string& ascii, bool big, bool mark) {
+  std::string out = mark ? (big ? "\xFE\xFF" : "\xFF\xFE") : "";
+  for (const char c : ascii) out += big ? std::string(1, '\0') + c : std::string(1, c) + '\0';
+  return out;
+}
+
+std::string with_line_ends(std::string text, const std::string& end) {
+  for (size_t at = 0; (at = text.find('\n', at)) != std::string::npos; at += end.size()) text.replace(at, 1, end);
+  return text;
+}
+
+const std::string kPlain = "t_s,force_1_N,displacement_1_m\n0,1.5,-0.25\n0.5,2,0.5\n1,-3e-3,0.75\n";
+
+struct Dialect {
+  const char* name;
+  std::string text;
+  const char* note;  // must stand in the notes; nullptr: there are none
+};
+
+// All of them are the plain table.
+TEST(Dialects, AllSayTheSame) {
+  const Dialect dialects[] = {
+      {"plain", kPlain, nullptr},
+      {"semicolons", "t_s;force_1_N;displacement_1_m\n0;1.5;-0.25\n0.5;2;0.5\n1;-3e-3;0.75\n", nullptr},
+      {"tabs", "t_s\tforce_1_N\tdisplacement_1_m\n0\t1.5\t-0.25\n0.5\t2\t0.5\n1\t-3e-3\t0.75\n", nullptr},
+      {"blanks", "  t_s   force_1_N  displacement_1_m\n 0   1.5 -0.25\n0.5 2   0.5 \n1 -3e-3 0.75\n", nullptr},
+      {"decimal commas", "t_s;force_1_N;displacement_1_m\n0;1,5;-0,25\n0,5;2;0,5\n1;-3e-3;0,75\n", nullptr},
+      {"decimal commas, tabs", "t_s\tforce_1_N\tdisplacement_1_m\n0\t1,5\t-0,25\n0,5\t2,0\t0,5\n1\t-3E-3\t0,75\n",
+       nullptr},
+      {"quoted heads", "\"t_s\",\"force_1_N\",\"displacement_1_m\"\n0,1.5,-0.25\n0.5,2,0.5\n1,-3e-3,0.75\n", nullptr},
+      {"quoted numbers",
+       "\"t_s\",\"force_1_N\",\"displacement_1_m\"\n\"0\",\"1.5\",\"-0.25\"\n0.5,2,0.5\n1,-3e-3,0.75\n", nullptr},
+      {"quoted decimal commas", "t_s;force_1_N;displacement_1_m\n\"0\";\"1,5\";\"-0,25\"\n0,5;2;0,5\n1;-3e-3;0,75\n",
+       nullptr},
+      {"comments",
+       "# rig 7, 21 November\n% level 1\nt_s,force_1_N,displacement_1_m\n# start\n0,1.5,-0.25\n# "
+       "knock\n0.5,2,0.5\n1,-3e-3,0.75\n# end\n",
+       nullptr},
+      {"names in a comment", "# t_s force_1_N displacement_1_m\n0 1.5 -0.25\n0.5 2 0.5\n1 -3e-3 0.75\n", nullptr},
+      {"names in a comment, commas",
+       "# run 3\n# t_s,force_1_N,displacement_1_m\n0,1.5,-0.25\n0.5,2,0.5\n1,-3e-3,0.75\n", nullptr},
+      {"row of SI units", "t_s,force_1_N,displacement_1_m\ns,N,m\n0,1.5,-0.25\n0.5,2,0.5\n1,-3e-3,0.75\n", nullptr},
+      {"row of units", "t_s,force_1,displacement_1\ns,kN,mm\n0,1.5e-3,-250\n0.5,2e-3,500\n1,-3e-6,750\n",
+       "displacement_1_m from column \"displacement_1\" in mm: values times 0.001"},
+      {"row of units in brackets", "Time;Force 1;Displacement 1\n[s];[N];[mm]\n0;1,5;-250,0\n0,5;2;500\n1;-3e-3;750\n",
+       "values times 0.001"},
+      {"units in heads", "Time (s),Force 1 (N),Displacement 1 (cm)\n0,1.5,-25\n0.5,2,50\n1,-3e-3,75\n",
+       "values times 0.01"},
+      {"units in names", "time_ms,force_1_kN,displacement_1_um\n0,1.5e-3,-0.25e6\n500,2e-3,0.5e6\n1000,-3e-6,0.75e6\n",
+       "force_1_N from column \"force_1_kN\" in kN: values times 1000"},
+      {"further columns",
+       "t_s,date,force_1_N,displacement_1_m,temperature_C\n0,\"22.11.2026, "
+       "noon\",1.5,-0.25,20\n0.5,later,2,0.5,20\n1,,-3e-3,0.75,\n",
+       "ignored: \"date\", \"temperature_C\""},
+      {"time behind", "force_1_N,displacement_1_m,t_s\n1.5,-0.25,0\n2,0.5,0.5\n-3e-3,0.75,1\n", nullptr},
+      {"separator at line ends", "t_s;force_1_N;displacement_1_m;\n0;1.5;-0.25;\n0.5;2;0.5;\n1;-3e-3;0.75;\n", nullptr},
+      {"separator at rows' ends alone", "t_s;force_1_N;displacement_1_m\n0;1.5;-0.25;\n0.5;2;0.5;\n1;-3e-3;0.75;\n",
+       nullptr},
+      {"a preamble",
+       "Operator;Miller\nTime;12:00:07\n\nt_s;force_1_N;displacement_1_m\n0;1.5;-0.25\n0.5;2;0.5\n1;-3e-3;0.75\n",
+       "passed over: 2 lines"},
+      {"CRLF", with_line_ends(kPlain, "\r\n"), nullptr},
+      {"CR", with_line_ends(kPlain, "\r"), nullptr},
+      {"UTF-8 mark", "\xEF\xBB\xBF" + kPlain, nullptr},
+      {"UTF-16 little endian", utf16(kPlain, false, true), nullptr},
+      {"UTF-16 big endian", utf16(kPlain, true, true), nullptr},
+      {"UTF-16 without a mark", utf16(kPlain, false, false), nullptr},
+      {"UTF-16 with CRLF", utf16(with_line_ends(kPlain, "\r\n"), false, true), nullptr},
+  };
+  for (const Dialect& dialect : dialects) {
+    SCOPED_TRACE(dialect.name);
+    host_sim::Record record;
+    ASSERT_NO_THROW(
+        try { record = host_sim::parse_csv(dialect.text, "d.csv", rig()); } catch (const std::exception& e) {
+          ADD_FAILURE() << e.what();
+          throw;
+        });
+    ASSERT_EQ(record.channels.size(), 2u);
+    ASSERT_EQ(record.samples(), 3u);
+    EXPECT_DOUBLE_EQ(record.sample_period_s, 0.5);
+    const double force[] = {1.5, 2.0, -3e-3}, displacement[] = {-0.25, 0.5, 0.75};
+    for (size_t i = 0; i < 3; ++i) {
+      EXPECT_DOUBLE_EQ(record.find(Quantity::kForce, 1)->values[i], force[i]);
+      EXPECT_DOUBLE_EQ(record.find(Quantity::kDisplacement, 1)->values[i], displacement[i]);
+    }
+    std::string notes;
+    for (const std::string& note : record.notes) notes += note + "\n";
+    if (dialect.note == nullptr) {
+      EXPECT_EQ(notes, "");
+    } else {
+      EXPECT_NE(notes.find(dialect.note), std::string::npos) << notes;
+    }
+  }
+}
+
+struct UnitRow {
+  const char* head;
+  const char* channel;
+  double factor;  // by definition of the unit
+};
+
+TEST(Dialects, UnitsThatRigsComeIn) {
+  const double pi = std::acos(-1.0);
+  const UnitRow rows[] = {
+      {"displacement_1_mm", "displacement_1_m", 1e-3},
+      {"displacement_1_um", "displacement_1_m", 1e-6},
+      {"displacement_1 [\xC2\xB5m]", "displacement_1_m", 1e-6},  // the micro sign, UTF-8
+      {"displacement_1 [\xB5m]", "displacement_1_m", 1e-6},      // and Latin-1
+      {"displacement_1_inch", "displacement_1_m", 0.0254},
+      {"velocity_1_mm_s", "velocity_1_m_s", 1e-3},
+      {"velocity_1 (mm/s)", "velocity_1_m_s", 1e-3},
+      {"acceleration_1_g", "acceleration_1_m_s2", 9.80665},
+      {"acceleration_1 (g)", "acceleration_1_m_s2", 9.80665},
+      {"acceleration_1 (m/s^2)", "acceleration_1_m_s2", 1.0},
+      {"acceleration_1 (m/s\xC2\xB2)", "acceleration_1_m_s2", 1.0},
+      {"acceleration_1_mm_s2", "acceleration_1_m_s2", 1e-3},
+      {"force_1_kN", "force_1_N", 1e3},
+      {"force_1_mN", "force_1_N", 1e-3},
+      {"force_1_lbf", "force_1_N", 0.45359237 * 9.80665},
+      {"Force_1 (lbf)", "force_1_N", 0.45359237 * 9.80665},
+      {"force_1 [kgf]", "force_1_N", 9.80665},
+      {"torque_2_N_mm", "torque_2_N_m", 1e-3},
+      {"torque_2 (lbf-in)", "torque_2_N_m", 0.45359237 * 9.80665 * 0.0254},
+      {"torque_2 [N\xC2\xB7m]", "torque_2_N_m", 1.0},
+      {"angle_2_deg", "angle_2_rad", pi / 180.0},
+      {"angle_2 [\xC2\xB0]", "angle_2_rad", pi / 180.0},
+      {"angle_2_rev", "angle_2_rad", 2.0 * pi},
+      {"angular_velocity_2_rpm", "angular_velocity_2_rad_s", pi / 30.0},
+      {"angular_velocity_2 [1/min]", "angular_velocity_2_rad_s", pi / 30.0},
+      {"angular_velocity_2_deg_s", "angular_velocity_2_rad_s", pi / 180.0},
+      {"angular_acceleration_2_deg_s2", "angular_acceleration_2_rad_s2", pi / 180.0},
+  };
+  for (const UnitRow& row : rows) {
+    SCOPED_TRACE(row.head);
+    const auto record = host_sim::parse_csv(std::string("t_s;") + row.head + "\n0;2\n1;-4\n2;0\n", "d.csv", rig());
+    ASSERT_EQ(record.channels.size(), 1u);
+    EXPECT_EQ(record.channels[0].name, row.channel);
+    EXPECT_NEAR(record.channels[0].values[1], -4.0 * row.factor, 1e-14 * row.factor);
+    char factor[40];
+    std::snprintf(factor, sizeof factor, "times %.10g", row.factor);
+    if (row.factor != 1.0) {
+      ASSERT_EQ(record.notes.size(), 1u);
+      EXPECT_NE(record.notes[0].find(factor), std::string::npos) << record.notes[0];
+    }
+  }
+}
+
+// 100 mV/g: 0.25 V are 2.5 g. The column is "Chan 3" in the file.
+TEST(Dialects, ColumnsOfTheUsersOwnNames) {
+  const std::string text = "Time,Chan 1 [N],Chan 3 [mV],Chan 4\n0,1,250,x\n0.1,2,-100,y\n0.2,3,0,z\n";
+  ReadingOptions options;
+  options.columns = {{"force_1", "Chan 1"}, {"acceleration_1_m_s2", "Chan 3"}};
+  options.sensitivities = {{"acceleration_1", "100 mV/g"}};
+  const auto by_options = host_sim::parse_csv(text, "d.csv", rig(), options);
+  const auto by_rig = host_sim::parse_csv(
+      text, "d.csv",
+      rig("[[channel]]\nname = \"force_1_N\"\ncolumn = \"Chan 1\"\n"
+          "[[channel]]\nname = \"acceleration_1_m_s2\"\ncolumn = \"Chan 3\"\nsensitivity = \"100 mV/g\"\n"));
+  for (const auto* record : {&by_options, &by_rig}) {
+    EXPECT_EQ(record->find(Quantity::kForce, 1)->values[2], 3.0);
+    EXPECT_NEAR(record->find(Quantity::kAcceleration, 1)->values[0], 2.5 * 9.80665, 1e-12);
+    ASSERT_EQ(record->notes.size(), 3u);
+    EXPECT_EQ(record->notes[1],
+              "acceleration_1_m_s2 from column \"Chan 3 [mV]\" in mV at 100 mV/g: values times 0.0980665");
+    EXPECT_EQ(record->notes[2], "ignored: \"Chan 4\"");
+  }
+}
+
+TEST(Dialects, UnitOfAColumnByOption) {
+  ReadingOptions options;
+  options.columns = {{"t", "clock"}};
+  options.units = {{"displacement_1", "mm"}, {"t", "ms"}};
+  const auto record = host_sim::parse_csv("clock,displacement_1\n0,5\n2,6\n4,7\n", "d.csv", rig(), options);
+  EXPECT_DOUBLE_EQ(record.sample_period_s, 2e-3);
+  EXPECT_DOUBLE_EQ(record.channels[0].values[0], 5e-3);
+}
+
+TEST(Dialects, SampleRateStandsForTheTime) {
+  ReadingOptions options;
+  options.sample_rate_Hz = 250.0;
+  const auto without = host_sim::parse_csv("force_1_N\n1\n2\n", "d.csv", rig(), options);
+  EXPECT_EQ(without.sample_period_s, 0.004);
+  const auto clock = host_sim::parse_csv("Time;force_1_N\n12:00:00,10;1\n12:00:00,14;2\n", "d.csv", rig(), options);
+  EXPECT_EQ(clock.find(Quantity::kForce, 1)->values, (std::vector<double>{1, 2}));
+}
+
+// 1024 Hz in milliseconds: 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 21, 22, ...
+std::string rounded_times(double rate_Hz, const char* format, size_t count, size_t lost = 0) {
+  std::string text = "t_s,force_1_N\n";
+  for (size_t i = 0; i < count; ++i) {
+    if (lost > 0 && i == lost) continue;
+    char row[60];
+    std::snprintf(row, sizeof row, format, static_cast<double>(i) / rate_Hz);
+    text += std::string(row) + ",1\n";
+  }
+  return text;
+}
+
+TEST(Dialects, RoundedTimesAreEven) {
+  const auto record = host_sim::parse_csv(rounded_times(1024.0, "%.3f", 5000), "d.csv", rig());
+  EXPECT_NEAR(record.sample_period_s, 1.0 / 1024.0, 1e-9);
+  ASSERT_EQ(record.notes.size(), 1u);
+  EXPECT_NE(record.notes[0].find("times are rounded to 0.001 s"), std::string::npos);
+  const auto coarse = host_sim::parse_csv(rounded_times(2048.0, "%.3f", 5000), "d.csv", rig());
+  EXPECT_NEAR(coarse.sample_period_s, 1.0 / 2048.0, 1e-9);
+}
+
+TEST(Dialects, ALostSampleShowsInRoundedTimes) {
+  EXPECT_THROW(host_sim::parse_csv(rounded_times(1024.0, "%.3f", 5000, 2500), "d.csv", rig()), host_sim::DataFileError);
+  EXPECT_THROW(host_sim::parse_csv(rounded_times(1024.0, "%.3f", 5000, 40), "d.csv", rig()), host_sim::DataFileError);
+  EXPECT_THROW(host_sim::parse_csv(rounded_times(2048.0, "%.3f", 5000, 2500), "d.csv", rig()), host_sim::DataFileError);
+}
+
+struct Refused {
+  const char* name;
+  std::string text;
+  ReadingOptions options;
+  const char* says;
+};
+
+ReadingOptions column(const char* channel, const char* name) {
+  ReadingOptions options;
+  options.columns = {{channel, name}};
+  return options;
+}
+
+TEST(Dialects, RefusesWithTheReason) {
+  const Refused cases[] = {
+      {"shaped like a channel",
+       "t_s,wobble_1_m\n0,1\n1,1\n",
+       {},
+       "d.csv:1: channel \"wobble_1_m\": is not a channel name"},
+      {"no channel", "t_s,a,b\n0,1,2\n1,1,2\n", {}, "d.csv:1: names no channel (\"t_s\", \"a\", \"b\")"},
+      {"unknown column", "t_s,a\n0,1\n1,1\n", column("force_1", "b"),
+       "has no column \"b\" for force_1, expected one of \"t_s\", \"a\""},
+      {"column of no channel", "t_s,a\n0,1\n1,1\n", column("wobble", "a"), "channel \"wobble\": is not a channel name"},
+      {"unknown unit", "t_s,force_1 [parsec]\n0,1\n1,1\n", {}, "is in \"parsec\", which is no known unit"},
+      {"wrong kind of unit", "t_s,force_1 [mm]\n0,1\n1,1\n", {}, "is in mm, expected a unit such as N for force_1_N"},
+      {"name against units row",
+       "t_s,force_1_N\ns,kN\n0,1\n1,1\n",
+       {},
+       "has the unit \"kN\", expected N as its name says"},
+      {"voltage alone", "t_s,acceleration_1 [mV]\n0,1\n1,1\n", {}, "--sensitivity acceleration_1=\"100 mV/m/s2\""},
+      {"two columns of one channel", "t_s,force_1_N,force_1_kN\n0,1,1\n1,1,1\n", {}, "stands twice"},
+      {"mixed decimals", "t_s;force_1_N\n0;1,5\n1;1.5\n2;2,5\n", {}, "expected a finite number"},
+      {"comma among points",
+       "t_s;force_1_N\n0;1.5\n1;1,5\n",
+       {},
+       "d.csv:3: column force_1_N is \"1,5\", expected a finite number with a decimal point"},
+      {"no time", "force_1_N,velocity_1_m_s\n1,2\n1,2\n", {}, "expected t_s, then channels, or --sample-rate"},
+      {"no unit", "t_s,force_1\n0,1\n1,1\n", {}, "has no unit; did you mean \"force_1_N\"?"},
+      {"line behind comments", "# a\nt_s,force_1_N\n0,1\n# b\n1,x\n", {}, "d.csv:5: column force_1_N is \"x\""},
+      {"uneven behind comments", "t_s,force_1_N\n0,1\n1,1\n# b\n2,1\n4,1\n5,1\n6,1\n", {}, "d.csv:6: t_s steps by 2 s"},
+  };
+  for (const Refused& refused : cases) {
+    SCOPED_TRACE(refused.name);
+    try {
+      host_sim::parse_csv(refused.text, "d.csv", rig(), refused.options);
+      ADD_FAILURE() << "accepted";
+    } catch (const host_sim::DataFileError& error) {
+      EXPECT_NE(std::string(error.what()).find(refused.says), std::string::npos) << error.what();
+    }
+  }
+}
+
+// Without a rig file names alone say what a channel is.
+TEST(Dialects, NoRigFileTakesEveryChannel) {
+  const auto record = host_sim::parse_csv("t_s,angle_9_rad,force_3_N\n0,1,2\n1,1,2\n", "d.csv", rig_file::RigModel());
+  EXPECT_EQ(record.channels.size(), 2u);
+}
+
+}  // namespace
