@@ -70,7 +70,9 @@ ChannelReport report_of(const Record& record, const Channel& channel, const rig_
   const Statistics statistics = statistics_of(channel.values);
   ChannelReport report{channel.name, statistics.rms, statistics.mean, statistics.noise, statistics.resolution, {}};
   if (statistics.lowest == statistics.highest) return report;
-  Neighbours neighbours{record.sample_period_s, differentiated(record, channel), 0.0, 0.0};
+  Neighbours neighbours{record.sample_period_s, differentiated(record, channel), 0.0, 0.0, {}};
+  for (const Channel& other : record.channels)
+    if (other.quantity == Quantity::kForce) neighbours.forces.push_back(&other);
   if (channel.dof >= 1) {
     neighbours.velocity_step = velocity_step(record, channel, model);
     if (neighbours.velocity_step > 0.0) neighbours.velocity_range = velocity_range(record, channel.dof);

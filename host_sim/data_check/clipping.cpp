@@ -112,8 +112,11 @@ std::optional<Finding> find_clipping(const Channel& channel, const Statistics& s
   const auto judge = [&](Tops& tops, bool at_limit, double level, double sign) {
     if (at_limit || beyond_chance(tops, statistics, values.size())) return;
     if (curved && cut_off(tops, statistics, 0.0)) return;
-    tops = band > 0.0 ? tops_at(values, runs_at(values, level, band, sign), sign) : Tops();
-    const bool often = static_cast<double>(tops.samples) > kFaultShare * static_cast<double>(values.size());
+    tops = band > 0.0 && channel.quantity != Quantity::kForce
+               ? tops_at(values, runs_at(values, level, band, sign), sign)
+               : Tops();
+    const double share = static_cast<double>(tops.samples) / static_cast<double>(values.size());
+    const bool often = share > kFaultShare && share < 0.5;
     if (tops.runs < kFewestNoisyRuns || !often || !cut_off(tops, statistics, band)) tops = Tops();
   };
   judge(top, at_limit_high, statistics.highest, 1.0);

@@ -8,8 +8,9 @@ namespace host_sim::data_check {
 // Amid noise: runs of exactly equal values at an end of the range that chance brings in one record of 10,000 (from the
 // share of equal neighbours inside the range). Without noise: runs that are entered and left at a slope which a smooth
 // turn or a stop does not have, and beyond which more than three steps of resolution are missing; likewise stretches
-// that are flat within the noise, where noise came in behind what saturates. Motion that stops, a
-// coarse encoder's turning point, and forces commanded as squares or ramps are none of it.
+// that are flat within the noise, where noise came in behind what saturates (not of a force: between two blows it is
+// flat within its noise). Motion that stops, a coarse encoder's turning point, and forces commanded as squares or ramps
+// are none of it.
 // The limits are the converter's ends in SI; equal where they are not known.
 std::optional<Finding> find_clipping(const Channel& channel, const Statistics& statistics, double lower_limit,
                                      double upper_limit);

@@ -150,7 +150,8 @@ std::vector<std::optional<Finding>> find_dead(const Record& record, const std::v
   std::vector<Life> lives;
   for (const Channel& channel : record.channels) lives.push_back(constant(channel) ? Life() : life_of(channel));
   for (size_t i = 0; i < record.channels.size(); ++i) {
-    const size_t window = lives[i].steps.empty() ? 0 : dies_at(lives, i);
+    const bool may_stop = lives[i].steps.empty() || is_force(record.channels[i]) || is_base(record.channels[i]);
+    const size_t window = may_stop ? 0 : dies_at(lives, i);  // a drive ends when it is switched off
     if (window == 0) continue;
     char text[160];
     std::snprintf(text, sizeof text,

@@ -236,9 +236,15 @@ bool same_statement(const Change& a, const Change& b) { return std::abs(std::log
 std::vector<Finding> findings_of(std::vector<Change> changes, const std::vector<const Channel*>& channels,
                                  double before) {
   std::sort(changes.begin(), changes.end(), [](const Change& a, const Change& b) { return a.left < b.left; });
-  // Of changes that say the same, the one that takes the fewest sensors to be wrong.
+  // Of changes that say the same: the one that takes the fewest sensors to be wrong, and of those the force, because the
+  // motion channels of a DOF have been found to agree.
+  const auto simpler = [&](const Change& a, const Change& b) {
+    if (a.channels.size() != b.channels.size()) return a.channels.size() < b.channels.size();
+    const auto is_force = [&](const Change& c) { return channels[c.channels.front()]->quantity == Quantity::kForce; };
+    return is_force(a) && !is_force(b);
+  };
   for (size_t i = 1; i < changes.size() && same_statement(changes.front(), changes[i]); ++i)
-    if (changes[i].channels.size() < changes.front().channels.size()) std::swap(changes.front(), changes[i]);
+    if (simpler(changes[i], changes.front())) std::swap(changes.front(), changes[i]);
   const Change& best = changes.front();
   if (!(before > kUnexplained) || !(best.left < kExplained) || !(best.left < 0.25 * before)) return {};
   std::string or_else;

@@ -11,6 +11,7 @@ constexpr size_t kWidest = 3;
 constexpr size_t kNear = 50;  // samples on each side that say what is usual
 constexpr double kDeviations = 8.0;
 constexpr double kShareOfRange = 0.02;
+constexpr double kOfTheTail = 4.0;  // times the 95 percent quantile: 8 standard deviations again
 constexpr double kBeyondAccelerometers = 1e3, kBeyondForceSensors = 1e6;  // times the range of everything else
 constexpr double kLoneAcceleration =
     1.5;                               // times what 90 % of the samples span: a contact lasts longer than one sample
@@ -67,17 +68,33 @@ bool stands_alone(const std::vector<double>& x, size_t first, size_t width, doub
          off_right(x, first + width - 1) > 0.5 * size;
 }
 
+// How far a stretch stands off the cubic across it.
+double size_of(const std::vector<double>& x, size_t first, size_t width) {
+  double size = 0.0;
+  for (size_t k = 0; k < width; ++k) size = std::max(size, std::abs(x[first + k] - across(x, first, width, k)));
+  return size;
+}
+
+// What 95 of 100 stretches of that width are off at most, anywhere in the record.
+double tail_of(const std::vector<double>& x, size_t width) {
+  constexpr size_t kStride = 5;
+  std::vector<double> sizes;
+  for (size_t i = 4; i + 8 < x.size(); i += kStride) sizes.push_back(size_of(x, i, width));
+  return quantile(std::move(sizes), 0.95);
+}
+
 std::vector<Gap> spikes_in(const std::vector<double>& x, const Statistics& statistics) {
   std::vector<Gap> gaps;
   if (x.size() < 16) return gaps;
   const std::vector<double> misfit = misfits(x);
   const double least = std::max({kShareOfRange * statistics.range, 4.0 * statistics.resolution});
+  double tail[kWidest + 1] = {};
+  for (size_t width = 1; width <= kWidest; ++width) tail[width] = kOfTheTail * tail_of(x, width);
   for (size_t i = 4; i + 8 < x.size(); ++i) {
     if (misfit[i] < 0.3 * least) continue;
     for (size_t width = 1; width <= kWidest; ++width) {
-      double size = 0.0;
-      for (size_t k = 0; k < width; ++k) size = std::max(size, std::abs(x[i + k] - across(x, i, width, k)));
-      if (size < least || !stands_alone(x, i, width, size)) continue;
+      const double size = size_of(x, i, width);
+      if (size < least || size < tail[width] || !stands_alone(x, i, width, size)) continue;
       if (size < kDeviations * std::max(usual_near(misfit, i, width), statistics.resolution)) continue;
       gaps.push_back({i, width, size});
       i += width + 3;
@@ -125,10 +142,22 @@ double mean_square(const std::vector<double>& x, int order) {
   return count > 0.0 ? sum / count : 0.0;
 }
 
+// Does a force strike at that sample, or one of its neighbours?
+bool struck(const std::vector<const Channel*>& forces, size_t sample) {
+  for (const Channel* force : forces) {
+    const Statistics statistics = statistics_of(force->values);
+    for (size_t i = sample > 2 ? sample - 2 : 0; i < std::min(sample + 3, force->values.size()); ++i)
+      if (std::abs(force->values[i] - statistics.mean) > 3.0 * statistics.rms) return true;
+  }
+  return false;
+}
+
 // Of an acceleration or a force: no blow is like that. usual: between the 5 and 95 percent quantiles.
 bool impossible(const Gap& gap, Quantity quantity, double usual, const Statistics& statistics,
                 const Neighbours& neighbours) {
-  if (quantity == Quantity::kAcceleration && gap.width == 1 && gap.size > kLoneAcceleration * usual) return true;
+  if (quantity == Quantity::kAcceleration && gap.width == 1 && gap.size > kLoneAcceleration * usual &&
+      !struck(neighbours.forces, gap.first))
+    return true;
   const double beyond = quantity == Quantity::kForce ? kBeyondForceSensors : kBeyondAccelerometers;
   if (statistics.range > 0.0 && gap.size > beyond * statistics.range) return true;
   const double change = gap.size * static_cast<double>(gap.width) * neighbours.velocity_step;
