@@ -7,9 +7,12 @@ namespace {
 
 constexpr uint32_t kLongestBlock = kBlockSamples;
 
+// Something has moved: where nothing has, there is nothing to test.
 bool any_estimate(const Estimates& estimates) {
-  for (int k = 0; k < estimates.unknown_count; ++k)
-    if (estimates.parameters[k].status != EstimateStatus::kStale) return true;
+  for (int k = 0; k < estimates.unknown_count; ++k) {
+    const EstimateStatus status = estimates.parameters[k].status;
+    if (status != EstimateStatus::kStale && status != EstimateStatus::kNoExcitation) return true;
+  }
   return false;
 }
 
@@ -128,7 +131,7 @@ const Estimates& EstimatorCore::solve() {
   const bool calibrated = independent_instrument(configuration_) && !sums_.friction_often_unclear();
   const bool judged =
       calibrated && any_estimate(estimates_) && score_test_.judge(configuration_, score_sums_, estimates_);
-  give_verdict(configuration_, score_sums_, score_test_, {calibrated, judged}, estimates_);
+  give_verdict(configuration_, score_sums_, score_test_, {calibrated, judged, table_.level_count}, estimates_);
   return estimates_;
 }
 

@@ -25,7 +25,8 @@ constexpr int kInstrumentColumn = kSignalColumns;                             //
 constexpr int kDisplacementInstrumentColumn = kInstrumentColumn + kMaxNodes;  // + node: likewise of the displacement
 constexpr int kSignColumn = kDisplacementInstrumentColumn + kMaxNodes;        // + link: sgn(w)
 constexpr int kSmoothSignColumn = kSignColumn + kMaxLinks;                    // + link: sgn of the smoothed rate
-constexpr int kClearSignColumn = kSmoothSignColumn + kMaxLinks;  // + link: sgn of the instrument's rate where clear, else 0
+constexpr int kClearSignColumn =
+    kSmoothSignColumn + kMaxLinks;  // + link: sgn of the instrument's rate where clear, else 0
 // + DOF: the two instruments where every friction at the DOF has a clear sign, else 0
 constexpr int kClearInstrumentColumn = kClearSignColumn + kMaxLinks;
 constexpr int kClearDisplacementColumn = kClearInstrumentColumn + kMaxDofs;

@@ -51,8 +51,8 @@ BusPlan bus_plan(const BusTraffic& traffic) {
     add(plan, traffic.can_fd ? can::kEstimateFloatFd : can::kEstimateFloat, estimates, traffic.window_ns);
   add(plan, can::kHeartbeat, 1, traffic.heartbeat_ms * kMillisecond_ns);
   add(plan, can::kStatus, 1, traffic.status_ms * kMillisecond_ns);
-  for (const can::Frame* frame : {&can::kHealth, &can::kBusHealth, &can::kIdentity, &can::kDiagnosis, &can::kDiagnosisSize,
-                                 &can::kDiagnosisRival})
+  for (const can::Frame* frame : {&can::kHealth, &can::kBusHealth, &can::kIdentity, &can::kDiagnosis,
+                                  &can::kDiagnosisSize, &can::kDiagnosisRival})
     add(plan, *frame, 1, kSecond_ns);
   add(plan, can::kParameter, traffic.unknowns, kSecond_ns);
   for (const can::Frame* frame : {&can::kScaling, &can::kRange})

@@ -11,7 +11,7 @@ constexpr int kDisplacement = static_cast<int>(Weight::kDisplacement);
 
 // Mean differences between a rate and its neighbours beyond which the rate's sign is clear (links/clear_sign.hpp). Half of a
 // derived velocity's noise and more is slower than that.
-constexpr int kClearMeans = 2, kClearMeansDerived = 8;
+constexpr int kClearMeans = 4, kClearMeansDerived = 8;
 
 bool measured_velocity(const CoreConfiguration& configuration, int node) {
   return node == kGroundNode || !configuration.signals[node][static_cast<int>(Quantity::kVelocity)].derived;

@@ -20,7 +20,7 @@ class EnergySums {
 
   void restart();  // a new level
   void forget();   // all levels
-  // Does a link whose friction is estimated have no clear direction in more than a fifth of the samples?
+  // Does a link whose friction is estimated have no clear direction in more than a third of the samples?
   bool friction_often_unclear() const;
   // Works on positions [kLeadIn, kLeadIn + count) of the frame; position kLeadIn + count is the boundary to what follows.
   void add_block(Frame& frame, int count);

@@ -19,8 +19,8 @@ class ClearSign {
   void configure(const RateGains& gains, int means, bool slow);
   void restart();  // a new level: its noise is measured anew
   void forget();   // the counts below start again
-  // Is more than a fifth of the samples since then without a clear sign: the link sticks or reverses much of the time.
-  bool often_unclear() const { return 5 * static_cast<uint64_t>(clear_) < 4 * static_cast<uint64_t>(seen_); }
+  // Is more than a third of the samples since then without a clear sign: the link sticks or reverses much of the time.
+  bool often_unclear() const { return 3 * static_cast<uint64_t>(clear_) < 2 * static_cast<uint64_t>(seen_); }
   // For positions [from, to): clear[i] is -1 or 1 where clear, else 0; sign[i] is that of the rate itself. What is known of the
   // noise goes on from position from + advance at the next call. Rates are read two positions further on either side.
   void fill(const Frame& frame, int from, int to, int advance, int32_t* clear, int32_t* sign);

@@ -40,7 +40,6 @@ class ScoreTest {
   const ProbeScore& score(int probe) const { return score_[probe]; }
   int best() const { return best_; }    // of the flagged candidates, -1: none
   int rival() const { return rival_; }  // the next one of another cause or place, -1: none
-  int levels() const { return levels_; }  // of which the score tests saw something
   // Mean of w^4 over the squared mean of w^2 of a link's rate; 0 where it is not known.
   Scaled rate_kurtosis(int link) const;
   // rms force of a probe's effect over that of the dampers beside it.

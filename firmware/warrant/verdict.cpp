@@ -81,7 +81,6 @@ bool is_damping(TermKind kind) { return kind != TermKind::kMass && !row_of(kind)
 bool one_amplitude(const CoreConfiguration& configuration, const ScoreTest& test, int unknown) {
   const Term* term = term_of(configuration, unknown);
   if (term == nullptr || !is_damping(term->kind)) return false;
-  if (test.levels() > 1) return false;  // another frequency or amplitude asks the model another question
   const Scaled shape = test.rate_kurtosis(term->place);
   return !shape.is_zero() && shape < Scaled::ratio(kOneTonePercent, 100);
 }
@@ -116,7 +115,8 @@ void give_verdict(const CoreConfiguration& configuration, const ScoreSums& sums,
     }
     if (test.best() >= 0) raise(parameter, EstimateStatus::kModelSuspect);
     if (instruments_differ(test, k, parameter)) raise(parameter, EstimateStatus::kBiasSuspect);
-    if (one_amplitude(configuration, test, k)) raise(parameter, EstimateStatus::kUntested);
+    // A second level asks the model another question.
+    if (state.levels == 1 && one_amplitude(configuration, test, k)) raise(parameter, EstimateStatus::kUntested);
   }
 }
 

@@ -25,6 +25,7 @@ bool independent_instrument(const CoreConfiguration& configuration);
 struct TestState {
   bool calibrated;  // the score tests' error rate holds for these data
   bool judged;      // and they have judged these very estimates; else there was too little
+  int levels;       // measured so far
 };
 
 void give_verdict(const CoreConfiguration& configuration, const ScoreSums& sums, const ScoreTest& test, TestState state,

@@ -69,10 +69,8 @@ Eigen::MatrixXd covariance(const std::vector<Eigen::VectorXd>& draws, Eigen::Ind
 }  // namespace
 
 Bound::Bound(const BatchTable& clean, const std::vector<double>& truth) : truth_(truth) {
-  for (const Range& range : list_groups(clean)) {
-    const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(clean.layout.dof_count, clean.layout.unknown_count);
-    groups_.push_back({none, {}});
-  }
+  const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(clean.layout.dof_count, clean.layout.unknown_count);
+  groups_.assign(list_groups(clean).size(), Group{none, {}});
 }
 
 void Bound::add(const BatchTable& noisy) {

@@ -136,7 +136,8 @@ int main(int argc, char** argv) {
     add("core", [d](benchmark::State& s) { core(s, d, firmware::CoreDetail::kPlain); });
     add("core_full", [d](benchmark::State& s) { core(s, d, firmware::CoreDetail::kFull); });
     add("core_warrant", [d](benchmark::State& s) { core(s, d, firmware::CoreDetail::kFull, kSmallBudget); });
-    add("core_warrant_all", [d](benchmark::State& s) { core(s, d, firmware::CoreDetail::kFull, firmware::kAllProbes); });
+    add("core_warrant_all",
+        [d](benchmark::State& s) { core(s, d, firmware::CoreDetail::kFull, firmware::kAllProbes); });
     add("double_rls", [d](benchmark::State& s) { baseline<bench::RecursiveLeastSquares>(s, d); });
     add("double_batch", [d](benchmark::State& s) { baseline<bench::BatchLeastSquares>(s, d); });
     add("double_sums", [d](benchmark::State& s) { baseline<bench::EnergySumsInDouble>(s, d); });

@@ -77,8 +77,12 @@ host_sim::Record record(const Options& options) {
   for (size_t i = 0; i < count; ++i) {
     const bool held = options.drive == Drive::kRelease && static_cast<double>(i) < 2.0 * options.rate_Hz;
     const State a = held ? State{} : slope(s, force[i], friction);
-    for (const auto& [k, value] : {std::pair<int, double>{0, s[0]}, {1, held ? 0.0 : s[2]}, {2, a[2]}, {3, s[1]},
-                                   {4, held ? 0.0 : s[3]}, {5, a[3]}})
+    for (const auto& [k, value] : {std::pair<int, double>{0, s[0]},
+                                   {1, held ? 0.0 : s[2]},
+                                   {2, a[2]},
+                                   {3, s[1]},
+                                   {4, held ? 0.0 : s[3]},
+                                   {5, a[3]}})
       out[static_cast<size_t>(k)].push_back(value);
     const double next = i + 1 < count ? force[i + 1] : force[i];
     for (int k = 0; k < kSubsteps && !held; ++k) {

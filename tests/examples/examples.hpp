@@ -11,7 +11,7 @@ struct Example {
   std::string rig;                         // below SHARED_DIR/contract
   std::vector<std::string> data, holdout;  // below SHARED_DIR/measured
   std::string introduction;                // Markdown
-  std::string reading;                     // Markdown, below the numbers: what others published; no figure of our own stands here
+  std::string reading;  // Markdown, below the numbers: what others published; no figure of our own stands here
 };
 
 const std::vector<Example>& all();

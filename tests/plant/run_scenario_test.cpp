@@ -47,7 +47,8 @@ std::string scenario_with(const firmware::EffectRow& row, double& truth) {
   vocabulary::Point at = vocabulary::point(row.kind, 0.05, 1.0, 5.0, shape);
   at.z[0] = 1.0;
   truth = 1.0 / std::fabs(vocabulary::force(row.kind, at, shape).value);
-  if (row.nature.at_rest == firmware::AtRest::kHolds) truth = 1.0;  // it would hold at rest what it slides with at 1 m/s
+  if (row.nature.at_rest == firmware::AtRest::kHolds)
+    truth = 1.0;  // it would hold at rest what it slides with at 1 m/s
   std::string text =
       "schema = \"scenario/1\"\nname = \"e\"\n[[dof]]\nmass_kg = 1.0\n[[link]]\nbetween = [1, 0]\n"
       "stiffness_N_m = 400.0\nviscous_N_s_m = \"estimate\"\ncoulomb_N = 1.0\n[[link.effect]]\n"

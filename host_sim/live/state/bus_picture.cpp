@@ -121,8 +121,7 @@ void BusPicture::take_reports(NodeState& node, const CanMessage& message) {
 
 void BusPicture::take_estimate(NodeState& node, int index, const CanMessage& message, int bit_offset) {
   const firmware::EstimateRecord record = firmware::record_at(message, bit_offset);
-  const std::string status =
-      can_log::state_name(can::states(can::kQualityStates), static_cast<int64_t>(record.status));
+  const std::string status = can_log::state_name(can::states(can::kQualityStates), static_cast<int64_t>(record.status));
   if (firmware::is_absent(record)) return;
   while (static_cast<int>(node.estimates.size()) <= index) {
     node.estimates.emplace_back();

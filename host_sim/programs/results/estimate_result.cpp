@@ -92,7 +92,6 @@ EstimateResult result_of(const rig_file::RigModel& model, const firmware::Estima
   result.skews = skews_of(model, estimates);
   result.warrant = warrant_of(model, estimates.warrant);
   result.advice = advice_text(model, estimates, level_ratio);
-  result.advice = advice_text(model, estimates, level_ratio);
   result.unresolved = unresolved_text(model, estimates);
   for (const SkewResult& skew : result.skews)
     if (skew.significant) result.notes.push_back(skew_note(skew));
