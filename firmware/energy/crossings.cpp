@@ -6,7 +6,7 @@ namespace firmware {
 
 int64_t crossing_correction_q16(int64_t w0, int64_t w1, int32_t q0, int32_t q1) {
   constexpr int64_t kOne = 1 << 16;
-  constexpr int64_t kLargestRate = int64_t{1} << 35;
+  [[maybe_unused]] constexpr int64_t kLargestRate = int64_t{1} << 35;
   FIRMWARE_PRECONDITION((w0 > 0 && w1 < 0) || (w0 < 0 && w1 > 0));
   FIRMWARE_PRECONDITION(w0 <= kLargestRate && w0 >= -kLargestRate && w1 <= kLargestRate && w1 >= -kLargestRate);
   const int64_t theta = w0 * kOne / (w0 - w1);  // |w| < 2^35: fits; 0 < theta < 2^16
