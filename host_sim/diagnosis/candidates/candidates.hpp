@@ -30,7 +30,6 @@ struct ScreenedPair {
 struct Screen {
   std::vector<Screened> singles;  // best first; one per kind and place, its best shape
   std::vector<ScreenedPair> pairs;
-  Vec force_noise_response;  // per channel: mean square of the response to force noise of standard deviation 1 each
 };
 // `fit` has settled over `windows`. pairs: how many of the best singles are tried two by two.
 Screen screen(const System& system, const std::vector<Prepared>& records, const Model& model,

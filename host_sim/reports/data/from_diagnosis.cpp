@@ -170,9 +170,7 @@ void add_pictures(const rig_file::RigModel& rig, const std::vector<Record>& trai
                                         with_parameters(extended, found.extended.parameters));
   const rig_file::RigModel best = with_parameters(extended, found.extended.parameters);
   data.views = rig_views(best, training);
-  for (const Mode& mode : modes_of(best))
-    data.views.modes.push_back(
-        mode_rows({{{mode.frequency_Hz, kNone, kNone}, {mode.damping_ratio, kNone, kNone}, mode.shape}}).front());
+  data.views.modes = mode_rows(best);
   data.dofs = comparison.dofs;
   data.links = comparison.links;
   data.facts.push_back("pictures: " + std::filesystem::path(shown.file).filename().string() +

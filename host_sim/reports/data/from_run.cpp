@@ -1,7 +1,6 @@
 #include "host_sim/reports/data/from_run.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "firmware/can_protocol/frame_description.hpp"
 #include "firmware/can_protocol/value_tables.hpp"
@@ -93,10 +92,7 @@ void add_views(const Scenario& scenario, const RunResult& result, RunReportData&
   for (size_t l = 0; l < records.size(); ++l)
     for (Channel& channel : records[l].channels) channel.values = measured_part(channel.values, scenario.levels[l]);
   if (!records.empty()) data.views = rig_views(rig, records);
-  std::vector<UncertainMode> modes;
-  for (const Mode& mode : modes_of(rig))
-    modes.push_back({{mode.frequency_Hz, NAN, NAN}, {mode.damping_ratio, NAN, NAN}, mode.shape});
-  data.views.modes = mode_rows(modes);
+  data.views.modes = mode_rows(rig);
 }
 
 }  // namespace

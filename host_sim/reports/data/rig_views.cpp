@@ -251,4 +251,12 @@ std::vector<ModeRow> mode_rows(const std::vector<UncertainMode>& modes) {
   return rows;
 }
 
+std::vector<ModeRow> mode_rows(const rig_file::RigModel& rig) {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  std::vector<UncertainMode> modes;
+  for (const Mode& mode : modes_of(rig))
+    modes.push_back({{mode.frequency_Hz, kNone, kNone}, {mode.damping_ratio, kNone, kNone}, mode.shape});
+  return mode_rows(modes);
+}
+
 }  // namespace host_sim::reports

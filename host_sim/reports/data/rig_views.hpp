@@ -15,6 +15,8 @@ namespace host_sim::reports {
 RigViews rig_views(const rig_file::RigModel& rig, const std::vector<Record>& records);
 
 std::vector<ModeRow> mode_rows(const std::vector<UncertainMode>& modes);
+// Of a rig whose coefficients have no covariance: values without intervals.
+std::vector<ModeRow> mode_rows(const rig_file::RigModel& rig);
 
 // Is the displacement of the link's ends measured (the ground's and a resting base's is known)?
 bool elongation_measured(const Record& record, const rig_file::Link& link);

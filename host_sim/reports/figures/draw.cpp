@@ -257,7 +257,6 @@ class Drawing {
 }  // namespace
 
 const char* role_variable(Role role) { return kRolePalette[static_cast<int>(role)].variable; }
-const char* role_colour(Role role) { return kRolePalette[static_cast<int>(role)].light; }
 
 std::string draw(const Plot& plot, Target target) { return Drawing(plot, target).svg(); }
 

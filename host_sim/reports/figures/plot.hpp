@@ -55,9 +55,8 @@ struct Plot {
 
 constexpr int kPlotWidth = 460, kPlotHeight = 270;  // units of the picture's own coordinates
 
-// Colour of a role as a style-sheet variable of the page, "var(--measured)", or as "#rrggbb" in the light palette.
+// Colour of a role as a style-sheet variable of the page, "var(--measured)".
 const char* role_variable(Role role);
-const char* role_colour(Role role);
 
 enum class Target {
   kPage,        // inside a page that defines the colours and draws the legend itself
