@@ -41,7 +41,7 @@ void append(const firmware::RawSample& sample, const std::vector<LogChannel>& ch
 }  // namespace
 
 bool is_sensor_log(const std::string& path, std::string_view content) {
-  if (ends_with(path, ".log") || ends_with(path, ".candump") || ends_with(path, ".asc")) return true;
+  if (ends_with(path, ".log") || ends_with(path, ".candump")) return true;
   if (can_log::is_asc_log(content)) return true;
   can_log::LogEntry entry;
   return can_log::parse_line(content.substr(0, content.find_first_of("\r\n")), entry);

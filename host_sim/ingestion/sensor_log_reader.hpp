@@ -13,7 +13,8 @@
 
 namespace host_sim {
 
-// Extension .log, .candump or .asc, or a first line that is a frame or the head of an .asc log.
+// Extension .log or .candump, or a first line that is a frame or the head of Vector's .asc log. (Other programs write
+// tables of numbers as .asc.)
 bool is_sensor_log(const std::string& path, std::string_view content);
 
 // Throws DataFileError with the line. Lines that are no frame, and frames of others, are passed over.

@@ -84,6 +84,21 @@ TEST(Dialects, AllSayTheSame) {
       {"a preamble",
        "Operator;Miller\nTime;12:00:07\n\nt_s;force_1_N;displacement_1_m\n0;1.5;-0.25\n0.5;2;0.5\n1;-3e-3;0.75\n",
        "passed over: 2 lines"},
+      {"dates",
+       "timestamp,force_1_N,displacement_1_m\n2026-03-01T23:59:59.500,1.5,-0.25\n"
+       "2026-03-02T00:00:00.000Z,2,0.5\n2026-03-02 00:00:00.5,-3e-3,0.75\n",
+       nullptr},
+      {"dates of Europe",
+       "Zeit;force_1_N;displacement_1_m\n28.02.2026 23:59:59,500;1,5;-0,25\n"
+       "01.03.2026 00:00:00;2;0,5\n01.03.2026 00:00:00,500;-3e-3;0,75\n",
+       nullptr},
+      {"dates of America, quoted",
+       "Time,force_1_N,displacement_1_m\n\"12/31/2026 23:59:59.0\",1.5,-0.25\n"
+       "\"12/31/2026 23:59:59.5\",2,0.5\n\"01/01/2027 00:00:00\",-3e-3,0.75\n",
+       nullptr},
+      {"times of day past midnight",
+       "time\tforce_1_N\tdisplacement_1_m\n23:59:59.5\t1.5\t-0.25\n0:00:00\t2\t0.5\n00:00:00.5\t-3e-3\t0.75\n",
+       nullptr},
       {"CRLF", with_line_ends(kPlain, "\r\n"), nullptr},
       {"CR", with_line_ends(kPlain, "\r"), nullptr},
       {"UTF-8 mark", "\xEF\xBB\xBF" + kPlain, nullptr},
@@ -116,6 +131,24 @@ TEST(Dialects, AllSayTheSame) {
       EXPECT_NE(notes.find(dialect.note), std::string::npos) << notes;
     }
   }
+}
+
+// Names that mean nothing to the rig are still told apart, as the rows below them are.
+TEST(Dialects, ForeignNamesAreToldOneByOne) {
+  try {
+    host_sim::parse_csv("Uhr;Kraft 1 [N];Weg 1 [mm]\n0,0;1,5;2\n0,5;1,5;3\n", "d.csv", rig(), {{}, {}, {}, 2.0});
+    FAIL() << "no channel is named";
+  } catch (const host_sim::DataFileError& e) {
+    EXPECT_NE(std::string(e.what()).find("\"Uhr\", \"Kraft 1 [N]\", \"Weg 1 [mm]\""), std::string::npos) << e.what();
+  }
+}
+
+TEST(Dialects, ATimeThatIsNoClocksIsRefused) {
+  for (const char* bad : {"25:00:00", "10:61:00", "2026-13-01T10:00:00", "10:11", "10:11:12 noon"})
+    EXPECT_THROW(
+        host_sim::parse_csv(std::string("t_s,force_1_N,displacement_1_m\n") + bad + ",1,2\n0.5,1,2\n", "d.csv", rig()),
+        host_sim::DataFileError)
+        << bad;
 }
 
 struct UnitRow {

@@ -39,6 +39,19 @@ size_t score(std::string_view line, const std::function<bool(const std::string&)
   return best;
 }
 
+// What separates names that mean nothing to us: with it they are as many as the fields of the next row, and most.
+char likely_separator(std::string_view names, std::string_view rest) {
+  std::string_view row;
+  while (!rest.empty() && is_blank(row)) row = take_line(rest);
+  char best = ',';
+  size_t most = 1;
+  for (const char candidate : kSeparators) {
+    const size_t count = split_fields(names, candidate).size();
+    if (count > most && split_fields(row, candidate).size() == count) most = count, best = candidate;
+  }
+  return best;
+}
+
 Header find_header(std::string_view content, const std::function<bool(const std::string&)>& means_channel) {
   Header fallback;
   std::string_view rest = content;
@@ -51,7 +64,7 @@ Header find_header(std::string_view content, const std::function<bool(const std:
     char separator = ',';
     if (score(line, means_channel, separator) > 0) return {number, separator, line, rest, passed_over};
     if (comment) continue;
-    if (fallback.line == 0) fallback = {number, ',', line, rest, 0};
+    if (fallback.line == 0) fallback = {number, likely_separator(line, rest), line, rest, 0};
     ++passed_over;
   }
   return fallback;

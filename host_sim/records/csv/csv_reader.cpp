@@ -4,8 +4,10 @@
 #include <charconv>
 #include <cmath>
 #include <cstring>
+#include <optional>
 
 #include "host_sim/records/columns/column_name.hpp"
+#include "host_sim/records/csv/clock_time.hpp"
 #include "host_sim/records/csv/csv_layout.hpp"
 #include "host_sim/records/csv/text_encoding.hpp"
 #include "host_sim/records/data_file_error.hpp"
@@ -124,7 +126,10 @@ class CsvParser {
       if (target.values == nullptr) {
         skip_field(position, end);
       } else {
-        target.values->push_back(number(position, end, target) * target.factor);
+        const bool time = target.values == &time_s_;
+        double value = 0.0;
+        if (!time || !take_clock(position, end, value)) value = number(position, end, target) * target.factor;
+        target.values->push_back(value);
       }
       const bool last = column + 1 == count;
       if (last && end - position == 1 && at_field_end(position, end)) ++position;  // a separator ends the line
@@ -134,6 +139,22 @@ class CsvParser {
                    std::to_string(count) + " numbers separated by " + separator_word(separator));
       if (!last) ++position;
     }
+  }
+
+  // A time of day, perhaps with a date, as seconds since the first row's. Past midnight without a date it goes on.
+  bool take_clock(const char*& position, const char* end, double& value) {
+    const char* stop = position;
+    skip_field(stop, end);
+    if (std::find(position, stop, ':') == stop) return false;
+    std::string text = trimmed_text(std::string(position, stop));
+    text.erase(std::remove(text.begin(), text.end(), '"'), text.end());
+    const std::optional<ClockTime> clock = parse_clock_time(text);
+    if (!clock) return false;
+    if (samples_ == 0) first_clock_ = *clock;
+    value = 86400.0 * static_cast<double>(clock->day - first_clock_.day) + (clock->time_s - first_clock_.time_s);
+    while (clock->day == 0 && !time_s_.empty() && value < time_s_.back() - 43200.0) value += 86400.0;
+    position = stop;
+    return true;
   }
 
   void skip_blanks(const char*& position, const char* end) const {
@@ -223,6 +244,7 @@ class CsvParser {
   Record record_;
   std::vector<Target> columns_;
   std::vector<double> time_s_;
+  ClockTime first_clock_;
   std::vector<size_t> comments_;  // how many samples stood before each comment line among the rows
   size_t line_ = 1, samples_ = 0;
 };
