@@ -48,7 +48,8 @@ Record decay(const rig_file::RigModel& model) {
 
 TEST(Compare, TheRigThatMadeTheRecordLeavesNothing) {
   const Record record = decay(rig(kTrue));
-  const reports::Comparison out = reports::compare(record, rig(kGiven), rig(kTrue));
+  const auto given = rig(kGiven), truth = rig(kTrue);
+  const reports::Comparison out = reports::compare(record, {given}, {truth});
   ASSERT_EQ(out.dofs.size(), 1u);
   ASSERT_EQ(out.dofs[0].waveforms.size(), 2u);
   const reports::Waveform& x = out.dofs[0].waveforms[0];
@@ -61,7 +62,8 @@ TEST(Compare, TheRigThatMadeTheRecordLeavesNothing) {
 // mass, so the energy by inertia and springs is what the damper took and the cubic spring holds.
 TEST(Compare, ResidualForceIsTheHiddenOne) {
   const Record record = decay(rig(kTrue));
-  const reports::Comparison out = reports::compare(record, rig(kGiven), rig(kTrue));
+  const auto given = rig(kGiven), truth = rig(kTrue);
+  const reports::Comparison out = reports::compare(record, {given}, {truth});
   ASSERT_EQ(out.links.size(), 1u);
   const reports::LinkView& link = out.links[0];
   EXPECT_EQ(link.link, "1-0");
@@ -82,7 +84,8 @@ TEST(Compare, ALinkThatOnlyTheExtendedRigHasIsShown) {
   const Record record = decay(rig(kTrue));
   auto extended = rig(kTrue);
   extended.links.push_back(rig("viscous_N_s_m = 1.0\n").links[0]);
-  EXPECT_EQ(reports::compare(record, rig(kGiven), extended).links.size(), 2u);
+  const auto given = rig(kGiven);
+  EXPECT_EQ(reports::compare(record, {given}, {extended}).links.size(), 2u);
 }
 
 // Without a spring the simulation restarts every second, so an error cannot grow for longer.
@@ -93,7 +96,8 @@ TEST(Compare, ARigThatNothingHoldsRestarts) {
   InitialState initial;
   initial.v_m_s = {1.0};
   const Record record = simulate(sliding, initial, Excitation{}, SampleTimes{1e-3, 0, 0, 3001, 0.0});
-  const auto out = reports::compare(record, rig("viscous_N_s_m = 8.0\n"), sliding);
+  const auto heavy = rig("viscous_N_s_m = 8.0\n");
+  const auto out = reports::compare(record, {heavy}, {sliding});
   ASSERT_EQ(out.notes.size(), 1u);
   const std::vector<double>& x = out.dofs[0].waveforms[0].simulated;
   EXPECT_NEAR(x[1000], record.find(Quantity::kDisplacement, 1)->values[1000], 1e-12);
@@ -108,8 +112,9 @@ TEST(Compare, AMasslessRigIsComparedByItsForce) {
     record.channels[0].values.push_back(5.0);
     record.channels[1].values.push_back(0.01 * i);
   }
-  const auto out = reports::compare(record, rig("viscous_N_s_m = 3.0\n", "mass_kg = 0.0"),
-                                    rig("viscous_N_s_m = 3.0\ncoulomb_N = 2.0\n", "mass_kg = 0.0"));
+  const auto given = rig("viscous_N_s_m = 3.0\n", "mass_kg = 0.0");
+  const auto extended = rig("viscous_N_s_m = 3.0\ncoulomb_N = 2.0\n", "mass_kg = 0.0");
+  const auto out = reports::compare(record, {given}, {extended});
   const reports::Waveform& force = out.dofs[0].waveforms.at(0);
   EXPECT_EQ(force.quantity, "force");
   EXPECT_NEAR(force.simulated[10], 3.0, 1e-9);

@@ -7,16 +7,11 @@
 #include "host_sim/reports/figures/axis.hpp"
 #include "host_sim/reports/figures/path.hpp"
 #include "host_sim/reports/figures/plot.hpp"
+#include "tests/reports/one_curve.hpp"
 
 namespace {
 
-using namespace host_sim::reports;
-
-size_t count(const std::string& text, const std::string& part) {
-  size_t found = 0;
-  for (size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
-  return found;
-}
+using namespace one_curve;
 
 std::vector<std::string> labels(const Axis& axis) {
   std::vector<std::string> out;
@@ -69,17 +64,6 @@ TEST(Path, ErrorsDoNotAddUp) {
   EXPECT_EQ(path_data(points), "M0 0l.1 0 .2 0 .1 0 .2 0 .1 0 .1 0 .2 0 .1 0 .2 0 .1 0");
 }
 
-Plot plot(const std::string& y_label) {
-  Plot out;
-  out.title = "a <title>";
-  out.x_label = "time";
-  out.x_unit = "s";
-  out.y_label = y_label;
-  out.y_unit = "m";
-  out.curves = {{"one", Role::kGiven, Shape::kLine, {0, 1, 2}, {0.001, 0.002, 0.0015}, {}}};
-  return out;
-}
-
 // The largest value is 0.002 m, so the axis is in mm.
 TEST(Draw, AxesCarryLabelsAndUnits) {
   const std::string picture = draw(plot("viscous_{1}^2"), Target::kPage);
@@ -94,15 +78,16 @@ TEST(Draw, AStandalonePictureHasItsOwnColoursTitleAndLegend) {
   EXPECT_EQ(count(picture, "var(--"), 0u);
   EXPECT_GE(count(picture, "#cf5a0c"), 1u);
   EXPECT_EQ(count(picture, ">one</text>"), 1u);
-  EXPECT_EQ(count(picture, ">a &lt;title&gt;</text>"), 1u);
+  EXPECT_EQ(count(picture, ">a &lt;'title'&gt;</text>"), 1u);
   EXPECT_EQ(count(picture, "xmlns=\"http://www.w3.org/2000/svg\""), 1u);
 }
 
-// x from 0 to 2 over the frame from 66 to 448, y from 0.94 to 2.06 mm (6 % of air) over 224 to 14: the middle point
-// (1, 2 mm) lies at (257, 14 + 0.06 / 1.12 * 210 = 25.25).
+// The frame of the 460 wide picture begins at 66 and ends where half of the label "2.0" (two digits of 9.3, a point of
+// 4.7) and 1 more fit: 460 - 0.5 * 23.3 - 1 = 447.35. y from 0.94 to 2.06 mm (6 % of air) over 224 to 14: the middle
+// point (1, 2 mm) lies at (66 + 190.7, 14 + 0.06 / 1.12 * 210 = 25.25).
 TEST(Draw, PointsLieWhereTheyBelong) {
   const std::string picture = draw(plot("y"), Target::kPage);
-  EXPECT_EQ(count(picture, "M66 212.8l191-187.5 191 93.7"), 1u) << picture;
+  EXPECT_EQ(count(picture, "M66 212.8l190.7-187.5 190.7 93.7"), 1u) << picture;
 }
 
 TEST(Draw, DataWithoutFiniteNumbersStillDraws) {
@@ -134,8 +119,8 @@ TEST(Draw, AMapShowsSignAndSize) {
   map.curves.clear();
   map.map = {2, 2, -1.0, 1.0, -1.0, 1.0, {-2.0, NAN, NAN, 1.0}};
   const std::string picture = draw(map, Target::kPage);
-  EXPECT_EQ(count(picture, "var(--extended)\" fill-opacity=\"1.00\""), 1u);
-  EXPECT_EQ(count(picture, "var(--given)\" fill-opacity=\"0.52\""), 1u);  // 0.04 + 0.96 / 2
+  EXPECT_EQ(count(picture, "var(--term1)\" fill-opacity=\"1.00\""), 1u);
+  EXPECT_EQ(count(picture, "var(--term2)\" fill-opacity=\"0.52\""), 1u);  // 0.04 + 0.96 / 2
 }
 
 }  // namespace

@@ -3,26 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/reports/one_curve.hpp"
+
 namespace {
 
-using namespace host_sim::reports;
-
-size_t count(const std::string& text, const std::string& part) {
-  size_t found = 0;
-  for (size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
-  return found;
-}
-
-Plot plot(const std::string& y_label) {
-  Plot out;
-  out.title = "a 'title'";
-  out.x_label = "time";
-  out.x_unit = "s";
-  out.y_label = y_label;
-  out.y_unit = "m";
-  out.curves = {{"one", Role::kGiven, Shape::kLine, {0, 1, 2}, {0.001, 0.002, 0.0015}, {}}};
-  return out;
-}
+using namespace one_curve;
 
 TEST(Page, TextIsEscaped) { EXPECT_EQ(escaped("a<b> & \"c\" 'd'"), "a&lt;b&gt; &amp; &quot;c&quot; &#39;d&#39;"); }
 

@@ -105,7 +105,7 @@ TEST(DiagnosisPage, AnEmptyDiagnosisIsStillAPage) {
   DiagnosisReportData data;
   data.rig_name = "rig";
   data.verdict = "unknown";
-  EXPECT_TRUE(contains(diagnosis_page(data), "no effect in the vocabulary explains"));
+  EXPECT_TRUE(contains(diagnosis_page(data), "No effect in the vocabulary explains"));
 }
 
 TEST(RunPage, HasEveryPart) {
@@ -171,25 +171,39 @@ TEST(EstimatePage, AResponseEndsWhereNothingDrives) {
   EXPECT_FALSE(contains(page.substr(0, page.find("id=\"maps\"")), ">100</text>"));
 }
 
-TEST(Verdict, OneSentenceEach) {
+TEST(Verdict, AShortHeadlineThenTheRest) {
   DiagnosisReportData data;
   data.causes = {{"cubic_stiffness", "link 1-2", 90.0, {}}};
   data.gains = {{1, 10.0, 2.0, 0.0, 0.0}};
   data.verdict = "explained";
-  EXPECT_EQ(
-      verdict_sentence(data),
-      "The rig file lacks cubic stiffness on link 1-2; with it the simulation error on unseen data falls by a factor "
-      "of 5.0.");
+  EXPECT_EQ(verdict_headline(data), "The rig file lacks cubic stiffness on link 1-2");
+  EXPECT_EQ(verdict_details(data), "With that mended the simulation error on unseen data falls by a factor of 5.0.");
+  EXPECT_EQ(verdict_sentence(data), verdict_headline(data) + ". " + verdict_details(data));
+  data.causes.push_back({"backlash", "link 2-3", 5.0, {}});
+  data.causes.push_back({"mass_error", "dof 2", 2.0, {}});
+  EXPECT_EQ(verdict_headline(data), "The rig file lacks cubic stiffness on link 1-2 and 2 more");
+  EXPECT_TRUE(contains(verdict_details(data), "backlash on link 2-3 and mass error on DOF 2."));
   data.verdict = "ambiguous";
+  data.causes.resize(1);
   data.ambiguous_with = {{"cubic_stiffness", "link 1-2"}, {"end_stop", "link 1-2"}, {"mass_error", "dof 2"}};
-  EXPECT_EQ(
-      verdict_sentence(data),
-      "The rig file lacks something, and these data cannot tell which: cubic stiffness on link 1-2, end stop on link "
-      "1-2 or mass error on DOF 2.");
-  data.verdict = "none";
-  EXPECT_TRUE(contains(verdict_sentence(data), "nothing is left beyond measurement noise"));
+  EXPECT_EQ(verdict_details(data),
+            "It is one of these: cubic stiffness on link 1-2, end stop on link 1-2 or mass error on DOF 2.");
+  data.verdict = "partly";
+  EXPECT_TRUE(contains(verdict_details(data), "its cause is not known"));
   data.verdict = "unknown";
-  EXPECT_TRUE(contains(verdict_sentence(data), "A residual beyond noise remains"));
+  EXPECT_TRUE(contains(verdict_details(data), "A residual beyond noise remains"));
+  data.causes.clear();
+  EXPECT_EQ(verdict_headline(data), "The rig file does not explain the measurement");
+}
+
+// "Nothing beyond noise" is said where the misfit is that of noise, and only there.
+TEST(Verdict, NoneDoesNotDenyWhatIsLeft) {
+  DiagnosisReportData data;
+  data.verdict = "none";
+  data.misfit = 1.1;
+  EXPECT_TRUE(contains(verdict_sentence(data), "Nothing is left beyond measurement noise"));
+  data.misfit = 40.0;
+  EXPECT_TRUE(contains(verdict_sentence(data), "neither helps to predict unseen data nor moves a coefficient"));
 }
 
 // A sensor is no part of the rig file.
@@ -199,23 +213,17 @@ TEST(Verdict, ASensorsFaultIsSaidToBeOne) {
   data.gains = {{1, 60.0, 2.0, 0.0, 0.0}};
   data.verdict = "explained";
   EXPECT_EQ(verdict_sentence(data),
-            "A sensor is at fault: sensor delay in channel force_1_N; with that corrected the simulation error on "
-            "unseen data "
-            "falls by a factor of 30.");
+            "A sensor is at fault: sensor delay in channel force_1_N. With that mended the simulation error on unseen "
+            "data falls by a factor of 30.");
   data.causes.push_back({"cubic_stiffness", "link 1-2", 5.0, {}});
-  EXPECT_EQ(verdict_sentence(data),
-            "The rig file lacks cubic stiffness on link 1-2, and a sensor is at fault: sensor delay in channel "
-            "force_1_N; with both "
-            "the simulation error on unseen data falls by a factor of 30.");
+  EXPECT_EQ(verdict_headline(data), "The rig file lacks cubic stiffness on link 1-2; a sensor is at fault");
+  EXPECT_TRUE(contains(verdict_details(data), "At fault: sensor delay in channel force_1_N."));
   data.causes.resize(1);
   data.verdict = "ambiguous";
   data.ambiguous_with = {{"sensor_delay", "channel displacement_1_m"}};
-  EXPECT_EQ(verdict_sentence(data),
-            "A sensor is at fault, and these data cannot tell which: sensor delay in channel force_1_N or sensor delay "
-            "in channel "
-            "displacement_1_m.");
+  EXPECT_EQ(verdict_headline(data), "A sensor is at fault, and these data cannot tell which");
   data.ambiguous_with.push_back({"mass_error", "dof 1"});
-  EXPECT_TRUE(contains(verdict_sentence(data), "The rig file lacks something or a sensor is at fault"));
+  EXPECT_EQ(verdict_headline(data), "The rig file lacks something or a sensor is at fault");
 }
 
 TEST(WriteReport, MakesTheFolderAndReplacesAnEarlierPage) {

@@ -40,7 +40,7 @@ void diagnose(const DiagnoseArguments& arguments) {
                               holdout = read_data(arguments.holdout, model, arguments.reading);
     require_same_channels(training);
     if (!holdout.empty()) require_same_channels(training.front(), holdout);
-    require_sound(training, model, arguments.reading);
+    const data_check::Report check = require_sound(training, model, arguments.reading);
     require_sound(holdout, model, arguments.reading);
     line.begin("searching for what the rig file lacks");
     found = diagnosis::diagnose(model, training, holdout, options);
@@ -49,6 +49,7 @@ void diagnose(const DiagnoseArguments& arguments) {
     if (!arguments.report.empty()) {
       reports::add_pictures(model, training, holdout, found, data);
       line.begin("drawing");
+      data.check = check;
       reports::write_diagnosis_report(arguments.report, data);
     }
   }

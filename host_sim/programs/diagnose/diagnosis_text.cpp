@@ -51,6 +51,8 @@ std::string parameters_text(const reports::DiagnosisReportData& data) {
   for (const reports::ParameterChange& parameter : data.parameters)
     rows.push_back({parameter.name, parameter.unit, interval_text(parameter.before), interval_text(parameter.after),
                     parameter.status});
+  if (data.causes.empty())
+    for (Row& row : rows) row.erase(row.begin() + 3);
   return rows.size() > 1 ? "\n" + table(rows) : "";
 }
 

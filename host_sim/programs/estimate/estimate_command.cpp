@@ -33,9 +33,11 @@ void print_table(std::FILE* stream, const rig_file::RigModel& model, const Estim
 
 // Page and files for other programs, where they are wanted.
 void show_more(const EstimateArguments& arguments, const rig_file::RigModel& model, const std::vector<Record>& records,
-               const EstimateResult& result, std::FILE* people) {
+               const Estimation& estimation, const data_check::Report& check, std::FILE* people) {
   if (arguments.report.empty() && arguments.export_to.empty()) return;
-  const reports::EstimateReportData data = estimate_report_data(model, records, result);
+  const EstimateResult& result = estimation.result;
+  reports::EstimateReportData data = estimate_report_data(model, records, result, estimation.simulated);
+  data.check = check;
   if (!arguments.report.empty()) {
     reports::write_estimate_report(arguments.report, data);
     std::fprintf(people, "report: %s/index.html\n", arguments.report.c_str());
@@ -53,7 +55,7 @@ void estimate(const EstimateArguments& arguments) {
   require_same_channels(records);
   ResultTarget json(arguments.json), log(arguments.log);
   std::FILE* const people = human_stream(json, log);
-  require_sound(records, model, arguments.reading);
+  const data_check::Report check = require_sound(records, model, arguments.reading);
 
   EstimationOptions options;
   if (arguments.frequency_Hz > 0.0) options.excitation_Hz = arguments.frequency_Hz;
@@ -66,7 +68,7 @@ void estimate(const EstimateArguments& arguments) {
   print_table(people, model, estimation.result);
   json.deliver(to_text(to_json(estimation.result)));
   log.deliver(estimation.frames);
-  show_more(arguments, model, records, estimation.result, people);
+  show_more(arguments, model, records, estimation, check, people);
   const std::string missing = unanswered(estimation.result);
   if (!missing.empty()) throw CannotAnswer(missing);
 }

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "host_sim/reports/data/comparison.hpp"
+#include "host_sim/reports/data/free_simulation.hpp"
 #include "host_sim/reports/data/rig_views.hpp"
 
 namespace host_sim {
@@ -34,7 +35,7 @@ std::vector<UncertainMode> estimated_modes(const rig_file::RigModel& model, cons
 }
 
 reports::EstimateReportData estimate_report_data(const rig_file::RigModel& model, const std::vector<Record>& records,
-                                                 const EstimateResult& result) {
+                                                 const EstimateResult& result, const std::vector<Record>& simulated) {
   reports::EstimateReportData data;
   data.rig_name = model.name.empty() ? "the rig" : model.name;
   add_facts(records, result, data);
@@ -44,14 +45,25 @@ reports::EstimateReportData estimate_report_data(const rig_file::RigModel& model
   if (!result.advice.empty()) data.advice.push_back(result.advice);
   data.notes = result.notes;
   const rig_file::RigModel rig = rig_file::with_values(model, values_of(result));
-  reports::Comparison comparison = reports::compare(records.front(), rig, rig);
-  for (reports::DofView& view : comparison.dofs)
-    for (reports::Waveform& waveform : view.waveforms) waveform.extended.clear();
+  const size_t worst = reports::worst_record(records, simulated);
+  if (records.size() > 1)
+    data.facts.push_back("pictures: " + std::filesystem::path(records[worst].file).filename().string() +
+                         ", the record that the simulation misses most");
+  reports::Comparison comparison =
+      reports::compare(records[worst], {rig, simulated.empty() ? nullptr : &simulated[worst]});
   data.dofs = std::move(comparison.dofs);
   data.notes.insert(data.notes.end(), comparison.notes.begin(), comparison.notes.end());
-  data.views = reports::rig_views(rig, records);
+  data.views = reports::rig_views(rig, records, simulated);
   data.views.modes = reports::mode_rows(estimated_modes(model, result));
+  data.warrant = warrant_view(result.warrant);
   return data;
+}
+
+reports::WarrantView warrant_view(const WarrantResult& warrant) {
+  const auto finding = [](const FindingResult& from) {
+    return reports::WarrantFinding{from.effect, from.where, from.unit, from.size, from.std};
+  };
+  return {warrant.tested, finding(warrant.named), finding(warrant.rival), warrant.rival_percent};
 }
 
 }  // namespace host_sim

@@ -13,8 +13,11 @@ namespace host_sim {
 // Modes of the rig with the estimates; empty where a DOF has no mass.
 std::vector<UncertainMode> estimated_modes(const rig_file::RigModel& model, const EstimateResult& result);
 
-// Simulates the rig with the estimates beside the first record, and looks at all of them.
+// simulated: the rig with the estimates beside each record, as judge_fit left it. The waveforms are those of the record
+// that the simulation misses most.
 reports::EstimateReportData estimate_report_data(const rig_file::RigModel& model, const std::vector<Record>& records,
-                                                 const EstimateResult& result);
+                                                 const EstimateResult& result, const std::vector<Record>& simulated);
+
+reports::WarrantView warrant_view(const WarrantResult& warrant);
 
 }  // namespace host_sim

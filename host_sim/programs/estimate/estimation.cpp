@@ -150,7 +150,7 @@ Estimation estimate_records(const rig_file::RigModel& model, const std::vector<R
         estimation.result.notes.push_back(correction_note(correction));
     }
   }
-  judge_fit(model, records, estimation.result);
+  estimation.simulated = judge_fit(model, records, estimation.result);
   return estimation;
 }
 

@@ -18,7 +18,8 @@ struct EstimationOptions {
 
 struct Estimation {
   EstimateResult result;
-  std::string frames;  // candump log of what the board would have sent
+  std::string frames;             // candump log of what the board would have sent
+  std::vector<Record> simulated;  // the rig with the estimates beside each record; empty where it does not run freely
 };
 
 // Each record is one level. Throws DataFileError where the records do not fit together, CannotAnswer where they are too

@@ -42,17 +42,20 @@ bool runs_freely(const rig_file::RigModel& rig) {
                      [](const rig_file::Dof& dof) { return dof.mass_kg.value > 0.0; });
 }
 
-void free_running_error(const rig_file::RigModel& rig, const std::vector<Record>& records,
-                        std::vector<SquareSums>& sums) {
+std::vector<Record> free_running_error(const rig_file::RigModel& rig, const std::vector<Record>& records,
+                                       std::vector<SquareSums>& sums) {
+  std::vector<Record> all;
   for (const Record& record : records) {
-    const Record simulated = free_run(rig, record, 0, measured_state(rig, record, 0), record.samples());
+    Record simulated = free_run(rig, record, 0, measured_state(rig, record, 0), record.samples());
     for (size_t i = 0; i < sums.size(); ++i) {
       const Series measured = acceleration_of(record, record, static_cast<int>(i + 1));
       Series difference = acceleration_of(simulated, record, static_cast<int>(i + 1));
       for (size_t j = 0; j < difference.size(); ++j) difference[j] -= measured[j];
       sums[i].add(measured, difference);
     }
+    all.push_back(std::move(simulated));
   }
+  return all;
 }
 
 void force_balance_error(const rig_file::RigModel& rig, const std::vector<Record>& records,
@@ -65,13 +68,15 @@ void force_balance_error(const rig_file::RigModel& rig, const std::vector<Record
 
 }  // namespace
 
-void judge_fit(const rig_file::RigModel& model, const std::vector<Record>& records, EstimateResult& result) {
+std::vector<Record> judge_fit(const rig_file::RigModel& model, const std::vector<Record>& records,
+                              EstimateResult& result) {
+  std::vector<Record> simulated;
   const rig_file::RigModel rig = rig_file::with_values(model, values_of(result));
   std::vector<SquareSums> sums(model.dofs.size());
   try {
     if (runs_freely(rig)) {
       result.mse_of = "acceleration, measured against the free-running simulation with the estimates";
-      free_running_error(rig, records, sums);
+      simulated = free_running_error(rig, records, sums);
     } else {
       result.mse_of = "force balance of each DOF's equation (a massless rig cannot run freely)";
       force_balance_error(rig, records, sums);
@@ -82,6 +87,7 @@ void judge_fit(const rig_file::RigModel& model, const std::vector<Record>& recor
   }
   result.mse_percent.clear();
   for (const SquareSums& sum : sums) result.mse_percent.push_back(sum.percent());
+  return simulated;
 }
 
 }  // namespace host_sim

@@ -15,6 +15,8 @@ namespace host_sim {
 // simulated signal then takes the same way, so that both have the same band. A rig with a massless DOF does not run
 // freely: there the MSE is that of the force balance f - m a - sum of link forces, over the variance of f (of m a where
 // no force is recorded), and mse_of says so.
-void judge_fit(const rig_file::RigModel& model, const std::vector<Record>& records, EstimateResult& result);
+// Returns the simulations, one a record; none where the rig does not run freely.
+std::vector<Record> judge_fit(const rig_file::RigModel& model, const std::vector<Record>& records,
+                              EstimateResult& result);
 
 }  // namespace host_sim

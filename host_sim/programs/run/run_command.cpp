@@ -5,6 +5,7 @@
 
 #include "host_sim/plant/plant_error.hpp"
 #include "host_sim/programs/commands.hpp"
+#include "host_sim/programs/estimate/estimate_report_data.hpp"
 #include "host_sim/programs/results/result_json.hpp"
 #include "host_sim/programs/results/result_table.hpp"
 #include "host_sim/programs/run/can_output.hpp"
@@ -63,6 +64,16 @@ void print_summary(std::FILE* stream, const Scenario& scenario, const RunArgumen
                format_table(result, is_terminal(stream), wrap_width(stream)).c_str());
 }
 
+void write_report(const RunArguments& arguments, const Scenario& scenario, const RunResult& outcome,
+                  const std::vector<reports::Convergence>& convergence, const EstimateResult& result) {
+  reports::RunReportData data = reports::run_report_data(scenario, arguments.seed, outcome, convergence);
+  data.warrant = warrant_view(result.warrant);
+  data.check = data_check::check(outcome.measured.measured, &scenario.rig);
+  for (data_check::RecordReport& record : data.check->records)
+    record.file = "level " + std::to_string(&record - data.check->records.data() + 1);
+  reports::write_run_report(arguments.report, data);
+}
+
 void print_shipped(const std::string& name) {
   const std::string text = shipped_scenario_text(name);
   if (text.empty())
@@ -91,9 +102,7 @@ void run(const RunArguments& arguments) {
     throw UsageError(arguments.scenario + ": " + error.what());
   }
   const EstimateResult result = result_of_run(scenario, outcome);
-  if (!arguments.report.empty())
-    reports::write_run_report(arguments.report,
-                              reports::run_report_data(scenario, arguments.seed, outcome, convergence));
+  if (!arguments.report.empty()) write_report(arguments, scenario, outcome, convergence, result);
   if (!arguments.records.empty()) export_records(arguments.records, scenario, outcome);
   sink->commit();
   nlohmann::ordered_json content = to_json(result);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "hal/rig_file/rig_model.hpp"
+#include "host_sim/data_check/data_check.hpp"
 #include "host_sim/records/record.hpp"
 
 namespace host_sim {
@@ -26,8 +27,9 @@ std::vector<Record> read_data(const std::vector<std::string>& paths, const rig_f
                               const DataArguments& arguments);
 
 // The check of the data before anything is computed: doubts go to stderr; a fault throws CannotAnswer, or goes to stderr
-// too where the user wants the numbers anyway.
-void require_sound(const std::vector<Record>& records, const rig_file::RigModel& model, const DataArguments& arguments);
+// too where the user wants the numbers anyway. Returns all that was found.
+data_check::Report require_sound(const std::vector<Record>& records, const rig_file::RigModel& model,
+                                 const DataArguments& arguments);
 
 // Lines below each other, indented under the first.
 std::string joined_lines(const std::vector<std::string>& lines);

@@ -30,13 +30,15 @@ std::vector<size_t> start_samples(const Record& record, const rig_file::RigModel
   return starts;
 }
 
-Record try_to_simulate(const rig_file::RigModel& rig, const Record& record, const char* name,
-                       std::vector<std::string>& notes) {
+Record try_to_simulate(const Side& side, const Record& record, const char* name, std::vector<std::string>& notes) {
+  const rig_file::RigModel& rig = side.rig;
   const bool massless = std::any_of(rig.dofs.begin(), rig.dofs.end(),
                                     [](const rig_file::Dof& dof) { return !(dof.mass_kg.value > 0.0); });
   if (massless) return {};
+  const std::vector<size_t> starts = start_samples(record, rig);
+  if (side.simulated != nullptr && starts.size() == 1) return *side.simulated;
   try {
-    return simulate_from(rig, record, start_samples(record, rig));
+    return simulate_from(rig, record, starts);
   } catch (const PlantError& error) {
     notes.push_back(std::string("the ") + name + " cannot be simulated: " + error.what());
     return {};
@@ -205,12 +207,25 @@ rig_file::RigModel with_links_of(rig_file::RigModel rig, const rig_file::RigMode
 
 }  // namespace
 
-Comparison compare(const Record& record, const rig_file::RigModel& given_rig, const rig_file::RigModel& extended) {
+Comparison compare(const Record& record, const Side& given) {
+  Comparison out = compare(record, given, Side{given.rig, given.simulated});
+  for (DofView& view : out.dofs) {
+    for (Waveform& waveform : view.waveforms) waveform.extended.clear();
+    view.energy.residual_extended.clear();
+  }
+  for (LinkView& link : out.links) link.residual_extended.clear();
+  return out;
+}
+
+Comparison compare(const Record& record, const Side& given_side, const Side& extended_side) {
   Comparison out;
-  const rig_file::RigModel given = with_links_of(given_rig, extended);
+  const rig_file::RigModel& extended = extended_side.rig;
+  const rig_file::RigModel given = with_links_of(given_side.rig, extended);
   const double period_s = record.sample_period_s;
-  const Simulations simulated{try_to_simulate(given, record, "rig as given", out.notes),
-                              try_to_simulate(extended, record, "extended rig", out.notes)};
+  Simulations simulated;
+  simulated.given = try_to_simulate({given, given_side.simulated}, record, "rig as given", out.notes);
+  simulated.extended = &given_side.rig == &extended ? simulated.given
+                                                    : try_to_simulate(extended_side, record, "extended rig", out.notes);
   const bool free = !simulated.given.channels.empty();
   if (free && !vocabulary::held_in_place(given))
     out.notes.push_back(

@@ -15,10 +15,18 @@ struct Comparison {
   std::vector<std::string> notes;  // what a reader must know of how it was made
 };
 
-// given, extended: every coefficient a number; extended has the links of given first. The free-running simulations
-// start from the measured state at the record's start and again at sample holdout_from (0: no such part), and at every
-// second where nothing holds a DOF in its place (there any error of the state grows for ever). A rig that cannot run
-// freely (a DOF without mass) is compared by the force that it would need for the measured motion.
-Comparison compare(const Record& record, const rig_file::RigModel& given, const rig_file::RigModel& extended);
+// One of the two rigs: every coefficient a number. simulated: the record run freely from its own initial state, where
+// that has been done already; else it is done here.
+struct Side {
+  const rig_file::RigModel& rig;
+  const Record* simulated = nullptr;
+};
+
+// The free-running simulations start from the measured state at the record's start, and at every second where nothing
+// holds a DOF in its place (there any error of the state grows for ever). A rig that cannot run freely (a DOF without
+// mass) is compared by the force that it would need for the measured motion.
+Comparison compare(const Record& record, const Side& given);
+// With an extended rig beside it, whose first links are those of the rig as given.
+Comparison compare(const Record& record, const Side& given, const Side& extended);
 
 }  // namespace host_sim::reports

@@ -6,6 +6,7 @@
 
 #include "hal/rig_file/coefficient_walk.hpp"
 #include "host_sim/reports/data/comparison.hpp"
+#include "host_sim/reports/data/free_simulation.hpp"
 #include "host_sim/reports/data/rig_views.hpp"
 #include "host_sim/reports/figures/numbers.hpp"
 
@@ -51,12 +52,12 @@ std::vector<ParameterChange> changes(const diagnosis::Diagnosis& found) {
   std::vector<ParameterChange> out;
   const Interval nothing{kNone, kNone, kNone};
   for (const diagnosis::Parameter& before : found.baseline.parameters) {
-    const diagnosis::Parameter* after = find(found.extended.parameters, before.name);
+    const diagnosis::Parameter* after = found.causes.empty() ? nullptr : find(found.extended.parameters, before.name);
     out.push_back({before.name, before.unit, interval_of(before), after ? interval_of(*after) : nothing,
                    after ? status_of(*after, found.extended_fits()) : status_of(before, found.baseline_fits())});
   }
   for (const diagnosis::Parameter& after : found.extended.parameters)
-    if (find(found.baseline.parameters, after.name) == nullptr)
+    if (!found.causes.empty() && find(found.baseline.parameters, after.name) == nullptr)
       out.push_back({after.name, after.unit, nothing, interval_of(after), status_of(after, found.extended_fits())});
   return out;
 }
@@ -143,8 +144,10 @@ DiagnosisReportData findings_of(const rig_file::RigModel& rig, const std::vector
     data.facts.push_back("held out: " + std::filesystem::path(record.file).filename().string());
   data.facts.push_back(text(static_cast<double>(first.samples()) * first.sample_period_s, "%g s") +
                        text(1.0 / first.sample_period_s, " at %g Hz"));
-  data.facts.push_back(text(found.baseline_misfit, "misfit (1 is noise alone): %.3g as given") +
-                       text(found.extended_misfit, ", %.3g extended"));
+  data.misfit = found.baseline_misfit;
+  const bool extended = !found.causes.empty();
+  data.facts.push_back(text(found.baseline_misfit, "misfit (1 is noise alone): %.3g") +
+                       (extended ? text(found.extended_misfit, " as given, %.3g extended") : ""));
   data.verdict = diagnosis::verdict_word(found.verdict);
   for (const diagnosis::Cause& cause : found.causes) data.causes.push_back(cause_of(cause));
   for (const diagnosis::NamedPlace& place : found.ambiguous_with)
@@ -165,11 +168,16 @@ DiagnosisReportData findings_of(const rig_file::RigModel& rig, const std::vector
 void add_pictures(const rig_file::RigModel& rig, const std::vector<Record>& training,
                   const std::vector<Record>& holdout, const diagnosis::Diagnosis& found, DiagnosisReportData& data) {
   const Record& shown = holdout.empty() ? training.front() : holdout.front();
-  const rig_file::RigModel& extended = found.extended_rig.dofs.empty() ? rig : found.extended_rig;
-  const Comparison comparison = compare(shown, with_parameters(rig, found.baseline.parameters),
-                                        with_parameters(extended, found.extended.parameters));
-  const rig_file::RigModel best = with_parameters(extended, found.extended.parameters);
-  data.views = rig_views(best, training);
+  const bool is_extended = !found.causes.empty() && !found.extended_rig.dofs.empty();
+  const rig_file::RigModel given = with_parameters(rig, found.baseline.parameters);
+  const rig_file::RigModel best = is_extended ? with_parameters(found.extended_rig, found.extended.parameters) : given;
+  std::vector<std::string> unable;
+  const std::vector<Record> simulated = simulate_all(best, training, unable);
+  const Record* of_shown = holdout.empty() && !simulated.empty() ? &simulated.front() : nullptr;
+  const Comparison comparison =
+      is_extended ? compare(shown, {given}, {best, of_shown}) : compare(shown, {given, of_shown});
+  data.views = rig_views(best, training, simulated);
+  data.views.of_extended_rig = is_extended;
   data.views.modes = mode_rows(best);
   data.dofs = comparison.dofs;
   data.links = comparison.links;

@@ -88,10 +88,13 @@ void add_views(const Scenario& scenario, const RunResult& result, RunReportData&
   std::vector<double> values;
   for (const host_sim::RunParameter& parameter : result.parameters) values.push_back(parameter.value);
   const rig_file::RigModel rig = rig_file::with_values(scenario.rig, values);
-  std::vector<Record> records = result.measured.measured;
-  for (size_t l = 0; l < records.size(); ++l)
-    for (Channel& channel : records[l].channels) channel.values = measured_part(channel.values, scenario.levels[l]);
-  if (!records.empty()) data.views = rig_views(rig, records);
+  const auto without_settling = [&](std::vector<Record> records) {
+    for (size_t l = 0; l < records.size(); ++l)
+      for (Channel& channel : records[l].channels) channel.values = measured_part(channel.values, scenario.levels[l]);
+    return records;
+  };
+  const std::vector<Record> records = without_settling(result.measured.measured);
+  if (!records.empty()) data.views = rig_views(rig, records, without_settling(result.resimulated));
   data.views.modes = mode_rows(rig);
 }
 

@@ -2,8 +2,11 @@
 // The pages need nothing else, so that a page can be drawn (and tested) without a simulator.
 #pragma once
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "host_sim/data_check/data_check.hpp"
 
 namespace host_sim::reports {
 
@@ -91,6 +94,18 @@ struct RigViews {
   std::vector<ForceStateMap> maps;
   std::vector<ResidualSpectrum> residuals;
   std::vector<std::string> notes;  // what these sensors cannot show, and why
+  bool of_extended_rig = false;    // the simulated curves are those of the extended rig
+};
+
+// What the board says of the model beside its numbers: a cause, where, how large, and the next best.
+struct WarrantFinding {
+  std::string effect, where, unit;  // effect empty: nothing found
+  double size = 0.0, std = 0.0;
+};
+struct WarrantView {
+  bool tested = false;  // the data could show what the rig file lacks
+  WarrantFinding named, rival;
+  double rival_percent = 0.0;  // likelihood gain, of the named cause's
 };
 
 struct Cause {
@@ -130,7 +145,8 @@ struct DiagnosisReportData {
   std::string rig_name;
   std::vector<std::string> files;  // data files
   std::vector<std::string> facts;  // provenance: "20 s at 1000 Hz", "noise: ..."
-  std::string verdict;             // none, explained, ambiguous, unknown
+  std::string verdict;             // none, explained, partly, ambiguous, unknown
+  double misfit = 1.0;             // of the rig as given: chi-squared per degree of freedom, 1 is noise alone
   std::vector<Cause> causes;
   std::vector<std::pair<std::string, std::string>> ambiguous_with;  // effect, where
   std::vector<DofView> dofs;
@@ -142,6 +158,7 @@ struct DiagnosisReportData {
   std::vector<Detectable> minimum_detectable;
   std::vector<std::string> advice;
   RigViews views;
+  std::optional<data_check::Report> check;
 };
 
 struct EstimateReportData {
@@ -151,6 +168,8 @@ struct EstimateReportData {
   std::vector<std::string> advice;          // what to measure next
   std::vector<DofView> dofs;
   RigViews views;
+  std::optional<WarrantView> warrant;
+  std::optional<data_check::Report> check;
 };
 
 // An estimate as the windows close: vectors of one length.
@@ -194,6 +213,8 @@ struct RunReportData {
   std::vector<RunParameter> parameters;
   std::vector<RunRecord> records;
   RigViews views;
+  std::optional<WarrantView> warrant;
+  std::optional<data_check::Report> check;
 };
 
 }  // namespace host_sim::reports

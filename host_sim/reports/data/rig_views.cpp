@@ -6,8 +6,6 @@
 
 #include "host_sim/force_balance/derivative.hpp"
 #include "host_sim/force_balance/force_balance.hpp"
-#include "host_sim/plant/plant_error.hpp"
-#include "host_sim/plant/simulate.hpp"
 #include "host_sim/reports/data/channel_words.hpp"
 #include "host_sim/reports/data/spectrum.hpp"
 #include "host_sim/response/frequency_response.hpp"
@@ -24,23 +22,6 @@ const Channel* motion_of(const Record& record, int dof) {
   for (Quantity quantity : {Quantity::kAcceleration, Quantity::kVelocity, Quantity::kDisplacement})
     if (const Channel* channel = record.find(quantity, dof)) return channel;
   return nullptr;
-}
-
-// All records simulated freely; empty where the rig cannot be.
-std::vector<Record> simulations(const rig_file::RigModel& rig, const std::vector<Record>& records,
-                                std::vector<std::string>& notes) {
-  std::vector<Record> out;
-  const bool massless = std::any_of(rig.dofs.begin(), rig.dofs.end(),
-                                    [](const rig_file::Dof& dof) { return !(dof.mass_kg.value > 0.0); });
-  if (massless) return out;
-  try {
-    for (const Record& record : records)
-      out.push_back(free_run(rig, record, 0, measured_state(rig, record, 0), record.samples()));
-  } catch (const PlantError& error) {
-    notes.push_back(std::string("the rig cannot be simulated with these estimates: ") + error.what());
-    out.clear();
-  }
-  return out;
 }
 
 std::vector<double> magnitudes(const FrequencyResponse& response) {
@@ -76,7 +57,8 @@ class ResponsePair {
     const std::string force = quantity_word(Quantity::kForce, drive_rotates);
     out.title = channel_words(motion) + " per " + force + " on DOF " + std::to_string(driven_);
     out.label = quantity_word(motion.quantity, rotates) + " per " + force;
-    out.unit = quantity_unit(motion.quantity, rotates) + "/" + quantity_unit(Quantity::kForce, drive_rotates);
+    const std::string per = quantity_unit(Quantity::kForce, drive_rotates);
+    out.unit = quantity_unit(motion.quantity, rotates) + "/" + (drive_rotates ? "(" + per + ")" : per);
     out.frequency_Hz = measured.frequency_Hz;
     out.measured = magnitudes(measured);
     out.coherence = measured.coherence;
@@ -227,9 +209,10 @@ bool elongation_measured(const Record& record, const rig_file::Link& link) {
   return known(link.a) && known(link.b);
 }
 
-RigViews rig_views(const rig_file::RigModel& rig, const std::vector<Record>& records) {
+RigViews rig_views(const rig_file::RigModel& rig, const std::vector<Record>& records,
+                   const std::vector<Record>& simulated) {
   RigViews views;
-  add_responses(rig, records, simulations(rig, records, views.notes), views);
+  add_responses(rig, records, simulated, views);
   const Record& first = records.front();
   if (first.samples() <= 2 * kDerivativeMargin) return views;
   const ForceBalance balance = force_balance(rig, first);

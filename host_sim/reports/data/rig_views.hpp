@@ -12,7 +12,9 @@ namespace host_sim::reports {
 // rig: every coefficient a number, fits the records' channels. Views that the sensors cannot give are left out and a
 // note says so: a map needs the displacement of the link's ends (integrated accelerations drift), a response a measured
 // force.
-RigViews rig_views(const rig_file::RigModel& rig, const std::vector<Record>& records);
+// simulated: the rig beside each record, or empty where it cannot be simulated.
+RigViews rig_views(const rig_file::RigModel& rig, const std::vector<Record>& records,
+                   const std::vector<Record>& simulated);
 
 std::vector<ModeRow> mode_rows(const std::vector<UncertainMode>& modes);
 // Of a rig whose coefficients have no covariance: values without intervals.

@@ -18,9 +18,9 @@ struct Palette {
 
 constexpr Palette kRolePalette[kRoles] = {
     {"var(--measured)", "#24292f"}, {"var(--given)", "#cf5a0c"}, {"var(--extended)", "#1466c4"},
-    {"var(--truth)", "#2c7a3f"},    {"var(--term1)", "#1466c4"}, {"var(--term2)", "#cf5a0c"},
-    {"var(--term3)", "#2c7a3f"},    {"var(--term4)", "#7d4fa6"}, {"var(--term5)", "#a87b00"},
-    {"var(--term6)", "#0b7f8a"},    {"var(--term7)", "#b93a72"}, {"var(--term8)", "#75563b"},
+    {"var(--truth)", "#2c7a3f"},    {"var(--term1)", "#0b7f8a"}, {"var(--term2)", "#7d4fa6"},
+    {"var(--term3)", "#a87b00"},    {"var(--term4)", "#b93a72"}, {"var(--term5)", "#75563b"},
+    {"var(--term6)", "#5f7d1a"},    {"var(--term7)", "#53687c"}, {"var(--term8)", "#a3485a"},
 };
 constexpr Palette kGrid = {"var(--grid)", "#e4e7eb"}, kFrame = {"var(--frame)", "#9aa3ad"},
                   kText = {"var(--soft)", "#57606a"};
@@ -31,6 +31,18 @@ std::string number(double value) {
   std::string text = out;
   if (text.size() > 2 && text.compare(text.size() - 2, 2, ".0") == 0) text.resize(text.size() - 2);
   return text == "-0" ? "0" : text;
+}
+
+// Of a label in the largest lettering that a page sets it in (14.5 units, where the screen is narrow).
+double label_width(const std::string& svg_text) {
+  double width = 0.0;
+  bool tag = false;
+  for (char c : svg_text) {
+    if (c == '<') tag = true;
+    if (!tag && (static_cast<unsigned char>(c) & 0xC0) != 0x80) width += c == '.' ? 4.7 : 9.3;
+    if (c == '>') tag = false;
+  }
+  return width;
 }
 
 std::string escaped_text(const std::string& plain) {
@@ -80,8 +92,9 @@ class Drawing {
     const int legend_rows = alone_ ? static_cast<int>(listed_curves() + 1) / 2 : 0;
     plot_height_ = alone_ ? 340 : kPlotHeight;
     height_ = plot_height_ + 20 * legend_rows;
-    left_ = alone_ ? 84 : 66, right_ = width_ - 12.0, top_ = alone_ ? 34 : 14, bottom_ = plot_height_ - 46.0;
+    top_ = alone_ ? 34 : 14, bottom_ = plot_height_ - 46.0;
     scale_axes();
+    place_axes();
   }
 
   std::string svg() const {
@@ -111,7 +124,6 @@ class Drawing {
     double low = x.low * x_prefix_.factor, high = x.high * x_prefix_.factor;
     if (!x.any || !(high > low)) low -= 0.5, high += 0.5;
     x_ = linear_axis(low, high, 6);
-    x_.at_low = left_, x_.at_high = right_;
     low = y.low * y_prefix_.factor, high = y.high * y_prefix_.factor;
     if (plot_.log_y) {
       y_ = y.any ? decade_axis(std::max(low, high * 1e-9) / 4.0, high * 4.0, 6) : decade_axis(0.1, 10.0, 6);
@@ -124,6 +136,17 @@ class Drawing {
                                     : std::max(0.1 * std::abs(high), 1e-12);
       y_ = linear_axis(low - air, high + air, 5);
     }
+  }
+
+  // The frame leaves room for the widest label at its left, beside the axis' name, and for half the last one at its right.
+  void place_axes() {
+    constexpr double kNameOfAxis = 24.0, kGap = 7.0, kAir = 12.0;
+    double widest = 0.0;
+    for (const Tick& tick : y_.ticks) widest = std::max(widest, label_width(tick.label));
+    const double last = x_.ticks.empty() ? 0.0 : 0.5 * label_width(x_.ticks.back().label);
+    left_ = std::max(66.0, kNameOfAxis + kGap + widest);
+    right_ = width_ - std::max(kAir, last + 1.0);
+    x_.at_low = left_, x_.at_high = right_;
     y_.at_low = bottom_, y_.at_high = top_;
   }
 
@@ -169,10 +192,14 @@ class Drawing {
 
   std::string labels() const {
     const double middle = 0.5 * (top_ + bottom_);
+    // Half of the lettering's height in width, on average; a name that finds no room is in the picture's title.
+    const std::string name = with_unit(plot_.y_label, y_prefix_.symbol + plot_.y_unit);
+    const bool fits = 7.6 * static_cast<double>(name.size()) < height_;
     const std::string turned = " transform=\"rotate(-90 14 " + number(middle) + ")\"";
     return text(0.5 * (left_ + right_), bottom_ + 37, "middle",
                 with_unit(plot_.x_label, x_prefix_.symbol + plot_.x_unit)) +
-           text(14, middle, "middle", with_unit(plot_.y_label, y_prefix_.symbol + plot_.y_unit), turned.c_str());
+           text(14, middle, "middle", fits ? name : escaped_text(unit_text(y_prefix_.symbol + plot_.y_unit)),
+                turned.c_str());
   }
 
   std::string curve(const Curve& curve) const {
@@ -225,7 +252,7 @@ class Drawing {
         out += "<path d=\"M" + number(left_ + width * static_cast<double>(c)) + " " +
                number(bottom_ - height * static_cast<double>(r)) + "h" + number(width + 0.05) + "v-" +
                number(height + 0.05) + "h-" + number(width + 0.05) + "z\" fill=\"" +
-               colour(value >= 0.0 ? Role::kGiven : Role::kExtended) + "\" fill-opacity=\"" + depth + "\"/>\n";
+               colour(value >= 0.0 ? Role::kTerm2 : Role::kTerm1) + "\" fill-opacity=\"" + depth + "\"/>\n";
       }
     return out + "</g>\n";
   }

@@ -72,7 +72,7 @@ Plot spectra(const DofView& view, const Waveform& waveform, size_t columns) {
   plot.x_label = "frequency";
   plot.x_unit = "Hz";
   plot.y_label = "power density";
-  plot.y_unit = "(" + waveform.unit + ")^2/Hz";
+  plot.y_unit = density_unit(waveform.unit);
   plot.log_y = true;
   double cut_Hz = 0.0;  // the band that holds nearly all of the measured power
   const auto add = [&](const std::vector<double>& values, const char* label, Role role, Shape shape) {
@@ -152,7 +152,15 @@ std::vector<Plot> waveform_pictures(const DofView& view, const Waveform& wavefor
   return {detail(view, waveform, columns), errors(view, waveform, columns), spectra(view, waveform, columns)};
 }
 
-std::vector<Plot> energy_pictures(const DofView& view, size_t columns) {
+std::vector<std::string> energy_terms(const std::vector<DofView>& views) {
+  std::vector<std::string> names;
+  for (const DofView& view : views)
+    for (const NamedSeries& term : view.energy.terms)
+      if (std::find(names.begin(), names.end(), term.label) == names.end()) names.push_back(term.label);
+  return names;
+}
+
+std::vector<Plot> energy_pictures(const DofView& view, const std::vector<std::string>& all_terms, size_t columns) {
   const EnergyBalance& energy = view.energy;
   Plot terms, left;
   terms.title = "DOF " + std::to_string(view.dof) + ": energy by term";
@@ -162,10 +170,12 @@ std::vector<Plot> energy_pictures(const DofView& view, size_t columns) {
   terms.y_label = left.y_label = "energy since start";
   terms.y_unit = left.y_unit = "J";
   terms.zero_line = left.zero_line = true;
-  for (size_t i = 0; i < energy.terms.size(); ++i)
-    terms.curves.push_back(styled(over_time(energy.time_s, energy.terms[i].values, columns), energy.terms[i].label,
-                                  static_cast<Role>(static_cast<int>(Role::kTerm1) + static_cast<int>(i % 8)),
-                                  i < 8 ? Shape::kLine : Shape::kDashed));
+  for (const NamedSeries& term : energy.terms) {
+    const auto place = std::find(all_terms.begin(), all_terms.end(), term.label) - all_terms.begin();
+    terms.curves.push_back(styled(over_time(energy.time_s, term.values, columns), term.label,
+                                  static_cast<Role>(static_cast<int>(Role::kTerm1) + static_cast<int>(place % 8)),
+                                  place < 8 ? Shape::kLine : Shape::kDashed));
+  }
   left.curves.push_back(styled(over_time(energy.time_s, energy.residual, columns), "left by the rig as given",
                                Role::kGiven, Shape::kLine));
   if (!energy.residual_extended.empty())

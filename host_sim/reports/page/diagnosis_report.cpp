@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "host_sim/reports/figures/numbers.hpp"
+#include "host_sim/reports/page/data_sections.hpp"
 #include "host_sim/reports/page/detectable_tables.hpp"
 #include "host_sim/reports/page/diagnosis_pictures.hpp"
 #include "host_sim/reports/page/report.hpp"
@@ -18,8 +19,9 @@ std::string lead_html(const DiagnosisReportData& data) {
   std::vector<std::string> facts = {"rig: " + data.rig_name};
   for (const std::string& file : data.files) facts.push_back("data: " + file);
   facts.insert(facts.end(), data.facts.begin(), data.facts.end());
+  const std::string details = verdict_details(data);
   return "<p><span class=\"badge " + std::string(mood) + "\">" + escaped(data.verdict) + "</span></p>\n" +
-         facts_html(facts);
+         (details.empty() ? "" : "<p class=\"lead\">" + escaped(details) + "</p>\n") + facts_html(facts);
 }
 
 void add_causes(Page& page, const DiagnosisReportData& data) {
@@ -37,9 +39,20 @@ void add_causes(Page& page, const DiagnosisReportData& data) {
   page.html("</div>\n");
 }
 
+// Takes columns [first, end) out.
+void without_columns(HtmlTable& table, std::ptrdiff_t first, std::ptrdiff_t end) {
+  const auto cut = [&](auto& list) { list.erase(list.begin() + first, list.begin() + end); };
+  cut(table.heading);
+  cut(table.numeric);
+  for (auto& row : table.rows) cut(row);
+}
+
 void add_gain(Page& page, const DiagnosisReportData& data) {
   if (data.gains.empty()) return;
-  page.section("gain", "Gain on data that the fit has not seen",
+  const bool any_extended = std::any_of(data.gains.begin(), data.gains.end(),
+                                        [](const DofGain& gain) { return std::isfinite(gain.nrmse_after_percent); });
+  page.section("gain",
+               any_extended ? "Gain on data that the fit has not seen" : "Error on data that the fit has not seen",
                "Free-running simulation under the measured force from the measured initial state. NRMSE is of the "
                "displacement (angle), MSE of the acceleration (Eq. 13 of the paper).");
   double worst = 0.0;
@@ -60,12 +73,14 @@ void add_gain(Page& page, const DiagnosisReportData& data) {
                             number_html(gain.mse_after_percent, 3),
                             "<b>" + number_html(gain.nrmse_before_percent / gain.nrmse_after_percent, 3) + " ×</b>"});
   }
+  if (!any_extended) without_columns(table, 5, 6);
   page.html(table_html(table));
 }
 
 void add_parameters(Page& page, const DiagnosisReportData& data) {
   if (data.parameters.empty()) return;
-  page.section("parameters", "Parameters before and after", "In brackets the 95 % interval.");
+  const bool extended = !data.causes.empty();
+  page.section("parameters", extended ? "Parameters before and after" : "Parameters", "In brackets the 95 % interval.");
   HtmlTable table;
   table.heading = {"parameter", "unit", "rig as given", "extended rig", "change", "status"};
   table.numeric = {false, false, true, true, true, false};
@@ -75,6 +90,7 @@ void add_parameters(Page& page, const DiagnosisReportData& data) {
                           interval_html(parameter.before), interval_html(parameter.after),
                           std::isfinite(change) ? number_html(change, 3) + " %" : "", status_html(parameter.status)});
   }
+  if (!extended) without_columns(table, 3, 5);
   page.html(table_html(table));
 }
 
@@ -101,19 +117,15 @@ void add_candidates(Page& page, const DiagnosisReportData& data) {
                           candidate.threshold > 0.0 ? number_html(candidate.threshold, 3) : "",
                           candidate.chosen ? "<span class=\"good\">named</span>" : escaped(candidate.remark)});
   }
-  if (!any_threshold) {
-    table.heading.erase(table.heading.begin() + 5);
-    table.numeric.erase(table.numeric.begin() + 5);
-    for (auto& row : table.rows) row.erase(row.begin() + 5);
-  }
+  if (!any_threshold) without_columns(table, 5, 6);
   page.html(table_html(table) + "<p class=\"dim\">The bars are logarithmic.</p>\n");
 }
 
 void add_pictures(Page& page, const DiagnosisReportData& data) {
   page.section("waveforms", "Measured and simulated",
-               "The rig as given and the extended rig, simulated freely under the measured force. Each row shows the "
-               "moment where "
-               "the rig as given is most wrong, the errors over the whole record, and the spectra.");
+               std::string(data.causes.empty() ? "The rig as given" : "The rig as given and the extended rig") +
+                   ", simulated freely under the measured force. Each row shows the moment where the rig as given is "
+                   "most wrong, the errors over the whole record, and the spectra.");
   const size_t columns = picture_columns(data.dofs.size());
   for (const DofView& view : data.dofs)
     for (const Waveform& waveform : view.waveforms) page.figures(waveform_pictures(view, waveform, columns));
@@ -123,7 +135,7 @@ void add_pictures(Page& page, const DiagnosisReportData& data) {
         "energy", "Energy balance",
         "What the drive puts into each DOF, where it goes, and what no term of the rig as given accounts for.");
     for (const DofView& view : data.dofs)
-      if (has_energy(view)) page.figures(energy_pictures(view, columns));
+      if (has_energy(view)) page.figures(energy_pictures(view, energy_terms(data.dofs), columns));
   }
   if (data.links.empty()) return;
   page.section(
@@ -154,7 +166,7 @@ void add_advice(Page& page, const DiagnosisReportData& data) {
 }  // namespace
 
 std::string diagnosis_page(const DiagnosisReportData& data) {
-  Page page(verdict_sentence(data), "Diagnosis of " + data.rig_name, lead_html(data));
+  Page page(verdict_headline(data), "Diagnosis of " + data.rig_name, lead_html(data));
   add_causes(page, data);
   add_advice(page, data);
   if (data.verdict == "none") add_detectable(page, data);
@@ -162,6 +174,7 @@ std::string diagnosis_page(const DiagnosisReportData& data) {
   add_parameters(page, data);
   add_pictures(page, data);
   add_rig_sections(page, data.views);
+  add_data_check(page, data.check);
   add_candidates(page, data);
   if (data.verdict != "none") add_detectable(page, data);
   return page.finish();

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "host_sim/reports/figures/numbers.hpp"
+#include "host_sim/reports/page/data_sections.hpp"
 #include "host_sim/reports/page/diagnosis_pictures.hpp"
 #include "host_sim/reports/page/report.hpp"
 #include "host_sim/reports/page/rig_sections.hpp"
@@ -47,6 +48,7 @@ std::string estimate_page(const EstimateReportData& data) {
   facts.insert(facts.end(), data.facts.begin(), data.facts.end());
   Page page(sentence(data), "Estimation of " + data.rig_name, facts_html(facts));
   add_table(page, data);
+  add_warrant(page, data.warrant);
   add_list(page, "advice", "What to measure next", data.advice);
   add_list(page, "notes", "Notes", data.notes);
   if (!data.dofs.empty()) {
@@ -58,6 +60,7 @@ std::string estimate_page(const EstimateReportData& data) {
       for (const Waveform& waveform : view.waveforms) page.figures(waveform_pictures(view, waveform, columns));
   }
   add_rig_sections(page, data.views);
+  add_data_check(page, data.check);
   return page.finish();
 }
 

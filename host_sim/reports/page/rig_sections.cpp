@@ -20,10 +20,13 @@ std::string shape_html(const std::vector<double>& shape) {
 
 void add_modes(Page& page, const std::vector<ModeRow>& modes) {
   if (modes.empty()) return;
+  const bool intervals = std::isfinite(modes.front().frequency_Hz.low);
   page.section("modes", "Natural frequencies, damping ratios, mode shapes",
-               "Of the estimated rig's linear part: masses, springs and viscous dampers. Coulomb friction adds damping "
-               "that depends on the amplitude and is not in these ratios. In brackets the 95 % interval that the "
-               "estimates give; masses and springs that the rig file states are taken as exact.");
+               std::string("Of the estimated rig's linear part: masses, springs and viscous dampers. Coulomb friction "
+                           "adds damping that depends on the amplitude and is not in these ratios.") +
+                   (intervals ? " In brackets the 95 % interval that the estimates give; masses and springs that the "
+                                "rig file states are taken as exact."
+                              : ""));
   HtmlTable table;
   table.heading = {"mode", "frequency, Hz", "damping ratio, %", "shape, DOF 1 …"};
   table.numeric = {true, true, true, false};
@@ -57,7 +60,7 @@ size_t bins_shown(const ResponseView& view) {
   return last == 0 ? count : std::min(count, last + last / 8 + 2);
 }
 
-std::vector<Plot> response_pictures(const ResponseView& view) {
+std::vector<Plot> response_pictures(const ResponseView& view, Role simulated) {
   const auto first = [n = static_cast<std::ptrdiff_t>(bins_shown(view))](const std::vector<double>& values) {
     return values.empty() ? values : std::vector<double>(values.begin(), values.begin() + n);
   };
@@ -71,8 +74,7 @@ std::vector<Plot> response_pictures(const ResponseView& view) {
   magnitude.log_y = true;
   magnitude.curves = {curve(frequency_Hz, first(view.measured), "measured", Role::kMeasured, Shape::kLine)};
   if (!view.simulated.empty())
-    magnitude.curves.push_back(
-        curve(frequency_Hz, first(view.simulated), "simulated", Role::kExtended, Shape::kDashed));
+    magnitude.curves.push_back(curve(frequency_Hz, first(view.simulated), "simulated", simulated, Shape::kDashed));
   coherence.title = "Coherence of the measurement";
   coherence.y_label = "coherence";
   coherence.note = "Average of " + std::to_string(view.segments) + " segments. Near 1: the motion follows the force.";
@@ -80,12 +82,12 @@ std::vector<Plot> response_pictures(const ResponseView& view) {
   return {magnitude, coherence};
 }
 
-void add_responses(Page& page, const std::vector<ResponseView>& responses) {
+void add_responses(Page& page, const std::vector<ResponseView>& responses, Role simulated) {
   if (responses.empty()) return;
   page.section("responses", "Frequency response and coherence",
                "Motion per force, measured and simulated by the same averages. Where the coherence is low, noise, "
                "another force or a nonlinear link moves the rig.");
-  for (const ResponseView& view : responses) page.figures(response_pictures(view));
+  for (const ResponseView& view : responses) page.figures(response_pictures(view, simulated));
 }
 
 Plot map_picture(const ForceStateMap& map, const std::vector<double>& values, double largest, const char* what) {
@@ -98,7 +100,7 @@ Plot map_picture(const ForceStateMap& map, const std::vector<double>& values, do
   plot.map = {map.columns, map.rows, map.elongation_low, map.elongation_high, map.rate_low, map.rate_high,
               values,      largest};
   const Prefix prefix = best_prefix(largest, map.force_unit);
-  plot.note = "Orange pushes back, blue pulls; full depth is " + number_text(largest * prefix.factor, 3) + " " +
+  plot.note = "Purple pushes back, teal pulls; full depth is " + number_text(largest * prefix.factor, 3) + " " +
               prefix.symbol + unit_text(map.force_unit) + ".";
   return plot;
 }
@@ -130,7 +132,7 @@ void add_residuals(Page& page, const std::vector<ResidualSpectrum>& residuals) {
     plot.x_label = "frequency";
     plot.x_unit = "Hz";
     plot.y_label = "power density";
-    plot.y_unit = "(" + residual.unit + ")^2/Hz";
+    plot.y_unit = density_unit(residual.unit);
     plot.log_y = true;
     plot.curves = {
         curve(residual.frequency_Hz, residual.reference, "force of the drive", Role::kMeasured, Shape::kLine),
@@ -144,7 +146,7 @@ void add_residuals(Page& page, const std::vector<ResidualSpectrum>& residuals) {
 
 void add_rig_sections(Page& page, const RigViews& views) {
   add_modes(page, views.modes);
-  add_responses(page, views.responses);
+  add_responses(page, views.responses, views.of_extended_rig ? Role::kExtended : Role::kGiven);
   add_maps(page, views.maps);
   add_residuals(page, views.residuals);
   if (views.notes.empty()) return;

@@ -5,6 +5,7 @@
 
 #include "host_sim/reports/figures/numbers.hpp"
 #include "host_sim/reports/figures/reduce.hpp"
+#include "host_sim/reports/page/data_sections.hpp"
 #include "host_sim/reports/page/report.hpp"
 #include "host_sim/reports/page/rig_sections.hpp"
 #include "host_sim/reports/page/shared_parts.hpp"
@@ -16,20 +17,27 @@ bool inside(const RunParameter& parameter) {
   return parameter.truth >= parameter.estimate.low && parameter.truth <= parameter.estimate.high;
 }
 
-// "4 of 5 true values lie inside their 95 % interval; the worst estimate is off by 0.6 %."
+// "4 of 5 true values lie inside their 95 % interval"
 std::string sentence(const RunReportData& data) {
   size_t known = 0, held = 0;
-  double worst = 0.0;
   for (const RunParameter& parameter : data.parameters) {
     if (!std::isfinite(parameter.truth)) continue;
     ++known;
     held += inside(parameter);
-    if (parameter.truth != 0.0) worst = std::max(worst, std::abs(parameter.estimate.value / parameter.truth - 1.0));
   }
   if (known == 0) return std::to_string(data.parameters.size()) + " parameters estimated";
-  return std::to_string(held) + " of " + std::to_string(known) +
-         " true values lie inside their 95 % interval; the worst " + "estimate is off by " +
-         number_text(100.0 * worst, 2) + " %";
+  return std::to_string(held) + " of " + std::to_string(known) + " true values lie inside their 95 % interval";
+}
+
+// "the worst estimate is off by 0.6 %"; empty where no truth is known.
+std::string worst_error(const RunReportData& data) {
+  double worst = -1.0;
+  for (const RunParameter& parameter : data.parameters)
+    if (std::isfinite(parameter.truth) && parameter.truth != 0.0)
+      worst = std::max(worst, std::abs(parameter.estimate.value / parameter.truth - 1.0));
+  if (worst < 0.0) return "";
+  return worst < 1e-6 ? "the worst estimate is off by less than 0.0001 %"
+                      : "the worst estimate is off by " + number_text(100.0 * worst, 2) + " %";
 }
 
 void add_table(Page& page, const RunReportData& data) {
@@ -80,7 +88,7 @@ Plot convergence_picture(const RunParameter& parameter) {
   truth.label = "truth";
   band.shape = Shape::kBand;
   truth.shape = Shape::kDashed;
-  band.role = line.role = Role::kExtended;
+  band.role = line.role = Role::kGiven;
   truth.role = Role::kTruth;
   for (size_t i = 0; i < run.time_s.size(); ++i) {
     band.x.push_back(run.time_s[i]);
@@ -108,8 +116,6 @@ Plot pair_picture(const RunRecord& record, const std::string& title, const std::
   plot.y_unit = unit;
   Curve first = envelope_line(a, span, record.start_s, record.period_s, kColumns);
   Curve second = envelope_line(b, span, record.start_s, record.period_s, kColumns);
-  first.role = Role::kMeasured;
-  second.role = Role::kGiven;
   plot.curves = {first, second};
   return plot;
 }
@@ -121,9 +127,9 @@ void add_signals(Page& page, const RunRecord& record) {
   for (const RunChannel& channel : record.channels) {
     Plot plot = pair_picture(record, channel.name, channel.name.substr(0, channel.name.find(" of ")), channel.unit,
                              channel.contaminated, channel.clean, span);
-    plot.curves[0].role = Role::kGiven;
+    plot.curves[0].role = Role::kMeasured;
     plot.curves[0].label = "contaminated: what the sensors deliver";
-    plot.curves[1].role = Role::kMeasured;
+    plot.curves[1].role = Role::kTruth;
     plot.curves[1].label = "clean: what the rig does";
     plots.push_back(plot);
   }
@@ -138,8 +144,9 @@ void add_accelerations(Page& page, const RunRecord& record) {
     Plot plot = pair_picture(record, "DOF " + std::to_string(acceleration.dof) + ", acceleration", "acceleration",
                              acceleration.unit, acceleration.measured, acceleration.simulated, span);
     plot.curves[0].label = "of the rig";
+    plot.curves[0].role = Role::kTruth;
     plot.curves[1].label = "simulated with the estimates";
-    plot.curves[1].role = Role::kExtended;
+    plot.curves[1].role = Role::kGiven;
     plot.curves[1].shape = Shape::kDashed;
     plot.note = "MSE (Eq. 13, all levels together): " + number_text(acceleration.mse_percent, 3) +
                 " %. Shown where the two differ most.";
@@ -154,12 +161,14 @@ void add_accelerations(Page& page, const RunRecord& record) {
 
 std::string run_page(const RunReportData& data) {
   std::vector<std::string> facts = data.facts;
+  if (const std::string worst = worst_error(data); !worst.empty()) facts.insert(facts.begin(), worst);
   if (std::isfinite(data.condition_number))
     facts.push_back("condition number " + number_text(data.condition_number, 3));
   if (std::isfinite(data.residual_mean_abs))
     facts.push_back("mean normalised residual " + number_text(data.residual_mean_abs, 3));
   Page page(sentence(data), "Run of " + data.scenario, facts_html(facts));
   add_table(page, data);
+  add_warrant(page, data.warrant);
   std::vector<Plot> convergence;
   for (const RunParameter& parameter : data.parameters)
     if (!parameter.convergence.time_s.empty()) convergence.push_back(convergence_picture(parameter));
@@ -177,6 +186,7 @@ std::string run_page(const RunReportData& data) {
                "The rig's own, and simulated with the estimates in place of the true values (Figures 3, 5 and 7).");
   for (const RunRecord& record : data.records) add_accelerations(page, record);
   add_rig_sections(page, data.views);
+  add_data_check(page, data.check);
   return page.finish();
 }
 

@@ -29,6 +29,10 @@ std::string interval_html(const Interval& interval) {
   return out;
 }
 
+std::string density_unit(const std::string& unit) {
+  return (unit.find_first_of("/ ^") == std::string::npos ? unit : "(" + unit + ")") + "^2/Hz";
+}
+
 std::string status_html(const std::string& status) {
   if (status.empty()) return "";
   return std::string("<span class=\"") + (status == "VALID" ? "good" : "warn") + "\">" + escaped(status) + "</span>";

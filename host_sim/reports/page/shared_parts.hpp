@@ -20,6 +20,9 @@ std::string interval_html(const Interval& interval);
 // Significant digits that a value with an interval of this width deserves: 3 to 7.
 int digits_for(const Interval& interval);
 
+// Of a power density: "m" -> "m^2/Hz", "m/s^2" -> "(m/s^2)^2/Hz".
+std::string density_unit(const std::string& unit);
+
 // A badge for a status word ("VALID" is good, the rest is a warning).
 std::string status_html(const std::string& status);
 

@@ -7,11 +7,11 @@ namespace host_sim::reports {
 const char* page_style() {
   return R"css(
 :root{color-scheme:light dark;--paper:#fbfbfa;--card:#fff;--ink:#1d2126;--soft:#57606a;--edge:#e1e4e8;--grid:#eaedf0;--frame:#aab2bb;
---good:#2c7a3f;--bad:#b3261e;--warn:#9a6700;--measured:#24292f;--given:#cf5a0c;--extended:#1466c4;--truth:#2c7a3f;--term1:#1466c4;
---term2:#cf5a0c;--term3:#2c7a3f;--term4:#7d4fa6;--term5:#a87b00;--term6:#0b7f8a;--term7:#b93a72;--term8:#75563b}
+--good:#2c7a3f;--bad:#b3261e;--warn:#9a6700;--measured:#24292f;--given:#cf5a0c;--extended:#1466c4;--truth:#2c7a3f;--term1:#0b7f8a;
+--term2:#7d4fa6;--term3:#a87b00;--term4:#b93a72;--term5:#75563b;--term6:#5f7d1a;--term7:#53687c;--term8:#a3485a;--cut:#0000002e}
 @media (prefers-color-scheme:dark){:root{--paper:#14171a;--card:#1b1f24;--ink:#e8eaed;--soft:#a3acb6;--edge:#2f353c;--grid:#2a3037;
 --frame:#59636e;--good:#6fc684;--bad:#ff8a80;--warn:#e3b341;--measured:#dfe3e7;--given:#ff9a4d;--extended:#62aeff;--truth:#6fc684;
---term1:#62aeff;--term2:#ff9a4d;--term3:#6fc684;--term4:#c39be8;--term5:#e0b84a;--term6:#4fc3cf;--term7:#f080ae;--term8:#c9a27e}}
+--term1:#4fc3cf;--term2:#c39be8;--term3:#e0b84a;--term4:#f080ae;--term5:#c9a27e;--term6:#b5d15c;--term7:#a9bccf;--term8:#f0a0a8;--cut:#ffffff38}}
 *{box-sizing:border-box}
 html{-webkit-text-size-adjust:100%}
 body{margin:0;background:var(--paper);color:var(--ink);font:16px/1.55 system-ui,-apple-system,"Segoe UI",Roboto,"Noto Sans","DejaVu Sans",sans-serif}
@@ -21,6 +21,8 @@ h1{font-size:clamp(23px,3.2vw,32px);line-height:1.2;margin:6px 0 14px;letter-spa
 h2{font-size:22px;line-height:1.3;margin:56px 0 6px;letter-spacing:-.01em;font-weight:640}
 h3{font-size:16px;margin:26px 0 8px;font-weight:640}
 p{max-width:74ch;margin:8px 0}
+.lead{font-size:17px}
+details{margin:10px 0}summary{cursor:pointer;font-size:14px;color:var(--soft)}.sentence{display:inline-block;min-width:240px;max-width:68ch;white-space:normal}
 .why,.facts{color:var(--soft)}
 .facts{font-size:14px;margin:0;padding:0;list-style:none;display:flex;flex-wrap:wrap;gap:2px 18px}
 .facts li{overflow-wrap:anywhere}
@@ -45,7 +47,9 @@ svg g,svg text{font-size:12.5px}
 .legend{list-style:none;display:flex;flex-wrap:wrap;gap:2px 20px;padding:0;margin:12px 0 8px;font-size:14px}
 .legend i{display:inline-block;width:24px;margin-right:7px;vertical-align:middle;height:0;border-top:3px solid var(--c)}
 .legend i.dashed{border-top-style:dashed}.legend i.band{height:12px;border:0;background:var(--c);opacity:.3;border-radius:2px}
-.scroll{overflow-x:auto;margin:12px 0;border:1px solid var(--edge);border-radius:10px;background:var(--card)}
+.scroll{overflow-x:auto;margin:12px 0;border:1px solid var(--edge);border-radius:10px;background:linear-gradient(90deg,var(--card) 30%,transparent) 0 0/60px 100% no-repeat local,
+linear-gradient(270deg,var(--card) 30%,transparent) 100% 0/60px 100% no-repeat local,linear-gradient(90deg,var(--cut),transparent) 0 0/16px 100% no-repeat scroll,
+linear-gradient(270deg,var(--cut),transparent) 100% 0/16px 100% no-repeat scroll var(--card)}
 table{border-collapse:collapse;width:100%;font-size:14px;line-height:1.4}
 th,td{padding:8px 14px;text-align:left;white-space:nowrap;border-bottom:1px solid var(--edge);vertical-align:middle}
 tbody tr:last-child td{border-bottom:0}

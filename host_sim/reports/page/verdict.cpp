@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <initializer_list>
 #include <vector>
 
 namespace host_sim::reports {
@@ -15,51 +16,81 @@ std::string listed(const std::vector<std::string>& items, const char* last_word)
   return out;
 }
 
-// "; with it the simulation error on unseen data falls by a factor of 5.2" where it is known and a gain.
-std::string gain_text(const std::vector<DofGain>& gains, const char* with) {
+bool of_channel(const std::string& where) { return where.rfind("channel ", 0) == 0; }
+
+// "With it the simulation error on unseen data falls by a factor of 5.2." where it is known and a gain.
+std::string gain_text(const std::vector<DofGain>& gains) {
   double best = 0.0;
   for (const DofGain& gain : gains)
     if (std::isfinite(gain.nrmse_before_percent) && gain.nrmse_after_percent > 0.0)
       best = std::max(best, gain.nrmse_before_percent / gain.nrmse_after_percent);
   if (best < 1.05) return "";
   char out[112];
-  std::snprintf(out, sizeof out, "; with %s the simulation error on unseen data falls by a factor of %.*f", with,
+  std::snprintf(out, sizeof out, "With that mended the simulation error on unseen data falls by a factor of %.*f.",
                 best < 10.0 ? 1 : 0, best);
   return out;
 }
 
-bool of_channel(const std::string& where) { return where.rfind("channel ", 0) == 0; }
-
-// What the rig file lacks, what is wrong with the measurement, or both.
-std::string named(const DiagnosisReportData& data) {
-  std::vector<std::string> effects, faults;
+struct Named {
+  std::vector<std::string> effects, faults;  // of the rig file, of sensors
+};
+Named named_in(const DiagnosisReportData& data) {
+  Named named;
   for (const Cause& cause : data.causes)
-    (of_channel(cause.where) ? faults : effects).push_back(cause_text(cause.effect, cause.where));
-  const std::string fault = faults.size() > 1 ? "sensors are at fault: " : "a sensor is at fault: ";
-  if (faults.empty()) return "The rig file lacks " + listed(effects, "and") + gain_text(data.gains, "it");
-  if (effects.empty())
-    return (faults.size() > 1 ? "Sensors are at fault: " : "A sensor is at fault: ") + listed(faults, "and") +
-           gain_text(data.gains, "that corrected");
-  return "The rig file lacks " + listed(effects, "and") + ", and " + fault + listed(faults, "and") +
-         gain_text(data.gains, "both");
+    (of_channel(cause.where) ? named.faults : named.effects).push_back(cause_text(cause.effect, cause.where));
+  return named;
 }
 
-// The same where the data leave it open.
-std::string one_of(const std::vector<Cause>& causes, const std::vector<std::pair<std::string, std::string>>& others) {
+// A headline names two causes at most.
+std::string few(const std::vector<std::string>& items) {
+  if (items.size() <= 2) return listed(items, "and");
+  return items.front() + " and " + std::to_string(items.size() - 1) + " more";
+}
+
+std::string headline_of_causes(const Named& named) {
+  if (named.faults.empty()) return "The rig file lacks " + few(named.effects);
+  if (named.effects.empty())
+    return (named.faults.size() > 1 ? "Sensors are at fault: " : "A sensor is at fault: ") + few(named.faults);
+  return "The rig file lacks " + few({named.effects.front()}) +
+         (named.effects.size() > 1 ? " and " + std::to_string(named.effects.size() - 1) + " more" : "") +
+         (named.faults.size() > 1 ? "; sensors are at fault" : "; a sensor is at fault");
+}
+
+// What the headline had no room for.
+std::string rest_of_causes(const Named& named) {
+  std::string out;
+  const bool both = !named.faults.empty() && !named.effects.empty();
+  if (named.effects.size() > (both ? 1u : 2u)) out += "It lacks " + listed(named.effects, "and") + ".";
+  if (both || named.faults.size() > 2)
+    out += (out.empty() ? "At fault: " : " At fault: ") + listed(named.faults, "and") + ".";
+  return out;
+}
+
+struct Possible {
   std::vector<std::string> all;
   size_t faults = 0;
+};
+Possible possible_in(const DiagnosisReportData& data) {
+  Possible out;
   const auto add = [&](const std::string& effect, const std::string& where) {
     const std::string text = cause_text(effect, where);
-    if (std::find(all.begin(), all.end(), text) != all.end()) return;
-    all.push_back(text), faults += of_channel(where);
+    if (std::find(out.all.begin(), out.all.end(), text) != out.all.end()) return;
+    out.all.push_back(text), out.faults += of_channel(where);
   };
-  for (const Cause& cause : causes) add(cause.effect, cause.where);
-  for (const auto& other : others) add(other.first, other.second);
-  const char* what = faults == 0            ? "The rig file lacks something"
-                     : faults == all.size() ? "A sensor is at fault"
-                                            : "The rig file lacks something or a sensor is at fault";
-  return what + std::string(", and these data cannot tell which: ") + listed(all, "or") + ".";
+  for (const Cause& cause : data.causes) add(cause.effect, cause.where);
+  for (const auto& other : data.ambiguous_with) add(other.first, other.second);
+  return out;
 }
+
+std::string joined(std::initializer_list<std::string> sentences) {
+  std::string out;
+  for (const std::string& sentence : sentences)
+    if (!sentence.empty()) out += (out.empty() ? "" : " ") + sentence;
+  return out;
+}
+
+// Chi-squared of twice the noise: more than an estimate of the noise is ever off by.
+constexpr double kBeyondNoise = 2.0;
 
 }  // namespace
 
@@ -71,16 +102,34 @@ std::string cause_text(const std::string& effect, const std::string& where) {
                              (where.rfind("dof ", 0) == 0 ? "DOF" + where.substr(3) : where);
 }
 
-std::string verdict_sentence(const DiagnosisReportData& data) {
+std::string verdict_headline(const DiagnosisReportData& data) {
+  if (data.verdict == "none") return "The rig file explains the measurement";
+  if (data.verdict == "ambiguous") {
+    const Possible possible = possible_in(data);
+    if (possible.faults == 0) return "The rig file lacks something, and these data cannot tell which";
+    if (possible.faults == possible.all.size()) return "A sensor is at fault, and these data cannot tell which";
+    return "The rig file lacks something or a sensor is at fault";
+  }
+  if (data.causes.empty()) return "The rig file does not explain the measurement";
+  return headline_of_causes(named_in(data));
+}
+
+std::string verdict_details(const DiagnosisReportData& data) {
   if (data.verdict == "none")
-    return "The rig file explains the measurement: nothing is left beyond measurement noise that these data could "
-           "show.";
-  if (data.verdict == "explained") return named(data) + ".";
-  if (data.verdict == "ambiguous") return one_of(data.causes, data.ambiguous_with);
-  if (data.verdict == "partly") return named(data) + ". What remains is beyond noise, its cause not known.";
-  if (data.causes.empty())
-    return "The rig file does not explain the measurement, and no effect in the vocabulary explains what is left.";
-  return named(data) + ". A residual beyond noise remains that no effect in the vocabulary explains.";
+    return data.misfit > kBeyondNoise
+               ? "What is left beyond measurement noise neither helps to predict unseen data nor moves a coefficient."
+               : "Nothing is left beyond measurement noise that these data could show.";
+  if (data.verdict == "ambiguous") return "It is one of these: " + listed(possible_in(data).all, "or") + ".";
+  if (data.causes.empty()) return "No effect in the vocabulary explains what is left.";
+  const char* remainder = data.verdict == "partly"    ? "What remains is beyond noise; its cause is not known."
+                          : data.verdict == "unknown" ? "A residual beyond noise remains that no effect in the "
+                                                        "vocabulary explains."
+                                                      : "";
+  return joined({rest_of_causes(named_in(data)), gain_text(data.gains), remainder});
+}
+
+std::string verdict_sentence(const DiagnosisReportData& data) {
+  return joined({verdict_headline(data) + ".", verdict_details(data)});
 }
 
 }  // namespace host_sim::reports

@@ -9,7 +9,11 @@ namespace host_sim::reports {
 // "cubic_stiffness", "link 1-2" -> "cubic stiffness on link 1-2".
 std::string cause_text(const std::string& effect, const std::string& where);
 
-// One sentence for an engineer: what the simulation lacks, or that it lacks nothing these data could show.
+// What the simulation lacks, or that it lacks nothing these data could show, in a dozen words without a full stop.
+std::string verdict_headline(const DiagnosisReportData& data);
+// What else has to be said, in whole sentences; empty: nothing.
+std::string verdict_details(const DiagnosisReportData& data);
+// Both.
 std::string verdict_sentence(const DiagnosisReportData& data);
 
 }  // namespace host_sim::reports
