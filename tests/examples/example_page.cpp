@@ -67,7 +67,7 @@ std::string section(const Example& example, const DiagnosisReportData& data, con
   const std::vector<Plot> link = link_pictures(data.links.front());
   out += picture(example, "force_against_rate", link.at(1), docs);
   out += picture(example, "force_against_elongation", link.at(0), docs);
-  out += picture(example, "energy_left", energy_pictures(view, kColumns).at(1), docs);
+  out += picture(example, "energy_left", energy_pictures(view, energy_terms(data.dofs), kColumns).at(1), docs);
   return out;
 }
 
