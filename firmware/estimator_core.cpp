@@ -19,7 +19,7 @@ bool any_estimate(const Estimates& estimates) {
 }  // namespace
 
 EstimatorCore::EstimatorCore(const CoreConfiguration& configuration, CoreDetail detail)
-    : configuration_(configuration), memory_() {
+    : configuration_(configuration), memory_(), score_test_() {
   conditioning_.configure(configuration);
   sums_.configure(configuration, static_cast<int>(detail));
   probes_ = detail == CoreDetail::kFull && configuration.probe_products_per_sample > 0;

@@ -25,14 +25,14 @@ constexpr FdBits fd_bits(int data_bytes) {
   return FdBits{17 + 4 + 13, body + body / 4 + checksum + checksum / 4 + 1};
 }
 
-constexpr int64_t frame_time_ns(const Frame& frame, int64_t nominal_bit_s, int64_t data_bit_s) {
+constexpr int64_t frame_time_ns(const FrameDescription& frame, int64_t nominal_bit_s, int64_t data_bit_s) {
   if (!frame.fd) return classic_bits(frame.length) * 1000000000ll / nominal_bit_s;
   return fd_bits(frame.length).nominal * 1000000000ll / nominal_bit_s +
          fd_bits(frame.length).data * 1000000000ll / data_bit_s;
 }
 
 // Part of the bus in per mille, rounded up, that `frames` frames of a kind take if they are sent every period.
-constexpr int64_t load_permille(const Frame& frame, int frames, int64_t period_us, int64_t nominal_bit_s,
+constexpr int64_t load_permille(const FrameDescription& frame, int frames, int64_t period_us, int64_t nominal_bit_s,
                                 int64_t data_bit_s = 2000000) {
   return (frames * frame_time_ns(frame, nominal_bit_s, data_bit_s) + period_us - 1) / period_us;
 }

@@ -10,7 +10,7 @@ namespace {
 
 constexpr int64_t kMillisecond_ns = 1000000, kSecond_ns = 1000 * kMillisecond_ns;
 
-void add(BusPlan& plan, const can::Frame& frame, int frames, int64_t period_ns) {
+void add(BusPlan& plan, const can::FrameDescription& frame, int frames, int64_t period_ns) {
   if (frames > 0 && period_ns > 0 && plan.count < kMaxBusStreams)
     plan.streams[plan.count++] = {&frame, frames, period_ns};
 }
@@ -23,10 +23,10 @@ void add_sensors(BusPlan& plan, const SensorPlan& sensors, int64_t period_ns) {
       motion += sensors.expected[node] & 1;
       force += sensors.expected[node] >> 1 & 1;
     }
-    const can::Frame& motion_frame = wiring == SensorWiring::kFd      ? can::kSensorFd
-                                     : wiring == SensorWiring::kPairs ? can::kSensorPair24
-                                     : wiring == SensorWiring::k24    ? can::kSensorMotion24
-                                                                      : can::kSensorMotion16;
+    const can::FrameDescription& motion_frame = wiring == SensorWiring::kFd      ? can::kSensorFd
+                                                : wiring == SensorWiring::kPairs ? can::kSensorPair24
+                                                : wiring == SensorWiring::k24    ? can::kSensorMotion24
+                                                                                 : can::kSensorMotion16;
     add(plan, motion_frame, motion, period_ns);
     add(plan, wiring == SensorWiring::k24 ? can::kSensorForce24 : can::kSensorForce, force, period_ns);
   }
@@ -51,11 +51,11 @@ BusPlan bus_plan(const BusTraffic& traffic) {
     add(plan, traffic.can_fd ? can::kEstimateFloatFd : can::kEstimateFloat, estimates, traffic.window_ns);
   add(plan, can::kHeartbeat, 1, traffic.heartbeat_ms * kMillisecond_ns);
   add(plan, can::kStatus, 1, traffic.status_ms * kMillisecond_ns);
-  for (const can::Frame* frame : {&can::kHealth, &can::kBusHealth, &can::kIdentity, &can::kDiagnosis,
-                                  &can::kDiagnosisSize, &can::kDiagnosisRival})
+  for (const can::FrameDescription* frame : {&can::kHealth, &can::kBusHealth, &can::kIdentity, &can::kDiagnosis,
+                                             &can::kDiagnosisSize, &can::kDiagnosisRival})
     add(plan, *frame, 1, kSecond_ns);
   add(plan, can::kParameter, traffic.unknowns, kSecond_ns);
-  for (const can::Frame* frame : {&can::kScaling, &can::kRange})
+  for (const can::FrameDescription* frame : {&can::kScaling, &can::kRange})
     add(plan, *frame, traffic.channels, frame->cycle_ms * kMillisecond_ns);
   return plan;
 }

@@ -21,7 +21,7 @@ struct BusTraffic {
 
 // So many frames of a kind each period.
 struct BusStream {
-  const can::Frame* frame = nullptr;
+  const can::FrameDescription* frame = nullptr;
   int frames = 0;
   int64_t period_ns = 0;
 };

@@ -16,6 +16,4 @@ struct CanFrame {
   uint64_t time_ns = 0;  // reception time, from the kernel or the simulator
 };
 
-using CanMessage = CanFrame;  // its former name, for what still uses it
-
 }  // namespace firmware

@@ -151,7 +151,7 @@ CanFrame pack_estimates_float_fd(int node, int frame_index, const Estimates& est
 bool float_estimates_fit(int unknown_count, int64_t window_us, bool fd) {
   constexpr int64_t kMost_permille = 300;
   if (window_us <= 0) return false;
-  const can::Frame& frame = fd ? can::kEstimateFd : can::kEstimate;  // as long as its float form
+  const can::FrameDescription& frame = fd ? can::kEstimateFd : can::kEstimate;  // as long as its float form
   const int frames = 2 * (fd ? fd_frames(unknown_count) : unknown_count);
   return can::load_permille(frame, frames, window_us, 500000) + can::load_permille(can::kWindow, 1, window_us, 500000) <
          kMost_permille;

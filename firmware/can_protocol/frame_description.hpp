@@ -72,7 +72,7 @@ constexpr uint32_t frame_id(const IdPlan& plan, int node, int member = 0) {
 
 enum class Sender : uint8_t { kController, kSensor, kMaster };
 
-struct Frame {
+struct FrameDescription {
   const char* name;
   IdPlan ids;
   Sender sender;
@@ -86,7 +86,7 @@ struct Frame {
   const char* comment;
 };
 
-constexpr int record_bits(const Frame& frame) { return frame.length * 8 / frame.repeats; }
+constexpr int record_bits(const FrameDescription& frame) { return frame.length * 8 / frame.repeats; }
 
 }  // namespace can
 }  // namespace firmware

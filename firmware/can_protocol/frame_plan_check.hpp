@@ -11,7 +11,7 @@ struct IdSet {
 };
 
 // Takes every identifier of a frame; false where one is taken already or has more than 11 bits.
-constexpr bool take_ids(const Frame& frame, IdSet& set) {
+constexpr bool take_ids(const FrameDescription& frame, IdSet& set) {
   const bool per_node = frame.ids.node_stride > 0;
   for (int node = per_node ? kFirstNode : 0; node <= (per_node ? kLastNode : 0); ++node) {
     for (int member = 0; member < frame.ids.members; ++member) {
@@ -24,7 +24,7 @@ constexpr bool take_ids(const Frame& frame, IdSet& set) {
 }
 
 template <size_t N>
-constexpr bool ids_do_not_collide(const Frame* const (&frames)[N]) {
+constexpr bool ids_do_not_collide(const FrameDescription* const (&frames)[N]) {
   IdSet set;
   for (size_t i = 0; i < N; ++i)
     if (!take_ids(*frames[i], set)) return false;
@@ -32,7 +32,7 @@ constexpr bool ids_do_not_collide(const Frame* const (&frames)[N]) {
 }
 
 // True where the signals of one record lie inside it and share no bit.
-constexpr bool signals_fit(const Frame& frame) {
+constexpr bool signals_fit(const FrameDescription& frame) {
   bool used[512] = {};
   for (int i = 0; i < frame.signal_count; ++i) {
     const Signal& signal = frame.signals[i];
@@ -46,7 +46,7 @@ constexpr bool signals_fit(const Frame& frame) {
 }
 
 template <size_t N>
-constexpr bool all_signals_fit(const Frame* const (&frames)[N]) {
+constexpr bool all_signals_fit(const FrameDescription* const (&frames)[N]) {
   for (size_t i = 0; i < N; ++i)
     if (!signals_fit(*frames[i])) return false;
   return true;

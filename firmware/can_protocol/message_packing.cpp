@@ -1,24 +1,8 @@
 // The frames of the controller: each struct of messages.hpp in the order of its signals in the table.
 #include "firmware/can_protocol/packing.hpp"
+#include "firmware/can_protocol/raw_values.hpp"
 
 namespace firmware {
-namespace {
-
-// The raw values of a frame in the order of the table, or false where the message is another.
-template <size_t N>
-bool unpack(const can::Frame& frame, const CanFrame& message, int& node, int64_t (&raw)[N]) {
-  int member = 0;
-  if (!can::is_frame(frame, message, node, member)) return false;
-  for (size_t i = 0; i < N; ++i) raw[i] = can::get_raw(message, frame.signals[i]);
-  return true;
-}
-
-template <typename T>
-void assign(T& field, int64_t raw) {
-  field = static_cast<T>(raw);
-}
-
-}  // namespace
 
 CanFrame pack_sync() { return can::empty_frame(can::kSync, 0); }
 
@@ -145,110 +129,6 @@ bool unpack_window(const CanFrame& message, int& node, WindowResult& window) {
   assign(window.residual_e9, raw[0]);
   assign(window.equations, raw[1]);
   assign(window.window, raw[2]);
-  return true;
-}
-
-CanFrame pack_diagnosis(int node, const Diagnosis& diagnosis) {
-  return can::pack<can::kDiagnosis>(node, 0,
-                                    {static_cast<int64_t>(diagnosis.cause), diagnosis.place_a, diagnosis.place_b,
-                                     diagnosis.quantity, diagnosis.unexplained_permille, diagnosis.gained_permille});
-}
-
-bool unpack_diagnosis(const CanFrame& message, int& node, Diagnosis& diagnosis) {
-  int64_t raw[6];
-  if (!unpack(can::kDiagnosis, message, node, raw)) return false;
-  assign(diagnosis.cause, raw[0]);
-  assign(diagnosis.place_a, raw[1]);
-  assign(diagnosis.place_b, raw[2]);
-  assign(diagnosis.quantity, raw[3]);
-  assign(diagnosis.unexplained_permille, raw[4]);
-  assign(diagnosis.gained_permille, raw[5]);
-  return true;
-}
-
-CanFrame pack_diagnosis_size(int node, const Diagnosis& diagnosis) {
-  const DecimalSize& size = diagnosis.size;
-  return can::pack<can::kDiagnosisSize>(
-      node, 0, {size.value, size.std, size.exponent - can::kDiagnosisSizeSignals[2].offset, size.std_exponent});
-}
-
-bool unpack_diagnosis_size(const CanFrame& message, int& node, Diagnosis& diagnosis) {
-  int64_t raw[4];
-  if (!unpack(can::kDiagnosisSize, message, node, raw)) return false;
-  assign(diagnosis.size.value, raw[0]);
-  assign(diagnosis.size.std, raw[1]);
-  assign(diagnosis.size.exponent, raw[2] + can::kDiagnosisSizeSignals[2].offset);
-  assign(diagnosis.size.std_exponent, raw[3]);
-  return true;
-}
-
-CanFrame pack_diagnosis_rival(int node, const Diagnosis& diagnosis) {
-  return can::pack<can::kDiagnosisRival>(node, 0,
-                                         {static_cast<int64_t>(diagnosis.rival), diagnosis.rival_place_a,
-                                          diagnosis.rival_place_b, diagnosis.rival_quantity, diagnosis.rival_permille});
-}
-
-bool unpack_diagnosis_rival(const CanFrame& message, int& node, Diagnosis& diagnosis) {
-  int64_t raw[5];
-  if (!unpack(can::kDiagnosisRival, message, node, raw)) return false;
-  assign(diagnosis.rival, raw[0]);
-  assign(diagnosis.rival_place_a, raw[1]);
-  assign(diagnosis.rival_place_b, raw[2]);
-  assign(diagnosis.rival_quantity, raw[3]);
-  assign(diagnosis.rival_permille, raw[4]);
-  return true;
-}
-
-CanFrame pack_parameter(int node, const ParameterDescription& parameter) {
-  return can::pack<can::kParameter>(node, 0,
-                                    {parameter.index, parameter.count, static_cast<int64_t>(parameter.kind),
-                                     parameter.place_a, parameter.place_b, parameter.rotating});
-}
-
-bool unpack_parameter(const CanFrame& message, int& node, ParameterDescription& parameter) {
-  int64_t raw[6];
-  if (!unpack(can::kParameter, message, node, raw)) return false;
-  assign(parameter.index, raw[0]);
-  assign(parameter.count, raw[1]);
-  assign(parameter.kind, raw[2]);
-  assign(parameter.place_a, raw[3]);
-  assign(parameter.place_b, raw[4]);
-  parameter.rotating = raw[5] != 0;
-  return true;
-}
-
-CanFrame pack_scaling(int node, const ChannelScaling& scaling) {
-  return can::pack<can::kScaling>(node, 0,
-                                  {scaling.place, static_cast<int64_t>(scaling.quantity), scaling.rotating,
-                                   scaling.exponent, scaling.unit_per_code, scaling.delay_us});
-}
-
-bool unpack_scaling(const CanFrame& message, int& node, ChannelScaling& scaling) {
-  int64_t raw[6];
-  if (!unpack(can::kScaling, message, node, raw)) return false;
-  assign(scaling.place, raw[0]);
-  assign(scaling.quantity, raw[1]);
-  scaling.rotating = raw[2] != 0;
-  assign(scaling.exponent, raw[3]);
-  assign(scaling.unit_per_code, raw[4]);
-  assign(scaling.delay_us, raw[5]);
-  return true;
-}
-
-CanFrame pack_range(int node, const ChannelRange& range) {
-  return can::pack<can::kRange>(
-      node, 0,
-      {range.place, static_cast<int64_t>(range.quantity), range.rotating, range.offset_code, range.full_scale_code});
-}
-
-bool unpack_range(const CanFrame& message, int& node, ChannelRange& range) {
-  int64_t raw[5];
-  if (!unpack(can::kRange, message, node, raw)) return false;
-  assign(range.place, raw[0]);
-  assign(range.quantity, raw[1]);
-  range.rotating = raw[2] != 0;
-  assign(range.offset_code, raw[3]);
-  assign(range.full_scale_code, raw[4]);
   return true;
 }
 

@@ -3,12 +3,10 @@
 #pragma once
 #include <cstdint>
 
-#include "firmware/configuration/configuration.hpp"
+#include "firmware/can_protocol/place.hpp"
 #include "firmware/estimator_core.hpp"
 #include "firmware/identification/estimate.hpp"
 #include "firmware/supervision/controller_mode.hpp"
-#include "firmware/vocabulary/effect_table.hpp"
-#include "firmware/warrant/cause.hpp"
 
 namespace firmware {
 
@@ -60,14 +58,10 @@ enum class EmergencyCode : uint16_t {
   kNotSettled = 0xFF07,
 };
 
-// A place on the bus: 0 ground, 1 to 16 a DOF, 17 the base, 31 none. Node indices of the core (0-based) become places
-// by place_of_node().
-constexpr uint8_t place_of_node(int node) { return static_cast<uint8_t>(node == kGroundNode ? 0 : node + 1); }
-
 struct Emergency {
   EmergencyCode code = EmergencyCode::kNoError;
   uint8_t error_register = 0;
-  uint8_t place = 31;
+  uint8_t place = kNoPlace;
   uint8_t quantity = kNoQuantity;
   uint32_t detail = 0;
 };
@@ -109,61 +103,6 @@ struct WindowResult {
   uint32_t window = 0;
 };
 WindowResult window_result(const Estimates& estimates);
-
-// A number with its deviation, in decimal: value * 10^exponent, std * 10^(exponent + std_exponent), SI units.
-struct DecimalSize {
-  int32_t value = 0;
-  uint16_t std = 0;
-  int8_t exponent = 0;
-  uint8_t std_exponent = 0;
-};
-
-struct Diagnosis {
-  Cause cause = Cause::kNone;
-  uint8_t place_a = 31, place_b = 31;
-  uint8_t quantity = kNoQuantity;
-  uint16_t unexplained_permille = 0;
-  uint16_t gained_permille = 0;
-  DecimalSize size;
-  Cause rival = Cause::kNone;
-  uint8_t rival_place_a = 31, rival_place_b = 31;
-  uint8_t rival_quantity = kNoQuantity;
-  uint16_t rival_permille = 0;
-};
-
-// As the last solve's warrant has it.
-Diagnosis diagnosis_of(const Estimates& estimates);
-
-// Name of an estimate: index among the unknowns, kind and place of its term.
-struct ParameterDescription {
-  uint8_t index = 0;
-  uint8_t count = 0;
-  TermKind kind = TermKind::kMass;
-  uint8_t place_a = 0, place_b = 31;
-  bool rotating = false;
-};
-// Of the first term that carries the unknown; false where there is none.
-bool describe_parameter(const CoreConfiguration& configuration, int unknown, bool rotating,
-                        ParameterDescription& result);
-
-// What turns the codes of a channel into SI units.
-struct ChannelScaling {
-  uint8_t place = 1;
-  Quantity quantity = Quantity::kForce;
-  bool rotating = false;
-  int8_t exponent = 0;
-  int32_t unit_per_code = 0;  // times 10^exponent
-  int32_t delay_us = 0;       // whole microseconds
-};
-struct ChannelRange {
-  uint8_t place = 1;
-  Quantity quantity = Quantity::kForce;
-  bool rotating = false;
-  int32_t offset_code = 0;
-  int32_t full_scale_code = 8388607;
-};
-ChannelScaling channel_scaling(const ChannelConfiguration& channel, int node, Quantity quantity, bool rotating);
-ChannelRange channel_range(const ChannelConfiguration& channel, int node, Quantity quantity, bool rotating);
 
 enum class DriveState : uint8_t { kOff = 0, kEnabled = 1, kStopped = 2 };
 struct DriveCommand {

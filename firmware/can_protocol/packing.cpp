@@ -32,7 +32,7 @@ int64_t get_raw(const CanFrame& message, const Signal& signal, int bit_offset) {
   return raw > highest_raw(signal) ? raw - (int64_t{1} << signal.length) : raw;
 }
 
-CanFrame empty_frame(const Frame& frame, int node, int member) {
+CanFrame empty_frame(const FrameDescription& frame, int node, int member) {
   CanFrame message;
   message.id = frame_id(frame.ids, node, member);
   message.fd = frame.fd;
@@ -41,7 +41,7 @@ CanFrame empty_frame(const Frame& frame, int node, int member) {
   return message;
 }
 
-bool is_frame(const Frame& frame, const CanFrame& message, int& node, int& member) {
+bool is_frame(const FrameDescription& frame, const CanFrame& message, int& node, int& member) {
   if (message.extended || message.remote || message.error || message.fd != frame.fd || message.length < frame.length)
     return false;
   const IdPlan& ids = frame.ids;
@@ -63,7 +63,7 @@ bool is_frame(const Frame& frame, const CanFrame& message, int& node, int& membe
 
 Address identify(const CanFrame& message) {
   Address address;
-  for (const Frame* frame : kFrames) {
+  for (const FrameDescription* frame : kFrames) {
     if (is_frame(*frame, message, address.node, address.member)) {
       address.frame = frame;
       break;

@@ -3,6 +3,8 @@
 // differ).
 #pragma once
 #include "firmware/can_protocol/can_frame.hpp"
+#include "firmware/can_protocol/description_messages.hpp"
+#include "firmware/can_protocol/diagnosis_message.hpp"
 #include "firmware/can_protocol/frame_table.hpp"
 #include "firmware/can_protocol/messages.hpp"
 
@@ -15,10 +17,10 @@ void set_raw(CanFrame& message, const Signal& signal, int64_t raw, int bit_offse
 int64_t get_raw(const CanFrame& message, const Signal& signal, int bit_offset = 0);
 
 // An empty frame of the table with its identifier and length set.
-CanFrame empty_frame(const Frame& frame, int node, int member = 0);
+CanFrame empty_frame(const FrameDescription& frame, int node, int member = 0);
 
 // raw: one value per signal, in the order of the table.
-template <const Frame& frame, size_t N>
+template <const FrameDescription& frame, size_t N>
 CanFrame pack(int node, int member, const int64_t (&raw)[N]) {
   static_assert(N == frame.signal_count, "one raw value per signal of the frame");
   CanFrame message = empty_frame(frame, node, member);
@@ -28,7 +30,7 @@ CanFrame pack(int node, int member, const int64_t (&raw)[N]) {
 
 // What a received identifier stands for; frame is null where the protocol does not know it.
 struct Address {
-  const Frame* frame = nullptr;
+  const FrameDescription* frame = nullptr;
   int node = 0;  // 0 where the frame is the rig's
   int member = 0;
 };
@@ -36,7 +38,7 @@ Address identify(const CanFrame& message);
 
 // As identify(), for one kind of frame: cheap enough for every received sensor frame. Longer frames than described are
 // taken.
-bool is_frame(const Frame& frame, const CanFrame& message, int& node, int& member);
+bool is_frame(const FrameDescription& frame, const CanFrame& message, int& node, int& member);
 
 }  // namespace can
 

@@ -26,7 +26,7 @@ CanFrame pack_one(SensorWiring wiring, bool force_frame, int node, const RawSamp
 
 // Where the codes of a received frame belong. signal 0 is the sequence, the others go to quantity[1], quantity[2], ...
 struct SensorFrame {
-  const can::Frame* frame;
+  const can::FrameDescription* frame;
   SensorWiring wiring;
   uint8_t bit;
   int8_t quantity[5];

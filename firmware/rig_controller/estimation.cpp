@@ -127,11 +127,8 @@ void Estimation::run(const Entry& entry) {
     case Kind::kSample:
       return core_.push(entry.sample);
     case Kind::kSolve:
-      core_.solve();
-      return;
     case Kind::kSolveAndJudge:
-      judged_ = core_.solve().warrant.tested;
-      judgement_ = diagnosis_of(core_.estimates());
+      core_.solve();
       return;
   }
 }
@@ -142,8 +139,6 @@ void Estimation::finish() {
   fresh_ = true;
   results_.estimates = core_.estimates();
   results_.judge_asked = job_.kind == Kind::kSolveAndJudge;
-  results_.judged = judged_;
-  results_.judgement = judgement_;
 }
 
 }  // namespace firmware

@@ -13,7 +13,6 @@
 #pragma once
 #include <cstdint>
 
-#include "firmware/can_protocol/messages.hpp"
 #include "firmware/estimator_core.hpp"
 #include "hal/interface/worker.hpp"
 
@@ -30,8 +29,6 @@ class Estimation {
   struct Results {
     Estimates estimates;
     bool judge_asked = false;
-    bool judged = false;  // the data allowed a judgement
-    Diagnosis judgement;
   };
 
   // worker: nullptr where there is none. Both must outlive this.
@@ -84,8 +81,6 @@ class Estimation {
   bool discard_ = false;  // what runs has been forgotten meanwhile
   Entry job_;
   CoreHealth health_;  // when it was begun
-  bool judged_ = false;
-  Diagnosis judgement_;
   bool fresh_ = false;
   Results results_;
   uint32_t dropped_samples_ = 0;

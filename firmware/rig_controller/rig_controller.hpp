@@ -12,6 +12,7 @@
 #pragma once
 #include <cstdint>
 
+#include "firmware/can_protocol/diagnosis_message.hpp"
 #include "firmware/can_protocol/messages.hpp"
 #include "firmware/can_protocol/sdo_server.hpp"
 #include "firmware/excitation/excitation.hpp"

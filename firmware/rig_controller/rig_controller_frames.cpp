@@ -76,7 +76,7 @@ void RigController::take_results() {
   const Estimation::Results& results = estimation_.results();
   estimates_ = &results.estimates;
   send_estimates();
-  if (results.judge_asked) tell_judgement(results.judged, results.judgement);
+  if (results.judge_asked) tell_judgement(results.estimates.warrant.tested, diagnosis_of(results.estimates));
 }
 
 // At once where it has changed.

@@ -17,10 +17,11 @@ double kaiser(double position, double beta) {  // -1 <= position <= 1
 Impulse windowed_sinc(int half, double cutoff, double beta) {
   Impulse h(static_cast<size_t>(2 * half + 1));
   double sum = 0.0;
-  for (int k = -half; k <= half; ++k) {
+  for (size_t i = 0; i < h.size(); ++i) {
+    const int k = static_cast<int>(i) - half;
     const double sinc = k == 0 ? 2.0 * cutoff : std::sin(2.0 * kPi * cutoff * k) / (kPi * k);
-    h[static_cast<size_t>(k + half)] = sinc * kaiser(k / (half + 1.0), beta);
-    sum += h[static_cast<size_t>(k + half)];
+    h[i] = sinc * kaiser(k / (half + 1.0), beta);
+    sum += h[i];
   }
   for (double& tap : h) tap /= sum;
   return h;
@@ -38,10 +39,11 @@ Impulse shifted_all_pass(double advance) {
   const int half = std::max(-before, after);
   Impulse h(static_cast<size_t>(2 * half + 1), 0.0);
   for (int k = before; k <= after; ++k) {
+    const int at = k + half;
     double weight = 1.0;
     for (int j = before; j <= after; ++j)
       if (j != k) weight *= (advance - j) / (k - j);
-    h[static_cast<size_t>(k + half)] = weight;
+    h[static_cast<size_t>(at)] = weight;
   }
   return h;
 }

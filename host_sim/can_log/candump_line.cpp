@@ -93,7 +93,7 @@ std::string format_line(const hal::CanFrame& frame, std::string_view interface) 
   return line;
 }
 
-hal::CanFrame to_frame(const firmware::CanMessage& message, uint64_t time_ns) {
+hal::CanFrame to_frame(const firmware::CanFrame& message, uint64_t time_ns) {
   hal::CanFrame frame;
   frame.id = message.id;
   frame.extended = message.extended;
@@ -104,8 +104,8 @@ hal::CanFrame to_frame(const firmware::CanMessage& message, uint64_t time_ns) {
   return frame;
 }
 
-firmware::CanMessage to_message(const hal::CanFrame& frame) {
-  firmware::CanMessage message;
+firmware::CanFrame to_message(const hal::CanFrame& frame) {
+  firmware::CanFrame message;
   message.id = frame.id;
   message.extended = frame.extended;
   message.fd = frame.fd;

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "firmware/can_protocol/can_message.hpp"
+#include "firmware/can_protocol/can_frame.hpp"
 #include "hal/interface/can_bus.hpp"
 
 namespace can_log {
@@ -27,7 +27,7 @@ bool parse_screen_line(std::string_view line, LogEntry& entry);  // `candump`
 // Without the newline. Times beyond 9999999999 s are written with more digits.
 std::string format_line(const hal::CanFrame& frame, std::string_view interface);
 
-hal::CanFrame to_frame(const firmware::CanMessage& message, uint64_t time_ns);
-firmware::CanMessage to_message(const hal::CanFrame& frame);
+hal::CanFrame to_frame(const firmware::CanFrame& message, uint64_t time_ns);
+firmware::CanFrame to_message(const hal::CanFrame& frame);
 
 }  // namespace can_log

@@ -11,14 +11,14 @@
 namespace can_log {
 namespace {
 
-using firmware::can::Frame;
+using firmware::can::FrameDescription;
 using firmware::can::Signal;
 
 constexpr int kStandardCanFd = 14;  // place of "StandardCAN_FD" in the usual list of frame formats
 
 // One message of the file: a frame of the table at one identifier.
 struct Message {
-  const Frame& frame;
+  const FrameDescription& frame;
   int member;
   uint32_t id;
   std::string name;
@@ -38,7 +38,7 @@ struct DbcSignal {
   bool is_float = false;  // the raw value is a bit pattern of IEEE 754
 };
 
-bool is_float_form(const Frame& frame) {
+bool is_float_form(const FrameDescription& frame) {
   return &frame == &firmware::can::kEstimateFloat || &frame == &firmware::can::kEstimateFloatFd;
 }
 
@@ -62,7 +62,7 @@ std::string signal_name(const std::string& parameter) {
   return cut.substr(0, kLongest);
 }
 
-std::string sender_name(const Frame& frame, int node) {
+std::string sender_name(const FrameDescription& frame, int node) {
   switch (frame.sender) {
     case firmware::can::Sender::kController:
       return "controller_" + std::to_string(node);
@@ -74,7 +74,7 @@ std::string sender_name(const Frame& frame, int node) {
   return "master";
 }
 
-std::string message_name(const Frame& frame, int node, int member) {
+std::string message_name(const FrameDescription& frame, int node, int member) {
   std::string name = frame.name;
   if (node > 0) name += "_" + std::to_string(node);
   if (frame.ids.members == 1) return name;
@@ -83,12 +83,12 @@ std::string message_name(const Frame& frame, int node, int member) {
   return name + (place == firmware::can::kPlaceBase ? "_base" : "_dof_" + std::to_string(place));
 }
 
-bool of_estimates(const Frame& frame) {
+bool of_estimates(const FrameDescription& frame) {
   namespace can = firmware::can;
   return &frame == &can::kEstimate || &frame == &can::kEstimateFd || is_float_form(frame);
 }
 
-std::string message_comment(const Frame& frame, int member, const std::vector<DbcParameter>& parameters) {
+std::string message_comment(const FrameDescription& frame, int member, const std::vector<DbcParameter>& parameters) {
   std::string comment = frame.comment;
   if (parameters.empty() || !of_estimates(frame)) return comment;
   if (!frame.fd) return parameters[static_cast<size_t>(member)].name + ". " + comment;
@@ -99,14 +99,14 @@ std::string message_comment(const Frame& frame, int member, const std::vector<Db
   return comment;
 }
 
-int members(const Frame& frame, const std::vector<DbcParameter>& parameters) {
+int members(const FrameDescription& frame, const std::vector<DbcParameter>& parameters) {
   const int count = static_cast<int>(parameters.size());
   if (count == 0 || !of_estimates(frame)) return frame.ids.members;
   return std::min<int>((count + frame.repeats - 1) / frame.repeats, frame.ids.members);
 }
 
 void for_each_message(const std::vector<DbcParameter>& parameters, const std::function<void(const Message&)>& visit) {
-  for (const Frame* frame : firmware::can::kFrames) {
+  for (const FrameDescription* frame : firmware::can::kFrames) {
     const bool per_node = frame->ids.node_stride > 0;
     const int first = per_node ? firmware::can::kFirstNode : 0, last = per_node ? firmware::can::kLastNode : 0;
     for (int node = first; node <= last; ++node)
@@ -120,7 +120,7 @@ void for_each_message(const std::vector<DbcParameter>& parameters, const std::fu
 // Value and standard deviation of the parameters that a float frame holds, by their names.
 void for_each_float(const Message& message, const std::vector<DbcParameter>& parameters,
                     const std::function<void(const DbcSignal&)>& visit) {
-  const Frame& frame = message.frame;
+  const FrameDescription& frame = message.frame;
   for (int record = 0; record < frame.repeats; ++record) {
     const size_t index = static_cast<size_t>(message.member * frame.repeats + record);
     if (index >= parameters.size()) return;
@@ -136,7 +136,7 @@ void for_each_float(const Message& message, const std::vector<DbcParameter>& par
 
 void for_each_signal(const Message& message, const std::vector<DbcParameter>& parameters,
                      const std::function<void(const DbcSignal&)>& visit) {
-  const Frame& frame = message.frame;
+  const FrameDescription& frame = message.frame;
   if (is_float_form(frame) && !parameters.empty()) return for_each_float(message, parameters, visit);
   for (int record = 0; record < frame.repeats; ++record) {
     const std::string suffix = frame.repeats > 1 ? "_" + std::to_string(record) : "";

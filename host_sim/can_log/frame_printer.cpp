@@ -10,9 +10,9 @@
 namespace can_log {
 namespace {
 
-using firmware::CanMessage;
+using firmware::CanFrame;
 using firmware::can::Address;
-using firmware::can::Frame;
+using firmware::can::FrameDescription;
 
 std::string padded(std::string text, size_t width) {
   if (text.size() < width) text.append(width - text.size(), ' ');
@@ -28,7 +28,7 @@ std::string time_text(const LogEntry& entry) {
   return text;
 }
 
-bool is_sensor(const Frame& frame) { return frame.sender == firmware::can::Sender::kSensor; }
+bool is_sensor(const FrameDescription& frame) { return frame.sender == firmware::can::Sender::kSensor; }
 
 std::string sender_text(const Address& address) {
   if (address.node > 0) return "node " + std::to_string(address.node);
@@ -38,7 +38,7 @@ std::string sender_text(const Address& address) {
 }
 
 // The sender's column says that a frame is a sensor's: "motion_24" for "sensor_motion_24".
-std::string frame_text(const Frame& frame) {
+std::string frame_text(const FrameDescription& frame) {
   const std::string name = frame.name;
   return is_sensor(frame) && name.substr(0, 7) == "sensor_" ? name.substr(7) : name;
 }
@@ -65,7 +65,7 @@ void FramePrinter::line(const std::string& text) {
 }
 
 bool FramePrinter::print(const LogEntry& entry) {
-  const CanMessage message = to_message(entry.frame);
+  const CanFrame message = to_message(entry.frame);
   const Address address = entry.frame.error || entry.frame.remote ? Address() : firmware::can::identify(message);
   time_ = time_text(entry) + "  ";
   lead_ = padded(entry.interface, 5) + "  ";
@@ -76,7 +76,7 @@ bool FramePrinter::print(const LogEntry& entry) {
   return true;
 }
 
-void FramePrinter::known_frame(const Address& address, const CanMessage& message) {
+void FramePrinter::known_frame(const Address& address, const CanFrame& message) {
   namespace can = firmware::can;
   if (address.frame == &can::kEstimate) {
     estimate(address.node, address.member, 0, message);
@@ -107,7 +107,7 @@ void FramePrinter::known_frame(const Address& address, const CanMessage& message
   }
 }
 
-void FramePrinter::estimate(int node, int index, int bit_offset, const CanMessage& message) {
+void FramePrinter::estimate(int node, int index, int bit_offset, const CanFrame& message) {
   const firmware::EstimateRecord record = firmware::record_at(message, bit_offset);
   if (firmware::is_absent(record)) return;
   const std::string status =
@@ -120,8 +120,8 @@ void FramePrinter::estimate(int node, int index, int bit_offset, const CanMessag
 }
 
 // The same estimates once more, so their names are left to `estimate`: its history is not doubled.
-void FramePrinter::float_estimates(const Address& address, const CanMessage& message) {
-  const Frame& frame = *address.frame;
+void FramePrinter::float_estimates(const Address& address, const CanFrame& message) {
+  const FrameDescription& frame = *address.frame;
   for (int record = 0; record < frame.repeats; ++record) {
     const int index = address.member * frame.repeats + record, offset = record * firmware::can::record_bits(frame);
     const float value = float_of_bits(firmware::can::get_raw(message, frame.signals[0], offset));
@@ -133,7 +133,7 @@ void FramePrinter::float_estimates(const Address& address, const CanMessage& mes
   }
 }
 
-void FramePrinter::parameter(const CanMessage& message) {
+void FramePrinter::parameter(const CanFrame& message) {
   int node = 0;
   firmware::ParameterDescription description;
   if (!firmware::unpack_parameter(message, node, description)) return;
@@ -141,8 +141,8 @@ void FramePrinter::parameter(const CanMessage& message) {
        parameter_label(description) + " in " + parameter_unit(description.kind, description.rotating));
 }
 
-void FramePrinter::channel_description(const Address& address, const CanMessage& message) {
-  const Frame& frame = *address.frame;
+void FramePrinter::channel_description(const Address& address, const CanFrame& message) {
+  const FrameDescription& frame = *address.frame;
   const std::string channel = channel_label(static_cast<int>(firmware::can::get_raw(message, frame.signals[0])),
                                             static_cast<int>(firmware::can::get_raw(message, frame.signals[1])));
   int node = 0;
@@ -158,7 +158,7 @@ void FramePrinter::channel_description(const Address& address, const CanMessage&
          signal_text(frame.signals[i], firmware::can::get_raw(message, frame.signals[i])));
 }
 
-void FramePrinter::sensor(const Address& address, const CanMessage& message) {
+void FramePrinter::sensor(const Address& address, const CanFrame& message) {
   for (int i = 0; i < address.frame->signal_count; ++i) {
     const firmware::can::Signal& signal = address.frame->signals[i];
     const int64_t raw = firmware::can::get_raw(message, signal);
@@ -172,11 +172,11 @@ void FramePrinter::sensor(const Address& address, const CanMessage& message) {
   }
 }
 
-void FramePrinter::emergency(const CanMessage& message) {
+void FramePrinter::emergency(const CanFrame& message) {
   int node = 0;
   firmware::Emergency emergency;
   if (!firmware::unpack_emergency(message, node, emergency)) return;
-  const Frame& frame = firmware::can::kEmergency;
+  const FrameDescription& frame = firmware::can::kEmergency;
   line("code = " + signal_text(frame.signals[0], static_cast<int64_t>(emergency.code)));
   line("error_register = " + signal_text(frame.signals[1], emergency.error_register));
   if (emergency.quantity != firmware::kNoQuantity) {
@@ -187,7 +187,7 @@ void FramePrinter::emergency(const CanMessage& message) {
   line("detail = " + std::to_string(emergency.detail));
 }
 
-void FramePrinter::identity(const CanMessage& message) {
+void FramePrinter::identity(const CanFrame& message) {
   int node = 0;
   firmware::Identity identity;
   if (!firmware::unpack_identity(message, node, identity)) return;
@@ -197,11 +197,11 @@ void FramePrinter::identity(const CanMessage& message) {
   line("configuration_crc = " + hex_text(identity.configuration_crc, 8));
 }
 
-void FramePrinter::diagnosis(const CanMessage& message) {
+void FramePrinter::diagnosis(const CanFrame& message) {
   int node = 0;
   firmware::Diagnosis diagnosis;
   if (!firmware::unpack_diagnosis(message, node, diagnosis)) return;
-  const Frame& frame = firmware::can::kDiagnosis;
+  const FrameDescription& frame = firmware::can::kDiagnosis;
   std::string cause = signal_text(frame.signals[0], static_cast<int64_t>(diagnosis.cause));
   if (diagnosis.quantity != firmware::kNoQuantity) {
     cause += " on channel " + channel_label(diagnosis.place_a, diagnosis.quantity);
@@ -216,7 +216,7 @@ void FramePrinter::diagnosis(const CanMessage& message) {
          signal_text(frame.signals[i], firmware::can::get_raw(message, frame.signals[i])));
 }
 
-void FramePrinter::every_signal(const Frame& frame, const CanMessage& message) {
+void FramePrinter::every_signal(const FrameDescription& frame, const CanFrame& message) {
   if (frame.signal_count == 0) line("(no data)");
   for (int i = 0; i < frame.signal_count; ++i)
     line(std::string(frame.signals[i].name) + " = " +
@@ -224,7 +224,7 @@ void FramePrinter::every_signal(const Frame& frame, const CanMessage& message) {
 }
 
 // Error frames are of the bus, so they count as understood.
-bool FramePrinter::unknown_frame(const LogEntry& entry, const CanMessage& message) {
+bool FramePrinter::unknown_frame(const LogEntry& entry, const CanFrame& message) {
   if (entry.frame.error) {
     line("bus     error frame   " + error_frame_text(entry.frame));
     return true;
@@ -234,7 +234,7 @@ bool FramePrinter::unknown_frame(const LogEntry& entry, const CanMessage& messag
     line("-       " + padded(id, 12) + "  remote request");
     return false;
   }
-  CanMessage whole = message;
+  CanFrame whole = message;
   whole.length = 64;
   const Address address = firmware::can::identify(whole);
   const std::string bytes = "[" + std::to_string(entry.frame.length) + "] " + bytes_text(entry.frame);

@@ -17,17 +17,17 @@ class FramePrinter {
 
  private:
   void line(const std::string& text);
-  void known_frame(const firmware::can::Address& address, const firmware::CanMessage& message);
-  void estimate(int node, int index, int bit_offset, const firmware::CanMessage& message);
-  void float_estimates(const firmware::can::Address& address, const firmware::CanMessage& message);
-  void parameter(const firmware::CanMessage& message);
-  void channel_description(const firmware::can::Address& address, const firmware::CanMessage& message);
-  void sensor(const firmware::can::Address& address, const firmware::CanMessage& message);
-  void emergency(const firmware::CanMessage& message);
-  void identity(const firmware::CanMessage& message);
-  void diagnosis(const firmware::CanMessage& message);
-  void every_signal(const firmware::can::Frame& frame, const firmware::CanMessage& message);
-  bool unknown_frame(const LogEntry& entry, const firmware::CanMessage& message);
+  void known_frame(const firmware::can::Address& address, const firmware::CanFrame& message);
+  void estimate(int node, int index, int bit_offset, const firmware::CanFrame& message);
+  void float_estimates(const firmware::can::Address& address, const firmware::CanFrame& message);
+  void parameter(const firmware::CanFrame& message);
+  void channel_description(const firmware::can::Address& address, const firmware::CanFrame& message);
+  void sensor(const firmware::can::Address& address, const firmware::CanFrame& message);
+  void emergency(const firmware::CanFrame& message);
+  void identity(const firmware::CanFrame& message);
+  void diagnosis(const firmware::CanFrame& message);
+  void every_signal(const firmware::can::FrameDescription& frame, const firmware::CanFrame& message);
+  bool unknown_frame(const LogEntry& entry, const firmware::CanFrame& message);
 
   std::ostream& output_;
   bool changes_only_;

@@ -52,7 +52,7 @@ int quantity_of(const std::string& signal_name) {
   return -1;
 }
 
-void KnownNames::learn(const firmware::CanMessage& message) {
+void KnownNames::learn(const firmware::CanFrame& message) {
   int node = 0;
   firmware::ParameterDescription parameter;
   firmware::ChannelScaling scaling;

@@ -3,7 +3,7 @@
 #pragma once
 #include <string>
 
-#include "firmware/can_protocol/can_message.hpp"
+#include "firmware/can_protocol/can_frame.hpp"
 #include "firmware/can_protocol/messages.hpp"
 #include "firmware/can_protocol/packing.hpp"
 
@@ -20,7 +20,7 @@ int quantity_of(const std::string& signal_name);  // -1: the signal is no channe
 
 class KnownNames {
  public:
-  void learn(const firmware::CanMessage& message);
+  void learn(const firmware::CanFrame& message);
   // "estimate 3" with unit "SI" as long as no description has been seen.
   std::string parameter(int node, int index) const;
   std::string unit(int node, int index) const;

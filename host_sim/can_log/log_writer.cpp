@@ -21,6 +21,6 @@ void LogWriter::write(const hal::CanFrame& frame) {
   ++frames_;
 }
 
-void LogWriter::write(const firmware::CanMessage& message, uint64_t time_ns) { write(to_frame(message, time_ns)); }
+void LogWriter::write(const firmware::CanFrame& message, uint64_t time_ns) { write(to_frame(message, time_ns)); }
 
 }  // namespace can_log

@@ -19,7 +19,7 @@ class LogWriter {
   LogWriter(std::ostream& output, std::string interface, uint64_t epoch_s = 0)
       : output_(output), interface_(std::move(interface)), epoch_ns_(epoch_s * 1000000000u) {}
   void write(const hal::CanFrame& frame);  // at the epoch + frame.time_ns
-  void write(const firmware::CanMessage& message, uint64_t time_ns);
+  void write(const firmware::CanFrame& message, uint64_t time_ns);
   uint64_t frames() const { return frames_; }
 
  private:

@@ -16,10 +16,10 @@ const char* const kGeneratedEnd = "<!-- end of the generated part -->\n";
 namespace {
 
 namespace can = firmware::can;
-using can::Frame;
+using can::FrameDescription;
 using can::Signal;
 
-std::string id_formula(const Frame& frame) {
+std::string id_formula(const FrameDescription& frame) {
   const can::IdPlan& ids = frame.ids;
   const uint32_t lowest = can::frame_id(ids, 0);
   if (frame.sender == can::Sender::kSensor) return hex_text(lowest - 1, 3) + " + d";
@@ -35,14 +35,14 @@ std::string id_formula(const Frame& frame) {
   return text + "}[k div " + size + "] + (k mod " + size + ")";
 }
 
-std::string id_range(const Frame& frame) {
+std::string id_range(const FrameDescription& frame) {
   const bool per_node = frame.ids.node_stride > 0;
   const uint32_t first = can::frame_id(frame.ids, per_node ? can::kFirstNode : 0);
   const uint32_t last = can::frame_id(frame.ids, per_node ? can::kLastNode : 0, frame.ids.members - 1);
   return first == last ? hex_text(first, 3) : hex_text(first, 3) + " to " + hex_text(last, 3);
 }
 
-const char* sender_word(const Frame& frame) {
+const char* sender_word(const FrameDescription& frame) {
   switch (frame.sender) {
     case can::Sender::kController:
       return "controller";
@@ -58,7 +58,7 @@ void identifier_table(std::ostream& output) {
   output << "### Identifiers\n\nn is the node (1 to 7), d the DOF (1 to 16, 17 for the moving base), k the index of an "
             "estimate (0 to 47), j a frame of eight estimates (0 to 5).\n\n"
             "| identifier | all of them | frame | from | bytes | when |\n|---|---|---|---|---|---|\n";
-  for (const Frame* frame : can::kFrames) {
+  for (const FrameDescription* frame : can::kFrames) {
     output << "| " << id_formula(*frame) << " | " << id_range(*frame) << " | `" << frame->name << "` | "
            << sender_word(*frame) << " | " << static_cast<int>(frame->length) << (frame->fd ? " (FD)" : "") << " | "
            << frame->when << " |\n";
@@ -89,7 +89,7 @@ std::string scale_column(const Signal& signal) {
   return text;
 }
 
-void frame_section(std::ostream& output, const Frame& frame) {
+void frame_section(std::ostream& output, const FrameDescription& frame) {
   output << "### `" << frame.name << "` " << id_range(frame) << "\n\n" << frame.comment << "\n\n";
   if (frame.signal_count == 0) return;
   if (frame.repeats > 1)
@@ -108,7 +108,7 @@ void frame_section(std::ostream& output, const Frame& frame) {
   output << "\n";
 }
 
-void load_row(std::ostream& output, const char* what, const Frame& frame, int frames, int64_t period_us) {
+void load_row(std::ostream& output, const char* what, const FrameDescription& frame, int frames, int64_t period_us) {
   const auto percent = [&](int64_t nominal, int64_t data) {
     return shortest(static_cast<double>(can::load_permille(frame, frames, period_us, nominal, data)) / 10.0) + " %";
   };
@@ -142,7 +142,7 @@ void load_table(std::ostream& output) {
 void protocol_tables(std::ostream& output) {
   identifier_table(output);
   load_table(output);
-  for (const Frame* frame : can::kFrames) frame_section(output, *frame);
+  for (const FrameDescription* frame : can::kFrames) frame_section(output, *frame);
 }
 
 std::string renewed_page(const std::string& page) {

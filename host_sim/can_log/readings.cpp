@@ -9,9 +9,9 @@ namespace {
 
 namespace can = firmware::can;
 using can::Address;
-using can::Frame;
+using can::FrameDescription;
 using can::Signal;
-using firmware::CanMessage;
+using firmware::CanFrame;
 
 // mantissa * 10^exponent, rounded once: a power of ten up to 10^22 is exact.
 double times_power_of_ten(double mantissa, int exponent) {
@@ -59,7 +59,7 @@ std::string FrameReader::estimate_name(int node, int index) const {
   return names_.knows(node, index) ? names_.parameter(node, index) : "estimate[" + std::to_string(index) + "]";
 }
 
-Reading FrameReader::estimate(int node, int index, const CanMessage& message, int bit_offset) const {
+Reading FrameReader::estimate(int node, int index, const CanFrame& message, int bit_offset) const {
   const firmware::EstimateRecord record = firmware::record_at(message, bit_offset);
   Reading reading;
   reading.name = estimate_name(node, index);
@@ -70,8 +70,8 @@ Reading FrameReader::estimate(int node, int index, const CanMessage& message, in
   return reading;
 }
 
-void FrameReader::estimates(const Address& address, const CanMessage& message, FrameReadings& result) const {
-  const Frame& frame = *address.frame;
+void FrameReader::estimates(const Address& address, const CanFrame& message, FrameReadings& result) const {
+  const FrameDescription& frame = *address.frame;
   for (int record = 0; record < frame.repeats; ++record) {
     const int bit_offset = record * can::record_bits(frame);
     if (firmware::is_absent(firmware::record_at(message, bit_offset))) continue;
@@ -79,8 +79,8 @@ void FrameReader::estimates(const Address& address, const CanMessage& message, F
   }
 }
 
-void FrameReader::floats(const Address& address, const CanMessage& message, FrameReadings& result) const {
-  const Frame& frame = *address.frame;
+void FrameReader::floats(const Address& address, const CanFrame& message, FrameReadings& result) const {
+  const FrameDescription& frame = *address.frame;
   for (int record = 0; record < frame.repeats; ++record) {
     const int index = address.member * frame.repeats + record, offset = record * can::record_bits(frame);
     Reading reading;
@@ -93,7 +93,7 @@ void FrameReader::floats(const Address& address, const CanMessage& message, Fram
 }
 
 // A channel in SI units under its own name; as long as its scaling has not been seen, in codes under another.
-void FrameReader::sensor(const Address& address, const CanMessage& message, FrameReadings& result) const {
+void FrameReader::sensor(const Address& address, const CanFrame& message, FrameReadings& result) const {
   const int place = address.member + 1;
   for (int i = 0; i < address.frame->signal_count; ++i) {
     const Signal& signal = address.frame->signals[i];
@@ -122,7 +122,7 @@ bool FrameReader::read(const LogEntry& entry, FrameReadings& result) {
     result.readings.push_back(reading);
     return true;
   }
-  const CanMessage message = to_message(entry.frame);
+  const CanFrame message = to_message(entry.frame);
   const Address address = entry.frame.remote ? Address() : can::identify(message);
   if (address.frame == nullptr) {
     result.sender = "-";

@@ -34,11 +34,11 @@ class FrameReader {
   bool read(const LogEntry& entry, FrameReadings& result);
 
  private:
-  Reading estimate(int node, int index, const firmware::CanMessage& message, int bit_offset) const;
-  void estimates(const firmware::can::Address& address, const firmware::CanMessage& message,
+  Reading estimate(int node, int index, const firmware::CanFrame& message, int bit_offset) const;
+  void estimates(const firmware::can::Address& address, const firmware::CanFrame& message,
                  FrameReadings& result) const;
-  void floats(const firmware::can::Address& address, const firmware::CanMessage& message, FrameReadings& result) const;
-  void sensor(const firmware::can::Address& address, const firmware::CanMessage& message, FrameReadings& result) const;
+  void floats(const firmware::can::Address& address, const firmware::CanFrame& message, FrameReadings& result) const;
+  void sensor(const firmware::can::Address& address, const firmware::CanFrame& message, FrameReadings& result) const;
   std::string estimate_name(int node, int index) const;
 
   KnownNames names_;

@@ -23,7 +23,7 @@ struct Sdo {
   std::string object;  // "device_name (1008.0)"
 };
 
-Sdo read_sdo(const firmware::CanMessage& message) {
+Sdo read_sdo(const firmware::CanFrame& message) {
   const auto raw = [&](int i) { return firmware::can::get_raw(message, firmware::can::kSdoSignals[i]); };
   const std::string name = state_name(firmware::can::states(firmware::can::kSdoObjects), raw(1));
   const std::string address = hex_text(static_cast<uint64_t>(raw(1)), 4).substr(2) + "." + std::to_string(raw(2));
@@ -31,7 +31,7 @@ Sdo read_sdo(const firmware::CanMessage& message) {
 }
 
 // The bytes where all of them are letters: "save", "0.1.0".
-std::string quoted(const firmware::CanMessage& message, int first, int count) {
+std::string quoted(const firmware::CanFrame& message, int first, int count) {
   std::string text;
   for (int i = first; i < first + count; ++i) {
     if (message.data[i] < 0x20 || message.data[i] > 0x7E) return "";
@@ -41,7 +41,7 @@ std::string quoted(const firmware::CanMessage& message, int first, int count) {
 }
 
 // The value of an expedited transfer, of as many bytes as its command says.
-std::string value_text(const firmware::CanMessage& message, const Sdo& sdo) {
+std::string value_text(const firmware::CanFrame& message, const Sdo& sdo) {
   const int bytes = (sdo.command & 1) != 0 ? 4 - ((sdo.command >> 2) & 3) : 4;
   const int64_t value = bytes == 4 ? sdo.data : sdo.data & ((int64_t{1} << (8 * bytes)) - 1);
   const std::string text = quoted(message, 4, bytes);
@@ -57,7 +57,7 @@ std::string abort_text(const Sdo& sdo) {
 
 }  // namespace
 
-std::string sdo_request_text(const firmware::CanMessage& message) {
+std::string sdo_request_text(const firmware::CanFrame& message) {
   const Sdo sdo = read_sdo(message);
   if (sdo.command == 0x80) return abort_text(sdo);
   if (sdo.command == 0x40) return "read " + sdo.object;
@@ -66,7 +66,7 @@ std::string sdo_request_text(const firmware::CanMessage& message) {
   return "command " + hex_text(static_cast<uint64_t>(sdo.command), 2) + " on " + sdo.object;
 }
 
-std::string sdo_reply_text(const firmware::CanMessage& message) {
+std::string sdo_reply_text(const firmware::CanFrame& message) {
   const Sdo sdo = read_sdo(message);
   if (sdo.command == 0x80) return abort_text(sdo);
   if (sdo.command == 0x60) return sdo.object + " written";

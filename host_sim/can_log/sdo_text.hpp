@@ -2,11 +2,11 @@
 #pragma once
 #include <string>
 
-#include "firmware/can_protocol/can_message.hpp"
+#include "firmware/can_protocol/can_frame.hpp"
 
 namespace can_log {
 
-std::string sdo_request_text(const firmware::CanMessage& message);
-std::string sdo_reply_text(const firmware::CanMessage& message);
+std::string sdo_request_text(const firmware::CanFrame& message);
+std::string sdo_reply_text(const firmware::CanFrame& message);
 
 }  // namespace can_log

@@ -101,9 +101,9 @@ void measure_lateness(const Sides& sides, double T, size_t h, Comparison& result
       std::sqrt(std::max(residual, 0.0) / static_cast<double>(n) * 2.0 * static_cast<double>(h) / slope_square);
 }
 
-std::string sentence(const char* format, double a, double b) {
+std::string sentence(const char* format, double value) {
   char text[200];
-  std::snprintf(text, sizeof text, format, a, b);
+  std::snprintf(text, sizeof text, format, value);
   return text;
 }
 
@@ -179,7 +179,7 @@ std::vector<Finding> check_kinematics(const Record& record, int dof, bool rotati
       const std::string blamed = name(lower ? pair.lower : pair.upper), other = name(lower ? pair.upper : pair.lower);
       Finding finding{"polarity", Weight::kFault, blamed, "", pair.correlation};
       finding.detail = "points against " + other +
-                       sentence(" (correlation of the same motion %.2f)", pair.correlation, 0) +
+                       sentence(" (correlation of the same motion %.2f)", pair.correlation) +
                        ": the sensor is turned over or its leads are exchanged; change the sign of the column";
       if (pairs.size() == 1) finding.detail += " (or that of " + other + ")";
       add(std::move(finding));
@@ -191,7 +191,7 @@ std::vector<Finding> check_kinematics(const Record& record, int dof, bool rotati
       const double factor = upper ? std::abs(pair.gain) : 1.0 / std::abs(pair.gain);
       const std::string blamed = name(upper ? pair.upper : pair.lower), other = name(upper ? pair.lower : pair.upper);
       Finding finding{"unit", Weight::kFault, blamed, "", factor};
-      finding.detail = "is " + sentence("%.4g times what ", factor, 0) + other + " says of the same motion";
+      finding.detail = "is " + sentence("%.4g times what ", factor) + other + " says of the same motion";
       const auto unit =
           unit_reading(dimension_of(static_cast<firmware::Quantity>(upper ? pair.upper : pair.lower), rotating), factor,
                        kUnitTolerance);
@@ -204,8 +204,8 @@ std::vector<Finding> check_kinematics(const Record& record, int dof, bool rotati
         std::abs(pair.late_s) > 5.0 * pair.late_std_s) {
       Finding finding{"skew", Weight::kInforms, name(pair.upper), "", pair.late_s};
       finding.detail = sentence(pair.late_s > 0.0 ? "is %.3g us late against " : "is %.3g us ahead of ",
-                                std::abs(pair.late_s) * 1e6, 0) +
-                       name(pair.lower) + sentence(" (+- %.2g)", 2e6 * pair.late_std_s, 0);
+                                std::abs(pair.late_s) * 1e6) +
+                       name(pair.lower) + sentence(" (+- %.2g)", 2e6 * pair.late_std_s);
       add(std::move(finding));
     }
   }

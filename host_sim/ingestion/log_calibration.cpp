@@ -17,7 +17,7 @@ constexpr uint8_t kMotionBit = 1, kForceBit = 2;
 
 // The frames that carry samples: their wiring, their bit in SensorPlan::expected and the quantities in them (bit q).
 struct SensorFrameKind {
-  const can::Frame* frame;
+  const can::FrameDescription* frame;
   SensorWiring wiring;
   uint8_t bit;
   uint8_t quantities;
@@ -33,7 +33,7 @@ int dof_of_node(int node) { return node == firmware::kBaseNode ? rig_file::kBase
 
 }  // namespace
 
-void LogCalibration::learn(const firmware::CanMessage& message, const std::string& file, size_t line) {
+void LogCalibration::learn(const firmware::CanFrame& message, const std::string& file, size_t line) {
   int node = 0, member = 0;
   for (const SensorFrameKind& kind : kKinds) {
     if (!can::is_frame(*kind.frame, message, node, member)) continue;

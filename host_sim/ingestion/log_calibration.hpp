@@ -20,7 +20,7 @@ struct LogChannel {
 // Collects what the frames of a log say, in any order.
 class LogCalibration {
  public:
-  void learn(const firmware::CanMessage& message, const std::string& file, size_t line);
+  void learn(const firmware::CanFrame& message, const std::string& file, size_t line);
   // After the last frame.
   void lay_out_pairs(const std::string& file, const rig_file::RigModel& model);
   // Which frames make a sample whole: those that the log holds.

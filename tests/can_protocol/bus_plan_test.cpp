@@ -71,7 +71,7 @@ TEST(BusPlan, NineChannelsOf24BitsFitAMegabitAsPairs) {
 }
 
 TEST(BusPlan, OtherWiringsSendOtherFrames) {
-  const auto frames = [](const BusPlan& plan, const can::Frame& frame) {
+  const auto frames = [](const BusPlan& plan, const can::FrameDescription& frame) {
     for (int i = 0; i < plan.count; ++i)
       if (plan.streams[i].frame == &frame) return plan.streams[i].frames;
     return 0;
@@ -112,7 +112,7 @@ TEST(BusPlan, FasterSamplingIsMoreLoad) {
 
 // A frame that the table says is sent again and again is in the plan of some rig: a new one is not forgotten.
 TEST(BusPlan, EveryFrameThatRepeatsIsCounted) {
-  for (const can::Frame* frame : can::kFrames) {
+  for (const can::FrameDescription* frame : can::kFrames) {
     if (frame->cycle_ms == 0) continue;
     bool counted = false;
     for (const SensorWiring wiring : {SensorWiring::k16, SensorWiring::k24, SensorWiring::kFd, SensorWiring::kPairs})

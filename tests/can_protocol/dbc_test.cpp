@@ -14,7 +14,7 @@
 
 namespace {
 
-using firmware::CanMessage;
+using firmware::CanFrame;
 
 const std::string& dbc_text() {
   static const std::string text = [] {
@@ -75,11 +75,11 @@ TEST(Dbc, IsWellFormed) {
 TEST(Dbc, ListsEveryFrameThatIsSent) {
   dbc_reader::Dbc& dbc = read_dbc();
   size_t count = 0;
-  for (const firmware::can::Frame* frame : firmware::can::kFrames) {
+  for (const firmware::can::FrameDescription* frame : firmware::can::kFrames) {
     const bool per_node = frame->ids.node_stride > 0;
     for (int node = per_node ? 1 : 0; node <= (per_node ? 7 : 0); ++node)
       for (int member = 0; member < frame->ids.members; ++member, ++count) {
-        const CanMessage message = firmware::can::empty_frame(*frame, node, member);
+        const CanFrame message = firmware::can::empty_frame(*frame, node, member);
         ASSERT_EQ(dbc.messages.count(message.id), 1u) << message.id;
         EXPECT_EQ(dbc.messages[message.id].length, message.length);
         EXPECT_EQ(dbc.messages[message.id].fd, message.fd);
@@ -88,7 +88,7 @@ TEST(Dbc, ListsEveryFrameThatIsSent) {
   EXPECT_EQ(dbc.messages.size(), count);
 }
 
-double value_of(const CanMessage& message, const std::string& signal) {
+double value_of(const CanFrame& message, const std::string& signal) {
   dbc_reader::Signal* found = read_dbc().messages[message.id].find(signal);
   if (found == nullptr) {
     ADD_FAILURE() << "no signal " << signal;
@@ -97,7 +97,7 @@ double value_of(const CanMessage& message, const std::string& signal) {
   return dbc_reader::physical(*found, message.data);
 }
 
-std::string state_of(const CanMessage& message, const std::string& signal) {
+std::string state_of(const CanFrame& message, const std::string& signal) {
   dbc_reader::Signal* found = read_dbc().messages[message.id].find(signal);
   return found == nullptr ? "no signal" : found->values[dbc_reader::raw_value(*found, message.data)];
 }
@@ -108,7 +108,7 @@ TEST(Dbc, GivesTheNumbersThatWerePacked) {
   estimate.value = firmware::Scaled::ratio(-200012, 10000);
   estimate.std = firmware::Scaled::ratio(123, 10000);
   estimate.status = firmware::EstimateStatus::kSkewed;
-  const CanMessage e = firmware::pack_estimate(3, 20, estimate, 21);
+  const CanFrame e = firmware::pack_estimate(3, 20, estimate, 21);
   EXPECT_EQ(read_dbc().messages[e.id].name, "estimate_3_20");
   EXPECT_EQ(value_of(e, "value"), -2000120000.0);
   EXPECT_EQ(value_of(e, "exponent"), -8.0);
@@ -120,26 +120,26 @@ TEST(Dbc, GivesTheNumbersThatWerePacked) {
   firmware::Estimates estimates;
   estimates.unknown_count = 10;
   estimates.parameters[9] = estimate;
-  const CanMessage fd = firmware::pack_estimates_fd(3, 1, estimates);  // indices 8 to 15: 9 is record 1
+  const CanFrame fd = firmware::pack_estimates_fd(3, 1, estimates);  // indices 8 to 15: 9 is record 1
   EXPECT_EQ(value_of(fd, "value_1"), -2000120000.0);
   EXPECT_EQ(state_of(fd, "status_1"), "SKEWED");
   EXPECT_EQ(state_of(fd, "status_2"), "STALE");
   EXPECT_EQ(value_of(fd, "value_2"), -2147483648.0);  // unused
 
-  const CanMessage drive = firmware::pack_drive(1, {-(1 << 30), 0, firmware::DriveState::kEnabled});
+  const CanFrame drive = firmware::pack_drive(1, {-(1 << 30), 0, firmware::DriveState::kEnabled});
   EXPECT_EQ(value_of(drive, "drive"), -50.0);  // half of full scale
 
   firmware::NodeStatus status;
   status.faults = firmware::fault_bit(firmware::Fault::kWatchdog);
   status.mode = firmware::ControllerMode::kSettle;
-  const CanMessage s = firmware::pack_status(7, status);
+  const CanFrame s = firmware::pack_status(7, status);
   EXPECT_EQ(state_of(s, "mode"), "SETTLE");
   EXPECT_EQ(state_of(s, "faults_watchdog"), "WATCHDOG");
   EXPECT_EQ(state_of(s, "faults_emergency_stop"), "no");
 
   firmware::Diagnosis diagnosis;
   diagnosis.unexplained_permille = 123;
-  const CanMessage d = firmware::pack_diagnosis(1, diagnosis);
+  const CanFrame d = firmware::pack_diagnosis(1, diagnosis);
   EXPECT_DOUBLE_EQ(value_of(d, "unexplained"), 12.3);
   EXPECT_EQ(state_of(d, "place_b"), "NONE");
   EXPECT_NEAR(value_of(firmware::pack_window(1, {1110000, 96, 3}), "residual"), 1.11e-3, 1e-15);
@@ -150,7 +150,7 @@ TEST(Dbc, GivesTheNumbersThatWerePacked) {
   sample.sequence = 70000;
   sample.code[firmware::kBaseNode][0] = -8388608;
   sample.code[firmware::kBaseNode][2] = 4660;
-  CanMessage frames[firmware::kMaxSensorFrames];
+  CanFrame frames[firmware::kMaxSensorFrames];
   for (firmware::SensorWiring wiring : {firmware::SensorWiring::k24, firmware::SensorWiring::kFd}) {
     const int count = firmware::pack_sample(firmware::sensor_plan(configuration, wiring), sample, frames);
     EXPECT_EQ(value_of(frames[count - 1], "force"), -8388608.0);
@@ -196,7 +196,7 @@ TEST(Dbc, OfARigHasItsEstimatesAsFloatsInSiUnits) {
   estimate.value = firmware::Scaled::ratio(-200012, 10000);
   estimate.std = firmware::Scaled::ratio(123, 10000);
   estimate.status = firmware::EstimateStatus::kValid;
-  const CanMessage packed = firmware::pack_estimate_float(1, 0, estimate);
+  const CanFrame packed = firmware::pack_estimate_float(1, 0, estimate);
   EXPECT_EQ(dbc_reader::float_value(*value, packed.data), static_cast<double>(-20.0012f));
   EXPECT_EQ(dbc_reader::float_value(*std, packed.data), static_cast<double>(0.0123f));
 

@@ -40,7 +40,7 @@ TEST(FrameTable, IdentifiersOfTheNotes) {
   for (const uint32_t base : {0x080, 0x180, 0x200, 0x280, 0x300, 0x380, 0x400, 0x480, 0x500, 0x580, 0x600, 0x700}) {
     for (uint32_t n = 8; n <= 15; ++n) {
       for (const bool fd : {false, true}) {
-        CanMessage message;
+        CanFrame message;
         message.id = base + n;
         message.fd = fd;
         message.length = fd ? 64 : 8;
@@ -53,11 +53,11 @@ TEST(FrameTable, IdentifiersOfTheNotes) {
 
 TEST(FrameTable, EveryIdentifierLeadsBackToItsFrame) {
   std::set<uint32_t> used;
-  for (const Frame* frame : kFrames) {
+  for (const FrameDescription* frame : kFrames) {
     const bool per_node = frame->ids.node_stride > 0;
     for (int node = per_node ? 1 : 0; node <= (per_node ? 7 : 0); ++node) {
       for (int member = 0; member < frame->ids.members; ++member) {
-        const CanMessage message = empty_frame(*frame, node, member);
+        const CanFrame message = empty_frame(*frame, node, member);
         EXPECT_TRUE(used.insert(message.id).second) << message.id << " twice, now " << frame->name;
         const Address address = identify(message);
         EXPECT_EQ(address.frame, frame) << message.id;
@@ -68,7 +68,7 @@ TEST(FrameTable, EveryIdentifierLeadsBackToItsFrame) {
   }
   for (uint32_t id = 0; id < 0x800; ++id) {
     for (bool fd : {false, true}) {
-      CanMessage message;
+      CanFrame message;
       message.id = id;
       message.fd = fd;
       message.length = 64;
@@ -84,7 +84,7 @@ TEST(FrameTable, LeavesRoomForOtherCanopenNodes) {
   for (uint32_t function : {0x080, 0x180, 0x200, 0x280, 0x300, 0x380, 0x400, 0x480, 0x500, 0x580, 0x600, 0x700}) {
     for (uint32_t node = 8; node <= 15; ++node) {
       for (bool fd : {false, true}) {
-        CanMessage message;
+        CanFrame message;
         message.id = function + node;
         message.fd = fd;
         message.length = 64;
@@ -95,8 +95,8 @@ TEST(FrameTable, LeavesRoomForOtherCanopenNodes) {
 }
 
 TEST(FrameTable, AShortFrameOrTheOtherKindOfFrameIsNotTaken) {
-  for (const Frame* frame : kFrames) {
-    CanMessage message = empty_frame(*frame, 1);
+  for (const FrameDescription* frame : kFrames) {
+    CanFrame message = empty_frame(*frame, 1);
     message.fd = !message.fd;
     EXPECT_NE(identify(message).frame, frame) << frame->name;
     message.fd = !message.fd;
@@ -109,9 +109,9 @@ TEST(FrameTable, AShortFrameOrTheOtherKindOfFrameIsNotTaken) {
 // Random values in all signals come back, whatever stands in the other signals and in the bits between them.
 TEST(FrameTable, SignalsDoNotDisturbEachOther) {
   std::mt19937_64 random(1);
-  for (const Frame* frame : kFrames) {
+  for (const FrameDescription* frame : kFrames) {
     for (int round = 0; round < 200; ++round) {
-      CanMessage message = empty_frame(*frame, 1);
+      CanFrame message = empty_frame(*frame, 1);
       for (uint8_t& byte : message.data) byte = static_cast<uint8_t>(random());
       std::vector<int64_t> expected;
       for (int record = 0; record < frame->repeats; ++record) {
@@ -133,7 +133,7 @@ TEST(FrameTable, SignalsDoNotDisturbEachOther) {
 
 TEST(FrameTable, ValuesOutsideASignalAreClamped) {
   const Signal wide = {"x", 0, 24, true, 1, 1, 0, "1", {}, ""};
-  CanMessage message;
+  CanFrame message;
   set_raw(message, wide, 8388608);
   EXPECT_EQ(get_raw(message, wide), 8388607);
   set_raw(message, wide, -8388609);
@@ -148,10 +148,10 @@ TEST(FrameTable, ValuesOutsideASignalAreClamped) {
 TEST(FrameTable, TheCheckSeesCollisionsAndOverlaps) {
   // 0x480 + n against estimates laid 48 in a row: estimate 16 of node 7 would be 0x400 + 112 + 16 = 0x480, of node 6
   // from 0x460 on.
-  constexpr Frame in_a_row = {"x", {0x400, 16, 48}, Sender::kController, 0, "", 8, false, 1, nullptr, 0, ""};
-  const Frame* colliding[] = {&kDiagnosis, &in_a_row};
+  constexpr FrameDescription in_a_row = {"x", {0x400, 16, 48}, Sender::kController, 0, "", 8, false, 1, nullptr, 0, ""};
+  const FrameDescription* colliding[] = {&kDiagnosis, &in_a_row};
   EXPECT_FALSE(ids_do_not_collide(colliding));
-  const Frame* good[] = {&kDiagnosis, &kEstimate};
+  const FrameDescription* good[] = {&kDiagnosis, &kEstimate};
   EXPECT_TRUE(ids_do_not_collide(good));
 
   const Signal overlapping[] = {{"a", 0, 9, false, 1, 1, 0, "1", {}, ""}, {"b", 8, 8, false, 1, 1, 0, "1", {}, ""}};
@@ -162,7 +162,7 @@ TEST(FrameTable, TheCheckSeesCollisionsAndOverlaps) {
 }
 
 TEST(FrameTable, EverySignalHasNameUnitAndComment) {
-  for (const Frame* frame : kFrames) {
+  for (const FrameDescription* frame : kFrames) {
     std::set<std::string> names;
     EXPECT_FALSE(std::string(frame->comment).empty()) << frame->name;
     for (int i = 0; i < frame->signal_count; ++i) {

@@ -10,7 +10,7 @@
 namespace firmware {
 namespace {
 
-std::string hex(const CanMessage& message) {
+std::string hex(const CanFrame& message) {
   static const char kDigits[] = "0123456789ABCDEF";
   std::string text;
   for (int i = 2; i >= 0; --i) text += kDigits[message.id >> (4 * i) & 15];

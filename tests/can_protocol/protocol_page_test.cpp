@@ -28,7 +28,7 @@ TEST(ProtocolPage, IsUpToDate) {
 
 TEST(ProtocolPage, NamesEveryFrameAndSignal) {
   const std::string page = committed_page();
-  for (const firmware::can::Frame* frame : firmware::can::kFrames) {
+  for (const firmware::can::FrameDescription* frame : firmware::can::kFrames) {
     EXPECT_NE(page.find("### `" + std::string(frame->name) + "`"), std::string::npos) << frame->name;
     for (int i = 0; i < frame->signal_count; ++i)
       EXPECT_NE(page.find("| `" + std::string(frame->signals[i].name) + "` |"), std::string::npos);

@@ -132,7 +132,7 @@ TEST(RoundTrip, EveryStruct) {
 }
 
 // Each frame is taken by exactly one unpack function.
-int takers(const CanMessage& m) {
+int takers(const CanFrame& m) {
   int node = 0, index = 0, count = 0;
   HeartbeatState a;
   Emergency b;
@@ -159,7 +159,7 @@ int takers(const CanMessage& m) {
 }
 
 TEST(RoundTrip, OneUnpackFunctionPerFrame) {
-  for (const can::Frame* frame : can::kFrames) {
+  for (const can::FrameDescription* frame : can::kFrames) {
     const bool others = frame->sender == can::Sender::kSensor || frame == &can::kSdoRequest ||
                         frame == &can::kSdoReply || frame == &can::kEstimateFloat || frame == &can::kEstimateFloatFd;
     EXPECT_EQ(takers(can::empty_frame(*frame, 1)), others ? 0 : 1) << frame->name;
@@ -177,7 +177,7 @@ TEST(RoundTrip, RandomFramesAreSurvived) {
                                   SensorAssembler(sensor_plan(configuration, SensorWiring::kFd))};
   int taken = 0;
   for (int round = 0; round < 200000; ++round) {
-    CanMessage message;
+    CanFrame message;
     message.id = static_cast<uint32_t>(random() % 0x900);
     message.fd = random() % 4 == 0;
     message.extended = random() % 16 == 0;

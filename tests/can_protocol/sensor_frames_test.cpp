@@ -9,7 +9,7 @@
 namespace firmware {
 namespace {
 
-std::string hex(const CanMessage& message) {
+std::string hex(const CanFrame& message) {
   char text[8];
   std::snprintf(text, sizeof text, "%03X#", message.id);
   std::string line = text;
@@ -45,15 +45,15 @@ RawSample sample_of(uint32_t sequence) {
   return sample;
 }
 
-std::vector<CanMessage> frames_of(const SensorPlan& plan, const RawSample& sample) {
-  CanMessage messages[kMaxSensorFrames];
-  return std::vector<CanMessage>(messages, messages + pack_sample(plan, sample, messages));
+std::vector<CanFrame> frames_of(const SensorPlan& plan, const RawSample& sample) {
+  CanFrame messages[kMaxSensorFrames];
+  return std::vector<CanFrame>(messages, messages + pack_sample(plan, sample, messages));
 }
 
 TEST(SensorFrames, ByHand) {
   // Sequence 0x12345: 45 23. 24 bits, DOF 1: x = 1, v = -1; f = -2^23 = 00 00 80, a = FF FF 7F. DOF 2: x = 56 34 12, v
   // = -2.
-  std::vector<CanMessage> frames = frames_of(sensor_plan(two_dofs(), SensorWiring::k24), sample_of(0x12345));
+  std::vector<CanFrame> frames = frames_of(sensor_plan(two_dofs(), SensorWiring::k24), sample_of(0x12345));
   ASSERT_EQ(frames.size(), 3u);
   EXPECT_EQ(hex(frames[0]), "1C1#4523010000FFFFFF");
   EXPECT_EQ(hex(frames[1]), "1E1#4523000080FFFF7F");
@@ -78,7 +78,7 @@ TEST(SensorFrames, ByHand) {
 TEST(SensorFrames, PairsByHand) {
   const SensorPlan plan = sensor_plan(two_dofs(), SensorWiring::kPairs);
   EXPECT_EQ(sensor_frames_per_sample(plan), 3);
-  const std::vector<CanMessage> frames = frames_of(plan, sample_of(0x12345));
+  const std::vector<CanFrame> frames = frames_of(plan, sample_of(0x12345));
   ASSERT_EQ(frames.size(), 3u);
   EXPECT_EQ(hex(frames[0]), "261#4523000080010000");
   EXPECT_EQ(hex(frames[1]), "262#4523FFFFFFFFFF7F");
@@ -101,7 +101,7 @@ TEST(SensorFrames, PairsOfAnOddNumberAndOfTooMany) {
   RawSample sample;
   sample.code[kBaseNode][3] = 5;
   const SensorPlan plan = sensor_plan(configuration, SensorWiring::kPairs);
-  const std::vector<CanMessage> frames = frames_of(plan, sample);
+  const std::vector<CanFrame> frames = frames_of(plan, sample);
   ASSERT_EQ(frames.size(), 2u);
   EXPECT_EQ(hex(frames[1]), "262#0000050000000000");
   for (int node = 0; node < kMaxNodes; ++node)
@@ -114,7 +114,7 @@ TEST(SensorFrames, TheBaseHasNumber17) {
   add(configuration, kBaseNode, Quantity::kAcceleration);
   RawSample sample;
   sample.code[kBaseNode][3] = 5;
-  const std::vector<CanMessage> frames = frames_of(sensor_plan(configuration, SensorWiring::k24), sample);
+  const std::vector<CanFrame> frames = frames_of(sensor_plan(configuration, SensorWiring::k24), sample);
   ASSERT_EQ(frames.size(), 1u);
   EXPECT_EQ(hex(frames[0]), "1F1#0000000000050000");
 }
@@ -197,7 +197,7 @@ TEST_F(Assembly, RepeatedFramesAndOtherFramesAreNotUsed) {
   EXPECT_FALSE(send(5, 0));
   EXPECT_FALSE(send(5, 0));
   EXPECT_EQ(assembler_.health().repeated_frames, 1u);
-  CanMessage other;
+  CanFrame other;
   other.id = 0x1C3;  // a DOF that the plan does not have
   other.length = 8;
   EXPECT_FALSE(assembler_.push(other, 0, out_));

@@ -61,7 +61,7 @@ TEST(FloatEstimate, HoldsValueAndStandardDeviation) {
   estimate.value = Scaled::from_int(-20);
   estimate.std = Scaled::ratio(1, 4);  // 2^-2: exponent field 125
   estimate.status = EstimateStatus::kValid;
-  const CanMessage message = pack_estimate_float(1, 0, estimate);
+  const CanFrame message = pack_estimate_float(1, 0, estimate);
   EXPECT_EQ(message.id, 0x590u);
   ASSERT_EQ(message.length, 8);
   const uint8_t expected[] = {0x00, 0x00, 0xA0, 0xC1, 0x00, 0x00, 0x80, 0x3E};
@@ -73,7 +73,7 @@ TEST(FloatEstimate, IsNotANumberWhereNothingWasEstimated) {
        {EstimateStatus::kStale, EstimateStatus::kNoExcitation, EstimateStatus::kSaturated}) {
     ParameterEstimate estimate;
     estimate.status = status;
-    const CanMessage message = pack_estimate_float(1, 0, estimate);
+    const CanFrame message = pack_estimate_float(1, 0, estimate);
     EXPECT_EQ(can::get_raw(message, can::kEstimateFloatSignals[0]), 0x7FC00000);
     EXPECT_EQ(can::get_raw(message, can::kEstimateFloatSignals[1]), 0x7FC00000);
   }
@@ -81,7 +81,7 @@ TEST(FloatEstimate, IsNotANumberWhereNothingWasEstimated) {
   estimates.unknown_count = 1;
   estimates.parameters[0].value = Scaled::from_int(1);
   estimates.parameters[0].status = EstimateStatus::kSkewed;
-  const CanMessage fd = pack_estimates_float_fd(2, 0, estimates);
+  const CanFrame fd = pack_estimates_float_fd(2, 0, estimates);
   EXPECT_EQ(fd.id, 0x340u);
   EXPECT_EQ(can::get_raw(fd, can::kEstimateFloatSignals[0]), 0x3F800000);
   EXPECT_EQ(can::get_raw(fd, can::kEstimateFloatSignals[1], 64), 0x7FC00000);  // there is no second estimate

@@ -49,8 +49,8 @@ class Tools : public ::testing::Test {
     std::ofstream file(path_);
     LogWriter writer(file, "vcan0", kSimulatedEpoch_s);
     uint64_t time_ns = 0;
-    for (const firmware::can::Frame* frame : firmware::can::kFrames) {
-      firmware::CanMessage message = firmware::can::empty_frame(*frame, 1);
+    for (const firmware::can::FrameDescription* frame : firmware::can::kFrames) {
+      firmware::CanFrame message = firmware::can::empty_frame(*frame, 1);
       for (int i = 0; i < 64 && i < message.length; ++i)
         message.data[i] = static_cast<uint8_t>(16 * i + message.id % 16);
       writer.write(message, time_ns += 1000000);
@@ -59,7 +59,7 @@ class Tools : public ::testing::Test {
   }
   ~Tools() override { std::remove(path_.c_str()); }
   std::string path_;
-  std::vector<firmware::CanMessage> expected_;
+  std::vector<firmware::CanFrame> expected_;
 };
 
 TEST_F(Tools, Log2ascAndBackGivesTheSameFrames) {
@@ -75,7 +75,7 @@ TEST_F(Tools, Log2ascAndBackGivesTheSameFrames) {
   size_t count = 0;
   while (reader.next(entry)) {
     ASSERT_LT(count, expected_.size());
-    const firmware::CanMessage message = to_message(entry.frame);
+    const firmware::CanFrame message = to_message(entry.frame);
     EXPECT_EQ(message.id, expected_[count].id);
     EXPECT_EQ(message.fd, expected_[count].fd) << std::hex << message.id;
     EXPECT_EQ(std::string(message.data, message.data + message.length),

@@ -95,7 +95,7 @@ struct Loop {
     const uint32_t id = firmware::can::frame_id(firmware::can::kEstimate.ids, 1, index);
     const hal::CanFrame* frame = can.last(id);
     if (frame == nullptr) return found;
-    firmware::CanMessage message;
+    firmware::CanFrame message;
     message.id = frame->id;
     message.length = frame->length;
     for (int i = 0; i < frame->length; ++i) message.data[i] = frame->data[i];

@@ -74,7 +74,7 @@ Diagnosis watch(Loop& loop) {
   EXPECT_NE(frame, nullptr);
   Diagnosis said;
   if (frame == nullptr) return said;
-  firmware::CanMessage message;
+  firmware::CanFrame message;
   message.id = frame->id;
   message.length = frame->length;
   for (int i = 0; i < frame->length; ++i) message.data[i] = frame->data[i];

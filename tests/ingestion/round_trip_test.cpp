@@ -38,7 +38,7 @@ TEST_P(RoundTrip, EveryCodeComesBack) {
     sample.sequence = 65400 + static_cast<uint32_t>(i);  // passes the end of 16 bits
     for (const auto& [node, quantity] : {std::pair{0, 0}, {0, 1}, {1, 2}, {1, 3}})
       sample.code[node][quantity] = static_cast<int32_t>(random() % 65536u) - 32768;
-    firmware::CanMessage messages[firmware::kMaxSensorFrames];
+    firmware::CanFrame messages[firmware::kMaxSensorFrames];
     const int count = firmware::pack_sample(plan, sample, messages);
     for (int m = 0; m < count; ++m) writer.write(messages[m], static_cast<uint64_t>(i) * 500000u);
   }

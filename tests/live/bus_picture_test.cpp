@@ -135,7 +135,7 @@ TEST(BusPicture, RandomFramesAreSurvived) {
   uint32_t state = 1;
   const auto random = [&] { return state = state * 1664525u + 1013904223u, state >> 8; };
   for (int i = 0; i < 50000; ++i) {
-    firmware::CanMessage message;
+    firmware::CanFrame message;
     message.id = random() % 0x800;
     message.fd = random() % 4 == 0;
     message.length = static_cast<uint8_t>(random() % (message.fd ? 65 : 9));

@@ -6,7 +6,7 @@
 namespace live {
 namespace {
 
-firmware::NetworkCommand command_of(const firmware::CanMessage& message) {
+firmware::NetworkCommand command_of(const firmware::CanFrame& message) {
   firmware::NetworkCommand command;
   EXPECT_TRUE(firmware::unpack_network_command(message, command));
   return command;

@@ -6,7 +6,7 @@
 
 namespace frames {
 
-inline can_log::LogEntry at(double time_s, const firmware::CanMessage& message) {
+inline can_log::LogEntry at(double time_s, const firmware::CanFrame& message) {
   can_log::LogEntry entry;
   entry.has_time = true;
   entry.interface = "can0";
@@ -15,19 +15,19 @@ inline can_log::LogEntry at(double time_s, const firmware::CanMessage& message) 
 }
 
 inline can_log::LogEntry error_at(double time_s, uint32_t classes) {
-  can_log::LogEntry entry = at(time_s, firmware::CanMessage{});
+  can_log::LogEntry entry = at(time_s, firmware::CanFrame{});
   entry.frame.error = true;
   entry.frame.id = classes;
   entry.frame.length = 8;
   return entry;
 }
 
-inline firmware::CanMessage heartbeat(int node = 1) {
+inline firmware::CanFrame heartbeat(int node = 1) {
   return firmware::pack_heartbeat(node, firmware::HeartbeatState::kOperational);
 }
 
 // value and std in thousandths.
-inline firmware::CanMessage estimate(int index, int64_t value_e3, int64_t std_e3,
+inline firmware::CanFrame estimate(int index, int64_t value_e3, int64_t std_e3,
                                      firmware::EstimateStatus status = firmware::EstimateStatus::kValid, int node = 1) {
   firmware::ParameterEstimate parameter;
   parameter.value = firmware::Scaled::ratio(value_e3, 1000);
@@ -36,7 +36,7 @@ inline firmware::CanMessage estimate(int index, int64_t value_e3, int64_t std_e3
   return firmware::pack_estimate(node, index, parameter, 1);
 }
 
-inline firmware::CanMessage name(int index, firmware::TermKind kind, int place_a, int place_b, int node = 1) {
+inline firmware::CanFrame name(int index, firmware::TermKind kind, int place_a, int place_b, int node = 1) {
   firmware::ParameterDescription description;
   description.index = static_cast<uint8_t>(index);
   description.count = 5;

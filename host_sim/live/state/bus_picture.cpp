@@ -10,10 +10,10 @@ namespace live {
 namespace {
 
 namespace can = firmware::can;
-using firmware::CanMessage;
+using firmware::CanFrame;
 
 template <typename Value>
-bool keep(bool (*unpack)(const CanMessage&, int&, Value&), const CanMessage& message, std::optional<Value>& kept) {
+bool keep(bool (*unpack)(const CanFrame&, int&, Value&), const CanFrame& message, std::optional<Value>& kept) {
   int node = 0;
   Value value;
   if (!unpack(message, node, value)) return false;
@@ -66,7 +66,7 @@ void BusPicture::take(const can_log::LogEntry& entry) {
   const std::string news = link_.take(entry);
   tell(0, news, link_.phase() != BusPhase::kUp || entry.frame.error);
   if (entry.frame.error || entry.frame.remote) return;
-  const CanMessage message = can_log::to_message(entry.frame);
+  const CanFrame message = can_log::to_message(entry.frame);
   names_.learn(message);
   const can::Address address = can::identify(message);
   if (address.frame != nullptr && address.node > 0 && address.frame->sender == can::Sender::kController)
@@ -86,7 +86,7 @@ void BusPicture::link_down(uint64_t now_ns) {
   tell(0, link_.went_down(now_ns_));
 }
 
-void BusPicture::take_known(const can::Address& address, const CanMessage& message) {
+void BusPicture::take_known(const can::Address& address, const CanFrame& message) {
   NodeState& node = nodes_[address.node];
   node.heard = true;
   node.last_frame_ns = now_ns_;
@@ -112,14 +112,14 @@ void BusPicture::take_known(const can::Address& address, const CanMessage& messa
   }
 }
 
-void BusPicture::take_reports(NodeState& node, const CanMessage& message) {
+void BusPicture::take_reports(NodeState& node, const CanFrame& message) {
   keep(firmware::unpack_status, message, node.status) || keep(firmware::unpack_health, message, node.health) ||
       keep(firmware::unpack_bus_health, message, node.bus_health) ||
       keep(firmware::unpack_identity, message, node.identity) || keep(firmware::unpack_window, message, node.window) ||
       keep(firmware::unpack_diagnosis, message, node.diagnosis);
 }
 
-void BusPicture::take_estimate(NodeState& node, int index, const CanMessage& message, int bit_offset) {
+void BusPicture::take_estimate(NodeState& node, int index, const CanFrame& message, int bit_offset) {
   const firmware::EstimateRecord record = firmware::record_at(message, bit_offset);
   const std::string status = can_log::state_name(can::states(can::kQualityStates), static_cast<int64_t>(record.status));
   if (firmware::is_absent(record)) return;

@@ -69,9 +69,9 @@ class BusPicture {
 
  private:
   void tell(int node, const std::string& text, bool bad = true);
-  void take_known(const firmware::can::Address& address, const firmware::CanMessage& message);
-  void take_reports(NodeState& node, const firmware::CanMessage& message);
-  void take_estimate(NodeState& node, int index, const firmware::CanMessage& message, int bit_offset);
+  void take_known(const firmware::can::Address& address, const firmware::CanFrame& message);
+  void take_reports(NodeState& node, const firmware::CanFrame& message);
+  void take_estimate(NodeState& node, int index, const firmware::CanFrame& message, int bit_offset);
 
   PictureOptions options_;
   BusLink link_;

@@ -34,7 +34,7 @@ std::string consequence_of(NetworkCommandCode command) {
 
 }  // namespace
 
-std::optional<firmware::CanMessage> Controls::press(int key, const std::vector<int>& nodes) {
+std::optional<firmware::CanFrame> Controls::press(int key, const std::vector<int>& nodes) {
   if (key == kKeyNone || key == kKeyResize) return std::nullopt;
   news_.clear();
   if (key == kInterrupt) quit_ = true;
@@ -75,7 +75,7 @@ std::optional<firmware::CanMessage> Controls::press(int key, const std::vector<i
   return std::nullopt;
 }
 
-std::optional<firmware::CanMessage> Controls::ask(NetworkCommandCode command, int key) {
+std::optional<firmware::CanFrame> Controls::ask(NetworkCommandCode command, int key) {
   if (!can_send_) {
     news_ = "only an interface takes commands";
     return std::nullopt;
@@ -86,7 +86,7 @@ std::optional<firmware::CanMessage> Controls::ask(NetworkCommandCode command, in
 }
 
 // The same key again says yes too: a stop is two presses of x.
-std::optional<firmware::CanMessage> Controls::answer(int key) {
+std::optional<firmware::CanFrame> Controls::answer(int key) {
   const NetworkCommandCode command = *asked_;
   asked_.reset();
   if (key != 'y' && key != 'Y' && key != asked_key_) {

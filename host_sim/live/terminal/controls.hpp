@@ -17,7 +17,7 @@ class Controls {
   explicit Controls(bool can_send) : can_send_(can_send) {}
 
   // nodes: those that were heard. A frame comes back where one is to be sent.
-  std::optional<firmware::CanMessage> press(int key, const std::vector<int>& nodes);
+  std::optional<firmware::CanFrame> press(int key, const std::vector<int>& nodes);
 
   bool quit() const { return quit_; }
   int node() const { return node_; }
@@ -31,8 +31,8 @@ class Controls {
   bool asks() const { return asked_.has_value(); }
 
  private:
-  std::optional<firmware::CanMessage> ask(firmware::NetworkCommandCode command, int key);
-  std::optional<firmware::CanMessage> answer(int key);
+  std::optional<firmware::CanFrame> ask(firmware::NetworkCommandCode command, int key);
+  std::optional<firmware::CanFrame> answer(int key);
   void scroll(int rows);
   void next_node(const std::vector<int>& nodes);
 

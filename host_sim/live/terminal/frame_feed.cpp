@@ -98,7 +98,7 @@ class InterfaceFeed final : public FrameFeed {
 
   int descriptor() const override { return bus_.descriptor(); }
   bool can_send() const override { return true; }
-  bool send(const firmware::CanMessage& message) override {
+  bool send(const firmware::CanFrame& message) override {
     return bus_.send(can_log::to_frame(message, 0)) == hal::CanResult::kDone;
   }
 

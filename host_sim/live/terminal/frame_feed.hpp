@@ -3,7 +3,7 @@
 #include <memory>
 #include <string>
 
-#include "firmware/can_protocol/can_message.hpp"
+#include "firmware/can_protocol/can_frame.hpp"
 #include "hal/linux/file_descriptor.hpp"
 #include "hal/linux/socket_can.hpp"
 #include "host_sim/can_log/candump_line.hpp"
@@ -18,7 +18,7 @@ class FrameFeed {
   virtual FeedResult next(can_log::LogEntry& entry) = 0;
   virtual int descriptor() const = 0;  // to wait on; -1: none
   virtual bool can_send() const { return false; }
-  virtual bool send(const firmware::CanMessage&) { return false; }
+  virtual bool send(const firmware::CanFrame&) { return false; }
   virtual uint64_t skipped_lines() const { return 0; }
 };
 

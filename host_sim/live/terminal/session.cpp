@@ -133,7 +133,7 @@ void show(Window& window, Course& course, Controls& controls, const SessionOptio
 }
 
 void press(int key, FrameFeed& feed, Course& course, Controls& controls) {
-  const std::optional<firmware::CanMessage> message = controls.press(key, course.picture().nodes());
+  const std::optional<firmware::CanFrame> message = controls.press(key, course.picture().nodes());
   if (!message) return;
   const bool sent = feed.send(*message);
   firmware::NetworkCommand command;

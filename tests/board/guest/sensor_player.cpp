@@ -30,7 +30,7 @@ firmware::CoreConfiguration channels_of_three_dofs() {
   return configuration;
 }
 
-bool send(hal::SocketCan& bus, const firmware::CanMessage& message) {
+bool send(hal::SocketCan& bus, const firmware::CanFrame& message) {
   hal::CanFrame frame;
   frame.id = message.id;
   frame.length = message.length;
@@ -61,7 +61,7 @@ int main(int count, char** words) {
       for (uint32_t quantity = 0; quantity < 4; ++quantity)
         sample.code[dof][quantity] =
             triangle(sample.sequence, 40 + 14 * quantity + 6 * static_cast<uint32_t>(dof), 20000);
-    firmware::CanMessage messages[firmware::kMaxSensorFrames];
+    firmware::CanFrame messages[firmware::kMaxSensorFrames];
     const int frames = firmware::pack_sample(plan, sample, messages);
     for (int i = 0; i < frames; ++i) refused += send(bus, messages[i]) ? 0 : 1;
     due.tv_nsec += kPeriod_ns;

@@ -32,7 +32,7 @@ void record(host_sim::VirtualRig& rig, std::ostream& output) {
   const firmware::SensorPlan plan = firmware::sensor_plan(configuration, firmware::SensorWiring::k24);
   can_log::LogWriter log(output, "vcan0", can_log::kSimulatedEpoch_s);
   firmware::RawSample sample;
-  firmware::CanMessage messages[firmware::kMaxSensorFrames];
+  firmware::CanFrame messages[firmware::kMaxSensorFrames];
   uint32_t written = 0;
   while (rig.read(sample) == hal::SampleResult::kSample) {
     if (rig.phase() != host_sim::RigPhase::kMeasuring) continue;
