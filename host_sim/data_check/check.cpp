@@ -7,6 +7,7 @@
 #include "host_sim/data_check/clipping.hpp"
 #include "host_sim/data_check/data_check.hpp"
 #include "host_sim/data_check/dead.hpp"
+#include "host_sim/data_check/exchanged.hpp"
 #include "host_sim/data_check/excitation.hpp"
 #include "host_sim/data_check/kinematics.hpp"
 #include "host_sim/data_check/rig_balance.hpp"
@@ -133,6 +134,7 @@ RecordReport check_record(const Record& record, const rig_file::RigModel* model,
   std::set<int> dofs;
   for (const Channel& channel : compared.channels)
     if (dofs.insert(channel.dof).second) attach(check_kinematics(compared, channel.dof, rotates(channel)), report);
+  attach(check_exchanged(compared), report);
   if (model != nullptr && !has_fault(report)) attach(check_rig_balance(compared, *model), report);
   return report;
 }

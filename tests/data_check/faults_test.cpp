@@ -39,6 +39,9 @@ std::function<void(Record&)> all_times(char quantity, double factor) {  // 'd', 
         for (double& value : channel.values) value *= factor;
   };
 }
+std::function<void(Record&)> exchange(const std::string& one, const std::string& other) {
+  return [=](Record& record) { std::swap(made::values(record, one), made::values(record, other)); };
+}
 std::function<void(Record&)> set(const std::string& channel, double constant) {
   return [=](Record& record) {
     for (double& value : made::values(record, channel)) value = constant;
@@ -123,6 +126,13 @@ TEST(Faults, AreCalledByTheirNames) {
        false},
       {"accelerometers alone, one turned over", with("a"), times(kA2, -1), "polarity", kA2},
       {"force turned over, displacements alone", with("x"), times("force_1_N", -1), "polarity", "force_1_N"},
+      {"accelerometers exchanged", with("xva"), exchange(kA1, kA2), "exchanged", kA1, true,
+       "is exchanged with acceleration_2_m_s2"},
+      {"displacements exchanged, no rig file", with("xva"), exchange(kX1, "displacement_2_m"), "exchanged", kX1, false},
+      {"velocities exchanged under a hammer", with("xva", made::Drive::kHammer),
+       exchange("velocity_1_m_s", "velocity_2_m_s"), "exchanged", "velocity_1_m_s"},
+      {"accelerometers exchanged, x beside them", with("xa"), exchange(kA1, kA2), "exchanged", kA1, true,
+       "or displacement_1_m is with displacement_2_m"},
       {"g for m/s2", with("xa"), all_times('a', 1 / 9.80665), "unit", kA1, true, "are in g"},
       {"g for m/s2 beside velocity, no rig file", with("va"), all_times('a', 1 / 9.80665), "unit", kA1, false,
        "are in g"},
