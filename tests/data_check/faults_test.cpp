@@ -133,6 +133,8 @@ TEST(Faults, AreCalledByTheirNames) {
        exchange("velocity_1_m_s", "velocity_2_m_s"), "exchanged", "velocity_1_m_s"},
       {"accelerometers exchanged, x beside them", with("xa"), exchange(kA1, kA2), "exchanged", kA1, true,
        "or displacement_1_m is with displacement_2_m"},
+      {"displacements alone, exchanged", with("x"), exchange(kX1, "displacement_2_m"), "exchanged", kX1},
+      {"accelerometers alone, exchanged", with("a"), exchange(kA1, kA2), "exchanged", kA1},
       {"g for m/s2", with("xa"), all_times('a', 1 / 9.80665), "unit", kA1, true, "are in g"},
       {"g for m/s2 beside velocity, no rig file", with("va"), all_times('a', 1 / 9.80665), "unit", kA1, false,
        "are in g"},
