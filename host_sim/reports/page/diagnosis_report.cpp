@@ -10,6 +10,7 @@
 #include "host_sim/reports/page/rig_sections.hpp"
 #include "host_sim/reports/page/shared_parts.hpp"
 #include "host_sim/reports/page/verdict.hpp"
+#include "host_sim/reports/page/zoom.hpp"
 
 namespace host_sim::reports {
 namespace {
@@ -173,6 +174,7 @@ std::string diagnosis_page(const DiagnosisReportData& data) {
   add_gain(page, data);
   add_parameters(page, data);
   add_pictures(page, data);
+  add_zoom(page, zoom_records(data.dofs));
   add_rig_sections(page, data.views);
   add_data_check(page, data.check);
   add_candidates(page, data);

@@ -8,6 +8,7 @@
 #include "host_sim/reports/page/report.hpp"
 #include "host_sim/reports/page/rig_sections.hpp"
 #include "host_sim/reports/page/shared_parts.hpp"
+#include "host_sim/reports/page/zoom.hpp"
 
 namespace host_sim::reports {
 namespace {
@@ -59,6 +60,7 @@ std::string estimate_page(const EstimateReportData& data) {
     for (const DofView& view : data.dofs)
       for (const Waveform& waveform : view.waveforms) page.figures(waveform_pictures(view, waveform, columns));
   }
+  add_zoom(page, zoom_records(data.dofs));
   add_rig_sections(page, data.views);
   add_data_check(page, data.check);
   return page.finish();

@@ -9,6 +9,7 @@
 #include "host_sim/reports/page/report.hpp"
 #include "host_sim/reports/page/rig_sections.hpp"
 #include "host_sim/reports/page/shared_parts.hpp"
+#include "host_sim/reports/page/zoom.hpp"
 
 namespace host_sim::reports {
 namespace {
@@ -185,6 +186,10 @@ std::string run_page(const RunReportData& data) {
   page.section("accelerations", "Acceleration of each DOF",
                "The rig's own, and simulated with the estimates in place of the true values (Figures 3, 5 and 7).");
   for (const RunRecord& record : data.records) add_accelerations(page, record);
+  std::vector<ZoomRecord> closer;
+  for (const RunRecord& record : data.records)
+    for (ZoomRecord& one : zoom_records(record)) closer.push_back(std::move(one));
+  add_zoom(page, closer);
   add_rig_sections(page, data.views);
   add_data_check(page, data.check);
   return page.finish();

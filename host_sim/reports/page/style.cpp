@@ -62,6 +62,8 @@ td.wide{white-space:normal;min-width:220px}
 code{font-family:ui-monospace,"SF Mono",Menlo,Consolas,"DejaVu Sans Mono",monospace;font-size:.93em}
 sup{line-height:0;font-size:.75em}
 .advice li{margin:6px 0;max-width:74ch}
+.zoom{margin:8px 0}.zoom p{min-height:1.5em;display:flex;flex-wrap:wrap;gap:2px 18px}.zoom i{display:inline-block;width:22px;border-top:3px solid;vertical-align:middle;margin-right:6px}.choose label{color:var(--soft)}select{font:inherit;max-width:100%;color:var(--ink);background:var(--card);border:1px solid var(--edge);border-radius:6px;padding:4px 8px}
+.zoom .dygraph-axis-label{color:var(--soft);font-size:12px}.zoom .dygraph-label{color:var(--soft);font-size:12px;font-weight:400}#zoom-signals,#zoom-errors{width:100%;margin-bottom:8px}
 @media (max-width:500px){th,td{padding:7px 9px;font-size:13px}.bar{width:56px}td .dim{display:block}svg g,svg text{font-size:14.5px}main{padding:24px 14px 56px}h2{margin-top:44px}}
 @media print{body{background:#fff}figure,.card,.scroll{break-inside:avoid}nav{display:none}}
 )css";

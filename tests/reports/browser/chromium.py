@@ -49,7 +49,7 @@ class Chromium:
         self.complaints = []  # console errors, exceptions, failed loads since the last open()
         target = self._call("Target.createTarget", url="about:blank")["targetId"]
         self._session = self._call("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
-        for domain in ("Page", "Runtime", "Log"):
+        for domain in ("Page", "Runtime", "Log", "Network"):
             self._call(domain + ".enable")
 
     def __enter__(self):
@@ -142,6 +142,9 @@ class Chromium:
             self.complaints.append("exception: " + json.dumps(details["exceptionDetails"])[:400])
         elif event == "Runtime.consoleAPICalled" and details["type"] in ("error", "warning", "assert"):
             self.complaints.append(f"console.{details['type']}: " + json.dumps(details["args"])[:400])
+        elif event == "Network.requestWillBeSent" and details["type"] != "Document":
+            if not details["request"]["url"].startswith("data:"):
+                self.complaints.append("fetches " + details["request"]["url"][:200])
         elif event == "Log.entryAdded" and details["entry"]["level"] in ("error", "warning"):
             self.complaints.append("log: " + details["entry"]["text"][:400])
 

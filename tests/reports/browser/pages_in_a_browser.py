@@ -54,6 +54,30 @@ def make_pages(host_sim, preview, place):
     return pages
 
 
+def faults_of_zoom(browser, name):
+    """Drags across the upper picture and looks whether both follow, and whether another record can be chosen."""
+    window = "[...document.querySelectorAll('.zoom canvas')].length"
+    if browser.evaluate(window) < 2:
+        return [f"{name}: nothing to zoom"]
+    box = browser.evaluate("""(() => { const e = document.getElementById('zoom-signals'); e.scrollIntoView();
+        const b = e.getBoundingClientRect(); return [b.left, b.top, b.width, b.height]; })()""")
+    labels = """(id => [...document.querySelectorAll('#' + id + ' .dygraph-axis-label-x')].map(e => +e.textContent))"""
+    middle = box[1] + box[3] / 2
+    before = browser.evaluate(labels + "('zoom-errors')")
+    browser.drag((box[0] + 0.5 * box[2], middle), (box[0] + 0.6 * box[2], middle))
+    after = browser.evaluate(labels + "('zoom-errors')")
+    faults = []
+    if not after or max(after) - min(after) > 0.5 * (max(before) - min(before)):
+        faults.append(f"{name}: dragging zooms from {before} to {after}")
+    title = "document.getElementById('zoom-title').textContent"
+    first = browser.evaluate(title)
+    browser.evaluate("""(() => { const c = document.getElementById('zoom-choice'); c.selectedIndex = c.options.length - 1;
+        c.dispatchEvent(new Event('change')); })()""")
+    if browser.evaluate("document.getElementById('zoom-choice').options.length") > 1 and browser.evaluate(title) == first:
+        faults.append(f"{name}: choosing another record changes nothing")
+    return faults
+
+
 def faults_of(browser, name, page, audit, screenshots):
     """Sentences about what is wrong with one page on any screen."""
     faults, pictures = [], None
@@ -68,6 +92,8 @@ def faults_of(browser, name, page, audit, screenshots):
         pictures = seen["pictures"]
         if screenshots:
             browser.screenshot(screenshots / (label.replace(", ", "_").replace(" ", "_") + ".png"))
+    browser.show_as(*_size(SCREENS[0]))
+    faults += faults_of_zoom(browser, name)
     if pictures == 0:
         faults.append(f"{name}: no picture at all")
     return faults + [f"{name}: {complaint}" for complaint in browser.complaints]
@@ -83,7 +109,7 @@ def main():
     if path is None:
         print("SKIPPED: no browser here; Debian's package is called chromium")
         return SKIPPED
-    host_sim, preview = sys.argv[1:3]
+    host_sim, preview = (str(pathlib.Path(program).resolve()) for program in sys.argv[1:3])
     screenshots = pathlib.Path(sys.argv[3]) if len(sys.argv) > 3 else None
     audit = (HERE / "page_audit.js").read_text()
     faults = []
