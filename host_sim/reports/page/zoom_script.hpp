@@ -36,7 +36,7 @@ constexpr char kZoomScript[] = R"js(
       labels: ['time', ...labels], colors: colours.map(ink), ylabel: name, height, dateWindow,
       xlabel: place === 'zoom-errors' ? 'time (s)' : '', labelsDiv: at(place + '-legend'), legend: 'always', legendFormatter: legend(colours),
       gridLineColor: ink('--grid'), axisLineColor: ink('--frame'), strokeWidth: 1.3, digitsAfterDecimal: 6,
-      axes: {x: {axisLabelWidth: 60}, y: {axisLabelWidth: 62}}, drawCallback: together});
+      axes: {x: {axisLabelWidth: 60}, y: {axisLabelWidth: 62, valueFormatter: (value) => +value.toPrecision(4)}}, drawCallback: together});
     for (const graph of graphs) graph.destroy();
     at('zoom-title').textContent = record.title;
     const names = record.curves.map((c) => c.label), colours = record.curves.map((c) => c.colour);
