@@ -99,6 +99,11 @@ TEST(Dialects, AllSayTheSame) {
       {"times of day past midnight",
        "time\tforce_1_N\tdisplacement_1_m\n23:59:59.5\t1.5\t-0.25\n0:00:00\t2\t0.5\n00:00:00.5\t-3e-3\t0.75\n",
        nullptr},
+      {"LabVIEW",
+       "LabVIEW Measurement\t\nSeparator\tTab\nTime\t10:11:12.1\n***End_of_Header***\t\n\t\nY_Unit_Label\tkN\tmm\n"
+       "X_Dimension\tTime\tTime\nX0\t0.0\t0.0\n***End_of_Header***\t\t\nX_Value\tForce 1\tDisplacement 1\tComment\n"
+       "0\t0.0015\t-250\n0.5\t0.002\t500\n1\t-3e-6\t750\n",
+       "in kN: values times 1000"},
       {"CRLF", with_line_ends(kPlain, "\r\n"), nullptr},
       {"CR", with_line_ends(kPlain, "\r"), nullptr},
       {"UTF-8 mark", "\xEF\xBB\xBF" + kPlain, nullptr},

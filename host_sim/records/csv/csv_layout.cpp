@@ -75,25 +75,36 @@ bool has_digit_first(const std::string& field) {
   return first != std::string::npos && field[first] >= '0' && field[first] <= '9' && field != "1/min";
 }
 
-// Takes a row of units off the front of the data.
-bool take_units(CsvLayout& layout) {
-  std::string_view rest = layout.data;
-  const std::vector<std::string> fields = split_fields(take_line(rest), layout.separator);
+// The columns' units, where the fields from `first` on are units or blank, and no number.
+bool read_units(const std::vector<std::string>& fields, size_t first, CsvLayout& layout) {
   bool any = false;
-  for (const std::string& field : fields) {
-    const std::string text = trimmed_text(field);
+  for (size_t i = first; i < fields.size(); ++i) {
+    const std::string text = trimmed_text(fields[i]);
     if (text.empty() || text == "-") continue;
-    if (has_digit_first(text)) return false;
+    if (has_digit_first(text) || (first > 0 && !find_unit(text))) return false;
     any = any || find_unit(text).has_value();
   }
   if (!any || fields.size() > layout.columns.size() + 1) return false;
-  for (size_t i = 0; i < std::min(fields.size(), layout.columns.size()); ++i) {
+  for (size_t i = first; i < std::min(fields.size(), layout.columns.size()); ++i) {
     const HeadParts parts = split_head(fields[i]);
     layout.columns[i].unit = parts.unit.empty() ? parts.name : parts.unit;  // "(mm)" or "mm"
   }
+  return true;
+}
+
+// Takes a row of units off the front of the data.
+bool take_units(CsvLayout& layout) {
+  std::string_view rest = layout.data;
+  if (!read_units(split_fields(take_line(rest), layout.separator), 0, layout)) return false;
   layout.data = rest;
   ++layout.data_line;
   return true;
+}
+
+// A row of units above the names, behind a word of its own as LabVIEW's Y_Unit_Label.
+void find_units_above(std::string_view content, CsvLayout& layout) {
+  for (size_t number = 1; number < layout.header_line; ++number)
+    if (read_units(split_fields(take_line(content), layout.separator), 1, layout)) return;
 }
 
 void skip_blank_and_comment_lines(CsvLayout& layout) {
@@ -179,7 +190,10 @@ CsvLayout find_layout(std::string_view content, const std::function<bool(const s
                            (header.passed_over == 1 ? "" : "s") + " before the names of line " +
                            std::to_string(header.line));
   skip_blank_and_comment_lines(layout);
-  if (take_units(layout)) skip_blank_and_comment_lines(layout);
+  if (take_units(layout))
+    skip_blank_and_comment_lines(layout);
+  else
+    find_units_above(content, layout);
   layout.decimal_comma = commas_are_points(layout);
   return layout;
 }

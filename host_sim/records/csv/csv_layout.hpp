@@ -30,8 +30,8 @@ struct CsvLayout {
 
 // The header is the first line in which some separator (tab, semicolon, comma, blanks) leaves a field that means a
 // channel or the time; a comment line may be it. Without one the first line that is no comment is taken. Below it a row
-// of units may follow: fields that are units, or blank, and no number. A comma is a decimal point where fields are
-// separated otherwise and the first numbers hold commas and no points.
+// of units may follow: fields that are units, or blank, and no number; or one stands above it, behind a word (LabVIEW). A
+// comma is a decimal point where fields are separated otherwise and the first numbers hold commas and no points.
 CsvLayout find_layout(std::string_view content, const std::function<bool(const std::string&)>& means_channel);
 
 }  // namespace host_sim

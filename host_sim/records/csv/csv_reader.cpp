@@ -94,6 +94,7 @@ class CsvParser {
         target.values = &record_.channels.back().values;  // room was reserved: it stays there
       }
       columns_.push_back(std::move(target));
+      if (columns_.back().values != nullptr) needed_ = columns_.size();
     }
   }
 
@@ -132,6 +133,7 @@ class CsvParser {
         target.values->push_back(value);
       }
       const bool last = column + 1 == count;
+      if (position == end && column + 1 >= needed_) return;                        // what is left out is ignored anyway
       if (last && end - position == 1 && at_field_end(position, end)) ++position;  // a separator ends the line
       if (last != (position == end))
         refuse(line_,
@@ -243,6 +245,7 @@ class CsvParser {
   CsvLayout layout_;
   Record record_;
   std::vector<Target> columns_;
+  size_t needed_ = 0;  // so many of them, to the last that is not ignored
   std::vector<double> time_s_;
   ClockTime first_clock_;
   std::vector<size_t> comments_;  // how many samples stood before each comment line among the rows
