@@ -1,9 +1,11 @@
 // host_sim: simulate a rig, estimate from measured data, name what a model lacks, read the frames.
 #include <cstdio>
+#include <memory>
 
 #include "firmware/version.hpp"
 #include "host_sim/programs/commands.hpp"
 #include "host_sim/programs/shared/failures.hpp"
+#include "host_sim/programs/shared/help_text.hpp"
 #include "host_sim/programs/shared/human_output.hpp"
 #include "host_sim/records/output_file.hpp"
 
@@ -26,6 +28,7 @@ bool known_first_word(const CLI::App& app, int argc, char** argv) {
 int main(int argc, char** argv) {
   CLI::App app{"Damping of vibration rigs: simulate, estimate, diagnose, read CAN frames", "host_sim"};
   app.require_subcommand(1);
+  app.formatter(std::make_shared<host_sim::HelpText>());
   app.set_version_flag("--version", std::string("host_sim ") + firmware::kVersionText);
   host_sim::remove_temporary_files_on_signals();
   host_sim::Action chosen;

@@ -75,4 +75,15 @@ TEST_F(Terminal, DecodeFollowsAGrowingLog) {
       << result.output << result.errors;
 }
 
+// Every line of every help is at most 80 columns wide, and the meaning of an option continues in its own column.
+TEST_F(Terminal, HelpFitsEightyColumns) {
+  for (const char* command : {"run", "estimate", "check", "diagnose", "sweep", "decode", "watch", "dbc"}) {
+    std::istringstream lines(host_sim({command, "--help"}).output);
+    for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 80u) << command << ": " << line;
+  }
+  const std::string help = host_sim({"estimate", "--help"}).output;
+  EXPECT_NE(help.find("--frequency"), std::string::npos);
+  EXPECT_NE(help.find("\n                              "), std::string::npos) << help;
+}
+
 }  // namespace
