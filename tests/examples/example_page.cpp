@@ -15,9 +15,10 @@ namespace {
 using namespace host_sim::reports;
 
 std::string command(const Example& example) {
-  std::string out = "    build/host/bin/host_sim diagnose --rig ../shared/contract/" + example.rig;
-  for (const std::string& file : example.data) out += " \\\n        --data ../shared/measured/" + file;
-  for (const std::string& file : example.holdout) out += " \\\n        --holdout ../shared/measured/" + file;
+  std::string out = "    python3 docs/examples/convert.py " + example.conversion +
+                    "\n    build/host/bin/host_sim diagnose --rig docs/examples/" + example.rig;
+  for (const std::string& file : example.data) out += " \\\n        --data recordings/" + file;
+  for (const std::string& file : example.holdout) out += " \\\n        --holdout recordings/" + file;
   return out + " \\\n        --report " + example.name + "\n\n";
 }
 
@@ -52,8 +53,9 @@ std::string picture(const Example& example, const char* kind, const Plot& plot, 
 }  // namespace
 
 std::string section(const Example& example, const DiagnosisReportData& data, const std::string& docs) {
-  std::string out = "## " + example.title + "\n\n" + example.introduction + "\n" + command(example) + "Verdict: **" +
-                    data.verdict + "**. " + verdict_sentence(data) + "\n\n";
+  std::string out = "## " + example.title + "\n\n" + example.introduction + "\n**Where it is published.** " +
+                    example.source + "\n" + command(example) + "Verdict: **" + data.verdict + "**. " +
+                    verdict_sentence(data) + "\n\n";
   for (const Cause& cause : data.causes) {
     out += "- " + cause_text(cause.effect, cause.where) + ": ";
     for (size_t i = 0; i < cause.parameters.size(); ++i) out += (i ? "; " : "") + ("`" + cause.parameters[i] + "`");

@@ -8,10 +8,12 @@ namespace examples {
 struct Example {
   std::string name;  // of its pictures: "emps"
   std::string title;
-  std::string rig;                         // below SHARED_DIR/contract
-  std::vector<std::string> data, holdout;  // below SHARED_DIR/measured
+  std::string rig;                         // below DOCS_DIR/examples
+  std::vector<std::string> data, holdout;  // below RECORDINGS_DIR
   std::string introduction;                // Markdown
-  std::string reading;  // Markdown, below the numbers: what others published; no figure of our own stands here
+  std::string source;                      // Markdown: where the recording is published
+  std::string conversion;  // command that makes the files of it, without "python3 docs/examples/convert.py"
+  std::string reading;     // Markdown, below the numbers: what others published; no figure of our own stands here
 };
 
 const std::vector<Example>& all();

@@ -82,7 +82,7 @@ TEST(FromDiagnosis, CarriesTheFindingsOver) {
   EXPECT_TRUE(data.candidates[1].chosen);
   EXPECT_EQ(data.candidates[2].remark, "not more than noise would bring");
   EXPECT_EQ(data.candidates[2].threshold, 35.0);
-  EXPECT_NE(reports::diagnosis_page(data).find("falls by a factor of 20"), std::string::npos);
+  EXPECT_NE(reports::diagnosis_page(data).find("unseen data is 20 times smaller"), std::string::npos);
 }
 
 // The pictures are made with the parameters found: the extended rig follows the record, the given one does not.

@@ -190,7 +190,8 @@ TEST(Verdict, AShortHeadlineThenTheRest) {
   data.gains = {{1, 10.0, 2.0, 0.0, 0.0}};
   data.verdict = "explained";
   EXPECT_EQ(verdict_headline(data), "The rig file lacks cubic stiffness on link 1-2");
-  EXPECT_EQ(verdict_details(data), "With that mended the simulation error on unseen data falls by a factor of 5.0.");
+  EXPECT_EQ(verdict_details(data),
+            "With this taken into account, the simulation's error on unseen data is 5.0 times smaller.");
   EXPECT_EQ(verdict_sentence(data), verdict_headline(data) + ". " + verdict_details(data));
   data.causes.push_back({"backlash", "link 2-3", 5.0, {}});
   data.causes.push_back({"mass_error", "dof 2", 2.0, {}});
@@ -226,8 +227,9 @@ TEST(Verdict, ASensorsFaultIsSaidToBeOne) {
   data.gains = {{1, 60.0, 2.0, 0.0, 0.0}};
   data.verdict = "explained";
   EXPECT_EQ(verdict_sentence(data),
-            "A sensor is at fault: sensor delay in channel force_1_N. With that mended the simulation error on unseen "
-            "data falls by a factor of 30.");
+            "A sensor is at fault: sensor delay in channel force_1_N. With this taken into account, the simulation's "
+            "error on "
+            "unseen data is 30 times smaller.");
   data.causes.push_back({"cubic_stiffness", "link 1-2", 5.0, {}});
   EXPECT_EQ(verdict_headline(data), "The rig file lacks cubic stiffness on link 1-2; a sensor is at fault");
   EXPECT_TRUE(contains(verdict_details(data), "At fault: sensor delay in channel force_1_N."));

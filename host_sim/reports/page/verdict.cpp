@@ -26,7 +26,8 @@ std::string gain_text(const std::vector<DofGain>& gains) {
       best = std::max(best, gain.nrmse_before_percent / gain.nrmse_after_percent);
   if (best < 1.05) return "";
   char out[112];
-  std::snprintf(out, sizeof out, "With that mended the simulation error on unseen data falls by a factor of %.*f.",
+  std::snprintf(out, sizeof out,
+                "With this taken into account, the simulation's error on unseen data is %.*f times smaller.",
                 best < 10.0 ? 1 : 0, best);
   return out;
 }
