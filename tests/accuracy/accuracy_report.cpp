@@ -69,6 +69,7 @@ class Coverage {
 
 std::string measure_all(const Options& options) {
   std::string page = accuracy::page_head(options.draws);
+  std::vector<std::pair<accuracy::Case, accuracy::CaseStatistics>> measured;
   std::vector<accuracy::CleanRow> clean;
   for (const accuracy::CleanCase& c : accuracy::clean_cases())
     if (wanted(options, c.name))
@@ -81,7 +82,9 @@ std::string measure_all(const Options& options) {
     const accuracy::CaseStatistics statistics = accuracy::measure_case(c.scenario, 1000, draws_of(c.scenario, options));
     page += accuracy::case_section(c, statistics);
     coverage.add(c.scenario.levels.front().kind, statistics);
+    measured.emplace_back(c, statistics);
   }
+  page = accuracy::page_opening() + accuracy::summary_section(measured) + page;
   page += accuracy::coverage_section(coverage.percent());
   if (!options.only.empty()) return page;
   const std::vector<std::string> names = rig_file::parameter_names(accuracy::clean_cases()[3].scenario.rig);
