@@ -219,8 +219,7 @@ bool as_candidates(const runs::Model& model, const RowsSay& say, std::vector<run
   return true;
 }
 
-constexpr double kMostlyNoise = 0.8;   // of the squared residual
-constexpr double kRightAnyway = 3e-4;  // of the motion: what a simulation misses that is as good as right
+constexpr double kMostlyNoise = 0.8;  // of the squared residual
 
 // The rows' answer stands where nothing is left beyond their noise and runs that have not seen the data bear it out.
 bool rows_stand(const runs::Task& task, const runs::Choice& fitted, const RowsSay& say) {
@@ -248,11 +247,15 @@ Diagnosis diagnose(const rig_file::RigModel& rig, const std::vector<host_sim::Re
   runs::Choice choice = runs::rig_fitted(task);
   progress(0.3);
   Diagnosis d;
-  const double error = runs::motion_error(task, choice.base);
+  const bool right = !massless(rig) && runs::immaterial(task, choice);
   const bool driven = runs::forced(records) && !massless(rig) && springs_and_masses_known(rig);
-  if (error > kRightAnyway || massless(rig)) {
+  if (!right) {
     if (driven && !choice.base_fits_nothing) {
-      RowsSay say = ask_rows(system, {rig, training, holdout, options});
+      RowsSay say;
+      try {
+        say = ask_rows(system, {rig, training, holdout, options});
+      } catch (const CannotAnswer&) {  // too few rows for them: the free runs alone
+      }
       progress(0.6);
       if (rows_stand(task, choice, say)) {
         d = say.d;
@@ -268,7 +271,10 @@ Diagnosis diagnose(const rig_file::RigModel& rig, const std::vector<host_sim::Re
     }
     if (!massless(rig) && two_channels_a_dof(records[0])) {
       std::vector<SensorCheck> checks;
-      ready(rig, training, options, &checks);
+      try {
+        ready(rig, training, options, &checks);
+      } catch (const CannotAnswer&) {
+      }
       std::vector<SensorFault> faults;
       for (const SensorCheck& check : checks) faults.insert(faults.end(), check.faults.begin(), check.faults.end());
       std::vector<runs::Candidate> list;

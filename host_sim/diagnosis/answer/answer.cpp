@@ -10,6 +10,7 @@ namespace diagnosis::runs {
 namespace {
 
 constexpr double kBeyondNoise = 3;  // in the band of the motion over beside it: 0.95 to 1.05 on complete drawn rigs
+constexpr double kLikeAHold = 0.1;  // of half a sample
 constexpr double kHalfOfVariance = 70.7;  // NRMSE in percent
 constexpr double kSmall = 0.02;  // of the motion, over a window: what is left and nothing explains is said to be there
 
@@ -66,6 +67,14 @@ void take(const Score& score, ModelScore& to) {
 
 }  // namespace
 
+// A force that is held between its samples acts half a sample late on the mean: its readings come early by that much.
+bool is_hold(const Task& task, const Cause& c) {
+  const bool of_force = c.where.rfind("channel force", 0) == 0 || c.where.rfind("channel torque", 0) == 0;
+  if (c.effect != "sensor_delay" || !of_force || c.parameters.empty()) return false;
+  const double half = 0.5 * task.records[0].read_every_s;
+  return std::abs(c.parameters[0].value + half) < kLikeAHold * half + 2 * c.parameters[0].std;
+}
+
 void answer(const Task& task, const Choice& choice, Diagnosis& d) {
   const std::vector<ActiveTerm> base = active(choice.base.model, determined(choice.base.fit, choice.base.model));
   const std::vector<ActiveTerm> full = active(choice.final.model, determined(choice.final.fit, choice.final.model));
@@ -77,9 +86,15 @@ void answer(const Task& task, const Choice& choice, Diagnosis& d) {
     c.explains_percent = std::clamp(100 * named.share, 0.0, 100.0);
     for (const ActiveTerm& a : full)
       if (a.added && a.term.same_place(named.candidate.terms[0])) c.parameters = parameters_of_cause(task, full, a);
+    if (is_hold(task, c)) c.effect = "force_hold", c.parameters.clear(), d.force_between_samples = "steps";
     d.causes.push_back(c);
-    for (const Rival& r : named.rivals)
-      d.ambiguous_with.push_back({word_of(r.candidate.terms[0].kind), place(task, r.candidate.terms[0])});
+    for (const Rival& r : named.rivals) {
+      const NamedPlace other{word_of(r.candidate.terms[0].kind), place(task, r.candidate.terms[0])};
+      const bool said = std::any_of(d.ambiguous_with.begin(), d.ambiguous_with.end(), [&](const NamedPlace& p) {
+        return p.effect == other.effect && p.where == other.where;
+      });
+      if (!said) d.ambiguous_with.push_back(other);
+    }
   }
   d.baseline.parameters = all_parameters(task, base);
   d.extended.parameters = all_parameters(task, full);
@@ -108,7 +123,8 @@ void answer(const Task& task, const Choice& choice, Diagnosis& d) {
   if (!choice.named.empty())
     d.verdict = !d.ambiguous_with.empty() ? Verdict::kAmbiguous : noise ? Verdict::kExplained : Verdict::kPartly;
   else
-    d.verdict = noise || ((choice.noise_is_enough || error < kSmall) && worst_free_run < kHalfOfVariance)
+    d.verdict = noise || immaterial(task, choice) ||
+                        ((choice.noise_is_enough || error < kSmall) && worst_free_run < kHalfOfVariance)
                     ? Verdict::kNone
                     : Verdict::kUnknown;
   if (choice.base_fits_nothing && choice.named.empty()) {

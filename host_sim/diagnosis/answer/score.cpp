@@ -33,16 +33,18 @@ Score score_unseen(const Task& task, const State& state) {
   std::vector<Sums> x(n), v(n), a(n);
   bool finite = evaluator.sound();
   const bool held = vocabulary::held_in_place(task.system.rig);
+  const bool driven = forced(task.records);
   const bool apart = task.training < task.records.size();
   WindowRun run;
   for (size_t r = apart ? task.training : 0; r < task.records.size() && finite; ++r) {
     const Prepared& p = task.records[r];
-    const Index first = apart ? 0 : static_cast<Index>(0.7 * static_cast<double>(p.samples));
-    const Index part = held || evaluator.massless() ? p.samples - first
-                                                    : std::max<Index>(12, static_cast<Index>(kRestart_s / p.step_s));
-    for (Index from = first; from + 12 <= p.samples && finite; from += part) {
+    const Index all = moving_samples(p, driven);
+    const Index first = apart ? 0 : static_cast<Index>(0.7 * static_cast<double>(all));
+    const Index part =
+        held || evaluator.massless() ? all - first : std::max<Index>(12, static_cast<Index>(kRestart_s / p.step_s));
+    for (Index from = first; from + 12 <= all && finite; from += part) {
       Window w;
-      w.record = r, w.from = from, w.length = std::min(part, p.samples - from);
+      w.record = r, w.from = from, w.length = std::min(part, all - from);
       // the state at its start: as the first window of a short fit tells, where there is one
       for (const Window& u : state.unseen)
         if (u.record == r && u.from == from && u.state.size()) w.state = u.state;
@@ -64,10 +66,15 @@ Score score_unseen(const Task& task, const State& state) {
           continue;
         }
         const Guess& g = p.guess[d];
-        const Vec* measured = &g.x;  // as measured where it is
+        // what is measured of this DOF: no displacement is judged that had to be integrated
+        const MotionTrace* measured = nullptr;
         for (const MotionTrace& t : p.traces)
-          if (t.dof == static_cast<int>(d) && t.quantity == 0) measured = &t.y;
-        x[d].add(run.x.row(i), measured->segment(w.from, w.length));
+          if (t.dof == static_cast<int>(d) && (!measured || t.quantity < measured->quantity)) measured = &t;
+        const Mat& simulated = measured->quantity == 0 ? run.x : measured->quantity == 1 ? run.v : run.a;
+        Vec alike = simulated.row(i), reading = measured->y.segment(w.from, w.length);
+        if (measured->quantity == 2)
+          alike.array() -= alike.mean(), reading.array() -= reading.mean();  // its zero is free
+        x[d].add(alike, reading);
         v[d].add(run.v.row(i), g.v.segment(w.from, w.length));
         a[d].add(run.a.row(i), g.a.segment(w.from, w.length));
       }

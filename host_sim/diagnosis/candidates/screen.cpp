@@ -9,7 +9,6 @@ namespace diagnosis::runs {
 namespace {
 
 constexpr Index kAtOnce = 192;      // columns: bounds memory
-constexpr size_t kBlocks = 24;      // that influences are taken over: fewer leave Student's law no way to be sure
 constexpr double kDistinct = 1e-5;  // share of a column's square that the model cannot make itself
 
 struct Sums {              // of the columns, per window
@@ -92,7 +91,7 @@ Screen screen(const System& system, const std::vector<Prepared>& records, const 
     terms.insert(terms.end(), c.terms.begin(), c.terms.end());
   }
   const Index count = static_cast<Index>(terms.size());
-  const size_t parts = std::max<size_t>(1, (kBlocks + windows.size() - 1) / std::max<size_t>(1, windows.size()));
+  const size_t parts = parts_for(windows.size());
   const size_t nw = windows.size() * parts;  // blocks
   std::vector<Mat> own_model(nw), cross(nw, Mat());
   std::vector<Vec> own_score(nw);
@@ -181,11 +180,11 @@ Screen screen(const System& system, const std::vector<Prepared>& records, const 
     const Index i = static_cast<Index>(first[c]);
     const Judged j = candidates[c].terms.size() == 2 ? double_column(i) : single(i);
     if (j.value.empty() || !std::isfinite(j.gain)) continue;
-    if (candidates[c].sign != 0 && candidates[c].sign * j.value[0] < 0) continue;
     all.push_back({c, j.gain, j.z, j.value});
   }
   std::sort(all.begin(), all.end(), [](const Screened& a, const Screened& b) { return a.gain > b.gain; });
   for (const Screened& s : all) {
+    if (candidates[s.candidate].sign != 0 && candidates[s.candidate].sign * s.value[0] < 0) continue;
     const bool seen = std::any_of(out.singles.begin(), out.singles.end(), [&](const Screened& o) {
       return candidates[o.candidate].same_place(candidates[s.candidate]);
     });

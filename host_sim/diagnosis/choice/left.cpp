@@ -1,6 +1,8 @@
 // What a model leaves: noise, or something that goes with the motion.
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 #include "../fourier.hpp"
 #include "choice.hpp"
@@ -17,18 +19,66 @@ double median(std::vector<double> v) {
   return v[v.size() / 2];
 }
 
+// Records whose forces carry another noise of the same level beside their own, white: the level of the top of the band.
+std::vector<Prepared> with_force_noise(const std::vector<Prepared>& records, bool& any) {
+  std::vector<Prepared> list = records;
+  std::mt19937_64 random(1);
+  std::normal_distribution<double> normal;
+  for (Prepared& p : list)
+    for (Vec& f : p.force) {
+      if (f.size() == 0 || f.cwiseAbs().maxCoeff() == 0) continue;
+      const size_t n = fast_length(static_cast<size_t>(f.size()));
+      const Vec power = Fourier(n).forward(f.head(static_cast<Index>(n))).cwiseAbs2() / static_cast<double>(n);
+      const Index from =
+          power.size() * 2 / 3;  // a force may act above the motion's band, and a thinned record ends early
+      std::vector<double> top(power.data() + from, power.data() + power.size() * 4 / 5);
+      const double sigma = std::sqrt(median(top) / kMedianOfSpread);
+      for (double& value : f) value += sigma * normal(random);
+      any = any || sigma > 0;
+    }
+  return list;
+}
+
+// What such noise makes of a window's run beside its free state.
+Vec response(Evaluator& noisy, const Window& w, const WindowRun& run) {
+  WindowRun other;
+  if (!noisy.run(w, false, false, other)) return Vec::Zero(run.residual.size());
+  Vec difference = other.residual - run.residual;
+  const Mat states = run.slopes.leftCols(run.nuisances);
+  if (states.cols() > 0) {
+    const Vec scale = states.colwise().norm().cwiseMax(1e-300).cwiseInverse();
+    const Mat unit = states * scale.asDiagonal();
+    Mat a = unit.transpose() * unit;
+    a.diagonal().array() += 1e-9;
+    difference -= unit * a.llt().solve(unit.transpose() * difference);
+  }
+  return difference;
+}
+
+Vec spectrum(const std::vector<double>& rows) {
+  const size_t n = fast_length(rows.size());
+  return Fourier(n).forward(Vec::Map(rows.data(), static_cast<Index>(n))).cwiseAbs2() / static_cast<double>(n);
+}
+
 }  // namespace
 
 Left left_by(const System& system, const std::vector<Prepared>& records, const State& state) {
   Left left;
   Evaluator evaluator(system, state.model, records);
   const size_t channels = evaluator.traces(0).size();
-  std::vector<std::vector<double>> rows(channels);
+  std::vector<std::vector<double>> rows(channels), pushed(channels);
+  bool force_noise = false;
+  const std::vector<Prepared> noisy_records = with_force_noise(records, force_noise);
+  Evaluator noisy(system, state.model, noisy_records);
   WindowRun run;
   for (const Window& w : state.seen) {
-    if (!evaluator.run(w, false, false, run)) return left;
+    if (!evaluator.run(w, force_noise, false, run)) return left;
+    const Vec push = force_noise && !evaluator.massless() ? response(noisy, w, run) : Vec::Zero(run.residual.size());
     for (size_t c = 0; c < channels; ++c)
-      for (Index k = 0; k < w.length; ++k) rows[c].push_back(run.residual[static_cast<Index>(c) * w.length + k]);
+      for (Index k = 0; k < w.length; ++k) {
+        const Index row = static_cast<Index>(c) * w.length + k;
+        rows[c].push_back(run.residual[row]), pushed[c].push_back(push[row]);
+      }
   }
   left.noise = Vec::Zero(static_cast<Index>(channels)), left.in_band = left.noise;
   const double step = records[0].step_s;
@@ -36,23 +86,24 @@ Left left_by(const System& system, const std::vector<Prepared>& records, const S
   for (const Prepared& p : records) low_Hz = std::min(low_Hz, 0.5 / p.period_s), top_Hz = std::max(top_Hz, p.top_Hz);
   for (size_t c = 0; c < channels; ++c) {
     const size_t n = fast_length(rows[c].size());
-    Vec y = Vec::Map(rows[c].data(), static_cast<Index>(n));
-    const Vec p = Fourier(n).forward(y).cwiseAbs2() / static_cast<double>(n);
+    const Vec p = spectrum(rows[c]), by_force = spectrum(pushed[c]);
     const double bin = 1 / (static_cast<double>(n) * step);
     double from = kAboveMotion * top_Hz / bin;
     const Index bins = p.size();
     if (from > 0.8 * static_cast<double>(bins)) from = 0.67 * static_cast<double>(bins);
     std::vector<double> beside, inside;
-    double sum = 0;
+    double sum = 0, allowed = 0;
     for (Index i = 1; i < bins; ++i) {
       const double hertz = static_cast<double>(i) * bin;
       if (static_cast<double>(i) >= from) beside.push_back(p[i]);
-      if (hertz >= low_Hz && hertz <= top_Hz) inside.push_back(p[i]), sum += p[i];
+      if (hertz >= low_Hz && hertz <= top_Hz) inside.push_back(p[i]), sum += p[i], allowed += by_force[i];
     }
     const double level = median(beside) / kMedianOfSpread;
-    left.noise[static_cast<Index>(c)] = level;
-    left.in_band[static_cast<Index>(c)] =
-        inside.empty() || level <= 0 ? 1 : sum / static_cast<double>(inside.size()) / level;
+    double pushed_level = 0;
+    for (double value : pushed[c]) pushed_level += value * value;
+    allowed += level * static_cast<double>(inside.size());
+    left.noise[static_cast<Index>(c)] = level + pushed_level / static_cast<double>(pushed[c].size());
+    left.in_band[static_cast<Index>(c)] = inside.empty() || allowed <= 0 ? 1 : sum / allowed;
   }
   return left;
 }

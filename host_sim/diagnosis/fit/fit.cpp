@@ -10,6 +10,7 @@ namespace {
 constexpr double kRidge = 1e-9;       // of a column's square: what is not determined stays where it is
 constexpr double kSettled = 0.02;     // of the cost: a fall that no test can notice
 constexpr double kLongestStep = 0.5;  // of a shape's logarithm
+constexpr size_t kLeastWindows = 8;   // from which on the scatter between windows is a measure
 constexpr double kLeastShare = 0.3;   // of a positive number, that one step may leave of it
 
 struct Normal {              // of one window
@@ -18,16 +19,44 @@ struct Normal {              // of one window
   Mat gram;
   Vec score;
   Vec ss;
+  std::vector<Mat> block_gram;  // where blocks are asked for
+  std::vector<Vec> block_score, block_ss;
 };
 
 struct Pass {
   bool ok = false;
   std::vector<Normal> windows;
   Vec mean_square;
-  double cost = 0, rows = 0;
+  double cost = 0;
 };
 
-Pass pass_over(Evaluator& evaluator, const std::vector<Window>& windows, const Vec* weights, bool slopes) {
+// What each part of a window says, with the window's state beside; run is weighted.
+void take_blocks(const WindowRun& run, const Window& w, size_t parts, const Vec& weights, Normal& n) {
+  const Index s = run.nuisances, p = run.slopes.cols() - s, channels = weights.size();
+  Mat columns = run.slopes.rightCols(p);
+  Vec residual = run.residual;
+  if (s > 0 && n.state_step.size() > 0) {
+    columns.noalias() -= run.slopes.leftCols(s) * n.states_inverse_cross;
+    residual.noalias() -= run.slopes.leftCols(s) * n.state_step;
+  }
+  for (size_t part = 0; part < parts; ++part) {
+    const Index from = static_cast<Index>(part) * w.length / static_cast<Index>(parts),
+                count = static_cast<Index>(part + 1) * w.length / static_cast<Index>(parts) - from;
+    Mat gram = Mat::Zero(p, p);
+    Vec score = Vec::Zero(p), ss(channels);
+    for (Index c = 0; c < channels; ++c) {
+      const auto b = columns.middleRows(c * w.length + from, count);
+      const auto r = residual.segment(c * w.length + from, count);
+      gram.noalias() += b.transpose() * b, score.noalias() += b.transpose() * r;
+      ss[c] = run.residual.segment(c * w.length + from, count).squaredNorm() / (weights[c] * weights[c]);
+    }
+    n.block_gram.push_back(gram), n.block_score.push_back(score), n.block_ss.push_back(ss);
+  }
+}
+
+// parts: blocks that each window is divided into; 0: none are asked for.
+Pass pass_over(Evaluator& evaluator, const std::vector<Window>& windows, const Vec* weights, bool slopes,
+               size_t parts = 0) {
   Pass pass;
   const Index channels = static_cast<Index>(evaluator.traces(0).size());
   Vec sum = Vec::Zero(channels);
@@ -62,12 +91,12 @@ Pass pass_over(Evaluator& evaluator, const std::vector<Window>& windows, const V
       } else {
         n.gram = gram, n.score = right;
       }
+      if (parts > 0) take_blocks(run, w, parts, *weights, n);
     }
     pass.windows.push_back(std::move(n));
   }
   pass.mean_square = (sum / std::max(1.0, samples)).cwiseMax(1e-300);
   pass.cost = 0.5 * samples * pass.mean_square.array().log().sum();
-  pass.rows = samples * static_cast<double>(channels);
   pass.ok = std::isfinite(pass.cost);
   return pass;
 }
@@ -131,8 +160,9 @@ Fitted fit(const System& system, const std::vector<Prepared>& records, Model& mo
             const Normal& n = now.windows[w];
             next_evaluator->moved(moved[w], n.state_step - n.states_inverse_cross * change, moved[w].state);
           }
-        Pass next = pass_over(*next_evaluator, moved, &weights, true);
-        if (next.ok && next.cost < now.cost + 1e-9 * std::abs(now.cost)) {
+        Pass next = pass_over(*next_evaluator, moved, &weights, false);  // its cost alone is many times cheaper
+        if (next.ok && next.cost < now.cost + 1e-9 * std::abs(now.cost) &&
+            (next = pass_over(*next_evaluator, moved, &weights, true)).ok) {
           fall = now.cost - next.cost;
           model = trial, windows = moved, now = std::move(next);
           evaluator = std::make_unique<Evaluator>(system, model, records);
@@ -145,10 +175,17 @@ Fitted fit(const System& system, const std::vector<Prepared>& records, Model& mo
     }
     if (!better || fall < kSettled) break;
   }
-  out.ok = true, out.cost = now.cost, out.mean_square = now.mean_square, out.total_rows = now.rows;
-  for (Normal& n : now.windows) out.window_ss.push_back(n.ss), out.gram.push_back(n.gram), out.score.push_back(n.score);
+  out.parts = parts_for(windows.size());
+  now = pass_over(*evaluator, windows, &weights, true, out.parts);
+  if (!now.ok) return out;
+  out.ok = true, out.cost = now.cost, out.mean_square = now.mean_square;
+  for (Normal& n : now.windows)
+    for (size_t b = 0; b < out.parts; ++b)
+      out.block_ss.push_back(n.block_ss[b]), out.gram.push_back(n.block_gram[b]), out.score.push_back(n.block_score[b]);
   return out;
 }
+
+size_t parts_for(size_t windows) { return std::max<size_t>(1, (kBlocks + windows - 1) / std::max<size_t>(1, windows)); }
 
 std::vector<Determined> determined(const Fitted& fit, const Model& model) {
   const std::vector<Parameter> parameters = parameters_of(model);
@@ -164,18 +201,27 @@ std::vector<Determined> determined(const Fitted& fit, const Model& model) {
   for (Index i = 0; i < p; ++i) {
     const Vec direction = inverse.col(i) / inverse(i, i);
     const double whole = 1 / inverse(i, i);
-    double square = 0, leverage = 0;
-    for (size_t w = 0; w < fit.gram.size(); ++w) {
-      const double h = std::clamp(direction.dot(fit.gram[w] * direction) / whole, 0.0, 0.95);
-      const double influence = inverse.row(i).dot(fit.score[w]) / (1 - h);
-      square += influence * influence, leverage += h * h;
-    }
-    const double dof = std::max(1.0, 1 / std::max(1e-12, leverage));
     const ModelTerm& t = model[parameters[static_cast<size_t>(i)].term];
-    const double se = std::sqrt(square), value = parameters[static_cast<size_t>(i)].shape ? 1.0 : t.value;
-    list[static_cast<size_t>(i)].z = normal_deviate(value / std::max(se, 1e-300), dof);
-    // Student's 97.5 % point over 1.96
-    list[static_cast<size_t>(i)].std = se * (1 + 1.4 / dof + 1.2 / (dof * dof));
+    const double value = parameters[static_cast<size_t>(i)].shape ? 1.0 : t.value;
+    Determined& d = list[static_cast<size_t>(i)];
+    d.z = 1e300;
+    for (size_t together : {size_t{1}, fit.parts}) {  // blocks, then windows
+      if (together > 1 && fit.gram.size() / together < kLeastWindows) continue;
+      double square = 0, leverage = 0;
+      for (size_t b = 0; b < fit.gram.size(); b += together) {
+        double own = 0, influence = 0;
+        for (size_t k = b; k < b + together; ++k)
+          own += direction.dot(fit.gram[k] * direction), influence += inverse.row(i).dot(fit.score[k]);
+        const double h = std::clamp(own / whole, 0.0, 0.95);
+        influence /= 1 - h;
+        square += influence * influence, leverage += h * h;
+      }
+      const double dof = std::max(1.0, 1 / std::max(1e-12, leverage)), se = std::sqrt(square);
+      const double z = normal_deviate(value / std::max(se, 1e-300), dof);
+      if (together == 1) d.z = z;
+      // Student's 97.5 % point over 1.96
+      d.std = std::max(d.std, se * (1 + 1.4 / dof + 1.2 / (dof * dof)));
+    }
   }
   return list;
 }

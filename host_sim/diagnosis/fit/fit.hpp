@@ -6,15 +6,19 @@ namespace diagnosis::runs {
 
 struct Fitted {
   bool ok = false;
-  double cost = 0;             // sum over channels of N/2 log(mean square)
-  Vec mean_square;             // per channel, over the windows of the fit
-  std::vector<Vec> window_ss;  // per window: square sum per channel
-  std::vector<Mat> gram;       // per window: parameters' normal matrix beside the free state, weighted
-  std::vector<Vec> score;      // per window: its right-hand side
-  double total_rows = 0;       // of all channels
+  double cost = 0;            // sum over channels of N/2 log(mean square)
+  Vec mean_square;            // per channel, over the windows of the fit
+  size_t parts = 1;           // blocks per window: consecutive stretches of it
+  std::vector<Vec> block_ss;  // per block: square sum per channel
+  std::vector<Mat> gram;      // per block: parameters' normal matrix beside the windows' free states, weighted
+  std::vector<Vec> score;     // per block: its right-hand side
 };
 
-// How each parameter is determined: block influences over the windows, corrected for leverage.
+constexpr size_t kBlocks = 24;     // that influences are taken over: fewer leave Student's law no way to be sure
+size_t parts_for(size_t windows);  // blocks per window, so that there are at least kBlocks
+
+// How each parameter is determined: influences of blocks, corrected for leverage; where there are windows enough, those of
+// whole windows too, and the wider counts (neighbouring blocks share what a model lacks).
 struct Determined {
   double std = 0;  // of the parameter, so that value +- 1.96 std is its 95 % interval
   double z = 0;    // value over standard error, as a normal deviate

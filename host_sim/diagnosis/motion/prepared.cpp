@@ -125,6 +125,14 @@ Guess guess_of(const std::vector<const Vec*>& measured, double step_s, Index hal
   return g;
 }
 
+bool driven(const std::vector<Vec>& force, const std::vector<Vec>& base) {
+  const auto acts = [](const Vec& y) { return y.size() > 0 && y.cwiseAbs().maxCoeff() > 0; };
+  return std::any_of(force.begin(), force.end(), acts) || std::any_of(base.begin(), base.end(), acts);
+}
+
+// Of a decay: the mean of its last part, whose swings are the smallest.
+double middle(const Vec& y) { return y.tail(std::max<Index>(1, y.size() / 5)).mean(); }
+
 struct Needs {
   int by = 1;
   double top_Hz = 0;
@@ -158,6 +166,7 @@ Prepared prepare_by(const rig_file::RigModel& rig, const host_sim::Record& recor
   Prepared p;
   p.file = record.file;
   p.step_s = record.sample_period_s * needs.by;
+  p.read_every_s = record.sample_period_s;
   p.top_Hz = needs.top_Hz;
   const auto series = [&](const host_sim::Channel& c) {
     return thinned(Vec::Map(c.values.data(), static_cast<Index>(c.values.size())), needs.by);
@@ -179,6 +188,10 @@ Prepared prepare_by(const rig_file::RigModel& rig, const host_sim::Record& recor
       p.traces.push_back({c.dof - 1, quantity, c.name, series(c)});
   }
   for (const MotionTrace& t : p.traces) p.samples = t.y.size();
+  // Where nothing drives the motion its middle is free anyway: runs start from it, wherever the sensor has its zero.
+  if (!driven(p.force, base))
+    for (MotionTrace& t : p.traces)
+      if (t.quantity == 0) t.y.array() -= middle(t.y);
   if (p.samples < kLeast)
     throw CannotAnswer(record.file + ": " + std::to_string(record.samples()) +
                        " samples; a diagnosis needs at least 400");

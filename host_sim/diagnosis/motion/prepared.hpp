@@ -29,6 +29,7 @@ struct Guess {  // of one DOF; base: after the last DOF
 struct Prepared {
   std::string file;
   double step_s = 0;
+  double read_every_s = 0;  // of the record, before it was thinned out
   Index samples = 0;
   double period_s = 0;  // of the motion: 2 pi rms(x) / rms(v)
   double top_Hz = 0;    // highest frequency of the motion

@@ -8,7 +8,6 @@ namespace {
 
 constexpr double kAtRest = 0.05;      // of the record's motion: friction holds, and what holds is no law of motion
 constexpr double kForcedPeriods = 8;  // a window; at least 12 of them
-constexpr double kFreePeriods = 24;   // a decay shows slowly; at least 6 of them
 constexpr Index kLeastLength = 12;    // samples
 
 double motion_of(const Prepared& p, Index from, Index length) {
@@ -21,7 +20,16 @@ double motion_of(const Prepared& p, Index from, Index length) {
   return std::sqrt(sum);
 }
 
+// The length without the rest at its end.
+Index until_rest(const Prepared& p, Index from, Index length) {
+  const Index part = std::max<Index>(2, static_cast<Index>(p.period_s / p.step_s));
+  while (length > part && motion_of(p, from + length - part, part) <= kAtRest) length -= part;
+  return length;
+}
+
 }  // namespace
+
+Index moving_samples(const Prepared& p, bool driven) { return driven ? p.samples : until_rest(p, 0, p.samples); }
 
 bool forced(const std::vector<Prepared>& records) {
   for (const Prepared& p : records) {
@@ -34,16 +42,22 @@ bool forced(const std::vector<Prepared>& records) {
 
 double longest_horizon(const std::vector<Prepared>& records) {
   const bool driven = forced(records);
-  double whole = 0;
-  for (const Prepared& p : records) whole += static_cast<double>(p.samples) * p.step_s / p.period_s;
-  return std::min(driven ? kForcedPeriods : kFreePeriods, 0.7 * whole / (driven ? 12 : 6));
+  double whole = 0, longest = 0;
+  for (const Prepared& p : records) {
+    const double periods = static_cast<double>(p.samples) * p.step_s / p.period_s;
+    whole += periods, longest = std::max(longest, periods);
+  }
+  // what damps a decay shows in its envelope alone: the whole of it is one window
+  return driven ? std::min(kForcedPeriods, 0.7 * whole / 12) : longest;
 }
 
 std::vector<Window> lay_windows(const std::vector<Prepared>& records, double periods, double unseen_share) {
   std::vector<Window> list;
+  const bool driven = forced(records);
   for (size_t r = 0; r < records.size(); ++r) {
     const Prepared& p = records[r];
-    const Index seen = static_cast<Index>((1 - unseen_share) * static_cast<double>(p.samples));
+    const Index all = moving_samples(p, driven);
+    const Index seen = static_cast<Index>((1 - unseen_share) * static_cast<double>(all));
     const auto cover = [&](Index from, Index to, bool unseen) {
       const double wanted = std::max<double>(static_cast<double>(kLeastLength), periods * p.period_s / p.step_s);
       const Index count = std::max<Index>(1, static_cast<Index>(static_cast<double>(to - from) / wanted + 0.5));
@@ -52,11 +66,12 @@ std::vector<Window> lay_windows(const std::vector<Prepared>& records, double per
         w.record = r, w.from = from + i * (to - from) / count;
         w.length = from + (i + 1) * (to - from) / count - w.from;
         w.unseen = unseen;
+        if (!driven) w.length = until_rest(p, w.from, w.length);
         if (w.length >= kLeastLength && motion_of(p, w.from, w.length) > kAtRest) list.push_back(w);
       }
     };
     cover(0, seen, false);
-    if (unseen_share > 0) cover(seen, p.samples, true);
+    if (unseen_share > 0) cover(seen, all, true);
   }
   return list;
 }

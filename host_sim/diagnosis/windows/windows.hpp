@@ -9,6 +9,8 @@ struct WindowPlan {
   double unseen_share = 0.3;  // of each record, its end
 };
 
+// Samples of a record until a decay has come to rest; all of one that something drives.
+Index moving_samples(const Prepared& record, bool driven);
 bool forced(const std::vector<Prepared>& records);
 // Periods that a window has at first: more where no force keeps the motion up.
 double longest_horizon(const std::vector<Prepared>& records);

@@ -1,0 +1,130 @@
+#include "attempt.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace diagnosis::runs {
+namespace {
+
+// A normal deviate that chance passes on one of 200 candidates once in 500 records, with a margin for what is not normal.
+constexpr double kSignificant = 4.5;
+// The same where most of the residual is not noise: there the share of it and unseen data decide, and chance is no rival.
+constexpr double kPlain = 3;
+// Of what is still to be explained, that a cause has to take: seen, and where chance is no rival unseen too.
+constexpr double kShare = 0.3;
+constexpr double kSmallStart = 0.3;  // of the value that the linearisation gives
+constexpr double kPromised = 0.8;    // of the linearisation's gain, that a fit should reach
+constexpr int kFirstSteps = 3;       // with shapes held
+constexpr double kClear = 2;         // of a difference, paired over blocks, in standard errors
+
+double least_z(const Attempt& a, size_t added_from) {
+  const std::vector<Determined> d = determined(a.state.fit, a.state.model);
+  const std::vector<Parameter> p = parameters_of(a.state.model);
+  double least = 1e300;
+  for (size_t i = 0; i < p.size(); ++i)
+    if (p[i].term >= added_from && !p[i].shape) least = std::min(least, std::abs(d[i].z));
+  return least;
+}
+
+double unseen_share_of(const Attempt& a, double noise) {
+  return (1 - a.unseen) / std::max(1e-12, 1 - std::min(noise, a.unseen));
+}
+
+constexpr double kMuch = 0.5;  // of what the better one leaves beyond noise
+
+// Seen and unseen blocks together.
+Fitted all_blocks(const State& s) {
+  Fitted f = s.fit;
+  f.block_ss.insert(f.block_ss.end(), s.unseen_fit.block_ss.begin(), s.unseen_fit.block_ss.end());
+  return f;
+}
+
+}  // namespace
+
+void settle(const Task& task, State& s, int steps) {
+  s.fit = fit(task.system, task.records, s.model, s.seen, steps);
+  if (!s.fit.ok) return;
+  Model frozen = s.model;
+  s.unseen_fit = fit(task.system, task.records, frozen, s.unseen, steps, true);
+}
+
+double paired_z(const Fitted& before, const Fitted& after) {
+  const size_t n = std::min(before.block_ss.size(), after.block_ss.size());
+  if (n < 2) return 0;
+  double sum = 0, square = 0;
+  for (size_t w = 0; w < n; ++w) {
+    const double d = (before.block_ss[w] - after.block_ss[w]).cwiseQuotient(before.mean_square).sum();
+    sum += d, square += d * d;
+  }
+  const double mean = sum / static_cast<double>(n);
+  const double variance = (square / static_cast<double>(n) - mean * mean) / (static_cast<double>(n) - 1);
+  return normal_deviate(mean / std::sqrt(variance + 1e-300), static_cast<double>(n) - 1);
+}
+
+Attempt attempt(const Task& task, const State& beside, const std::vector<Candidate>& candidates,
+                const std::vector<std::vector<double>>& values, int steps) {
+  Attempt a;
+  a.candidates = candidates;
+  a.state.model = beside.model, a.state.seen = beside.seen, a.state.unseen = beside.unseen;
+  bool hosted = false;
+  for (size_t i = 0; i < candidates.size(); ++i) {
+    a.state.model = joined(a.state.model, candidates[i], values[i]);
+    a.complexity += candidates[i].complexity, hosted = hosted || candidates[i].host >= 0;
+  }
+  // shapes wait until their coefficients have a size
+  std::vector<bool> shape_free;
+  for (ModelTerm& m : a.state.model) shape_free.push_back(m.shape_free && m.added), m.shape_free &= !m.added;
+  if (std::any_of(shape_free.begin(), shape_free.end(), [](bool f) { return f; }))
+    a.state.fit = fit(task.system, task.records, a.state.model, a.state.seen, kFirstSteps);
+  for (size_t i = 0; i < shape_free.size(); ++i) a.state.model[i].shape_free |= shape_free[i];
+  settle(task, a.state, steps);
+  a.error = error_over(a.state.fit, beside.fit), a.unseen = error_over(a.state.unseen_fit, beside.unseen_fit);
+  if (a.state.fit.ok) {
+    a.z = std::min(1e300, least_z(a, beside.model.size()));
+    // what acts in another's place has no coefficient of its own: what it brings, block by block
+    if (hosted) a.z = std::min(a.z, paired_z(beside.fit, a.state.fit));
+  }
+  return a;
+}
+
+Attempt attempt(const Task& task, const State& beside, const std::vector<Candidate>& all, const Screened& one) {
+  const Candidate& c = all[one.candidate];
+  // From a coefficient of nought the first step brings all numbers into balance; what has states of its own starts small.
+  std::vector<double> start(c.terms.size(), 0.0);
+  if (c.terms[0].kind == Kind::kResonance) start[0] = kSmallStart * one.value[0];
+  Attempt a = attempt(task, beside, {c}, {start}, kTrialSteps);
+  if (c.host < 0 && 1 - a.error < kPromised * one.gain) {  // stuck on the way: from where the linearisation points
+    Attempt again = attempt(task, beside, {c}, {one.value}, kTrialSteps);
+    if (again.error < a.error) return again;
+  }
+  if (c.host < 0 || a.error < 1) return a;
+  Candidate gentle = c;  // the shape that changes least
+  for (const Candidate& o : all)
+    if (o.same_place(c) && o.terms[0].shape < gentle.terms[0].shape) gentle = o;
+  return attempt(task, beside, {gentle}, {start}, kTrialSteps);
+}
+
+double share_of(const Attempt& a, double noise) {
+  return (1 - a.error) / std::max(1e-12, 1 - std::min(noise, a.error));
+}
+
+double whole_error(const Attempt& a) {
+  double seen = 0, unseen = 0;
+  for (const Window& w : a.state.seen) seen += static_cast<double>(w.length);
+  for (const Window& w : a.state.unseen) unseen += static_cast<double>(w.length);
+  return (seen * a.error + unseen * a.unseen) / (seen + unseen);
+}
+
+bool passes(const Attempt& a, size_t already, double noise) {
+  const double n = static_cast<double>(already + a.candidates.size()), least = 1 - std::pow(1 - kShare, n);
+  if (noise < kMostlyNoise && unseen_share_of(a, noise) < least) return false;
+  const bool plain = noise < kMostlyNoise && 1 - a.unseen > 0.5 * (1 - a.error);
+  return a.z > (plain ? kPlain : kSignificant * std::sqrt(n)) && share_of(a, noise) > least && a.unseen < 1;
+}
+
+bool clearly_better(const Attempt& a, const Attempt& b, double noise) {
+  const double left = whole_error(a) - std::min(noise, whole_error(a));
+  return whole_error(b) - whole_error(a) > kMuch * left && paired_z(all_blocks(b.state), all_blocks(a.state)) > kClear;
+}
+
+}  // namespace diagnosis::runs

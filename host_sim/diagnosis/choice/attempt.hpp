@@ -1,0 +1,38 @@
+// Candidates put beside a model and fitted with it: how well that does, and whether chance could have done it.
+#pragma once
+#include "choice.hpp"
+
+namespace diagnosis::runs {
+
+struct Attempt {
+  std::vector<Candidate> candidates;
+  State state;
+  double error = 1e300, unseen = 1e300;  // squared, over that of the model beside which they were put
+  double z = 0;                          // of the least significant candidate
+  int complexity = 0;                    // numbers beside the coefficients
+};
+
+constexpr double kMostlyNoise =
+    0.5;  // of the squared residual: above it chance is the rival, below it other causes are
+
+// The model with its free numbers and states fitted over the seen windows; over the unseen ones its states alone.
+void settle(const Task& task, State& s, int steps);
+
+constexpr int kBaseSteps = 12, kTrialSteps = 6;  // of Gauss-Newton: to rest, and near enough to compare
+Attempt attempt(const Task& task, const State& beside, const std::vector<Candidate>& candidates,
+                const std::vector<std::vector<double>>& values, int steps);
+// One that was screened; `all`: where a gentler shape of it is found when the best one does not converge.
+Attempt attempt(const Task& task, const State& beside, const std::vector<Candidate>& all, const Screened& one);
+
+// Squared error on all windows, over that of the model beside.
+double whole_error(const Attempt& a);
+// Share of what is not noise that it takes, on the windows fitted.
+double share_of(const Attempt& a, double noise);
+// Whether it may be named; already: causes named before it.
+bool passes(const Attempt& a, size_t already, double noise);
+// How much less the second leaves than the first, paired over blocks, as a normal deviate.
+double paired_z(const Fitted& first, const Fitted& second);
+// Whether one is better than the other by more than chance, and by much of what is not noise.
+bool clearly_better(const Attempt& a, const Attempt& b, double noise);
+
+}  // namespace diagnosis::runs

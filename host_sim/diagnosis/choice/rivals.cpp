@@ -1,0 +1,78 @@
+#include <algorithm>
+
+#include "round.hpp"
+
+namespace diagnosis::runs {
+namespace {
+
+constexpr size_t kRivalsTried = 6;
+constexpr double kMuchWorse = 4;   // of a screened gain's rest, against the best: not tried
+constexpr double kLeastRival = 2;  // its own deviate
+
+// The rig as given with every named cause but one; false where another one rests on it.
+bool without(const Task& task, const Choice& choice, size_t one, State& rest) {
+  std::vector<Candidate> others;
+  const int own_terms = static_cast<int>(choice.base.model.size());
+  for (size_t i = 0; i < choice.named.size(); ++i) {
+    if (choice.named[i].candidate.host >= own_terms) return false;
+    if (i != one) others.push_back(choice.named[i].candidate);
+  }
+  rest = choice.base;
+  if (others.empty()) return true;
+  std::vector<std::vector<double>> start;
+  for (const Candidate& c : others) start.push_back(std::vector<double>(c.terms.size(), 0.0));
+  rest = attempt(task, choice.base, others, start, kBaseSteps).state;
+  return rest.fit.ok;
+}
+
+}  // namespace
+
+void weigh_rivals(const Task& task, const std::function<void(double)>& progress, Choice& choice) {
+  for (size_t i = 0; i < choice.named.size(); ++i) {
+    Named& mine = choice.named[i];
+    State rest;
+    if (!without(task, choice, i, rest)) continue;
+    const double noise = noise_share(left_by(task.system, task.records, rest), rest.fit);
+    Attempt own;
+    own.candidates = {mine.candidate}, own.state = choice.final, own.complexity = mine.candidate.complexity;
+    own.z = mine.z;
+    own.error = error_over(choice.final.fit, rest.fit),
+    own.unseen = error_over(choice.final.unseen_fit, rest.unseen_fit);
+    const std::vector<Candidate> all = candidates_beside(task.system, rest.model, task.records);
+    const Screen s = screen(task.system, task.records, rest.model, rest.seen, rest.fit, all, 0);
+    double best_gain = 0;
+    for (const Screened& one : s.singles) best_gain = std::max(best_gain, one.gain);
+    std::vector<Attempt> others;
+    for (const Screened& one : s.singles) {
+      if (others.size() >= kRivalsTried) break;
+      const bool named = std::any_of(choice.named.begin(), choice.named.end(),
+                                     [&](const Named& n) { return n.candidate.same_place(all[one.candidate]); });
+      if (named || one.z < kLeastRival || 1 - one.gain > kMuchWorse * (1 - best_gain) + noise) continue;
+      others.push_back(attempt(task, rest, all, one));
+    }
+    const auto better = std::min_element(others.begin(), others.end(), [](const Attempt& a, const Attempt& b) {
+      return whole_error(a) < whole_error(b);
+    });
+    if (better != others.end() && better->z > kLeastRival && whole_error(*better) < whole_error(own)) {
+      std::swap(own, *better);
+    }
+    std::vector<Attempt> as_good;
+    for (const Attempt& t : others)
+      if (t.z > kLeastRival && t.unseen < 1 && !clearly_better(own, t, noise)) as_good.push_back(t);
+    // the simplest of those that do as well is named
+    for (Attempt& t : as_good)
+      if (t.complexity < own.complexity || (t.complexity == own.complexity && whole_error(t) < whole_error(own)))
+        std::swap(t, own);
+    if (!own.candidates[0].same_place(mine.candidate)) {
+      mine.candidate = own.candidates[0], mine.z = own.z, choice.final = own.state;
+      settle(task, choice.final, kBaseSteps);
+    }
+    mine.share = share_of(own, noise);
+    std::sort(as_good.begin(), as_good.end(),
+              [](const Attempt& a, const Attempt& b) { return whole_error(a) < whole_error(b); });
+    for (const Attempt& t : as_good) mine.rivals.push_back(Rival{t.candidates[0], t.error / own.error});
+    progress(static_cast<double>(i + 1) / static_cast<double>(choice.named.size()));
+  }
+}
+
+}  // namespace diagnosis::runs

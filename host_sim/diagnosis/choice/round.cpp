@@ -1,0 +1,58 @@
+#include "round.hpp"
+
+#include <algorithm>
+
+namespace diagnosis::runs {
+namespace {
+
+constexpr double kWorthFitting = 2, kWorthFittingInNoise = 3;  // of a screened deviate
+constexpr size_t kShortList = 5, kPairs = 40, kPairTrials = 8, kPairTrialsInNoise = 2;
+
+}  // namespace
+
+Round round_of(const Task& task, const State& now, size_t already, Choice& choice) {
+  Round round;
+  const Left left = left_by(task.system, task.records, now);
+  round.noise = noise_share(left, now.fit);
+  choice.last_candidates = candidates_beside(task.system, now.model, task.records);
+  choice.last_screen = screen(task.system, task.records, now.model, now.seen, now.fit, choice.last_candidates, kPairs);
+  const Screen& s = choice.last_screen;
+  std::vector<Attempt> singles;
+  for (const Screened& one : s.singles) {
+    if (singles.size() >= kShortList) break;
+    if (one.z < (round.noise < kMostlyNoise ? kWorthFitting : kWorthFittingInNoise) *
+                    std::sqrt(static_cast<double>(already + 1)))
+      continue;
+    singles.push_back(attempt(task, now, choice.last_candidates, one));
+  }
+  std::sort(singles.begin(), singles.end(),
+            [](const Attempt& a, const Attempt& b) { return whole_error(a) < whole_error(b); });
+  const auto first =
+      std::find_if(singles.begin(), singles.end(), [&](const Attempt& t) { return passes(t, already, round.noise); });
+  if (first != singles.end()) round.best = *first, round.found = true;
+  // two that help only together: where no single does, or where they leave half of what the best single with its best partner does
+  double with_best = 0;
+  for (const ScreenedPair& p : s.pairs)
+    for (size_t c : {p.first, p.second})
+      if (round.found && choice.last_candidates[c].same_place(round.best.candidates[0]))
+        with_best = std::max(with_best, p.gain);
+  std::vector<Attempt> pairs;
+  const size_t most = round.noise < kMostlyNoise ? kPairTrials : kPairTrialsInNoise;
+  for (const ScreenedPair& p : s.pairs) {
+    if (pairs.size() >= most) break;
+    if (round.found && 1 - p.gain > 0.5 * (1 - with_best)) break;
+    const std::vector<Candidate> both = {choice.last_candidates[p.first], choice.last_candidates[p.second]};
+    const auto same = [&](const Attempt& t) {
+      return (t.candidates[0].same_place(both[0]) && t.candidates[1].same_place(both[1])) ||
+             (t.candidates[0].same_place(both[1]) && t.candidates[1].same_place(both[0]));
+    };
+    if (std::any_of(pairs.begin(), pairs.end(), same)) continue;
+    pairs.push_back(attempt(task, now, both, {{0.0}, {0.0}}, 2 * kTrialSteps));
+  }
+  for (const Attempt& t : pairs)
+    if (passes(t, already, round.noise) && (!round.found || whole_error(t) < 0.5 * whole_error(round.best)))
+      round.best = t, round.found = true;
+  return round;
+}
+
+}  // namespace diagnosis::runs

@@ -1,0 +1,186 @@
+#include "condition_tally.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <ctime>
+#include <ostream>
+#include <stdexcept>
+
+#include "tests/hidden_rig/dice.hpp"
+
+namespace hidden_rig {
+namespace {
+
+constexpr size_t kLargestSet = 4;  // names, the first included: more tell a person nothing
+
+bool same(const Hidden& h, const std::string& effect, const std::string& where) {
+  return h.effect == effect && h.where == where;
+}
+
+std::vector<std::string> that_can_hide() {
+  std::vector<std::string> words;
+  for (const std::string& word : effects()) {
+    static const char* const kOfData[] = {"dead", "clipped", "spikes", "polarity", "unit", "drift"};
+    if (std::none_of(std::begin(kOfData), std::end(kOfData), [&](const char* w) { return word == w; }))
+      words.push_back(word);
+  }
+  return words;
+}
+
+// Coefficients that the rig file leaves open: how many intervals hold the truth.
+void count_intervals(const Draw& draw, const diagnosis::Diagnosis& d, Said& said) {
+  for (const TrueCoefficient& c : draw.coefficients)
+    for (const diagnosis::Parameter& p : d.extended.parameters)
+      if (p.name == c.name && p.std > 0) {
+        ++said.intervals;
+        said.holding += std::abs(p.value - c.value) <= 1.96 * p.std;
+      }
+}
+
+std::string told(const Draw& draw, const diagnosis::Diagnosis& d) {
+  char text[128];
+  std::string line = "hidden:";
+  for (const Hidden& h : draw.hidden) {
+    std::snprintf(text, sizeof text, " %s on %s (rho %.3f)", h.effect.c_str(), h.where.c_str(), h.rho);
+    line += text;
+  }
+  if (draw.hidden.empty()) line += " nothing";
+  std::snprintf(text, sizeof text, "; %zu masses; answer: %s", draw.rig.dofs.size(),
+                diagnosis::verdict_word(d.verdict));
+  line += text;
+  for (const diagnosis::Cause& c : d.causes) line += " " + c.effect + " on " + c.where;
+  for (const diagnosis::NamedPlace& p : d.ambiguous_with) line += " | or " + p.effect + " on " + p.where;
+  double worst = 0;
+  for (double v : d.extended.holdout_nrmse_percent) worst = std::max(worst, v);
+  std::snprintf(text, sizeof text, "; misfit %.3f to %.3f; free run misses %.3g %%", d.baseline_misfit,
+                d.extended_misfit, worst);
+  return line + text;
+}
+
+struct Row {
+  int none = 0, none_right = 0, none_unknown = 0, hidden = 0, right = 0, set = 0, missed = 0, wrong = 0, refused = 0;
+  int intervals = 0, holding = 0;
+  std::vector<double> seconds;
+  void add(const Said& s) {
+    if (!s.hides) {
+      ++none, none_right += s.outcome == Outcome::kRight, none_unknown += s.outcome == Outcome::kMissed;
+    } else {
+      ++hidden, right += s.outcome == Outcome::kRight, set += s.outcome == Outcome::kInSet;
+      missed += s.outcome == Outcome::kMissed, wrong += s.outcome == Outcome::kWrong;
+    }
+    refused += s.outcome == Outcome::kRefused;
+    intervals += s.intervals, holding += s.holding;
+    seconds.push_back(s.seconds);
+  }
+};
+
+void print(std::ostream& out, const std::string& name, Row row) {
+  char text[256], held[32] = "-";
+  if (row.intervals > 0) std::snprintf(held, sizeof held, "%.0f", 100.0 * row.holding / row.intervals);
+  std::sort(row.seconds.begin(), row.seconds.end());
+  std::snprintf(text, sizeof text, "| %s | %d of %d | %d | %d | %d | %d | %d | %d | %s | %.2f | %.1f |\n", name.c_str(),
+                row.none_right, row.none, row.none_unknown, row.right, row.set, row.missed, row.wrong, row.refused,
+                held, row.seconds.empty() ? 0 : row.seconds[row.seconds.size() / 2],
+                row.seconds.empty() ? 0 : row.seconds.back());
+  out << text;
+}
+
+void print_rows(std::ostream& out, const std::string& first, const std::vector<Said>& all,
+                const std::string& (*key)(const Said&)) {
+  out << "| " << first
+      << " | nothing hidden: `none` | `unknown` | hidden: exact | in a set | missed | wrong | refused | intervals "
+         "that hold, % | median s | longest s |\n|---|---|---|---|---|---|---|---|---|---|---|\n";
+  std::vector<std::string> order;
+  std::map<std::string, Row> rows;
+  for (const Said& s : all) {
+    if (!rows.count(key(s))) order.push_back(key(s));
+    rows[key(s)].add(s);
+  }
+  Row total;
+  for (const std::string& name : order) print(out, "`" + name + "`", rows[name]);
+  for (const Said& s : all) total.add(s);
+  print(out, "all", total);
+}
+
+}  // namespace
+
+const char* outcome_word(Outcome outcome) {
+  static const char* const kWords[] = {"right", "set", "missed", "WRONG", "refused"};
+  return kWords[static_cast<size_t>(outcome)];
+}
+
+Outcome judge(const Draw& draw, const diagnosis::Diagnosis& d) {
+  using diagnosis::Verdict;
+  if (draw.hidden.empty()) {
+    if (!d.causes.empty()) return Outcome::kWrong;
+    return d.verdict == Verdict::kNone ? Outcome::kRight : Outcome::kMissed;
+  }
+  size_t named = 0, listed = 0;
+  for (const Hidden& h : draw.hidden) {
+    const bool cause = std::any_of(d.causes.begin(), d.causes.end(),
+                                   [&](const diagnosis::Cause& c) { return same(h, c.effect, c.where); });
+    named += cause;
+    listed += cause || std::any_of(d.ambiguous_with.begin(), d.ambiguous_with.end(),
+                                   [&](const diagnosis::NamedPlace& p) { return same(h, p.effect, p.where); });
+  }
+  const size_t hidden = draw.hidden.size();
+  if (d.causes.empty()) return Outcome::kMissed;
+  if (listed < hidden || d.causes.size() > hidden) return Outcome::kWrong;
+  if (d.ambiguous_with.empty()) return named == hidden ? Outcome::kRight : Outcome::kWrong;
+  return d.ambiguous_with.size() + 1 <= kLargestSet ? Outcome::kInSet : Outcome::kMissed;
+}
+
+Said ask(const std::string& condition, const std::string& sensors, bool hides, uint64_t seed) {
+  Said said;
+  said.condition = condition, said.sensors = sensors, said.hides = hides, said.seed = seed;
+  Settings settings;
+  settings.condition = condition, settings.sensors = sensors;
+  settings.rho_low = 0.1;  // rms of the hidden force over that of its link's damping
+  Draw draw;
+  // an effect that this condition cannot show at all (a dead band without a drive) is drawn again
+  Dice dice(seed ^ 0x5DEECE66DULL);
+  const std::vector<std::string> words = that_can_hide();
+  for (int attempt = 0;; ++attempt) {
+    if (hides) settings.hidden = words[static_cast<size_t>(dice.below(static_cast<int>(words.size())))];
+    try {
+      draw = make_draw(seed, settings);
+      break;
+    } catch (const std::runtime_error&) {
+      if (attempt > 20) throw;
+    }
+  }
+  const std::clock_t begin = std::clock();
+  try {
+    const diagnosis::Diagnosis answer = diagnosis::diagnose(draw.rig, draw.records, {});
+    said.outcome = judge(draw, answer);
+    if (said.outcome == Outcome::kRight) count_intervals(draw, answer, said);
+    said.text = told(draw, answer);
+  } catch (const std::exception& e) {
+    said.outcome = Outcome::kRefused;
+    said.text = std::string("refused: ") + e.what();
+  }
+  said.seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+  return said;
+}
+
+void write_raw(std::ostream& out, const std::vector<Said>& all) {
+  for (const Said& s : all)
+    out << outcome_word(s.outcome) << " " << s.condition << " " << s.sensors << " " << s.seed << " "
+        << (s.hides ? "hides" : "nothing") << "; " << s.text << "\n";
+}
+
+void write_table(std::ostream& out, const std::vector<Said>& all, int draws, uint64_t first_seed) {
+  out << "# Conditions\n\nWritten by `build/host/bin/condition_report --draws " << draws << " --first-seed "
+      << first_seed << "`: " << draws << " rigs with nothing hidden and " << draws
+      << " with one effect (rms 0.1 to 0.6 of its link's damping force)\nin each condition of "
+         "`build/host/bin/hidden_rig_files "
+         "--list`; sensors xva, xa, x, a, v and mixed in turn. The generator shares no code\nwith the simulator or the "
+         "diagnosis. In a set: one of at most four alternatives. Every draw: "
+         "[conditions_raw.txt](conditions_raw.txt).\n\n";
+  print_rows(out, "condition", all, [](const Said& s) -> const std::string& { return s.condition; });
+  out << "\n";
+  print_rows(out, "sensors", all, [](const Said& s) -> const std::string& { return s.sensors; });
+}
+
+}  // namespace hidden_rig
