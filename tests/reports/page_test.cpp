@@ -19,7 +19,7 @@ TEST(Page, TableMarksNumericColumns) {
 
 TEST(Page, APlaceIsNotBrokenInTheHeading) {
   const std::string html = Page("backlash on link 1-0, 20-fold", "k", "").finish();
-  EXPECT_EQ(count(html, "<h1>backlash on link 1&#8209;0, 20-fold</h1>"), 1u);
+  EXPECT_EQ(count(html, "<h1>backlash on link&nbsp;1&#8209;0, 20-fold</h1>"), 1u);
   EXPECT_EQ(count(html, "<title>backlash on link 1-0, 20-fold</title>"), 1u);
 }
 

@@ -8,6 +8,7 @@
 #include "host_sim/reports/page/report.hpp"
 #include "host_sim/reports/page/rig_sections.hpp"
 #include "host_sim/reports/page/shared_parts.hpp"
+#include "host_sim/reports/page/verdict.hpp"
 #include "host_sim/reports/page/zoom.hpp"
 
 namespace host_sim::reports {
@@ -47,7 +48,11 @@ std::string estimate_page(const EstimateReportData& data) {
   std::vector<std::string> facts;
   for (const std::string& file : data.files) facts.push_back("data: " + file);
   facts.insert(facts.end(), data.facts.begin(), data.facts.end());
-  Page page(sentence(data), "Estimation of " + data.rig_name, facts_html(facts));
+  std::string lead;
+  if (data.warrant && !data.warrant->named.effect.empty())
+    lead = "<p class=\"lead\">The data contradict the rig file. Suspected: " +
+           escaped(cause_text(data.warrant->named.effect, data.warrant->named.where)) + ".</p>\n";
+  Page page(sentence(data), "Estimation of " + data.rig_name, lead + facts_html(facts));
   add_table(page, data);
   add_warrant(page, data.warrant);
   add_list(page, "advice", "What to measure next", data.advice);

@@ -24,8 +24,12 @@ const char* swatch(Shape shape) {
   }
 }
 
-// "link 1-0" stays on one line: its hyphen is one that does not break.
-std::string unbroken(const std::string& html) {
+// "link 1-0" and "DOF 2" stay on one line: neither the blank nor the hyphen breaks.
+std::string unbroken(std::string html) {
+  for (const std::string word : {"link ", "DOF "})
+    for (size_t at = 0; (at = html.find(word, at)) != std::string::npos; at += word.size())
+      if (std::isdigit(static_cast<unsigned char>(html[at + word.size()])))
+        html.replace(at + word.size() - 1, 1, "&nbsp;");
   std::string out;
   for (size_t i = 0; i < html.size(); ++i) {
     const bool between_digits = html[i] == '-' && i > 0 && i + 1 < html.size() &&
