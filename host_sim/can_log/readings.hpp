@@ -35,8 +35,7 @@ class FrameReader {
 
  private:
   Reading estimate(int node, int index, const firmware::CanFrame& message, int bit_offset) const;
-  void estimates(const firmware::can::Address& address, const firmware::CanFrame& message,
-                 FrameReadings& result) const;
+  void estimates(const firmware::can::Address& address, const firmware::CanFrame& message, FrameReadings& result) const;
   void floats(const firmware::can::Address& address, const firmware::CanFrame& message, FrameReadings& result) const;
   void sensor(const firmware::can::Address& address, const firmware::CanFrame& message, FrameReadings& result) const;
   std::string estimate_name(int node, int index) const;

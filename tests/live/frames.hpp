@@ -28,7 +28,7 @@ inline firmware::CanFrame heartbeat(int node = 1) {
 
 // value and std in thousandths.
 inline firmware::CanFrame estimate(int index, int64_t value_e3, int64_t std_e3,
-                                     firmware::EstimateStatus status = firmware::EstimateStatus::kValid, int node = 1) {
+                                   firmware::EstimateStatus status = firmware::EstimateStatus::kValid, int node = 1) {
   firmware::ParameterEstimate parameter;
   parameter.value = firmware::Scaled::ratio(value_e3, 1000);
   parameter.std = firmware::Scaled::ratio(std_e3, 1000);

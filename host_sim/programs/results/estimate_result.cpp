@@ -41,8 +41,8 @@ std::string skew_note(const SkewResult& skew) {
   std::snprintf(
       text, sizeof text,
       "%s is %.0f us %s the velocity (+- %.0f): a [[channel]] with delay_us = %.0f in the rig file takes it away",
-      skew.channel.c_str(), std::fabs(skew.late_us), skew.late_us < 0.0 ? "ahead of" : "late against", 2.0 * skew.std_us,
-      skew.late_us);
+      skew.channel.c_str(), std::fabs(skew.late_us), skew.late_us < 0.0 ? "ahead of" : "late against",
+      2.0 * skew.std_us, skew.late_us);
   return text;
 }
 
