@@ -7,32 +7,37 @@ namespace firmware {
 
 RigController::RigController(const ControllerConfiguration& configuration, const Ports& ports)
     : configuration_(configuration),
-      default_node_(configuration.node),
       ports_(ports),
-      estimation_(configuration_.core, ports.worker),
+      measurement_(configuration_, ports.worker),
       drive_(ports.drive, queue_),
       safe_(ports.emergency_stop, ports.relay, drive_),
       lamp_(ports.ready_lamp),
-      settings_(ports.store, ports.store_worker),
-      sdo_(*this) {
+      objects_(configuration_, schedule_, safe_, bus_, ports.store, ports.store_worker),
+      sdo_(objects_),
+      windows_(configuration_, queue_),
+      descriptions_(configuration_, queue_),
+      listening_(configuration.programme.level_count == 0) {
   excitation_.configure(configuration_.programme, configuration_.core.dof_count,
                         static_cast<uint32_t>(core().margin_samples()));
   supervisor_.configure(configuration_.core, configuration_.limits, configuration_.programme.limits);
   drive_.configure(configuration_.node.node, configuration_.node.drive_on_can,
                    configuration_.programme.limits.step_per_sample);
-  listening_ = configuration_.programme.level_count == 0;
 }
 
 void RigController::step() {
   now_ns_ = ports_.clock.now_ns();
   safe_.begin_step(now_ns_);
+  objects_.begin_step(now_ns_);
+  measurement_.begin_step(now_ns_);
   if (!booted_) boot();
   handle(safe_.look_at_line());
   judge(supervisor_.check_time(now_ns_, safe_.live()));
   receive_frames();
   check_save();
-  estimation_.advance(now_ns_);
-  check_worker();
+  measurement_.go_on();
+  const Alarm worker = measurement_.worker_alarm();
+  safe_.live() ? judge(worker) : handle(worker);
+  handle(measurement_.loss_alarm());
   take_results();
   const bool all_taken = take_samples();
   check_sync_edge();
@@ -41,7 +46,7 @@ void RigController::step() {
   run_schedule();
   flush_queue();
   lamp_.show(!safe_.tripped());
-  if (!safe_.output_refuses() && !worker_late_) ports_.watchdog.feed();
+  if (!safe_.output_refuses() && !measurement_.worker_late()) ports_.watchdog.feed();
 }
 
 void RigController::boot() {
@@ -51,16 +56,14 @@ void RigController::boot() {
   flush_queue();
   safe_.make_safe();
   flush_queue();
-  load_from_store();
-  configuration_crc_ = firmware::configuration_crc(configuration_);
+  handle(objects_.load());
   uint8_t level = 0;
   const ProgrammeFault fault = check(configuration_.programme, level);
   if (fault != ProgrammeFault::kNone) {
     judge({AlarmCause::kConfiguration, static_cast<uint32_t>(fault) << 8 | level});
   }
-  apply_node_settings();
-  second_.start(now_ns_, 1000000000);
-  five_seconds_.start(now_ns_, 5000000000);
+  objects_.apply();
+  schedule_.start(now_ns_);
   start_waits_ = configuration_.programme.start_at_boot;
 }
 
@@ -82,9 +85,9 @@ bool RigController::start() {
 }
 
 bool RigController::start_listening() {
-  if (measuring_) return false;
+  if (measurement_.running()) return false;
   if (configuration_.node.listen_on_command) {
-    begin_measurement();
+    measurement_.begin_level();
     return true;
   }
   if (!finished_) return false;
@@ -94,14 +97,13 @@ bool RigController::start_listening() {
 }
 
 void RigController::forget_estimates() {
-  estimation_.reset();
-  estimates_ = nullptr;
-  judged_ = false;
+  measurement_.forget();
+  windows_.forget();
 }
 
 void RigController::stop() {
   start_waits_ = false;
-  end_measurement();
+  end_level();
   excitation_.stop();
   finished_ = finished_ || (listening_ && !configuration_.node.listen_on_command);
 }
@@ -113,10 +115,10 @@ bool RigController::reset() {
   const bool was_tripped = safe_.tripped();
   if (!safe_.reset()) return false;
   if (!was_tripped) {
-    if (listening_ && !measuring_) forget_estimates();
+    if (listening_ && !measurement_.running()) forget_estimates();
     return true;
   }
-  alarms_.push(emergency_of(Alarm{}, error_register()), false);
+  alarms_.push(emergency_of(Alarm{}, objects_.error_register()), false);
   send_status();
   return true;
 }
@@ -145,11 +147,9 @@ bool RigController::take_samples() {
 
 void RigController::take_sample(const RawSample& sample) {
   judge(supervisor_.check_sample(sample, now_ns_, safe_.live()));
-  if (listening_ && !measuring_ && !finished_ && !configuration_.node.listen_on_command) begin_measurement();
-  if (measuring_) {
-    estimation_.push(sample);
-    ++samples_in_window_;
-  }
+  const bool begins = listening_ && !finished_ && !configuration_.node.listen_on_command;
+  if (begins && !measurement_.running()) measurement_.begin_level();
+  measurement_.take(sample);
   if (safe_.live()) {
     int32_t codes[kMaxDofs];
     response_codes(sample, codes);
@@ -157,7 +157,8 @@ void RigController::take_sample(const RawSample& sample) {
     command_drive(excitation_.drive(), sample.sequence);
     follow(event);
   }
-  if (measuring_ && samples_in_window_ >= configuration_.node.window_samples) close_window();
+  measurement_.close_full_window();
+  take_results();
 }
 
 // Displacement where there is one, else velocity, else acceleration.
@@ -181,7 +182,7 @@ void RigController::source_stopped(bool fault) {
   judge(supervisor_.source_ended(safe_.live()));
   if (fault && !safe_.tripped()) handle({AlarmCause::kSensorFault});
   if (!listening_) return;
-  end_measurement();
+  end_level();
   finished_ = true;
 }
 
@@ -191,10 +192,10 @@ void RigController::follow(ExcitationEvent event) {
       break;
     case ExcitationEvent::kMeasureBegins:
       if (excitation_.unsettled()) handle({AlarmCause::kNotSettled, excitation_.level()});
-      begin_measurement();
+      measurement_.begin_level();
       break;
     case ExcitationEvent::kMeasureEnds:
-      end_measurement();
+      end_level();
       break;
     case ExcitationEvent::kLevelSkipped:
       handle({AlarmCause::kNotSettled, excitation_.level()});
@@ -206,36 +207,15 @@ void RigController::follow(ExcitationEvent event) {
   }
 }
 
-void RigController::begin_measurement() {
-  estimation_.begin_level();
-  measuring_ = true;
-  samples_in_window_ = 0;
-}
-
-void RigController::end_measurement() {
-  if (!measuring_) return;
-  estimation_.end_level();
-  measuring_ = false;
-  close_window();
+void RigController::end_level() {
+  measurement_.end_level();
+  take_results();
 }
 
 void RigController::command_drive(Drive wanted, uint32_t sequence) {
   const Drive drive = drive_.reachable(wanted);
   judge(supervisor_.check_drive(drive, safe_.live()));
   handle(safe_.command(drive, sequence));
-}
-
-// A worker that does not come back takes the estimates with it: the drive stops, and the watchdog restarts the board.
-void RigController::check_worker() {
-  const bool late = estimation_.late();
-  if (late && !worker_late_) {
-    const Alarm alarm{AlarmCause::kWorkerLate, static_cast<uint32_t>(Estimation::kLongestWork_ns / 1000000)};
-    safe_.live() ? judge(alarm) : handle(alarm);
-  }
-  worker_late_ = late;
-  const uint32_t dropped = estimation_.dropped_samples() - told_dropped_;
-  told_dropped_ += dropped;
-  if (dropped != 0) handle({AlarmCause::kSamplesMissed, dropped});
 }
 
 // What stops the rig is carried out at once.
@@ -247,10 +227,9 @@ void RigController::handle(const Alarm& alarm) {
   const bool stopped = stops_drive(alarm.cause) && safe_.tripped();
   if (stopped) {
     excitation_.abort();
-    if (measuring_ && !listening_) estimation_.end_level();
-    measuring_ = measuring_ && listening_;
+    if (!listening_) measurement_.cut_level();
   }
-  alarms_.push(emergency_of(alarm, error_register()), stopped);
+  alarms_.push(emergency_of(alarm, objects_.error_register()), stopped);
   if (stopped) send_status();
 }
 
@@ -259,7 +238,9 @@ ControllerMode RigController::mode() const {
   if (safe_.latched().cause == AlarmCause::kEmergencyStop) return ControllerMode::kEmergencyStop;
   if (safe_.tripped()) return ControllerMode::kFault;
   if (listening_)
-    return measuring_ ? ControllerMode::kIntegrate : finished_ ? ControllerMode::kDone : ControllerMode::kIdle;
+    return measurement_.running() ? ControllerMode::kIntegrate
+           : finished_            ? ControllerMode::kDone
+                                  : ControllerMode::kIdle;
   switch (excitation_.state()) {
     case ExcitationState::kIdle:
       return ControllerMode::kIdle;

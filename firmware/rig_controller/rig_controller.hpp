@@ -12,19 +12,20 @@
 #pragma once
 #include <cstdint>
 
-#include "firmware/can_protocol/diagnosis_message.hpp"
 #include "firmware/can_protocol/messages.hpp"
 #include "firmware/can_protocol/sdo_server.hpp"
 #include "firmware/excitation/excitation.hpp"
 #include "firmware/rig_controller/alarm_message.hpp"
 #include "firmware/rig_controller/bus_monitor.hpp"
 #include "firmware/rig_controller/controller_configuration.hpp"
-#include "firmware/rig_controller/estimation.hpp"
+#include "firmware/rig_controller/description_frames.hpp"
+#include "firmware/rig_controller/measurement.hpp"
+#include "firmware/rig_controller/node_objects.hpp"
 #include "firmware/rig_controller/ready_lamp.hpp"
 #include "firmware/rig_controller/safe_state.hpp"
 #include "firmware/rig_controller/schedule.hpp"
-#include "firmware/rig_controller/settings_store.hpp"
 #include "firmware/rig_controller/transmit_queue.hpp"
+#include "firmware/rig_controller/window_frames.hpp"
 #include "firmware/supervision/supervisor.hpp"
 #include "hal/interface/can_bus.hpp"
 #include "hal/interface/clock.hpp"
@@ -52,7 +53,7 @@ struct Ports {
   hal::Worker* store_worker = nullptr;  // a save runs there, as long as it takes; nullptr: within step()
 };
 
-class RigController final : private ObjectDictionary {
+class RigController final {
  public:
   RigController(const ControllerConfiguration& configuration, const Ports& ports);
 
@@ -66,13 +67,13 @@ class RigController final : private ObjectDictionary {
 
   ControllerMode mode() const;
   // The programme is done, or the source has ended, and all estimates are out.
-  bool finished() const { return finished_ && estimation_.idle(); }
+  bool finished() const { return finished_ && measurement_.idle(); }
   const Alarm& latched_alarm() const { return safe_.latched(); }
   const SafeState& safe_state() const { return safe_; }
-  const Diagnosis& diagnosis() const { return diagnosis_; }  // of the last judgement
-  const Estimates* estimates() const { return estimates_; }  // of the last window; nullptr before the first
+  const Diagnosis& diagnosis() const { return windows_.diagnosis(); }  // of the last judgement
+  const Estimates* estimates() const { return windows_.estimates(); }  // of the last window; nullptr before the first
   const Excitation& excitation() const { return excitation_; }
-  const EstimatorCore& core() const { return estimation_.core(); }
+  const EstimatorCore& core() const { return measurement_.estimation().core(); }
   const BusMonitor& bus() const { return bus_; }
   const TransmitQueue& transmit_queue() const { return queue_; }
   const SupervisionCounters& counters() const { return supervisor_.counters(); }
@@ -93,85 +94,56 @@ class RigController final : private ObjectDictionary {
   void take_sample(const RawSample& sample);
   void source_stopped(bool fault);
   void follow(ExcitationEvent event);
-  void begin_measurement();
-  void end_measurement();
+  void end_level();
   void response_codes(const RawSample& sample, int32_t (&codes)[kMaxDofs]) const;
   void command_drive(Drive wanted, uint32_t sequence);
   void handle(const Alarm& alarm);
   void judge(const Alarm& alarm);
-  void check_worker();
 
-  // rig_controller_frames.cpp: what goes over the bus
+  // rig_controller_frames.cpp: what comes and goes over the bus
   void receive_frames();
   void receive(const hal::CanFrame& frame);
   void follow(const NetworkCommand& command);
+  void follow(BusEvent event);
   void check_sync_edge();
-  void close_window();
+  void check_save();
   void take_results();
-  void send_estimates();
-  void tell_judgement(bool judged, const Diagnosis& judgement);
-  void send_diagnosis();
   void run_schedule();
-  void send_some_floats();
-  void describe_some();
+  void send_heartbeat();
   void send_status();
   void send_health();
   void tell_overflows();
   void send_alarms();
   void flush_queue();
-  void follow(BusEvent event);
-  void send_heartbeat();
   uint16_t fault_bits() const;
-  uint8_t error_register() const;
-
-  // rig_controller_objects.cpp: the object dictionary and the store
-  SdoAbort read(uint16_t index, uint8_t subindex, uint8_t (&bytes)[kLongestObject], uint8_t& size) override;
-  SdoAbort write(uint16_t index, uint8_t subindex, uint32_t value, uint8_t size) override;
-  void load_from_store();
-  SdoAbort begin_save();
-  void check_save();
-  SdoAbort end_save(SettingsStore::Outcome outcome);
-  void apply_node_settings();
 
   ControllerConfiguration configuration_;
-  const NodeConfiguration default_node_;  // as given at start
   Ports ports_;
-  Estimation estimation_;
+  Measurement measurement_;
   Excitation excitation_;
   Supervisor supervisor_;
   TransmitQueue queue_;
   DriveLink drive_;
   SafeState safe_;
   ReadyLamp lamp_;
-  SettingsStore settings_;
-  const Estimates* estimates_ = nullptr;
-  uint32_t configuration_crc_ = 0;
+  BusMonitor bus_;
+  NodeSchedule schedule_;
+  NodeObjects objects_;
+  SdoServer sdo_;
+  WindowFrames windows_;
+  DescriptionFrames descriptions_;
+  AlarmQueue alarms_;
 
   uint64_t now_ns_ = 0;
   uint64_t boot_ns_ = 0;
   bool booted_ = false;
-  bool listening_ = false;  // no programme: measure whatever comes
-  bool measuring_ = false;  // samples go to the core
+  const bool listening_;  // no programme: measure whatever comes
   bool finished_ = false;
   bool source_stopped_ = false;
-  bool start_waits_ = false;  // start_at_boot, until the outputs are safe and the samples fresh
-  bool worker_late_ = false;
-  uint32_t told_dropped_ = 0;
-  uint32_t samples_in_window_ = 0;
-
-  AlarmQueue alarms_;
-  BusMonitor bus_;
-  SdoServer sdo_;
-  Periodic heartbeat_, status_, second_, five_seconds_;
-  int next_float_ = 0;           // float estimates still to send
-  int next_parameter_ = 0;       // descriptions still to send; kMaxUnknowns: none
-  int next_channel_ = 0;         // node * kQuantities + quantity; kMaxNodes * kQuantities: none
+  bool start_waits_ = false;     // start_at_boot, until the outputs are safe and the samples fresh
   uint16_t passing_faults_ = 0;  // seen since the last status frame
   uint32_t reported_drops_ = 0;
   uint32_t reported_overflows_ = 0;
-  Diagnosis diagnosis_;
-  bool judged_ = false;  // diagnosis_ holds a judgement of the last window
-  uint64_t next_judgement_ns_ = 0;
 };
 
 }  // namespace firmware

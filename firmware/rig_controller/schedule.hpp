@@ -25,4 +25,19 @@ class Periodic {
   uint64_t period_ns_ = 0;
 };
 
+// What the node sends by the clock.
+struct NodeSchedule {
+  Periodic heartbeat, status, second, five_seconds;
+
+  void start(uint64_t now_ns) {
+    second.start(now_ns, 1000000000);
+    five_seconds.start(now_ns, 5000000000);
+  }
+  // heartbeat_ms 0: none.
+  void apply(uint16_t heartbeat_ms, uint16_t status_ms, uint64_t now_ns) {
+    heartbeat.start(now_ns + uint64_t{heartbeat_ms} * 1000000, uint64_t{heartbeat_ms} * 1000000);
+    status.start(now_ns, uint64_t{status_ms} * 1000000);
+  }
+};
+
 }  // namespace firmware

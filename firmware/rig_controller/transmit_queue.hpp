@@ -28,6 +28,7 @@ class TransmitQueue {
   const CanFrame* find(uint32_t id) const;  // a waiting frame; nullptr: none
   int waiting() const { return count_; }
   int room() const { return kCapacity - count_; }
+  bool has_room_for_more() const { return 2 * room() > kCapacity; }  // for what is not urgent
   uint32_t given_up() const { return given_up_; }
   uint32_t sent() const { return sent_; }
 

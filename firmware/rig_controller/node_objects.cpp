@@ -1,7 +1,8 @@
-// The object dictionary of the node and the configuration store behind it. What can be changed over the bus is the
-// heartbeat time; "save" keeps it over a restart, "load" goes back to the settings given at start (and keeps those).
-#include "firmware/can_protocol/packing.hpp"
-#include "firmware/rig_controller/rig_controller.hpp"
+// See node_objects.hpp.
+#include "firmware/rig_controller/node_objects.hpp"
+
+#include "firmware/can_protocol/frame_table.hpp"
+#include "firmware/rig_controller/alarm_message.hpp"
 #include "firmware/version.hpp"
 
 namespace firmware {
@@ -40,7 +41,16 @@ class Answer {
 
 }  // namespace
 
-SdoAbort RigController::read(uint16_t index, uint8_t subindex, uint8_t (&bytes)[kLongestObject], uint8_t& size) {
+NodeObjects::NodeObjects(ControllerConfiguration& configuration, NodeSchedule& schedule, const SafeState& safe,
+                         const BusMonitor& bus, hal::ConfigurationStore& store, hal::Worker* store_worker)
+    : configuration_(configuration),
+      default_node_(configuration.node),
+      schedule_(schedule),
+      safe_(safe),
+      bus_(bus),
+      settings_(store, store_worker) {}
+
+SdoAbort NodeObjects::read(uint16_t index, uint8_t subindex, uint8_t (&bytes)[kLongestObject], uint8_t& size) {
   Answer answer(bytes, size);
   const NodeConfiguration& node = configuration_.node;
   if (index == 0x1018) {
@@ -84,27 +94,13 @@ SdoAbort RigController::read(uint16_t index, uint8_t subindex, uint8_t (&bytes)[
   return subindex == 0 ? result : SdoAbort::kNoSubindex;
 }
 
-SdoAbort RigController::write(uint16_t index, uint8_t subindex, uint32_t value, uint8_t size) {
+SdoAbort NodeObjects::write(uint16_t index, uint8_t subindex, uint32_t value, uint8_t size) {
   switch (index) {
     case 0x1010:
     case 0x1011:
-      if (subindex != 1) return subindex == 0 ? SdoAbort::kReadOnly : SdoAbort::kNoSubindex;
-      if (size != 0 && size != 4) return SdoAbort::kLength;
-      if (value != (index == 0x1010 ? kSaveSignature : kLoadSignature)) return SdoAbort::kNotStored;
-      if (safe_.live() || settings_.busy()) return SdoAbort::kDeviceState;
-      if (index == 0x1011) {
-        configuration_.node = default_node_;
-        apply_node_settings();
-      }
-      return begin_save();
+      return store(index, subindex, value, size);
     case 0x1017:
-      if (subindex != 0) return SdoAbort::kNoSubindex;
-      if (size != 0 && size != 2) return SdoAbort::kLength;
-      if ((value != 0 && value < kShortestHeartbeat_ms) || value > kLongestHeartbeat_ms) return SdoAbort::kValue;
-      configuration_.node.heartbeat_ms = static_cast<uint16_t>(value);
-      heartbeat_.change_period(now_ns_, uint64_t{configuration_.node.heartbeat_ms} * 1000000);
-      configuration_crc_ = firmware::configuration_crc(configuration_);
-      return SdoAbort::kNone;
+      return change_heartbeat(subindex, value, size);
     case 0x1000:
     case 0x1001:
     case 0x1005:
@@ -119,35 +115,72 @@ SdoAbort RigController::write(uint16_t index, uint8_t subindex, uint32_t value, 
   }
 }
 
-void RigController::apply_node_settings() {
-  heartbeat_.start(now_ns_ + uint64_t{configuration_.node.heartbeat_ms} * 1000000,
-                   uint64_t{configuration_.node.heartbeat_ms} * 1000000);
-  status_.start(now_ns_, uint64_t{configuration_.node.status_ms} * 1000000);
+SdoAbort NodeObjects::store(uint16_t index, uint8_t subindex, uint32_t value, uint8_t size) {
+  if (subindex != 1) return subindex == 0 ? SdoAbort::kReadOnly : SdoAbort::kNoSubindex;
+  if (size != 0 && size != 4) return SdoAbort::kLength;
+  if (value != (index == 0x1010 ? kSaveSignature : kLoadSignature)) return SdoAbort::kNotStored;
+  if (safe_.live() || settings_.busy()) return SdoAbort::kDeviceState;
+  if (index == 0x1011) {
+    configuration_.node = default_node_;
+    apply();
+  }
+  return begin_save();
+}
+
+SdoAbort NodeObjects::change_heartbeat(uint8_t subindex, uint32_t value, uint8_t size) {
+  if (subindex != 0) return SdoAbort::kNoSubindex;
+  if (size != 0 && size != 2) return SdoAbort::kLength;
+  if ((value != 0 && value < kShortestHeartbeat_ms) || value > kLongestHeartbeat_ms) return SdoAbort::kValue;
+  configuration_.node.heartbeat_ms = static_cast<uint16_t>(value);
+  schedule_.heartbeat.change_period(now_ns_, uint64_t{configuration_.node.heartbeat_ms} * 1000000);
+  configuration_crc_ = firmware::configuration_crc(configuration_);
+  return SdoAbort::kNone;
+}
+
+void NodeObjects::apply() {
+  schedule_.apply(configuration_.node.heartbeat_ms, configuration_.node.status_ms, now_ns_);
   configuration_crc_ = firmware::configuration_crc(configuration_);
 }
 
 // The answer to the request comes once the store is done: a memory card may take seconds, and no step waits for it.
-SdoAbort RigController::begin_save() {
+SdoAbort NodeObjects::begin_save() {
   settings_.begin(configuration_);
   const SettingsStore::Outcome outcome = settings_.take_outcome();  // none yet where a worker saves
   return outcome == SettingsStore::Outcome::kNone ? SdoAbort::kPending : end_save(outcome);
 }
 
-void RigController::check_save() {
+bool NodeObjects::take_saved(SdoAbort& answer) {
   const SettingsStore::Outcome outcome = settings_.take_outcome();
-  if (outcome != SettingsStore::Outcome::kNone) queue_.push(sdo_.complete(end_save(outcome)), false);
+  if (outcome == SettingsStore::Outcome::kNone) return false;
+  answer = end_save(outcome);
+  return true;
 }
 
-SdoAbort RigController::end_save(SettingsStore::Outcome outcome) {
+SdoAbort NodeObjects::end_save(SettingsStore::Outcome outcome) {
   if (outcome == SettingsStore::Outcome::kSaved) return SdoAbort::kNone;
-  handle({AlarmCause::kStore});
+  alarm_ = {AlarmCause::kStore};
   return SdoAbort::kNotStored;
 }
 
-void RigController::load_from_store() {
+Alarm NodeObjects::take_alarm() {
+  const Alarm alarm = alarm_;
+  alarm_ = Alarm{};
+  return alarm;
+}
+
+Alarm NodeObjects::load() {
   NodeConfiguration stored = configuration_.node;
-  if (!settings_.load(configuration_, stored)) return handle({AlarmCause::kStore});
-  configuration_.node.heartbeat_ms = stored.heartbeat_ms;
+  const bool readable = settings_.load(configuration_, stored);
+  if (readable) configuration_.node.heartbeat_ms = stored.heartbeat_ms;
+  configuration_crc_ = firmware::configuration_crc(configuration_);
+  return readable ? Alarm{} : Alarm{AlarmCause::kStore};
+}
+
+uint8_t NodeObjects::error_register() const {
+  uint32_t bits = error_register_bit(safe_.latched().cause);
+  if (bus_.state() != BusState::kGood) bits |= error_register_bit(AlarmCause::kCanErrorPassive);
+  if (settings_.damaged()) bits |= error_register_bit(AlarmCause::kStore);
+  return static_cast<uint8_t>(bits != 0 ? bits | 1 : 0);
 }
 
 }  // namespace firmware
