@@ -31,12 +31,12 @@ class EstimatorCore {
   // per sample on average; the work is done every kBlockSamples samples.
   void push(const RawSample& sample);
   void end_level();  // closes the window
-  // The table's batches are being merged, a pair or so with each sample: ending the level now would merge the rest at
-  // once, which takes about as long as a hundred batches.
+  // A table's batches, or the stretches of the score tests, are being merged, a few with each sample: ending the level now
+  // would merge the rest at once, which takes about as long as a hundred batches.
   bool merges_with(const RawSample& next) const {
-    return collector_.merging() && sequence_known_ && next.sequence != next_sequence_;
+    return merges_at_end() && sequence_known_ && next.sequence != next_sequence_;
   }
-  bool merges_at_end() const { return collector_.merging(); }
+  bool merges_at_end() const { return collector_.merging() || (probes_ && score_sums_.merging()); }
   const Estimates& solve();                                  // from everything since reset(); may be called at any time
   const Estimates& estimates() const { return estimates_; }  // of the last solve
   const CoreHealth& health() const { return health_; }

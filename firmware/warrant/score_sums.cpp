@@ -171,6 +171,7 @@ bool ScoreSums::outgrown() const {
 }
 
 void ScoreSums::work() {
+  table_.advance();
   if (!busy_) return;
   credit_ += configuration_->probe_products_per_sample;
   while (busy_) {

@@ -16,9 +16,13 @@ class ScoreSums {
   void restart();  // a gap: what comes does not follow what came
   // The frame's block of count samples has its columns filled.
   void offer(const Frame& frame, int count);
-  void work();                      // once a sample
-  void flush() { table_.flush(); }  // the table is about to be read
-  void finish();                    // the block that is being worked on, and the exact sums, go into the table
+  void work();  // once a sample
+  bool merging() const { return table_.merging(); }
+  void flush() {  // the table is about to be read
+    table_.flush();
+    table_.settle();
+  }
+  void finish();  // the block that is being worked on, and the exact sums, go into the table
 
   const ProbePlan& plan() const { return plan_; }
   const ScoreTable& table() const { return table_; }

@@ -11,7 +11,7 @@ void ScoreTable::configure(int values) {
 
 void ScoreTable::clear() {
   count_ = level_ = 0;
-  open_ = false;
+  open_ = merging_ = false;
   length_ = 1;
   pending_ = 0;
   pending_time_ = 0;
@@ -32,22 +32,29 @@ void ScoreTable::add_block(uint32_t time_samples) {
 }
 
 void ScoreTable::flush() {
+  settle();
   if (pending_ == 0) return;
+  if (!open_ && count_ == room_) begin_merge();
+  if (!open_ && count_ == room_) return drop();  // more levels than stretches: what comes is not tested
+  held_in_new_row_ = !open_;
   if (!open_) {
-    if (count_ == room_) merge();
-    if (count_ == room_) return;  // more levels than stretches: what comes is not tested
-  }
-  if (!open_) {
-    stretch_[count_] = Stretch{static_cast<uint8_t>(level_), 0, 0};
-    for (int v = 0; v < values_; ++v) number_[count_ * values_ + v] = PackedScaled{};
-    ++count_;
+    stretch_[count_++] = Stretch{static_cast<uint8_t>(level_), 0, 0};
     open_ = true;
   }
-  Stretch& last = stretch_[count_ - 1];
+  if (!merging_ && held_in_new_row_) append_row();
   for (int v = 0; v < values_; ++v) {
-    if (current_[v] != 0) add_to(count_ - 1, v, Scaled::from_int(current_[v]));
+    if (merging_) {
+      held_[v] = current_[v];
+    } else if (current_[v] != 0) {
+      add_to(count_ - 1, v, Scaled::from_int(current_[v]));
+    }
     current_[v] = 0;
   }
+  close_stretch();
+}
+
+void ScoreTable::close_stretch() {
+  Stretch& last = stretch_[count_ - 1];
   last.blocks += pending_;
   last.time += pending_time_;
   pending_ = 0;
@@ -55,25 +62,65 @@ void ScoreTable::flush() {
   if (last.blocks >= length_) open_ = false;
 }
 
+void ScoreTable::drop() {
+  for (int v = 0; v < values_; ++v) current_[v] = 0;
+  pending_ = 0;
+  pending_time_ = 0;
+}
+
+void ScoreTable::append_row() {
+  for (int v = 0; v < values_; ++v) number_[(count_ - 1) * values_ + v] = PackedScaled{};
+}
+
 // Neighbours of the same level; one that is left over at a level's end stays as it is, the last one goes on.
-void ScoreTable::merge() {
-  int to = 0;
-  for (int from = 0; from < count_; ++to) {
-    const bool pair = from + 1 < count_ && stretch_[from + 1].level == stretch_[from].level;
-    stretch_[to] = stretch_[from];
-    if (to != from)
-      for (int v = 0; v < values_; ++v) number_[to * values_ + v] = number_[from * values_ + v];
-    if (pair) {
-      stretch_[to].blocks += stretch_[from + 1].blocks;
-      stretch_[to].time += stretch_[from + 1].time;
-      for (int v = 0; v < values_; ++v) add_to(to, v, value(from + 1, v));
+void ScoreTable::begin_merge() {
+  rows_ = 0;
+  for (int from = 0; from < count_; ++rows_) {
+    Row& row = merged_[rows_];
+    row.from = static_cast<uint16_t>(from);
+    row.pair = from + 1 < count_ && stretch_[from + 1].level == stretch_[from].level;
+    stretch_[rows_] = stretch_[from];
+    if (row.pair) {
+      stretch_[rows_].blocks += stretch_[from + 1].blocks;
+      stretch_[rows_].time += stretch_[from + 1].time;
     }
-    from += pair ? 2 : 1;
+    from += row.pair ? 2 : 1;
   }
-  count_ = to;
+  count_ = rows_;
   length_ *= 2;
   const Stretch& last = stretch_[count_ - 1];
   open_ = last.level == level_ && last.blocks < length_;
+  row_ = next_value_ = 0;
+  merging_ = count_ < room_;
+  if (!merging_) return;
+  // Until the next flush, where each block takes kBlockSamples samples at the least.
+  const uint32_t filled = (open_ ? last.blocks : 0) + pending_;
+  const uint32_t blocks = filled < length_ ? length_ - filled : length_;
+  const int samples = static_cast<int>(blocks < kExactBlocks ? blocks : kExactBlocks) * kBlockSamples;
+  numbers_per_sample_ = 1 + rows_ * values_ / samples;
+}
+
+void ScoreTable::merge_some(int numbers) {
+  while (merging_ && numbers > 0) {
+    const Row& row = merged_[row_];
+    PackedScaled* to = &number_[row_ * values_];
+    const PackedScaled* from = &number_[row.from * values_];
+    const int end = next_value_ + numbers < values_ ? next_value_ + numbers : values_;
+    for (int v = next_value_; v < end; ++v)
+      to[v] = row.pair ? pack(unpack(from[v]) + unpack(from[values_ + v])) : from[v];
+    numbers -= end - next_value_;
+    next_value_ = end;
+    if (end < values_) return;
+    next_value_ = 0;
+    if (++row_ == rows_) end_merge();
+  }
+}
+
+void ScoreTable::end_merge() {
+  merging_ = false;
+  if (held_in_new_row_) append_row();
+  for (int v = 0; v < values_; ++v)
+    if (held_[v] != 0) add_to(count_ - 1, v, Scaled::from_int(held_[v]));
 }
 
 }  // namespace firmware

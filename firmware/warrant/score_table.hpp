@@ -6,7 +6,8 @@
 // the exact int64 sum (2^61) goes into the table, whose numbers have an exponent (pack(): 2^-47).
 //
 // Room is fixed: a rig with few probes gets up to 256 stretches, one with many fewer, at least 16. Where the table is
-// full, neighbouring stretches of each level merge and the length of a stretch doubles: nothing is lost.
+// full, neighbouring stretches of each level merge and the length of a stretch doubles: nothing is lost. That is up to 32768
+// additions, so a slice of them is done with each sample; the sums of the blocks that filled the table are held meanwhile.
 #pragma once
 #include "firmware/energy/batch_table.hpp"
 
@@ -35,7 +36,12 @@ class ScoreTable {
   // Exact sums of the block that is being worked on; add_block() closes it.
   int64_t& current(int value) { return current_[value]; }
   void add_block(uint32_t time_samples);
-  void flush();  // the exact sums go into the table
+  void advance() {  // once a sample: goes on with a merge
+    if (merging_) merge_some(numbers_per_sample_);
+  }
+  bool merging() const { return merging_; }       // flush() would end it at once
+  void flush();                                   // the exact sums go into the table
+  void settle() { merge_some(kWarrantNumbers); }  // ends a merge: value() can be read
 
   int stretches() const { return count_; }
   int levels() const { return level_; }
@@ -43,7 +49,16 @@ class ScoreTable {
   Scaled value(int s, int value) const { return unpack(number_[s * values_ + value]); }
 
  private:
-  void merge();
+  struct Row {  // of the merged table: made of one stretch, or of it and the next one
+    uint16_t from = 0;
+    bool pair = false;
+  };
+  void close_stretch();
+  void drop();
+  void begin_merge();
+  void merge_some(int numbers);
+  void end_merge();
+  void append_row();
   void add_to(int s, int value, Scaled sum) {
     PackedScaled& place = number_[s * values_ + value];
     place = pack(unpack(place) + sum);
@@ -57,6 +72,14 @@ class ScoreTable {
   int64_t current_[kMostProbeValues];
   Stretch stretch_[kMostStretches];
   PackedScaled number_[kWarrantNumbers];
+
+  // A merge: stretch_ and count_ are those of the merged table from its beginning, number_ only at its end.
+  bool merging_ = false;
+  int numbers_per_sample_ = 0;
+  int rows_ = 0, row_ = 0, next_value_ = 0;  // rows to merge, the one at hand, and how far it is
+  Row merged_[kMostStretches];
+  bool held_in_new_row_ = false;  // held_ opens the stretch after them, else it goes on with the last one
+  int64_t held_[kMostProbeValues];
 };
 
 }  // namespace firmware

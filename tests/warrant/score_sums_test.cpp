@@ -1,6 +1,8 @@
 // The fixed point of the score tests at its bounds, and sums worked out by hand.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "firmware/energy/product_sums.hpp"
 #include "firmware/warrant/probe_force.hpp"
 #include "firmware/warrant/score_table.hpp"
@@ -62,6 +64,37 @@ TEST(ScoreTable, NeighboursOfALevelMerge) {
   EXPECT_EQ(table.stretch(2).level, 2);
   for (int s = 2; s < 9; ++s) EXPECT_EQ(to_double(table.value(s, 0)), 20.0) << s;
   EXPECT_EQ(table.stretch(0).time, 96u);  // blocks that ended after 32 and 64 samples
+}
+
+// Merging goes on sample by sample and ends within the 32 samples of the next block; 445 values are those of 3 DOF and 72
+// probes, 147 stretches. Value v of block b is b + 1000 v, so a stretch from block a to b sums to whole numbers known by hand.
+TEST(ScoreTable, AMergeTakesASliceASampleAndLosesNothing) {
+  static ScoreTable table;
+  constexpr int kValues = 445, kBlocks = 1000;
+  table.configure(kValues);
+  table.begin_level();
+  int longest_merge = 0;
+  for (int block = 0; block < kBlocks; ++block) {
+    for (int v = 0; v < kValues; ++v) table.current(v) += block + 1000 * v;
+    table.add_block(static_cast<uint32_t>(block));
+    int samples = 0;
+    for (; samples < kBlockSamples && table.merging(); ++samples) table.advance();
+    longest_merge = std::max(longest_merge, samples);
+    ASSERT_FALSE(table.merging()) << "block " << block;
+  }
+  EXPECT_GT(longest_merge, kBlockSamples / 2);  // 73 times 445 additions are not done in a few samples
+  table.flush();
+  table.settle();
+  ASSERT_GT(table.stretches(), 73);
+  uint64_t first = 0;
+  for (int s = 0; s < table.stretches(); ++s) {
+    const uint64_t count = table.stretch(s).blocks, sum = count * first + count * (count - 1) / 2;
+    EXPECT_EQ(table.stretch(s).time, sum);
+    for (const int v : {0, 1, 444})
+      EXPECT_EQ(to_double(table.value(s, v)), static_cast<double>(sum + count * 1000 * static_cast<uint64_t>(v)));
+    first += count;
+  }
+  EXPECT_EQ(first, static_cast<uint64_t>(kBlocks));
 }
 
 // One link to the ground with codes at full scale, alternating slowly: everything stays inside its format.
