@@ -4,7 +4,7 @@
 
 #include "firmware/can_protocol/place.hpp"
 #include "firmware/identification/estimate.hpp"
-#include "firmware/warrant/cause.hpp"
+#include "firmware/vocabulary/cause.hpp"
 
 namespace firmware {
 

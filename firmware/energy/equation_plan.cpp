@@ -147,9 +147,6 @@ int weight_column(const EquationPlan& plan, int i, int weight) {
   return (weight == static_cast<int>(Weight::kInstrument) ? kClearInstrumentColumn : kClearDisplacementColumn) + i;
 }
 
-bool is_sign_term(TermKind kind) { return kind == TermKind::kCoulomb; }
-bool is_effect_term(TermKind kind) { return kind >= TermKind::kGravity; }
-
 void make_equation_plan(const CoreConfiguration& configuration, int weights, EquationPlan& plan, ProductSums& sums,
                         RowLayout& layout) {
   sums.clear_plan();

@@ -44,8 +44,4 @@ void make_equation_plan(const CoreConfiguration& configuration, int weights, Equ
 // The column that weighs DOF i's equation.
 int weight_column(const EquationPlan& plan, int i, int weight);
 
-// The term's force on the DOF per unit coefficient has this kind of column: of a signal, of a sign, or computed.
-bool is_sign_term(TermKind kind);
-bool is_effect_term(TermKind kind);
-
 }  // namespace firmware

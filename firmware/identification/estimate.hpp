@@ -4,7 +4,7 @@
 
 #include "firmware/configuration/capacity.hpp"
 #include "firmware/fixed_point/scaled.hpp"
-#include "firmware/warrant/cause.hpp"
+#include "firmware/vocabulary/cause.hpp"
 
 namespace firmware {
 

@@ -1,7 +1,5 @@
 #include "firmware/links/effects.hpp"
 
-#include "firmware/energy/equation_plan.hpp"
-
 namespace firmware {
 namespace {
 

@@ -28,6 +28,9 @@ enum class TermKind : uint8_t {
   kCount
 };
 constexpr int kTermKinds = static_cast<int>(TermKind::kCount);
+// What the force of a term per unit coefficient is: a sign, a law of its own, or else a signal.
+constexpr bool is_sign_term(TermKind kind) { return kind == TermKind::kCoulomb; }
+constexpr bool is_effect_term(TermKind kind) { return kind >= TermKind::kGravity; }
 
 // A row of the vocabulary (effect_table.hpp), in the table's order; nothing but the order of the rows hangs on the numbers.
 enum class EffectKind : uint8_t {

@@ -8,7 +8,7 @@
 #include <cstdint>
 
 #include "firmware/configuration/configuration.hpp"
-#include "firmware/warrant/cause.hpp"
+#include "firmware/vocabulary/cause.hpp"
 
 namespace firmware {
 

@@ -5,7 +5,10 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "host_sim/records/record_reader.hpp"
+#include <cstdio>
+#include <memory>
+
+#include "host_sim/records/data_file_error.hpp"
 
 namespace host_sim {
 
@@ -28,6 +31,17 @@ FileContent::FileContent(const std::string& path) {
 
 FileContent::~FileContent() {
   if (mapped_ != nullptr) ::munmap(mapped_, text_.size());
+}
+
+std::string read_whole_file(const std::string& path) {
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
+  if (!file) throw DataFileError(path, 0, "cannot be opened, expected a readable data file");
+  std::string content;
+  char chunk[1 << 16];
+  for (size_t got = 0; (got = std::fread(chunk, 1, sizeof chunk, file.get())) > 0;) content.append(chunk, got);
+  if (std::ferror(file.get()) != 0)
+    throw DataFileError(path, 0, "cannot be read, expected a readable data file, not a folder");
+  return content;
 }
 
 }  // namespace host_sim

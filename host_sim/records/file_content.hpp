@@ -19,4 +19,7 @@ class FileContent {
   std::string_view text_;
 };
 
+// The whole file. Throws DataFileError where it cannot be read.
+std::string read_whole_file(const std::string& path);
+
 }  // namespace host_sim

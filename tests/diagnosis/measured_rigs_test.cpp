@@ -7,7 +7,7 @@
 
 #include "hal/rig_file/rig_reader.hpp"
 #include "host_sim/diagnosis/diagnosis.hpp"
-#include "host_sim/records/record_reader.hpp"
+#include "host_sim/ingestion/record_reader.hpp"
 
 namespace {
 

@@ -5,8 +5,8 @@
 #include <filesystem>
 
 #include "hal/rig_file/rig_reader.hpp"
+#include "host_sim/ingestion/record_reader.hpp"
 #include "host_sim/records/output_file.hpp"
-#include "host_sim/records/record_reader.hpp"
 #include "host_sim/reports/data/from_diagnosis.hpp"
 #include "tests/examples/example_page.hpp"
 

@@ -9,7 +9,7 @@
 #include <memory>
 
 #include "host_sim/ingestion/mat_reader.hpp"
-#include "host_sim/records/record_reader.hpp"
+#include "host_sim/ingestion/record_reader.hpp"
 #include "tests/ingestion/rigs.hpp"
 
 namespace {

@@ -6,7 +6,7 @@
 
 #include <filesystem>
 
-#include "host_sim/records/record_reader.hpp"
+#include "host_sim/records/file_content.hpp"
 
 namespace {
 

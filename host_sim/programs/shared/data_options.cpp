@@ -5,8 +5,8 @@
 #include <stdexcept>
 
 #include "host_sim/data_check/to_json.hpp"
+#include "host_sim/ingestion/record_reader.hpp"
 #include "host_sim/programs/shared/failures.hpp"
-#include "host_sim/records/record_reader.hpp"
 
 namespace host_sim {
 namespace {

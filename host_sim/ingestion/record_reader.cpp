@@ -1,7 +1,4 @@
-#include "host_sim/records/record_reader.hpp"
-
-#include <cstdio>
-#include <memory>
+#include "host_sim/ingestion/record_reader.hpp"
 
 #include "host_sim/ingestion/mat_reader.hpp"
 #include "host_sim/ingestion/sensor_log_reader.hpp"
@@ -44,17 +41,6 @@ constexpr RecordFormat kFormats[] = {
 };
 
 }  // namespace
-
-std::string read_whole_file(const std::string& path) {
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
-  if (!file) throw DataFileError(path, 0, "cannot be opened, expected a readable data file");
-  std::string content;
-  char chunk[1 << 16];
-  for (size_t got = 0; (got = std::fread(chunk, 1, sizeof chunk, file.get())) > 0;) content.append(chunk, got);
-  if (std::ferror(file.get()) != 0)
-    throw DataFileError(path, 0, "cannot be read, expected a readable data file, not a folder");
-  return content;
-}
 
 std::vector<Record> read_records(const std::string& path, const rig_file::RigModel& model,
                                  const ReadingOptions& options) {

@@ -19,7 +19,4 @@ std::vector<Record> read_records(const std::string& path, const rig_file::RigMod
 // Of a file that holds one; throws DataFileError where it holds more.
 Record read_record(const std::string& path, const rig_file::RigModel& model, const ReadingOptions& options = {});
 
-// The whole file. Throws DataFileError where it cannot be read.
-std::string read_whole_file(const std::string& path);
-
 }  // namespace host_sim
