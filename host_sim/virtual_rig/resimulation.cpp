@@ -4,8 +4,8 @@
 #include <limits>
 #include <numeric>
 
+#include "host_sim/plant/instruments/shaker.hpp"
 #include "host_sim/plant/plant_error.hpp"
-#include "host_sim/plant/shaker.hpp"
 
 namespace host_sim {
 namespace {

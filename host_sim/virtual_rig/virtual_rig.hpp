@@ -4,7 +4,7 @@
 
 #include "hal/interface/clock.hpp"
 #include "hal/interface/sample_source.hpp"
-#include "host_sim/plant/sensors.hpp"
+#include "host_sim/plant/instruments/sensors.hpp"
 #include "host_sim/records/digitise.hpp"
 
 namespace host_sim {

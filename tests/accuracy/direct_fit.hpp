@@ -3,7 +3,7 @@
 #pragma once
 #include <vector>
 
-#include "host_sim/plant/scenario.hpp"
+#include "host_sim/plant/scenario/scenario.hpp"
 #include "host_sim/records/record.hpp"
 
 namespace accuracy {

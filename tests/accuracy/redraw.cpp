@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "hal/rig_file/signal_plan.hpp"
-#include "host_sim/plant/random_numbers.hpp"
+#include "host_sim/plant/instruments/random_numbers.hpp"
 #include "host_sim/records/digitise.hpp"
 #include "host_sim/virtual_rig/run_scenario.hpp"
 

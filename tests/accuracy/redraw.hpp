@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "firmware/estimator_core.hpp"
-#include "host_sim/plant/scenario.hpp"
-#include "host_sim/plant/sensors.hpp"
+#include "host_sim/plant/instruments/sensors.hpp"
+#include "host_sim/plant/scenario/scenario.hpp"
 
 namespace accuracy {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "host_sim/plant/scenario.hpp"
+#include "host_sim/plant/scenario/scenario.hpp"
 
 namespace accuracy {
 

@@ -15,7 +15,7 @@
 #include "hal/interface/drive_output.hpp"
 #include "hal/interface/sample_source.hpp"
 #include "hal/rig_file/compile_rig.hpp"
-#include "host_sim/plant/integrator.hpp"
+#include "host_sim/plant/motion/integrator.hpp"
 
 namespace closed_loop {
 

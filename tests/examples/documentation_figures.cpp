@@ -6,7 +6,7 @@
 #include <random>
 
 #include "hal/rig_file/rig_reader.hpp"
-#include "host_sim/plant/simulate.hpp"
+#include "host_sim/plant/motion/simulate.hpp"
 #include "host_sim/records/output_file.hpp"
 #include "host_sim/reports/figures/plot.hpp"
 

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "hal/rig_file/scaled_double.hpp"
-#include "host_sim/plant/scenario.hpp"
+#include "host_sim/plant/scenario/scenario.hpp"
 #include "tests/accuracy/redraw.hpp"
 #include "tests/identification/double_energies.hpp"
 

@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-#include "host_sim/plant/simulate.hpp"
+#include "host_sim/plant/motion/simulate.hpp"
 #include "tests/plant/rigs.hpp"
 
 namespace {

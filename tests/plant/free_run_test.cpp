@@ -4,9 +4,9 @@
 #include <cmath>
 #include <ctime>
 
+#include "host_sim/plant/instruments/sensors.hpp"
+#include "host_sim/plant/instruments/shaker.hpp"
 #include "host_sim/plant/plant_error.hpp"
-#include "host_sim/plant/sensors.hpp"
-#include "host_sim/plant/shaker.hpp"
 #include "tests/plant/rigs.hpp"
 
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "host_sim/plant/simulate.hpp"
+#include "host_sim/plant/motion/simulate.hpp"
 #include "tests/plant/rigs.hpp"
 
 namespace {

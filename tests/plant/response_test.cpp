@@ -3,8 +3,8 @@
 
 #include <cmath>
 
+#include "host_sim/plant/motion/simulate.hpp"
 #include "host_sim/plant/plant_error.hpp"
-#include "host_sim/plant/simulate.hpp"
 #include "tests/plant/rigs.hpp"
 
 namespace {

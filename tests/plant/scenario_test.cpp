@@ -1,5 +1,5 @@
 // Scenario files: the shipped ones, what a right one means, and what a wrong one is told.
-#include "host_sim/plant/scenario.hpp"
+#include "host_sim/plant/scenario/scenario.hpp"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

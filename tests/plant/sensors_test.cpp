@@ -1,5 +1,5 @@
 // Sensors and converters: what they add is what the scenario says, in size and in kind.
-#include "host_sim/plant/sensors.hpp"
+#include "host_sim/plant/instruments/sensors.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
-#include "host_sim/plant/signal.hpp"
+#include "host_sim/plant/instruments/signal.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "host_sim/plant/random_numbers.hpp"
+#include "host_sim/plant/instruments/random_numbers.hpp"
 
 namespace {
 

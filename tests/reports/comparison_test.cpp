@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "hal/rig_file/rig_reader.hpp"
-#include "host_sim/plant/simulate.hpp"
+#include "host_sim/plant/motion/simulate.hpp"
 #include "host_sim/reports/data/free_simulation.hpp"
 #include "host_sim/vocabulary/held_in_place.hpp"
 

@@ -16,7 +16,7 @@
 #include "host_sim/can_log/dbc.hpp"
 #include "host_sim/can_log/known_names.hpp"
 #include "host_sim/force_balance/force_balance.hpp"
-#include "host_sim/plant/simulate.hpp"
+#include "host_sim/plant/motion/simulate.hpp"
 #include "host_sim/vocabulary/effects_page.hpp"
 #include "tests/vocabulary/typical_shape.hpp"
 

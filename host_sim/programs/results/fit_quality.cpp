@@ -6,8 +6,8 @@
 
 #include "host_sim/force_balance/derivative.hpp"
 #include "host_sim/force_balance/force_balance.hpp"
+#include "host_sim/plant/motion/simulate.hpp"
 #include "host_sim/plant/plant_error.hpp"
-#include "host_sim/plant/simulate.hpp"
 
 namespace host_sim {
 namespace {

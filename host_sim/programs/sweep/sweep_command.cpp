@@ -2,7 +2,7 @@
 #include <charconv>
 #include <thread>
 
-#include "host_sim/plant/scenario.hpp"
+#include "host_sim/plant/scenario/scenario.hpp"
 #include "host_sim/programs/commands.hpp"
 #include "host_sim/programs/results/result_json.hpp"
 #include "host_sim/programs/shared/human_output.hpp"

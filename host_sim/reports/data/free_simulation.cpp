@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "host_sim/plant/motion/simulate.hpp"
 #include "host_sim/plant/plant_error.hpp"
-#include "host_sim/plant/simulate.hpp"
 
 namespace host_sim::reports {
 namespace {

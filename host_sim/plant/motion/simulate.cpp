@@ -1,4 +1,4 @@
-#include "host_sim/plant/simulate.hpp"
+#include "host_sim/plant/motion/simulate.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "hal/rig_file/rig_model.hpp"
-#include "host_sim/plant/signal.hpp"
+#include "host_sim/plant/instruments/signal.hpp"
 #include "host_sim/vocabulary/law.hpp"
 
 namespace host_sim {

@@ -1,4 +1,4 @@
-#include "host_sim/plant/equations.hpp"
+#include "host_sim/plant/motion/equations.hpp"
 
 #include "host_sim/vocabulary/law_table.hpp"
 

@@ -2,7 +2,7 @@
 // settling, the 1-DOF values) the choice is stated in docs/scenarios.md.
 #include <string>
 
-#include "host_sim/plant/scenario.hpp"
+#include "host_sim/plant/scenario/scenario.hpp"
 
 namespace host_sim {
 namespace {

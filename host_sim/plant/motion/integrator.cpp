@@ -1,4 +1,4 @@
-#include "host_sim/plant/integrator.hpp"
+#include "host_sim/plant/motion/integrator.hpp"
 
 #include <arkode/arkode_erkstep.h>
 #include <nvector/nvector_serial.h>

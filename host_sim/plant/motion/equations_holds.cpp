@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "host_sim/plant/equations.hpp"
+#include "host_sim/plant/motion/equations.hpp"
 
 namespace host_sim {
 namespace {

@@ -1,4 +1,4 @@
-#include "host_sim/plant/shaker.hpp"
+#include "host_sim/plant/instruments/shaker.hpp"
 
 #include <algorithm>
 

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "firmware/configuration/capacity.hpp"
-#include "host_sim/plant/scenario_parts.hpp"
+#include "host_sim/plant/scenario/scenario_parts.hpp"
 
 namespace host_sim {
 namespace {

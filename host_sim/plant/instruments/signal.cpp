@@ -1,10 +1,10 @@
-#include "host_sim/plant/signal.hpp"
+#include "host_sim/plant/instruments/signal.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "host_sim/plant/random_numbers.hpp"
+#include "host_sim/plant/instruments/random_numbers.hpp"
 
 namespace host_sim {
 namespace {

@@ -3,7 +3,7 @@
 #include <memory>
 #include <vector>
 
-#include "host_sim/plant/equations.hpp"
+#include "host_sim/plant/motion/equations.hpp"
 
 namespace host_sim {
 

@@ -1,7 +1,7 @@
 // What drives the rig in one level of a scenario.
 #pragma once
-#include "host_sim/plant/scenario.hpp"
-#include "host_sim/plant/signal.hpp"
+#include "host_sim/plant/instruments/signal.hpp"
+#include "host_sim/plant/scenario/scenario.hpp"
 
 namespace host_sim {
 

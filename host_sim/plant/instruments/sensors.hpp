@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "hal/rig_file/compile_rig.hpp"
-#include "host_sim/plant/scenario.hpp"
+#include "host_sim/plant/scenario/scenario.hpp"
 
 namespace host_sim {
 

@@ -10,10 +10,10 @@
 #include "hal/rig_file/compile_rig.hpp"
 #include "hal/rig_file/rig_from_toml.hpp"
 #include "hal/rig_file/toml_checks.hpp"
-#include "host_sim/plant/equations.hpp"
+#include "host_sim/plant/motion/equations.hpp"
 #include "host_sim/plant/plant_error.hpp"
-#include "host_sim/plant/scenario.hpp"
-#include "host_sim/plant/scenario_parts.hpp"
+#include "host_sim/plant/scenario/scenario.hpp"
+#include "host_sim/plant/scenario/scenario_parts.hpp"
 
 namespace host_sim {
 namespace {

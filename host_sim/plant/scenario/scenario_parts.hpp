@@ -3,7 +3,7 @@
 #include <string>
 
 #include "hal/rig_file/toml_checks.hpp"
-#include "host_sim/plant/scenario.hpp"
+#include "host_sim/plant/scenario/scenario.hpp"
 
 namespace host_sim {
 

@@ -1,12 +1,12 @@
-#include "host_sim/plant/sensors.hpp"
+#include "host_sim/plant/instruments/sensors.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "hal/rig_file/channel_name.hpp"
+#include "host_sim/plant/instruments/random_numbers.hpp"
+#include "host_sim/plant/instruments/shaker.hpp"
 #include "host_sim/plant/plant_error.hpp"
-#include "host_sim/plant/random_numbers.hpp"
-#include "host_sim/plant/shaker.hpp"
 #include "host_sim/records/digitise.hpp"
 
 namespace host_sim {

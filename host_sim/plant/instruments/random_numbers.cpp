@@ -1,4 +1,4 @@
-#include "host_sim/plant/random_numbers.hpp"
+#include "host_sim/plant/instruments/random_numbers.hpp"
 
 #include <cmath>
 

@@ -1,8 +1,8 @@
 // The rig's answer to an excitation, sampled: the two ways into the plant.
 #pragma once
 #include "hal/rig_file/rig_model.hpp"
-#include "host_sim/plant/integrator.hpp"
-#include "host_sim/plant/signal.hpp"
+#include "host_sim/plant/instruments/signal.hpp"
+#include "host_sim/plant/motion/integrator.hpp"
 #include "host_sim/records/record.hpp"
 
 namespace host_sim {

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "hal/rig_file/effect_words.hpp"
-#include "host_sim/plant/equations.hpp"
+#include "host_sim/plant/motion/equations.hpp"
 #include "host_sim/plant/plant_error.hpp"
 
 namespace host_sim {

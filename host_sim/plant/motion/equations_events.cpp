@@ -1,7 +1,7 @@
 // Events of the rig: rates that reach zero, links that let go, gaps that open or close.
 #include <cmath>
 
-#include "host_sim/plant/equations.hpp"
+#include "host_sim/plant/motion/equations.hpp"
 
 namespace host_sim {
 namespace {

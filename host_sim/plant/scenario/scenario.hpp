@@ -9,7 +9,7 @@
 
 #include "hal/rig_file/rig_file_error.hpp"
 #include "hal/rig_file/rig_model.hpp"
-#include "host_sim/plant/simulate.hpp"
+#include "host_sim/plant/motion/simulate.hpp"
 
 namespace host_sim {
 
