@@ -1,6 +1,7 @@
 #include "host_sim/can_log/candump_line.hpp"
 
-#include <cstdio>
+#include <fmt/format.h>
+
 #include <cstring>
 
 #include "host_sim/can_log/text_cursor.hpp"
@@ -69,14 +70,10 @@ bool parse_line(std::string_view line, LogEntry& entry) {
 
 std::string format_line(const hal::CanFrame& frame, std::string_view interface) {
   static const char kHex[] = "0123456789ABCDEF";
-  char text[64];
-  std::snprintf(text, sizeof text, "(%010llu.%06llu) ", static_cast<unsigned long long>(frame.time_ns / 1000000000u),
-                static_cast<unsigned long long>(frame.time_ns / 1000u % 1000000u));
-  std::string line = text;
+  std::string line = fmt::format("({:010}.{:06}) ", frame.time_ns / 1000000000u, frame.time_ns / 1000u % 1000000u);
   line += interface;
   const uint32_t id = frame.error ? frame.id | kErrorFlag : frame.id;
-  std::snprintf(text, sizeof text, frame.extended || frame.error ? " %08X#" : " %03X#", id);
-  line += text;
+  line += fmt::format(frame.extended || frame.error ? " {:08X}#" : " {:03X}#", id);
   if (frame.remote) {
     line += 'R';
     if (frame.length > 0 && frame.length <= kMaxClassicBytes) line += kHex[frame.length];

@@ -1,7 +1,8 @@
 #include "host_sim/can_log/frame_printer.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
-#include <cstdio>
 
 #include "firmware/can_protocol/estimate_frames.hpp"
 #include "host_sim/can_log/readable.hpp"
@@ -22,10 +23,7 @@ std::string padded(std::string text, size_t width) {
 // Seconds as in the log, without leading zeros; "-" where the log has no times.
 std::string time_text(const LogEntry& entry) {
   if (!entry.has_time) return "                -";
-  char text[48];
-  std::snprintf(text, sizeof text, "%10llu.%06llu", static_cast<unsigned long long>(entry.frame.time_ns / 1000000000u),
-                static_cast<unsigned long long>(entry.frame.time_ns / 1000u % 1000000u));
-  return text;
+  return fmt::format("{:10}.{:06}", entry.frame.time_ns / 1000000000u, entry.frame.time_ns / 1000u % 1000000u);
 }
 
 bool is_sensor(const FrameDescription& frame) { return frame.sender == firmware::can::Sender::kSensor; }

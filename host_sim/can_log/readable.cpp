@@ -1,8 +1,9 @@
 #include "host_sim/can_log/readable.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <cstring>
 
 #include "host_sim/can_log/table_text.hpp"
@@ -43,11 +44,7 @@ std::string list_bits(const BitName (&names)[N], uint32_t bits) {
 
 }  // namespace
 
-std::string number_text(double value, int digits) {
-  char text[48];
-  std::snprintf(text, sizeof text, "%.*g", digits, value);
-  return text;
-}
+std::string number_text(double value, int digits) { return fmt::format("{:.{}g}", value, digits); }
 
 std::string rounded_to(double value, double uncertainty) {
   if (value == 0.0 || !(uncertainty > 0.0)) return number_text(value, 7);
@@ -55,9 +52,7 @@ std::string rounded_to(double value, double uncertainty) {
   const int last = static_cast<int>(std::floor(std::log10(uncertainty))) - 1;
   const int digits = std::clamp(top - last + 1, 3, 9);
   if (top < -4 || top > 8) return number_text(value, digits);
-  char text[64];
-  std::snprintf(text, sizeof text, "%.*f", std::max(0, digits - 1 - top), value);
-  return text;
+  return fmt::format("{:.{}f}", value, std::max(0, digits - 1 - top));
 }
 
 float float_of_bits(int64_t bits) {
@@ -67,18 +62,12 @@ float float_of_bits(int64_t bits) {
   return value;
 }
 
-std::string hex_text(uint64_t value, int digits) {
-  char text[32];
-  std::snprintf(text, sizeof text, "0x%0*llX", digits, static_cast<unsigned long long>(value));
-  return text;
-}
+std::string hex_text(uint64_t value, int digits) { return fmt::format("0x{:0{}X}", value, digits); }
 
 std::string bytes_text(const hal::CanFrame& frame) {
   std::string text;
-  char byte[4];
   for (int i = 0; i < frame.length && i < 64; ++i) {
-    std::snprintf(byte, sizeof byte, i == 0 ? "%02X" : " %02X", frame.data[i]);
-    text += byte;
+    text += fmt::format(i == 0 ? "{:02X}" : " {:02X}", frame.data[i]);
   }
   return text;
 }

@@ -1,7 +1,8 @@
 #include "host_sim/can_log/row_writer.hpp"
 
+#include <fmt/format.h>
+
 #include <charconv>
-#include <cstdio>
 
 namespace can_log {
 namespace {
@@ -16,10 +17,7 @@ std::string number(double value, const char* none) {
 
 std::string seconds(const LogEntry& entry, const char* none) {
   if (!entry.has_time) return none;
-  char text[40];
-  std::snprintf(text, sizeof text, "%llu.%06llu", static_cast<unsigned long long>(entry.frame.time_ns / 1000000000u),
-                static_cast<unsigned long long>(entry.frame.time_ns / 1000u % 1000000u));
-  return text;
+  return fmt::format("{}.{:06}", entry.frame.time_ns / 1000000000u, entry.frame.time_ns / 1000u % 1000000u);
 }
 
 // Names of interfaces come from the log: what would break a row becomes an underscore.

@@ -1,6 +1,7 @@
 #include "host_sim/can_log/table_text.hpp"
 
-#include <cstdio>
+#include <fmt/format.h>
+
 #include <cstdlib>
 
 namespace can_log {
@@ -14,16 +15,15 @@ double physical(const firmware::can::Signal& signal, int64_t raw) {
 }
 
 std::string shortest(double value) {
-  char text[40];
+  std::string text;
   for (int digits = 1; digits <= 17; ++digits) {
-    std::snprintf(text, sizeof text, "%.*g", digits, value);
-    if (std::strtod(text, nullptr) == value) break;
+    text = fmt::format("{:.{}g}", value, digits);
+    if (std::strtod(text.c_str(), nullptr) == value) break;
   }
-  std::string result = text;
   // Plain digits where they are few: 4294967295, not 4.294967295e+09.
   if (value < 1e15 && value > -1e15 && value == static_cast<double>(static_cast<int64_t>(value)))
-    result = std::to_string(static_cast<int64_t>(value));
-  return result;
+    return std::to_string(static_cast<int64_t>(value));
+  return text;
 }
 
 std::string lower_case(std::string text) {

@@ -1,8 +1,9 @@
 #include "host_sim/data_check/clipping.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace host_sim::data_check {
 namespace {
@@ -83,16 +84,14 @@ bool piecewise_straight(const std::vector<double>& values, const Statistics& sta
 
 std::string said(const Tops& top, const Tops& bottom, size_t count, const Statistics& statistics) {
   const bool high = top.samples > 0, low = bottom.samples > 0;
-  char text[240];
   const double share = 100.0 * static_cast<double>(top.samples + bottom.samples) / static_cast<double>(count);
-  if (high && low) {
-    std::snprintf(text, sizeof text, "flat at %.4g and %.4g for %.2g %% of the samples (%zu times)", statistics.lowest,
-                  statistics.highest, share, top.runs + bottom.runs);
-  } else {
-    std::snprintf(text, sizeof text, "flat at %.4g for %.2g %% of the samples (%zu times)",
-                  high ? statistics.highest : statistics.lowest, share, top.runs + bottom.runs);
-  }
-  return std::string(text) + ": its range ends there; lower the level or widen the range, then record again";
+  const std::string where = high && low ? fmt::format("{:.4g} and {:.4g}", statistics.lowest, statistics.highest)
+                                        : fmt::format("{:.4g}", high ? statistics.highest : statistics.lowest);
+  return fmt::format(
+      "flat at {} for {:.2g} % of the samples ({} times): its range ends there; lower the level or widen the range, "
+      "then "
+      "record again",
+      where, share, top.runs + bottom.runs);
 }
 
 }  // namespace

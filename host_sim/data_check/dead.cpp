@@ -1,8 +1,9 @@
 #include "host_sim/data_check/dead.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "host_sim/data_check/statistics.hpp"
 
@@ -105,10 +106,8 @@ size_t dies_at(const std::vector<Life>& all, size_t which) {
 }
 
 std::string never_changes(const Channel& channel) {
-  char text[96];
-  std::snprintf(text, sizeof text, "never changes: all %zu samples are %.6g", channel.values.size(),
-                channel.values.empty() ? 0.0 : channel.values.front());
-  return text;
+  return fmt::format("never changes: all {} samples are {:.6g}", channel.values.size(),
+                     channel.values.empty() ? 0.0 : channel.values.front());
 }
 
 }  // namespace
@@ -153,10 +152,9 @@ std::vector<std::optional<Finding>> find_dead(const Record& record, const std::v
     const bool may_stop = lives[i].steps.empty() || is_force(record.channels[i]) || is_base(record.channels[i]);
     const size_t window = may_stop ? 0 : dies_at(lives, i);  // a drive ends when it is switched off
     if (window == 0) continue;
-    char text[160];
-    std::snprintf(text, sizeof text,
-                  "stops for good near %.4g s, while the other channels go on: did the sensor fail, or its cable?",
-                  static_cast<double>(window * (record.samples() / kWindows)) * record.sample_period_s);
+    std::string text =
+        fmt::format("stops for good near {:.4g} s, while the other channels go on: did the sensor fail, or its cable?",
+                    static_cast<double>(window * (record.samples() / kWindows)) * record.sample_period_s);
     findings[i] = Finding{"dead", Weight::kFault, record.channels[i].name, text, std::nullopt};
   }
   return findings;

@@ -1,8 +1,9 @@
 #include "host_sim/data_check/exchanged.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <set>
 
 #include "hal/rig_file/channel_name.hpp"
@@ -50,8 +51,7 @@ Crossing crossing(const Record& record, Quantity lower, Quantity upper, int i, i
 
 Finding exchanged(const Record& record, Quantity quantity, const Quantity* or_else, int i, int j, double own) {
   const std::string first = record.find(quantity, i)->name, second = record.find(quantity, j)->name;
-  char text[120];
-  std::snprintf(text, sizeof text, ": each fits the motion of the other DOF, not its own (correlation %.2f)", own);
+  std::string text = fmt::format(": each fits the motion of the other DOF, not its own (correlation {:.2f})", own);
   Finding finding{"exchanged", Weight::kFault, first, "is exchanged with " + second + text, own};
   if (or_else != nullptr)
     finding.detail += ", or " + record.find(*or_else, i)->name + " is with " + record.find(*or_else, j)->name;

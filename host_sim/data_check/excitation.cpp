@@ -1,10 +1,10 @@
 #include "host_sim/data_check/excitation.hpp"
 
 #include <fftw3.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <memory>
 
 #include "host_sim/data_check/statistics.hpp"
@@ -67,21 +67,13 @@ std::string quantity_unit(const std::string& channel) {
 }
 
 std::string text_of(const Drive& drive) {
-  char text[200];
   if (drive.channel.empty()) return "free decay: nothing drives the rig";
+  const std::string level = fmt::format("{}: {:.4g} {} rms, ", drive.channel, drive.rms, quantity_unit(drive.channel));
+  if (drive.lines_Hz.empty())
+    return level + fmt::format("{:.3g} to {:.3g} Hz (90 % of its power)", drive.from_Hz, drive.to_Hz);
   std::string tones;
-  for (const double line : drive.lines_Hz) {
-    std::snprintf(text, sizeof text, "%s%.4g", tones.empty() ? "" : ", ", line);
-    tones += text;
-  }
-  if (!tones.empty()) {
-    std::snprintf(text, sizeof text, "%s: %.4g %s rms, tone%s at %s Hz", drive.channel.c_str(), drive.rms,
-                  quantity_unit(drive.channel).c_str(), drive.lines_Hz.size() == 1 ? "" : "s", tones.c_str());
-  } else {
-    std::snprintf(text, sizeof text, "%s: %.4g %s rms, %.3g to %.3g Hz (90 %% of its power)", drive.channel.c_str(),
-                  drive.rms, quantity_unit(drive.channel).c_str(), drive.from_Hz, drive.to_Hz);
-  }
-  return text;
+  for (const double line : drive.lines_Hz) tones += fmt::format("{}{:.4g}", tones.empty() ? "" : ", ", line);
+  return level + (drive.lines_Hz.size() == 1 ? "tone at " : "tones at ") + tones + " Hz";
 }
 
 }  // namespace

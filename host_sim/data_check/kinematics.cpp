@@ -1,8 +1,9 @@
 #include "host_sim/data_check/kinematics.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "host_sim/data_check/unit_factors.hpp"
 
@@ -101,12 +102,6 @@ void measure_lateness(const Sides& sides, double T, size_t h, Comparison& result
       std::sqrt(std::max(residual, 0.0) / static_cast<double>(n) * 2.0 * static_cast<double>(h) / slope_square);
 }
 
-std::string sentence(const char* format, double value) {
-  char text[200];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
-}
-
 // Whose numbers are too large, and in which unit they would be right. factor: upper over what lower says.
 struct Blame {
   bool upper = true;
@@ -179,7 +174,7 @@ std::vector<Finding> check_kinematics(const Record& record, int dof, bool rotati
       const std::string blamed = name(lower ? pair.lower : pair.upper), other = name(lower ? pair.upper : pair.lower);
       Finding finding{"polarity", Weight::kFault, blamed, "", pair.correlation};
       finding.detail = "points against " + other +
-                       sentence(" (correlation of the same motion %.2f)", pair.correlation) +
+                       fmt::format(" (correlation of the same motion {:.2f})", pair.correlation) +
                        ": the sensor is turned over or its leads are exchanged; change the sign of the column";
       if (pairs.size() == 1) finding.detail += " (or that of " + other + ")";
       add(std::move(finding));
@@ -191,7 +186,7 @@ std::vector<Finding> check_kinematics(const Record& record, int dof, bool rotati
       const double factor = upper ? std::abs(pair.gain) : 1.0 / std::abs(pair.gain);
       const std::string blamed = name(upper ? pair.upper : pair.lower), other = name(upper ? pair.lower : pair.upper);
       Finding finding{"unit", Weight::kFault, blamed, "", factor};
-      finding.detail = "is " + sentence("%.4g times what ", factor) + other + " says of the same motion";
+      finding.detail = "is " + fmt::format("{:.4g} times what ", factor) + other + " says of the same motion";
       const auto unit =
           unit_reading(dimension_of(static_cast<firmware::Quantity>(upper ? pair.upper : pair.lower), rotating), factor,
                        kUnitTolerance);
@@ -203,9 +198,9 @@ std::vector<Finding> check_kinematics(const Record& record, int dof, bool rotati
     if (!pair.turned && pair.correlation > kGainCorrelation && std::abs(samples) > 0.1 && std::abs(samples) < 10.0 &&
         std::abs(pair.late_s) > 5.0 * pair.late_std_s) {
       Finding finding{"skew", Weight::kInforms, name(pair.upper), "", pair.late_s};
-      finding.detail = sentence(pair.late_s > 0.0 ? "is %.3g us late against " : "is %.3g us ahead of ",
-                                std::abs(pair.late_s) * 1e6) +
-                       name(pair.lower) + sentence(" (+- %.2g)", 2e6 * pair.late_std_s);
+      finding.detail = fmt::format(pair.late_s > 0.0 ? "is {:.3g} us late against " : "is {:.3g} us ahead of ",
+                                   std::abs(pair.late_s) * 1e6) +
+                       name(pair.lower) + fmt::format(" (+- {:.2g})", 2e6 * pair.late_std_s);
       add(std::move(finding));
     }
   }

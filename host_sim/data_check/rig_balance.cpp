@@ -1,8 +1,9 @@
 #include "host_sim/data_check/rig_balance.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "hal/rig_file/channel_name.hpp"
 #include "host_sim/data_check/balance.hpp"
@@ -94,10 +95,9 @@ std::vector<Finding> findings_of(std::vector<Change> changes, const std::vector<
       return {};
     }
   }
-  char share[120];
-  std::snprintf(share, sizeof share,
-                "the rig file's masses and springs explain %.0f %% of the motion so, and %.0f %% as it stands",
-                100.0 * (1.0 - best.left), 100.0 * std::max(0.0, 1.0 - before));
+  std::string share =
+      fmt::format("the rig file's masses and springs explain {:.0f} % of the motion so, and {:.0f} % as it stands",
+                  100.0 * (1.0 - best.left), 100.0 * std::max(0.0, 1.0 - before));
   Finding finding{best.unit.empty() ? "polarity" : "unit", Weight::kFault, channels[best.channels.front()]->name, "",
                   best.times};
   finding.detail = (best.channels.size() > 1 ? "and all other motion channels are in " + best.unit
@@ -147,11 +147,10 @@ std::vector<Finding> exchanged_dofs(const Record& record, const rig_file::RigMod
   std::vector<Finding> findings;
   for (const Channel& channel : record.channels) {
     if (channel.quantity == Quantity::kForce || channel.dof != best_i) continue;
-    char text[240];
-    std::snprintf(text, sizeof text,
-                  ": the rig file's masses and springs explain %.0f %% of the motion so, and %.0f %% as it stands; "
-                  "exchange the columns, or the DOFs' numbers in the rig file",
-                  100.0 * (1.0 - best), 100.0 * std::max(0.0, 1.0 - before));
+    std::string text = fmt::format(
+        ": the rig file's masses and springs explain {:.0f} % of the motion so, and {:.0f} % as it stands; exchange "
+        "the columns, or the DOFs' numbers in the rig file",
+        100.0 * (1.0 - best), 100.0 * std::max(0.0, 1.0 - before));
     findings.push_back({"exchanged", Weight::kFault, channel.name,
                         "is exchanged with " + record.find(channel.quantity, best_j)->name + text, best});
   }

@@ -1,9 +1,10 @@
 #include "host_sim/data_check/slow_faults.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <cstdio>
 
 namespace host_sim::data_check {
 namespace {
@@ -46,10 +47,9 @@ std::optional<Finding> find_hum(const Channel& channel, const Statistics& statis
       count += 1.0;
     }
   if (!(line * line > kAboveSurroundings * around / count) || line < 1e-6 * statistics.rms) return std::nullopt;
-  char text[200];
-  std::snprintf(
-      text, sizeof text,
-      "carries a line at %.0f Hz of amplitude %.3g (%.2g %% of its rms): mains hum, if the excitation has no such line",
+  std::string text = fmt::format(
+      "carries a line at {:.0f} Hz of amplitude {:.3g} ({:.2g} % of its rms): mains hum, if the excitation has no such "
+      "line",
       mains_Hz, line, 100.0 * line / statistics.rms);
   return Finding{"hum", Weight::kInforms, channel.name, text, line};
 }
@@ -77,9 +77,8 @@ std::optional<Finding> find_drift(const Channel& channel, const Statistics& stat
   if (!(square > 0.0) || crossings < 4 * kParts) return std::nullopt;
   const double correlation = moment / std::sqrt(square * times), over_record = moment / times * kParts;
   if (std::abs(correlation) < kSteady || std::abs(over_record) < kDriftShare * statistics.rms) return std::nullopt;
-  char text[200];
-  std::snprintf(text, sizeof text, "drifts by %.3g over the record (%.2g %% of its rms)", over_record,
-                100.0 * std::abs(over_record) / statistics.rms);
+  std::string text = fmt::format("drifts by {:.3g} over the record ({:.2g} % of its rms)", over_record,
+                                 100.0 * std::abs(over_record) / statistics.rms);
   return Finding{"drift", Weight::kInforms, channel.name, text, over_record};
 }
 
@@ -96,9 +95,8 @@ std::vector<Finding> find_slow_faults(const Record& record, const Channel& chann
 
 std::optional<Finding> find_jitter(const Record& record) {
   if (!(record.time_jitter_s > 1e-3 * record.sample_period_s)) return std::nullopt;
-  char text[160];
-  std::snprintf(text, sizeof text, "the sample times scatter by %.3g us (rms) about even steps of %.6g us",
-                record.time_jitter_s * 1e6, record.sample_period_s * 1e6);
+  std::string text = fmt::format("the sample times scatter by {:.3g} us (rms) about even steps of {:.6g} us",
+                                 record.time_jitter_s * 1e6, record.sample_period_s * 1e6);
   return Finding{"jitter", Weight::kInforms, "", text, record.time_jitter_s};
 }
 

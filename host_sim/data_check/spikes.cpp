@@ -1,8 +1,9 @@
 #include "host_sim/data_check/spikes.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace host_sim::data_check {
 namespace {
@@ -191,14 +192,13 @@ std::optional<Finding> find_spikes(const Channel& channel, const Statistics& sta
     if (const double clean = mean_square(without, order); clean > 0.0)
       harm = std::max(harm, mean_square(x, order) / clean);
   if (harm <= kHarm && largest->size < kWorthSaying * statistics.range) return std::nullopt;
-  char text[240];
-  std::snprintf(text, sizeof text, "%zu %s; the largest at %.6g s (sample %zu) is %.3g, where the rest spans %.3g",
-                gaps.size(),
-                dropouts == gaps.size() ? (dropouts == 1 ? "dropout" : "dropouts")
-                : gaps.size() == 1      ? "spike"
-                                        : "spikes",
-                static_cast<double>(largest->first) * neighbours.sample_period_s, largest->first + 1, x[largest->first],
-                statistics.range);
+  std::string text =
+      fmt::format("{} {}; the largest at {:.6g} s (sample {}) is {:.3g}, where the rest spans {:.3g}", gaps.size(),
+                  dropouts == gaps.size() ? (dropouts == 1 ? "dropout" : "dropouts")
+                  : gaps.size() == 1      ? "spike"
+                                          : "spikes",
+                  static_cast<double>(largest->first) * neighbours.sample_period_s, largest->first + 1,
+                  x[largest->first], statistics.range);
   Finding finding;
   finding.kind = "spikes";
   finding.channel = channel.name;

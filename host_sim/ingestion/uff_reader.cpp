@@ -1,8 +1,9 @@
 #include "host_sim/ingestion/uff_reader.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <optional>
 #include <set>
@@ -200,8 +201,7 @@ Channel channel_of(const uff::Function& function, int dof, const uff::Units& uni
       channel_of_name(rig_file::format_channel_name({quantity, dof, rotates}), model, file, function.line);
   const double size = to_si(function, units, quantity, rotates, file);
   if (size != 1.0) {
-    char factor[40];
-    std::snprintf(factor, sizeof factor, "%.10g", size);
+    std::string factor = fmt::format("{:.10g}", size);
     notes.push_back(channel.name + " in " +
                     (function.ordinate_unit.empty() ? "the units of dataset 164" : function.ordinate_unit) +
                     ": values times " + factor);

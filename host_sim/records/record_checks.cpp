@@ -1,8 +1,9 @@
 #include "host_sim/records/record_checks.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "hal/rig_file/channel_name.hpp"
 #include "host_sim/records/data_file_error.hpp"
@@ -12,11 +13,7 @@ namespace {
 
 constexpr double kStepTolerance = 0.01;
 
-std::string seconds(double value) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.6g s", value);
-  return text;
-}
+std::string seconds(double value) { return fmt::format("{:.6g} s", value); }
 
 double median_step(const std::vector<double>& time_s) {
   std::vector<double> steps(time_s.size() - 1);

@@ -1,4 +1,6 @@
 // host_sim check: what is wrong with a recording before anybody computes with it.
+#include <fmt/format.h>
+
 #include "hal/rig_file/rig_reader.hpp"
 #include "host_sim/data_check/data_check.hpp"
 #include "host_sim/data_check/to_json.hpp"
@@ -19,18 +21,16 @@ struct CheckArguments {
 };
 
 std::string channel_line(const data_check::ChannelReport& channel) {
-  char text[200];
-  std::snprintf(text, sizeof text, "  %-28s %12.5g %12.5g %12.3g %12.3g\n", channel.name.c_str(), channel.rms,
-                channel.mean, channel.noise_floor, channel.resolution);
-  return text;
+  return fmt::format("  {:<28} {:12.5g} {:12.5g} {:12.3g} {:12.3g}\n", channel.name, channel.rms, channel.mean,
+                     channel.noise_floor, channel.resolution);
 }
 
 std::string text_of(const data_check::Report& report, bool colours) {
   std::string text;
   for (const data_check::RecordReport& record : report.records) {
-    char line[400];
-    std::snprintf(line, sizeof line, "%s: %zu samples at %.6g Hz\n  %-28s %12s %12s %12s %12s\n", record.file.c_str(),
-                  record.samples, record.sample_rate_Hz, "channel", "rms", "mean", "noise", "resolution");
+    std::string line =
+        fmt::format("{}: {} samples at {:.6g} Hz\n  {:<28} {:>12} {:>12} {:>12} {:>12}\n", record.file, record.samples,
+                    record.sample_rate_Hz, "channel", "rms", "mean", "noise", "resolution");
     text += line;
     for (const data_check::ChannelReport& channel : record.channels) text += channel_line(channel);
   }

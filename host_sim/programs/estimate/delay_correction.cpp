@@ -1,8 +1,9 @@
 #include "host_sim/programs/estimate/delay_correction.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <map>
 
 #include "hal/rig_file/channel_name.hpp"
@@ -69,10 +70,8 @@ rig_file::RigModel with_delays(const rig_file::RigModel& model, const std::vecto
 }
 
 std::string correction_note(const DelayCorrection& c) {
-  char text[200];
-  std::snprintf(text, sizeof text, "%s was %.0f us %s against the other channels of its DOF (+- %.1f): corrected",
-                c.channel.c_str(), std::fabs(c.late_us), c.late_us > 0 ? "late" : "early", 2.0 * c.std_us);
-  return text;
+  return fmt::format("{} was {:.0f} us {} against the other channels of its DOF (+- {:.1f}): corrected", c.channel,
+                     std::fabs(c.late_us), c.late_us > 0 ? "late" : "early", 2.0 * c.std_us);
 }
 
 }  // namespace host_sim

@@ -1,4 +1,6 @@
 // host_sim estimate: measured data through the fixed-point core, as the board would.
+#include <fmt/format.h>
+
 #include "hal/rig_file/rig_reader.hpp"
 #include "host_sim/programs/commands.hpp"
 #include "host_sim/programs/estimate/estimate_report_data.hpp"
@@ -25,9 +27,8 @@ struct EstimateArguments {
 
 void print_table(std::FILE* stream, const rig_file::RigModel& model, const EstimateResult& result) {
   const bool colours = is_terminal(stream);
-  char head[160];
-  std::snprintf(head, sizeof head, "\n%zu samples at %g Hz, %u record%s\n\n", result.samples, result.sample_rate_Hz,
-                result.levels, result.levels == 1 ? "" : "s");
+  std::string head = fmt::format("\n{} samples at {:g} Hz, {} record{}\n\n", result.samples, result.sample_rate_Hz,
+                                 result.levels, result.levels == 1 ? "" : "s");
   write_text(stream, model.name + head + format_table(result, colours, wrap_width(stream)));
 }
 

@@ -1,6 +1,7 @@
 #include "host_sim/programs/estimate/estimate_report_data.hpp"
 
-#include <cstdio>
+#include <fmt/format.h>
+
 #include <filesystem>
 #include <limits>
 
@@ -13,19 +14,14 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-std::string text(const char* format, double value) {
-  char out[96];
-  std::snprintf(out, sizeof out, format, value);
-  return out;
-}
-
 void add_facts(const std::vector<Record>& records, const EstimateResult& result, reports::EstimateReportData& data) {
   for (const Record& record : records) data.files.push_back(std::filesystem::path(record.file).filename().string());
-  data.facts.push_back(std::to_string(result.samples) + text(" samples at %g Hz", result.sample_rate_Hz));
-  data.facts.push_back(text("condition number %.3g", result.condition_number));
+  data.facts.push_back(std::to_string(result.samples) + fmt::format(" samples at {:g} Hz", result.sample_rate_Hz));
+  data.facts.push_back(fmt::format("condition number {:.3g}", result.condition_number));
   for (size_t i = 0; i < result.mse_percent.size(); ++i)
     if (result.mse_percent[i])
-      data.facts.push_back("MSE of DOF " + std::to_string(i + 1) + text(" (Eq. 13) %.3g %%", *result.mse_percent[i]));
+      data.facts.push_back("MSE of DOF " + std::to_string(i + 1) +
+                           fmt::format(" (Eq. 13) {:.3g} %", *result.mse_percent[i]));
 }
 
 }  // namespace

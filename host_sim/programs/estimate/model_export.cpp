@@ -1,8 +1,8 @@
 #include "host_sim/programs/estimate/model_export.hpp"
 
+#include <fmt/format.h>
 #include <matio.h>
 
-#include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -116,14 +116,10 @@ void write_mat(const fs::path& path, const Export& all) {
 
 std::string response_csv(const reports::ResponseView& view) {
   std::string out = "frequency_Hz,measured,simulated,coherence\n";
-  char line[128];
   for (size_t k = 0; k < view.frequency_Hz.size(); ++k) {
-    std::snprintf(line, sizeof line, "%.9g,%.9g,", view.frequency_Hz[k], view.measured[k]);
-    out += line;
-    if (k < view.simulated.size()) std::snprintf(line, sizeof line, "%.9g", view.simulated[k]);
-    if (k < view.simulated.size()) out += line;
-    std::snprintf(line, sizeof line, ",%.9g\n", view.coherence[k]);
-    out += line;
+    out += fmt::format("{:.9g},{:.9g},", view.frequency_Hz[k], view.measured[k]);
+    if (k < view.simulated.size()) out += fmt::format("{:.9g}", view.simulated[k]);
+    out += fmt::format(",{:.9g}\n", view.coherence[k]);
   }
   return out;
 }

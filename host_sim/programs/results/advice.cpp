@@ -1,18 +1,13 @@
 #include "host_sim/programs/results/advice.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
-#include <cstdio>
 
 #include "hal/rig_file/channel_name.hpp"
 
 namespace host_sim {
 namespace {
-
-std::string text_of(const char* format, double value) {
-  char text[64];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
-}
 
 void add_skew(const rig_file::RigModel& model, size_t dof_index, firmware::Quantity quantity,
               const firmware::SkewEstimate& skew, std::vector<SkewResult>& results) {
@@ -33,12 +28,12 @@ std::string advice_text(const rig_file::RigModel& model, const firmware::Estimat
     case firmware::Advice::kNone:
       return "";
     case firmware::Advice::kAddFrequency:
-      return "add a record excited near " + text_of("%.3g", rig_file::to_double(estimates.advice_frequency_Hz)) +
+      return "add a record excited near " + fmt::format("{:.3g}", rig_file::to_double(estimates.advice_frequency_Hz)) +
              " Hz as well";
     case firmware::Advice::kAddLevel:
       if (level_ratio < kOtherLevel) return "add a record of the same kind at another excitation level";
       return "add a record at a level that lies further off (these differ by a factor of " +
-             text_of("%.2g", level_ratio) + "), of a wider band, or drive another DOF";
+             fmt::format("{:.2g}", level_ratio) + "), of a wider band, or drive another DOF";
     case firmware::Advice::kRaiseLevel:
       return "raise the level, or drive another DOF: what " + name + " acts on hardly moves";
     case firmware::Advice::kLongerRecord:
@@ -59,7 +54,7 @@ std::string unresolved_text(const rig_file::RigModel& model, const firmware::Est
   for (size_t i = 0; i < names.size(); ++i) {
     const double change = rig_file::to_double(estimates.unresolved[i]);
     if (!(std::abs(change) >= kWorthNaming)) continue;
-    text += (text.empty() ? "" : ", ") + names[i] + text_of(" %+.0f %%", 100.0 * change);
+    text += (text.empty() ? "" : ", ") + names[i] + fmt::format(" {:+.0f} %", 100.0 * change);
   }
   return text;
 }

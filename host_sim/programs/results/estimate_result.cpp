@@ -1,8 +1,9 @@
 #include "host_sim/programs/results/estimate_result.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <map>
 
 #include "host_sim/programs/results/advice.hpp"
@@ -37,13 +38,10 @@ const char* reason(EstimateStatus status) {
 }
 
 std::string skew_note(const SkewResult& skew) {
-  char text[200];
-  std::snprintf(
-      text, sizeof text,
-      "%s is %.0f us %s the velocity (+- %.0f): a [[channel]] with delay_us = %.0f in the rig file takes it away",
-      skew.channel.c_str(), std::fabs(skew.late_us), skew.late_us < 0.0 ? "ahead of" : "late against",
-      2.0 * skew.std_us, skew.late_us);
-  return text;
+  return fmt::format(
+      "{} is {:.0f} us {} the velocity (+- {:.0f}): a [[channel]] with delay_us = {:.0f} in the rig file takes it away",
+      skew.channel, std::fabs(skew.late_us), skew.late_us < 0.0 ? "ahead of" : "late against", 2.0 * skew.std_us,
+      skew.late_us);
 }
 
 }  // namespace

@@ -1,8 +1,9 @@
 #include "host_sim/programs/results/result_table.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <sstream>
 
 #include "host_sim/can_log/readable.hpp"
@@ -14,11 +15,7 @@ namespace {
 using can_log::rounded_to;
 using firmware::EstimateStatus;
 
-std::string plain(double value, int digits) {
-  char text[64];
-  std::snprintf(text, sizeof text, "%.*g", digits, value);
-  return text;
-}
+std::string plain(double value, int digits) { return fmt::format("{:.{}g}", value, digits); }
 
 Colour colour_of(EstimateStatus status) {
   if (status == EstimateStatus::kValid) return Colour::kGood;

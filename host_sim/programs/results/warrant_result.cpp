@@ -1,6 +1,6 @@
 #include "host_sim/programs/results/warrant_result.hpp"
 
-#include <cstdio>
+#include <fmt/format.h>
 
 #include "firmware/vocabulary/effect_table.hpp"
 #include "hal/rig_file/channel_name.hpp"
@@ -60,13 +60,11 @@ std::string warrant_text(const WarrantResult& warrant) {
   if (warrant.named.effect.empty())
     return warrant.tested ? "the board finds nothing that the rig file lacks"
                           : "the board cannot test the rig file with these data";
-  char size[120];
-  std::snprintf(size, sizeof size, ", %.4g +- %.2g ", warrant.named.size, warrant.named.std);
+  std::string size = fmt::format(", {:.4g} +- {:.2g} ", warrant.named.size, warrant.named.std);
   std::string text =
       "the board suspects " + warrant.named.effect + " on " + warrant.named.where + size + warrant.named.unit;
   if (warrant.rival.effect.empty()) return text;
-  char share[60];
-  std::snprintf(share, sizeof share, " (%.0f %% of its likelihood)", warrant.rival_percent);
+  std::string share = fmt::format(" ({:.0f} % of its likelihood)", warrant.rival_percent);
   return text + "; next best " + warrant.rival.effect + " on " + warrant.rival.where + share;
 }
 

@@ -1,7 +1,8 @@
 #include "host_sim/programs/sweep/sweep_summary.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
-#include <cstdio>
 
 namespace host_sim {
 namespace {
@@ -66,22 +67,18 @@ std::string format_summary(const ordered_json& summary) {
   std::string text;
   std::string scenario;
   for (const ordered_json& row : summary) {
-    char line[256];
     if (row["scenario"] != scenario) {
       scenario = row["scenario"];
-      std::snprintf(line, sizeof line, "%s%s, %u runs\n  %-24s %10s %12s %12s %12s %8s  %s\n", text.empty() ? "" : "\n",
-                    scenario.c_str(), row["runs"].get<unsigned>(), "parameter", "truth", "bias", "rms error",
-                    "mean std", "95 % ok", "status");
-      text += line;
+      text += fmt::format("{}{}, {} runs\n  {:<24} {:>10} {:>12} {:>12} {:>12} {:>8}  {}\n", text.empty() ? "" : "\n",
+                          scenario, row["runs"].get<unsigned>(), "parameter", "truth", "bias", "rms error", "mean std",
+                          "95 % ok", "status");
     }
     std::string statuses;
     for (const auto& [status, count] : row["status"].items())
       statuses += (statuses.empty() ? "" : ", ") + status + " " + std::to_string(count.get<unsigned>());
-    std::snprintf(line, sizeof line, "  %-24s %10.4g %12.3g %12.3g %12.3g %6.1f %%  %s\n",
-                  row["name"].get<std::string>().c_str(), row["truth"].get<double>(), row["bias"].get<double>(),
-                  row["rms_error"].get<double>(), row["mean_std"].get<double>(),
-                  row["ci95_holds_percent"].get<double>(), statuses.c_str());
-    text += line;
+    text += fmt::format("  {:<24} {:10.4g} {:12.3g} {:12.3g} {:12.3g} {:6.1f} %  {}\n", row["name"].get<std::string>(),
+                        row["truth"].get<double>(), row["bias"].get<double>(), row["rms_error"].get<double>(),
+                        row["mean_std"].get<double>(), row["ci95_holds_percent"].get<double>(), statuses);
   }
   return text;
 }

@@ -1,7 +1,8 @@
 #include "host_sim/records/columns/column_meaning.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <cstdio>
 
 #include "host_sim/records/columns/column_name.hpp"
 #include "host_sim/records/columns/units.hpp"
@@ -18,11 +19,7 @@ std::string quoted(const std::string& text) {
   return result + (text.size() > 40 ? "...\"" : "\"");
 }
 
-std::string number(double value) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.10g", value);
-  return text;
-}
+std::string number(double value) { return fmt::format("{:.10g}", value); }
 
 bool is_time_choice(const std::string& channel) { return channel == "t" || channel == "t_s" || channel == "time"; }
 
