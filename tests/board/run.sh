@@ -102,7 +102,7 @@ make_initrd arm64 --program lib/systemd/systemd-networkd --program lib/systemd/s
   --file $results/arm64/usr/lib/systemd/network/80-rig-can.network=/lib/systemd/network/80-rig-can.network \
   --file $results/session.toml=/session.toml --file $results/session_sensors.log=/session_sensors.log \
   --file $results/arm64/usr/share/doc/rig-controller/board.example.toml=/board.example.toml \
-  --file $results/arm64/usr/share/doc/rig-controller/80-rig-can-fd.network=/run/systemd/network/70-rig-can-fd.network \
+  --file $results/arm64/usr/share/doc/rig-controller/80-rig-can-fd.network=/80-rig-can-fd.network \
   --module kvaser_pci --module vcan --module can-raw --module sch_tbf --module i6300esb
 
 wanted() { [ -z "$only" ] || [[ " $only " = *" $1 "* ]]; }

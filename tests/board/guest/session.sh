@@ -4,7 +4,9 @@ echo "root:x:0:0:root:/root:/bin/sh" >/etc/passwd
 echo "systemd-network:x:101:101::/:/bin/false" >>/etc/passwd
 echo "root:x:0:" >/etc/group
 echo "systemd-network:x:101:" >>/etc/group
-mkdir -p /run/systemd /run/udev
+mkdir -p /run/systemd/network /run/udev
+# The file for CAN FD is read too, for an interface that is not there: this board's controllers are for classic CAN.
+sed 's/^Name=.*/Name=canfd0/' /80-rig-can-fd.network >/run/systemd/network/70-rig-can-fd.network
 /lib/systemd/systemd-udevd --daemon
 udevadm trigger --type=devices --action=add
 udevadm settle --timeout=30
@@ -12,7 +14,7 @@ SYSTEMD_LOG_LEVEL=info /lib/systemd/systemd-networkd >/tmp/networkd.log 2>&1 &
 brought_up() { ip -d link show can0 | grep -q "state UP" && ip -d link show can0 | grep -q "bitrate 1000000"; }
 check can0_comes_up_by_the_network_file await brought_up
 cat /tmp/networkd.log
-# It reads the file for CAN FD too, which is for other interfaces, and knows every word of both.
+# It knows every word of both files.
 check network_files_are_understood sh -c '! grep -iE "unknown|failed to parse|invalid" /tmp/networkd.log'
 ip -d link show can0
 check restart_after_bus_off sh -c '/sbin/ip -d link show can0 | grep -q "restart-ms 100"'
