@@ -16,6 +16,14 @@ bool any_estimate(const Estimates& estimates) {
   return false;
 }
 
+ClearSigns clear_signs(const CoreConfiguration& configuration, const EnergySums& sums) {
+  ClearSigns signs;
+  for (int l = 0; l < configuration.link_count; ++l) signs.link[l] = sums.takes_clear_sign(l);
+  for (int i = 0; i < configuration.dof_count; ++i) signs.dof[i] = sums.leaves_samples_out(i);
+  signs.filtered = configuration.filters_sign();
+  return signs;
+}
+
 }  // namespace
 
 EstimatorCore::EstimatorCore(const CoreConfiguration& configuration, CoreDetail detail)
@@ -23,12 +31,11 @@ EstimatorCore::EstimatorCore(const CoreConfiguration& configuration, CoreDetail 
   conditioning_.configure(configuration);
   sums_.configure(configuration, static_cast<int>(detail));
   probes_ = detail == CoreDetail::kFull && configuration.probe_products_per_sample > 0;
-  if (probes_) score_sums_.configure(configuration, sums_.effect_units());
+  if (probes_) score_sums_.configure(configuration, sums_.effect_units(), clear_signs(configuration, sums_));
   reset();
 }
 
 void EstimatorCore::reset() {
-  sums_.forget();
   collector_.clear(configuration_, sums_.layout());
   if (probes_) score_sums_.clear();
   estimates_ = Estimates{};
@@ -127,8 +134,7 @@ const Estimates& EstimatorCore::solve() {
   identify(configuration_, table_, memory_, estimates_);
   if (!probes_) return estimates_;
   score_sums_.flush();
-  // The score tests do not know what friction does where its direction is not clear.
-  const bool calibrated = independent_instrument(configuration_) && !sums_.friction_often_unclear();
+  const bool calibrated = !configuration_.noise_unknown;
   const bool judged =
       calibrated && any_estimate(estimates_) && score_test_.judge(configuration_, score_sums_, estimates_);
   give_verdict(configuration_, score_sums_, score_test_, {calibrated, judged, table_.level_count}, estimates_);

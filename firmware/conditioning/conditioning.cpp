@@ -63,8 +63,10 @@ void Conditioning::configure(const CoreConfiguration& configuration) {
       if (signal.half_length > reach_) reach_ = signal.half_length;
     }
   }
-  if (configuration.high_pass_order > 0)
+  FIRMWARE_PRECONDITION(2 * reach_ + configuration.sign_half_length < kHistory);
+  if (configuration.filters_sign())
     for (int node = 0; node < nodes_; ++node) add_sign_velocity(node);
+  reach_ += configuration.sign_half_length;
   history_samples_ = 2 * reach_;
   if (configuration.high_pass_order > 0)
     history_samples_ += settling_time_constants(configuration.high_pass_order) << configuration.high_pass_shift;
@@ -94,6 +96,8 @@ void Conditioning::add_sign_velocity(int node) {
   const int velocity = static_cast<int>(Quantity::kVelocity);
   if (!configuration_->signals[node][velocity].available) return;
   Path& path = add_path(node, velocity, kSignVelocityColumn + node);
+  path.early = configuration_->sign_half_length;
+  if (configuration_->high_pass_order == 0) return;
   path.sections = path.integrations > 0 ? 2 : 0;
   path.shift = static_cast<uint8_t>(path.shift + kLowerSignCorner);
 }
@@ -184,7 +188,7 @@ int32_t Conditioning::filtered(Path& path, int32_t code) {
   path.history[history_at_] = path.history[history_at_ + kHistory] = input;
   if (path.fused_with >= 0) return 0;                      // filled once the acceleration's history is
   const int32_t* window = &path.history[history_at_ + 1];  // window[kHistory - 1] is the newest sample
-  const int first = kHistory - 1 - reach_ - signal.half_length;
+  const int first = kHistory - 1 - (reach_ - path.early) - signal.half_length;
   const bool for_sign = path.column >= kSignVelocityColumn;  // of which the limit does not matter
   const bool saturated = saturated_;
   const int32_t value = rounded(weighted(signal.tap, window + first, signal.half_length), signal.shift);

@@ -5,6 +5,9 @@
 // Where signals pass a high-pass, which leads by up to a quarter of a turn, friction takes its sign from a velocity of its own
 // (kSignVelocityColumn): as measured, or integrated with a corner eight times lower and one section that takes the offset away.
 //
+// Where signals pass a low-pass, friction's sign passes it too: the velocity it is taken from comes as many samples early as that
+// filter needs (links/low_passed_sign.hpp), all other signals wait for it.
+//
 // Formats: code 24 bits; section states Q16 in int64, below 2^57 for two integrations at the slowest corner (shift 12);
 // FIR: 57 taps of 30 bits times codes of 24 bits, or of 25 bits times 31, stay below 2^62. Signals leave with |value| <= 2^23; a signal at that limit and a code at
 // one of its channel's rails count as saturated.
@@ -38,6 +41,7 @@ class Conditioning {
     int64_t previous[kMaxSections] = {};  // Q16, last input of a difference section
     // High-pass: differences come first, then integrations, all with the pole 1 - 2^-shift.
     uint8_t sections = 0, integrations = 0, shift = 0;
+    uint8_t early = 0;        // samples by which it comes before the others
     int16_t fused_with = -1;  // the path of the node's acceleration; section and previous are of the fusion
   };
   bool filter(const RawSample& sample, Frame& frame, int at);

@@ -56,6 +56,9 @@ struct FusionConfiguration {
   Fixed<int32_t, 0> step_tap[2 * kFusionHalf + 1];
 };
 
+constexpr int kSignFilterHalf = 12;
+constexpr int kFilteredSignBits = 20;
+
 // A link between two nodes: elongation u = x_a - x_b, rate w = v_a - v_b; its force acts on a with -1, on b with +1.
 struct LinkConfiguration {
   uint8_t node_a = 0;  // 0 .. kMaxDofs-1, kBaseNode or kGroundNode
@@ -89,6 +92,15 @@ struct WindowConfiguration {
 
 constexpr uint16_t kAllProbes = 65535;  // every candidate on every sample, whatever it costs
 
+// What the score tests' instruments share with a node's own signals through filters (firmware/warrant/shared_noise.hpp): mean
+// products of noise, SI units. An instrument is interpolated from the four neighbours on either side.
+enum class ProbeWeight : uint8_t { kDisplacement, kVelocity, kAcceleration, kAccelerationSlope, kForce, kNone };
+constexpr int kMotionProbeWeights = 4;
+struct ProbeNoise {
+  Scaled motion[kMotionProbeWeights][kQuantities - 1];  // with displacement, velocity and acceleration
+  Scaled force;                                         // of the interpolated force with the force
+};
+
 struct CoreConfiguration {
   uint8_t dof_count = 0;
   uint8_t link_count = 0;
@@ -104,10 +116,18 @@ struct CoreConfiguration {
   // Mean product of the noise in a weight of a node's equation (plain, instrument, displacement) with the noise in the node's own
   // signal, SI units: what filters make them share. Taken out of the energies; 0 where nothing is shared or known.
   Scaled shared_noise[kMaxNodes][3][kQuantities];
+  ProbeNoise probe_noise[kMaxNodes];
+  bool shares_probe_noise = false;  // probe_noise holds something
+  bool noise_unknown = false;       // signals pass filters, and nobody has said how much noise their channels have
   // Every signal passes as many first-order high-pass sections (corner = rate / (2 pi 2^shift)) as the most integrated one has
   // integrations, plus one where any is integrated; an integration takes the place of one section's difference.
   uint8_t high_pass_order = 0;
   uint8_t high_pass_shift = 0;
+  // Where every signal passes a low-pass, the sign of friction passes it too: taps in Q20, oldest first. 0: it passes none.
+  uint8_t sign_half_length = 0;
+  Fixed<int32_t, 20> sign_tap[2 * kSignFilterHalf + 1];
+  // The column of friction's sign holds 2^kFilteredSignBits times the filtered sign.
+  bool filters_sign() const { return high_pass_order > 0 || sign_half_length > 0; }
   WindowConfiguration window;
   // What the score tests (firmware/warrant) may cost: products of two numbers a sample; 0: no tests.
   uint16_t probe_products_per_sample = kAllProbes;

@@ -19,7 +19,7 @@ bool measured_velocity(const CoreConfiguration& configuration, int node) {
 
 // Of the rate whose sign friction has.
 RateGains sign_gains(const CoreConfiguration& configuration, RateGains gains) {
-  if (configuration.high_pass_order == 0) return gains;
+  if (!configuration.filters_sign()) return gains;
   gains.column_a = static_cast<uint16_t>(kSignVelocityColumn + gains.column_a / kQuantities);
   gains.column_b = static_cast<uint16_t>(kSignVelocityColumn + gains.column_b / kQuantities);
   return gains;
@@ -56,20 +56,11 @@ void EnergySums::configure(const CoreConfiguration& configuration, int weights) 
   restart();
 }
 
-void EnergySums::forget() {
-  for (ClearSign& sign : clear_sign_) sign.forget();
-}
-
-bool EnergySums::friction_often_unclear() const {
-  for (int l = 0; l < configuration_->link_count; ++l)
-    if (wants_clear_sign_[l] && clear_sign_[l].often_unclear()) return true;
-  return false;
-}
-
 void EnergySums::restart() {
   effects_.restart();
   for (ClearSign& sign : clear_sign_) sign.restart();
   for (HighPassedSign& sign : high_passed_sign_) sign.restart();
+  for (LowPassedSign& sign : low_passed_sign_) sign.restart();
   started_ = false;
   samples_ = 0;
 }
@@ -120,6 +111,7 @@ void EnergySums::fill_clear_signs(Frame& frame, int from, int to, int advance) {
     if (configuration_->high_pass_order > 0)
       high_passed_sign_[l].fill(configuration_->high_pass_order, configuration_->high_pass_shift, from, to, advance,
                                 sign);
+    if (configuration_->sign_half_length > 0) low_passed_sign_[l].fill(*configuration_, from, to, advance, sign, clear);
     leave_out(frame, l, from, to, clear);
   }
 }
@@ -206,7 +198,7 @@ void EnergySums::read_integrals() {
 // (C_smooth - g C) / (1 - g), g = 67/200.
 Scaled EnergySums::friction_energy(const Incidence& incidence, int weight) const {
   const bool clear = plan_.dof[incidence.dof].clear_signs_only;
-  if (clear && (weight != kPlain || configuration_->high_pass_order > 0)) return integral(incidence.product_a[weight]);
+  if (clear && (weight != kPlain || configuration_->filters_sign())) return integral(incidence.product_a[weight]);
   const int column = weight_column(plan_, incidence.dof, weight);
   const int link = configuration_->terms[incidence.term].place;
   const Scaled crossing = configuration_->sample_period_s * plan_.column_unit[column] *

@@ -8,6 +8,7 @@
 #include "firmware/links/effects.hpp"
 #include "firmware/links/high_passed_sign.hpp"
 #include "firmware/links/link_motion.hpp"
+#include "firmware/links/low_passed_sign.hpp"
 
 namespace firmware {
 
@@ -19,9 +20,9 @@ class EnergySums {
   const Scaled* effect_units() const { return &plan_.column_unit[kEffectColumn]; }  // SI, in the order of the terms
 
   void restart();  // a new level
-  void forget();   // all levels
-  // Does a link whose friction is estimated have no clear direction in more than a third of the samples?
-  bool friction_often_unclear() const;
+  // Friction counts in samples of clear sign: at which links, and whose equations leave the others out.
+  bool takes_clear_sign(int link) const { return wants_clear_sign_[link]; }
+  bool leaves_samples_out(int dof) const { return plan_.dof[dof].clear_signs_only; }
   // Works on positions [kLeadIn, kLeadIn + count) of the frame; position kLeadIn + count is the boundary to what follows.
   void add_block(Frame& frame, int count);
   uint32_t samples() const { return started_ ? samples_ : 0; }  // since the batch was started
@@ -61,6 +62,7 @@ class EnergySums {
   bool wants_all_signs_[kMaxLinks];   // friction of a DOF whose equation is taken everywhere
   ClearSign clear_sign_[kMaxLinks];
   HighPassedSign high_passed_sign_[kMaxLinks];
+  LowPassedSign low_passed_sign_[kMaxLinks];
   bool locates_crossings_[kMaxLinks];  // a DOF at the link has no measured acceleration
   bool
       smooth_is_white_[kMaxLinks];  // both velocities are measured: the noise of the two sign streams is known to scale

@@ -1,7 +1,5 @@
 #include "firmware/energy/equation_plan.hpp"
 
-#include "firmware/links/high_passed_sign.hpp"
-
 namespace firmware {
 namespace {
 
@@ -48,7 +46,7 @@ class Planner {
       if (term.kind == TermKind::kMass) {
         incidence.product_a[q] = weighted(i, q, i, Quantity::kAcceleration);
       } else if (is_sign_term(term.kind)) {
-        const bool clear = (q > 0 || configuration_.high_pass_order > 0) && plan_.dof[i].clear_signs_only;
+        const bool clear = (q > 0 || configuration_.filters_sign()) && plan_.dof[i].clear_signs_only;
         incidence.column_a = static_cast<uint16_t>((clear ? kClearSignColumn : kSignColumn) + term.place);
         incidence.product_a[q] = weighted_column(i, q, incidence.column_a);
       } else if (is_effect_term(term.kind)) {
@@ -116,9 +114,9 @@ void set_column_units(const CoreConfiguration& configuration, EquationPlan& plan
   for (int link = 0; link < kMaxLinks; ++link)
     plan.column_unit[kSignColumn + link] = plan.column_unit[kSmoothSignColumn + link] =
         plan.column_unit[kClearSignColumn + link] = Scaled::from_int(1);
-  if (configuration.high_pass_order == 0) return;
+  if (!configuration.filters_sign()) return;
   for (int link = 0; link < kMaxLinks; ++link)
-    plan.column_unit[kClearSignColumn + link] = Scaled::from_int(1, -kHighPassedSignBits);
+    plan.column_unit[kClearSignColumn + link] = Scaled::from_int(1, -kFilteredSignBits);
 }
 
 // Gives every unknown of DOF i a slot, in the order of the unknowns' first appearance.

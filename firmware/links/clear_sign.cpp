@@ -18,8 +18,6 @@ void ClearSign::configure(const RateGains& gains, int means, bool slow) {
 
 void ClearSign::restart() { known_ = Known{}; }
 
-void ClearSign::forget() { seen_ = clear_ = 0; }
-
 int32_t ClearSign::judge(int64_t own, int64_t around) {
   known_.differences += magnitude(6 * own - around);
   known_.magnitudes += magnitude(6 * own);
@@ -41,9 +39,6 @@ void ClearSign::fill(const Frame& frame, int from, int to, int advance, int32_t*
     if (i == from + advance) at_next = known_;
     clear[i] = judge(w[i], 4 * (w[i - 1] + w[i + 1]) - w[i - 2] - w[i + 2]);
     sign[i] = sign_of(w[i]);
-    if (i >= from + advance) continue;  // comes again at the next call
-    ++seen_;
-    clear_ += clear[i] != 0;
   }
   known_ = at_next;
 }

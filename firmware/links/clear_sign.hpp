@@ -18,9 +18,6 @@ class ClearSign {
   // for neighbours to show. slow: the rate has passed a high-pass, which shifts it by up to an eighth of its mean magnitude.
   void configure(const RateGains& gains, int means, bool slow);
   void restart();  // a new level: its noise is measured anew
-  void forget();   // the counts below start again
-  // Is more than a third of the samples since then without a clear sign: the link sticks or reverses much of the time.
-  bool often_unclear() const { return 3 * static_cast<uint64_t>(clear_) < 2 * static_cast<uint64_t>(seen_); }
   // For positions [from, to): clear[i] is -1 or 1 where clear, else 0; sign[i] is that of the rate itself. What is known of the
   // noise goes on from position from + advance at the next call. Rates are read two positions further on either side.
   void fill(const Frame& frame, int from, int to, int advance, int32_t* clear, int32_t* sign);
@@ -38,7 +35,6 @@ class ClearSign {
   int64_t means_ = 4;
   bool slow_ = false;
   Known known_;
-  uint32_t seen_ = 0, clear_ = 0;  // samples
 };
 
 }  // namespace firmware

@@ -3,9 +3,7 @@
 namespace firmware {
 namespace {
 
-constexpr int kGainShift = 25;
-
-int64_t clamp(int64_t x, int64_t limit) { return x > limit ? limit : (x < -limit ? -limit : x); }
+constexpr int kSignalBits = 23;
 
 // log2(e) and 1 / (2 pi), from their continued fractions: error below 1e-12.
 Scaled log2_e() { return Scaled::ratio(1865452, 1293033); }
@@ -44,30 +42,20 @@ Scaled law_unit(const Term& term, const CoreLaw& law, int32_t exponent_u, int32_
   return unit * (term.shape.is_zero() ? Scaled::from_int(1, kLawTimeBits) * sample_period_s : term.shape);
 }
 
-}  // namespace
-
-Effects::Side Effects::side(const CoreConfiguration& configuration, const LinkConfiguration& link, Quantity quantity) {
-  Side side;
+NodeDifference side(const CoreConfiguration& configuration, const LinkConfiguration& link, Quantity quantity) {
   const int index = static_cast<int>(quantity);
   const bool has_a = link.node_a != kGroundNode, has_b = link.node_b != kGroundNode;
-  const Scaled unit_a = has_a ? configuration.signals[link.node_a][index].unit_per_code : Scaled{};
-  const Scaled unit_b = has_b ? configuration.signals[link.node_b][index].unit_per_code : Scaled{};
-  const Scaled sum = unit_a + unit_b;
-  if (sum.is_zero()) return side;
-  side.range_exponent = log2_floor(sum) + 1 + 23;  // signals stay within 2^23 codes
-  const int bits = kLawFraction + kGainShift - side.range_exponent;
-  side.gain_a = static_cast<int32_t>(to_fixed(unit_a, bits));
-  side.gain_b = static_cast<int32_t>(to_fixed(unit_b, bits));
-  side.column_a = static_cast<uint16_t>(signal_column(has_a ? link.node_a : 0, quantity));
-  side.column_b = static_cast<uint16_t>(signal_column(has_b ? link.node_b : 0, quantity));
-  return side;
+  return node_difference(signal_column(has_a ? link.node_a : 0, quantity),
+                         has_a ? configuration.signals[link.node_a][index].unit_per_code : Scaled{},
+                         signal_column(has_b ? link.node_b : 0, quantity),
+                         has_b ? configuration.signals[link.node_b][index].unit_per_code : Scaled{}, kSignalBits);
 }
 
-int32_t Effects::value(const Side& side, const Frame& frame, int at) {
-  const int64_t difference = static_cast<int64_t>(frame.column[side.column_a][at]) * side.gain_a -
-                             static_cast<int64_t>(frame.column[side.column_b][at]) * side.gain_b;
-  return static_cast<int32_t>(clamp((difference + (int64_t{1} << (kGainShift - 1))) >> kGainShift, kLawOne));
+int32_t value(const NodeDifference& side, const Frame& frame, int at) {
+  return difference_at(side, frame.column[side.column_a], frame.column[side.column_b], at);
 }
+
+}  // namespace
 
 void Effects::configure(const CoreConfiguration& configuration, Scaled* column_unit) {
   count_ = 0;

@@ -2,11 +2,12 @@
 //
 // Elongation and rate are brought to Q26 of the link's own ranges U and W (powers of two that hold the codes' full scale),
 // so a column entry is an integer of at most 2^26 whose unit follows from the law: u^3 has U^3 / 2^26, w|w| has W^2 / 2^26.
-// Formats: code 24 bits times gain 2^28 shifted by 25: 27 bits; products of two Q26 numbers 2^52, shifted back to Q26.
+// Formats: links/node_difference.hpp; products of two Q26 numbers 2^52, shifted back to Q26.
 #pragma once
 #include "firmware/acquisition/columns.hpp"
 #include "firmware/configuration/configuration.hpp"
 #include "firmware/links/effect_laws.hpp"
+#include "firmware/links/node_difference.hpp"
 
 namespace firmware {
 
@@ -19,21 +20,14 @@ class Effects {
   void fill(Frame& frame, int from, int to, int advance);
 
  private:
-  struct Side {  // a difference of two nodes' signals in Q26 of a range 2^range_exponent
-    uint16_t column_a = 0, column_b = 0;
-    int32_t gain_a = 0, gain_b = 0;  // 0: ground
-    int32_t range_exponent = 0;
-  };
   struct Effect {
     TermKind kind = TermKind::kGravity;
-    Side elongation, rate;
+    NodeDifference elongation, rate;
     LawShape shape;
     int32_t memory_q26 = 0;  // bristles at the next start position
     bool moved = false;      // false: the bristles still stand as they start
     uint32_t time = 0;       // samples since the level's start, at the next start position
   };
-  static Side side(const CoreConfiguration& configuration, const LinkConfiguration& link, Quantity quantity);
-  static int32_t value(const Side& side, const Frame& frame, int at);
   static void fill_bristles(Effect& effect, const Frame& frame, int from, int to, int advance, int32_t* column);
 
   Effect effect_[kMaxEffectColumns];

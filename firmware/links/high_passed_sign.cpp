@@ -9,7 +9,7 @@ void HighPassedSign::fill(int order, int shift, int from, int to, int advance, i
   State at_next = state_;
   for (int i = from; i < to; ++i) {
     if (i == from + advance) at_next = state_;
-    int64_t value = sign[i] * (int64_t{1} << (kHighPassedSignBits + kStateFraction));
+    int64_t value = sign[i] * (int64_t{1} << (kFilteredSignBits + kStateFraction));
     if (!state_.started) state_.previous[0] = value;  // it has stood there for ever
     state_.started = true;
     for (int s = 0; s < order; ++s) {

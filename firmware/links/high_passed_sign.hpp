@@ -1,11 +1,9 @@
 // The sign of friction through the high-pass that all other signals of its equation have passed: the high-passed sign is not the
 // sign of a high-passed velocity.
 #pragma once
-#include "firmware/acquisition/columns.hpp"
+#include "firmware/configuration/configuration.hpp"
 
 namespace firmware {
-
-constexpr int kHighPassedSignBits = 20;  // the column holds 2^20 times the sign
 
 class HighPassedSign {
  public:

@@ -9,7 +9,7 @@
 namespace firmware {
 namespace {
 
-constexpr uint32_t kVersion = 0x52433035;  // "RC05": changes with the list of fields
+constexpr uint32_t kVersion = 0x52433036;  // "RC06": changes with the list of fields
 
 // Bytes go to a buffer where there is one, and into the check sum.
 class Writer {
@@ -153,6 +153,27 @@ constexpr void walk_shared_noise(Archive& archive, Core& core) {
 }
 
 template <typename Archive, typename Core>
+constexpr void walk_probe_noise(Archive& archive, Core& core) {
+  archive.field(core.shares_probe_noise);
+  archive.field(core.noise_unknown);
+  for (auto& node : core.probe_noise) {
+    for (auto& weight : node.motion) {
+      archive.clear(weight);
+      for (auto& covariance : weight)
+        if (core.shares_probe_noise) walk_scaled(archive, covariance);
+    }
+    if (core.shares_probe_noise) walk_scaled(archive, node.force);
+  }
+}
+
+template <typename Archive, typename Core>
+constexpr void walk_sign_filter(Archive& archive, Core& core) {
+  archive.field(core.sign_half_length);
+  archive.clear(core.sign_tap);
+  for (int k = 0; k <= 2 * core.sign_half_length && k <= 2 * kSignFilterHalf; ++k) archive.field(core.sign_tap[k].raw);
+}
+
+template <typename Archive, typename Core>
 constexpr void walk_core(Archive& archive, Core& core) {
   archive.field(core.dof_count);
   archive.field(core.link_count);
@@ -179,8 +200,10 @@ constexpr void walk_core(Archive& archive, Core& core) {
   for (int node = 0; node < kMaxNodes; ++node)
     walk_fusion(archive, core.fusion[node], core.signals[node][static_cast<int>(Quantity::kVelocity)].half_length);
   walk_shared_noise(archive, core);
+  walk_probe_noise(archive, core);
   archive.field(core.high_pass_order);
   archive.field(core.high_pass_shift);
+  walk_sign_filter(archive, core);
   archive.field(core.window.mode);
   archive.field(core.window.cycle_samples_numerator);
   archive.field(core.window.cycle_samples_denominator);
@@ -249,6 +272,8 @@ constexpr void walk_rig(Archive& archive, Configuration& configuration) {
 // Every filter at its longest (a fused velocity's two are shorter together); everything else has one length. Version before it and check sum behind it.
 constexpr size_t longest_encoding() {
   ControllerConfiguration longest;
+  longest.core.shares_probe_noise = true;
+  longest.core.sign_half_length = kSignFilterHalf;
   for (auto& node : longest.core.signals)
     for (SignalConfiguration& signal : node) {
       signal.half_length = kFilterHalf;

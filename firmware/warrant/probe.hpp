@@ -63,7 +63,8 @@ struct Probe {
   int8_t unknown = -1;  // the estimated term it stands for; -1: a candidate
   Cause cause = Cause::kUnknown;
   uint8_t quantity = kNoQuantity;  // of the channel, where the cause is in the measurement
-  uint16_t first_value = 0;        // its sums: one per equation, one per column of the place, one of its own force
+  // Its sums: one per equation, one per column of the place, one of its own force; two of its slopes where noise is shared.
+  uint16_t first_value = 0;
 };
 
 struct ProbePlan {
@@ -73,8 +74,9 @@ struct ProbePlan {
   int probe_count = 0;
   int base_count = 0;  // the first ones: those of estimated terms
   int value_count = 0;
+  int slopes = 0;  // 2 where signals share noise, else 0
   // Sums of a probe, in their order.
-  int values(const Probe& p) const { return place[p.place].equations + place[p.place].columns + 1; }
+  int values(const Probe& p) const { return place[p.place].equations + place[p.place].columns + 1 + slopes; }
   int own_value(const Probe& p) const { return p.first_value + place[p.place].equations + place[p.place].columns; }
 };
 

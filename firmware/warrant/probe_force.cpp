@@ -70,55 +70,89 @@ int64_t law(Form form, int64_t u, int64_t w, int64_t sign) {
 
 void fill_motion(const BlockMotion& block, const Place& place, const PlaceScale& scale, PlaceMotion& motion) {
   for (int q = 0; q < 2; ++q) {
-    const Difference& d = scale.difference[q];
-    const int32_t *a = block.signal(d.row_a), *b = block.signal(d.row_b);
+    const NodeDifference& d = scale.difference[q];
+    const int32_t *a = block.signal(d.column_a), *b = block.signal(d.column_b);
     for (int n = 0; n < kBlockSamples; ++n) {
       const bool inside = scale.present[q];
-      motion.instrument[q][n] = inside ? normalised(BlockMotion::smoothed(d, a, b, n), scale.shift[q]) : 0;
-      motion.own[q][n] = inside ? normalised(BlockMotion::own(d, a, b, n), scale.shift[q]) : 0;
+      motion.instrument[q][n] = inside ? normalised(smoothed(d, a, b, n), scale.shift[q]) : 0;
+      motion.own[q][n] = inside ? normalised(difference_at(d, a, b, n), scale.shift[q]) : 0;
       if (place.kind != PlaceKind::kDof) continue;
-      motion.slope[q][n] = inside ? normalised(BlockMotion::slope(d, a, n), scale.shift[q]) : 0;
-      const int32_t twice = BlockMotion::own(d, a, b, n + 1) / 2 - BlockMotion::own(d, a, b, n - 1) / 2;
+      motion.slope[q][n] = inside ? normalised(slope(d, a, n), scale.shift[q]) : 0;
+      const int32_t twice = difference_at(d, a, b, n + 1) / 2 - difference_at(d, a, b, n - 1) / 2;
       motion.own_slope[q][n] = inside ? normalised(twice, scale.shift[q]) : 0;
     }
   }
   const int64_t close = scale.near_friction ? int64_t{kReversalDeviations} * scale.noise_q26 : 0;
   const int64_t limit = scale.shift[1] >= 0 ? close >> scale.shift[1] : close << -scale.shift[1];
-  for (int n = 0; n < kBlockSamples; ++n)
-    motion.used[n] = !scale.near_friction || magnitude(motion.instrument[1][n]) > limit;
+  for (int n = 0; n < kBlockSamples; ++n) {
+    bool used = !scale.near_friction || magnitude(motion.instrument[1][n]) > limit;
+    for (int e = 0; e < place.equations; ++e) used = used && block.counts(place.dof[e], n);
+    motion.used[n] = used;
+  }
 }
 
+namespace {
+
+bool has_sign(Form form) {
+  return form == Form::kSign || form == Form::kSignNarrow || form == Form::kSignWide || form == Form::kSignElongation;
+}
+bool is_slope(Form form) { return form == Form::kJerk || form == Form::kForceRate; }
+
+int64_t rate_noise(const PlaceScale& scale) {
+  return scale.shift[1] >= 0 ? scale.noise_q26 >> scale.shift[1]
+                             : static_cast<int64_t>(scale.noise_q26) << -scale.shift[1];
+}
+
+// From the instruments: close to a reversal a sign is not known.
+int64_t instrument_force(Form form, int64_t u, int64_t w, int64_t noise) {
+  if (has_sign(form) && magnitude(w) <= kReversalDeviations * noise) return 0;
+  return law(form, u, w, ((w > 0) - (w < 0)) * (1 << kPureFraction));
+}
+
+}  // namespace
+
 void fill_force(Form form, const PlaceScale& scale, const PlaceMotion& motion, int32_t* phi, int32_t* own) {
-  const int64_t noise = scale.shift[1] >= 0 ? scale.noise_q26 >> scale.shift[1]
-                                            : static_cast<int64_t>(scale.noise_q26) << -scale.shift[1];
-  const int64_t width = noise + noise / 4;
+  const int64_t noise = rate_noise(scale), width = noise + noise / 4;
+  const int slope_of = form == Form::kJerk ? 0 : 1;
   for (int n = 0; n < kBlockSamples; ++n) {
     if (!motion.used[n]) {
       phi[n] = own[n] = 0;
       continue;
     }
-    if (form == Form::kJerk || form == Form::kForceRate) {
-      const int q = form == Form::kJerk ? 0 : 1;
-      phi[n] = motion.slope[q][n];
-      own[n] = motion.own_slope[q][n];
+    if (is_slope(form)) {
+      phi[n] = motion.slope[slope_of][n];
+      own[n] = motion.own_slope[slope_of][n];
       continue;
     }
-    const int64_t u = motion.instrument[0][n], w = motion.instrument[1][n];
     const int64_t own_w = motion.own[1][n];
-    const bool far =
-        form == Form::kSign || form == Form::kSignNarrow || form == Form::kSignWide || form == Form::kSignElongation;
-    const int64_t sign = ((w > 0) - (w < 0)) * (1 << kPureFraction);
     const int64_t own_sign = width > 0 && magnitude(own_w) < width ? own_w * (1 << kPureFraction) / width
                                                                    : ((own_w > 0) - (own_w < 0)) * (1 << kPureFraction);
-    const bool unsure = far && magnitude(w) <= kReversalDeviations * noise;
-    phi[n] = unsure ? 0 : static_cast<int32_t>(law(form, u, w, sign));
+    phi[n] = static_cast<int32_t>(instrument_force(form, motion.instrument[0][n], motion.instrument[1][n], noise));
     own[n] = static_cast<int32_t>(law(form, motion.own[0][n], own_w, own_sign));
   }
 }
 
+void sum_slopes(Form form, const PlaceScale& scale, const PlaceMotion& motion, int64_t* first, int64_t* second) {
+  constexpr int64_t h = int64_t{1} << kSlopeStepLog2;
+  const int64_t noise = rate_noise(scale);
+  for (int n = 0; n < kBlockSamples; ++n) {
+    if (!motion.used[n]) continue;
+    if (is_slope(form)) {
+      *first += 2 * h;
+      continue;
+    }
+    const int64_t u = motion.instrument[0][n], w = motion.instrument[1][n];
+    *first += instrument_force(form, u + h, w, noise) - instrument_force(form, u - h, w, noise);
+    *second += instrument_force(form, u, w + h, noise) - instrument_force(form, u, w - h, noise);
+  }
+}
+
+int32_t quantity_exponent(const PlaceScale& scale, int quantity) {
+  return scale.difference[quantity].range_exponent - kDifferenceFraction + scale.shift[quantity];
+}
+
 int32_t force_exponent(Form form, const PlaceScale& scale) {
-  const int32_t u = scale.difference[0].range_exponent - 26 + scale.shift[0];
-  const int32_t w = scale.difference[1].range_exponent - 26 + scale.shift[1];
+  const int32_t u = quantity_exponent(scale, 0), w = quantity_exponent(scale, 1);
   switch (form) {
     case Form::kElongationSquare:
       return 2 * u + 22;

@@ -12,10 +12,10 @@ namespace firmware {
 // What a place's first and second quantity are: elongation and rate; on a DOF acceleration and force.
 struct PlaceScale {
   bool present[2] = {};
-  Difference difference[2];
+  NodeDifference difference[2];
   int8_t shift[2] = {};        // Q26 of the range to Q18 of the rms
   int32_t noise_q26 = 0;       // deviation of the rate's noise
-  bool near_friction = false;  // samples close to a reversal are left out
+  bool near_friction = false;  // samples close to a reversal are left out, where the equations do not say which
 };
 
 struct PlaceMotion {
@@ -30,5 +30,10 @@ void fill_motion(const BlockMotion& block, const Place& place, const PlaceScale&
 void fill_force(Form form, const PlaceScale& scale, const PlaceMotion& motion, int32_t* phi, int32_t* own);
 // SI unit of fill_force's numbers is 2^this, times the units of the quantities (N for pure numbers).
 int32_t force_exponent(Form form, const PlaceScale& scale);
+// Sums over the block of phi(q + h) - phi(q - h) for the first and the second quantity, h = 2^kSlopeStepLog2 of their Q18.
+constexpr int kSlopeStepLog2 = 15;
+void sum_slopes(Form form, const PlaceScale& scale, const PlaceMotion& motion, int64_t* first, int64_t* second);
+// SI units of the quantity in one of its Q18.
+int32_t quantity_exponent(const PlaceScale& scale, int quantity);
 
 }  // namespace firmware

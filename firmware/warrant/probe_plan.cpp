@@ -163,7 +163,7 @@ class Planner {
       if (far && (!has(c_, where.node_a, Quantity::kDisplacement) || !has(c_, where.node_b, Quantity::kDisplacement)))
         return;
     }
-    const int values = where.equations + where.columns + 1;
+    const int values = where.equations + where.columns + 1 + plan_.slopes;
     if (plan_.probe_count == kMaxProbes || plan_.value_count + values > most_values_) return;
     Probe& probe = plan_.probe[plan_.probe_count++];
     probe = Probe{};
@@ -185,6 +185,7 @@ class Planner {
 
 void make_probe_plan(const CoreConfiguration& configuration, int most_values, ProbePlan& plan) {
   plan.place_count = plan.probe_count = plan.base_count = plan.value_count = 0;
+  plan.slopes = configuration.shares_probe_noise ? 2 : 0;
   Planner planner(configuration, most_values, plan);
   planner.places();
   planner.base_probes();

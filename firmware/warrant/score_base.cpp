@@ -14,11 +14,21 @@ Scaled square(Scaled value) { return value * value; }
 void ScoreTest::read(const Probe& probe) {
   const ProbePlan& plan = sums_->plan();
   const Place& place = plan.place[probe.place];
-  Scaled unit[kPlaceEquations + kMaxPlaceColumns + 1];
-  const int values = plan.values(probe);
+  const int sums = place.equations + place.columns, values = plan.values(probe);
+  Scaled unit[kPlaceEquations + kMaxPlaceColumns + 3], noise[2][kPlaceEquations + kMaxPlaceColumns];
   for (int v = 0; v < values; ++v) unit[v] = sums_->unit(probe, v);
+  for (int slope = 0; slope < plan.slopes; ++slope)
+    for (int v = 0; v < sums; ++v) noise[slope][v] = sums_->noise_share(probe, slope, v);
   for (int s = 0; s < stretches_; ++s) {
-    const auto value = [&](int v) { return sums_->table().value(s, probe.first_value + v) * unit[v]; };
+    const auto raw = [&](int v) { return sums_->table().value(s, probe.first_value + v) * unit[v]; };
+    Scaled slopes[2];
+    for (int slope = 0; slope < plan.slopes; ++slope) slopes[slope] = raw(sums + 1 + slope);
+    const auto value = [&](int v) {
+      Scaled sum = raw(v);
+      for (int slope = 0; slope < plan.slopes; ++slope)
+        if (!noise[slope][v].is_zero()) sum = sum - slopes[slope] * noise[slope][v];
+      return sum;
+    };
     for (int e = 0; e < place.equations; ++e) residual_[s][e] = value(e);
     for (int k = 0; k < place.columns; ++k) {
       column_[s][k] = value(place.equations + k);
@@ -28,7 +38,7 @@ void ScoreTest::read(const Probe& probe) {
         if (place.column_sign[k][e] < 0) residual_[s][e] = residual_[s][e] + force;
       }
     }
-    own_[s] = value(values - 1);
+    own_[s] = raw(sums);
   }
 }
 

@@ -23,10 +23,11 @@ bool has_friction(const CoreConfiguration& configuration, int link) {
 
 }  // namespace
 
-void ScoreSums::configure(const CoreConfiguration& configuration, const Scaled* effect_unit) {
+void ScoreSums::configure(const CoreConfiguration& configuration, const Scaled* effect_unit, const ClearSigns& signs) {
   configuration_ = &configuration;
   make_probe_plan(configuration, kMostProbeValues, plan_);
-  block_.configure(configuration, effect_unit);
+  block_.configure(configuration, effect_unit, signs);
+  noise_.configure(configuration, block_.known());
   table_.configure(plan_.value_count);
   int filled = 0;
   for (int p = 0; p < plan_.place_count; ++p)
@@ -44,9 +45,10 @@ void ScoreSums::configure(const CoreConfiguration& configuration, const Scaled* 
       const Quantity quantity = on_dof ? (q == 0 ? Quantity::kAcceleration : Quantity::kForce)
                                        : (q == 0 ? Quantity::kDisplacement : Quantity::kVelocity);
       scale.difference[q] = block_.difference(quantity, place.node_a, on_dof ? kGroundNode : place.node_b);
-      scale.present[q] = scale.difference[q].gain_a != 0 || scale.difference[q].gain_b != 0;
+      scale.present[q] = scale.difference[q].present();
     }
-    scale.near_friction = place.kind == PlaceKind::kLink && has_friction(configuration, place.link);
+    scale.near_friction =
+        place.kind == PlaceKind::kLink && has_friction(configuration, place.link) && !block_.has_clear_sign(place.link);
   }
   clear();
 }
@@ -108,11 +110,11 @@ void ScoreSums::start_block() {
 void ScoreSums::measure_scales() {
   for (int p = 0; p < plan_.place_count; ++p)
     for (int q = 0; q < 2; ++q) {
-      const Difference& d = scale_[p].difference[q];
+      const NodeDifference& d = scale_[p].difference[q];
       if (!scale_[p].present[q]) continue;
-      const int32_t *a = block_.signal(d.row_a), *b = block_.signal(d.row_b);
+      const int32_t *a = block_.signal(d.column_a), *b = block_.signal(d.column_b);
       for (int n = 0; n < kBlockSamples; ++n) {
-        const int64_t value = BlockMotion::smoothed(d, a, b, n) >> kScaleShift;
+        const int64_t value = smoothed(d, a, b, n) >> kScaleShift;
         square_[p][q] += value * value;
       }
     }
@@ -138,7 +140,7 @@ void ScoreSums::set_scales() {
     }
     // (6 v - instrument) has 36 + 2 (16 + 1) times the variance of white noise.
     Scaled variance;
-    const Difference& rate = scale.difference[1];
+    const NodeDifference& rate = scale.difference[1];
     const int32_t gains[2] = {rate.gain_a, rate.gain_b};
     const int nodes[2] = {scale.present[1] && rate.gain_a != 0 ? plan_.place[p].node_a : kGroundNode,
                           scale.present[1] && rate.gain_b != 0 ? plan_.place[p].node_b : kGroundNode};
@@ -162,10 +164,10 @@ bool ScoreSums::outgrown() const {
       const int bits = kNormalBits + kHeadroomBits + scale.shift[q];
       if (!scale.present[q] || bits >= 26) continue;
       const int64_t most = int64_t{1} << (bits > 0 ? bits : 0);
-      const Difference& d = scale.difference[q];
-      const int32_t *a = block_.signal(d.row_a), *b = block_.signal(d.row_b);
+      const NodeDifference& d = scale.difference[q];
+      const int32_t *a = block_.signal(d.column_a), *b = block_.signal(d.column_b);
       for (int n = 0; n < kBlockSamples; n += 4)
-        if (magnitude(BlockMotion::smoothed(d, a, b, n)) > most) return true;
+        if (magnitude(smoothed(d, a, b, n)) > most) return true;
     }
   return false;
 }
@@ -197,6 +199,7 @@ void ScoreSums::work_on(const Probe& probe) {
   for (int k = 0; k < place.columns; ++k)
     table_.current(value++) += dot_block(phi, block_.column(unknown_column_[place.unknown[k]]));
   table_.current(value) += dot_block(phi, own);
+  if (plan_.slopes > 0) sum_slopes(probe.form, scale, motion_, &table_.current(value + 1), &table_.current(value + 2));
 }
 
 void ScoreSums::end_block() {
@@ -225,7 +228,15 @@ Scaled ScoreSums::unit(const Probe& probe, int value) const {
   if (value < place.equations) return own * block_.column_unit(kKnownColumn + place.dof[value]);
   value -= place.equations;
   if (value < place.columns) return own * block_.column_unit(unknown_column_[place.unknown[value]]);
-  return own * own;
+  if (value == place.columns) return own * own;
+  return own *
+         Scaled::from_int(1, -1 - kSlopeStepLog2 - quantity_exponent(scale_[probe.place], value - place.columns - 1));
+}
+
+Scaled ScoreSums::noise_share(const Probe& probe, int slope, int value) const {
+  const Place& place = plan_.place[probe.place];
+  if (value < place.equations) return noise_.with_known(place, probe.form, slope, place.dof[value]);
+  return noise_.with_column(place, probe.form, slope, unknown_column_[place.unknown[value - place.equations]]);
 }
 
 }  // namespace firmware

@@ -4,13 +4,14 @@
 #pragma once
 #include "firmware/warrant/probe_force.hpp"
 #include "firmware/warrant/score_table.hpp"
+#include "firmware/warrant/shared_noise.hpp"
 
 namespace firmware {
 
 class ScoreSums {
  public:
   // effect_unit: SI unit of every effect term's column, in the order of the terms. budget: products a sample, 0 none.
-  void configure(const CoreConfiguration& configuration, const Scaled* effect_unit);
+  void configure(const CoreConfiguration& configuration, const Scaled* effect_unit, const ClearSigns& signs);
   void clear();
   void begin_level();
   void restart();  // a gap: what comes does not follow what came
@@ -27,9 +28,11 @@ class ScoreSums {
   const ProbePlan& plan() const { return plan_; }
   const ScoreTable& table() const { return table_; }
   bool scaled() const { return scaled_; }  // the probes' own units are known: there are sums
-  // SI unit of a probe's sums, per equation, per column of its place, and of its own force.
+  // SI unit of a probe's sums, per equation, per column of its place, of its own force, and of its slopes.
   Scaled unit(const Probe& probe, int value) const;
   Scaled force_unit(const Probe& probe) const;
+  // What noise adds to the sum with an equation's known part or a column, per unit of a slope's sum; SI.
+  Scaled noise_share(const Probe& probe, int slope, int value) const;
 
  private:
   void start_block();
@@ -44,6 +47,7 @@ class ScoreSums {
   uint16_t order_[kMaxProbes];  // by place
   uint8_t unknown_column_[kMaxUnknowns];
   BlockMotion block_;
+  SharedNoise noise_;
   ScoreTable table_;
   PlaceScale scale_[kMaxPlaces];
   int64_t square_[kMaxPlaces][2];    // of the smoothed quantities, Q20 of the range, while scales are measured

@@ -87,13 +87,6 @@ bool one_amplitude(const CoreConfiguration& configuration, const ScoreTest& test
 
 }  // namespace
 
-bool independent_instrument(const CoreConfiguration& configuration) {
-  for (int node = 0; node < kMaxNodes; ++node)
-    for (const SignalConfiguration& signal : configuration.signals[node])
-      if (signal.available && signal.derived) return false;
-  return true;
-}
-
 void give_verdict(const CoreConfiguration& configuration, const ScoreSums& sums, const ScoreTest& test, TestState state,
                   Estimates& estimates) {
   Warrant& warrant = estimates.warrant;

@@ -9,18 +9,13 @@
 // squared mean of w^2 is below 1.56 (1.5 for one tone, 1.72 for two levels apart by half, 2.25 for two tones, 3 for a random
 // band). There a damping law of another power looks like the estimated one. Also where the record is too short to test
 // anything.
-// Where a signal is derived from another, or friction has no clear direction much of the time, the score tests are not
-// calibrated: they say nothing, warrant.tested is false, and only impossible coefficients and late channels are told.
+// Where signals pass filters and nobody has said how much noise their channels have, the score tests are not calibrated:
+// they say nothing, warrant.tested is false, and only impossible coefficients and late channels are told.
 #pragma once
 #include "firmware/identification/estimate.hpp"
 #include "firmware/warrant/score_test.hpp"
 
 namespace firmware {
-
-// Are all signals of the equations measured? Where one is derived every signal passes a filter, and its noise in one
-// sample is that of the neighbours too: the instrument is not independent any more, and right models are called suspect
-// (measured: 5 of 12 with x and a, 11 of 12 with x alone).
-bool independent_instrument(const CoreConfiguration& configuration);
 
 struct TestState {
   bool calibrated;  // the score tests' error rate holds for these data

@@ -8,7 +8,7 @@ namespace hal {
 class ConfigurationStore {
  public:
   // Every store takes and gives back this much; whoever stores something proves while compiling that it is no longer.
-  static constexpr size_t kCapacity = 24576;
+  static constexpr size_t kCapacity = 28672;
 
   // May take as long as the medium does: not to be called between samples (Ports::store_worker). False: not saved, and
   // what was stored before is still there.

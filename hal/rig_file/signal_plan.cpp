@@ -137,6 +137,19 @@ class Plan {
     signal.unit_per_code = to_scaled(unit);
   }
 
+  // The low-pass for friction's sign, as far as the history of the signals reaches.
+  void filter_signs() {
+    int longest = 0;
+    for (const auto& node : c_.signals)
+      for (const SignalConfiguration& signal : node) longest = std::max<int>(longest, signal.half_length);
+    if (!differentiates() || 2 * longest + kLowPassHalf > 2 * firmware::kFilterHalf) return;
+    static_assert(kLowPassHalf == firmware::kSignFilterHalf, "the same filter");
+    const Impulse taps = low_pass(0.0);
+    c_.sign_half_length = kLowPassHalf;
+    for (size_t k = 0; k < taps.size(); ++k)
+      c_.sign_tap[k].raw = static_cast<int32_t>(std::lround(std::ldexp(taps[k], firmware::kFilteredSignBits)));
+  }
+
  private:
   static std::string node_name(int node) {
     return node == firmware::kBaseNode ? "the base" : "DOF " + std::to_string(node + 1);
@@ -248,60 +261,131 @@ double largest_fused(const CoreConfiguration& c, int node, const std::vector<fir
   return std::ldexp(largest, -signal.shift) * to_double(signal.unit_per_code);
 }
 
-// Responses of a node's signals to one code of one of its channels, over `count` samples about the middle, SI units.
+// Sections of the high-pass, the last of them integrations: the input as firmware/conditioning makes it, without its rounding.
+void high_pass(const CoreConfiguration& c, int integrations, std::vector<double>& input) {
+  const double leak = std::ldexp(1.0, -c.high_pass_shift);
+  for (int s = 0; s < c.high_pass_order; ++s) {
+    const bool difference = s < c.high_pass_order - integrations;
+    double state = 0.0, previous = s == 0 && !input.empty() ? input[0] : 0.0;
+    for (double& value : input) {
+      state += value - (difference ? previous : 0.0) - state * leak;
+      previous = value;
+      value = difference ? state : state * std::ldexp(1.0, firmware::kIntegrationExtraBits - c.high_pass_shift);
+    }
+  }
+}
+
+// Responses of a node's signals to one code of one of its channels at count / 4, SI units.
 std::vector<double> response(const CoreConfiguration& c, int node, int q, int channel, size_t count) {
   const SignalConfiguration& signal = c.signals[node][q];
-  std::vector<double> out(count, 0.0);
+  std::vector<double> out(count, 0.0), code(count, 0.0);
   const double unit = to_double(signal.unit_per_code) * std::ldexp(1.0, -signal.shift);
-  const auto filtered = [&](const auto& tap, size_t n) {  // the impulse stands at count / 4
-    const long k = static_cast<long>(count / 4) - static_cast<long>(n) + signal.half_length;
-    return k < 0 || k > 2 * signal.half_length ? 0.0 : static_cast<double>(tap[k].raw);
+  const long half = signal.half_length, length = static_cast<long>(count);
+  code[count / 4] = 1.0;
+  const auto filtered = [&](const auto& tap, long n) {
+    double sum = 0.0;
+    for (long k = -half; k <= half; ++k)
+      if (n + k >= 0 && n + k < length) sum += tap[k + half].raw * code[static_cast<size_t>(n + k)];
+    return sum;
   };
-  const bool plain = signal.half_length == 0 && signal.tap[0].raw == 0;
-  if (!(q == kV && c.fusion[node].used)) {
+  const bool fused = q == kV && c.fusion[node].used;
+  if (!fused) {
     if (channel != signal.source) return out;
-    for (size_t n = 0; n < count; ++n) out[n] = plain ? (n == count / 4 ? unit : 0.0) : unit * filtered(signal.tap, n);
+    high_pass(c, signal.integrations, code);
+    const bool plain = half == 0 && signal.tap[0].raw == 0;
+    for (long n = 0; n < length; ++n)
+      out[static_cast<size_t>(n)] =
+          plain ? to_double(signal.unit_per_code) * code[static_cast<size_t>(n)] : unit * filtered(signal.tap, n);
     return out;
   }
   const double keep = 1.0 - std::ldexp(1.0, -c.fusion[node].leak_shift);
   double once = 0.0, twice = 0.0, before = 0.0;
-  for (size_t n = 0; n < count; ++n) {
+  for (long n = 0; n < length; ++n) {
     const double slope = channel == kX ? filtered(signal.tap, n) : 0.0;
     const double step = channel == kA ? filtered(c.fusion[node].step_tap, n) : 0.0;
     const double last = once;
     once = keep * once + step - (slope - before);
     twice = keep * twice + once - last;
     before = slope;
-    out[n] = unit * (slope + twice);
+    out[static_cast<size_t>(n)] = unit * (slope + twice);
   }
   return out;
 }
 
-// Where velocities are derived or fused, the noise of one channel is in several signals and in neighbouring samples.
+size_t response_samples(const CoreConfiguration& c, int node) {
+  size_t count = 256;
+  if (c.fusion[node].used) count = size_t{64} << c.fusion[node].leak_shift;
+  if (c.high_pass_order > 0) count = std::max(count, size_t{16} << c.high_pass_shift);
+  return count;
+}
+
+using Responses = std::vector<double>[kQuantities];
+
+// Mean products of noise in the weights of the energy equations with that in the signals.
+void add_to_energies(const CoreConfiguration& c, int node, double variance, const Responses& of,
+                     double (&shared)[3][kQuantities]) {
+  const bool derived = c.signals[node][kV].available && c.signals[node][kV].derived;
+  if (!derived || c.high_pass_order > 0) return;
+  for (size_t n = 2; n + 2 < of[kV].size(); ++n) {
+    const auto around = [&](int q) {
+      return (4.0 * (of[q][n - 1] + of[q][n + 1]) - of[q][n - 2] - of[q][n + 2]) / 6.0;
+    };
+    for (int q = kX; q <= kA; ++q) {
+      shared[0][q] += variance * of[kV][n] * of[q][n];
+      shared[1][q] += variance * around(kV) * of[q][n];
+      shared[2][q] += variance * around(kX) * of[q][n];
+    }
+  }
+}
+
+// The same for the instruments of the score tests (firmware/warrant/neighbours.hpp).
+double between_neighbours(const std::vector<double>& v, size_t n) {
+  return (54 * (v[n - 1] + v[n + 1]) + 39 * (v[n - 2] + v[n + 2]) + 14 * (v[n - 3] + v[n + 3]) -
+          21 * (v[n - 4] + v[n + 4])) /
+         172;
+}
+double neighbours_slope(const std::vector<double>& v, size_t n) {
+  return (v[n + 1] - v[n - 1] + 2 * (v[n + 2] - v[n - 2]) + 3 * (v[n + 3] - v[n - 3]) + 4 * (v[n + 4] - v[n - 4])) / 60;
+}
+void add_to_probes(double variance, const Responses& of, double (&shared)[firmware::kMotionProbeWeights][3]) {
+  for (size_t n = 4; n + 4 < of[kX].size(); ++n) {
+    const double weight[firmware::kMotionProbeWeights] = {between_neighbours(of[kX], n), between_neighbours(of[kV], n),
+                                                          between_neighbours(of[kA], n), neighbours_slope(of[kA], n)};
+    for (int w = 0; w < firmware::kMotionProbeWeights; ++w)
+      for (int q = kX; q <= kA; ++q) shared[w][q - kX] += variance * weight[w] * of[q][n];
+  }
+}
+
+// Where signals pass filters, the noise of one channel is in several signals and in neighbouring samples.
 void find_shared_noise(CoreConfiguration& c, const SignalRanges& ranges) {
   for (int node = 0; node < firmware::kMaxNodes; ++node) {
-    if (!c.signals[node][kV].available || !c.signals[node][kV].derived || c.high_pass_order > 0) continue;
-    const size_t count = c.fusion[node].used ? size_t{64} << c.fusion[node].leak_shift : 256;
-    double shared[3][kQuantities] = {};
-    for (const int channel : {kX, kA}) {
+    const size_t count = response_samples(c, node);
+    double energies[3][kQuantities] = {}, probes[firmware::kMotionProbeWeights][3] = {};
+    for (const int channel : {kF, kX, kV, kA}) {
+      if (!c.channels[node][channel].present) continue;
       const double sd = ranges.noise[node][channel] / to_double(c.channels[node][channel].unit_per_code);
-      if (!c.channels[node][channel].present || !(sd > 0.0)) continue;
-      std::vector<double> of[kQuantities];
+      if (!(sd > 0.0)) {
+        c.noise_unknown = true;
+        continue;
+      }
+      if (channel == kF) {
+        const std::vector<double> force = response(c, node, kF, kF, count);
+        double sum = 0.0;
+        for (size_t n = 4; n + 4 < count; ++n) sum += between_neighbours(force, n) * force[n];
+        c.probe_noise[node].force = to_scaled(sd * sd * sum);
+        continue;
+      }
+      Responses of;
       for (int q = kX; q <= kA; ++q)
         of[q] = c.signals[node][q].available ? response(c, node, q, channel, count) : std::vector<double>(count, 0.0);
-      for (size_t n = 2; n + 2 < count; ++n) {
-        const auto around = [&](int q) {
-          return (4.0 * (of[q][n - 1] + of[q][n + 1]) - of[q][n - 2] - of[q][n + 2]) / 6.0;
-        };
-        for (int q = kX; q <= kA; ++q) {
-          shared[0][q] += sd * sd * of[kV][n] * of[q][n];
-          shared[1][q] += sd * sd * around(kV) * of[q][n];
-          shared[2][q] += sd * sd * around(kX) * of[q][n];
-        }
-      }
+      add_to_energies(c, node, sd * sd, of, energies);
+      add_to_probes(sd * sd, of, probes);
     }
+    c.shares_probe_noise = true;
     for (int w = 0; w < 3; ++w)
-      for (int q = kX; q <= kA; ++q) c.shared_noise[node][w][q] = to_scaled(shared[w][q]);
+      for (int q = kX; q <= kA; ++q) c.shared_noise[node][w][q] = to_scaled(energies[w][q]);
+    for (int w = 0; w < firmware::kMotionProbeWeights; ++w)
+      for (int q = 0; q < 3; ++q) c.probe_noise[node].motion[w][q] = to_scaled(probes[w][q]);
   }
 }
 
@@ -310,18 +394,9 @@ double largest_value(const CoreConfiguration& c, int node, int q, const std::vec
   const SignalConfiguration& signal = c.signals[node][q];
   if (q == kV && c.fusion[node].used) return largest_fused(c, node, record);
   const int offset = c.channels[node][signal.source].offset_code;
-  const double leak = std::ldexp(1.0, -c.high_pass_shift);
   std::vector<double> input(record.size());
   for (size_t n = 0; n < record.size(); ++n) input[n] = record[n].code[node][signal.source] - offset;
-  for (int s = 0; s < c.high_pass_order; ++s) {
-    const bool difference = s < c.high_pass_order - signal.integrations;
-    double state = 0.0, previous = s == 0 && !input.empty() ? input[0] : 0.0;
-    for (double& value : input) {
-      state += value - (difference ? previous : 0.0) - state * leak;
-      previous = value;
-      value = difference ? state : state * std::ldexp(1.0, firmware::kIntegrationExtraBits - c.high_pass_shift);
-    }
-  }
+  high_pass(c, signal.integrations, input);
   double largest = 0.0;
   const size_t length = 2u * signal.half_length + 1u;
   for (size_t n = 0; n + length <= input.size(); ++n) {
@@ -361,10 +436,14 @@ void plan_signals(CoreConfiguration& configuration, const SignalRanges& ranges) 
   for (auto& node : configuration.shared_noise)
     for (auto& weight : node)
       for (firmware::Scaled& product : weight) product = {};
+  for (firmware::ProbeNoise& node : configuration.probe_noise) node = {};
+  configuration.noise_unknown = configuration.shares_probe_noise = false;
+  configuration.sign_half_length = 0;
   if (!plan.filtered()) return;
   for (int node = 0; node < firmware::kMaxNodes; ++node)
     for (int q = 0; q < kQuantities; ++q)
       if (configuration.signals[node][q].available) plan.quantise(node, q, ranges.largest[node][q]);
+  plan.filter_signs();
   find_shared_noise(configuration, ranges);
 }
 

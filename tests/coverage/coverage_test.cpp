@@ -18,10 +18,7 @@ class Coverage : public testing::TestWithParam<Case> {};
 TEST_P(Coverage, IntervalsHoldAndMostCoefficientsAreValid) {
   const coverage::Tally t = coverage::count(GetParam().condition, GetParam().sensors, 5000, 24);
   ASSERT_GE(t.coefficients, 80);
-  // While links stick much of the time the score tests take the kinks of friction for a late force and withdraw two good
-  // numbers of five.
-  const bool sticks = std::string(GetParam().condition) == "stick_slip";
-  EXPECT_GE(t.valid_percent(), sticks ? 50 : 80);
+  EXPECT_GE(t.valid_percent(), 80);
   EXPECT_GE(t.held_percent(), 88);
   EXPECT_EQ(t.wrong, 0);
 }

@@ -64,6 +64,21 @@ std::vector<Change> changes() {
         c.core.signals[16][2].derived = true;
         c.core.shared_noise[16][2][3].mantissa = 7;
       },
+      [](C& c) { c.core.noise_unknown = true; },
+      [](C& c) { c.core.shares_probe_noise = true; },
+      [](C& c) {
+        c.core.shares_probe_noise = true;
+        c.core.probe_noise[16].motion[3][2].mantissa = 7;
+      },
+      [](C& c) {
+        c.core.shares_probe_noise = true;
+        c.core.probe_noise[16].force.mantissa = 7;
+      },
+      [](C& c) { c.core.sign_half_length = 5; },
+      [](C& c) {
+        c.core.sign_half_length = 12;
+        c.core.sign_tap[24].raw = 7;
+      },
       [](C& c) { c.core.high_pass_order = 2; },
       [](C& c) { c.core.high_pass_shift = 2; },
       [](C& c) { c.core.window.mode = firmware::WindowMode::kFreeDecay; },

@@ -17,7 +17,10 @@ CoreRun run_core(const hidden_rig::Draw& draw, uint16_t budget) {
     for (firmware::RawSample& sample : samples.back()) source.read(sample);
   }
   rig_file::plan_signals(run.configuration, rig_file::measure_ranges(run.configuration, samples));
-  run.configuration.window.mode = firmware::WindowMode::kInterval;
+  bool force = false;
+  for (const host_sim::Channel& c : draw.records.front().channels)
+    force = force || c.quantity == host_sim::Quantity::kForce || c.dof == rig_file::kBase;
+  run.configuration.window.mode = force ? firmware::WindowMode::kInterval : firmware::WindowMode::kFreeDecay;
   run.configuration.probe_products_per_sample = budget;
   run.core = std::make_unique<firmware::EstimatorCore>(run.configuration);
   uint32_t sequence = 0;

@@ -124,7 +124,7 @@ TEST(ProbeForce, FullScaleStaysInItsFormat) {
   c.terms[1].value = Scaled::from_int(1000);
   static BlockMotion block;
   Scaled no_effects[1];
-  block.configure(c, no_effects);
+  block.configure(c, no_effects, {});
   static Frame frame;
   for (int q = 0; q < kQuantities; ++q)
     for (int i = 0; i < kFrameStride; ++i) frame.column[q][i] = (i / 8) % 2 == 0 ? 8388607 : -8388607;
@@ -172,15 +172,15 @@ TEST(BlockMotion, NeighboursGiveAStraightLineBack) {
   copy_measured_signals(c);
   static BlockMotion block;
   Scaled no_effects[1];
-  block.configure(c, no_effects);
+  block.configure(c, no_effects, {});
   int32_t x[16];
   for (int i = 0; i < 16; ++i) x[i] = 1000 * i;
   x[8] = 123456;  // the sample itself does not count
-  const Difference d = block.difference(Quantity::kDisplacement, 0, kGroundNode);
+  const NodeDifference d = block.difference(Quantity::kDisplacement, 0, kGroundNode);
   const double unit = to_double(Scaled::from_int(1, d.range_exponent - 26));
-  EXPECT_NEAR(BlockMotion::smoothed(d, x, x, 8) * unit, 8000.0, 0.5);
-  EXPECT_NEAR(BlockMotion::slope(d, x, 8) * unit, 1000.0, 0.5);
-  EXPECT_EQ(BlockMotion::own(d, x, x, 8) * unit, 123456.0);
+  EXPECT_NEAR(smoothed(d, x, x, 8) * unit, 8000.0, 0.5);
+  EXPECT_NEAR(slope(d, x, 8) * unit, 1000.0, 0.5);
+  EXPECT_EQ(difference_at(d, x, x, 8) * unit, 123456.0);
 }
 
 }  // namespace

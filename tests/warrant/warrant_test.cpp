@@ -31,43 +31,53 @@ bool suspect(const firmware::Estimates& estimates) {
   return false;
 }
 
-// The seventeen kinds in which a coefficient used to go out VALID and 5 to 550 % off, four of them twice.
-TEST(Warrant, NoHiddenEffectLetsAWrongNumberOutAsValid) {
-  const char* const kHidden[] = {"quadratic_damping",
-                                 "displacement_dependent_damping",
-                                 "backlash",
-                                 "missing_viscous",
-                                 "missing_coulomb",
-                                 "stribeck",
-                                 "drifting_viscous",
-                                 "sensor_delay",
-                                 "sensor_gain",
-                                 "cubic_damping",
-                                 "cubic_stiffness",
-                                 "asymmetric_viscous",
-                                 "force_delay",
-                                 "end_stop",
-                                 "mass_error",
-                                 "stiffness_error",
-                                 "unmodelled_resonance"};
-  int records = 0, wrong = 0, withdrawn = 0;
-  for (const char* hidden : kHidden)
-    for (const char* condition : {"random_1pct", "random_5pct"}) {
-      Settings settings;
-      settings.hidden = hidden;
-      settings.condition = condition;
-      settings.masses = std::string(hidden) == "missing_viscous" ? 3 : 1 + records % 3;
-      const hidden_rig::Draw draw = hidden_rig::make_draw(static_cast<uint64_t>(7000 + records), settings);
-      const CoreRun run = run_core(draw);
-      ++records;
-      withdrawn += suspect(run.core->estimates());
-      const int here = valid_and_wrong(draw, run.core->estimates());
-      wrong += here > 0;
-      EXPECT_EQ(here, 0) << hidden << " " << condition << " seed " << 6999 + records;
-    }
-  EXPECT_EQ(wrong, 0) << "of " << records;
+// The seventeen kinds in which a coefficient used to go out VALID and 5 to 550 % off. Where signals are derived the noise of
+// one sample is that of its neighbours too, and every signal passes a filter.
+const char* const kHidden[] = {"quadratic_damping",
+                               "displacement_dependent_damping",
+                               "backlash",
+                               "missing_viscous",
+                               "missing_coulomb",
+                               "stribeck",
+                               "drifting_viscous",
+                               "sensor_delay",
+                               "sensor_gain",
+                               "cubic_damping",
+                               "cubic_stiffness",
+                               "asymmetric_viscous",
+                               "force_delay",
+                               "end_stop",
+                               "mass_error",
+                               "stiffness_error",
+                               "unmodelled_resonance"};
+
+struct Measured {
+  const char* sensors;
+  const char* condition;
+};
+class HiddenEffects : public testing::TestWithParam<Measured> {};
+
+TEST_P(HiddenEffects, NeverLetAWrongNumberOutAsValid) {
+  int records = 0, withdrawn = 0;
+  for (const char* hidden : kHidden) {
+    Settings settings;
+    settings.hidden = hidden;
+    settings.condition = GetParam().condition;
+    settings.sensors = GetParam().sensors;
+    settings.masses = std::string(hidden) == "missing_viscous" ? 3 : 1 + records % 3;
+    const hidden_rig::Draw draw = hidden_rig::make_draw(static_cast<uint64_t>(7000 + records), settings);
+    const CoreRun run = run_core(draw);
+    ++records;
+    withdrawn += suspect(run.core->estimates());
+    EXPECT_EQ(valid_and_wrong(draw, run.core->estimates()), 0) << hidden << " seed " << 6999 + records;
+  }
   EXPECT_GT(withdrawn, records / 2);  // not by keeping quiet: strengths are 0.05 to 0.6 of the damping force
 }
+
+INSTANTIATE_TEST_SUITE_P(Warrant, HiddenEffects,
+                         testing::Values(Measured{"xva", "random_1pct"}, Measured{"xva", "random_5pct"},
+                                         Measured{"xa", "random_1pct"}, Measured{"x", "random_1pct"}, Measured{"a", "random_1pct"}),
+                         [](const auto& test) { return std::string(test.param.sensors) + "_" + test.param.condition; });
 
 TEST(Warrant, RightModelsKeepTheirNumbers) {
   const char* const kConditions[] = {

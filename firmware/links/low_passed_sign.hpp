@@ -1,0 +1,29 @@
+// The sign of friction through the low-pass that all other signals of its equation have passed: the sign of a low-passed
+// velocity jumps where the low-passed friction passes smoothly. The signs come as many samples early as the filter is long on
+// either side.
+#pragma once
+#include <cstdint>
+
+#include "firmware/configuration/configuration.hpp"
+
+namespace firmware {
+
+class LowPassedSign {
+ public:
+  void restart() { state_ = State{}; }
+  // sign: -1, 0, 1 in, 2^kFilteredSignBits times the filtered sign out; clear: 0 where the sign is not known. clear out: 0
+  // where signs that are not known make up over a quarter of the filter's weight. Positions [from, to); goes on from
+  // from + advance at the next call. Sums of at most 25 taps of 2^20: 31 bits.
+  void fill(const CoreConfiguration& configuration, int from, int to, int advance, int32_t* sign, int32_t* clear);
+
+ private:
+  static constexpr int kTaps = 2 * kSignFilterHalf + 1;
+  struct State {  // the last samples, newest at `at` - 1
+    int8_t sign[kTaps] = {};
+    bool known[kTaps] = {};
+    int at = 0;
+  };
+  State state_;
+};
+
+}  // namespace firmware

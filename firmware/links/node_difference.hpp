@@ -1,0 +1,38 @@
+// The same quantity of two nodes as one number: u = x_a - x_b, or of one node alone.
+//
+// Formats: code 24 bits (a derived one up to 27) times gain of at most 2^28, two of them below 2^57; shifted by 25: Q26 of a
+// range 2^range_exponent that holds both codes' full scale, |.| <= 2^26.
+#pragma once
+#include <cstdint>
+
+#include "firmware/fixed_point/scaled.hpp"
+
+namespace firmware {
+
+constexpr int kDifferenceFraction = 26;
+constexpr int kDifferenceGainShift = 25;
+
+struct NodeDifference {
+  uint16_t column_a = 0, column_b = 0;
+  int32_t gain_a = 0, gain_b = 0;  // 0: not there
+  int32_t range_exponent = 0;
+  bool present() const { return gain_a != 0 || gain_b != 0; }
+};
+
+// unit_a, unit_b: SI units of a code, zero where the node is the ground or has no such signal. code_bits: of full scale.
+NodeDifference node_difference(int column_a, Scaled unit_a, int column_b, Scaled unit_b, int code_bits);
+
+constexpr int32_t clamped_to_range(int64_t value) {
+  constexpr int64_t kOne = int64_t{1} << kDifferenceFraction;
+  return static_cast<int32_t>(value > kOne ? kOne : (value < -kOne ? -kOne : value));
+}
+// value = codes times gains in 2^-(kDifferenceGainShift + guard); to Q26.
+constexpr int32_t rounded_to_range(int64_t value, int guard) {
+  const int shift = kDifferenceGainShift + guard;
+  return clamped_to_range((value + (int64_t{1} << (shift - 1))) >> shift);
+}
+inline int32_t difference_at(const NodeDifference& d, const int32_t* a, const int32_t* b, int at) {
+  return rounded_to_range(int64_t{a[at]} * d.gain_a - int64_t{b[at]} * d.gain_b, 0);
+}
+
+}  // namespace firmware
