@@ -12,6 +12,7 @@ constexpr int64_t kGap = kUnit / 8, kStop = kUnit + kUnit / 4;
 constexpr int kReversalDeviations = 4;  // of the rate's noise: closer to a reversal a sign is not known
 // log2(e) / v in Q26 per unit of |w| in Q18, v = 0.15 and 0.5 units.
 constexpr int64_t kNarrow = 2462, kWide = 739;
+constexpr int64_t kNarrowRate = kUnit * 15 / 100;
 
 int64_t clamp(int64_t x, int64_t limit) { return x > limit ? limit : (x < -limit ? -limit : x); }
 int64_t magnitude(int64_t x) { return x < 0 ? -x : x; }
@@ -106,6 +107,7 @@ int64_t rate_noise(const PlaceScale& scale) {
 // From the instruments: close to a reversal a sign is not known.
 int64_t instrument_force(Form form, int64_t u, int64_t w, int64_t noise) {
   if (has_sign(form) && magnitude(w) <= kReversalDeviations * noise) return 0;
+  if (form == Form::kSignNarrow && kReversalDeviations * noise > kNarrowRate) return 0;  // over where signs are known
   return law(form, u, w, ((w > 0) - (w < 0)) * (1 << kPureFraction));
 }
 

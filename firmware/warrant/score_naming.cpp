@@ -34,6 +34,22 @@ Scaled plain_limit(Scaled freedom) {
 }
 Scaled percent(int value) { return Scaled::ratio(value, 100); }
 
+// Friction that would push at small rates is no friction: a Stribeck force below that of the link's own friction comes from the
+// tail of its law alone, where the direction is not yet clear, and says nothing.
+bool pushes(const CoreConfiguration& configuration, const ProbePlan& plan, const Probe& probe, const ProbeScore& score,
+            const Scaled* parameter) {
+  const Place& place = plan.place[probe.place];
+  if (probe.form != Form::kSignNarrow && probe.form != Form::kSignWide) return false;
+  if (place.kind != PlaceKind::kLink) return false;
+  for (int t = 0; t < configuration.term_count; ++t) {
+    const Term& term = configuration.terms[t];
+    if (term.kind != TermKind::kCoulomb || term.place != place.link) continue;
+    const Scaled friction = term.unknown >= 0 ? parameter[term.unknown] : term.value;
+    return (score.effect + friction + scale_by_power_of_two(score.std, 1)).is_negative();
+  }
+  return false;
+}
+
 }  // namespace
 
 Scaled ScoreTest::detectable(int probe) const { return limit(score_[probe].freedom) * score_[probe].std; }
@@ -89,8 +105,9 @@ Scaled ScoreTest::force_ratio(int number) const {
 
 void ScoreTest::judge_size(int number) {
   ProbeScore& score = score_[number];
-  if (!score.tested) return;
   const Probe& probe = sums_->plan().probe[number];
+  if (pushes(*configuration_, sums_->plan(), probe, score, parameter_)) score.tested = false;
+  if (!score.tested) return;
   const Scaled force = square(score.effect) * abs(own_square_[number]);
   score.rms = sqrt(quotient(force, samples_));
   score.matters = force > square(percent(kDampingPercent)) * damping_square(probe.place);

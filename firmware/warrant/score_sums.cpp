@@ -21,6 +21,14 @@ bool has_friction(const CoreConfiguration& configuration, int link) {
   return false;
 }
 
+// Variance of a velocity's noise that its neighbours share: differences between them do not show it. In Q26 of the range.
+Scaled slow_rate_noise(const CoreConfiguration& configuration, int node, int32_t range_exponent) {
+  const ProbeNoise& noise = configuration.probe_noise[node];
+  const Scaled shared =
+      noise.motion[static_cast<int>(ProbeWeight::kVelocity)][static_cast<int>(Quantity::kVelocity) - 1];
+  return shared.is_negative() ? Scaled{} : scale_by_power_of_two(shared, 2 * (kDifferenceFraction - range_exponent));
+}
+
 }  // namespace
 
 void ScoreSums::configure(const CoreConfiguration& configuration, const Scaled* effect_unit, const ClearSigns& signs) {
@@ -147,7 +155,9 @@ void ScoreSums::set_scales() {
     for (int e = 0; e < 2; ++e)
       if (nodes[e] < kMaxNodes && plan_.place[p].kind != PlaceKind::kDof) {
         const Scaled gain = Scaled::from_int(gains[e], -25);
-        variance = variance + gain * gain * Scaled::ratio(noise_square_[nodes[e]], kSamples) * Scaled::ratio(64, 70);
+        const Scaled measured = gain * gain * Scaled::ratio(noise_square_[nodes[e]], kSamples) * Scaled::ratio(64, 70);
+        const Scaled slow = slow_rate_noise(*configuration_, nodes[e], rate.range_exponent);
+        variance = variance + (slow > measured ? slow : measured);
       }
     const int64_t deviation = to_fixed(sqrt(variance), 0);
     scale.noise_q26 = static_cast<int32_t>(deviation > INT32_MAX ? INT32_MAX : deviation);

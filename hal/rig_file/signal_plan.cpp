@@ -407,8 +407,9 @@ double largest_value(const CoreConfiguration& c, int node, int q, const std::vec
   return std::ldexp(largest, -signal.shift) * to_double(signal.unit_per_code);
 }
 
-// Standard deviation of white noise from a difference of high order, which leaves little of a signal: the median of its
-// magnitude, which jumps of friction hardly move. Order 8 for displacements; order 4 where the signal itself may jump.
+// Standard deviation of white noise from a difference of high order, which leaves little of a signal. Order 8 for displacements,
+// whose second slope alone jumps with friction: its mean square, which counts rare large errors as the products of noise do.
+// Order 4 where the signal itself may jump: the median of its magnitude.
 double noise(const std::vector<std::vector<firmware::RawSample>>& records, int node, int q) {
   static const std::vector<double> kFourth = {1, -4, 6, -4, 1}, kEighth = {1, -8, 28, -56, 70, -56, 28, -8, 1};
   const std::vector<double>& weights = q == kX ? kEighth : kFourth;
@@ -422,6 +423,11 @@ double noise(const std::vector<std::vector<firmware::RawSample>>& records, int n
       magnitudes.push_back(std::fabs(sum));
     }
   if (magnitudes.empty()) return 0.0;
+  if (q == kX) {
+    double sum = 0.0;
+    for (double m : magnitudes) sum += m * m;
+    return std::sqrt(sum / static_cast<double>(magnitudes.size()) / squares);
+  }
   const auto middle = magnitudes.begin() + static_cast<long>(magnitudes.size() / 2);
   std::nth_element(magnitudes.begin(), middle, magnitudes.end());
   constexpr double kMedianOfNormal = 0.6745;

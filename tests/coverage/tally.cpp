@@ -24,7 +24,12 @@ void judge(const firmware::ParameterEstimate& p, const std::string& name, double
     std::printf("  seed %llu %-16s truth %10.5g value %10.5g +- %8.3g plain %10.5g z %7.2f status %d%s\n",
                 static_cast<unsigned long long>(seed), name.c_str(), truth, value, std, to_double(p.plain_value),
                 off / std, static_cast<int>(p.status), wrong ? " WRONG" : "");
-  if (p.status != firmware::EstimateStatus::kValid) return;
+  const bool valid = p.status == firmware::EstimateStatus::kValid;
+  if (to_double(p.ci95_high) - to_double(p.ci95_low) < 2 * 0.05 * std::abs(truth)) {
+    ++tally.measurable;
+    tally.measurable_valid += valid;
+  }
+  if (!valid) return;
   ++tally.valid;
   if (truth >= to_double(p.ci95_low) && truth <= to_double(p.ci95_high)) ++tally.held;
   if (wrong) ++tally.wrong;
@@ -38,6 +43,8 @@ void Tally::add(const Tally& other) {
   held += other.held;
   wrong += other.wrong;
   refused += other.refused;
+  measurable += other.measurable;
+  measurable_valid += other.measurable_valid;
   for (size_t i = 0; i < std::size(of_status); ++i) of_status[i] += other.of_status[i];
 }
 
