@@ -247,7 +247,7 @@ Diagnosis diagnose(const rig_file::RigModel& rig, const std::vector<host_sim::Re
   runs::Choice choice = runs::rig_fitted(task);
   progress(0.3);
   Diagnosis d;
-  const bool right = !massless(rig) && runs::immaterial(task, choice);
+  const bool right = !massless(rig) && runs::right(task, choice);
   const bool driven = runs::forced(records) && !massless(rig) && springs_and_masses_known(rig);
   if (!right) {
     if (driven && !choice.base_fits_nothing) {

@@ -33,6 +33,9 @@ constexpr Unit kUnits[] = {{Kind::kMass, "kg", "kg m^2"},
                            {Kind::kMissingViscous, "N s/m", "N m s/rad"},
                            {Kind::kMissingCoulomb, "N", "N m"},
                            {Kind::kDriftingViscous, "N/m", "N m/rad"},
+                           {Kind::kCogging, "N", "N m"},
+                           {Kind::kMissingGravity, "N m", "N m"},
+                           {Kind::kDeadBand, "1", "1"},
                            {Kind::kMassError, "kg", "kg m^2"},
                            {Kind::kResonance, "kg", "kg m^2"},
                            {Kind::kForceHumCos50, "N", "N m"},
@@ -51,7 +54,8 @@ rig_file::Effect as_effect(const Term& t, double value, bool rotating) {
   const double shapes[] = {t.shape, t.shape2};
   for (int i = 0; i < 2; ++i) {
     const std::string key = rig_file::shape_key(*word, i, rotating);
-    if (!key.empty() && (shapes[i] > 0 || t.kind == Kind::kResonance)) e.shape[key] = shapes[i];
+    if (!key.empty() && (shapes[i] > 0 || t.kind == Kind::kResonance || (i == 1 && t.kind == Kind::kCogging)))
+      e.shape[key] = shapes[i];
   }
   return e;
 }
@@ -104,6 +108,10 @@ std::string shape_name(Kind kind) {
       return "resonance_frequency";
     case Kind::kDriftingViscous:
       return "drift_time";
+    case Kind::kCogging:
+      return "cogging_pitch";
+    case Kind::kDeadBand:
+      return "dead_band";
     default:
       return "";
   }
@@ -112,6 +120,7 @@ std::string shape_name(Kind kind) {
 std::string shape_unit(Kind kind, bool rotating) {
   if (kind == Kind::kResonance) return "Hz";
   if (kind == Kind::kDriftingViscous) return "s";
+  if (kind == Kind::kDeadBand) return rotating ? "N m" : "N";
   return std::string(rotating ? "rad" : "m") + (kind == Kind::kStribeck ? "/s" : "");
 }
 
@@ -136,6 +145,7 @@ std::vector<Parameter> parameters_of_term(const System& s, const std::vector<Act
   if (!shape_name(t.kind).empty() && t.shape > 0)
     list.push_back({shape_name(t.kind) + place, t.shape, shape_unit(t.kind, turning), 0, true});
   if (t.kind == Kind::kPresliding && t.shape2 > 0) list.push_back({"bristle_time" + place, t.shape2, "s", 0, true});
+  if (t.kind == Kind::kCogging) list.push_back({"cogging_phase" + place, t.shape2, "rad", 0, true});
   if (hum) list.push_back({"mains_frequency" + place, t.kind == Kind::kForceHumCos50 ? 50.0 : 60.0, "Hz", 0, false});
   if (t.kind == Kind::kResonance) list.push_back({"resonance_damping_ratio" + place, t.shape2, "1", 0, true});
   return list;

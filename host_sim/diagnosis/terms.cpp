@@ -94,6 +94,8 @@ Series term_force(const Term& t, const FusedRecord& f, const std::vector<LinkMot
         return hidden_mass(d.smooth_x, d.smooth_v, t.shape, t.shape2, f.period_s);
       case Kind::kForceGain:
         return *force;
+      case Kind::kDeadBand:
+        return force->array().max(-t.shape).min(t.shape).matrix();
       case Kind::kForceDelay:
         return lateness(*force, t.shape, f);
       case Kind::kForceHumCos50:
@@ -151,6 +153,9 @@ Series term_force(const Term& t, const FusedRecord& f, const std::vector<LinkMot
       return time_axis(f)
           .unaryExpr([&](double t_s) { return vocabulary::drifted_s(t_s, t.shape); })
           .cwiseProduct(l.smooth_w);
+    case Kind::kMissingGravity:
+      return u.sin().matrix();
+    case Kind::kCogging:
     case Kind::kUnknownPitch:
       return (kTwoPi * u / t.shape + t.shape2).sin().matrix();
     default:

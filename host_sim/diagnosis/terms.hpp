@@ -30,6 +30,8 @@ enum class Kind {
   kMissingViscous,
   kMissingCoulomb,
   kDriftingViscous,
+  kCogging,
+  kMissingGravity,
   // effects on a DOF
   kMassError,
   kResonance,
@@ -38,6 +40,7 @@ enum class Kind {
   // faults of a channel, seen in the equation of motion
   kForceDelay,
   kForceGain,
+  kDeadBand,
   kForceHumCos50,
   kForceHumSin50,
   kForceHumCos60,
@@ -63,7 +66,7 @@ struct Term {
   double shape =
       0;  // gap m, Stribeck velocity m/s, presliding length m, resonance Hz, time constant of a drift s (0: straight), delay s of a force (0: its first order)
   double shape2 =
-      0;  // resonance: damping ratio; presliding: time constant of the bristles' own damping s (LuGre; 0: Dahl)
+      0;  // resonance: damping ratio; cogging: phase rad; presliding: time constant of the bristles' own damping s (LuGre; 0: Dahl)
   bool smooth = false;  // base terms: from the smoothed motion (where the coefficient is fitted)
   bool given = false;   // an effect of the rig file: backlash and presliding as forces of their own
   int record = -1;      // only in this record (what is left of a resonance's start), or -1

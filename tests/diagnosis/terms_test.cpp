@@ -5,6 +5,10 @@
 
 #include <cmath>
 
+#include "firmware/vocabulary/effect_table.hpp"
+#include "host_sim/diagnosis/simulate/model.hpp"
+#include "host_sim/vocabulary/law.hpp"
+
 namespace diagnosis {
 namespace {
 
@@ -60,6 +64,33 @@ TEST(Terms, ToneKeepsItsPhaseThroughALongRecord) {
     EXPECT_NEAR(sine[i], left * std::sin(60 * pi * t), 1e-9) << i;
     EXPECT_NEAR(hum[i], -std::sin(100 * pi * t), 1e-9) << i;
   }
+}
+
+// Every effect of the vocabulary that a rig file can lack has a term here; faults of channels are other terms. A held force
+// is named from the delay that it looks like, and a channel's zero is free in every run.
+TEST(Terms, EveryEffectOfTheVocabularyIsACandidate) {
+  int same_law = 0;
+  for (const firmware::EffectRow& row : firmware::kEffectTable) {
+    if (row.role == firmware::EffectRole::kOwnTerm || row.place == firmware::EffectPlace::kChannel) continue;
+    if (row.kind == firmware::EffectKind::kForceHold || row.kind == firmware::EffectKind::kDriveDeadBand) continue;
+    SCOPED_TRACE(row.word.text);
+    Kind kind;
+    ASSERT_TRUE(kind_of_word(row.word.text, &kind));
+    EXPECT_STREQ(word_of(kind), row.word.text);
+    if (row.place != firmware::EffectPlace::kLink || vocabulary::law_of(row.kind).memories > 0 ||
+        row.nature.memory != firmware::Memory::kNone)
+      continue;
+    if (kind == Kind::kMissingCoulomb || kind == Kind::kStribeck) continue;  // by the modes of the simulation
+    const vocabulary::Shape shape{{0.02, 0.3}};
+    for (const double u : {-0.05, 0.01, 0.03})
+      for (const double w : {-0.4, 0.7}) {
+        const double t_s = 1.5;
+        EXPECT_NEAR(runs::law(kind, u, w, t_s, shape.p[0], shape.p[1]).force,
+                    vocabulary::force(row.kind, vocabulary::point(row.kind, u, w, t_s, shape), shape).value, 1e-12);
+      }
+    ++same_law;
+  }
+  EXPECT_GE(same_law, 12);
 }
 
 }  // namespace

@@ -123,7 +123,7 @@ void answer(const Task& task, const Choice& choice, Diagnosis& d) {
   if (!choice.named.empty())
     d.verdict = !d.ambiguous_with.empty() ? Verdict::kAmbiguous : noise ? Verdict::kExplained : Verdict::kPartly;
   else
-    d.verdict = noise || immaterial(task, choice) ||
+    d.verdict = noise || right(task, choice) || near_enough(task, choice) ||
                         ((choice.noise_is_enough || error < kSmall) && worst_free_run < kHalfOfVariance)
                     ? Verdict::kNone
                     : Verdict::kUnknown;

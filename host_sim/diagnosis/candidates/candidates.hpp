@@ -5,7 +5,7 @@
 
 namespace diagnosis::runs {
 
-// One or two columns that stand or fall together (cosine and sine of a hum).
+// One or two columns that stand or fall together (cosine and sine of a hum, of a force that repeats along the way).
 struct Candidate {
   std::vector<Term> terms;
   int host = -1;       // index of the model's term in whose place it acts
@@ -14,8 +14,9 @@ struct Candidate {
   bool same_place(const Candidate& o) const { return terms[0].same_place(o.terms[0]); }
 };
 
-std::vector<Candidate> candidates_beside(const System& system, const Model& model,
-                                         const std::vector<Prepared>& records);
+// periodic_too: forces that repeat along the way, at pitches of which there are many.
+std::vector<Candidate> candidates_beside(const System& system, const Model& model, const std::vector<Prepared>& records,
+                                         bool periodic_too);
 
 struct Screened {
   size_t candidate = 0;

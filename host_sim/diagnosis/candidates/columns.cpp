@@ -58,6 +58,15 @@ Vec Columns::force(const Term& t, const Window& w, const WindowRun& run, Memory&
         case Kind::kMissingCoulomb:
           out[k] = sign(k);
           break;
+        case Kind::kCogging: {  // finer than what a simulation without it hits: along the way as measured
+          const auto place = [&](int dof) {
+            return dof > 0                  ? record.guess[static_cast<size_t>(dof - 1)].x[w.from + k]
+                   : dof == rig_file::kBase ? base(w, k, false)
+                                            : 0.0;
+          };
+          out[k] = law(t.kind, place(l.a) - place(l.b), v, 0, t.shape, t.shape2).force;
+          break;
+        }
         case Kind::kStribeck:
           out[k] = sign(k) * std::exp(-std::abs(v) / t.shape);
           break;
@@ -96,6 +105,7 @@ Vec Columns::force(const Term& t, const Window& w, const WindowRun& run, Memory&
     return out;
   }
   const Vec f = record.force[static_cast<size_t>(d)].segment(w.from, len);
+  if (t.kind == Kind::kDeadBand) return f.cwiseMax(-t.shape).cwiseMin(t.shape);
   if (t.kind == Kind::kForceGain) return f;                 // the true force is smaller than its reading
   if (t.kind == Kind::kForceDelay) return -slope_of(f, h);  // the true force was there earlier
   for (Index k = 0; k < len; ++k) {

@@ -3,9 +3,17 @@
 #include <cmath>
 
 #include "candidates.hpp"
+#include "hal/rig_file/effect_words.hpp"
+#include "host_sim/vocabulary/held_in_place.hpp"
 
 namespace diagnosis::runs {
 namespace {
+
+constexpr double kLargeAngle = 0.2;     // rad: below it a pendulum is a spring
+constexpr double kPitchesOfASwing = 8;  // of a cogging, on the way from the middle to the farthest point
+constexpr double kPitchesOfAWay = 40;   // where no spring holds the link in place
+constexpr double kPitchStep = 0.3;      // pitches nearer than that look alike
+constexpr double kQuarterTurn = 1.5707963267948966;
 
 struct Extent {
   double u_peak = 0, u_rms = 0, w_rms = 0;
@@ -49,7 +57,8 @@ bool measures(const std::vector<Prepared>& records, int dof, int quantity) {
 
 }  // namespace
 
-std::vector<Candidate> candidates_beside(const System& s, const Model& model, const std::vector<Prepared>& records) {
+std::vector<Candidate> candidates_beside(const System& s, const Model& model, const std::vector<Prepared>& records,
+                                         bool periodic_too) {
   std::vector<Candidate> list;
   const auto has = [&](const Term& t) {
     return std::any_of(model.begin(), model.end(), [&](const ModelTerm& m) { return m.term.same_place(t); });
@@ -57,6 +66,7 @@ std::vector<Candidate> candidates_beside(const System& s, const Model& model, co
   const auto add = [&](std::vector<Term> terms, int complexity, int sign = 0, int host = -1) {
     if (!has(terms[0])) list.push_back({std::move(terms), host, sign, complexity});
   };
+  const bool held = vocabulary::held_in_place(s.rig);
   double duration_s = 0, fastest_Hz = 0, slowest_s = 0;
   bool any_mass = false, any_force = false;
   for (const Prepared& p : records) {
@@ -95,6 +105,17 @@ std::vector<Candidate> candidates_beside(const System& s, const Model& model, co
       add({on_link(Kind::kEndStop, l, share * e.u_peak)}, 1, 1);
     if (!hysteretic)
       for (double share : {0.05, 0.12, 0.3, 0.7}) add({on_link(Kind::kStribeck, l, share * e.w_rms)}, 1, 1);
+    if (rig_file::link_rotates(s.rig, s.links[i]) && s.links[i].b == rig_file::kGround &&
+        find(model, l, {Kind::kGravity}) < 0 && e.u_peak > kLargeAngle)
+      add({on_link(Kind::kMissingGravity, l)}, 0, 1);
+    if (periodic_too) {
+      const double most = held ? kPitchesOfASwing : kPitchesOfAWay;
+      for (double pitches = 1; pitches < most; pitches += kPitchStep) {
+        Term sine = on_link(Kind::kCogging, l, e.u_peak / pitches), cosine = sine;
+        cosine.shape2 = kQuarterTurn;
+        add({sine, cosine}, 2);
+      }
+    }
     for (double share : {0.003, 0.01, 0.03, 0.1, 0.25, 0.6, 1.2})
       add({on_link(Kind::kPresliding, l, share * e.u_rms)}, 1, 1, friction);
   }
@@ -118,6 +139,12 @@ std::vector<Candidate> candidates_beside(const System& s, const Model& model, co
     if (forced) {
       if (scale_known && mass >= 0) add({on_dof(Kind::kForceGain, dof)}, 0);
       add({on_dof(Kind::kForceDelay, dof)}, 0);
+      double rms = 0;
+      for (const Prepared& p : records)
+        if (p.force[d].size())
+          rms = std::max(rms, std::sqrt(p.force[d].squaredNorm() / static_cast<double>(p.force[d].size())));
+      if (mass >= 0 && rms > 0)
+        for (double share = 0.02; share < 1.2; share *= 1.35) add({on_dof(Kind::kDeadBand, dof, share * rms)}, 1, 1);
     }
     for (int q = 0; q < 3 && mass >= 0; ++q) {
       if (!measures(records, dof, q)) continue;
@@ -136,10 +163,15 @@ Model joined(const Model& model, const Candidate& c, const std::vector<double>& 
     ModelTerm t;
     t.term = c.terms[i], t.known = false, t.added = true, t.host = c.host;
     t.value = i < value.size() ? value[i] : 0;
+    if (t.term.kind == Kind::kCogging && value.size() == 2) {  // amplitude and phase of sine and cosine
+      t.value = std::hypot(value[0], value[1]);
+      if (t.value > 0) t.term.shape2 = std::atan2(value[1], value[0]);
+      i = c.terms.size();
+    }
     if (positive(t.term.kind) && t.value <= 0) t.value = 1e-3 * std::abs(t.value) + 1e-12;
     const Kind k = t.term.kind;
     t.shape_free = k == Kind::kBacklash || k == Kind::kEndStop || k == Kind::kStribeck || k == Kind::kPresliding ||
-                   k == Kind::kResonance || (k == Kind::kDriftingViscous && t.term.shape > 0);
+                   k == Kind::kResonance || k == Kind::kCogging || (k == Kind::kDriftingViscous && t.term.shape > 0);
     if (t.host >= 0) t.value = out[static_cast<size_t>(t.host)].value;
     out.push_back(t);
   }

@@ -92,6 +92,7 @@ Attempt attempt(const Task& task, const State& beside, const std::vector<Candida
   // From a coefficient of nought the first step brings all numbers into balance; what has states of its own starts small.
   std::vector<double> start(c.terms.size(), 0.0);
   if (c.terms[0].kind == Kind::kResonance) start[0] = kSmallStart * one.value[0];
+  if (c.terms[0].kind == Kind::kCogging) start = one.value;  // its phase too
   Attempt a = attempt(task, beside, {c}, {start}, kTrialSteps);
   if (c.host < 0 && 1 - a.error < kPromised * one.gain) {  // stuck on the way: from where the linearisation points
     Attempt again = attempt(task, beside, {c}, {one.value}, kTrialSteps);
@@ -102,6 +103,11 @@ Attempt attempt(const Task& task, const State& beside, const std::vector<Candida
   for (const Candidate& o : all)
     if (o.same_place(c) && o.terms[0].shape < gentle.terms[0].shape) gentle = o;
   return attempt(task, beside, {gentle}, {start}, kTrialSteps);
+}
+
+void keep_shape(const Model& fitted, Candidate& c) {
+  for (const ModelTerm& t : fitted)
+    if (t.added && t.term.same_place(c.terms[0])) c.terms = {t.term};
 }
 
 double share_of(const Attempt& a, double noise) {

@@ -24,6 +24,8 @@ Attempt attempt(const Task& task, const State& beside, const std::vector<Candida
 // One that was screened; `all`: where a gentler shape of it is found when the best one does not converge.
 Attempt attempt(const Task& task, const State& beside, const std::vector<Candidate>& all, const Screened& one);
 
+// A candidate as it was fitted: with its shape, one term.
+void keep_shape(const Model& fitted, Candidate& candidate);
 // Squared error on all windows, over that of the model beside.
 double whole_error(const Attempt& a);
 // Share of what is not noise that it takes, on the windows fitted.

@@ -52,8 +52,10 @@ struct Task {
   size_t training;
 };
 Choice rig_fitted(const Task& task);
-// Whether the rig file as given is right already: what it misses of unseen data is nothing that pays.
-bool immaterial(const Task& task, const Choice& choice);
+// Whether the rig file as given is right already; and whether what it misses of unseen data is too little for simulations to
+// tell causes apart, where it is not noise.
+bool right(const Task& task, const Choice& choice);
+bool near_enough(const Task& task, const Choice& choice);
 // Error of the windows' runs over the motion, the worst channel's; huge where there is no fit.
 double motion_error(const Task& task, const State& state);
 // Takes causes that another test found and borne_out() confirms.

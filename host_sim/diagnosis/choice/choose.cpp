@@ -9,6 +9,7 @@ namespace diagnosis::runs {
 namespace {
 
 constexpr size_t kMostCauses = 4;
+constexpr double kFurtherShare = 2e-3;    // of what the causes named before have brought, that a further one must
 constexpr double kLinear = 0.25;          // error over motion up to which a linearisation is trusted
 constexpr double kShortestHorizon = 0.2;  // periods
 constexpr double kNearEnough_percent =
@@ -58,12 +59,19 @@ double noise_share(const Left& left, const Fitted& fit) {
   return left.noise.size() ? left.noise.cwiseQuotient(fit.mean_square).cwiseMin(1.0).mean() : 0;
 }
 
-bool immaterial(const Task& task, const Choice& choice) {
-  if (!choice.base.fit.ok) return false;
+double missed_percent(const Task& task, const State& state) {
   double worst = 0;
-  for (double percent : score_unseen(task, choice.base).nrmse_percent) worst = std::max(worst, percent);
-  const bool noisy = noise_share(choice.base_left, choice.base.fit) >= kMostlyNoise;
-  return worst < (noisy ? kRight_percent : kNearEnough_percent);
+  for (double percent : score_unseen(task, state).nrmse_percent) worst = std::max(worst, percent);
+  return worst;
+}
+
+bool right(const Task& task, const Choice& choice) {
+  return choice.base.fit.ok && missed_percent(task, choice.base) < kRight_percent;
+}
+
+bool near_enough(const Task& task, const Choice& choice) {
+  return choice.base.fit.ok && noise_share(choice.base_left, choice.base.fit) < kMostlyNoise &&
+         missed_percent(task, choice.base) < kNearEnough_percent;
 }
 
 Choice rig_fitted(const Task& task) {
@@ -81,12 +89,16 @@ Choice rig_fitted(const Task& task) {
 
 void choose(const Task& task, Choice& choice, const std::function<void(double)>& progress) {
   State now = choice.final;
-  if (!now.fit.ok || now.unseen.empty()) return;
+  if (!now.fit.ok || now.unseen.empty() || near_enough(task, choice)) return;
   while (choice.named.size() < kMostCauses) {
     Round round = round_of(task, now, choice.named.size(), choice);
     if (!round.found) break;
-    for (const Candidate& c : round.best.candidates)
+    const double left = error_over(now.fit, choice.base.fit);
+    if (!choice.named.empty() && left * (1 - round.best.error) < kFurtherShare * (1 - left)) break;
+    for (Candidate c : round.best.candidates) {
+      keep_shape(round.best.state.model, c);
       choice.named.push_back(Named{c, round.best.z, share_of(round.best, round.noise), {}});
+    }
     now = round.best.state;
     settle(task, now, kBaseSteps);
     progress(static_cast<double>(choice.named.size()) / static_cast<double>(kMostCauses));

@@ -38,7 +38,7 @@ void weigh_rivals(const Task& task, const std::function<void(double)>& progress,
     own.z = mine.z;
     own.error = error_over(choice.final.fit, rest.fit),
     own.unseen = error_over(choice.final.unseen_fit, rest.unseen_fit);
-    const std::vector<Candidate> all = candidates_beside(task.system, rest.model, task.records);
+    const std::vector<Candidate> all = candidates_beside(task.system, rest.model, task.records, false);
     const Screen s = screen(task.system, task.records, rest.model, rest.seen, rest.fit, all, 0);
     double best_gain = 0;
     for (const Screened& one : s.singles) best_gain = std::max(best_gain, one.gain);
@@ -65,6 +65,7 @@ void weigh_rivals(const Task& task, const std::function<void(double)>& progress,
         std::swap(t, own);
     if (!own.candidates[0].same_place(mine.candidate)) {
       mine.candidate = own.candidates[0], mine.z = own.z, choice.final = own.state;
+      keep_shape(choice.final.model, mine.candidate);
       settle(task, choice.final, kBaseSteps);
     }
     mine.share = share_of(own, noise);

@@ -6,7 +6,10 @@ namespace diagnosis::runs {
 namespace {
 
 constexpr double kWorthFitting = 2, kWorthFittingInNoise = 3;  // of a screened deviate
+constexpr double kPlainlyLeft = 2;  // in the band of the motion over beside it: so much is worth a search among pitches
 constexpr size_t kShortList = 5, kPairs = 40, kPairTrials = 8, kPairTrialsInNoise = 2;
+constexpr double kPairRows = 4e4;   // samples that a search among pairs may simulate
+constexpr double kAsPromising = 2;  // of what a pair leaves, as the linearisation has it
 
 }  // namespace
 
@@ -14,7 +17,7 @@ Round round_of(const Task& task, const State& now, size_t already, Choice& choic
   Round round;
   const Left left = left_by(task.system, task.records, now);
   round.noise = noise_share(left, now.fit);
-  choice.last_candidates = candidates_beside(task.system, now.model, task.records);
+  choice.last_candidates = candidates_beside(task.system, now.model, task.records, left.worst() > kPlainlyLeft);
   choice.last_screen = screen(task.system, task.records, now.model, now.seen, now.fit, choice.last_candidates, kPairs);
   const Screen& s = choice.last_screen;
   std::vector<Attempt> singles;
@@ -37,8 +40,21 @@ Round round_of(const Task& task, const State& now, size_t already, Choice& choic
       if (round.found && choice.last_candidates[c].same_place(round.best.candidates[0]))
         with_best = std::max(with_best, p.gain);
   std::vector<Attempt> pairs;
-  const size_t most = round.noise < kMostlyNoise ? kPairTrials : kPairTrialsInNoise;
-  for (const ScreenedPair& p : s.pairs) {
+  double rows = 0;
+  for (const Window& w : now.seen) rows += static_cast<double>(w.length);
+  const size_t most = round.noise < kMostlyNoise
+                          ? static_cast<size_t>(std::clamp(kPairRows / rows, 2.0, static_cast<double>(kPairTrials)))
+                          : kPairTrialsInNoise;
+  // of those that promise as much the simpler ones come first
+  std::vector<ScreenedPair> promising;
+  for (const ScreenedPair& p : s.pairs)
+    if (1 - p.gain <= kAsPromising * (1 - s.pairs[0].gain)) promising.push_back(p);
+  const auto complexity = [&](const ScreenedPair& p) {
+    return choice.last_candidates[p.first].complexity + choice.last_candidates[p.second].complexity;
+  };
+  std::stable_sort(promising.begin(), promising.end(),
+                   [&](const ScreenedPair& x, const ScreenedPair& y) { return complexity(x) < complexity(y); });
+  for (const ScreenedPair& p : promising) {
     if (pairs.size() >= most) break;
     if (round.found && 1 - p.gain > 0.5 * (1 - with_best)) break;
     const std::vector<Candidate> both = {choice.last_candidates[p.first], choice.last_candidates[p.second]};
@@ -49,9 +65,15 @@ Round round_of(const Task& task, const State& now, size_t already, Choice& choic
     if (std::any_of(pairs.begin(), pairs.end(), same)) continue;
     pairs.push_back(attempt(task, now, both, {{0.0}, {0.0}}, 2 * kTrialSteps));
   }
-  for (const Attempt& t : pairs)
-    if (passes(t, already, round.noise) && (!round.found || whole_error(t) < 0.5 * whole_error(round.best)))
-      round.best = t, round.found = true;
+  const Attempt* best = nullptr;
+  for (const Attempt& t : pairs) {
+    if (!passes(t, already, round.noise)) continue;
+    const bool better = best && (t.complexity == best->complexity ? whole_error(t) < whole_error(*best)
+                                                                  : clearly_better(t, *best, round.noise));
+    if (!best || better) best = &t;
+  }
+  if (best && (!round.found || whole_error(*best) < 0.5 * whole_error(round.best)))
+    round.best = *best, round.found = true;
   return round;
 }
 

@@ -106,7 +106,9 @@ void step_parameters(Model& model, const Vec& change) {
   for (size_t i = 0; i < parameters.size(); ++i) {
     ModelTerm& t = model[parameters[i].term];
     const double d = change[static_cast<Index>(i)];
-    if (parameters[i].shape) {
+    if (parameters[i].shape == 2) {
+      t.term.shape2 += std::clamp(d, -kLongestStep, kLongestStep);
+    } else if (parameters[i].shape) {
       t.term.shape *= std::exp(std::clamp(d, -kLongestStep, kLongestStep));
     } else {
       const double next = t.value + d;
@@ -185,7 +187,9 @@ Fitted fit(const System& system, const std::vector<Prepared>& records, Model& mo
   return out;
 }
 
-size_t parts_for(size_t windows) { return std::max<size_t>(1, (kBlocks + windows - 1) / std::max<size_t>(1, windows)); }
+size_t parts_for(size_t windows) {
+  return windows >= kEnoughWindows ? 1 : (kBlocks + windows - 1) / std::max<size_t>(1, windows);
+}
 
 std::vector<Determined> determined(const Fitted& fit, const Model& model) {
   const std::vector<Parameter> parameters = parameters_of(model);

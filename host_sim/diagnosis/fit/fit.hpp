@@ -14,8 +14,9 @@ struct Fitted {
   std::vector<Vec> score;     // per block: its right-hand side
 };
 
-constexpr size_t kBlocks = 24;     // that influences are taken over: fewer leave Student's law no way to be sure
-size_t parts_for(size_t windows);  // blocks per window, so that there are at least kBlocks
+constexpr size_t kBlocks = 24;         // that influences are taken over: fewer leave Student's law no way to be sure
+constexpr size_t kEnoughWindows = 12;  // with free states of their own they are blocks that share nothing
+size_t parts_for(size_t windows);      // blocks per window
 
 // How each parameter is determined: influences of blocks, corrected for leverage; where there are windows enough, those of
 // whole windows too, and the wider counts (neighbouring blocks share what a model lacks).

@@ -10,8 +10,9 @@ namespace diagnosis::runs {
 std::vector<Parameter> parameters_of(const Model& model) {
   std::vector<Parameter> list;
   for (size_t i = 0; i < model.size(); ++i) {
-    if (!model[i].known && model[i].host < 0) list.push_back({i, false});
-    if (model[i].shape_free) list.push_back({i, true});
+    if (!model[i].known && model[i].host < 0) list.push_back({i, 0});
+    if (model[i].shape_free) list.push_back({i, 1});
+    if (model[i].shape_free && model[i].term.kind == Kind::kCogging) list.push_back({i, 2});
   }
   return list;
 }
@@ -26,6 +27,7 @@ bool positive(Kind kind) {
     case Kind::kMissingViscous:
     case Kind::kMissingCoulomb:
     case Kind::kPresliding:
+    case Kind::kMissingGravity:
       return true;
     default:
       return false;
@@ -41,6 +43,7 @@ LawValue law(Kind kind, double u, double w, double t_s, double shape, double sha
     case Kind::kMissingViscous:
       return {w, 0, 1, 0};
     case Kind::kGravity:
+    case Kind::kMissingGravity:
       return {std::sin(u), std::cos(u), 0, 0};
     case Kind::kCubicStiffness:
       return {u * u * u, 3 * u * u, 0, 0};
@@ -71,9 +74,10 @@ LawValue law(Kind kind, double u, double w, double t_s, double shape, double sha
       const double slope = shape > 0 ? (vocabulary::drifted_s(t_s, shape * (1 + e)) - gone) / e : 0;
       return {gone * w, 0, gone, slope * w};
     }
-    case Kind::kUnknownPitch: {  // cogging
-      const double k = 6.283185307179586 / shape;
-      return {std::sin(k * u + shape2), k * std::cos(k * u + shape2), 0, -k * u * std::cos(k * u + shape2)};
+    case Kind::kCogging:
+    case Kind::kUnknownPitch: {
+      const double k = 6.283185307179586 / shape, slope = std::cos(k * u + shape2);
+      return {std::sin(k * u + shape2), k * slope, 0, -k * u * slope, slope};
     }
     default:
       return {};

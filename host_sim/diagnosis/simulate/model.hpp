@@ -20,7 +20,7 @@ using Model = std::vector<ModelTerm>;
 
 struct Parameter {
   size_t term = 0;
-  bool shape = false;
+  int shape = 0;  // 0: the coefficient; 1: the logarithm of term.shape; 2: term.shape2 (a phase)
 };
 std::vector<Parameter> parameters_of(const Model& model);
 
@@ -29,7 +29,7 @@ bool positive(Kind kind);
 
 // Force of a law with coefficient one (positive against the motion) and its slopes. t_s: time since the record's start.
 struct LawValue {
-  double force = 0, by_u = 0, by_w = 0, by_log_shape = 0;
+  double force = 0, by_u = 0, by_w = 0, by_log_shape = 0, by_phase = 0;
 };
 LawValue law(Kind kind, double u, double w, double t_s, double shape, double shape2);
 

@@ -49,7 +49,7 @@ void Simulator::compile(const System& system, const Model& model) {
   for (const rig_file::Link& l : system.links) link_ends_.push_back({node_of(l.a), node_of(l.b)});
   const std::vector<Parameter> parameters = parameters_of(model);
   parameters_ = static_cast<Index>(parameters.size());
-  const auto index_of = [&](size_t term, bool shape) {
+  const auto index_of = [&](size_t term, int shape) {
     for (size_t i = 0; i < parameters.size(); ++i)
       if (parameters[i].term == term && parameters[i].shape == shape) return static_cast<Index>(i);
     return Index{-1};
@@ -63,7 +63,7 @@ void Simulator::compile(const System& system, const Model& model) {
     const Kind kind = t.term.kind;
     const size_t coefficient = t.host >= 0 ? static_cast<size_t>(t.host) : i;
     const double value = model[coefficient].value;
-    const Index by_value = index_of(coefficient, false), by_shape = index_of(i, true);
+    const Index by_value = index_of(coefficient, 0), by_shape = index_of(i, 1);
     if (kind == Kind::kMass || kind == Kind::kMassError) {
       mass_[t.term.dof] += value;
       if (by_value >= 0) by_mass_[static_cast<size_t>(t.term.dof)].push_back(by_value);
@@ -75,6 +75,7 @@ void Simulator::compile(const System& system, const Model& model) {
     } else if (t.term.link >= 0 && !replaced[i]) {
       const auto [a, b] = link_ends_[static_cast<size_t>(t.term.link)];
       Element e{kind, a, b, value, t.term.shape, t.term.shape2, by_value, by_shape, -1};
+      e.by_phase = index_of(i, 2);
       if (kind == Kind::kPresliding) e.z = hysteresis_++;
       elements_.push_back(e);
       if (kind != Kind::kCoulomb && kind != Kind::kMissingCoulomb && kind != Kind::kStribeck) continue;
@@ -123,6 +124,8 @@ void Simulator::upsample(const Model& model) {
             i + 2 < count && i > 1 ? (8 * (force[i + 1] - force[i - 1]) - (force[i + 2] - force[i - 2])) / (12 * h) : 0;
       else if (f.kind == Kind::kForceGain)
         slope[i] = -force[i];
+      else if (f.kind == Kind::kDeadBand)
+        slope[i] = -std::clamp(force[i], -f.frequency, f.frequency);
       else
         slope[i] =
             -(f.kind == Kind::kForceHumCos50 || f.kind == Kind::kForceHumCos60 ? std::cos(kTwoPi * f.frequency * t)
@@ -215,6 +218,8 @@ void Simulator::accelerations(const Vec& y, const Outside& o, Vec& acc, bool slo
     if (e.by_shape >= 0)
       add(e.a, states() + e.by_shape, -e.value * f.by_log_shape),
           add(e.b, states() + e.by_shape, e.value * f.by_log_shape);
+    if (e.by_phase >= 0)
+      add(e.a, states() + e.by_phase, -e.value * f.by_phase), add(e.b, states() + e.by_phase, e.value * f.by_phase);
   };
   for (const Element& e : elements_) {
     if (e.kind == Kind::kCoulomb || e.kind == Kind::kMissingCoulomb || e.kind == Kind::kStribeck) continue;
@@ -527,6 +532,7 @@ void Simulator::forces_of_motion(const Mat& x, const Mat& v, const Mat& a, Mat& 
         force(node, k) += turn * e.value * f.force;
         if (e.by_value >= 0) slopes[static_cast<size_t>(e.by_value)](node, k) += turn * f.force;
         if (e.by_shape >= 0) slopes[static_cast<size_t>(e.by_shape)](node, k) += turn * e.value * f.by_log_shape;
+        if (e.by_phase >= 0) slopes[static_cast<size_t>(e.by_phase)](node, k) += turn * e.value * f.by_phase;
       }
     }
   }

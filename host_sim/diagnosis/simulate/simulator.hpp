@@ -40,6 +40,7 @@ class Simulator {
     double value, shape, shape2;
     Index by_value = -1, by_shape = -1;
     Index z = -1;  // presliding: its state
+    Index by_phase = -1;
   };
   struct Friction {
     int a, b;
@@ -78,7 +79,7 @@ class Simulator {
   struct ForceFault {
     Kind kind;
     size_t fine;
-    double frequency;
+    double frequency;  // of a hum, Hz; of a dead band, N
     Index by_value;
   };
   std::vector<ForceFault> faults_;
