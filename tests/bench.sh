@@ -30,3 +30,6 @@ fi
 if measured accuracy_report; then "$bin/accuracy_report" docs/accuracy.md; fi
 if measured coverage_report; then "$bin/coverage_report" docs/coverage.md; fi
 if measured diagnosis_report; then "$bin/diagnosis_report" --jobs "$(nproc)" docs/diagnosis.md; fi
+if measured condition_report; then
+  "$bin/condition_report" --draws 20 --table docs/diagnosis_conditions.md --raw docs/conditions_raw.txt
+fi

@@ -9,7 +9,7 @@ constexpr double kWorthFitting = 2, kWorthFittingInNoise = 3;  // of a screened 
 constexpr double kPlainlyLeft = 2;  // in the band of the motion over beside it: so much is worth a search among pitches
 constexpr size_t kShortList = 5, kPairs = 40, kPairTrials = 8, kPairTrialsInNoise = 2;
 constexpr double kPairRows = 4e4;   // samples that a search among pairs may simulate
-constexpr double kAsPromising = 2;  // of what a pair leaves, as the linearisation has it
+constexpr double kAsPromising = 4;  // of what a pair leaves, as the linearisation has it
 
 }  // namespace
 

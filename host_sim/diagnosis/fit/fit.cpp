@@ -191,6 +191,38 @@ size_t parts_for(size_t windows) {
   return windows >= kEnoughWindows ? 1 : (kBlocks + windows - 1) / std::max<size_t>(1, windows);
 }
 
+namespace {
+
+// Inverse of the normal matrix; rows and columns of what is held are nought.
+Mat inverse_of(const Mat& total, const std::vector<bool>& held) {
+  const Index p = total.rows();
+  Vec scale = total.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
+  for (Index i = 0; i < p; ++i)
+    if (held[static_cast<size_t>(i)]) scale[i] = 0;
+  Mat a = scale.asDiagonal() * total * scale.asDiagonal();
+  for (Index i = 0; i < p; ++i) a(i, i) = held[static_cast<size_t>(i)] ? 1 : a(i, i) + 1e-12;
+  return scale.asDiagonal() * a.ldlt().solve(Mat::Identity(p, p)) * scale.asDiagonal();
+}
+
+struct Scatter {
+  double se = 0, dof = 1;
+};
+Scatter scatter_of(const Fitted& fit, const Mat& inverse, Index i, size_t together) {
+  const Vec direction = inverse.col(i) / inverse(i, i);
+  double square = 0, leverage = 0;
+  for (size_t b = 0; b < fit.gram.size(); b += together) {
+    double own = 0, influence = 0;
+    for (size_t k = b; k < b + together; ++k)
+      own += direction.dot(fit.gram[k] * direction), influence += inverse.row(i).dot(fit.score[k]);
+    const double h = std::clamp(own * inverse(i, i), 0.0, 0.95);
+    influence /= 1 - h;
+    square += influence * influence, leverage += h * h;
+  }
+  return {std::sqrt(square), std::max(1.0, 1 / std::max(1e-12, leverage))};
+}
+
+}  // namespace
+
 std::vector<Determined> determined(const Fitted& fit, const Model& model) {
   const std::vector<Parameter> parameters = parameters_of(model);
   const Index p = static_cast<Index>(parameters.size());
@@ -198,34 +230,22 @@ std::vector<Determined> determined(const Fitted& fit, const Model& model) {
   if (p == 0 || fit.gram.empty()) return list;
   Mat total = Mat::Zero(p, p);
   for (const Mat& g : fit.gram) total += g;
-  const Vec scale = total.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
-  Mat a = scale.asDiagonal() * total * scale.asDiagonal();
-  a.diagonal().array() += 1e-12;
-  const Mat inverse = scale.asDiagonal() * a.ldlt().solve(Mat::Identity(p, p)) * scale.asDiagonal();
+  std::vector<bool> none(parameters.size(), false), shapes = none;
+  for (size_t i = 0; i < parameters.size(); ++i) shapes[i] = parameters[i].shape != 0;
+  const Mat inverse = inverse_of(total, none), at_this_shape = inverse_of(total, shapes);
   for (Index i = 0; i < p; ++i) {
-    const Vec direction = inverse.col(i) / inverse(i, i);
-    const double whole = 1 / inverse(i, i);
-    const ModelTerm& t = model[parameters[static_cast<size_t>(i)].term];
-    const double value = parameters[static_cast<size_t>(i)].shape ? 1.0 : t.value;
-    Determined& d = list[static_cast<size_t>(i)];
-    d.z = 1e300;
+    const size_t k = static_cast<size_t>(i);
+    Determined& d = list[k];
     for (size_t together : {size_t{1}, fit.parts}) {  // blocks, then windows
       if (together > 1 && fit.gram.size() / together < kLeastWindows) continue;
-      double square = 0, leverage = 0;
-      for (size_t b = 0; b < fit.gram.size(); b += together) {
-        double own = 0, influence = 0;
-        for (size_t k = b; k < b + together; ++k)
-          own += direction.dot(fit.gram[k] * direction), influence += inverse.row(i).dot(fit.score[k]);
-        const double h = std::clamp(own / whole, 0.0, 0.95);
-        influence /= 1 - h;
-        square += influence * influence, leverage += h * h;
-      }
-      const double dof = std::max(1.0, 1 / std::max(1e-12, leverage)), se = std::sqrt(square);
-      const double z = normal_deviate(value / std::max(se, 1e-300), dof);
-      if (together == 1) d.z = z;
+      const Scatter s = scatter_of(fit, inverse, i, together);
       // Student's 97.5 % point over 1.96
-      d.std = std::max(d.std, se * (1 + 1.4 / dof + 1.2 / (dof * dof)));
+      d.std = std::max(d.std, s.se * (1 + 1.4 / s.dof + 1.2 / (s.dof * s.dof)));
     }
+    if (shapes[k]) continue;
+    // without the effect its shape means nothing: whether it is there is asked at this shape
+    const Scatter s = scatter_of(fit, at_this_shape, i, 1);
+    d.z = normal_deviate(model[parameters[k].term].value / std::max(s.se, 1e-300), s.dof);
   }
   return list;
 }

@@ -22,7 +22,7 @@ size_t parts_for(size_t windows);      // blocks per window
 // whole windows too, and the wider counts (neighbouring blocks share what a model lacks).
 struct Determined {
   double std = 0;  // of the parameter, so that value +- 1.96 std is its 95 % interval
-  double z = 0;    // value over standard error, as a normal deviate
+  double z = 0;    // of a coefficient: value over standard error with all shapes held, as a normal deviate
 };
 std::vector<Determined> determined(const Fitted& fit, const Model& model);
 
