@@ -142,7 +142,9 @@ class Plan {
     int longest = 0;
     for (const auto& node : c_.signals)
       for (const SignalConfiguration& signal : node) longest = std::max<int>(longest, signal.half_length);
-    if (!differentiates() || 2 * longest + kLowPassHalf > 2 * firmware::kFilterHalf) return;
+    const bool friction = std::any_of(c_.terms, c_.terms + c_.term_count,
+                                      [](const firmware::Term& term) { return firmware::is_sign_term(term.kind); });
+    if (!friction || !differentiates() || 2 * longest + kLowPassHalf > 2 * firmware::kFilterHalf) return;
     static_assert(kLowPassHalf == firmware::kSignFilterHalf, "the same filter");
     const Impulse taps = low_pass(0.0);
     c_.sign_half_length = kLowPassHalf;
