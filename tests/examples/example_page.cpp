@@ -5,9 +5,9 @@
 
 #include "host_sim/records/output_file.hpp"
 #include "host_sim/reports/figures/numbers.hpp"
-#include "host_sim/reports/page/diagnosis_pictures.hpp"
 #include "host_sim/reports/page/shared_parts.hpp"
-#include "host_sim/reports/page/verdict.hpp"
+#include "host_sim/reports/sections/diagnosis_pictures.hpp"
+#include "host_sim/reports/sections/verdict.hpp"
 
 namespace examples {
 namespace {

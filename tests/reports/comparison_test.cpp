@@ -1,5 +1,5 @@
 // A record beside two rigs: made by one rig, so that the other's error is known.
-#include "host_sim/reports/data/comparison.hpp"
+#include "host_sim/reports/views/comparison.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 
 #include "hal/rig_file/rig_reader.hpp"
 #include "host_sim/plant/motion/simulate.hpp"
-#include "host_sim/reports/data/free_simulation.hpp"
+#include "host_sim/reports/views/free_simulation.hpp"
 #include "host_sim/vocabulary/held_in_place.hpp"
 
 namespace {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "host_sim/reports/data/report_data.hpp"
+#include "host_sim/reports/data/run_report_data.hpp"
 
 namespace made_up {
 

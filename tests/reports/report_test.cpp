@@ -10,9 +10,9 @@
 #include <limits>
 #include <sstream>
 
-#include "host_sim/reports/page/detectable_tables.hpp"
-#include "host_sim/reports/page/dygraphs.hpp"
-#include "host_sim/reports/page/verdict.hpp"
+#include "host_sim/reports/sections/detectable_tables.hpp"
+#include "host_sim/reports/sections/verdict.hpp"
+#include "host_sim/reports/zoom/dygraphs.hpp"
 #include "tests/reports/made_up.hpp"
 
 namespace {

@@ -1,5 +1,5 @@
 // The spectrum of signals whose power is known.
-#include "host_sim/reports/data/spectrum.hpp"
+#include "host_sim/reports/views/spectrum.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Time records on their way into the page.
-#include "host_sim/reports/page/zoom.hpp"
+#include "host_sim/reports/zoom/zoom.hpp"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include "host_sim/programs/shared/terminal.hpp"
 #include "host_sim/reports/figures/numbers.hpp"
 #include "host_sim/reports/page/shared_parts.hpp"
-#include "host_sim/reports/page/verdict.hpp"
+#include "host_sim/reports/sections/verdict.hpp"
 
 namespace host_sim {
 namespace {

@@ -2,12 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <limits>
 
-#include "host_sim/reports/data/comparison.hpp"
-#include "host_sim/reports/data/free_simulation.hpp"
-#include "host_sim/reports/data/rig_views.hpp"
+#include "host_sim/reports/views/comparison.hpp"
+#include "host_sim/reports/views/free_simulation.hpp"
+#include "host_sim/reports/views/rig_views.hpp"
 
 namespace host_sim {
 namespace {
@@ -27,7 +28,16 @@ void add_facts(const std::vector<Record>& records, const EstimateResult& result,
 }  // namespace
 
 std::vector<UncertainMode> estimated_modes(const rig_file::RigModel& model, const EstimateResult& result) {
-  return modes_with_intervals(model, values_of(result), result.covariance);
+  // Intervals of coefficients are Student's, with the degrees of freedom of each: those of the modes are widened alike.
+  std::vector<std::vector<double>> covariance = result.covariance;
+  const auto widening = [&](size_t i) {
+    const ParameterResult& p = result.parameters[i];
+    const double normal = 2.0 * 1.959963984540054 * p.std;
+    return normal > 0.0 ? std::max(1.0, (p.ci95_high - p.ci95_low) / normal) : 1.0;
+  };
+  for (size_t i = 0; i < covariance.size(); ++i)
+    for (size_t j = 0; j < covariance[i].size(); ++j) covariance[i][j] *= widening(i) * widening(j);
+  return modes_with_intervals(model, values_of(result), covariance);
 }
 
 reports::EstimateReportData estimate_report_data(const rig_file::RigModel& model, const std::vector<Record>& records,

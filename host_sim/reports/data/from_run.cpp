@@ -7,7 +7,7 @@
 #include "hal/rig_file/scaled_double.hpp"
 #include "host_sim/can_log/readable.hpp"
 #include "host_sim/reports/data/channel_words.hpp"
-#include "host_sim/reports/data/rig_views.hpp"
+#include "host_sim/reports/views/rig_views.hpp"
 
 namespace host_sim::reports {
 namespace {

@@ -1,6 +1,7 @@
 // What `host_sim run` leaves behind, as the data of its report.
 #pragma once
 #include "host_sim/reports/data/report_data.hpp"
+#include "host_sim/reports/data/run_report_data.hpp"
 #include "host_sim/virtual_rig/run_scenario.hpp"
 
 namespace host_sim::reports {

@@ -7,17 +7,14 @@
 #include <vector>
 
 #include "host_sim/data_check/data_check.hpp"
+#include "host_sim/reports/data/rig_view_data.hpp"
+#include "host_sim/reports/data/warrant_view.hpp"
 
 namespace host_sim::reports {
 
 struct NamedSeries {
   std::string label;
   std::vector<double> values;
-};
-
-// One value with its 95 % interval; NaN where there is none.
-struct Interval {
-  double value, low, high;
 };
 
 // One measured channel beside the simulation of the same channel. All vectors have the length of `measured`,
@@ -55,57 +52,6 @@ struct LinkView {
   std::vector<double> residual, residual_extended;
   std::string named_effect;         // "cubic_stiffness": what named_force is
   std::vector<double> named_force;  // force of the named effect at the same samples
-};
-
-// Motion per force over frequency, measured and simulated by the same averages. Vectors of one length; `simulated`
-// is empty where there is no simulation.
-struct ResponseView {
-  std::string title;                                                 // "acceleration of DOF 2 per force on DOF 1"
-  std::string label, unit;                                           // "acceleration per force", "m/s^2/N"
-  std::vector<double> frequency_Hz, measured, simulated, coherence;  // magnitudes; coherence 0 to 1
-  size_t segments = 0;                                               // averaged
-};
-
-// A mode of the estimated rig's linear part.
-struct ModeRow {
-  Interval frequency_Hz, damping_ratio;
-  std::vector<double> shape;  // per DOF, the largest 1; negative: against it
-};
-
-// Restoring force of a link over elongation and rate: mean of the samples in each cell, measured and by the model.
-struct ForceStateMap {
-  std::string link, force_unit = "N", elongation_unit = "m", rate_unit = "m/s";
-  size_t columns = 0, rows = 0;  // of cells: elongation across, rate upwards
-  double elongation_low = 0.0, elongation_high = 0.0, rate_low = 0.0, rate_high = 0.0;
-  std::vector<double> measured, model;  // row by row from below; NaN where no sample was
-};
-
-// What of the force no term explains, over frequency, beside the force that drives or accelerates the DOF.
-struct ResidualSpectrum {
-  int dof = 1;
-  std::string unit = "N";
-  std::vector<double> frequency_Hz, residual, reference;  // power densities, unit^2 / Hz
-};
-
-// What every page shows of a rig with numbers: filled by data/rig_views.
-struct RigViews {
-  std::vector<ResponseView> responses;
-  std::vector<ModeRow> modes;
-  std::vector<ForceStateMap> maps;
-  std::vector<ResidualSpectrum> residuals;
-  std::vector<std::string> notes;  // what these sensors cannot show, and why
-  bool of_extended_rig = false;    // the simulated curves are those of the extended rig
-};
-
-// What the board says of the model beside its numbers: a cause, where, how large, and the next best.
-struct WarrantFinding {
-  std::string effect, where, unit;  // effect empty: nothing found
-  double size = 0.0, std = 0.0;
-};
-struct WarrantView {
-  bool tested = false;  // the data could show what the rig file lacks
-  WarrantFinding named, rival;
-  double rival_percent = 0.0;  // likelihood gain, of the named cause's
 };
 
 struct Cause {
@@ -167,51 +113,6 @@ struct EstimateReportData {
   std::vector<ParameterChange> parameters;  // `after` is the estimate
   std::vector<std::string> advice;          // what to measure next
   std::vector<DofView> dofs;
-  RigViews views;
-  std::optional<WarrantView> warrant;
-  std::optional<data_check::Report> check;
-};
-
-// An estimate as the windows close: vectors of one length.
-struct Convergence {
-  std::vector<double> time_s, value, low, high;
-};
-
-struct RunParameter {
-  std::string name, unit, status;
-  double truth;  // NaN: not known
-  Interval estimate;
-  Convergence convergence;
-};
-
-// A channel before and after the sensors; vectors of one length.
-struct RunChannel {
-  std::string name, unit;  // "force 1", "N"
-  std::vector<double> clean, contaminated;
-};
-
-// Acceleration of a DOF and its simulation with the estimates in place of the truth.
-struct RunAcceleration {
-  int dof = 1;
-  std::string unit = "m/s^2";
-  double mse_percent;  // Eq. 13
-  std::vector<double> measured, simulated;
-};
-
-// One excitation level or frequency of the scenario; time of sample i is start_s + i * period_s.
-struct RunRecord {
-  std::string label;  // "rms 10 N, 5 to 50 Hz"
-  double start_s = 0.0, period_s = 0.0;
-  std::vector<RunChannel> channels;
-  std::vector<RunAcceleration> accelerations;
-};
-
-struct RunReportData {
-  std::string scenario;
-  std::vector<std::string> facts;  // "seed 1", "1000 Hz", ...
-  double condition_number, residual_mean_abs;
-  std::vector<RunParameter> parameters;
-  std::vector<RunRecord> records;
   RigViews views;
   std::optional<WarrantView> warrant;
   std::optional<data_check::Report> check;

@@ -7,6 +7,7 @@
 #include "host_sim/reports/figures/numbers.hpp"
 #include "host_sim/reports/figures/path.hpp"
 #include "host_sim/reports/figures/plot.hpp"
+#include "host_sim/reports/figures/range.hpp"
 
 namespace host_sim::reports {
 namespace {
@@ -49,40 +50,6 @@ std::string escaped_text(const std::string& plain) {
   std::string out;
   for (char c : plain) out += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : std::string(1, c);
   return out;
-}
-
-// Range of what is finite, with air, so that a curve never lies on the frame.
-struct Range {
-  double low = 0.0, high = 0.0;
-  bool any = false;
-  void add(double value) {
-    if (!std::isfinite(value)) return;
-    low = any ? std::min(low, value) : value;
-    high = any ? std::max(high, value) : value;
-    any = true;
-  }
-  double size() const { return std::max(std::abs(low), std::abs(high)); }
-};
-
-// Of a logarithmic plot the first curve, which is what was measured: nobody asks for what lies far below it.
-Range y_range(const Plot& plot) {
-  Range range;
-  if (plot.map.columns > 0) range.add(plot.map.y_low), range.add(plot.map.y_high);
-  for (const Curve& curve : plot.curves) {
-    for (const std::vector<double>* values : {&curve.y, &curve.y_high})
-      for (double value : *values)
-        if (!plot.log_y || value > 0.0) range.add(value);
-    if (plot.log_y && range.any) break;
-  }
-  return range;
-}
-
-Range x_range(const Plot& plot) {
-  Range range;
-  if (plot.map.columns > 0) range.add(plot.map.x_low), range.add(plot.map.x_high);
-  for (const Curve& curve : plot.curves)
-    for (double value : curve.x) range.add(value);
-  return range;
 }
 
 class Drawing {

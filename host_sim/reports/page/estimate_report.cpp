@@ -3,13 +3,13 @@
 #include <cmath>
 
 #include "host_sim/reports/figures/numbers.hpp"
-#include "host_sim/reports/page/data_sections.hpp"
-#include "host_sim/reports/page/diagnosis_pictures.hpp"
 #include "host_sim/reports/page/report.hpp"
-#include "host_sim/reports/page/rig_sections.hpp"
 #include "host_sim/reports/page/shared_parts.hpp"
-#include "host_sim/reports/page/verdict.hpp"
-#include "host_sim/reports/page/zoom.hpp"
+#include "host_sim/reports/sections/data_sections.hpp"
+#include "host_sim/reports/sections/diagnosis_pictures.hpp"
+#include "host_sim/reports/sections/rig_sections.hpp"
+#include "host_sim/reports/sections/verdict.hpp"
+#include "host_sim/reports/zoom/zoom.hpp"
 
 namespace host_sim::reports {
 namespace {

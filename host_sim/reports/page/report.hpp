@@ -3,6 +3,7 @@
 #include <string>
 
 #include "host_sim/reports/data/report_data.hpp"
+#include "host_sim/reports/data/run_report_data.hpp"
 
 namespace host_sim::reports {
 

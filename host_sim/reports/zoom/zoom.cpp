@@ -1,12 +1,12 @@
-#include "host_sim/reports/page/zoom.hpp"
+#include "host_sim/reports/zoom/zoom.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "host_sim/reports/figures/numbers.hpp"
-#include "host_sim/reports/page/dygraphs.hpp"
-#include "host_sim/reports/page/zoom_script.hpp"
+#include "host_sim/reports/zoom/dygraphs.hpp"
+#include "host_sim/reports/zoom/zoom_script.hpp"
 
 namespace host_sim::reports {
 namespace {

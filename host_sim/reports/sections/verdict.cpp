@@ -1,4 +1,4 @@
-#include "host_sim/reports/page/verdict.hpp"
+#include "host_sim/reports/sections/verdict.hpp"
 
 #include <algorithm>
 #include <cmath>

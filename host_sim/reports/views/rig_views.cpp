@@ -1,4 +1,4 @@
-#include "host_sim/reports/data/rig_views.hpp"
+#include "host_sim/reports/views/rig_views.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,110 +7,15 @@
 #include "host_sim/force_balance/derivative.hpp"
 #include "host_sim/force_balance/force_balance.hpp"
 #include "host_sim/reports/data/channel_words.hpp"
-#include "host_sim/reports/data/spectrum.hpp"
-#include "host_sim/response/frequency_response.hpp"
+#include "host_sim/reports/views/balance_views.hpp"
+#include "host_sim/reports/views/response_views.hpp"
+#include "host_sim/reports/views/spectrum.hpp"
 
 namespace host_sim::reports {
 namespace {
 
-constexpr size_t kCells = 24;          // of a map, to each side
-constexpr size_t kFewestInCell = 3;    // samples: below, a mean says nothing
-constexpr size_t kMostResponses = 12;  // pictures; beyond, of the driven DOFs alone
-
-// The fastest motion of a DOF that is measured: accelerations show the most modes.
-const Channel* motion_of(const Record& record, int dof) {
-  for (Quantity quantity : {Quantity::kAcceleration, Quantity::kVelocity, Quantity::kDisplacement})
-    if (const Channel* channel = record.find(quantity, dof)) return channel;
-  return nullptr;
-}
-
-std::vector<double> magnitudes(const FrequencyResponse& response) {
-  std::vector<double> out;
-  for (const std::complex<double>& value : response.response) out.push_back(std::abs(value));
-  return out;
-}
-
-// The force of one DOF and the motion of another in all records.
-class ResponsePair {
- public:
-  ResponsePair(const std::vector<Record>& records, const std::vector<Record>& simulated, int driven, int moved)
-      : records_(records), driven_(driven), moved_(moved) {
-    for (size_t i = 0; i < records.size(); ++i) {
-      const Channel* force = records[i].find(Quantity::kForce, driven);
-      const Channel* motion = motion_of(records[i], moved);
-      if (force == nullptr || motion == nullptr) continue;
-      measured_.push_back({&force->values, &motion->values});
-      if (i < simulated.size())
-        simulated_.push_back({&force->values, &simulated[i].find(motion->quantity, moved)->values});
-    }
-  }
-
-  bool any() const { return !measured_.empty(); }
-
-  ResponseView view(size_t segment) const {
-    const Record& first = records_.front();
-    const Channel& motion = *motion_of(first, moved_);
-    const bool rotates = channel_rotates(motion);
-    const bool drive_rotates = channel_rotates(*first.find(Quantity::kForce, driven_));
-    const FrequencyResponse measured = frequency_response(measured_, first.sample_period_s, segment);
-    ResponseView out;
-    const std::string force = quantity_word(Quantity::kForce, drive_rotates);
-    out.title = channel_words(motion) + " per " + force + " on DOF " + std::to_string(driven_);
-    out.label = quantity_word(motion.quantity, rotates) + " per " + force;
-    const std::string per = quantity_unit(Quantity::kForce, drive_rotates);
-    out.unit = quantity_unit(motion.quantity, rotates) + "/" + (drive_rotates ? "(" + per + ")" : per);
-    out.frequency_Hz = measured.frequency_Hz;
-    out.measured = magnitudes(measured);
-    out.coherence = measured.coherence;
-    out.segments = measured.segments;
-    if (!simulated_.empty()) out.simulated = magnitudes(frequency_response(simulated_, first.sample_period_s, segment));
-    return out;
-  }
-
- private:
-  const std::vector<Record>& records_;
-  int driven_, moved_;
-  std::vector<SignalPair> measured_, simulated_;
-};
-
-// A force that stands still drives nothing.
-bool drives(const Record& record, int dof) {
-  const Channel* force = record.find(Quantity::kForce, dof);
-  if (force == nullptr) return false;
-  const auto [low, high] = std::minmax_element(force->values.begin(), force->values.end());
-  return *high > *low;
-}
-
-void add_responses(const rig_file::RigModel& rig, const std::vector<Record>& records,
-                   const std::vector<Record>& simulated, RigViews& views) {
-  size_t shortest = std::numeric_limits<size_t>::max();
-  for (const Record& record : records) shortest = std::min(shortest, record.samples());
-  const size_t segment = response_segment(shortest);
-  const int dofs = static_cast<int>(rig.dofs.size());
-  std::vector<int> driven;
-  for (int dof = 1; dof <= dofs; ++dof)
-    if (drives(records.front(), dof)) driven.push_back(dof);
-  if (driven.empty()) {
-    views.notes.push_back("no force is measured: there is no frequency response");
-    return;
-  }
-  if (segment == 0) {
-    views.notes.push_back("the record is too short for a frequency response");
-    return;
-  }
-  const bool all = driven.size() * static_cast<size_t>(dofs) <= kMostResponses;
-  for (int from : driven)
-    for (int to = 1; to <= dofs; ++to) {
-      const ResponsePair pair(records, simulated, from, to);
-      if (pair.any() && (all || from == to)) views.responses.push_back(pair.view(segment));
-    }
-}
-
-// The force that this link alone would have to add to make up for the residuals of its ends (least squares).
-double share_of_residual(const rig_file::Link& link, const ForceBalance& balance, size_t sample) {
-  const double at_a = balance.residual[static_cast<size_t>(link.a - 1)][sample];
-  return link.b <= 0 ? at_a : 0.5 * (at_a - balance.residual[static_cast<size_t>(link.b - 1)][sample]);
-}
+constexpr size_t kCells = 24;        // of a map, to each side
+constexpr size_t kFewestInCell = 3;  // samples: below, a mean says nothing
 
 class Cells {
  public:
@@ -147,6 +52,7 @@ ForceStateMap map_of(const rig_file::RigModel& rig, size_t index, const ForceBal
   map.elongation_low = cells.x().first, map.elongation_high = cells.x().second;
   map.rate_low = cells.y().first, map.rate_high = cells.y().second;
   const Series model = at.terms.empty() ? Series(at.elongation.size(), 0.0) : at.total();
+  const Series residual = at_link(link, balance);
   std::vector<size_t> count(kCells * kCells, 0);
   map.measured.assign(kCells * kCells, 0.0);
   map.model.assign(kCells * kCells, 0.0);
@@ -154,7 +60,7 @@ ForceStateMap map_of(const rig_file::RigModel& rig, size_t index, const ForceBal
     const size_t cell = cells.cell(at.elongation[i], at.rate[i]);
     ++count[cell];
     map.model[cell] += model[i];
-    map.measured[cell] += model[i] + share_of_residual(link, balance, i);
+    map.measured[cell] += model[i] + residual[i];
   }
   for (size_t c = 0; c < count.size(); ++c) {
     const double n =

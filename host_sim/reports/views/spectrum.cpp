@@ -1,4 +1,4 @@
-#include "host_sim/reports/data/spectrum.hpp"
+#include "host_sim/reports/views/spectrum.hpp"
 
 #include <fftw3.h>
 

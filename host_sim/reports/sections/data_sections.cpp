@@ -1,10 +1,10 @@
-#include "host_sim/reports/page/data_sections.hpp"
+#include "host_sim/reports/sections/data_sections.hpp"
 
 #include <filesystem>
 
 #include "host_sim/reports/figures/numbers.hpp"
 #include "host_sim/reports/page/shared_parts.hpp"
-#include "host_sim/reports/page/verdict.hpp"
+#include "host_sim/reports/sections/verdict.hpp"
 
 namespace host_sim::reports {
 namespace {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "host_sim/reports/data/report_data.hpp"
+#include "host_sim/reports/data/run_report_data.hpp"
 #include "host_sim/reports/page/page.hpp"
 
 namespace host_sim::reports {

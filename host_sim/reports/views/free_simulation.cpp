@@ -1,4 +1,4 @@
-#include "host_sim/reports/data/free_simulation.hpp"
+#include "host_sim/reports/views/free_simulation.hpp"
 
 #include <algorithm>
 #include <cmath>

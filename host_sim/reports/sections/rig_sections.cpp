@@ -1,4 +1,4 @@
-#include "host_sim/reports/page/rig_sections.hpp"
+#include "host_sim/reports/sections/rig_sections.hpp"
 
 #include <algorithm>
 #include <cmath>

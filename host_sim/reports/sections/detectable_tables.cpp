@@ -1,10 +1,10 @@
-#include "host_sim/reports/page/detectable_tables.hpp"
+#include "host_sim/reports/sections/detectable_tables.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "host_sim/reports/figures/numbers.hpp"
-#include "host_sim/reports/page/verdict.hpp"
+#include "host_sim/reports/sections/verdict.hpp"
 
 namespace host_sim::reports {
 namespace {
