@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The long measurements, called by tests/run.sh --bench: docs/speed.md, docs/accuracy.md, docs/coverage.md, docs/diagnosis.md. They take about
+# The long measurements, called by tests/run.sh --bench: docs/speed.md, docs/accuracy.md, docs/coverage.md, docs/warrant.md, docs/diagnosis.md. They take about
 # an hour on two cores; nothing else should run meanwhile. A page appears whole or not at all.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -29,6 +29,7 @@ if measured bench_core; then
 fi
 if measured accuracy_report; then "$bin/accuracy_report" docs/accuracy.md; fi
 if measured coverage_report; then "$bin/coverage_report" docs/coverage.md; fi
+if measured warrant_bench; then "$bin/warrant_bench" --page docs/warrant.md --draws 100; fi
 if measured diagnosis_report; then "$bin/diagnosis_report" --jobs "$(nproc)" docs/diagnosis.md; fi
 if measured condition_report; then
   "$bin/condition_report" --draws 20 --table docs/diagnosis_conditions.md --raw docs/conditions_raw.txt

@@ -78,6 +78,13 @@ class BoardFileTest : public testing::Test {
   std::string folder_;
 };
 
+TEST_F(BoardFileTest, TheBudgetOfTheModelTestsIsAKey) {
+  EXPECT_EQ(read(kGood).controller.core.probe_products_per_sample, firmware::kAllProbes);
+  std::string text = kGood;
+  text.replace(text.find("id = 3"), 6, "id = 3\nprobe_products_per_sample = 140");
+  EXPECT_EQ(read(text).controller.core.probe_products_per_sample, 140);
+}
+
 TEST_F(BoardFileTest, AGoodFileBecomesIntegers) {
   const board::BoardFile board = read(kGood);
   const firmware::ControllerConfiguration& controller = board.controller;
@@ -212,6 +219,7 @@ const Broken kBroken[] = {
     {"id = 3", "id = \"three\"", {":3:", "\"id\"", "expected"}},
     {"id = 3", "identity = 3", {":3:", "\"identity\"", "expected one of id,"}},
     {"window_s = 0.5", "window_s = 0.01", {":4:", "\"window_s\"", "0.05 to 1"}},
+    {"[node]\n", "[node]\nprobe_products_per_sample = 65536\n", {"\"probe_products_per_sample\"", "0 to 65535"}},
     {"[node]\n", "[node]\nheartbeat_ms = -1\n", {"\"heartbeat_ms\"", "expected"}},
     {"[node]\n", "[node]\nheartbeat_ms = 9\n", {":3:", "\"heartbeat_ms\"", "0 (none) or 10 to 65535"}},
     {"[node]\n", "[nodes]\n", {"\"nodes\"", "did you mean \"node\""}},

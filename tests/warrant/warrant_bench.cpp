@@ -1,7 +1,10 @@
 // How often a number goes out VALID and wrong, and how often a right model is accused: counts over draws of tests/hidden_rig.
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <fstream>
+#include <iterator>
 #include <map>
+#include <stdexcept>
 
 #include "record_outcome.hpp"
 #include "tests/hidden_rig/conditions.hpp"
@@ -46,6 +49,88 @@ void print(const std::string& name, const Count& c) {
   std::fflush(stdout);
 }
 
+const char* const kSets[] = {"xva", "xa", "x", "a"};
+constexpr uint64_t kFirstHidden = 20000, kFirstRight = 30000;
+
+Count counted(const std::string& condition, const std::string& sensors, const std::string& hidden, uint64_t first,
+              int draws) {
+  hidden_rig::Settings settings;
+  settings.condition = condition;
+  settings.sensors = sensors;
+  settings.hidden = hidden;
+  Count count;
+  for (int d = 0; d < draws; ++d) count.add(warrant_test::outcome_of(first + static_cast<uint64_t>(d), settings));
+  return count;
+}
+
+std::string row(const char* format, const std::string& name, int a, int b, int c, int d, int e) {
+  char text[160];
+  std::snprintf(text, sizeof text, format, name.c_str(), a, b, c, d, e);
+  return text;
+}
+
+std::string hidden_table(int draws) {
+  std::string text =
+      "One effect or sensor fault of the whole vocabulary is hidden, its force 0.05 to 0.6 of the damping force of its "
+      "link.\n\"Bent\" are records with a coefficient over 5 % and over four quoted deviations off; \"VALID and "
+      "wrong\" "
+      "those where such a\ncoefficient goes out VALID.\n\n| sensors, noise | records | bent | VALID and wrong | "
+      "withdrawn | cause named right |\n|---|---|---|---|---|---|\n";
+  for (const char* condition : {"random_1pct", "random_5pct"})
+    for (const char* set : kSets) {
+      const Count c = counted(condition, set, "any", kFirstHidden, draws);
+      const std::string line = row("| %s | %d | %d | %d | %d | %d |\n", std::string(set) + ", " + condition, c.records,
+                                   c.bent, c.wrong, c.suspect, c.named);
+      std::printf("%s", line.c_str());
+      text += line;
+      std::fflush(stdout);
+    }
+  return text;
+}
+
+std::string right_table(int draws) {
+  std::string text =
+      "\nNothing is hidden. A cell: records called suspect of all; of the coefficients that the record can measure "
+      "within "
+      "5 %,\nhow many percent are VALID; how many percent of the intervals of VALID numbers hold the truth; in bold "
+      "the "
+      "records with\na number that is VALID and wrong.\n\n| condition | xva | xa | x | a |\n|---|---|---|---|---|\n";
+  for (const hidden_rig::Condition& condition : hidden_rig::conditions()) {
+    std::string line = "| " + condition.name + " |";
+    for (const char* set : kSets) {
+      const Count c = counted(condition.name, set, "none", kFirstRight, draws);
+      char cell[120];
+      std::snprintf(cell, sizeof cell, " %d of %d, %.0f, %.0f%s |", c.suspect, c.records,
+                    percent(c.measurable_valid, c.measurable), percent(c.held, c.valid),
+                    c.wrong == 0 ? "" : (", **" + std::to_string(c.wrong) + "**").c_str());
+      line += cell;
+    }
+    std::printf("%s\n", line.c_str());
+    std::fflush(stdout);
+    text += line + "\n";
+  }
+  return text;
+}
+
+// Replaces what follows the heading.
+void write_page(const std::string& page, int draws) {
+  static const std::string kHeading = "## Measured\n";
+  std::ifstream in(page, std::ios::binary);
+  std::string text((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
+  const size_t at = text.find(kHeading);
+  if (at == std::string::npos) throw std::runtime_error(page + " has no heading " + kHeading);
+  text = text.substr(0, at) + kHeading +
+         "\nWritten by `build/host/bin/warrant_bench --page docs/warrant.md` (`tests/run.sh "
+         "--bench`), " +
+         std::to_string(draws) +
+         " rigs for each row of the first table\nand a tenth of that for each cell "
+         "of the second, drawn by `tests/hidden_rig`; seeds from " +
+         std::to_string(kFirstHidden) + " and " + std::to_string(kFirstRight) + ".\n\n" + hidden_table(draws) +
+         right_table(std::max(1, draws / 10));
+  std::ofstream out(page, std::ios::binary);
+  if (!(out << text).flush()) throw std::runtime_error(page + " cannot be written");
+}
+
 }  // namespace
 
 int main(int argc, char** argv) try {
@@ -55,6 +140,7 @@ int main(int argc, char** argv) try {
   uint64_t first = 1;
   int draws = 20;
   bool tell = false;
+  std::string page;
   unsigned budget = 65535;
   app.add_option("--condition", names, "conditions; all");
   app.add_option("--sensors", sensors, "sensor sets");
@@ -64,7 +150,12 @@ int main(int argc, char** argv) try {
   app.add_option("--draws", draws, "rigs per condition and sensor set");
   app.add_option("--budget", budget, "probe_products_per_sample");
   app.add_flag("--tell", tell, "every record");
+  app.add_option("--page", page, "Markdown page whose part below \"## Measured\" is written anew, from --draws");
   CLI11_PARSE(app, argc, argv);
+  if (!page.empty()) {
+    write_page(page, draws);
+    return 0;
+  }
   if (names.size() == 1 && names[0] == "all") {
     names.clear();
     for (const hidden_rig::Condition& c : hidden_rig::conditions()) names.push_back(c.name);

@@ -36,9 +36,10 @@ void attempt(std::vector<std::string>& problems, const std::function<void()>& re
 }  // namespace
 
 Section node_section(const std::string& file, const toml::table& root) {
-  return Section(file, "node", sub_table(file, root, "node"),
-                 {"id", "heartbeat_ms", "status_ms", "emergency_inhibit_ms", "window_s", "sync_closes_window",
-                  "listen_on_command", "state_folder", "priority", "watchdog", "watchdog_timeout_s"});
+  return Section(
+      file, "node", sub_table(file, root, "node"),
+      {"id", "heartbeat_ms", "status_ms", "emergency_inhibit_ms", "window_s", "sync_closes_window", "listen_on_command",
+       "state_folder", "priority", "watchdog", "watchdog_timeout_s", "probe_products_per_sample"});
 }
 
 Section can_section(const std::string& file, const toml::table& root) {
