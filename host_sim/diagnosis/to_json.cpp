@@ -1,6 +1,7 @@
 // Contract section 5, "diagnosis/1".
 #include <nlohmann/json.hpp>
 
+#include "answer/impossible.hpp"
 #include "diagnosis.hpp"
 
 namespace diagnosis {
@@ -33,7 +34,8 @@ json to_json(const Cause& c) {
 
 json to_json(const ModelScore& s, bool fits) {
   json parameters = to_json(s.parameters);
-  for (json& p : parameters) p["status"] = status_word(fits);
+  for (size_t i = 0; i < s.parameters.size(); ++i)
+    parameters[i]["status"] = status_word(fits && !impossible(s.parameters[i]));
   return {{"parameters", std::move(parameters)},
           {"holdout_nrmse_percent", s.holdout_nrmse_percent},
           {"holdout_velocity_nrmse_percent", s.holdout_velocity_nrmse_percent},

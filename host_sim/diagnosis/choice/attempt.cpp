@@ -12,6 +12,8 @@ constexpr double kSignificant = 4.5;
 constexpr double kPlain = 3;
 // Of what is still to be explained, that a cause has to take: seen, and where chance is no rival unseen too.
 constexpr double kShare = 0.3;
+constexpr double kShows = 0.02;      // of unseen windows' squared residual: less is lost in its scatter
+constexpr double kNoHarm = 1.01;     // of their squared residual, where they cannot show it
 constexpr double kSmallStart = 0.3;  // of the value that the linearisation gives
 constexpr double kPromised = 0.8;    // of the linearisation's gain, that a fit should reach
 constexpr int kFirstSteps = 3;       // with shapes held
@@ -24,6 +26,25 @@ double least_z(const Attempt& a, size_t added_from) {
   for (size_t i = 0; i < p.size(); ++i)
     if (p[i].term >= added_from && !p[i].shape) least = std::min(least, std::abs(d[i].z));
   return least;
+}
+
+// Share of the unseen windows' squared residual that the added coefficients move.
+double expected_unseen(const Attempt& a, size_t added_from) {
+  const std::vector<Parameter> p = parameters_of(a.state.model);
+  double sum = 0, rows = 0;
+  for (const Window& w : a.state.unseen) rows += static_cast<double>(w.length);
+  rows *= static_cast<double>(a.state.unseen_fit.mean_square.size());
+  for (const Mat& gram : a.state.unseen_fit.gram)
+    for (size_t i = 0; i < p.size(); ++i) {
+      if (p[i].shape) continue;
+      const ModelTerm& t = a.state.model[p[i].term];
+      const bool hosted =
+          std::any_of(a.state.model.begin() + static_cast<std::ptrdiff_t>(added_from), a.state.model.end(),
+                      [&](const ModelTerm& m) { return m.host == static_cast<int>(p[i].term); });
+      if (p[i].term >= added_from || hosted)
+        sum += t.value * t.value * gram(static_cast<Index>(i), static_cast<Index>(i));
+    }
+  return rows > 0 ? sum / rows : 0;
 }
 
 double unseen_share_of(const Attempt& a, double noise) {
@@ -81,6 +102,7 @@ Attempt attempt(const Task& task, const State& beside, const std::vector<Candida
   a.error = error_over(a.state.fit, beside.fit), a.unseen = error_over(a.state.unseen_fit, beside.unseen_fit);
   if (a.state.fit.ok) {
     a.z = std::min(1e300, least_z(a, beside.model.size()));
+    a.shows_unseen = !a.state.unseen_fit.ok || expected_unseen(a, beside.model.size()) > kShows;
     // what acts in another's place has no coefficient of its own: what it brings, block by block
     if (hosted) a.z = std::min(a.z, paired_z(beside.fit, a.state.fit));
   }
@@ -121,11 +143,15 @@ double whole_error(const Attempt& a) {
   return (seen * a.error + unseen * a.unseen) / (seen + unseen);
 }
 
+bool unseen_agrees(const Attempt& a) { return a.unseen < (a.shows_unseen ? 1 : kNoHarm); }
+
 bool passes(const Attempt& a, size_t already, double noise) {
   const double n = static_cast<double>(already + a.candidates.size()), least = 1 - std::pow(1 - kShare, n);
+  if (!a.shows_unseen)  // then it has to explain nearly all by itself
+    return unseen_agrees(a) && a.z > kSignificant * std::sqrt(n) && share_of(a, noise) > std::max(least, 1 - kShare);
   if (noise < kMostlyNoise && unseen_share_of(a, noise) < least) return false;
   const bool plain = noise < kMostlyNoise && 1 - a.unseen > 0.5 * (1 - a.error);
-  return a.z > (plain ? kPlain : kSignificant * std::sqrt(n)) && share_of(a, noise) > least && a.unseen < 1;
+  return a.z > (plain ? kPlain : kSignificant * std::sqrt(n)) && share_of(a, noise) > least && unseen_agrees(a);
 }
 
 bool clearly_better(const Attempt& a, const Attempt& b, double noise) {

@@ -10,6 +10,8 @@ struct Attempt {
   double error = 1e300, unseen = 1e300;  // squared, over that of the model beside which they were put
   double z = 0;                          // of the least significant candidate
   int complexity = 0;                    // numbers beside the coefficients
+  // Whether unseen windows can tell: what it would bring there, as a share of their squared residual, is more than chance.
+  bool shows_unseen = true;
 };
 
 constexpr double kMostlyNoise =
@@ -24,6 +26,8 @@ Attempt attempt(const Task& task, const State& beside, const std::vector<Candida
 // One that was screened; `all`: where a gentler shape of it is found when the best one does not converge.
 Attempt attempt(const Task& task, const State& beside, const std::vector<Candidate>& all, const Screened& one);
 
+// Whether unseen windows speak for it, or have nothing to say (a sweep that has left the resonance).
+bool unseen_agrees(const Attempt& a);
 // A candidate as it was fitted: with its shape, one term.
 void keep_shape(const Model& fitted, Candidate& candidate);
 // Squared error on all windows, over that of the model beside.

@@ -124,7 +124,7 @@ bool borne_out(const Task& task, const State& base, const std::vector<Candidate>
   std::vector<std::vector<double>> starts;
   for (double v : values) starts.push_back({v});
   const Attempt all = attempt(task, base, found, starts, kTrialSteps);
-  if (!all.state.fit.ok || !(all.z > kBorneOut) || !(all.unseen < 1)) return false;
+  if (!all.state.fit.ok || !(all.z > kBorneOut) || !unseen_agrees(all)) return false;
   for (size_t i = 0; found.size() > 1 && i < found.size(); ++i) {
     std::vector<Candidate> fewer = found;
     std::vector<std::vector<double>> start = starts;

@@ -58,7 +58,7 @@ void weigh_rivals(const Task& task, const std::function<void(double)>& progress,
     }
     std::vector<Attempt> as_good;
     for (const Attempt& t : others)
-      if (t.z > kLeastRival && t.unseen < 1 && !clearly_better(own, t, noise)) as_good.push_back(t);
+      if (t.z > kLeastRival && unseen_agrees(t) && !clearly_better(own, t, noise)) as_good.push_back(t);
     // the simplest of those that do as well is named
     for (Attempt& t : as_good)
       if (t.complexity < own.complexity || (t.complexity == own.complexity && whole_error(t) < whole_error(own)))

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "hal/rig_file/coefficient_walk.hpp"
+#include "host_sim/diagnosis/answer/impossible.hpp"
 #include "host_sim/reports/data/candidates.hpp"
 #include "host_sim/reports/figures/numbers.hpp"
 #include "host_sim/reports/views/comparison.hpp"
@@ -45,7 +46,7 @@ const diagnosis::Parameter* find(const std::vector<diagnosis::Parameter>& parame
 
 // Given values have no status.
 std::string status_of(const diagnosis::Parameter& p, bool model_fits) {
-  return p.std > 0.0 ? diagnosis::status_word(model_fits) : "";
+  return p.std > 0.0 ? diagnosis::status_word(model_fits && !diagnosis::impossible(p)) : "";
 }
 
 // Those of the rig as given in their order, then what the extended rig adds.
