@@ -42,7 +42,7 @@ def start(console):
 
 def estimates(decoded):
     """Those of the last window before the stop."""
-    lines = [line for line in decoded if " estimate " in line]
+    lines = [line for line in decoded if re.search(r" node \d+ +estimate ", line)]
     names = {re.search(r"(\S+\[\S+\])", line).group(1) for line in lines}
     return block(lines[-len(names):])
 
@@ -51,6 +51,8 @@ def stop(console, decoded):
     alarm = next(i for i, line in enumerate(decoded) if "code = EMERGENCY_STOP" in line)
     drives = [i for i, line in enumerate(decoded[:alarm]) if re.search(r" drive +drive = ", line)]
     moving = [i for i in drives if not decoded[i].rstrip().endswith(" drive = 0 %")]
+    if not drives or drives[-1] != moving[-1]:
+        sys.exit("the drive was at rest when the stop was pressed, the page stays as it is")
     value = decoded[moving[-1]].split("drive = ")[1].strip()
     after = [line for line in decoded[alarm:] if re.search(r"mode = EMERGENCY|drive = 0 %|state = STOPPED", line)]
     said = [line for line in console if re.match(r"rig_controller: (emergency stop|drive zero and relay off \d+ us)", line)]

@@ -41,4 +41,5 @@ grep -v " 201#" /tmp/frames.log >/tmp/session.log
 grep " 201#" /tmp/frames.log | tail -n 5 >>/tmp/session.log
 sort /tmp/session.log >/tmp/sorted.log
 mv /tmp/sorted.log /tmp/session.log
+check driven_until_the_stop sh -c 'grep -m 1 " 081#" /tmp/frames.log | grep -q "081#01FF"'
 send_file /tmp/session.log
