@@ -53,6 +53,7 @@ Estimation::Entry& Estimation::append(Kind kind) {
   FIRMWARE_PRECONDITION(count_ < kMaxWaiting);
   Entry& entry = ring_[(first_ + count_) % kMaxWaiting];
   ++count_;
+  ++came_;
   entry.kind = kind;
   return entry;
 }
@@ -60,7 +61,9 @@ Estimation::Entry& Estimation::append(Kind kind) {
 void Estimation::advance(uint64_t now_ns) {
   now_ns_ = now_ns;
   if (working_ && worker_->done()) finish();
-  for (int taken = 0; taken < kSamplesPerAdvance && !working_; ++taken) {
+  const int most = came_ + kCatchUp;
+  came_ = 0;
+  for (int taken = 0; taken < most && !working_; ++taken) {
     if (solve_owed_ && before_solve_ == 0) {
       solve_owed_ = false;
       Entry solve;

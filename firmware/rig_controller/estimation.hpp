@@ -63,7 +63,9 @@ class Estimation {
     RawSample sample;
   };
   static constexpr int kKeptForOthers = 32;  // places that samples do not take
-  static constexpr int kSamplesPerAdvance = 64;
+  // After a solve what waited is caught up with: in a step this many more than came since the last one. A sample with
+  // its score tests costs a tenth of a millisecond on a small board, and the step has to fit its period.
+  static constexpr int kCatchUp = 3;
   static_assert(kMaxWaiting > kKeptForOthers, "see FIRMWARE_MAX_WAITING");
 
   void ask(Kind kind);
@@ -86,6 +88,7 @@ class Estimation {
   uint32_t dropped_samples_ = 0;
   Entry ring_[kMaxWaiting];
   int first_ = 0, count_ = 0;
+  int came_ = 0;  // entries of the ring since the last advance()
   bool solve_owed_ = false, judge_owed_ = false;
   int before_solve_ = 0;         // entries of the ring that come before it
   bool level_left_out_ = false;  // its samples are dropped
