@@ -7,7 +7,7 @@ namespace coverage {
 
 struct Tally {
   int coefficients = 0, valid = 0, held = 0;
-  int wrong = 0;  // VALID, over 5 % and over four quoted standard deviations off
+  int wrong = 0;                             // VALID, over 5 % and over four quoted standard deviations off
   int measurable = 0, measurable_valid = 0;  // the interval is within 5 % of the truth; and VALID
   int of_status[16] = {};
   int refused = 0;  // draws that the core's plan refuses: a DOF lacks channels
