@@ -84,7 +84,9 @@ TEST(ScoreTable, AMergeTakesASliceASampleAndLosesNothing) {
     const bool before = table.merging();
     const uint64_t blocks_before = in_table();
     table.add_block(static_cast<uint32_t>(block));
-    if (in_table() != blocks_before) ASSERT_FALSE(before) << "block " << block << " would have had to wait";
+    if (in_table() != blocks_before) {
+      ASSERT_FALSE(before) << "block " << block << " would have had to wait";
+    }
     for (int sample = 0; sample < kBlockSamples; ++sample) {
       merging = table.merging() ? merging + 1 : 0;
       longest_merge = std::max(longest_merge, merging);
