@@ -11,6 +11,14 @@ from chromium import Chromium, find_chromium
 
 HERE = pathlib.Path(__file__).parent
 SKIPPED = 77
+# dygraphs follows a new size of its place when the browser tells it, some frames later: until then, at most 10 s.
+SETTLED = """new Promise((done) => {
+  const fits = () => [...document.querySelectorAll('.zoom > div')].every((place) => !place.firstElementChild ||
+    Math.abs(place.firstElementChild.getBoundingClientRect().width - place.clientWidth) < 2);
+  let frames = 0;
+  const look = () => (++frames > 2 && fits()) || frames > 600 ? done(frames) : requestAnimationFrame(look);
+  look();
+})"""
 SCREENS = [(1280, False), (1280, True), (400, True), (400, False)]  # width in px, dark
 
 
@@ -84,6 +92,7 @@ def faults_of(browser, name, page, audit, screenshots):
     browser.open(page.as_uri(), *_size(SCREENS[0]))
     for screen in SCREENS:
         browser.show_as(*_size(screen))
+        browser.evaluate(SETTLED)
         seen = browser.evaluate(audit)
         label = f"{name} at {screen[0]} px, {'dark' if screen[1] else 'light'}"
         faults += [f"{label}: {fault}" for fault in seen["faults"]]
@@ -93,6 +102,7 @@ def faults_of(browser, name, page, audit, screenshots):
         if screenshots:
             browser.screenshot(screenshots / (label.replace(", ", "_").replace(" ", "_") + ".png"))
     browser.show_as(*_size(SCREENS[0]))
+    browser.evaluate(SETTLED)
     faults += faults_of_zoom(browser, name)
     if pictures == 0:
         faults.append(f"{name}: no picture at all")
