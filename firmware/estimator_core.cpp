@@ -1,19 +1,17 @@
 #include "firmware/estimator_core.hpp"
 
-#include "firmware/warrant/verdict.hpp"
-
 namespace firmware {
 namespace {
 
 constexpr uint32_t kLongestBlock = kBlockSamples;
 
-// Something has moved: where nothing has, there is nothing to test.
-bool any_estimate(const Estimates& estimates) {
-  for (int k = 0; k < estimates.unknown_count; ++k) {
-    const EstimateStatus status = estimates.parameters[k].status;
-    if (status != EstimateStatus::kStale && status != EstimateStatus::kNoExcitation) return true;
-  }
-  return false;
+// The displacement's sums serve masses, springs and what else is conservative; where all of those are known nothing reads
+// them.
+int weights_needed(const CoreConfiguration& configuration, CoreDetail detail) {
+  if (detail == CoreDetail::kPlain) return 1;
+  for (int t = 0; t < configuration.term_count; ++t)
+    if (configuration.terms[t].unknown >= 0 && is_conservative(configuration.terms[t].kind)) return 3;
+  return 2;
 }
 
 ClearSigns clear_signs(const CoreConfiguration& configuration, const EnergySums& sums) {
@@ -27,17 +25,18 @@ ClearSigns clear_signs(const CoreConfiguration& configuration, const EnergySums&
 }  // namespace
 
 EstimatorCore::EstimatorCore(const CoreConfiguration& configuration, CoreDetail detail)
-    : configuration_(configuration), memory_(), score_test_() {
+    : configuration_(configuration), memory_(), tests_() {
   conditioning_.configure(configuration);
-  sums_.configure(configuration, static_cast<int>(detail));
-  probes_ = detail == CoreDetail::kFull && configuration.probe_products_per_sample > 0;
-  if (probes_) score_sums_.configure(configuration, sums_.effect_units(), clear_signs(configuration, sums_));
+  const int weights = weights_needed(configuration, detail);
+  fits_ = weights <= kWeights && (kDerivesSignals || !configuration.filters_sign());
+  sums_.configure(configuration, fits_ ? weights : kWeights);
+  tests_.configure(configuration, detail == CoreDetail::kFull, sums_.effect_units(), clear_signs(configuration, sums_));
   reset();
 }
 
 void EstimatorCore::reset() {
   collector_.clear(configuration_, sums_.layout());
-  if (probes_) score_sums_.clear();
+  tests_.clear();
   estimates_ = Estimates{};
   estimates_.unknown_count = configuration_.unknown_count;
   health_ = CoreHealth{};
@@ -46,12 +45,14 @@ void EstimatorCore::reset() {
   sums_.restart();
   filled_ = 0;
   level_samples_ = units_ = 0;
+  closing_ = false;
+  summed_ = 0;
 }
 
 void EstimatorCore::begin_level() {
   end_level();
   collector_.begin_level();
-  if (probes_) score_sums_.begin_level();
+  tests_.begin_level();
   sequence_known_ = false;  // what lies between levels is not missed
   if (collector_.level_open()) aim();
 }
@@ -65,6 +66,7 @@ void EstimatorCore::push(const RawSample& sample) {
   next_sequence_ = sample.sequence + 1;
   sequence_known_ = true;
   collector_.advance();
+  for (int piece = 0; piece < pieces_per_sample_ && closing_; ++piece) go_on_closing();
   const bool usable = conditioning_.append(sample, frame_, filled_);
   if (conditioning_.saturated()) {
     ++health_.saturated_samples;
@@ -72,7 +74,8 @@ void EstimatorCore::push(const RawSample& sample) {
   }
   if (!usable || !collector_.level_open()) return;
   ++filled_;
-  if (probes_) score_sums_.work();
+  tests_.work();
+  move_on();
   if (filled_ == full_) process(full_ - kLevelMarginSamples);
 }
 
@@ -82,31 +85,57 @@ void EstimatorCore::choose_block() {
   full_ = kLevelMarginSamples + static_cast<int>(rest < kLongestBlock ? rest : kLongestBlock);
 }
 
-void EstimatorCore::aim() {
-  units_aimed_ = units_ + collector_.units_wanted();
+void EstimatorCore::aim(uint32_t units) {
+  units_aimed_ = units_ + collector_.units_wanted(units);
   aim_ = collector_.unit_end(units_aimed_);
   choose_block();
 }
 
-// Works on the block, then moves the frame on by its length.
+// Works on the block. The frame moves on by its length with the next sample, for which there is just room: two steps bear
+// what one would.
 void EstimatorCore::process(int count) {
   sums_.add_block(frame_, count);
-  if (probes_) score_sums_.offer(frame_, count);
+  tests_.offer(frame_, count);
   level_samples_ += static_cast<uint32_t>(count);
+  summed_ = count;
+}
+
+void EstimatorCore::move_on() {
+  const int count = summed_;
+  if (count == 0) return;
+  summed_ = 0;
   if (level_samples_ == aim_) {
-    sums_.close_batch(frame_, kLeadIn + count, batch_);
-    collector_.add(batch_, units_aimed_ - units_);
+    finish_closing();
+    sums_.begin_close(frame_, kLeadIn + count);
+    closing_ = true;
+    closing_units_ = units_aimed_ - units_;
     units_ = units_aimed_;
-    aim();
+    aim(closing_units_);
+    // Done in half the time until the next one closes.
+    const uint32_t samples = 1 + (aim_ - level_samples_) / 2;
+    pieces_per_sample_ = 1 + sums_.closing_pieces() / static_cast<int>(samples);
+    if (sums_.closes_at_once()) finish_closing();
   }
   filled_ -= count;
   conditioning_.move_frame(frame_, count, filled_);
   choose_block();
 }
 
+void EstimatorCore::go_on_closing() {
+  if (!sums_.go_on_closing(batch_)) return;
+  closing_ = false;
+  collector_.add(batch_, closing_units_);
+}
+
+void EstimatorCore::finish_closing() {
+  while (closing_) go_on_closing();
+}
+
 // Closes the batch at the last sample that has its context, and starts again with the next sample.
 void EstimatorCore::break_window() {
   if (!collector_.level_open()) return;
+  move_on();
+  finish_closing();
   const int rest = filled_ - kLevelMarginSamples;
   if (rest >= 0) {
     sums_.add_block(frame_, rest);
@@ -116,8 +145,7 @@ void EstimatorCore::break_window() {
     }
   }
   conditioning_.restart();
-  if (probes_) score_sums_.finish();
-  if (probes_) score_sums_.restart();
+  tests_.break_window();
   sums_.restart();
   filled_ = 0;
   level_samples_ = units_ = 0;
@@ -130,14 +158,11 @@ void EstimatorCore::end_level() {
 }
 
 const Estimates& EstimatorCore::solve() {
+  move_on();
+  finish_closing();
   collector_.settle();
   identify(configuration_, table_, memory_, estimates_);
-  if (!probes_) return estimates_;
-  score_sums_.flush();
-  const bool calibrated = !configuration_.noise_unknown;
-  const bool judged =
-      calibrated && any_estimate(estimates_) && score_test_.judge(configuration_, score_sums_, estimates_);
-  give_verdict(configuration_, score_sums_, score_test_, {calibrated, judged, table_.level_count}, estimates_);
+  tests_.judge(table_.level_count, estimates_);
   return estimates_;
 }
 

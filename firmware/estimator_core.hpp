@@ -6,7 +6,7 @@
 #include "firmware/energy/batch_collector.hpp"
 #include "firmware/energy/energy_sums.hpp"
 #include "firmware/identification/identification.hpp"
-#include "firmware/warrant/score_test.hpp"
+#include "firmware/warrant/score_tests.hpp"
 
 namespace firmware {
 
@@ -18,7 +18,7 @@ struct CoreHealth {
 
 enum class CoreDetail : uint8_t {
   kPlain = 1,  // the paper's sums only
-  kFull = 3,   // with the instrument and the displacement weight
+  kFull = 3,   // with the instrument and, where a mass, a spring or the like is unknown, the displacement weight
 };
 
 class EstimatorCore {
@@ -36,29 +36,35 @@ class EstimatorCore {
   bool merges_with(const RawSample& next) const {
     return merges_at_end() && sequence_known_ && next.sequence != next_sequence_;
   }
-  bool merges_at_end() const { return collector_.merging() || (probes_ && score_sums_.merging()); }
+  bool merges_at_end() const { return collector_.merging() || tests_.merging(); }
   const Estimates& solve();                                  // from everything since reset(); may be called at any time
   const Estimates& estimates() const { return estimates_; }  // of the last solve
   const CoreHealth& health() const { return health_; }
   const BatchTable& table() const { return table_; }
   // Of the last solve: how the estimates move together (their correlation is that of (R^T R)^-1).
   const TriangularFactor& factor() const { return memory_.fit.factor(); }
-  const ScoreSums& score_sums() const { return score_sums_; }
-  const ScoreTest& score_test() const { return score_test_; }
+  const ScoreTests& score_tests() const { return tests_; }
+  // False: the configuration needs more products of columns or conservative unknowns than this core has room for.
+  bool fits() const { return sums_.complete() && fits_; }
   // A level of n samples makes a window of n - margin_samples() sample intervals: filters and end corrections look further.
   int margin_samples() const { return kLevelMarginSamples + conditioning_.history_samples(); }
 
  private:
   void choose_block();
   void process(int count);
+  void move_on();
   void break_window();
-  void aim();  // where the batch that starts now ends
+  void aim(
+      uint32_t units = 0);  // where the batch that starts now ends; units: of the batch before it, still to be added
+  void go_on_closing();
+  void finish_closing();
 
   const CoreConfiguration& configuration_;
   Conditioning conditioning_;
   Frame frame_ = {};
   int filled_ = 0;  // samples in the frame
   int full_ = 0;    // at this many the block is worked on
+  int summed_ = 0;  // samples of a block that is summed and still stands in the frame
   EnergySums sums_;
   uint32_t level_samples_ = 0;                      // sample intervals summed since the level (or a gap in it) began
   uint32_t units_ = 0, units_aimed_ = 0, aim_ = 0;  // units summed, to be summed, and the latter in samples
@@ -66,9 +72,11 @@ class EstimatorCore {
   BatchCollector collector_{table_};
   IdentificationMemory memory_;
   Batch batch_;
-  bool probes_ = false;
-  ScoreSums score_sums_;
-  ScoreTest score_test_;
+  bool closing_ = false;  // into batch_, a few pieces with each sample
+  int pieces_per_sample_ = 1;
+  uint32_t closing_units_ = 0;
+  ScoreTests tests_;
+  bool fits_ = true;
   Estimates estimates_;
   CoreHealth health_;
   uint32_t next_sequence_ = 0;

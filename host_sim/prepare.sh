@@ -5,7 +5,7 @@ build_packages=(g++ cmake ninja-build pkg-config libsundials-dev libeigen3-dev l
   nlohmann-json3-dev libfmt-dev libmatio-dev libfftw3-dev libncurses-dev libjs-dygraphs)
 # What the tests need on top: test and benchmark libraries, peers for the logs, cross compilers and emulators.
 test_packages=(libgtest-dev libbenchmark-dev can-utils tshark python3 python3-pyte chromium python3-scipy libiio-dev libgpiod-dev
-  g++-arm-linux-gnueabihf g++-aarch64-linux-gnu gcc-arm-none-eabi libnewlib-arm-none-eabi
+  clang g++-arm-linux-gnueabihf g++-aarch64-linux-gnu gcc-arm-none-eabi libnewlib-arm-none-eabi
   libstdc++-arm-none-eabi-newlib qemu-system-arm qemu-user device-tree-compiler)
 # What tests/static_analysis.sh looks at the sources with.
 analysis_packages=(clang-format clang-tidy cppcheck git)

@@ -24,8 +24,28 @@ if measured bench_core; then
     echo "displacement rows, the others are what a user would write in double precision with Eigen."
     echo
     sed 's/^/    /' build/host/bench_core.txt
+    echo
+    echo "\`core_full\` sums the displacement's rows only where a mass, a spring or the like is unknown: here none is."
+    echo
+    echo "## On a Cortex-M4, in instructions"
+    echo
+    echo "Counted by \`tests/bench/m4_counts.py\` in the emulator, over whole runs of 20 s a level from raw codes, without score"
+    echo "tests. They are instructions, not cycles. A test fails where a count leaves \`tests/bench/m4_limits.txt\` by more than"
+    echo "3 % in either direction."
+    echo
+    if [ -x build/cortex-m/bin/rig_image ]; then
+      python3 tests/bench/m4_counts.py build --page
+    else
+      echo "SKIPPED: no build/cortex-m/bin/rig_image."
+    fi
   } > build/host/speed.md
   mv build/host/speed.md docs/speed.md
+fi
+# Every compiler, level of optimisation and processor; sizes at some capacities.
+if measured scenario_script; then
+  mapfile -t combinations < <(tests/bit_identity/identity.py --list)
+  tests/bit_identity/identity.py "$bin/scenario_script" "${combinations[@]}" >&2
+  python3 tests/memory_budget/budget.py --write
 fi
 if measured accuracy_report; then "$bin/accuracy_report" docs/accuracy.md; fi
 if measured coverage_report; then "$bin/coverage_report" docs/coverage.md; fi

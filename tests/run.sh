@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Installs what is missing (Debian 12), builds everything and runs all tests.
 #   --board   the emulated boards instead (downloads kernels on first use)
-#   --bench   after the tests, the long measurements that write docs/accuracy.md, docs/diagnosis.md and docs/speed.md
+#   --bench   after the tests, the long measurements that write docs/accuracy.md, docs/diagnosis.md, docs/speed.md and
+#             docs/memory_budget.md, and the bits of every compiler and processor
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . host_sim/prepare.sh
@@ -11,7 +12,7 @@ for argument in "$@"; do
   case $argument in
     --board) board=yes ;;
     --bench) bench=yes ;;
-    -h | --help) sed -n '2,4s/^# \{0,1\}//p' "$0"; exit 0 ;;
+    -h | --help) sed -n '2,5s/^# \{0,1\}//p' "$0"; exit 0 ;;
     *) echo "tests/run.sh: unknown option $argument, expected --board or --bench" >&2; exit 2 ;;
   esac
 done
@@ -28,9 +29,12 @@ fi
 configure host
 build host
 # The core must compile for every board, also without an operating system.
+# The programs beside it run in emulators (tests/bit_identity).
 for preset in arm-linux-gnueabihf aarch64-linux-gnu cortex-m; do
   configure "$preset"
-  build "$preset" firmware_core
+  program=script_host
+  [ $preset != cortex-m ] || program=rig_image
+  build "$preset" firmware_core $program
 done
 
 status=0

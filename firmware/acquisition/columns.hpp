@@ -15,25 +15,25 @@ namespace firmware {
 constexpr int kLeadIn = 3;
 constexpr int kLeadOut = 4;
 constexpr int kFrameSamples = kLeadIn + kBlockSamples + kLeadOut;
-constexpr int kFrameStride = 40;  // kFrameSamples rounded up for alignment
+constexpr int kFrameStride = (kFrameSamples + 3) / 4 * 4;  // rounded up for alignment
 // The first and last samples of a level only give context: n samples make a window of n - kLevelMarginSamples intervals.
 constexpr int kLevelMarginSamples = kLeadIn + kLeadOut;
 
 // Column numbers: signals first, node by node.
 constexpr int kSignalColumns = kMaxNodes * kQuantities;
-constexpr int kInstrumentColumn = kSignalColumns;                             // + node
-constexpr int kDisplacementInstrumentColumn = kInstrumentColumn + kMaxNodes;  // + node: likewise of the displacement
-constexpr int kSignColumn = kDisplacementInstrumentColumn + kMaxNodes;        // + link: sgn(w)
-constexpr int kSmoothSignColumn = kSignColumn + kMaxLinks;                    // + link: sgn of the smoothed rate
+constexpr int kInstrumentColumn = kSignalColumns;                            // + DOF
+constexpr int kDisplacementInstrumentColumn = kInstrumentColumn + kMaxDofs;  // + DOF: likewise of the displacement
+constexpr int kDisplacementInstruments = kWeights > 2 ? kMaxDofs : 0;
+constexpr int kSignColumn = kDisplacementInstrumentColumn + kDisplacementInstruments;  // + link: sgn(w)
+constexpr int kSmoothSignColumn = kSignColumn + kMaxLinks;  // + link: sgn of the smoothed rate
 constexpr int kClearSignColumn =
     kSmoothSignColumn + kMaxLinks;  // + link: sgn of the instrument's rate where clear, else 0
 // + DOF: the two instruments where every friction at the DOF has a clear sign, else 0
 constexpr int kClearInstrumentColumn = kClearSignColumn + kMaxLinks;
 constexpr int kClearDisplacementColumn = kClearInstrumentColumn + kMaxDofs;
 // + node: the velocity whose sign friction has, where the others pass a high-pass (conditioning.hpp)
-constexpr int kSignVelocityColumn = kClearDisplacementColumn + kMaxDofs;
-constexpr int kEffectColumn = kSignVelocityColumn + kMaxNodes;  // + effect number
-constexpr int kMaxEffectColumns = 32;
+constexpr int kSignVelocityColumn = kClearDisplacementColumn + kDisplacementInstruments;
+constexpr int kEffectColumn = kSignVelocityColumn + (kDerivesSignals ? kMaxNodes : 0);  // + effect number
 constexpr int kMaxColumns = kEffectColumn + kMaxEffectColumns;
 
 constexpr int signal_column(int node, Quantity quantity) { return node * kQuantities + static_cast<int>(quantity); }

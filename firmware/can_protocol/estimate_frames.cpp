@@ -52,7 +52,7 @@ void set_float_record(CanFrame& message, const ParameterEstimate& estimate, int 
 }
 
 // The busiest stream: all 48 estimates and their window frame every 50 ms on a 500 kbit/s bus.
-static_assert(can::load_permille(can::kEstimate, kMaxUnknowns + 1, 50000, 500000) < 300,
+static_assert(can::load_permille(can::kEstimate, kWireUnknowns + 1, 50000, 500000) < 300,
               "estimates stay under 30 % of the bus");
 
 }  // namespace

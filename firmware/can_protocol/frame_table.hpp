@@ -110,11 +110,12 @@ inline constexpr Signal kEstimateSignals[] = {
     {"window", 60, 3, false, 1, 1, 0, "1", {}, "windows closed since start, modulo 8"},
     {"untested", 63, 1, false, 1, 1, 0, "state", states(kUntestedStates),
      "with status 7: the data do not contradict the model, they cannot test it"}};
-inline constexpr FrameDescription kEstimate = describe(
-    "estimate", {0x400, 16, kMaxUnknowns, 16, {0, 0x80, 0x100}}, Sender::kController, 1000, "each window, 50 ms to 1 s",
-    8, kEstimateSignals, "One estimated parameter; its name is in the frame `parameter` of the same index.");
+inline constexpr FrameDescription kEstimate =
+    describe("estimate", {0x400, 16, kWireUnknowns, 16, {0, 0x80, 0x100}}, Sender::kController, 1000,
+             "each window, 50 ms to 1 s", 8, kEstimateSignals,
+             "One estimated parameter; its name is in the frame `parameter` of the same index.");
 inline constexpr FrameDescription kEstimateFd =
-    describe("estimates_fd", {0x2C0, 8, kMaxUnknowns / 8}, Sender::kController, 1000,
+    describe("estimates_fd", {0x2C0, 8, kWireUnknowns / 8}, Sender::kController, 1000,
              "each window, in place of `estimate`, on a CAN FD bus", 64, kEstimateSignals,
              "Eight estimates in one frame: frame j holds those of index 8j to 8j + 7.", true, 8);
 
@@ -124,11 +125,11 @@ inline constexpr Signal kEstimateFloatSignals[] = {
     {"value_bits", 0, 32, false, 1, 1, 0, "hex", {}, "value in SI units as IEEE 754 single precision"},
     {"std_bits", 32, 32, false, 1, 1, 0, "hex", {}, "standard deviation, likewise"}};
 inline constexpr FrameDescription kEstimateFloat =
-    describe("estimate_float", {0x580, 16, kMaxUnknowns, 16, {0, 0x80, 0x180}}, Sender::kController, 1000,
+    describe("estimate_float", {0x580, 16, kWireUnknowns, 16, {0, 0x80, 0x180}}, Sender::kController, 1000,
              "each window, behind everything else, where the load allows", 8, kEstimateFloatSignals,
              "The estimate of the same index as two 32-bit floats; not a number where nothing was estimated.");
 inline constexpr FrameDescription kEstimateFloatFd =
-    describe("estimates_float_fd", {0x330, 8, kMaxUnknowns / 8}, Sender::kController, 1000,
+    describe("estimates_float_fd", {0x330, 8, kWireUnknowns / 8}, Sender::kController, 1000,
              "each window, in place of `estimate_float`, on a CAN FD bus", 64, kEstimateFloatSignals,
              "Eight estimates as floats in one frame: frame j holds those of index 8j to 8j + 7.", true, 8);
 
@@ -204,7 +205,7 @@ inline constexpr Signal kSensorMotion16Signals[] = {
     {"velocity", 32, 16, true, 1, 1, 0, "codes", {}, "raw code"},
     {"acceleration", 48, 16, true, 1, 1, 0, "codes", {}, "raw code"}};
 inline constexpr FrameDescription kSensorMotion16 =
-    describe("sensor_motion_16", {0x1A1, 0, kMaxNodes}, Sender::kSensor, 1, "each sample", 8, kSensorMotion16Signals,
+    describe("sensor_motion_16", {0x1A1, 0, kWireNodes}, Sender::kSensor, 1, "each sample", 8, kSensorMotion16Signals,
              "16-bit motion of a DOF, the whole of it in one frame.");
 
 inline constexpr Signal kSensorMotion24Signals[] = {
@@ -212,7 +213,7 @@ inline constexpr Signal kSensorMotion24Signals[] = {
     {"displacement", 16, 24, true, 1, 1, 0, "codes", {}, "raw code"},
     {"velocity", 40, 24, true, 1, 1, 0, "codes", {}, "raw code"}};
 inline constexpr FrameDescription kSensorMotion24 =
-    describe("sensor_motion_24", {0x1C1, 0, kMaxNodes}, Sender::kSensor, 1, "each sample", 8, kSensorMotion24Signals,
+    describe("sensor_motion_24", {0x1C1, 0, kWireNodes}, Sender::kSensor, 1, "each sample", 8, kSensorMotion24Signals,
              "24-bit motion of a DOF.");
 
 inline constexpr Signal kSensorForce24Signals[] = {
@@ -220,7 +221,7 @@ inline constexpr Signal kSensorForce24Signals[] = {
     {"force", 16, 24, true, 1, 1, 0, "codes", {}, "raw code"},
     {"acceleration", 40, 24, true, 1, 1, 0, "codes", {}, "raw code"}};
 inline constexpr FrameDescription kSensorForce24 =
-    describe("sensor_force_24", {0x1E1, 0, kMaxNodes}, Sender::kSensor, 1, "each sample", 8, kSensorForce24Signals,
+    describe("sensor_force_24", {0x1E1, 0, kWireNodes}, Sender::kSensor, 1, "each sample", 8, kSensorForce24Signals,
              "24-bit force and acceleration of a DOF.");
 
 inline constexpr Signal kSensorPair24Signals[] = {
@@ -228,14 +229,14 @@ inline constexpr Signal kSensorPair24Signals[] = {
     {"first", 16, 24, true, 1, 1, 0, "codes", {}, "raw code of the rig's channel number 2 d - 1"},
     {"second", 40, 24, true, 1, 1, 0, "codes", {}, "raw code of the rig's channel number 2 d; 0 where there is none"}};
 inline constexpr FrameDescription kSensorPair24 =
-    describe("sensor_pair_24", {0x261, 0, kMaxNodes}, Sender::kSensor, 1, "each sample", 8, kSensorPair24Signals,
+    describe("sensor_pair_24", {0x261, 0, kWireNodes}, Sender::kSensor, 1, "each sample", 8, kSensorPair24Signals,
              "Two channels of the rig, whichever DOFs they are of: channels are numbered by DOF, then quantity.");
 
 inline constexpr Signal kSensorForceSignals[] = {
     {"sequence", 0, 16, false, 1, 1, 0, "samples", {}, "number of the sample, modulo 65536"},
     {"force", 16, 24, true, 1, 1, 0, "codes", {}, "raw code"}};
 inline constexpr FrameDescription kSensorForce =
-    describe("sensor_force", {0x221, 0, kMaxDofs}, Sender::kSensor, 1, "each sample", 5, kSensorForceSignals,
+    describe("sensor_force", {0x221, 0, kWireDofs}, Sender::kSensor, 1, "each sample", 5, kSensorForceSignals,
              "Force of a driven DOF, beside `sensor_motion_16`.");
 
 inline constexpr Signal kSensorFdSignals[] = {
@@ -245,7 +246,7 @@ inline constexpr Signal kSensorFdSignals[] = {
     {"velocity", 80, 24, true, 1, 1, 0, "codes", {}, "raw code"},
     {"acceleration", 104, 24, true, 1, 1, 0, "codes", {}, "raw code"}};
 inline constexpr FrameDescription kSensorFd =
-    describe("sensor_fd", {0x241, 0, kMaxNodes}, Sender::kSensor, 1, "each sample", 16, kSensorFdSignals,
+    describe("sensor_fd", {0x241, 0, kWireNodes}, Sender::kSensor, 1, "each sample", 16, kSensorFdSignals,
              "All channels of a DOF in one CAN FD frame.", true);
 
 // ---- Controller to the shaker amplifier

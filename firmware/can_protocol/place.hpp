@@ -7,6 +7,8 @@
 namespace firmware {
 
 constexpr uint8_t kNoPlace = 31;
-constexpr uint8_t place_of_node(int node) { return static_cast<uint8_t>(node == kGroundNode ? 0 : node + 1); }
+constexpr uint8_t place_of_node(int node) {
+  return static_cast<uint8_t>(node == kGroundNode ? 0 : wire_node(node) + 1);
+}
 
 }  // namespace firmware

@@ -15,13 +15,14 @@ CanFrame pack_one(SensorWiring wiring, bool force_frame, int node, const RawSamp
   const int32_t(&code)[kQuantities] = sample.code[node];
   const int64_t force = code[0], x = code[1], v = code[2], a = code[3];
   const int64_t sequence16 = sample.sequence & 0xFFFF;
-  if (wiring == SensorWiring::kFd) return can::pack<can::kSensorFd>(0, node, {sample.sequence, force, x, v, a});
+  const int member = wire_node(node);
+  if (wiring == SensorWiring::kFd) return can::pack<can::kSensorFd>(0, member, {sample.sequence, force, x, v, a});
   if (wiring == SensorWiring::k16) {
-    return force_frame ? can::pack<can::kSensorForce>(0, node, {sequence16, force})
-                       : can::pack<can::kSensorMotion16>(0, node, {sequence16, x, v, a});
+    return force_frame ? can::pack<can::kSensorForce>(0, member, {sequence16, force})
+                       : can::pack<can::kSensorMotion16>(0, member, {sequence16, x, v, a});
   }
-  return force_frame ? can::pack<can::kSensorForce24>(0, node, {sequence16, force, a})
-                     : can::pack<can::kSensorMotion24>(0, node, {sequence16, x, v});
+  return force_frame ? can::pack<can::kSensorForce24>(0, member, {sequence16, force, a})
+                     : can::pack<can::kSensorMotion24>(0, member, {sequence16, x, v});
 }
 
 // Where the codes of a received frame belong. signal 0 is the sequence, the others go to quantity[1], quantity[2], ...
@@ -178,9 +179,11 @@ SensorAssembler::OpenSample* SensorAssembler::open(uint32_t sequence, uint64_t t
 
 bool SensorAssembler::push(const CanFrame& message, uint64_t time_ns, RawSample& sample) {
   const SensorFrame* kind = nullptr;
-  int rig = 0, node = 0;
+  int rig = 0, member = 0, node = 0;
   for (const SensorFrame& candidate : kSensorFrames) {
-    if (!can::is_frame(*candidate.frame, message, rig, node)) continue;
+    if (!can::is_frame(*candidate.frame, message, rig, member)) continue;
+    node = candidate.wiring == SensorWiring::kPairs ? member : node_of_wire(member);
+    if (node < 0 || node >= kMaxNodes) break;
     if (plan_.wiring[node] == candidate.wiring && (plan_.expected[node] & candidate.bit)) kind = &candidate;
     break;
   }

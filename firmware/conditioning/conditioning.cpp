@@ -44,28 +44,20 @@ int starting_leak(uint32_t samples, int leak_shift) {
 
 void Conditioning::configure(const CoreConfiguration& configuration) {
   configuration_ = &configuration;
-  path_count_ = 0;
-  reach_ = 0;
-  nodes_ = configuration.base_present ? kMaxNodes : configuration.dof_count;
+  path_count_ = channel_count_ = reach_ = 0;
   for (int node = 0; node < kMaxNodes; ++node) {
-    for (int quantity = 0; quantity < kQuantities; ++quantity) {
-      const ChannelConfiguration& channel = configuration.channels[node][quantity];
-      const int64_t offset = channel.present ? channel.offset_code : 0;
-      offset_[node][quantity] = static_cast<int32_t>(offset);
-      lowest_[node][quantity] = channel.present ? within(channel.lowest_code, offset) : -kSignalLimit;
-      highest_[node][quantity] = channel.present ? within(channel.highest_code, offset) : kSignalLimit;
-    }
-    if (node >= configuration.dof_count && node != kBaseNode) continue;
+    if (node >= configuration.dof_count && !(node == kBaseNode && configuration.base_present)) continue;
+    for (int quantity = 0; quantity < kQuantities; ++quantity)
+      if (configuration.channels[node][quantity].present) add_channel(node, quantity);
     for (int quantity = 0; quantity < kQuantities; ++quantity) {
       const SignalConfiguration& signal = configuration.signals[node][quantity];
       if (!signal.available) continue;
       add_path(node, quantity, signal_column(node, static_cast<Quantity>(quantity)));
       if (signal.half_length > reach_) reach_ = signal.half_length;
     }
+    if (kDerivesSignals && configuration.filters_sign()) add_sign_velocity(node);
   }
   FIRMWARE_PRECONDITION(2 * reach_ + configuration.sign_half_length < kHistory);
-  if (configuration.filters_sign())
-    for (int node = 0; node < nodes_; ++node) add_sign_velocity(node);
   reach_ += configuration.sign_half_length;
   history_samples_ = 2 * reach_;
   if (configuration.high_pass_order > 0)
@@ -79,12 +71,27 @@ void Conditioning::configure(const CoreConfiguration& configuration) {
   restart();
 }
 
+void Conditioning::add_channel(int node, int quantity) {
+  const ChannelConfiguration& configured = configuration_->channels[node][quantity];
+  Channel& channel = channel_[channel_count_++];
+  channel.place = static_cast<uint16_t>(node * kQuantities + quantity);
+  channel.column = static_cast<uint16_t>(channel.place * kFrameStride);
+  channel.offset = configured.offset_code;
+  channel.lowest = within(configured.lowest_code, configured.offset_code);
+  channel.highest = within(configured.highest_code, configured.offset_code);
+  channel.inside = channel.lowest + 1;
+  const int64_t count = int64_t{channel.highest} - channel.inside;
+  channel.count = count > 0 ? static_cast<uint32_t>(count) : 0;
+}
+
 Conditioning::Path& Conditioning::add_path(int node, int quantity, int column) {
   const SignalConfiguration& signal = configuration_->signals[node][quantity];
   Path& path = path_[path_count_++];
   path.node = static_cast<uint8_t>(node);
   path.quantity = static_cast<uint8_t>(quantity);
-  path.source = signal.source;
+  path.channel = 0;
+  for (int c = 0; c < channel_count_; ++c)
+    if (channel_[c].place == node * kQuantities + signal.source) path.channel = static_cast<uint8_t>(c);
   path.column = static_cast<uint16_t>(column);
   path.sections = configuration_->high_pass_order;
   path.integrations = signal.integrations;
@@ -127,25 +134,29 @@ void Conditioning::restart() {
 }
 
 bool Conditioning::append(const RawSample& sample, Frame& frame, int at) {
-  FIRMWARE_PRECONDITION(configuration_ != nullptr && at >= 0 && at < kFrameSamples);
-  int32_t* __restrict column = &frame.column[0][at];
-  int32_t beyond[kQuantities] = {};
-  for (int node = 0; node < nodes_; ++node, column += kQuantities * kFrameStride) {
-    for (int q = 0; q < kQuantities; ++q) {
-      const int32_t code = sample.code[node][q];
-      beyond[q] |= static_cast<int32_t>(code >= highest_[node][q]) | static_cast<int32_t>(code <= lowest_[node][q]);
+  FIRMWARE_PRECONDITION(configuration_ != nullptr && at >= 0 && at < kFrameStride);
+  static_assert(signal_column(1, Quantity::kForce) == kQuantities, "channels and signal columns are numbered alike");
+  const int32_t* code = &sample.code[0][0];
+  int32_t* column = &frame.column[0][at];
+  saturated_ = false;
+  for (const Channel *c = channel_, *end = channel_ + channel_count_; c != end; ++c) {
+    const int32_t value = code[c->place];
+    if (static_cast<uint32_t>(value) - static_cast<uint32_t>(c->inside) < c->count) {
+      column[c->column] = value - c->offset;
+    } else {
+      saturated_ = true;
+      column[c->column] = centred(*c, value);
     }
-    for (int q = 0; q < kQuantities; ++q) column[q * kFrameStride] = centred(node, q, sample.code[node][q]);
   }
-  saturated_ = (beyond[0] | beyond[1] | beyond[2] | beyond[3]) != 0;
   return plain_ || filter(sample, frame, at);
 }
 
 bool Conditioning::filter(const RawSample& sample, Frame& frame, int at) {
   for (int i = 0; i < path_count_; ++i) {
     Path& path = path_[i];
-    const int32_t code = sample.code[path.node][path.source];
-    frame.column[path.column][at] = filtered(path, centred(path.node, path.source, code));
+    const Channel& channel = channel_[path.channel];
+    const int32_t code = (&sample.code[0][0])[channel.place];
+    frame.column[path.column][at] = filtered(path, centred(channel, code));
   }
   for (int i = 0; i < path_count_; ++i)
     if (path_[i].fused_with >= 0) frame.column[path_[i].column][at] = fused(path_[i]);
@@ -161,8 +172,8 @@ void Conditioning::move_frame(Frame& frame, int count, int kept) const {
   }
 }
 
-int32_t Conditioning::centred(int node, int quantity, int32_t code) const {
-  return between(lowest_[node][quantity], code, highest_[node][quantity]) - offset_[node][quantity];
+int32_t Conditioning::centred(const Channel& channel, int32_t code) {
+  return between(channel.lowest, code, channel.highest) - channel.offset;
 }
 
 // A weighted sum over the window of a path, whose centre is `reach` samples old.

@@ -32,9 +32,11 @@ class Conditioning {
 
  private:
   static constexpr int kHistory = 2 * kFilterHalf + 1;
-  static constexpr int kMaxSections = 3;
+  static constexpr int kMaxSections = kDerivesSignals ? 3 : 2;
+  static constexpr int kMaxPaths = kMaxNodes * (kQuantities + (kDerivesSignals ? 1 : 0));
   struct Path {  // one signal
-    uint8_t node = 0, quantity = 0, source = 0;
+    uint8_t node = 0, quantity = 0;
+    uint8_t channel = 0;                  // that it is made from
     uint16_t column = 0;                  // of the frame
     int32_t history[2 * kHistory] = {};   // every entry twice, so that a window is contiguous
     int64_t section[kMaxSections] = {};   // Q16
@@ -44,8 +46,19 @@ class Conditioning {
     uint8_t early = 0;        // samples by which it comes before the others
     int16_t fused_with = -1;  // the path of the node's acceleration; section and previous are of the fusion
   };
+  // A measured channel. Codes at or beyond its rails are saturated; beyond them they are taken for the rails, so that
+  // code - offset holds 24 bits with sign whatever a converter delivers.
+  struct Channel {
+    int32_t inside = 0;  // the lowest code that is not saturated
+    uint32_t count = 0;  // of such codes
+    int32_t offset = 0;
+    uint16_t place = 0;   // among the sample's codes: node * kQuantities + quantity
+    uint16_t column = 0;  // of the frame, as so many numbers from its start
+    int32_t lowest = 0, highest = 0;
+  };
+  void add_channel(int node, int quantity);
   bool filter(const RawSample& sample, Frame& frame, int at);
-  int32_t centred(int node, int quantity, int32_t code) const;
+  static int32_t centred(const Channel& channel, int32_t code);
   void link_fused_paths();
   int32_t filtered(Path& path, int32_t code);
   int32_t fused(Path& path);
@@ -55,13 +68,9 @@ class Conditioning {
   void add_sign_velocity(int node);
 
   const CoreConfiguration* configuration_ = nullptr;
-  // Codes at or beyond these are saturated; beyond them they are taken for these, so that code - offset holds 24 bits
-  // with sign whatever a converter delivers.
-  alignas(16) int32_t lowest_[kMaxNodes][kQuantities];
-  alignas(16) int32_t highest_[kMaxNodes][kQuantities];
-  alignas(16) int32_t offset_[kMaxNodes][kQuantities];
-  int nodes_ = 0;  // nodes in use, the base included
-  Path path_[kMaxNodes * (kQuantities + 1)];
+  Channel channel_[kMaxNodes * kQuantities];
+  int channel_count_ = 0;
+  Path path_[kMaxPaths];
   int path_count_ = 0;
   int reach_ = 0;  // longest half_length: the common delay in samples
   int history_samples_ = 0;

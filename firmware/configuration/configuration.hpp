@@ -12,6 +12,10 @@ namespace firmware {
 enum class Quantity : uint8_t { kForce = 0, kDisplacement = 1, kVelocity = 2, kAcceleration = 3 };
 constexpr int kQuantities = 4;
 
+// What an energy equation is multiplied with (firmware/energy/batch_table.hpp).
+enum class Weight : uint8_t { kPlain = 0, kInstrument = 1, kDisplacement = 2 };
+constexpr int kWeights = FIRMWARE_MAX_WEIGHTS;
+
 constexpr int32_t kLargestCode = 8388607;  // 24 bits with sign
 
 // One measured channel. value in SI units = (code - offset_code) * unit_per_code.
@@ -31,7 +35,7 @@ struct ChannelConfiguration {
 //   ->  rounded shift  ->  signal, saturated to +-2^23 (which counts as SATURATED).
 // half_length 0 with a first tap of 0 is a plain copy. The same delay (the plan's longest half_length) holds for all signals.
 // An integration's output is the running sum of its input, divided by 2^(high_pass_shift - kIntegrationExtraBits).
-constexpr int kFilterHalf = 28;
+constexpr int kFilterHalf = FIRMWARE_FILTER_HALF;
 constexpr int kIntegrationExtraBits = 6;
 struct SignalConfiguration {
   bool available = false;
@@ -49,14 +53,14 @@ struct SignalConfiguration {
 // filter on any other signal; the noise is that of x below the corner and that of a above it.
 //   v = x' + H H (integral of a - x'),   H = (1 - z^-1) / (1 - (1 - 2^-leak_shift) z^-1)
 // x' is the FIR of SignalConfiguration on x, the step of the integral the FIR below on a, with the same half_length and shift.
-constexpr int kFusionHalf = 12;
+constexpr int kFusionHalf = kFilterHalf < 12 ? kFilterHalf : 12;
 struct FusionConfiguration {
   bool used = false;
   uint8_t leak_shift = 5;
   Fixed<int32_t, 0> step_tap[2 * kFusionHalf + 1];
 };
 
-constexpr int kSignFilterHalf = 12;
+constexpr int kSignFilterHalf = kDerivesSignals ? 12 : 0;
 constexpr int kFilteredSignBits = 20;
 
 // A link between two nodes: elongation u = x_a - x_b, rate w = v_a - v_b; its force acts on a with -1, on b with +1.
@@ -96,6 +100,7 @@ constexpr uint16_t kAllProbes = 65535;  // every candidate on every sample, what
 // products of noise, SI units. An instrument is interpolated from the four neighbours on either side.
 enum class ProbeWeight : uint8_t { kDisplacement, kVelocity, kAcceleration, kAccelerationSlope, kForce, kNone };
 constexpr int kMotionProbeWeights = 4;
+constexpr bool kKeepsProbeNoise = kDerivesSignals && kWarrantNumbers > 0;  // else there is nobody to share it
 struct ProbeNoise {
   Scaled motion[kMotionProbeWeights][kQuantities - 1];  // with displacement, velocity and acceleration
   Scaled force;                                         // of the interpolated force with the force
@@ -115,8 +120,8 @@ struct CoreConfiguration {
   FusionConfiguration fusion[kMaxNodes];                  // of a node's velocity
   // Mean product of the noise in a weight of a node's equation (plain, instrument, displacement) with the noise in the node's own
   // signal, SI units: what filters make them share. Taken out of the energies; 0 where nothing is shared or known.
-  Scaled shared_noise[kMaxNodes][3][kQuantities];
-  ProbeNoise probe_noise[kMaxNodes];
+  Scaled shared_noise[kMaxNodes][kWeights][kQuantities];
+  ProbeNoise probe_noise[kKeepsProbeNoise ? kMaxNodes : 1];
   bool shares_probe_noise = false;  // probe_noise holds something
   bool noise_unknown = false;       // signals pass filters, and nobody has said how much noise their channels have
   // Every signal passes as many first-order high-pass sections (corner = rate / (2 pi 2^shift)) as the most integrated one has

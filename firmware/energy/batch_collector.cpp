@@ -3,36 +3,39 @@
 namespace firmware {
 namespace {
 
-void add_packed(PackedScaled& a, PackedScaled b) { a = pack(unpack(a) + unpack(b)); }
+constexpr int kDofNumbers = sizeof(BatchDof) / sizeof(PackedScaled);
+
+// A batch in parts: the columns of a weight, then the numbers of a DOF.
+int part_count(const RowLayout& layout) { return kWeights + layout.dof_count; }
+struct Part {
+  PackedScaled* number;
+  int count;
+};
+Part part_of(Batch& batch, const RowLayout& layout, int part) {
+  if (part < kWeights) return {batch.column[part], layout.first[kMaxDofs]};
+  return {batch.dof[part - kWeights].rhs, kDofNumbers};  // the first of its numbers, which are alike
+}
+
+void accumulate_part(Batch& a, Batch& b, const RowLayout& layout, int part) {
+  const Part sum = part_of(a, layout, part), more = part_of(b, layout, part);
+  for (int i = 0; i < sum.count; ++i) sum.number[i] = sum.number[i] + more.number[i];
+}
+
+void copy_part(Batch& to, Batch& from, const RowLayout& layout, int part) {
+  const Part copy = part_of(to, layout, part), original = part_of(from, layout, part);
+  for (int i = 0; i < copy.count; ++i) copy.number[i] = original.number[i];
+}
 
 }  // namespace
 
 void accumulate(Batch& a, const Batch& b, const RowLayout& layout) {
   a.samples += b.samples;
-  const int slots = layout.first[kMaxDofs];
-  for (int q = 0; q < kWeights; ++q)
-    for (int s = 0; s < slots; ++s) add_packed(a.column[q][s], b.column[q][s]);
-  for (int i = 0; i < layout.dof_count; ++i) {
-    for (int q = 0; q < kWeights; ++q) {
-      add_packed(a.dof[i].rhs[q], b.dof[i].rhs[q]);
-      add_packed(a.dof[i].kinetic_discrepancy[q], b.dof[i].kinetic_discrepancy[q]);
-      add_packed(a.dof[i].elastic_discrepancy[q], b.dof[i].elastic_discrepancy[q]);
-    }
-    add_packed(a.dof[i].kinetic_end, b.dof[i].kinetic_end);
-    add_packed(a.dof[i].elastic_end, b.dof[i].elastic_end);
-    add_packed(a.dof[i].velocity_square, b.dof[i].velocity_square);
-    add_packed(a.dof[i].velocity_instrument, b.dof[i].velocity_instrument);
-    add_packed(a.dof[i].weight_square, b.dof[i].weight_square);
-    add_packed(a.dof[i].acceleration_square, b.dof[i].acceleration_square);
-  }
+  for (int part = 0; part < part_count(layout); ++part) accumulate_part(a, const_cast<Batch&>(b), layout, part);
 }
 
 void copy_used(Batch& to, const Batch& from, const RowLayout& layout) {
   to.samples = from.samples;
-  const int slots = layout.first[kMaxDofs];
-  for (int q = 0; q < kWeights; ++q)
-    for (int s = 0; s < slots; ++s) to.column[q][s] = from.column[q][s];
-  for (int i = 0; i < layout.dof_count; ++i) to.dof[i] = from.dof[i];
+  for (int part = 0; part < part_count(layout); ++part) copy_part(to, const_cast<Batch&>(from), layout, part);
 }
 
 void BatchCollector::clear(const CoreConfiguration& configuration, const RowLayout& layout) {
@@ -88,8 +91,15 @@ uint32_t BatchCollector::batch_units() const {
   return uint32_t{1} << (level().merges + (doubled ? 1 : 0));
 }
 
-uint32_t BatchCollector::units_wanted() const {
-  const uint32_t missing = batch_units() - pending_units_;
+uint32_t BatchCollector::units_wanted(uint32_t units) const {
+  uint32_t missing = batch_units() - pending_units_;
+  if (units > 0 && units < missing) {
+    missing -= units;
+  } else if (units > 0) {  // the batch goes into the table, after a merge that may be under way
+    const int merges = level().merges + (merging_ ? 1 : 0);
+    const int count = merging_ ? kMaxBatches / 2 + 1 : level().batch_count;
+    missing = uint32_t{1} << (merges + (count + 1 >= kMaxBatches ? 1 : 0));
+  }
   const uint32_t most = (kMaxBatchSamples - 1) * unit_denominator_ / unit_numerator_;
   return most == 0 ? 1 : (missing < most ? missing : most);
 }
@@ -102,15 +112,20 @@ void BatchCollector::append(const Batch& batch) {
   }
   copy_used(held_, batch, table_.layout);
   merging_ = true;
-  merged_ = 0;
+  merged_ = part_ = 0;
+  const int parts = kMaxBatches / 2 * part_count(table_.layout);
   const uint32_t samples = unit_end(batch_units());  // until the next one comes
-  pairs_per_sample_ = 1 + (kMaxBatches / 2 - 1) / static_cast<int>(samples > 0 ? samples : 1);
+  parts_per_sample_ = 1 + parts / static_cast<int>(samples > 0 ? samples : 1);
 }
 
-void BatchCollector::merge_pair() {
+void BatchCollector::merge_part() {
   Batch& pair = level().batch[merged_];
-  if (merged_ > 0) copy_used(pair, level().batch[2 * merged_], table_.layout);
-  accumulate(pair, level().batch[2 * merged_ + 1], table_.layout);
+  Batch &first = level().batch[2 * merged_], &second = level().batch[2 * merged_ + 1];
+  if (merged_ > 0) copy_part(pair, first, table_.layout, part_);
+  accumulate_part(pair, second, table_.layout, part_);
+  if (++part_ < part_count(table_.layout)) return;
+  part_ = 0;
+  pair.samples = first.samples + second.samples;
   if (++merged_ < kMaxBatches / 2) return;
   merging_ = false;
   ++level().merges;
@@ -119,11 +134,11 @@ void BatchCollector::merge_pair() {
 }
 
 void BatchCollector::advance() {
-  for (int i = 0; i < pairs_per_sample_ && merging_; ++i) merge_pair();
+  for (int i = 0; i < parts_per_sample_ && merging_; ++i) merge_part();
 }
 
 void BatchCollector::settle() {
-  while (merging_) merge_pair();
+  while (merging_) merge_part();
 }
 
 void BatchCollector::add(const Batch& batch, uint32_t units) {

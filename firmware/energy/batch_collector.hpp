@@ -15,8 +15,9 @@ class BatchCollector {
   bool level_open() const { return open_; }
   bool refused() const { return refused_; }  // a level was begun with the table full: its data are not used
 
-  uint32_t unit_end(uint32_t unit) const;        // samples from the level's start to the end of this many units
-  uint32_t units_wanted() const;                 // the next call of add() should bring this many units, at the most
+  uint32_t unit_end(uint32_t unit) const;  // samples from the level's start to the end of this many units
+  // The next call of add() should bring this many units, at the most; or the call after one that brings `units`.
+  uint32_t units_wanted(uint32_t units = 0) const;
   void add(const Batch& batch, uint32_t units);  // in the order of time; units 0: an incomplete one
   // Once for each sample: the next share of a merge that is under way.
   void advance();
@@ -29,7 +30,7 @@ class BatchCollector {
 
  private:
   void append(const Batch& batch);
-  void merge_pair();
+  void merge_part();
   void keep_whole_cycles();
   uint32_t batch_units() const;  // of the batch that is being collected
   Level& level() { return table_.level[table_.level_count - 1]; }
@@ -39,7 +40,7 @@ class BatchCollector {
   Batch pending_;
   Batch held_;  // came when the table was full: goes in once its pairs are merged
   bool merging_ = false;
-  int merged_ = 0, pairs_per_sample_ = 1;
+  int merged_ = 0, part_ = 0, parts_per_sample_ = 1;
   uint32_t pending_units_ = 0, table_units_ = 0;
   uint32_t unit_numerator_ = 32, unit_denominator_ = 1;  // samples per unit
   uint32_t units_per_cycle_ = 16;

@@ -1,9 +1,12 @@
 #include "firmware/energy/batch_table.hpp"
 
+#include "firmware/fixed_point/magnitude.hpp"
+
 namespace firmware {
 namespace {
 constexpr int kPackedMantissaBits = 48;  // sign included
 constexpr int kDroppedBits = 15;         // 62-bit magnitude to 47
+constexpr int kScaledBits = 62;
 }  // namespace
 
 PackedScaled pack(Scaled value) {
@@ -22,6 +25,45 @@ PackedScaled pack(Scaled value) {
 
 Scaled unpack(PackedScaled packed) {
   return Scaled::from_int(packed.bits >> 16, static_cast<int16_t>(packed.bits & 0xffff));
+}
+
+// Both mantissas are normal, 47 bits; Scaled's are these times 2^15.
+PackedScaled operator+(PackedScaled a, PackedScaled b) {
+  constexpr int64_t kLowest = -(int64_t{1} << (kPackedMantissaBits - 1));  // not normal: its magnitude has 48 bits
+  int64_t left = a.bits >> 16, right = b.bits >> 16;
+  if (left == kLowest || right == kLowest) return pack(unpack(a) + unpack(b));
+  if (left == 0) return b;
+  if (right == 0) return a;
+  int32_t exponent = static_cast<int16_t>(a.bits & 0xffff), other = static_cast<int16_t>(b.bits & 0xffff);
+  if (exponent < other) {
+    const int64_t swap = left;
+    left = right;
+    right = swap;
+    const int32_t swap_exponent = exponent;
+    exponent = other;
+    other = swap_exponent;
+  }
+  const int32_t distance = exponent - other;
+  if (distance > kScaledBits)
+    return {static_cast<int64_t>((static_cast<uint64_t>(left) << 16) | static_cast<uint16_t>(exponent))};
+  const int64_t one = left * (int64_t{1} << kDroppedBits), two = right * (int64_t{1} << kDroppedBits);
+  const int64_t sum = one + (distance == 0 ? two : (two >> distance) + ((two >> (distance - 1)) & 1));
+  if (sum == 0) return {};
+  uint64_t value = magnitude(sum);
+  const int shift = __builtin_clzll(value) - (64 - kScaledBits);
+  if (shift >= 0) {
+    value <<= shift;
+    exponent -= shift;
+  } else {
+    value = (value >> 1) + (value & 1u);
+    ++exponent;
+    if (value >> kScaledBits) {
+      value >>= 1;
+      ++exponent;
+    }
+  }
+  const auto normal = static_cast<int64_t>(value);
+  return pack({sum < 0 ? -normal : normal, exponent - kDroppedBits});
 }
 
 }  // namespace firmware

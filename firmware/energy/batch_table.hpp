@@ -22,8 +22,6 @@
 
 namespace firmware {
 
-enum class Weight : uint8_t { kPlain = 0, kInstrument = 1, kDisplacement = 2 };
-constexpr int kWeights = 3;
 constexpr int kMaxRowUnknowns = kMaxUnknowns;     // unknowns in one DOF's equation
 constexpr int kMaxIncidences = 2 * kMaxUnknowns;  // (DOF, unknown) pairs of the rig: a link's unknown touches two DOFs
 
@@ -41,6 +39,8 @@ struct PackedScaled {
 };
 PackedScaled pack(Scaled value);
 Scaled unpack(PackedScaled packed);
+PackedScaled operator+(PackedScaled a,
+                       PackedScaled b);  // the same bits as pack(unpack(a) + unpack(b)), in a third of the work
 
 struct BatchDof {
   PackedScaled rhs[kWeights];

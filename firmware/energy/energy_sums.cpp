@@ -13,6 +13,10 @@ constexpr int kDisplacement = static_cast<int>(Weight::kDisplacement);
 // derived velocity's noise and more is slower than that.
 constexpr int kClearMeans = 4, kClearMeansDerived = 8;
 
+void copy(Frame& frame, int to_column, int from_column, int from, int to) {
+  for (int n = from; n < to; ++n) frame.column[to_column][n] = frame.column[from_column][n];
+}
+
 bool measured_velocity(const CoreConfiguration& configuration, int node) {
   return node == kGroundNode || !configuration.signals[node][static_cast<int>(Quantity::kVelocity)].derived;
 }
@@ -44,14 +48,19 @@ void EnergySums::configure(const CoreConfiguration& configuration, int weights) 
     has_sign_[l] = wants_clear_sign_[l] = wants_all_signs_[l] = false;
     smooth_is_white_[l] = white;
   }
+  any_shared_noise_ = false;
+  for (const auto& node : configuration.shared_noise)
+    for (const auto& weight : node)
+      for (const Scaled& noise : weight) any_shared_noise_ = any_shared_noise_ || !noise.is_zero();
   for (bool& locates : locates_crossings_) locates = false;
+  any_crossings_ = false;
   for (int n = 0; n < plan_.incidence_count; ++n) {
     const Term& term = configuration.terms[plan_.incidence[n].term];
     if (!is_sign_term(term.kind)) continue;
     has_sign_[term.place] = true;
     const bool clear = plan_.dof[plan_.incidence[n].dof].clear_signs_only;
     (clear ? wants_clear_sign_ : wants_all_signs_)[term.place] = true;
-    if (!plan_.dof[plan_.incidence[n].dof].has_acceleration) locates_crossings_[term.place] = true;
+    if (!plan_.dof[plan_.incidence[n].dof].has_acceleration) locates_crossings_[term.place] = any_crossings_ = true;
   }
   restart();
 }
@@ -67,12 +76,11 @@ void EnergySums::restart() {
 
 void EnergySums::fill_instruments(Frame& frame, int from, int to) {
   // z = (-v[-2] + 4 v[-1] + 4 v[+1] - v[+2]) / 6 without the division: cubic through the four neighbours.
-  for (int node = 0; node < kMaxNodes; ++node) {
-    if (node >= configuration_->dof_count && !(node == kBaseNode && configuration_->base_present)) continue;
+  for (int node = 0; node < configuration_->dof_count; ++node) {
     const int32_t* v = frame.column[signal_column(node, Quantity::kVelocity)];
     int32_t* z = frame.column[kInstrumentColumn + node];
     for (int i = from; i < to; ++i) z[i] = 4 * (v[i - 1] + v[i + 1]) - (v[i - 2] + v[i + 2]);
-    if (weights_ <= kDisplacement || node >= configuration_->dof_count) continue;
+    if (weights_ <= kDisplacement) continue;
     const int32_t* x = frame.column[signal_column(node, Quantity::kDisplacement)];
     int32_t* y = frame.column[kDisplacementInstrumentColumn + node];
     for (int i = from; i < to; ++i) y[i] = 4 * (x[i - 1] + x[i + 1]) - (x[i - 2] + x[i + 2]);
@@ -98,20 +106,21 @@ void EnergySums::fill_signs(Frame& frame, int link, int from, int to) {
 void EnergySums::fill_clear_signs(Frame& frame, int from, int to, int advance) {
   for (int i = 0; i < configuration_->dof_count; ++i) {
     if (!plan_.dof[i].clear_signs_only) continue;
-    for (int n = from; n < to; ++n) {
-      frame.column[kClearInstrumentColumn + i][n] = frame.column[kInstrumentColumn + i][n];
-      frame.column[kClearDisplacementColumn + i][n] = frame.column[kDisplacementInstrumentColumn + i][n];
-    }
+    copy(frame, kClearInstrumentColumn + i, kInstrumentColumn + i, from, to);
+    if (weights_ > kDisplacement)
+      copy(frame, kClearDisplacementColumn + i, kDisplacementInstrumentColumn + i, from, to);
   }
   for (int l = 0; l < configuration_->link_count; ++l) {
     if (!wants_clear_sign_[l]) continue;
     int32_t clear[kFrameStride];
     int32_t* sign = frame.column[kClearSignColumn + l];
     clear_sign_[l].fill(frame, from, to, advance, clear, sign);
-    if (configuration_->high_pass_order > 0)
-      high_passed_sign_[l].fill(configuration_->high_pass_order, configuration_->high_pass_shift, from, to, advance,
-                                sign);
-    if (configuration_->sign_half_length > 0) low_passed_sign_[l].fill(*configuration_, from, to, advance, sign, clear);
+    const int filter = kDerivesSignals ? l : 0;
+    if (kDerivesSignals && configuration_->high_pass_order > 0)
+      high_passed_sign_[filter].fill(configuration_->high_pass_order, configuration_->high_pass_shift, from, to, advance,
+                                     sign);
+    if (kDerivesSignals && configuration_->sign_half_length > 0)
+      low_passed_sign_[filter].fill(*configuration_, from, to, advance, sign, clear);
     leave_out(frame, l, from, to, clear);
   }
 }
@@ -120,10 +129,11 @@ void EnergySums::leave_out(Frame& frame, int link, int from, int to, const int32
   const int nodes[2] = {configuration_->links[link].node_a, configuration_->links[link].node_b};
   for (const int i : nodes) {
     if (i >= configuration_->dof_count || !plan_.dof[i].clear_signs_only) continue;
-    for (int n = from; n < to; ++n) {
-      if (clear[n] != 0) continue;
-      frame.column[kClearInstrumentColumn + i][n] = frame.column[kClearDisplacementColumn + i][n] = 0;
-    }
+    for (int n = from; n < to; ++n)
+      if (clear[n] == 0) frame.column[kClearInstrumentColumn + i][n] = 0;
+    if (weights_ <= kDisplacement) continue;
+    for (int n = from; n < to; ++n)
+      if (clear[n] == 0) frame.column[kClearDisplacementColumn + i][n] = 0;
   }
 }
 
@@ -182,14 +192,14 @@ void EnergySums::clear_crossings() {
 
 // 24 times the sum and its ends fit one word where the sum is below 2^57 (the ends are): the usual case. Both ways are
 // exact up to 62 bits and round alike.
-void EnergySums::read_integrals() {
+void EnergySums::read_sums() {
   constexpr int64_t kFits = int64_t{1} << 57;
   for (int p = 0; p < sums_.count(); ++p) {
     const int64_t sum = sums_.sum(p), ends = sums_.ends_times_24(p);
-    const Scaled whole = sum < kFits && sum > -kFits
-                             ? Scaled::from_int(24 * sum + ends)
-                             : Scaled::from_int(sum) * Scaled::from_int(24) + Scaled::from_int(ends);
-    integral_[p] = integral_unit_[p] * whole;
+    integral_[p].mantissa = 24 * (sum < kFits && sum > -kFits ? sum : 0) + ends;  // not yet in its normal form
+    integral_[p].exponent = 0;
+    if (sum >= kFits || sum <= -kFits)
+      integral_[p] = Scaled::from_int(sum) * Scaled::from_int(24) + Scaled::from_int(ends);
   }
 }
 
@@ -215,12 +225,12 @@ Scaled EnergySums::kinetic_energy(int dof, int weight) const {
   const DofProducts& products = plan_.dof[dof];
   const int velocity = signal_column(dof, Quantity::kVelocity),
             displacement = signal_column(dof, Quantity::kDisplacement);
-  const int64_t v0 = start_.velocity[dof], v1 = end_.velocity[dof];
+  const int64_t v0 = closed_start_.velocity[dof], v1 = closed_end_.velocity[dof];
   if (weight != kDisplacement) {
     const Scaled unit = plan_.column_unit[velocity];
     return unit * unit * Scaled::from_int(v1 * v1 - v0 * v0, -1);
   }
-  const int64_t change = end_.displacement[dof] * v1 - start_.displacement[dof] * v0;
+  const int64_t change = closed_end_.displacement[dof] * v1 - closed_start_.displacement[dof] * v0;
   return plan_.column_unit[displacement] * plan_.column_unit[velocity] * Scaled::from_int(change) -
          integral(products.velocity_instrument);
 }
@@ -239,6 +249,7 @@ Scaled EnergySums::energy(const Incidence& incidence, int weight) const {
     result = integral(incidence.product_a[weight]) - integral(incidence.product_b[weight]);
   }
   if (incidence.sign < 0) result = -result;
+  if (!any_shared_noise_) return result;
   if (term.kind == TermKind::kViscous) result = result - shared_noise(incidence.dof, weight, Quantity::kVelocity);
   if (term.kind == TermKind::kStiffness) result = result - shared_noise(incidence.dof, weight, Quantity::kDisplacement);
   return result;
@@ -246,62 +257,90 @@ Scaled EnergySums::energy(const Incidence& incidence, int weight) const {
 
 // Over the samples that the equation counts.
 Scaled EnergySums::shared_noise(int dof, int weight, Quantity quantity) const {
+  if (!any_shared_noise_) return {};
   const Scaled product = configuration_->shared_noise[dof][weight][static_cast<int>(quantity)];
   if (product.is_zero()) return product;
   const Scaled all = integral(plan_.dof[dof].velocity_instrument), counted = integral(plan_.dof[dof].weight_square);
-  const Scaled time = configuration_->sample_period_s * Scaled::from_int(samples_);
+  const Scaled time = configuration_->sample_period_s * Scaled::from_int(closed_samples_);
   if (weight == kPlain || counted.is_zero() || all.is_zero() || !plan_.dof[dof].clear_signs_only) return product * time;
   return product * time * counted / all;
 }
 
-void EnergySums::close_dof(int i, const EndPoint& end, Batch& batch) const {
+void EnergySums::close_weight(int i, int q, Batch& batch) {
   const DofProducts& products = plan_.dof[i];
-  const Scaled unit_v = plan_.column_unit[signal_column(i, Quantity::kVelocity)];
-  const Scaled unit_x = plan_.column_unit[signal_column(i, Quantity::kDisplacement)];
-  const int64_t v0 = start_.velocity[i], v1 = end.velocity[i], x0 = start_.displacement[i], x1 = end.displacement[i];
-  const Scaled kinetic_end = unit_v * unit_v * Scaled::from_int(v1 * v1 - v0 * v0, -1);
-  const Scaled elastic_end = unit_x * unit_x * Scaled::from_int(x1 * x1 - x0 * x0, -1);
   BatchDof& dof = batch.dof[i];
-  for (int q = 0; q < weights_; ++q) {
-    Scaled rhs = integral(products.force[q]);
-    for (int n = 0; n < plan_.incidence_count; ++n) {
-      const Incidence& incidence = plan_.incidence[n];
-      if (incidence.dof != i) continue;
-      const Scaled value = energy(incidence, q);
-      if (incidence.column_slot >= 0) {
-        batch.column[q][incidence.column_slot] = pack(value);
-      } else {
-        rhs = rhs - configuration_->terms[incidence.term].value * value;
-      }
-    }
-    dof.rhs[q] = pack(rhs);
-    const bool both = products.has_displacement && products.has_acceleration;
-    if (q != kDisplacement) {
-      if (products.has_acceleration)
-        dof.kinetic_discrepancy[q] = pack(integral(products.acceleration[q]) - kinetic_end);
-      if (products.has_displacement)
-        dof.elastic_discrepancy[q] = pack(integral(products.displacement[q]) - elastic_end);
-    } else if (both) {
-      dof.kinetic_discrepancy[q] = pack(integral(products.acceleration[q]) + integral(products.velocity_instrument) -
-                                        unit_x * unit_v * Scaled::from_int(x1 * v1 - x0 * v0));
+  Scaled rhs = integral(products.force[q]);
+  for (int n = 0; n < plan_.incidence_count; ++n) {
+    const Incidence& incidence = plan_.incidence[n];
+    if (incidence.dof != i) continue;
+    const Scaled value = energy(incidence, q);
+    if (incidence.column_slot >= 0) {
+      batch.column[q][incidence.column_slot] = pack(value);
+    } else {
+      rhs = rhs - configuration_->terms[incidence.term].value * value;
     }
   }
-  dof.kinetic_end = pack(kinetic_end);
-  dof.elastic_end = pack(elastic_end);
+  dof.rhs[q] = pack(rhs);
+  const Scaled unit_v = plan_.column_unit[signal_column(i, Quantity::kVelocity)];
+  const Scaled unit_x = plan_.column_unit[signal_column(i, Quantity::kDisplacement)];
+  const int64_t v0 = closed_start_.velocity[i], v1 = closed_end_.velocity[i];
+  const int64_t x0 = closed_start_.displacement[i], x1 = closed_end_.displacement[i];
+  if (q == kPlain) {
+    kinetic_end_ = times(unit_v * unit_v, v1 * v1 - v0 * v0);
+    elastic_end_ = times(unit_x * unit_x, x1 * x1 - x0 * x0);
+    kinetic_end_ = scale_by_power_of_two(kinetic_end_, -1);
+    elastic_end_ = scale_by_power_of_two(elastic_end_, -1);
+    dof.kinetic_end = pack(kinetic_end_);
+    dof.elastic_end = pack(elastic_end_);
+  }
+  if (q != kDisplacement) {
+    if (products.has_acceleration) dof.kinetic_discrepancy[q] = pack(integral(products.acceleration[q]) - kinetic_end_);
+    if (products.has_displacement) dof.elastic_discrepancy[q] = pack(integral(products.displacement[q]) - elastic_end_);
+  } else if (products.has_displacement && products.has_acceleration) {
+    dof.kinetic_discrepancy[q] = pack(integral(products.acceleration[q]) + integral(products.velocity_instrument) -
+                                      unit_x * unit_v * Scaled::from_int(x1 * v1 - x0 * v0));
+  }
+}
+
+void EnergySums::close_dof(int i, Batch& batch) const {
+  const DofProducts& products = plan_.dof[i];
+  BatchDof& dof = batch.dof[i];
   dof.velocity_square = pack(integral(products.velocity_square));
   dof.velocity_instrument = pack(integral(products.velocity_instrument));
   dof.weight_square = pack(integral(products.weight_square));
   dof.acceleration_square = pack(integral(products.acceleration_square));
 }
 
-void EnergySums::close_batch(const Frame& frame, int boundary, Batch& batch) {
+void EnergySums::begin_close(const Frame& frame, int boundary) {
   sums_.stop(frame, boundary);
-  read_integrals();
-  end_ = end_point(frame, boundary);
-  batch.samples = samples_;
-  for (int i = 0; i < configuration_->dof_count; ++i) close_dof(i, end_, batch);
-  clear_crossings();
+  read_sums();
+  closed_start_ = start_;
+  closed_end_ = end_point(frame, boundary);
+  closed_samples_ = samples_;
+  converted_ = closing_dof_ = closing_weight_ = 0;
   start_batch(frame, boundary);
+}
+
+void EnergySums::convert(int product) {
+  Scaled& sum = integral_[product];
+  sum = sum.exponent == 0 ? times(integral_unit_[product], sum.mantissa) : integral_unit_[product] * sum;
+}
+
+bool EnergySums::go_on_closing(Batch& batch) {
+  if (converted_ < sums_.count()) {
+    for (int n = 0; n < kProductsAPiece && converted_ < sums_.count(); ++n, ++converted_) convert(converted_);
+    return false;
+  }
+  if (closing_dof_ < configuration_->dof_count) {
+    close_weight(closing_dof_, closing_weight_, batch);
+    if (++closing_weight_ < weights_) return false;
+    close_dof(closing_dof_++, batch);
+    closing_weight_ = 0;
+    if (closing_dof_ < configuration_->dof_count) return false;
+  }
+  batch.samples = closed_samples_;
+  if (any_crossings_) clear_crossings();
+  return true;
 }
 
 }  // namespace firmware

@@ -17,6 +17,7 @@ class EnergySums {
   // weights: 1 plain sums only, 2 with the instrument, 3 with the displacement weight too.
   void configure(const CoreConfiguration& configuration, int weights);
   const RowLayout& layout() const { return layout_; }
+  bool complete() const { return sums_.complete() && effects_.complete(); }         // the equations have found room
   const Scaled* effect_units() const { return &plan_.column_unit[kEffectColumn]; }  // SI, in the order of the terms
 
   void restart();  // a new level
@@ -27,7 +28,19 @@ class EnergySums {
   void add_block(Frame& frame, int count);
   uint32_t samples() const { return started_ ? samples_ : 0; }  // since the batch was started
   // Energies since the last call (or restart) up to the end of the last block; starts the next batch there.
-  void close_batch(const Frame& frame, int boundary, Batch& batch);
+  void close_batch(const Frame& frame, int boundary, Batch& batch) {
+    begin_close(frame, boundary);
+    while (!go_on_closing(batch)) {
+    }
+  }
+  // Where signs of friction are located inside a sample interval, all pieces have to be done at once.
+  bool closes_at_once() const { return any_crossings_; }
+  // The same in pieces, while the next batch is being summed: go_on_closing() until it says true, before the next close.
+  void begin_close(const Frame& frame, int boundary);
+  bool go_on_closing(Batch& batch);
+  int closing_pieces() const {
+    return (sums_.count() + kProductsAPiece - 1) / kProductsAPiece + configuration_->dof_count * weights_;
+  }
 
  private:
   struct EndPoint {
@@ -42,13 +55,16 @@ class EnergySums {
   void start_batch(const Frame& frame, int at);
   EndPoint end_point(const Frame& frame, int at) const;
   void clear_crossings();
-  void read_integrals();
+  static constexpr int kProductsAPiece = 8;
+  void read_sums();
+  void convert(int product);
+  void close_weight(int dof, int weight, Batch& batch);
+  void close_dof(int dof, Batch& batch) const;
   Scaled integral(int product) const { return product == kNoProduct ? Scaled{} : integral_[product]; }
   Scaled energy(const Incidence& incidence, int weight) const;
   Scaled friction_energy(const Incidence& incidence, int weight) const;
   Scaled kinetic_energy(int dof, int weight) const;
   Scaled shared_noise(int dof, int weight, Quantity quantity) const;
-  void close_dof(int dof, const EndPoint& end, Batch& batch) const;
 
   const CoreConfiguration* configuration_ = nullptr;
   int weights_ = 1;
@@ -61,17 +77,22 @@ class EnergySums {
   bool wants_clear_sign_[kMaxLinks];  // friction of a DOF whose equation is taken only where signs are clear
   bool wants_all_signs_[kMaxLinks];   // friction of a DOF whose equation is taken everywhere
   ClearSign clear_sign_[kMaxLinks];
-  HighPassedSign high_passed_sign_[kMaxLinks];
-  LowPassedSign low_passed_sign_[kMaxLinks];
+  static constexpr int kSignFilters = kDerivesSignals ? kMaxLinks : 1;
+  HighPassedSign high_passed_sign_[kSignFilters];
+  LowPassedSign low_passed_sign_[kSignFilters];
   bool locates_crossings_[kMaxLinks];  // a DOF at the link has no measured acceleration
   bool
       smooth_is_white_[kMaxLinks];  // both velocities are measured: the noise of the two sign streams is known to scale
   int64_t crossing_q16_[kMaxTermIncidences][kWeights];
-  Scaled integral_[kMaxProducts];       // of the batch that was closed last, SI units
+  // Of the batch that is closed: 24 times the sum with its ends, piece by piece turned into the integral in SI units.
+  Scaled integral_[kMaxProducts];
   Scaled integral_unit_[kMaxProducts];  // of one twenty-fourth of a product sum
   EndPoint start_;
-  EndPoint end_;
-  uint32_t samples_ = 0;
+  EndPoint closed_start_, closed_end_;
+  uint32_t samples_ = 0, closed_samples_ = 0;
+  int converted_ = 0, closing_dof_ = 0, closing_weight_ = 0;  // what is done of the batch that is closed
+  Scaled kinetic_end_, elastic_end_;                          // of the DOF that is being closed
+  bool any_crossings_ = false, any_shared_noise_ = false;
   bool started_ = false;
 };
 

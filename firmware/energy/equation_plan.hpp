@@ -6,6 +6,15 @@
 
 namespace firmware {
 
+struct WeightProducts {  // a product for each weight
+  int16_t of[kWeights];
+  WeightProducts() {
+    for (int16_t& product : of) product = kNoProduct;
+  }
+  int16_t& operator[](int weight) { return of[weight]; }
+  int16_t operator[](int weight) const { return of[weight]; }
+};
+
 // One coefficient in one DOF's equation. Its energy per unit coefficient under weight q is
 //   sign * (integral of q * column(a) - integral of q * column(b)); friction and effect terms have no b.
 struct Incidence {
@@ -14,8 +23,7 @@ struct Incidence {
   int8_t sign = 1;
   int16_t column_slot = -1;  // place among RowLayout::unknown, -1 where the coefficient is known
   uint16_t column_a = 0, column_b = 0;
-  int16_t product_a[kWeights] = {kNoProduct, kNoProduct, kNoProduct};
-  int16_t product_b[kWeights] = {kNoProduct, kNoProduct, kNoProduct};
+  WeightProducts product_a, product_b;
   int16_t product_smooth = kNoProduct;  // instrument times the sign of the smoothed rate
 };
 constexpr int kMaxTermIncidences = 2 * kMaxTerms;
@@ -24,9 +32,7 @@ struct DofProducts {
   bool has_displacement = false, has_velocity = false, has_acceleration = false;
   // The equation is taken only where the signs of all friction at the DOF are clear (links/clear_sign.hpp).
   bool clear_signs_only = false;
-  int16_t force[kWeights] = {kNoProduct, kNoProduct, kNoProduct};         // q f
-  int16_t displacement[kWeights] = {kNoProduct, kNoProduct, kNoProduct};  // q x
-  int16_t acceleration[kWeights] = {kNoProduct, kNoProduct, kNoProduct};  // q a
+  WeightProducts force, displacement, acceleration;  // q f, q x, q a
   int16_t velocity_square = kNoProduct, velocity_instrument = kNoProduct, acceleration_square = kNoProduct;
   int16_t weight_square = kNoProduct;  // weight of the velocity row times velocity
 };

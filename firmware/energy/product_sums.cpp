@@ -21,24 +21,27 @@ int16_t ProductSums::add(int column_a, int column_b) {
   }
   for (int i = 0; i < product_count_; ++i)
     if (product_[i].a == column_a && product_[i].b == column_b) return static_cast<int16_t>(i);
-  if (product_count_ == kMaxProducts) return kNoProduct;
+  if (product_count_ == kMaxProducts) {
+    complete_ = false;
+    return kNoProduct;
+  }
   product_[product_count_] = {static_cast<uint16_t>(column_a), static_cast<uint16_t>(column_b)};
   return static_cast<int16_t>(product_count_++);
 }
 
-void ProductSums::ends(const Frame& frame, int at, int64_t* result) const {
-  for (int i = 0; i < product_count_; ++i) {
-    const int32_t* a = &frame.column[product_[i].a][at];
-    const int32_t* b = &frame.column[product_[i].b][at];
-    result[i] = 12 * (static_cast<int64_t>(a[0]) * b[0]) - static_cast<int64_t>(a[1]) * b[1] +
-                static_cast<int64_t>(a[-1]) * b[-1];
-  }
+int64_t ProductSums::end(const Product& product, const Frame& frame, int at) const {
+  const int32_t* a = &frame.column[product.a][at];
+  const int32_t* b = &frame.column[product.b][at];
+  return 12 * (static_cast<int64_t>(a[0]) * b[0]) - static_cast<int64_t>(a[1]) * b[1] +
+         static_cast<int64_t>(a[-1]) * b[-1];
 }
 
 void ProductSums::start(const Frame& frame, int at) {
   FIRMWARE_PRECONDITION(at >= 1 && at + 1 < kFrameSamples);
-  ends(frame, at, start_);
-  for (int i = 0; i < product_count_; ++i) sum_[i] = 0;
+  for (int i = 0; i < product_count_; ++i) {
+    ends_[i] = end(product_[i], frame, at);
+    sum_[i] = 0;
+  }
 }
 
 void ProductSums::add_block(const Frame& frame, int from, int to) {
@@ -48,6 +51,8 @@ void ProductSums::add_block(const Frame& frame, int from, int to) {
     sum_[i] += dot(&frame.column[product_[i].a][from], &frame.column[product_[i].b][from], to - from);
 }
 
-void ProductSums::stop(const Frame& frame, int at) { ends(frame, at, end_); }
+void ProductSums::stop(const Frame& frame, int at) {
+  for (int i = 0; i < product_count_; ++i) ends_[i] = end(product_[i], frame, at) - ends_[i];
+}
 
 }  // namespace firmware

@@ -26,7 +26,11 @@ int64_t dot_block(const int32_t* a, const int32_t* b);
 
 class ProductSums {
  public:
-  void clear_plan() { product_count_ = 0; }
+  void clear_plan() {
+    product_count_ = 0;
+    complete_ = true;
+  }
+  bool complete() const { return complete_; }  // every product that was asked for has found room
   int count() const { return product_count_; }
   int column_a(int product) const { return product_[product].a; }
   int column_b(int product) const { return product_[product].b; }
@@ -35,19 +39,20 @@ class ProductSums {
 
   void start(const Frame& frame, int at);                // a window starts at this position of the frame
   void add_block(const Frame& frame, int from, int to);  // positions from <= n < to
-  void stop(const Frame& frame, int at);                 // the window ends at this position; integrals can be read
+  void stop(const Frame& frame, int at);  // the window ends at this position, once; integrals can be read
   int64_t sum(int product) const { return sum_[product]; }
-  int64_t ends_times_24(int product) const { return end_[product] - start_[product]; }
+  int64_t ends_times_24(int product) const { return ends_[product]; }
 
  private:
   struct Product {
     uint16_t a, b;  // columns
   };
-  void ends(const Frame& frame, int at, int64_t* result) const;
+  int64_t end(const Product& product, const Frame& frame, int at) const;
   void add_whole_block(const Frame& frame, int from);
 
   Product product_[kMaxProducts];
   int product_count_ = 0;
+  bool complete_ = true;
 #if FIRMWARE_HAS_VECTORS
   uint16_t rank_a_[kMaxProducts], rank_b_[kMaxProducts];  // the columns' places in column_
   uint16_t column_[kMaxColumns];                          // columns in use
@@ -62,8 +67,7 @@ class ProductSums {
   int group_count_ = 0, single_count_ = 0;
 #endif
   int64_t sum_[kMaxProducts];
-  int64_t start_[kMaxProducts];  // end corrections times 24
-  int64_t end_[kMaxProducts];
+  int64_t ends_[kMaxProducts];  // end corrections times 24: of the start, after stop() of both ends
 };
 
 }  // namespace firmware

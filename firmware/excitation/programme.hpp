@@ -43,6 +43,7 @@ enum class ProgrammeFault : uint8_t {
   kSlew,       // the sine or the ramp is steeper than the drive limits allow
   kLength,     // nothing to measure, or no ramp
   kSettle,     // block or number of blocks out of range, or no time limit
+  kCapacity,   // not of the programme: the rig needs more than the core has room for (capacity.hpp)
 };
 
 // What is wrong with the programme, and in which level (level is untouched for kNone and kTooManyLevels).

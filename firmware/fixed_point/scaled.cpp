@@ -64,12 +64,11 @@ Scaled operator+(Scaled a, Scaled b) {
 Scaled operator-(Scaled a) { return {-a.mantissa, a.exponent}; }
 Scaled operator-(Scaled a, Scaled b) { return a + (-b); }
 
-Scaled operator*(Scaled a, Scaled b) {
-  if (a.mantissa == 0 || b.mantissa == 0) return {};
-  const bool negative = (a.mantissa < 0) != (b.mantissa < 0);
-  const Wide product = multiply(magnitude(a.mantissa), magnitude(b.mantissa));  // 2^122 <= product < 2^124
-  const uint64_t top = (product.high << 4) | (product.low >> 60);               // product / 2^60, 2^62 <= top < 2^64
-  int32_t exponent = a.exponent + b.exponent + 61;
+// Of two normal mantissas.
+[[gnu::always_inline]] static inline Scaled product(uint64_t a, uint64_t b, int32_t exponent, bool negative) {
+  const Wide product = multiply(a, b);                             // 2^122 <= product < 2^124
+  const uint64_t top = (product.high << 4) | (product.low >> 60);  // product / 2^60, 2^62 <= top < 2^64
+  exponent += 61;
   uint64_t value = (top >> 1) + (top & 1u);  // to nearest; 2^61 <= value <= 2^63
   if (top >> 63) {
     value = (top >> 2) + ((top >> 1) & 1u);
@@ -80,6 +79,19 @@ Scaled operator*(Scaled a, Scaled b) {
     ++exponent;
   }
   return limited(value, exponent, negative);
+}
+
+Scaled operator*(Scaled a, Scaled b) {
+  if (a.mantissa == 0 || b.mantissa == 0) return {};
+  return product(magnitude(a.mantissa), magnitude(b.mantissa), a.exponent + b.exponent,
+                 (a.mantissa < 0) != (b.mantissa < 0));
+}
+
+Scaled times(Scaled a, int64_t n) {
+  if (a.mantissa == 0 || n == 0) return {};
+  const uint64_t value = magnitude(n);
+  const int shift = leading_zeros(value) - (64 - kMantissaBits);
+  return product(magnitude(a.mantissa), value << shift, a.exponent - shift, (a.mantissa < 0) != (n < 0));
 }
 
 Scaled operator/(Scaled a, Scaled b) {

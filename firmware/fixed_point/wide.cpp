@@ -44,7 +44,7 @@ uint32_t reciprocal_root(uint32_t z) {
 }  // namespace
 
 Wide multiply(uint64_t a, uint64_t b) {
-#ifdef __SIZEOF_INT128__
+#if defined(__SIZEOF_INT128__) && !defined(FIRMWARE_WITHOUT_INT128)
   const unsigned __int128 product = static_cast<unsigned __int128>(a) * b;
   return {static_cast<uint64_t>(product >> 64), static_cast<uint64_t>(product)};
 #else

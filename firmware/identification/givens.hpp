@@ -23,8 +23,8 @@ class TriangularFactor {
   void solve(Scaled* parameters) const;
   // After all rows: R^-1 with undetermined columns left out (their rows and columns are zero).
   void invert();
-  Scaled inverse(int row, int column) const { return inverse_[row][column]; }  // row <= column
-  Scaled factor(int row, int column) const { return factor_[row][column]; }    // row <= column
+  Scaled inverse(int row, int column) const { return inverse_[at(row, column)]; }  // row <= column
+  Scaled factor(int row, int column) const { return factor_[at(row, column)]; }    // row <= column
   // result = (R^T R)^-1 vector.
   void apply_covariance(const Scaled* vector, Scaled* result) const;
   Scaled covariance(int row, int column) const;
@@ -32,10 +32,14 @@ class TriangularFactor {
   Scaled residual_square() const { return residual_square_; }
 
  private:
+  // Place of an entry of a triangle: column by column, each down to its diagonal.
+  static constexpr int at(int row, int column) { return column * (column + 1) / 2 + row; }
+  static constexpr int kTriangle = kMaxUnknowns * (kMaxUnknowns + 1) / 2;
+
   int unknowns_ = 0;
   uint32_t rows_ = 0;
-  Scaled factor_[kMaxUnknowns][kMaxUnknowns + 1];  // last column: rotated right-hand side
-  Scaled inverse_[kMaxUnknowns][kMaxUnknowns];
+  Scaled factor_[kTriangle], rotated_[kMaxUnknowns];  // R, and the right-hand side
+  Scaled inverse_[kTriangle];
   Scaled residual_square_;
 };
 

@@ -34,7 +34,7 @@ void LevelObservables::load(const EquationList& list, const RowLayout& layout, c
   level_ = &level;
   for (int i = 0; i < list.dof_count; ++i) {
     load_scale(i);
-    for (int which = 0; which < kControlsPerDof; ++which) {
+    for (int which = 0; which < (list.displacement ? kControlsPerDof : 2); ++which) {
       load_control(i, which);
       judge_control(control(i, which));
     }

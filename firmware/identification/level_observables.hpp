@@ -11,7 +11,8 @@
 
 namespace firmware {
 
-constexpr int kControlsPerDof = 3;  // kinetic and elastic of the velocity weight, kinetic of the displacement weight
+constexpr int kControlsPerDof =
+    kWeights;  // kinetic and elastic of the velocity weight, kinetic of the displacement weight
 constexpr int kMaxControls = kControlsPerDof * kMaxDofs;
 constexpr int kMaxObservables = kMaxControls + kMaxEquations;
 

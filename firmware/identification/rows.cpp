@@ -16,7 +16,7 @@ constexpr uint32_t kConservativeTerms = conservative_terms();
 static_assert(kTermKinds <= 32, "a bit for each kind of term");
 
 bool has_rows(const BatchTable& table, Weight weight) {
-  const int q = static_cast<int>(weight);
+  const int q = static_cast<int>(weight) % kWeights;
   for (int l = 0; l < table.level_count; ++l) {
     const Level& level = table.level[l];
     for (int b = 0; b < level.batch_count; ++b)
@@ -37,7 +37,7 @@ EquationList list_equations(const CoreConfiguration& configuration, const BatchT
   list.instrument = has_rows(table, Weight::kInstrument);
   for (int t = 0; t < configuration.term_count; ++t)
     if (configuration.terms[t].unknown >= 0 && is_conservative(configuration.terms[t].kind)) list.displacement = true;
-  if (!has_rows(table, Weight::kDisplacement)) list.displacement = false;
+  if (kWeights < 3 || !has_rows(table, Weight::kDisplacement)) list.displacement = false;
   const Weight velocity = list.instrument ? Weight::kInstrument : Weight::kPlain;
   for (int i = 0; i < list.dof_count; ++i) list.equation[list.count++] = {static_cast<uint8_t>(i), velocity};
   if (list.displacement)

@@ -13,7 +13,7 @@ struct Equation {
   uint8_t dof = 0;
   Weight weight = Weight::kPlain;
 };
-constexpr int kMaxEquations = 2 * kMaxDofs;
+constexpr int kMaxEquations = (kWeights - 1) * kMaxDofs;
 
 struct EquationList {
   uint8_t count = 0;

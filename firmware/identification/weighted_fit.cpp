@@ -31,7 +31,8 @@ Scaled displacement_ratio(const EquationList& list, const BatchTable& table, int
 }  // namespace
 
 LevelObservables& WeightedFit::load_level(int level) {
-  level_.load(*list_, table_->layout, table_->level[level]);
+  if (level != loaded_) level_.load(*list_, table_->layout, table_->level[level]);
+  loaded_ = level;
   return level_;
 }
 
@@ -47,7 +48,7 @@ void WeightedFit::start_weights() {
 // that is a fixed share of the signal), else keeps the start weight.
 void WeightedFit::fill_unmeasured() {
   all_measured_ = true;
-  for (int l = 0; l < table_->level_count; ++l) {
+  for (int l = table_->level_count - 1; l >= 0; --l) {  // ends with the level that the fit begins with
     const LevelObservables& level = load_level(l);
     for (int e = 0; e < list_->count; ++e) {
       Whitening& whitening = whitening_[l][e];
@@ -101,6 +102,7 @@ void WeightedFit::fit() {
 void WeightedFit::solve(const EquationList& list, const BatchTable& table) {
   list_ = &list;
   table_ = &table;
+  loaded_ = -1;
   start_weights();
   fill_unmeasured();
   fit();

@@ -38,6 +38,7 @@ class WeightedFit {
   TriangularFactor factor_;
   Identifiability identifiability_;
   LevelObservables level_;
+  int loaded_ = -1;  // level that level_ holds
 };
 
 }  // namespace firmware

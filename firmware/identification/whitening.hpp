@@ -9,9 +9,10 @@
 
 namespace firmware {
 
-constexpr int kMaxPredecessors = 12;
 constexpr int kLeastBatches = 4;           // fewer show no usable scatter
 constexpr int kBatchesPerCoefficient = 7;  // regression coefficients are limited to batches / 7
+constexpr int kMostCoefficients = (kMaxBatches - 1) / kBatchesPerCoefficient;
+constexpr int kMaxPredecessors = kMostCoefficients < 1 ? 1 : kMostCoefficients < 12 ? kMostCoefficients : 12;
 
 struct Whitening {
   bool measured = false;  // deviation is from this level's own scatter

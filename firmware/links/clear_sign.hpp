@@ -29,7 +29,11 @@ class ClearSign {
     int64_t differences = 0, magnitudes = 0;  // sums of 6 |rate - interpolated| and 6 |rate|
     uint32_t count = 0;
   };
-  int32_t judge(int64_t own, int64_t around);  // around: six times the interpolated rate
+  // around: six times the interpolated rate; both in 2^-unit_bits of the common unit.
+  template <int kUnitBits, typename Rate>
+  int32_t judge(Rate own, Rate around);
+  template <int kUnitBits, typename Rate>
+  void judge_block(const Rate* w, int from, int to, int advance, int32_t* clear, int32_t* sign);
 
   RateGains gains_;
   int64_t means_ = 4;

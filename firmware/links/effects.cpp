@@ -59,9 +59,12 @@ int32_t value(const NodeDifference& side, const Frame& frame, int at) {
 
 void Effects::configure(const CoreConfiguration& configuration, Scaled* column_unit) {
   count_ = 0;
-  for (int t = 0; t < configuration.term_count && count_ < kMaxEffectColumns; ++t) {
+  complete_ = true;
+  for (int t = 0; t < configuration.term_count; ++t) {
     const Term& term = configuration.terms[t];
     if (!is_effect_term(term.kind)) continue;
+    complete_ = count_ < kMaxEffectColumns;
+    if (!complete_) return;
     const CoreLaw& law = core_law(term.kind);
     Effect& effect = effect_[count_];
     effect = Effect{};

@@ -15,7 +15,8 @@ class Effects {
  public:
   // Writes the unit of every effect's column to column_unit[kEffectColumn + number], in the order of the terms.
   void configure(const CoreConfiguration& configuration, Scaled* column_unit);
-  void restart();  // a new level: time and memory of hysteresis start again
+  bool complete() const { return complete_; }  // every effect term has a column
+  void restart();                              // a new level: time and memory of hysteresis start again
   // Fills positions [from, to). What remembers (hysteresis, time) goes on from position from + advance at the next call.
   void fill(Frame& frame, int from, int to, int advance);
 
@@ -32,6 +33,7 @@ class Effects {
 
   Effect effect_[kMaxEffectColumns];
   int count_ = 0;
+  bool complete_ = true;
 };
 
 }  // namespace firmware

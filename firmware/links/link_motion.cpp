@@ -4,7 +4,6 @@ namespace firmware {
 namespace {
 
 constexpr int kGainFraction = 23;
-constexpr int kGuardBits = 5;  // the common unit is up to 2^5 finer than the finer channel
 
 int64_t velocity(const Frame& frame, int column, bool smoothed, int i) {
   const int32_t* v = &frame.column[column][i];
@@ -20,6 +19,18 @@ int32_t velocity_sum(const int32_t* v, bool smoothed) {
 }  // namespace
 
 bool equal_units(const RateGains& gains) { return !gains.has_a || !gains.has_b || gains.gain_a == gains.gain_b; }
+
+void rate_of_difference(const RateGains& gains, const Frame& frame, int from, int to, int32_t* rate) {
+  const int32_t* a = frame.column[gains.column_a];
+  const int32_t* b = frame.column[gains.column_b];
+  if (!gains.has_b) {
+    for (int i = from; i < to; ++i) rate[i] = a[i];
+  } else if (!gains.has_a) {
+    for (int i = from; i < to; ++i) rate[i] = -b[i];
+  } else {
+    for (int i = from; i < to; ++i) rate[i] = a[i] - b[i];
+  }
+}
 
 void signs_of_difference(const RateGains& gains, const Frame& frame, bool smoothed, int from, int to, int32_t* sign) {
   static const int32_t kRest[kFrameStride] = {};
@@ -42,8 +53,8 @@ RateGains rate_gains(const CoreConfiguration& configuration, const LinkConfigura
   const Scaled unit_b = gains.has_b ? configuration.signals[link.node_b][velocity_index].unit_per_code : Scaled{};
   const Scaled coarser = unit_a > unit_b ? unit_a : unit_b;
   if (coarser.is_zero()) return gains;
-  gains.gain_a = static_cast<int32_t>(to_fixed(unit_a / coarser, kGainFraction + kGuardBits));
-  gains.gain_b = static_cast<int32_t>(to_fixed(unit_b / coarser, kGainFraction + kGuardBits));
+  gains.gain_a = static_cast<int32_t>(to_fixed(unit_a / coarser, kGainFraction + kRateGuardBits));
+  gains.gain_b = static_cast<int32_t>(to_fixed(unit_b / coarser, kGainFraction + kRateGuardBits));
   return gains;
 }
 

@@ -24,6 +24,9 @@ RateGains rate_gains(const CoreConfiguration& configuration, const LinkConfigura
 void link_rate(const RateGains& gains, const Frame& frame, bool smoothed, int from, int to, int64_t* rate);
 // Whether both codes have one unit (or one end is ground): the sign of the rate is then that of a plain difference.
 bool equal_units(const RateGains& gains);
+// Then link_rate() is 2^kRateGuardBits times this.
+constexpr int kRateGuardBits = 5;  // the common unit is up to 2^5 finer than the finer channel
+void rate_of_difference(const RateGains& gains, const Frame& frame, int from, int to, int32_t* rate);
 // The same signs as link_rate() and signs() give where equal_units(), without the 64-bit steps.
 void signs_of_difference(const RateGains& gains, const Frame& frame, bool smoothed, int from, int to, int32_t* sign);
 // -1, 0 or 1 for each.

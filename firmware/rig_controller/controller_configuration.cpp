@@ -1,6 +1,7 @@
 // One list of fields, walked by a writer, a reader and a check sum.
 #include "firmware/rig_controller/controller_configuration.hpp"
 
+#include <new>
 #include <type_traits>
 
 #include "firmware/can_protocol/estimate_frames.hpp"
@@ -9,7 +10,8 @@
 namespace firmware {
 namespace {
 
-constexpr uint32_t kVersion = 0x52433036;  // "RC06": changes with the list of fields
+constexpr int kMostWeights = 3;
+constexpr uint32_t kVersion = 0x52433037;  // "RC07": changes with the list of fields
 
 // Bytes go to a buffer where there is one, and into the check sum.
 class Writer {
@@ -22,6 +24,8 @@ class Writer {
   }
   template <typename T>
   void clear(const T&) {}
+  void node(uint8_t number) { field(static_cast<uint8_t>(wire_node(number))); }
+  static int count(int number, int) { return number; }
   size_t size() const { return size_; }
   uint32_t crc() const { return crc_.value(); }
 
@@ -46,6 +50,8 @@ class Counter {
   }
   template <typename T>
   constexpr void clear(const T&) {}
+  constexpr void node(uint8_t) { ++size_; }
+  static constexpr int count(int number, int) { return number; }
   constexpr size_t size() const { return size_; }
 
  private:
@@ -69,14 +75,25 @@ class Reader {
   void clear(T (&values)[N]) {
     for (T& value : values) value = T{};
   }
+  void node(uint8_t& number) {
+    const int index = node_of_wire(next());
+    refused_ = refused_ || index < 0;
+    number = static_cast<uint8_t>(index < 0 ? kGroundNode : index);
+  }
+  // What does not fit this core is refused.
+  int count(int number, int capacity) {
+    refused_ = refused_ || number > capacity;
+    return number > capacity ? capacity : number;
+  }
   size_t read() const { return place_; }
-  bool overrun() const { return place_ > size_; }
+  bool overrun() const { return refused_ || place_ > size_; }
 
  private:
   uint8_t next() { return place_ < size_ ? bytes_[place_++] : (++place_, uint8_t{0}); }
   const uint8_t* bytes_;
   size_t size_;
   size_t place_ = 0;
+  bool refused_ = false;
 };
 
 // Whether bytes are those of a configuration in memory.
@@ -91,6 +108,8 @@ class Comparer {
   }
   template <typename T>
   void clear(const T&) {}
+  void node(uint8_t number) { field(static_cast<uint8_t>(wire_node(number))); }
+  static int count(int number, int) { return number; }
   bool same() const { return same_ && !reader_.overrun(); }
   size_t read() const { return reader_.read(); }
 
@@ -125,7 +144,8 @@ constexpr void walk_signal(Archive& archive, Signal& signal) {
   archive.field(signal.half_length);
   archive.field(signal.shift);
   archive.clear(signal.tap);
-  for (int i = 0; i <= 2 * signal.half_length && i <= 2 * kFilterHalf; ++i) archive.field(signal.tap[i].raw);
+  const int half = archive.count(signal.half_length, kFilterHalf);
+  for (int i = 0; i <= 2 * half; ++i) archive.field(signal.tap[i].raw);
   walk_scaled(archive, signal.unit_per_code);
 }
 
@@ -136,43 +156,63 @@ constexpr void walk_fusion(Archive& archive, Fusion& fusion, int half_length) {
   archive.field(fusion.leak_shift);
   archive.clear(fusion.step_tap);
   if (!fusion.used) return;
-  for (int i = 0; i <= 2 * half_length && i <= 2 * kFusionHalf; ++i) archive.field(fusion.step_tap[i].raw);
+  const int half = archive.count(half_length, kFusionHalf);
+  for (int i = 0; i <= 2 * half; ++i) archive.field(fusion.step_tap[i].raw);
+}
+
+// The nodes in use, the base last.
+template <typename Core, typename Visit>
+constexpr void for_each_node(const Core& core, int dofs, Visit visit) {
+  for (int node = 0; node < dofs; ++node) visit(node);
+  if (kHasBase && core.base_present) visit(kBaseNode);
 }
 
 // Noise that a derived velocity shares with its neighbours; none elsewhere.
-template <typename Archive, typename Core>
-constexpr void walk_shared_noise(Archive& archive, Core& core) {
-  for (int node = 0; node < kMaxNodes; ++node) {
-    const bool derived = core.signals[node][static_cast<int>(Quantity::kVelocity)].derived;
-    for (auto& weight : core.shared_noise[node]) {
-      archive.clear(weight);
-      if (!derived) continue;
-      for (int q = 1; q < kQuantities; ++q) walk_scaled(archive, weight[q]);
-    }
+template <typename Archive, typename Noise>
+constexpr void walk_shared_noise(Archive& archive, Noise& noise, bool derived) {
+  for (auto& weight : noise) {
+    archive.clear(weight);
+    if (!derived) continue;
+    for (int q = 1; q < kQuantities; ++q) walk_scaled(archive, weight[q]);
+  }
+  for (int unused = (kMostWeights - kWeights) * (kQuantities - 1); derived && unused > 0; --unused) {
+    Scaled none;
+    walk_scaled(archive, none);
   }
 }
 
+// Noise that the score tests take out; there where it is shared.
 template <typename Archive, typename Core>
-constexpr void walk_probe_noise(Archive& archive, Core& core) {
-  archive.field(core.shares_probe_noise);
-  archive.field(core.noise_unknown);
-  for (auto& node : core.probe_noise) {
-    for (auto& weight : node.motion) {
-      archive.clear(weight);
-      for (auto& covariance : weight)
-        if (core.shares_probe_noise) walk_scaled(archive, covariance);
-    }
-    if (core.shares_probe_noise) walk_scaled(archive, node.force);
+constexpr void walk_probe_noise(Archive& archive, Core& core, int node) {
+  auto& noise = core.probe_noise[kKeepsProbeNoise ? node : 0];
+  for (auto& weight : noise.motion) {
+    archive.clear(weight);
+    for (auto& covariance : weight)
+      if (core.shares_probe_noise) walk_scaled(archive, covariance);
   }
+  if (core.shares_probe_noise) walk_scaled(archive, noise.force);
+}
+
+// Of a node: its channels, what the equations use of them, and how a velocity is fused.
+template <typename Archive, typename Core>
+constexpr void walk_signals(Archive& archive, Core& core, int node) {
+  for (auto& channel : core.channels[node]) walk_channel(archive, channel);
+  for (auto& signal : core.signals[node]) walk_signal(archive, signal);
+  const auto& velocity = core.signals[node][static_cast<int>(Quantity::kVelocity)];
+  walk_fusion(archive, core.fusion[node], velocity.half_length);
+  walk_shared_noise(archive, core.shared_noise[node], velocity.derived);
+  walk_probe_noise(archive, core, node);
 }
 
 template <typename Archive, typename Core>
 constexpr void walk_sign_filter(Archive& archive, Core& core) {
   archive.field(core.sign_half_length);
   archive.clear(core.sign_tap);
-  for (int k = 0; k <= 2 * core.sign_half_length && k <= 2 * kSignFilterHalf; ++k) archive.field(core.sign_tap[k].raw);
+  const int half = archive.count(core.sign_half_length, kSignFilterHalf);
+  for (int k = 0; k <= 2 * half; ++k) archive.field(core.sign_tap[k].raw);
 }
 
+// Counts first, then what is in use: a core of another capacity reads the same bytes.
 template <typename Archive, typename Core>
 constexpr void walk_core(Archive& archive, Core& core) {
   archive.field(core.dof_count);
@@ -180,12 +220,19 @@ constexpr void walk_core(Archive& archive, Core& core) {
   archive.field(core.term_count);
   archive.field(core.unknown_count);
   archive.field(core.base_present);
+  const int dofs = archive.count(core.dof_count, kMaxDofs), links = archive.count(core.link_count, kMaxLinks);
+  const int terms = archive.count(core.term_count, kMaxTerms);
+  archive.count(core.unknown_count, kMaxUnknowns);
+  archive.count(core.base_present ? 1 : 0, kHasBase ? 1 : 0);
+  archive.field(core.shares_probe_noise);
+  archive.field(core.noise_unknown);
   walk_scaled(archive, core.sample_period_s);
-  for (auto& link : core.links) {
-    archive.field(link.node_a);
-    archive.field(link.node_b);
+  for (int l = 0; l < links; ++l) {
+    archive.node(core.links[l].node_a);
+    archive.node(core.links[l].node_b);
   }
-  for (auto& term : core.terms) {
+  for (int t = 0; t < terms; ++t) {
+    auto& term = core.terms[t];
     archive.field(term.kind);
     archive.field(term.place);
     archive.field(term.unknown);
@@ -193,14 +240,7 @@ constexpr void walk_core(Archive& archive, Core& core) {
     walk_scaled(archive, term.shape);
     archive.field(term.second_shape_q26);
   }
-  for (auto& node : core.channels)
-    for (auto& channel : node) walk_channel(archive, channel);
-  for (auto& node : core.signals)
-    for (auto& signal : node) walk_signal(archive, signal);
-  for (int node = 0; node < kMaxNodes; ++node)
-    walk_fusion(archive, core.fusion[node], core.signals[node][static_cast<int>(Quantity::kVelocity)].half_length);
-  walk_shared_noise(archive, core);
-  walk_probe_noise(archive, core);
+  for_each_node(core, dofs, [&](int node) { walk_signals(archive, core, node); });
   archive.field(core.high_pass_order);
   archive.field(core.high_pass_shift);
   walk_sign_filter(archive, core);
@@ -234,17 +274,19 @@ constexpr void walk_programme(Archive& archive, Programme& programme) {
   archive.field(programme.start_at_boot);
   archive.field(programme.limits.magnitude.raw);
   archive.field(programme.limits.step_per_sample.raw);
-  for (auto& level : programme.levels) walk_level(archive, level);
+  const int levels = archive.count(programme.level_count, kMaxLevels);
+  for (int l = 0; l < levels; ++l) walk_level(archive, programme.levels[l]);
 }
 
-template <typename Archive, typename Limits>
-constexpr void walk_limits(Archive& archive, Limits& limits) {
+template <typename Archive, typename Limits, typename Core>
+constexpr void walk_limits(Archive& archive, Limits& limits, const Core& core) {
   archive.field(limits.saturated_in_row);
   archive.field(limits.lost_in_row);
   archive.field(limits.sample_timeout_us);
   archive.field(limits.step_timeout_us);
-  for (auto& node : limits.response_limit_code)
-    for (auto& code : node) archive.field(code);
+  for_each_node(core, archive.count(core.dof_count, kMaxDofs), [&](int node) {
+    for (auto& code : limits.response_limit_code[node]) archive.field(code);
+  });
 }
 
 template <typename Archive, typename Node>
@@ -266,7 +308,7 @@ template <typename Archive, typename Configuration>
 constexpr void walk_rig(Archive& archive, Configuration& configuration) {
   walk_core(archive, configuration.core);
   walk_programme(archive, configuration.programme);
-  walk_limits(archive, configuration.limits);
+  walk_limits(archive, configuration.limits, configuration.core);
 }
 
 // Every filter at its longest (a fused velocity's two are shorter together); everything else has one length. Version before it and check sum behind it.
@@ -274,6 +316,11 @@ constexpr size_t longest_encoding() {
   ControllerConfiguration longest;
   longest.core.shares_probe_noise = true;
   longest.core.sign_half_length = kSignFilterHalf;
+  longest.core.dof_count = kMaxDofs;
+  longest.core.link_count = kMaxLinks;
+  longest.core.term_count = kMaxTerms;
+  longest.core.base_present = kHasBase;
+  longest.programme.level_count = kMaxLevels;
   for (auto& node : longest.core.signals)
     for (SignalConfiguration& signal : node) {
       signal.half_length = kFilterHalf;
@@ -286,7 +333,7 @@ constexpr size_t longest_encoding() {
   counter.field(uint32_t{});
   return counter.size();
 }
-static_assert(longest_encoding() <= kConfigurationBytes, "a store must take the largest configuration");
+static_assert(longest_encoding() <= kConfigurationBytes, "see kConfigurationBytes");
 
 Writer write(const ControllerConfiguration& configuration, uint8_t* bytes, size_t capacity) {
   Writer writer(bytes, capacity);
@@ -316,6 +363,7 @@ size_t encode(const ControllerConfiguration& configuration, uint8_t (&bytes)[kCo
 bool decode(const uint8_t* bytes, size_t size, ControllerConfiguration& configuration) {
   if (!whole(bytes, size)) return false;
   Reader reader(bytes + kVersionBytes, size - kVersionBytes - kCrcBytes);
+  new (&configuration) ControllerConfiguration;  // what is not in use stands as it starts
   walk_rig(reader, configuration);
   walk_node(reader, configuration.node);
   return !reader.overrun() && reader.read() == size - kVersionBytes - kCrcBytes;

@@ -18,12 +18,6 @@
 
 namespace firmware {
 
-#ifdef FIRMWARE_MAX_WAITING
-constexpr int kMaxWaiting = FIRMWARE_MAX_WAITING;  // a board without a worker needs no more than 64
-#else
-constexpr int kMaxWaiting = 1024;  // samples that come during one solve
-#endif
-
 class Estimation {
  public:
   struct Results {

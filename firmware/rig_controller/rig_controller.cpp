@@ -62,6 +62,7 @@ void RigController::boot() {
   if (fault != ProgrammeFault::kNone) {
     judge({AlarmCause::kConfiguration, static_cast<uint32_t>(fault) << 8 | level});
   }
+  if (!core().fits()) judge({AlarmCause::kConfiguration, static_cast<uint32_t>(ProgrammeFault::kCapacity) << 8});
   objects_.apply();
   schedule_.start(now_ns_);
   start_waits_ = configuration_.programme.start_at_boot;
@@ -125,12 +126,11 @@ bool RigController::reset() {
 
 // False where samples are left: those that waited while the program started are too old to drive by.
 bool RigController::take_samples() {
-  RawSample sample;
   for (int taken = 0; taken < kSamplesPerStep; ++taken) {
-    switch (ports_.samples.read(sample)) {
+    switch (ports_.samples.read(sample_)) {
       case hal::SampleResult::kSample:
         source_stopped_ = false;
-        take_sample(sample);
+        take_sample(sample_);
         break;
       case hal::SampleResult::kNone:
         return true;

@@ -134,6 +134,7 @@ class RigController final {
   DescriptionFrames descriptions_;
   AlarmQueue alarms_;
 
+  RawSample sample_;  // the last one; channels that are not there stay 0
   uint64_t now_ns_ = 0;
   uint64_t boot_ns_ = 0;
   bool booted_ = false;

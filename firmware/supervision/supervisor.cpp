@@ -9,6 +9,9 @@ uint32_t milliseconds(uint64_t time_us) {
   return static_cast<uint32_t>(time_ms > UINT32_MAX ? UINT32_MAX : time_ms);
 }
 
+// By a whole microsecond; without the division, which a small processor does in software.
+bool over(uint64_t time_ns, uint32_t limit_us) { return time_ns >= (uint64_t{limit_us} + 1) * 1000; }
+
 Alarm at(AlarmCause cause, uint32_t detail, int node, int quantity) {
   return {cause, detail, static_cast<uint8_t>(node), static_cast<uint8_t>(quantity)};
 }
@@ -20,28 +23,41 @@ void Supervisor::configure(const CoreConfiguration& core, const LimitConfigurati
   core_ = &core;
   limits_ = &limits;
   drive_ = drive;
+  for (int node = 0; node < kMaxNodes; ++node) {
+    if (node >= core.dof_count && !(node == kBaseNode && core.base_present)) continue;
+    for (int quantity = 0; quantity < kQuantities; ++quantity) {
+      const ChannelConfiguration& configured = core.channels[node][quantity];
+      if (!configured.present) continue;
+      Channel& channel = channel_[channel_count_++];
+      const int64_t count = int64_t{configured.highest_code} - configured.lowest_code - 1;
+      channel.inside = configured.lowest_code + 1;
+      channel.count = count > 0 ? static_cast<uint32_t>(count) : 0;
+      channel.offset = configured.offset_code;
+      channel.limit = limits.response_limit_code[node][quantity];
+      channel.node = static_cast<uint8_t>(node);
+      channel.quantity = static_cast<uint8_t>(quantity);
+    }
+  }
 }
 
 void Supervisor::begin(uint64_t now_ns) {
   last_sample_ns_ = now_ns;
   last_step_ns_ = now_ns;
-  for (auto& node : saturated_in_row_)
-    for (uint16_t& count : node) count = 0;
+  for (Channel& channel : channel_) channel.saturated_in_row = 0;
 }
 
 Alarm Supervisor::check_sample(const RawSample& sample, uint64_t now_ns, bool live) {
   const bool has_time = sample.time_ns != 0 && sample.time_ns <= now_ns;
   last_sample_ns_ = has_time ? sample.time_ns : now_ns;
   Alarm alarm = check_sequence(sample, live);
-  const uint64_t age_us = (now_ns - last_sample_ns_) / 1000;
-  if (live && age_us > limits_->sample_timeout_us && !stops_drive(alarm.cause))
-    alarm = {AlarmCause::kSensorLost, milliseconds(age_us)};
-  for (int node = 0; node < kMaxNodes; ++node) {
-    if (node >= core_->dof_count && node != kBaseNode) continue;
-    for (int quantity = 0; quantity < kQuantities; ++quantity) {
-      const Alarm found = check_channel(sample, node, quantity, live);
-      if (stops_drive(found.cause) && !stops_drive(alarm.cause)) alarm = found;
-    }
+  if (live && over(now_ns - last_sample_ns_, limits_->sample_timeout_us) && !stops_drive(alarm.cause))
+    alarm = {AlarmCause::kSensorLost, milliseconds((now_ns - last_sample_ns_) / 1000)};
+  for (Channel *channel = channel_, *end = channel_ + channel_count_; channel != end; ++channel) {
+    const int32_t code = sample.code[channel->node][channel->quantity];
+    const bool saturated = static_cast<uint32_t>(code) - static_cast<uint32_t>(channel->inside) >= channel->count;
+    if (!saturated && channel->saturated_in_row == 0 && (!live || channel->limit == 0)) continue;
+    const Alarm found = judge_code(*channel, code, live);
+    if (stops_drive(found.cause) && !stops_drive(alarm.cause)) alarm = found;
   }
   return alarm;
 }
@@ -57,31 +73,28 @@ Alarm Supervisor::check_sequence(const RawSample& sample, bool live) {
   return {live && missed >= limits_->lost_in_row ? AlarmCause::kSensorLost : AlarmCause::kSamplesMissed, missed};
 }
 
-Alarm Supervisor::check_channel(const RawSample& sample, int node, int quantity, bool live) {
-  const ChannelConfiguration& channel = core_->channels[node][quantity];
-  if (!channel.present) return Alarm{};
-  const int32_t code = sample.code[node][quantity];
-  uint16_t& in_row = saturated_in_row_[node][quantity];
-  if (code <= channel.lowest_code || code >= channel.highest_code) {
+Alarm Supervisor::judge_code(Channel& channel, int32_t code, bool live) {
+  uint16_t& in_row = channel.saturated_in_row;
+  if (static_cast<uint32_t>(code) - static_cast<uint32_t>(channel.inside) >= channel.count) {
     ++counters_.saturated_samples;
     if (in_row < 0xFFFF) ++in_row;
-    if (live && in_row >= limits_->saturated_in_row) return at(AlarmCause::kSensorSaturated, in_row, node, quantity);
+    if (live && in_row >= limits_->saturated_in_row)
+      return at(AlarmCause::kSensorSaturated, in_row, channel.node, channel.quantity);
   } else {
     in_row = 0;
   }
-  const int32_t limit = limits_->response_limit_code[node][quantity];
-  const int64_t value = static_cast<int64_t>(code) - channel.offset_code;
-  if (!live || limit == 0 || (value <= limit && value >= -static_cast<int64_t>(limit))) return Alarm{};
-  return at(AlarmCause::kResponseLimit, static_cast<uint32_t>(code), node, quantity);
+  const int64_t value = static_cast<int64_t>(code) - channel.offset, limit = channel.limit;
+  if (!live || limit == 0 || (value <= limit && value >= -limit)) return Alarm{};
+  return at(AlarmCause::kResponseLimit, static_cast<uint32_t>(code), channel.node, channel.quantity);
 }
 
 Alarm Supervisor::check_time(uint64_t now_ns, bool live) {
-  const uint64_t since_step_us = (now_ns - last_step_ns_) / 1000;
-  const uint64_t since_sample_us = (now_ns - last_sample_ns_) / 1000;
+  const uint64_t since_step_ns = now_ns - last_step_ns_, since_sample_ns = now_ns - last_sample_ns_;
   last_step_ns_ = now_ns;
   if (!live) return Alarm{};
-  if (since_step_us > limits_->step_timeout_us) return {AlarmCause::kStepLate, milliseconds(since_step_us)};
-  if (since_sample_us > limits_->sample_timeout_us) return {AlarmCause::kSensorLost, milliseconds(since_sample_us)};
+  if (over(since_step_ns, limits_->step_timeout_us)) return {AlarmCause::kStepLate, milliseconds(since_step_ns / 1000)};
+  if (over(since_sample_ns, limits_->sample_timeout_us))
+    return {AlarmCause::kSensorLost, milliseconds(since_sample_ns / 1000)};
   return Alarm{};
 }
 

@@ -43,7 +43,6 @@ class Supervisor {
 
  private:
   Alarm check_sequence(const RawSample& sample, bool live);
-  Alarm check_channel(const RawSample& sample, int node, int quantity, bool live);
 
   const CoreConfiguration* core_ = nullptr;
   const LimitConfiguration* limits_ = nullptr;
@@ -52,7 +51,17 @@ class Supervisor {
   uint32_t sequence_ = 0;
   uint64_t last_sample_ns_ = 0;
   uint64_t last_step_ns_ = 0;
-  uint16_t saturated_in_row_[kMaxNodes][kQuantities] = {};
+  // What a step looks at of a channel that is there.
+  struct Channel {
+    int32_t inside = 0;  // the lowest code that is not saturated
+    uint32_t count = 0;  // of such codes
+    int32_t offset = 0, limit = 0;
+    uint8_t node = 0, quantity = 0;
+    uint16_t saturated_in_row = 0;
+  };
+  Alarm judge_code(Channel& channel, int32_t code, bool live);
+  Channel channel_[kMaxNodes * kQuantities];
+  int channel_count_ = 0;
   Drive last_command_;
   SupervisionCounters counters_;
 };

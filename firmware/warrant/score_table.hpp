@@ -13,12 +13,7 @@
 
 namespace firmware {
 
-#ifdef FIRMWARE_WARRANT_NUMBERS
-constexpr int kWarrantNumbers = FIRMWARE_WARRANT_NUMBERS;
-#else
-constexpr int kWarrantNumbers = 65536;  // 8 bytes each
-#endif
-constexpr int kMostStretches = 256, kFewestStretches = 16;
+constexpr int kFewestStretches = kMostStretches < 16 ? kMostStretches : 16;
 constexpr int kMostProbeValues = kWarrantNumbers / kFewestStretches;
 constexpr int kExactBlocks = 32;
 

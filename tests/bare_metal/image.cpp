@@ -1,4 +1,4 @@
-// The program on the emulated microcontroller: command line "SCRIPT [plain]". The work counter is the board's 25 MHz
+// The program on the emulated microcontroller: command line "SCRIPT [plain] [untested] [frames]". The work counter is the board's 25 MHz
 // timer: with the emulator's -icount shift=6 an instruction takes 64 ns, 1.6 ticks.
 #include "tests/bare_metal/script.hpp"
 #include "tests/bare_metal/semihosting.hpp"
@@ -37,14 +37,15 @@ class Timer final : public bare_metal::WorkCounter {
 int main() {
   static char path[256];
   if (!semihosting::command_line(path, sizeof path)) return 1;
-  int detail = 3;
+  bare_metal::Words words;
   for (char* c = path; *c != 0; ++c)
     if (*c == ' ') {
       *c = 0;
-      detail = 1;
+      words = bare_metal::read_words(c + 1);
+      break;
     }
   static ScriptFile file(path);
   static Console console;
   static Timer timer;
-  return file.open() && bare_metal::run_script(file, console, timer, detail) ? 0 : 1;
+  return file.open() && bare_metal::run_script(file, console, timer, words) ? 0 : 1;
 }

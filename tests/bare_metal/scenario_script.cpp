@@ -1,5 +1,6 @@
-// scenario_script SCENARIO SEED FILE: what the board would sample in a shipped scenario, as a script (script.hpp); the
-// estimates are asked for once a second and at each level's end.
+// scenario_script SCENARIO SEED FILE [SAMPLES [x]]: what the board would sample in a shipped scenario, as a script (script.hpp); the
+// estimates are asked for once a second and at each level's end. SAMPLES: of each level, the first ones.
+// x: force and displacement are measured alone.
 #include <cmath>
 #include <cstdio>
 #include <fstream>
@@ -17,7 +18,7 @@ void put32(std::ofstream& out, uint32_t value) {
   for (int i = 0; i < 4; ++i) out.put(static_cast<char>(value >> (8 * i)));
 }
 
-void write(const host_sim::Scenario& scenario, uint64_t seed, const std::string& path) {
+void write(const host_sim::Scenario& scenario, uint64_t seed, const std::string& path, size_t most) {
   host_sim::VirtualRig rig(scenario, seed);
   firmware::CoreConfiguration core =
       rig_file::compile_rig(scenario.rig, scenario.sample_period_s(), rig.measured().calibrations);
@@ -34,8 +35,11 @@ void write(const host_sim::Scenario& scenario, uint64_t seed, const std::string&
   firmware::RawSample sample;
   size_t in_level = 0;
   while (rig.read(sample) == hal::SampleResult::kSample) {
-    if (rig.first_of_level()) out.put('L');
-    if (rig.phase() != host_sim::RigPhase::kSettling) {
+    if (rig.first_of_level()) {
+      out.put('L');
+      in_level = 0;
+    }
+    if (rig.phase() != host_sim::RigPhase::kSettling && in_level < most) {
       out.put('S');
       for (int node = 0; node < firmware::kMaxNodes; ++node)
         for (int quantity = 0; quantity < firmware::kQuantities; ++quantity)
@@ -50,12 +54,14 @@ void write(const host_sim::Scenario& scenario, uint64_t seed, const std::string&
 }  // namespace
 
 int main(int count, char** words) {
-  if (count != 4) {
-    std::cerr << "usage: scenario_script SCENARIO SEED FILE\n";
+  if (count < 4 || count > 6) {
+    std::cerr << "usage: scenario_script SCENARIO SEED FILE [SAMPLES [x]]\n";
     return 2;
   }
   try {
-    write(host_sim::load_scenario(words[1]), std::stoull(words[2]), words[3]);
+    host_sim::Scenario scenario = host_sim::load_scenario(words[1]);
+    if (count == 6) scenario.sensors.quantities = {host_sim::Quantity::kForce, host_sim::Quantity::kDisplacement};
+    write(scenario, std::stoull(words[2]), words[3], count >= 5 ? std::stoull(words[4]) : SIZE_MAX);
     return 0;
   } catch (const std::exception& error) {
     std::cerr << "scenario_script: " << error.what() << "\n";

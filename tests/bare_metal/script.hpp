@@ -37,9 +37,26 @@ class WorkCounter {
   ~WorkCounter() = default;
 };
 
+// What is left of the command line.
+struct Words {
+  bool plain = false;     // "plain": the paper's products alone
+  bool untested = false;  // "untested": without the score tests
+  bool frames = false;    // "frames": the whole controller
+  bool slow = false;      // "slow": first batches of 128 samples, not 32
+};
+Words read_words(const char* text);
+
 // Runs the script through the core and prints each set of estimates as integers (mantissa:exponent), then what the path
-// cost: "push: samples N total T worst W" and "solve: count N worst W" in the counter's unit, where the counter counts.
-// detail 1: plain sums, 3: full. Returns false where the script cannot be read.
-bool run_script(Bytes& script, Text& out, WorkCounter& counter, int detail);
+// cost: "push: count N total T worst W" and "solve: ..." in the counter's unit, where the counter counts.
+// Returns false where the script cannot be read.
+bool run_core(Bytes& script, Text& out, WorkCounter& counter, const Words& words);
+
+// Runs the script through a RigController that listens on command, one step() a sample, without a worker, and prints after
+// each level how many frames it has sent and their CRC-32 (identifiers, lengths and data), then what the steps cost.
+bool run_controller(Bytes& script, Text& out, WorkCounter& counter, const Words& words);
+
+inline bool run_script(Bytes& script, Text& out, WorkCounter& counter, const Words& words) {
+  return words.frames ? run_controller(script, out, counter, words) : run_core(script, out, counter, words);
+}
 
 }  // namespace bare_metal

@@ -1,6 +1,5 @@
-// The same on a machine with an operating system: script_host SCRIPT [plain]
+// The same on a machine with an operating system: script_host SCRIPT [plain] [untested] [frames]
 #include <cstdio>
-#include <cstring>
 
 #include "tests/bare_metal/script.hpp"
 
@@ -27,11 +26,18 @@ class NoCounter final : public bare_metal::WorkCounter {
 
 }  // namespace
 
-int main(int count, char** words) {
+int main(int count, char** arguments) {
   if (count < 2) return 2;
-  static ScriptFile file(words[1]);
+  static ScriptFile file(arguments[1]);
   static Console console;
   static NoCounter counter;
-  return bare_metal::run_script(file, console, counter, count > 2 && std::strcmp(words[2], "plain") == 0 ? 1 : 3) ? 0
-                                                                                                                  : 1;
+  bare_metal::Words words;
+  for (int n = 2; n < count; ++n) {
+    const bare_metal::Words more = bare_metal::read_words(arguments[n]);
+    words.plain = words.plain || more.plain;
+    words.untested = words.untested || more.untested;
+    words.frames = words.frames || more.frames;
+    words.slow = words.slow || more.slow;
+  }
+  return bare_metal::run_script(file, console, counter, words) ? 0 : 1;
 }

@@ -26,6 +26,22 @@ TEST(PackedScaled, KeepsFortySevenBits) {
   EXPECT_EQ(to_double(pack(Scaled{})), 0.0);
 }
 
+// The short way of adding two stored numbers has the bits of the long one, whatever their signs and distance.
+TEST(PackedScaled, SumsHaveTheBitsOfTheirWideForm) {
+  uint64_t random = 1;
+  const auto next = [&random] { return random = random * 6364136223846793005u + 1442695040888963407u; };
+  for (int trial = 0; trial < 200000; ++trial) {
+    const auto a = static_cast<int64_t>(next()) >> (next() >> 58), b = static_cast<int64_t>(next()) >> (next() >> 58);
+    const int distance = static_cast<int>(next() >> 57) - 64;
+    const PackedScaled left = pack(Scaled::from_int(a / 2, 5)), right = pack(Scaled::from_int(b / 2, 5 + distance));
+    ASSERT_EQ((left + right).bits, pack(unpack(left) + unpack(right)).bits) << a << " " << b << " " << distance;
+  }
+  const PackedScaled one = pack(Scaled::from_int(3));
+  EXPECT_EQ((one + pack(Scaled::from_int(-3))).bits, 0);
+  EXPECT_EQ((one + PackedScaled{}).bits, one.bits);
+  EXPECT_EQ((PackedScaled{} + one).bits, one.bits);
+}
+
 TEST(BatchCollector, MergesPairsWhenFullAndLosesNothing) {
   // Batches of 32 samples with energy 1, 2, 3, ...: whatever merges, the sum over N batches is N (N + 1) / 2.
   CoreConfiguration configuration;

@@ -22,6 +22,19 @@ void expect_close(Scaled got, long double want, long double size) {
   EXPECT_LE(std::fabs(static_cast<double>(value(got) - want)), std::ldexp(static_cast<double>(std::fabs(size)), -59));
 }
 
+TEST(Scaled, TimesAWholeNumberHasTheBitsOfTheProduct) {
+  uint64_t random = 7;
+  const auto next = [&random] { return random = random * 6364136223846793005u + 1442695040888963407u; };
+  for (int trial = 0; trial < 100000; ++trial) {
+    const firmware::Scaled a = firmware::Scaled::from_int(static_cast<int64_t>(next()) / 4, -40);
+    const int64_t n = (static_cast<int64_t>(next()) / 4) >> (next() >> 58);
+    const firmware::Scaled wanted = a * firmware::Scaled::from_int(n), found = times(a, n);
+    ASSERT_EQ(found.mantissa, wanted.mantissa) << n;
+    ASSERT_EQ(found.exponent, wanted.exponent) << n;
+  }
+  EXPECT_TRUE(times(firmware::Scaled::from_int(3), 0).is_zero());
+}
+
 }  // namespace
 
 TEST(Scaled, ByHand) {

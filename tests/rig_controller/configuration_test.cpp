@@ -16,11 +16,23 @@ using firmware::ControllerConfiguration;
 // kChanges; the sizes are here to remind of it.
 static_assert(sizeof(firmware::NodeConfiguration) == 20, "a field was added or removed: see above");
 static_assert(sizeof(firmware::ExcitationLevel) == 48, "a field was added or removed: see above");
-static_assert(sizeof(firmware::ChannelConfiguration) == 40, "a field was added or removed: see above");
-static_assert(sizeof(firmware::SignalConfiguration) == (8 + 4 * (2 * firmware::kFilterHalf + 1) + 7) / 8 * 8 + 16,
+static_assert(sizeof(firmware::ChannelConfiguration) == 32, "a field was added or removed: see above");
+static_assert(sizeof(firmware::SignalConfiguration) == 8 + 4 * (2 * firmware::kFilterHalf + 1) + 12,
               "a field was added or removed: see above");
 static_assert(sizeof(firmware::WindowConfiguration) == 16, "a field was added or removed: see above");
-static_assert(sizeof(firmware::Term) == 40, "a field was added or removed: see above");
+static_assert(sizeof(firmware::Term) == 32, "a field was added or removed: see above");
+
+// A rig as large as the core: every field is in use.
+ControllerConfiguration full() {
+  ControllerConfiguration c = bench::driving();
+  c.core.dof_count = firmware::kMaxDofs;
+  c.core.link_count = firmware::kMaxLinks;
+  c.core.term_count = firmware::kMaxTerms;
+  c.core.unknown_count = firmware::kMaxUnknowns;
+  c.core.base_present = true;
+  c.programme.level_count = firmware::kMaxLevels;
+  return c;
+}
 
 using Change = std::function<void(ControllerConfiguration&)>;
 
@@ -31,7 +43,7 @@ std::vector<Change> changes() {
       [](C& c) { c.core.link_count = 9; },
       [](C& c) { c.core.term_count = 9; },
       [](C& c) { c.core.unknown_count = 9; },
-      [](C& c) { c.core.base_present = true; },
+      [](C& c) { c.core.base_present = false; },
       [](C& c) { c.core.sample_period_s = firmware::Scaled::ratio(1, 777); },
       [](C& c) { c.core.links[31].node_a = 5; },
       [](C& c) { c.core.links[31].node_b = 5; },
@@ -128,7 +140,7 @@ struct Encoded {
 };
 
 TEST(Configuration, EveryFieldIsInTheCheckSumAndComesBack) {
-  const ControllerConfiguration original = bench::driving();
+  const ControllerConfiguration original = full();
   int number = 0;
   for (const Change& change : changes()) {
     ControllerConfiguration changed = original;
@@ -143,10 +155,38 @@ TEST(Configuration, EveryFieldIsInTheCheckSumAndComesBack) {
 }
 
 TEST(Configuration, LargestOneFits) {
-  ControllerConfiguration largest = bench::driving();
+  ControllerConfiguration largest = full();
   for (auto& node : largest.core.signals)
     for (auto& signal : node) signal.half_length = firmware::kFilterHalf;
   EXPECT_LE(Encoded(largest).size, firmware::kConfigurationBytes);
+}
+
+// A core with room for fewer DOFs reads the same bytes: only what is in use is there, the base and the ground have numbers
+// of their own. 12 bytes of version and counts, then the sample period and the first link, DOF 1 to ground.
+TEST(Configuration, NumbersOfNodesDoNotDependOnTheCapacity) {
+  ControllerConfiguration configuration;
+  configuration.core.dof_count = configuration.core.link_count = 1;
+  configuration.core.links[0] = {0, firmware::kGroundNode};
+  const Encoded encoded(configuration);
+  constexpr size_t kLink = 4 + 5 + 12;
+  EXPECT_EQ(encoded.bytes[kLink], 0);
+  EXPECT_EQ(encoded.bytes[kLink + 1], 17);
+  configuration.core.base_present = true;
+  configuration.core.links[0].node_b = firmware::kBaseNode;
+  EXPECT_EQ(Encoded(configuration).bytes[kLink + 1], 16);
+  EXPECT_LT(encoded.size, 900u);  // one DOF of the core's 16
+}
+
+TEST(Configuration, WhatTheCoreHasNoRoomForIsRefused) {
+  const auto decodes = [](const ControllerConfiguration& configuration) {
+    ControllerConfiguration back;
+    const Encoded encoded(configuration);
+    return decode(encoded.bytes, encoded.size, back);
+  };
+  ControllerConfiguration configuration = bench::driving();
+  EXPECT_TRUE(decodes(configuration));
+  configuration.core.unknown_count = firmware::kMaxUnknowns + 1;
+  EXPECT_FALSE(decodes(configuration));
 }
 
 TEST(Configuration, NodeSettingsAreNotTheRig) {
@@ -166,7 +206,7 @@ TEST(Configuration, NodeSettingsAreNotTheRig) {
 }
 
 TEST(Configuration, EveryFieldOfTheRigTellsItFromAnother) {
-  const ControllerConfiguration original = bench::driving();
+  const ControllerConfiguration original = full();
   for (const Change& change : changes()) {
     ControllerConfiguration changed = original;
     change(changed);

@@ -237,7 +237,9 @@ TEST(Store, PowerLossAtEveryByteLeavesTheOldOrTheNew) {
 }
 
 TEST(Store, ControllerStartsAfterAPowerLossWhileSaving) {
-  for (size_t cut = 1; cut < 3000; cut += 431) {
+  static uint8_t bytes[firmware::kConfigurationBytes];
+  const size_t size = encode(bench::listening(), bytes);
+  for (size_t cut = 1; cut < size; cut += size / 7) {
     Bench bench(bench::listening());
     bench.step();
     bench.sdo(kWrite2, 0x1017, 0, 150);
@@ -286,6 +288,10 @@ TEST(Store, NoStepWaitsForASave) {
 
 TEST(Store, TheLargestConfigurationIsSavedAndComesBack) {
   firmware::ControllerConfiguration largest = bench::listening();
+  largest.core.dof_count = firmware::kMaxDofs;
+  largest.core.link_count = firmware::kMaxLinks;
+  largest.core.term_count = firmware::kMaxTerms;
+  largest.programme.level_count = firmware::kMaxLevels;
   for (auto& node : largest.core.signals)
     for (auto& signal : node) signal.half_length = firmware::kFilterHalf;
   largest.node.heartbeat_ms = 250;

@@ -36,8 +36,8 @@ int main(int argc, char** argv) {
     }
     auto run = warrant_test::run_core(draw, static_cast<uint16_t>(budget));
     const auto& est = run.core->estimates();
-    const auto& test = run.core->score_test();
-    const auto& plan = run.core->score_sums().plan();
+    const auto& test = run.core->score_tests().test();
+    const auto& plan = run.core->score_tests().sums().plan();
     int wrong = 0, wrong_any = 0;
     std::string text;
     for (int k = 0; k < est.unknown_count; ++k) {
@@ -62,7 +62,7 @@ int main(int argc, char** argv) {
     flagged += suspect;
     if (wrong) ++bad_after;
     std::printf("%d [%s] stretches %d probes %d values %d%s%s\n", seed, hid.c_str(),
-                run.core->score_sums().table().stretches(), plan.probe_count, plan.value_count, wrong ? " WRONG" : "",
+                run.core->score_tests().sums().table().stretches(), plan.probe_count, plan.value_count, wrong ? " WRONG" : "",
                 text.c_str());
     auto show = [&](int j) {
       const auto& q = plan.probe[j];

@@ -155,7 +155,7 @@ TEST(Warrant, ABudgetCostsSensitivityNotEstimates) {
   EXPECT_FALSE(none.core->estimates().warrant.tested);
   const auto blocks = [](const CoreRun& run) {
     uint32_t sum = 0;
-    const firmware::ScoreTable& table = run.core->score_sums().table();
+    const firmware::ScoreTable& table = run.core->score_tests().sums().table();
     for (int s = 0; s < table.stretches(); ++s) sum += table.stretch(s).blocks;
     return sum;
   };

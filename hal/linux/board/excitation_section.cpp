@@ -77,6 +77,8 @@ const char* explain(firmware::ProgrammeFault fault) {
              "slew_per_s";
     case firmware::ProgrammeFault::kLength:
       return "measures nothing, expected measure_s of at least one sample";
+    case firmware::ProgrammeFault::kCapacity:
+      return "the rig needs more than this build of the core has room for";
     case firmware::ProgrammeFault::kSettle:
       return "cannot judge its settling, expected settle_block_s of at most 65535 samples and settle_limit_s above 0";
   }

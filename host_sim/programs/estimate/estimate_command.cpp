@@ -59,6 +59,7 @@ void estimate(const EstimateArguments& arguments) {
   const data_check::Report check = require_sound(records, model, arguments.reading);
 
   EstimationOptions options;
+  options.frames = !arguments.log.empty();
   if (arguments.frequency_Hz > 0.0) options.excitation_Hz = arguments.frequency_Hz;
   Estimation estimation;
   {

@@ -55,9 +55,18 @@ firmware::WindowConfiguration window_of(const Record& record, const EstimationOp
   return window;
 }
 
+// Is any signal of the equations more than a copy of what is measured?
+bool any_filter(const firmware::CoreConfiguration& configuration) {
+  for (const auto& node : configuration.signals)
+    for (const firmware::SignalConfiguration& signal : node)
+      if (signal.available && (signal.derived || signal.half_length > 0 || signal.tap[0].raw != 0)) return true;
+  return configuration.high_pass_order > 0;
+}
+
 // Signals that are derived get the resolution that these records allow.
 void fit_signals_to(const std::vector<Record>& records, const std::vector<rig_file::ChannelCalibration>& calibrations,
                     firmware::CoreConfiguration& configuration) {
+  if (!any_filter(configuration)) return;
   std::vector<std::vector<firmware::RawSample>> samples;
   for (const Record& record : records) {
     RecordSampleSource source(record, calibrations);
@@ -82,8 +91,9 @@ class Feed {
     while (source.read(sample) == hal::SampleResult::kSample) {
       sample.sequence = static_cast<uint32_t>(done_++);  // between two records nothing is missed
       time_ns_ = static_cast<uint64_t>(std::llround(static_cast<double>(done_) * record.sample_period_s * 1e9));
-      const bool window = board_.push(sample, time_ns_);
-      if (window && options_.progress) options_.progress(static_cast<double>(done_) / static_cast<double>(total_));
+      board_.push(sample, time_ns_);
+      if (done_ % kProgressSamples == 0 && options_.progress)
+        options_.progress(static_cast<double>(done_) / static_cast<double>(total_));
     }
     board_.end_level();
   }
@@ -95,6 +105,7 @@ class Feed {
 
  private:
   static constexpr uint64_t kHeartbeat_ns = 100000000;
+  static constexpr size_t kProgressSamples = 4096;
 
   ReplayBoard& board_;
   const EstimationOptions& options_;
@@ -111,8 +122,12 @@ Estimation estimate_as_told(const rig_file::RigModel& model, const std::vector<R
   configuration.window = window_of(records.front(), options);
   std::ostringstream log_text;
   can_log::LogWriter log(log_text, "can0");
-  ReplayBoard board(board_configuration(model, configuration, records.front().sample_period_s),
-                    [&log](const hal::CanFrame& frame) { log.write(frame); });
+  firmware::ControllerConfiguration controller =
+      board_configuration(model, configuration, records.front().sample_period_s);
+  if (!options.frames) controller.node.window_samples = UINT32_MAX;
+  ReplayBoard board(controller, [&](const hal::CanFrame& frame) {
+    if (options.frames) log.write(frame);
+  });
   size_t samples = 0;
   for (const Record& record : records) samples += record.samples();
   Feed feed(board, options, samples);

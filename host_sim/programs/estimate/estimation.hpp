@@ -13,12 +13,14 @@ namespace host_sim {
 struct EstimationOptions {
   // Known period of the excitation: windows are then whole cycles. Without it they are arbitrary intervals (Eq. 12a).
   std::optional<double> excitation_Hz;
+  // The frames of a board are wanted: it estimates once a second. Else only where a record ends.
+  bool frames = true;
   std::function<void(double)> progress;  // called with the share done, 0 to 1
 };
 
 struct Estimation {
   EstimateResult result;
-  std::string frames;             // candump log of what the board would have sent
+  std::string frames;             // candump log of what the board would have sent, where it is wanted
   std::vector<Record> simulated;  // the rig with the estimates beside each record; empty where it does not run freely
 };
 

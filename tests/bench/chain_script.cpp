@@ -1,0 +1,50 @@
+// chain_script DOFS SAMPLES FILE: the rig of the comparison (bench_rig.hpp) as a script for a board (tests/bare_metal),
+// one level, the estimates wanted at its end.
+#include <cstdio>
+#include <fstream>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "firmware/rig_controller/controller_configuration.hpp"
+#include "tests/bench/bench_rig.hpp"
+
+namespace {
+
+void put32(std::ofstream& out, uint32_t value) {
+  for (int i = 0; i < 4; ++i) out.put(static_cast<char>(value >> (8 * i)));
+}
+
+void write(int dofs, size_t samples, const std::string& path) {
+  const auto configuration = std::make_unique<firmware::ControllerConfiguration>();
+  configuration->core = bench::chain(dofs);
+  std::vector<uint8_t> bytes(firmware::kConfigurationBytes);
+  const size_t length =
+      firmware::encode(*configuration, *reinterpret_cast<uint8_t(*)[firmware::kConfigurationBytes]>(bytes.data()));
+  std::ofstream out(path, std::ios::binary);
+  out << "RIG1";
+  put32(out, static_cast<uint32_t>(length));
+  out.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(length));
+  out << 'L';
+  const std::vector<firmware::RawSample> codes = bench::raw_samples(dofs);
+  for (size_t n = 0; n < samples; ++n) {
+    out.put('S');
+    for (int node = 0; node < dofs; ++node)
+      for (int q = 0; q < firmware::kQuantities; ++q)
+        if (configuration->core.channels[node][q].present)
+          put32(out, static_cast<uint32_t>(codes[n % codes.size()].code[node][q]));
+  }
+  out << "EWQ";
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+  if (count != 4) {
+    std::cerr << "usage: chain_script DOFS SAMPLES FILE\n";
+    return 2;
+  }
+  write(std::stoi(words[1]), std::stoul(words[2]), words[3]);
+  return 0;
+}
