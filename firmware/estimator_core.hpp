@@ -44,6 +44,10 @@ class EstimatorCore {
   // Of the last solve: how the estimates move together (their correlation is that of (R^T R)^-1).
   const TriangularFactor& factor() const { return memory_.fit.factor(); }
   const ScoreTests& score_tests() const { return tests_; }
+#if FIRMWARE_WARRANT_NUMBERS > 0
+  const ScoreSums& score_sums() const { return tests_.sums(); }
+  const ScoreTest& score_test() const { return tests_.test(); }
+#endif
   // False: the configuration needs more products of columns or conservative unknowns than this core has room for.
   bool fits() const { return sums_.complete() && fits_; }
   // A level of n samples makes a window of n - margin_samples() sample intervals: filters and end corrections look further.

@@ -117,8 +117,8 @@ void EnergySums::fill_clear_signs(Frame& frame, int from, int to, int advance) {
     clear_sign_[l].fill(frame, from, to, advance, clear, sign);
     const int filter = kDerivesSignals ? l : 0;
     if (kDerivesSignals && configuration_->high_pass_order > 0)
-      high_passed_sign_[filter].fill(configuration_->high_pass_order, configuration_->high_pass_shift, from, to, advance,
-                                     sign);
+      high_passed_sign_[filter].fill(configuration_->high_pass_order, configuration_->high_pass_shift, from, to,
+                                     advance, sign);
     if (kDerivesSignals && configuration_->sign_half_length > 0)
       low_passed_sign_[filter].fill(*configuration_, from, to, advance, sign, clear);
     leave_out(frame, l, from, to, clear);

@@ -41,7 +41,8 @@ bool sends_float_estimates(const ControllerConfiguration& configuration);
 // Little-endian fields one after another, then their CRC-32 (polynomial 0xEDB88320): no padding, no host layout.
 // What is in use alone is stored, and numbered as in the largest core (capacity.hpp): the bytes do not depend on the capacity
 // of the core that wrote them.
-constexpr size_t kNodeBytes = kQuantities * (29 + 18 + 4 * (2 * kFilterHalf + 1)) + 2 + 4 * (2 * kFusionHalf + 1) + 124 + 156;
+constexpr size_t kNodeBytes =
+    kQuantities * (29 + 18 + 4 * (2 * kFilterHalf + 1)) + 2 + 4 * (2 * kFusionHalf + 1) + 124 + 156;
 constexpr size_t kAllBytes = 384 + kMaxNodes * kNodeBytes + kMaxLinks * 2 + kMaxTerms * 31 + kMaxLevels * 48;
 // The longest fits; encode() says how many are used.
 constexpr size_t kConfigurationBytes =

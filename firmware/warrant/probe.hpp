@@ -39,7 +39,8 @@ constexpr bool needs_rate(Form form) { return form >= Form::kRate && form <= For
 
 constexpr int kMaxPlaces = 2 * kMaxLinks + kMaxDofs;
 constexpr int kPlaceEquations = 2;
-constexpr int kMaxPlaceColumns = kMaxUnknowns < 24 ? kMaxUnknowns : 24;  // unknowns in a place's equations; a place with more is not probed
+constexpr int kMaxPlaceColumns =
+    kMaxUnknowns < 24 ? kMaxUnknowns : 24;  // unknowns in a place's equations; a place with more is not probed
 
 enum class PlaceKind : uint8_t { kLink, kNoLink, kDof };
 

@@ -12,7 +12,8 @@ constexpr bool kHasScoreTests = kWarrantNumbers > 0;
 class ScoreTests {
  public:
   // wanted: the core sums with the instrument. effect_unit as in ScoreSums.
-  void configure(const CoreConfiguration& configuration, bool wanted, const Scaled* effect_unit, const ClearSigns& signs) {
+  void configure(const CoreConfiguration& configuration, bool wanted, const Scaled* effect_unit,
+                 const ClearSigns& signs) {
     configuration_ = &configuration;
     on_ = wanted && configuration.probe_products_per_sample > 0;
     if (on_) sums_.configure(configuration, effect_unit, signs);

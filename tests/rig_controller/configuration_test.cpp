@@ -162,13 +162,13 @@ TEST(Configuration, LargestOneFits) {
 }
 
 // A core with room for fewer DOFs reads the same bytes: only what is in use is there, the base and the ground have numbers
-// of their own. 12 bytes of version and counts, then the sample period and the first link, DOF 1 to ground.
+// of their own. 11 bytes of version, counts and flags, then the sample period and the first link, DOF 1 to ground.
 TEST(Configuration, NumbersOfNodesDoNotDependOnTheCapacity) {
   ControllerConfiguration configuration;
   configuration.core.dof_count = configuration.core.link_count = 1;
   configuration.core.links[0] = {0, firmware::kGroundNode};
   const Encoded encoded(configuration);
-  constexpr size_t kLink = 4 + 5 + 12;
+  constexpr size_t kLink = 4 + 5 + 2 + 12;
   EXPECT_EQ(encoded.bytes[kLink], 0);
   EXPECT_EQ(encoded.bytes[kLink + 1], 17);
   configuration.core.base_present = true;
