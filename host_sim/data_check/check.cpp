@@ -139,6 +139,20 @@ RecordReport check_record(const Record& record, const rig_file::RigModel* model,
   return report;
 }
 
+// A cable in the wrong place is there in every record; what one record alone says is the rig's doing.
+void keep_what_all_records_say(const char* kind, Report& report) {
+  const auto is_kind = [kind](const Finding& f) { return f.kind == kind; };
+  std::set<std::string> doubtful;  // channels of which some record does not say it
+  for (const RecordReport& record : report.records)
+    for (const ChannelReport& channel : record.channels)
+      if (std::none_of(channel.findings.begin(), channel.findings.end(), is_kind)) doubtful.insert(channel.name);
+  for (RecordReport& record : report.records)
+    for (ChannelReport& channel : record.channels)
+      if (doubtful.count(channel.name) > 0)
+        channel.findings.erase(std::remove_if(channel.findings.begin(), channel.findings.end(), is_kind),
+                               channel.findings.end());
+}
+
 }  // namespace
 
 Weight Report::worst() const {
@@ -177,6 +191,7 @@ Report check(const std::vector<Record>& records, const rig_file::RigModel* model
       }));
     report.records.push_back(check_record(record, model, elsewhere));
   }
+  keep_what_all_records_say("exchanged", report);
   report.findings = describe_excitation(records);
   return report;
 }

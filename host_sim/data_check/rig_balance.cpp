@@ -117,13 +117,17 @@ Record with_exchanged(const Record& record, int i, int j) {
   return other;
 }
 
+// Both DOFs have one motion channel, of one quantity. (Several channels of a DOF that all went to the other are less
+// likely than a rig file that lacks something; one of several is told by its fellows, exchanged.hpp.)
 bool can_be_exchanged(const Record& record, int i, int j) {
-  for (const Channel& channel : record.channels)
-    if (channel.quantity != Quantity::kForce && (channel.dof == i || channel.dof == j)) {
-      const Channel* other = record.find(channel.quantity, channel.dof == i ? j : i);
-      if (other == nullptr || dimension_of_channel(*other) != dimension_of_channel(channel)) return false;
-    }
-  return true;
+  const Channel *of_i = nullptr, *of_j = nullptr;
+  for (const Channel& channel : record.channels) {
+    if (channel.quantity == Quantity::kForce || (channel.dof != i && channel.dof != j)) continue;
+    const Channel*& place = channel.dof == i ? of_i : of_j;
+    if (place != nullptr) return false;
+    place = &channel;
+  }
+  return of_i != nullptr && of_j != nullptr && dimension_of_channel(*of_i) == dimension_of_channel(*of_j);
 }
 
 // Lone channels of two DOFs exchanged: told by the same limits as a turned or foreign one.

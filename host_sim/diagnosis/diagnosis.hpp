@@ -69,6 +69,7 @@ struct Diagnosis {
   std::vector<double> remainder_percent;  // per DOF: of what the rig as given leaves on unseen data
   std::vector<DetectionLimit> minimum_detectable;
   std::vector<std::string> advice;
+  std::string cannot_describe;  // why the rig file is no model of these records at all; empty: it is one
   std::string force_between_samples = "smooth";  // or "linear", "steps": how it acts there, as the motion tells
   std::string unknown_trace;                     // what the unexplained force looks like, where it leaves a plain trace
   double baseline_misfit = 0;                    // chi-squared per degree of freedom: 1 is noise alone

@@ -52,6 +52,7 @@ json to_json(const Diagnosis& d) {
          {"gain", d.gain},
          {"remainder_percent", d.remainder_percent},
          {"advice", d.advice},
+         {"cannot_describe", d.cannot_describe},
          {"force_between_samples", d.force_between_samples},
          {"unknown_trace", d.unknown_trace},
          {"baseline_misfit", d.baseline_misfit},

@@ -251,4 +251,13 @@ TEST(Faults, JsonHasTheFieldsOfTheContract) {
   EXPECT_TRUE(json["findings"].is_array());
 }
 
+// The chain's cables were exchanged in one of two records only: nobody does that between two runs.
+TEST(Faults, AnExchangeInOneRecordOfTwoIsNone) {
+  Record good = made::record(with("x")), bad = made::record(with("x"));
+  std::swap(made::values(bad, kX1), made::values(bad, "displacement_2_m"));
+  const rig_file::RigModel rig = made::chain();
+  EXPECT_NE(find(check({bad, bad}, &rig), "exchanged", kX1), nullptr);
+  EXPECT_EQ(find(check({good, bad}, &rig), "exchanged", kX1), nullptr);
+}
+
 }  // namespace

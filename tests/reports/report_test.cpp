@@ -205,9 +205,26 @@ TEST(Verdict, AShortHeadlineThenTheRest) {
   data.verdict = "partly";
   EXPECT_TRUE(contains(verdict_details(data), "its cause is not known"));
   data.verdict = "unknown";
-  EXPECT_TRUE(contains(verdict_details(data), "A residual beyond noise remains"));
+  EXPECT_TRUE(contains(verdict_details(data), "is beyond noise, and no effect in the vocabulary explains it"));
   data.causes.clear();
   EXPECT_EQ(verdict_headline(data), "The rig file does not explain the measurement");
+}
+
+// What remains is said in percent; what no rig file of this kind can describe in plain words; a held drive is no fault.
+TEST(Verdict, SaysHowMuchRemains) {
+  DiagnosisReportData data;
+  data.verdict = "partly";
+  data.causes = {{"force_hold", "channel force_1_N", 90.0, {}}};
+  data.gains = {{1, 60.0, 5.66, 0.0, 0.0}, {2, 60.0, 2.0, 0.0, 0.0}};
+  EXPECT_EQ(verdict_headline(data), "The rig file lacks a hold of the force between samples (channel force_1_N)");
+  EXPECT_TRUE(contains(verdict_details(data), "What remains, 5.7 % of the signal of DOF 1, is beyond noise"));
+  data.causes.clear();
+  data.verdict = "unknown";
+  EXPECT_TRUE(contains(verdict_details(data), "Its simulation misses 60 % of the signal of DOF 1 on unseen data."));
+  data.gains[1].nrmse_before_percent = 379.0;
+  EXPECT_TRUE(contains(verdict_details(data), "misses more than the whole signal of DOF 2"));
+  data.cannot_describe = "It misses everything.";
+  EXPECT_EQ(verdict_sentence(data), "The rig file cannot describe this recording. It misses everything.");
 }
 
 // "Nothing beyond noise" is said where the misfit is that of noise, and only there.

@@ -129,14 +129,16 @@ void answer(const Task& task, const Choice& choice, Diagnosis& d) {
                     : Verdict::kUnknown;
   if (choice.base_fits_nothing && choice.named.empty()) {
     d.baseline.parameters.clear(), d.extended.parameters.clear();  // numbers of a model that is not this rig's
-    char text[300];
+    char text[200];
     std::snprintf(
         text, sizeof text,
-        "the rig file cannot describe this recording: even over %.2g of a period, each from its own best start, its "
-        "simulation misses %.0f %% of the motion; it has %zu DOF, so count the modes in the spectrum and the masses, "
-        "and "
-        "check the units and the channels' places",
-        choice.periods, std::min(100.0, 100 * error), task.system.dofs());
+        "Even over %.2g of a period, each from its own best start, its simulation misses %.0f %% of the motion.",
+        choice.periods, std::min(100.0, 100 * error));
+    d.cannot_describe = text;
+    std::snprintf(text, sizeof text,
+                  "count the modes in the spectrum (the rig file has %zu DOF), and check the units and the channels' "
+                  "places",
+                  task.system.dofs());
     d.advice.push_back(text);
   }
 }

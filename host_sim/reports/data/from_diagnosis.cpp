@@ -107,6 +107,7 @@ DiagnosisReportData findings_of(const rig_file::RigModel& rig, const std::vector
   data.facts.push_back(text(static_cast<double>(first.samples()) * first.sample_period_s, "%g s") +
                        text(1.0 / first.sample_period_s, " at %g Hz"));
   data.misfit = found.baseline_misfit;
+  data.cannot_describe = found.cannot_describe;
   const bool extended = !found.causes.empty();
   data.facts.push_back(text(found.baseline_misfit, "misfit (1 is noise alone): %.3g") +
                        (extended ? text(found.extended_misfit, " as given, %.3g extended") : ""));

@@ -18,6 +18,10 @@ std::string listed(const std::vector<std::string>& items, const char* last_word)
 
 bool of_channel(const std::string& where) { return where.rfind("channel ", 0) == 0; }
 
+// A force that the drive holds between samples is told by its channel, and is no fault of it.
+constexpr const char* kHold = "force_hold";
+bool of_sensor(const std::string& effect, const std::string& where) { return of_channel(where) && effect != kHold; }
+
 // "With it the simulation error on unseen data falls by a factor of 5.2." where it is known and a gain.
 std::string gain_text(const std::vector<DofGain>& gains) {
   double best = 0.0;
@@ -32,13 +36,31 @@ std::string gain_text(const std::vector<DofGain>& gains) {
   return out;
 }
 
+// "5.7 % of the signal of DOF 1": the largest share that the simulation misses on unseen data, as given or extended.
+std::string missed_text(const std::vector<DofGain>& gains, bool extended) {
+  double most = 0.0;
+  int dof = 0;
+  for (const DofGain& gain : gains) {
+    const double missed = extended ? gain.nrmse_after_percent : gain.nrmse_before_percent;
+    if (std::isfinite(missed) && missed > most) most = missed, dof = gain.dof;
+  }
+  if (dof == 0) return "";
+  char out[64];
+  if (most > 100.0)
+    std::snprintf(out, sizeof out, "more than the whole signal of DOF %d", dof);
+  else
+    std::snprintf(out, sizeof out, "%.2g %% of the signal of DOF %d", most, dof);
+  return out;
+}
+
 struct Named {
   std::vector<std::string> effects, faults;  // of the rig file, of sensors
 };
 Named named_in(const DiagnosisReportData& data) {
   Named named;
   for (const Cause& cause : data.causes)
-    (of_channel(cause.where) ? named.faults : named.effects).push_back(cause_text(cause.effect, cause.where));
+    (of_sensor(cause.effect, cause.where) ? named.faults : named.effects)
+        .push_back(cause_text(cause.effect, cause.where));
   return named;
 }
 
@@ -76,7 +98,7 @@ Possible possible_in(const DiagnosisReportData& data) {
   const auto add = [&](const std::string& effect, const std::string& where) {
     const std::string text = cause_text(effect, where);
     if (std::find(out.all.begin(), out.all.end(), text) != out.all.end()) return;
-    out.all.push_back(text), out.faults += of_channel(where);
+    out.all.push_back(text), out.faults += of_sensor(effect, where);
   };
   for (const Cause& cause : data.causes) add(cause.effect, cause.where);
   for (const auto& other : data.ambiguous_with) add(other.first, other.second);
@@ -96,6 +118,7 @@ constexpr double kBeyondNoise = 2.0;
 }  // namespace
 
 std::string cause_text(const std::string& effect, const std::string& where) {
+  if (effect == kHold) return "a hold of the force between samples (" + where + ")";
   std::string words = effect;
   std::replace(words.begin(), words.end(), '_', ' ');
   return where.empty() ? words
@@ -111,6 +134,7 @@ std::string verdict_headline(const DiagnosisReportData& data) {
     if (possible.faults == possible.all.size()) return "A sensor is at fault, and these data cannot tell which";
     return "The rig file lacks something or a sensor is at fault";
   }
+  if (!data.cannot_describe.empty()) return "The rig file cannot describe this recording";
   if (data.causes.empty()) return "The rig file does not explain the measurement";
   return headline_of_causes(named_in(data));
 }
@@ -121,11 +145,16 @@ std::string verdict_details(const DiagnosisReportData& data) {
                ? "What is left beyond measurement noise neither helps to predict unseen data nor moves a coefficient."
                : "Nothing is left beyond measurement noise that these data could show.";
   if (data.verdict == "ambiguous") return "It is one of these: " + listed(possible_in(data).all, "or") + ".";
-  if (data.causes.empty()) return "No effect in the vocabulary explains what is left.";
-  const char* remainder = data.verdict == "partly"    ? "What remains is beyond noise; its cause is not known."
-                          : data.verdict == "unknown" ? "A residual beyond noise remains that no effect in the "
-                                                        "vocabulary explains."
-                                                      : "";
+  if (!data.cannot_describe.empty()) return data.cannot_describe;
+  const std::string missed = missed_text(data.gains, !data.causes.empty());
+  if (data.causes.empty())
+    return joined({missed.empty() ? "" : "Its simulation misses " + missed + " on unseen data.",
+                   "No effect in the vocabulary explains what is left."});
+  const std::string remains = missed.empty() ? "What remains" : "What remains, " + missed + ",";
+  const std::string remainder = data.verdict == "partly" ? remains + " is beyond noise; its cause is not known."
+                                : data.verdict == "unknown"
+                                    ? remains + " is beyond noise, and no effect in the vocabulary explains it."
+                                    : "";
   return joined({rest_of_causes(named_in(data)), gain_text(data.gains), remainder});
 }
 
