@@ -7,7 +7,7 @@
 namespace firmware {
 
 struct WeightProducts {  // a product for each weight
-  int16_t of[kWeights];
+  int16_t of[kWeights] = {};
   WeightProducts() {
     for (int16_t& product : of) product = kNoProduct;
   }

@@ -53,6 +53,8 @@ class BlockMotion {
   // Does the equation of the DOF count this sample of the block?
   bool counts(int dof, int sample) const { return !signs_.dof[dof] || counted_[dof][kProbeLead + sample] != 0; }
   bool has_clear_sign(int link) const { return signs_.link[link]; }
+  // From the slope of velocities: what jumps in the acceleration is then smeared over kNeighbours samples on either side.
+  bool derives_acceleration(int dof) const { return derives_acceleration_[dof]; }
 
   const int32_t* column(int number) const { return column_[number]; }
   Scaled column_unit(int number) const { return unit_[number]; }

@@ -69,6 +69,17 @@ int64_t law(Form form, int64_t u, int64_t w, int64_t sign) {
 
 }  // namespace
 
+namespace {
+
+// Friction's jump lies within the reach of the slope that made the acceleration, which then holds a part of either side. Told
+// by the slope's outermost samples: they have a 200th of its weight, so that the choice hardly knows the noise of the slope.
+bool across_a_reversal(const NodeDifference& rate, const int32_t* a, const int32_t* b, int n) {
+  const int32_t before = difference_at(rate, a, b, n - kNeighbours), after = difference_at(rate, a, b, n + kNeighbours);
+  return (before > 0) != (after > 0);
+}
+
+}  // namespace
+
 void fill_motion(const BlockMotion& block, const Place& place, const PlaceScale& scale, PlaceMotion& motion) {
   for (int q = 0; q < 2; ++q) {
     const NodeDifference& d = scale.difference[q];
@@ -88,6 +99,10 @@ void fill_motion(const BlockMotion& block, const Place& place, const PlaceScale&
   for (int n = 0; n < kBlockSamples; ++n) {
     bool used = !scale.near_friction || magnitude(motion.instrument[1][n]) > limit;
     for (int e = 0; e < place.equations; ++e) used = used && block.counts(place.dof[e], n);
+    if (used && scale.smeared) {
+      const NodeDifference& rate = scale.difference[1];
+      used = !across_a_reversal(rate, block.signal(rate.column_a), block.signal(rate.column_b), n);
+    }
     motion.used[n] = used;
   }
 }

@@ -16,6 +16,7 @@ struct PlaceScale {
   int8_t shift[2] = {};        // Q26 of the range to Q18 of the rms
   int32_t noise_q26 = 0;       // deviation of the rate's noise
   bool near_friction = false;  // samples close to a reversal are left out, where the equations do not say which
+  bool smeared = false;        // and those whose acceleration is a slope that reaches across the reversal
 };
 
 struct PlaceMotion {

@@ -76,9 +76,12 @@ class Planner {
         add(p, Form::kRate, cause_of(EffectKind::kMissingViscous), kNoQuantity, -1);
         add(p, Form::kSign, cause_of(EffectKind::kMissingCoulomb), kNoQuantity, -1);
       } else if (place.kind == PlaceKind::kDof) {
-        if (!estimated(EffectKind::kMassError, place.node_a))
-          add(p, Form::kAcceleration, cause_of(EffectKind::kMassError), kNoQuantity, -1);
-        add(p, Form::kJerk, cause_of(EffectKind::kSensorDelay), static_cast<uint8_t>(Quantity::kAcceleration), -1);
+        // An acceleration that is made from velocities here shares their noise with its neighbours, and has no channel.
+        if (c_.signals[place.node_a][static_cast<int>(Quantity::kAcceleration)].available) {
+          if (!estimated(EffectKind::kMassError, place.node_a))
+            add(p, Form::kAcceleration, cause_of(EffectKind::kMassError), kNoQuantity, -1);
+          add(p, Form::kJerk, cause_of(EffectKind::kSensorDelay), static_cast<uint8_t>(Quantity::kAcceleration), -1);
+        }
         if (!c_.signals[place.node_a][0].available) continue;
         add(p, Form::kForce, cause_of(EffectKind::kSensorGain), static_cast<uint8_t>(Quantity::kForce), -1);
         add(p, Form::kForceRate, cause_of(EffectKind::kSensorDelay), static_cast<uint8_t>(Quantity::kForce), -1);

@@ -57,6 +57,8 @@ void ScoreSums::configure(const CoreConfiguration& configuration, const Scaled* 
     }
     scale.near_friction =
         place.kind == PlaceKind::kLink && has_friction(configuration, place.link) && !block_.has_clear_sign(place.link);
+    for (int e = 0; e < place.equations && scale.near_friction; ++e)
+      scale.smeared = scale.smeared || block_.derives_acceleration(place.dof[e]);
   }
   clear();
 }

@@ -62,8 +62,8 @@ int main(int argc, char** argv) {
     flagged += suspect;
     if (wrong) ++bad_after;
     std::printf("%d [%s] stretches %d probes %d values %d%s%s\n", seed, hid.c_str(),
-                run.core->score_tests().sums().table().stretches(), plan.probe_count, plan.value_count, wrong ? " WRONG" : "",
-                text.c_str());
+                run.core->score_tests().sums().table().stretches(), plan.probe_count, plan.value_count,
+                wrong ? " WRONG" : "", text.c_str());
     auto show = [&](int j) {
       const auto& q = plan.probe[j];
       const auto& pl = plan.place[q.place];

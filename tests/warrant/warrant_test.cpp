@@ -104,6 +104,21 @@ TEST(Warrant, RightModelsKeepTheirNumbers) {
   EXPECT_GT(valid, all * 4 / 5) << "of " << all;
 }
 
+// Without an acceleration its slope-made stand-in reaches across friction's jump, and shares the velocity's noise with its
+// neighbours: neither is a lack of the rig file.
+TEST(Warrant, RightModelsWithoutAccelerometersKeepTheirNumbers) {
+  for (const char* condition : {"random_clean", "random_1pct", "bits_16"})
+    for (int seed = 8001; seed <= 8005; ++seed) {
+      Settings settings;
+      settings.condition = condition;
+      settings.sensors = "xv";
+      settings.masses = 3;
+      const CoreRun run = run_core(hidden_rig::make_draw(static_cast<uint64_t>(seed), settings));
+      EXPECT_FALSE(suspect(run.core->estimates())) << condition << " " << seed;
+      EXPECT_TRUE(run.core->estimates().warrant.tested) << condition << " " << seed;
+    }
+}
+
 TEST(Warrant, TheCauseIsNamedWithItsSize) {
   struct Case {
     const char* hidden;
