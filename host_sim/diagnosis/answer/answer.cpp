@@ -9,8 +9,9 @@
 namespace diagnosis::runs {
 namespace {
 
-constexpr double kBeyondNoise = 3;  // in the band of the motion over beside it: 0.95 to 1.05 on complete drawn rigs
-constexpr double kLikeAHold = 0.1;  // of half a sample
+constexpr double kBeyondNoise = 3;   // in the band of the motion over beside it: 0.95 to 1.05 on complete drawn rigs
+constexpr double kLikeAHold = 0.1;   // of half a sample
+constexpr double kLeastGain = 1.05;  // on unseen data: a twentieth less missed is not a number that anybody acts on
 constexpr double kHalfOfVariance = 70.7;  // NRMSE in percent
 constexpr double kSmall = 0.02;  // of the motion, over a window: what is left and nothing explains is said to be there
 
@@ -127,6 +128,16 @@ void answer(const Task& task, const Choice& choice, Diagnosis& d) {
                         ((choice.noise_is_enough || error < kSmall) && worst_free_run < kHalfOfVariance)
                     ? Verdict::kNone
                     : Verdict::kUnknown;
+  // A cause beside which as much remains as before explains nothing: of what acts here it is not the name.
+  if (!noise && !choice.named.empty() &&
+      std::all_of(d.gain.begin(), d.gain.end(), [](double gain) { return gain < kLeastGain; })) {
+    d.verdict = Verdict::kUnknown;
+    d.causes.clear(), d.ambiguous_with.clear();
+    d.extended = d.baseline;
+    std::fill(d.gain.begin(), d.gain.end(), 1.0);
+    std::fill(d.remainder_percent.begin(), d.remainder_percent.end(), 100.0);
+    d.extended_rig = extended_rig(task.system, base);
+  }
   if (choice.base_fits_nothing && choice.named.empty()) {
     d.baseline.parameters.clear(), d.extended.parameters.clear();  // numbers of a model that is not this rig's
     char text[200];
