@@ -12,6 +12,7 @@ namespace {
 constexpr double kBeyondNoise = 3;   // in the band of the motion over beside it: 0.95 to 1.05 on complete drawn rigs
 constexpr double kLikeAHold = 0.1;   // of half a sample
 constexpr double kLeastGain = 1.05;  // on unseen data: a twentieth less missed is not a number that anybody acts on
+constexpr double kAsGoodAsRight = 1e-3;   // of the motion, over a window: no sensor of a rig is better
 constexpr double kHalfOfVariance = 70.7;  // NRMSE in percent
 constexpr double kSmall = 0.02;  // of the motion, over a window: what is left and nothing explains is said to be there
 
@@ -131,7 +132,7 @@ void answer(const Task& task, const Choice& choice, Diagnosis& d) {
   // A cause beside which as much remains as before explains nothing: of what acts here it is not the name.
   if (!noise && !choice.named.empty() &&
       std::all_of(d.gain.begin(), d.gain.end(), [](double gain) { return gain < kLeastGain; })) {
-    d.verdict = Verdict::kUnknown;
+    d.verdict = motion_error(task, choice.base) < kAsGoodAsRight ? Verdict::kNone : Verdict::kUnknown;
     d.causes.clear(), d.ambiguous_with.clear();
     d.extended = d.baseline;
     std::fill(d.gain.begin(), d.gain.end(), 1.0);
