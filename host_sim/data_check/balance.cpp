@@ -67,8 +67,9 @@ Balance::Balance(const Record& record, const rig_file::RigModel& model) : record
 
 std::vector<Equation> Balance::equations(size_t h) const {
   std::vector<Equation> result;
+  Columns columns;
   for (int dof = 1; dof <= static_cast<int>(model_.dofs.size()); ++dof) {
-    Equation equation = equation_of(dof, h);
+    Equation equation = equation_of(dof, h, columns);
     if (equation.columns.cols() >= 2 && tells_apart(equation)) result.push_back(std::move(equation));
   }
   return result;
@@ -86,24 +87,28 @@ void Balance::take_motion(int dof) {
 
 // The order-th derivative of the DOF's displacement, as much further differentiated as all of the equation is; every
 // h-th value.
-Eigen::VectorXd Balance::column(int dof, int order, size_t h) const {
+const Eigen::VectorXd& Balance::column(int dof, int order, size_t h, Columns& columns) const {
+  const auto [place, is_new] = columns.try_emplace({dof, order});
   const Used& used = motion_.at(dof);
-  return thinned(bell(used.channel->values, differentiate_ + order - used.order, h, record_.sample_period_s), h);
+  if (is_new)
+    place->second =
+        thinned(bell(used.channel->values, differentiate_ + order - used.order, h, record_.sample_period_s), h);
+  return place->second;
 }
 
-Equation Balance::equation_of(int dof, size_t h) const {
+Equation Balance::equation_of(int dof, size_t h, Columns& columns) const {
   Equation equation;
   const rig_file::Dof& body = model_.dofs[static_cast<size_t>(dof - 1)];
   if (motion_.count(dof) == 0 || !body.effects.empty()) return equation;
-  std::vector<Eigen::VectorXd> known, free = {column(dof, 1, h)};
+  std::vector<Eigen::VectorXd> known, free = {column(dof, 1, h, columns)};
   const auto add = [&](size_t channel, Eigen::VectorXd values) {
     equation.channel.push_back(channel);
     known.push_back(std::move(values));
   };
   if (body.mass_kg.estimate) {
-    free.push_back(column(dof, 2, h));
+    free.push_back(column(dof, 2, h, columns));
   } else if (body.mass_kg.value > 0.0) {
-    add(place_.at(dof), body.mass_kg.value * column(dof, 2, h));
+    add(place_.at(dof), body.mass_kg.value * column(dof, 2, h, columns));
   }
   std::map<int, double> spring;  // by DOF: what its displacement is multiplied with
   for (const rig_file::Link& link : model_.links) {
@@ -114,15 +119,15 @@ Equation Balance::equation_of(int dof, size_t h) const {
       return Equation();
     for (const int end : {dof, other}) {
       if (end == rig_file::kGround) continue;
-      if (end != dof) free.push_back(column(end, 1, h));
+      if (end != dof) free.push_back(column(end, 1, h, columns));
       if (link.stiffness_N_m.estimate) {
-        free.push_back(column(end, 0, h));
+        free.push_back(column(end, 0, h, columns));
       } else if (link.stiffness_N_m.value > 0.0) {
         spring[end] += (end == dof ? 1.0 : -1.0) * link.stiffness_N_m.value;
       }
     }
   }
-  for (const auto& [end, stiffness] : spring) add(place_.at(end), stiffness * column(end, 0, h));
+  for (const auto& [end, stiffness] : spring) add(place_.at(end), stiffness * column(end, 0, h, columns));
   if (force_.count(dof) > 0) {
     equation.reference_channel = force_.at(dof);
     const Channel& force = *channels_[force_.at(dof)];

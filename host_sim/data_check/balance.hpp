@@ -34,8 +34,9 @@ class Balance {
     int order = 0;  // 0 displacement, 1 velocity, 2 acceleration; of a force the equation's own
   };
   void take_motion(int dof);
-  Eigen::VectorXd column(int dof, int order, size_t h) const;
-  Equation equation_of(int dof, size_t h) const;
+  using Columns = std::map<std::pair<int, int>, Eigen::VectorXd>;  // by DOF and order, made once for all equations
+  const Eigen::VectorXd& column(int dof, int order, size_t h, Columns& columns) const;
+  Equation equation_of(int dof, size_t h, Columns& columns) const;
 
   const Record& record_;
   const rig_file::RigModel& model_;

@@ -38,8 +38,9 @@ int differentiated(const Record& record, const Channel& channel) {
 }
 
 // What the velocity of a DOF spans, from its velocity or displacement; 0 where neither is there.
-double velocity_range(const Record& record, int dof) {
-  if (const Channel* velocity = record.find(Quantity::kVelocity, dof)) return statistics_of(velocity->values).range;
+double velocity_range(const Record& record, const std::vector<Statistics>& statistics, int dof) {
+  if (const Channel* velocity = record.find(Quantity::kVelocity, dof))
+    return statistics[static_cast<size_t>(velocity - record.channels.data())].range;
   const Channel* displacement = record.find(Quantity::kDisplacement, dof);
   if (displacement == nullptr || displacement->values.size() < 8) return 0.0;
   std::vector<double> velocity(displacement->values.size() - 4);
@@ -67,16 +68,19 @@ std::pair<double, double> converter_limits(const Channel& channel, const rig_fil
   return {0.0, 0.0};
 }
 
-ChannelReport report_of(const Record& record, const Channel& channel, const rig_file::RigModel* model) {
-  const Statistics statistics = statistics_of(channel.values);
+// all: the statistics of every channel of the record.
+ChannelReport report_of(const Record& record, const std::vector<Statistics>& all, size_t index,
+                        const rig_file::RigModel* model) {
+  const Channel& channel = record.channels[index];
+  const Statistics& statistics = all[index];
   ChannelReport report{channel.name, statistics.rms, statistics.mean, statistics.noise, statistics.resolution, {}};
   if (statistics.lowest == statistics.highest) return report;
   Neighbours neighbours{record.sample_period_s, differentiated(record, channel), 0.0, 0.0, {}};
-  for (const Channel& other : record.channels)
-    if (other.quantity == Quantity::kForce) neighbours.forces.push_back(&other);
+  for (size_t i = 0; i < all.size(); ++i)
+    if (record.channels[i].quantity == Quantity::kForce) neighbours.forces.push_back({&record.channels[i], &all[i]});
   if (channel.dof >= 1) {
     neighbours.velocity_step = velocity_step(record, channel, model);
-    if (neighbours.velocity_step > 0.0) neighbours.velocity_range = velocity_range(record, channel.dof);
+    if (neighbours.velocity_step > 0.0) neighbours.velocity_range = velocity_range(record, all, channel.dof);
   }
   if (auto spikes = find_spikes(channel, statistics, neighbours)) {
     report.findings.push_back(std::move(*spikes));
@@ -124,8 +128,10 @@ Record middle_of(const Record& record) {
 RecordReport check_record(const Record& record, const rig_file::RigModel* model, const std::vector<bool>& elsewhere) {
   RecordReport report{record.file, record.samples(), 1.0 / record.sample_period_s, {}, {}};
   std::vector<std::optional<Finding>> dead = find_dead(record, elsewhere);
+  std::vector<Statistics> statistics;
+  for (const Channel& channel : record.channels) statistics.push_back(statistics_of(channel.values));
   for (size_t i = 0; i < record.channels.size(); ++i) {
-    report.channels.push_back(report_of(record, record.channels[i], model));
+    report.channels.push_back(report_of(record, statistics, i, model));
     if (dead[i]) report.channels.back().findings.push_back(std::move(*dead[i]));
   }
   if (auto jitter = find_jitter(record)) report.findings.push_back(std::move(*jitter));

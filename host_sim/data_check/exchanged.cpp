@@ -23,16 +23,11 @@ bool rotates(const Channel& channel) {
   return name && name->rotating;
 }
 
-double agreement(const Channel& lower, const Channel& upper, double sample_period_s) {
-  const auto pair = compare(lower, upper, sample_period_s);
-  return pair ? std::abs(pair->correlation) : 0.0;
-}
-
 // How the pairs of two quantities of DOFs i and j agree.
 struct Crossing {
   bool known = false;    // both DOFs have both channels
   bool crossed = false;  // each fits the other DOF's and not its own
-  double own = 0.0;      // correlation, the larger of both
+  double own = 0.0;      // correlation, the larger of both; where each fits the other's
 };
 
 Crossing crossing(const Record& record, Quantity lower, Quantity upper, int i, int j) {
@@ -42,10 +37,13 @@ Crossing crossing(const Record& record, Quantity lower, Quantity upper, int i, i
   if (li == nullptr || lj == nullptr || ui == nullptr || uj == nullptr || rotates(*li) != rotates(*lj)) return result;
   result.known = true;
   const double T = record.sample_period_s;
-  const double own_i = agreement(*li, *ui, T), own_j = agreement(*lj, *uj, T);
-  const double crossed = std::min(agreement(*li, *uj, T), agreement(*lj, *ui, T));
-  result.own = std::max(own_i, own_j);
-  result.crossed = crossed > kFitsOther && 1.0 - result.own * result.own > kBetterThanOwn * (1.0 - crossed * crossed);
+  // Motions of two DOFs seldom agree, and then nothing else needs to be looked at.
+  double crossed = agreement(*li, *uj, T);
+  if (!(crossed > kFitsOther)) return result;
+  crossed = std::min(crossed, agreement(*lj, *ui, T));
+  if (!(crossed > kFitsOther)) return result;
+  result.own = std::max(agreement(*li, *ui, T), agreement(*lj, *uj, T));
+  result.crossed = 1.0 - result.own * result.own > kBetterThanOwn * (1.0 - crossed * crossed);
   return result;
 }
 

@@ -17,9 +17,19 @@ constexpr size_t kMostLines = 5;
 constexpr double kLineShare = 0.9;
 constexpr size_t kMostSamples = 1 << 18;
 
-// Power of each bin, Hann window, mean taken off.
-std::vector<double> power_spectrum(const std::vector<double>& values, double mean) {
-  const size_t n = std::min(values.size(), kMostSamples);
+// The longest part of a record whose length has the prime factors 2, 3, 5 and 7 alone: at others a transform takes many
+// times as long. It leaves out less than 3 % of 64 samples and more.
+size_t quick_length(size_t samples) {
+  for (size_t n = std::min(samples, kMostSamples);; --n) {
+    size_t left = n;
+    for (const size_t factor : {2, 3, 5, 7})
+      while (left % factor == 0) left /= factor;
+    if (left == 1) return n;
+  }
+}
+
+// Power of each bin of the first n samples, Hann window, mean taken off.
+std::vector<double> power_spectrum(const std::vector<double>& values, double mean, size_t n) {
   const std::unique_ptr<double, void (*)(void*)> input(fftw_alloc_real(n), fftw_free);
   const std::unique_ptr<fftw_complex, void (*)(void*)> output(fftw_alloc_complex(n / 2 + 1), fftw_free);
   for (size_t i = 0; i < n; ++i)
@@ -80,23 +90,24 @@ std::string text_of(const Drive& drive) {
 
 Drive drive_of(const Record& record) {
   const Channel* strongest = nullptr;
-  double largest = 0.0;
+  double largest = 0.0, mean = 0.0;
   for (const bool forces : {true, false})
     for (const Channel& channel : record.channels) {
       if (strongest != nullptr && !forces && strongest->quantity == Quantity::kForce) break;
       if (forces ? channel.quantity != Quantity::kForce : channel.dof != rig_file::kBase) continue;
-      const double rms = statistics_of(channel.values).rms;
-      if (!(rms > largest)) continue;
-      largest = rms;
+      const MeanAndRms of = mean_and_rms(channel.values);
+      if (!(of.rms > largest)) continue;
+      largest = of.rms;
+      mean = of.mean;
       strongest = &channel;
     }
   Drive drive;
   if (strongest == nullptr || strongest->values.size() < 64) return drive;
   drive.channel = strongest->name;
   drive.rms = largest;
-  const std::vector<double> power = power_spectrum(strongest->values, statistics_of(strongest->values).mean);
-  const double bin_Hz =
-      1.0 / (static_cast<double>(std::min(strongest->values.size(), kMostSamples)) * record.sample_period_s);
+  const size_t length = quick_length(strongest->values.size());
+  const std::vector<double> power = power_spectrum(strongest->values, mean, length);
+  const double bin_Hz = 1.0 / (static_cast<double>(length) * record.sample_period_s);
   drive.lines_Hz = lines_of(power, bin_Hz);
   double total = 0.0, sum = 0.0;
   for (const double p : power) total += p;

@@ -17,46 +17,65 @@ constexpr double kPlainGain = 3.0;           // no calibration is off by more
 constexpr double kUnitTolerance = 0.05;
 constexpr int kDelays = 3;  // samples that a channel may be late without its sign being in question
 
-// Running sums: sums[i] of the first i values.
-std::vector<double> summed(const std::vector<double>& values, double mean) {
-  std::vector<double> sums(values.size() + 1, 0.0);
+double mean_of(const double* values, size_t count) {
+  double sum = 0.0;
+  for (size_t i = 0; i < count; ++i) sum += values[i];
+  return sum / static_cast<double>(count);
+}
+
+// Running sums: sums[i] of the first i values, `mean` taken off each.
+void sum_up(const std::vector<double>& values, double mean, std::vector<double>& sums) {
+  sums.resize(values.size() + 1);
+  sums[0] = 0.0;
   for (size_t i = 0; i < values.size(); ++i) sums[i + 1] = sums[i] + (values[i] - mean);
-  return sums;
 }
 
-double mean_of(const std::vector<double>& values) {
-  double mean = 0.0;
-  for (const double value : values) mean += value / static_cast<double>(values.size());
-  return mean;
-}
-
-struct Sides {
+// Both sides of one pair of channels, over one span after the other. What the spans have in common is summed once.
+class Sides {
+ public:
   std::vector<double> from_lower, of_upper;  // centred at sample h + i
-};
 
-// Sums by trapezoids, so that ends count half.
-Sides sides_over(const std::vector<double>& lower, const std::vector<double>& upper, size_t h, bool twice, double T) {
-  Sides sides;
-  const size_t n = lower.size(), count = n - 2 * h;
-  sides.from_lower.resize(count);
-  sides.of_upper.resize(count);
-  const double mean = mean_of(upper), span = static_cast<double>(h) * T, steps = static_cast<double>(h);
-  const std::vector<double> once = summed(upper, mean);
-  std::vector<double> half(n, 0.0);  // mean over h steps from i on
-  for (size_t i = 0; i + h < n; ++i)
-    half[i] = (once[i + h + 1] - once[i] - 0.5 * (upper[i] + upper[i + h] - 2.0 * mean)) / steps;
-  const std::vector<double> again = twice ? summed(half, 0.0) : std::vector<double>();
-  for (size_t i = 0; i < count; ++i) {
-    if (twice) {  // a triangle is a mean of means
-      sides.from_lower[i] = (lower[i + 2 * h] - 2.0 * lower[i + h] + lower[i]) / (span * span);
-      sides.of_upper[i] = (again[i + h + 1] - again[i] - 0.5 * (half[i] + half[i + h])) / steps;
+  Sides(const Channel& lower, const Channel& upper, double sample_period_s)
+      : lower_(lower.values),
+        upper_(upper.values),
+        twice_(static_cast<int>(upper.quantity) - static_cast<int>(lower.quantity) == 2),
+        T_(sample_period_s),
+        mean_(mean_of(upper_.data(), upper_.size())) {
+    sum_up(upper_, mean_, once_);
+  }
+
+  size_t samples() const { return lower_.size(); }
+
+  // Sums by trapezoids, so that ends count half.
+  void over(size_t h) {
+    const size_t n = samples(), count = n - 2 * h;
+    const double span = static_cast<double>(h) * T_, steps = static_cast<double>(h);
+    half_.resize(n);
+    for (size_t i = 0; i + h < n; ++i)  // mean over h steps from i on
+      half_[i] = (once_[i + h + 1] - once_[i] - 0.5 * (upper_[i] + upper_[i + h] - 2.0 * mean_)) / steps;
+    std::fill(half_.end() - static_cast<std::ptrdiff_t>(h), half_.end(), 0.0);
+    from_lower.resize(count);
+    of_upper.resize(count);
+    if (twice_) {  // a triangle is a mean of means
+      sum_up(half_, 0.0, again_);
+      for (size_t i = 0; i < count; ++i) {
+        from_lower[i] = (lower_[i + 2 * h] - 2.0 * lower_[i + h] + lower_[i]) / (span * span);
+        of_upper[i] = (again_[i + h + 1] - again_[i] - 0.5 * (half_[i] + half_[i + h])) / steps;
+      }
     } else {
-      sides.from_lower[i] = (lower[i + 2 * h] - lower[i]) / (2.0 * span);
-      sides.of_upper[i] = 0.5 * (half[i] + half[i + h]);
+      for (size_t i = 0; i < count; ++i) {
+        from_lower[i] = (lower_[i + 2 * h] - lower_[i]) / (2.0 * span);
+        of_upper[i] = 0.5 * (half_[i] + half_[i + h]);
+      }
     }
   }
-  return sides;
-}
+
+ private:
+  const std::vector<double>&lower_, &upper_;
+  bool twice_;
+  double T_, mean_;
+  std::vector<double> once_, half_, again_;
+};
 
 struct Moments {
   double pp = 0.0, qq = 0.0, pq = 0.0;
@@ -68,26 +87,39 @@ Moments moments(const Sides& sides, int lag) {
   const size_t count = sides.from_lower.size(), shift = static_cast<size_t>(std::abs(lag));
   const double* p = sides.from_lower.data() + (lag < 0 ? shift : 0);
   const double* q = sides.of_upper.data() + (lag > 0 ? shift : 0);
-  double mean_p = 0.0, mean_q = 0.0;
   const size_t n = count - shift;
-  for (size_t i = 0; i < n; ++i) {
-    mean_p += p[i] / static_cast<double>(n);
-    mean_q += q[i] / static_cast<double>(n);
-  }
+  const double mean_p = mean_of(p, n), mean_q = mean_of(q, n);
   Moments m;
   for (size_t i = 0; i < n; ++i) {
-    m.pp += (p[i] - mean_p) * (p[i] - mean_p);
-    m.qq += (q[i] - mean_q) * (q[i] - mean_q);
-    m.pq += (p[i] - mean_p) * (q[i] - mean_q);
+    const double off_p = p[i] - mean_p, off_q = q[i] - mean_q;
+    m.pp += off_p * off_p;
+    m.qq += off_q * off_q;
+    m.pq += off_p * off_q;
   }
   return m;
+}
+
+// The span where both sides agree best, and their correlation there; 0 where the record is too short to say.
+struct BestSpan {
+  size_t h = 0;
+  double correlation = 0.0;
+};
+BestSpan best_span(Sides& sides) {
+  BestSpan best;
+  const double n = static_cast<double>(sides.samples());
+  for (size_t h = 1; n / static_cast<double>(2 * h) >= kFewestSpans; h *= 2) {
+    sides.over(h);
+    const double r = moments(sides, 0).correlation();
+    if (std::abs(r) > std::abs(best.correlation)) best = {h, r};
+  }
+  return best;
 }
 
 // q(t) = g p(t - late): the late part is what q - g p shares with the slope of p.
 void measure_lateness(const Sides& sides, double T, size_t h, Comparison& result) {
   double slope_square = 0.0, shared = 0.0, residual = 0.0;
   const size_t n = sides.from_lower.size();
-  const double mean_p = mean_of(sides.from_lower), mean_q = mean_of(sides.of_upper);
+  const double mean_p = mean_of(sides.from_lower.data(), n), mean_q = mean_of(sides.of_upper.data(), n);
   for (size_t i = 1; i + 1 < n; ++i) {
     const double slope = result.gain * (sides.from_lower[i + 1] - sides.from_lower[i - 1]) / (2.0 * T);
     const double off = sides.of_upper[i] - mean_q - result.gain * (sides.from_lower[i] - mean_p);
@@ -117,27 +149,26 @@ std::optional<Blame> blame_unit(const Comparison& pair, bool rotating) {
 
 }  // namespace
 
+double agreement(const Channel& lower, const Channel& upper, double sample_period_s) {
+  Sides sides(lower, upper, sample_period_s);
+  return std::abs(best_span(sides).correlation);
+}
+
 std::optional<Comparison> compare(const Channel& lower, const Channel& upper, double sample_period_s) {
-  const bool twice = static_cast<int>(upper.quantity) - static_cast<int>(lower.quantity) == 2;
-  const size_t n = lower.values.size();
+  Sides sides(lower, upper, sample_period_s);
+  const BestSpan span = best_span(sides);
+  if (span.h == 0) return std::nullopt;
   Comparison best;
   best.lower = lower.quantity;
   best.upper = upper.quantity;
-  size_t best_span = 0;
-  for (size_t h = 1; static_cast<double>(n) / static_cast<double>(2 * h) >= kFewestSpans; h *= 2) {
-    const double r = moments(sides_over(lower.values, upper.values, h, twice, sample_period_s), 0).correlation();
-    if (std::abs(r) <= std::abs(best.correlation)) continue;
-    best.correlation = r;
-    best_span = h;
-  }
-  if (best_span == 0) return std::nullopt;
-  const Sides sides = sides_over(lower.values, upper.values, best_span, twice, sample_period_s);
+  best.correlation = span.correlation;
+  sides.over(span.h);
   const Moments at_once = moments(sides, 0);
-  best.independent = static_cast<double>(n) / static_cast<double>(2 * best_span);
+  best.independent = static_cast<double>(sides.samples()) / static_cast<double>(2 * span.h);
   best.gain = std::copysign(std::sqrt(at_once.qq / at_once.pp), at_once.pq);
   best.turned = best.correlation < kTurnedCorrelation;
-  for (int lag = -kDelays; lag <= kDelays; ++lag) best.turned = best.turned && moments(sides, lag).pq < 0.0;
-  measure_lateness(sides, sample_period_s, best_span, best);
+  for (int lag = -kDelays; best.turned && lag <= kDelays; ++lag) best.turned = moments(sides, lag).pq < 0.0;
+  measure_lateness(sides, sample_period_s, span.h, best);
   return best;
 }
 

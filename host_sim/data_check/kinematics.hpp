@@ -24,6 +24,9 @@ struct Comparison {
 // Nothing where the record is too short to say (less than 30 independent spans).
 std::optional<Comparison> compare(const Channel& lower, const Channel& upper, double sample_period_s);
 
+// The magnitude of that correlation alone; 0 where the record is too short to say.
+double agreement(const Channel& lower, const Channel& upper, double sample_period_s);
+
 // Polarity, unit and lateness of the channels of one DOF (or of the base).
 std::vector<Finding> check_kinematics(const Record& record, int dof, bool rotating);
 

@@ -15,18 +15,34 @@ constexpr double kAboveSurroundings = 30.0;
 constexpr size_t kParts = 10;
 constexpr double kSteady = 0.9, kDriftShare = 0.05;
 
-// Amplitude of the channel at one frequency, by a Hann window over the first samples.
-double amplitude_at(const std::vector<double>& values, double mean, double cycles_per_sample) {
+// Amplitudes of a channel at a few frequencies, by a Hann window over its first samples. All frequencies go through the
+// record side by side, so that the compiler can keep several in one vector register.
+constexpr size_t kLine = 5, kAround = 16, kFrequencies = kLine + kAround;
+void amplitudes_at(const std::vector<double>& values, double mean, const double (&cycles_per_sample)[kFrequencies],
+                   double (&amplitude)[kFrequencies]) {
   const size_t n = std::min(values.size(), kMostSamples);
-  const std::complex<double> turn = std::polar(1.0, -2.0 * kPi * cycles_per_sample),
-                             window_turn = std::polar(1.0, 2.0 * kPi / static_cast<double>(n));
-  std::complex<double> phase = 1.0, window = 1.0, sum = 0.0;
-  for (size_t i = 0; i < n; ++i) {
-    sum += (values[i] - mean) * (0.5 - 0.5 * window.real()) * phase;
-    phase *= turn;
-    window *= window_turn;
+  const std::complex<double> window_turn = std::polar(1.0, 2.0 * kPi / static_cast<double>(n));
+  std::complex<double> window = 1.0;
+  double turn_re[kFrequencies], turn_im[kFrequencies], re[kFrequencies], im[kFrequencies];
+  double sum_re[kFrequencies] = {}, sum_im[kFrequencies] = {};
+  for (size_t k = 0; k < kFrequencies; ++k) {
+    const std::complex<double> turn = std::polar(1.0, -2.0 * kPi * cycles_per_sample[k]);
+    turn_re[k] = turn.real(), turn_im[k] = turn.imag();
+    re[k] = 1.0, im[k] = 0.0;
   }
-  return 4.0 * std::abs(sum) / static_cast<double>(n);
+  for (size_t i = 0; i < n; ++i) {
+    const double value = (values[i] - mean) * (0.5 - 0.5 * window.real());
+    window *= window_turn;
+    for (size_t k = 0; k < kFrequencies; ++k) {
+      sum_re[k] += value * re[k];
+      sum_im[k] += value * im[k];
+      const double turned = re[k] * turn_re[k] - im[k] * turn_im[k];
+      im[k] = re[k] * turn_im[k] + im[k] * turn_re[k];
+      re[k] = turned;
+    }
+  }
+  for (size_t k = 0; k < kFrequencies; ++k)
+    amplitude[k] = 4.0 * std::abs(std::complex<double>(sum_re[k], sum_im[k])) / static_cast<double>(n);
 }
 
 std::optional<Finding> find_hum(const Channel& channel, const Statistics& statistics, double sample_period_s,
@@ -34,19 +50,18 @@ std::optional<Finding> find_hum(const Channel& channel, const Statistics& statis
   const double resolution_Hz =
       1.0 / (static_cast<double>(std::min(channel.values.size(), kMostSamples)) * sample_period_s);
   if (resolution_Hz > 0.5 || mains_Hz + 5.0 > 0.45 / sample_period_s) return std::nullopt;
-  const auto amplitude = [&](double f_Hz) {
-    return amplitude_at(channel.values, statistics.mean, f_Hz * sample_period_s);
-  };
-  double line = 0.0;
-  for (int i = -2; i <= 2; ++i) line = std::max(line, amplitude(mains_Hz + 0.05 * i));
-  double around = 0.0, count = 0.0;
-  for (int i = 0; i < 8; ++i)
-    for (const double side : {-1.0, 1.0}) {
-      const double a = amplitude(mains_Hz + side * (std::max(1.0, 4.0 * resolution_Hz) + 0.37 * i));
-      around += a * a;
-      count += 1.0;
-    }
-  if (!(line * line > kAboveSurroundings * around / count) || line < 1e-6 * statistics.rms) return std::nullopt;
+  double cycles[kFrequencies], amplitude[kFrequencies];
+  for (size_t k = 0; k < kLine; ++k) cycles[k] = (mains_Hz + 0.05 * (static_cast<double>(k) - 2.0)) * sample_period_s;
+  for (size_t k = 0; k < kAround; ++k) {
+    const double off_Hz = std::max(1.0, 4.0 * resolution_Hz) + 0.37 * static_cast<double>(k / 2);
+    cycles[kLine + k] = (mains_Hz + (k % 2 == 0 ? -off_Hz : off_Hz)) * sample_period_s;
+  }
+  amplitudes_at(channel.values, statistics.mean, cycles, amplitude);
+  const double line = *std::max_element(amplitude, amplitude + kLine);
+  double around = 0.0;
+  for (size_t k = kLine; k < kFrequencies; ++k) around += amplitude[k] * amplitude[k];
+  if (!(line * line > kAboveSurroundings * around / static_cast<double>(kAround)) || line < 1e-6 * statistics.rms)
+    return std::nullopt;
   std::string text = fmt::format(
       "carries a line at {:.0f} Hz of amplitude {:.3g} ({:.2g} % of its rms): mains hum, if the excitation has no such "
       "line",

@@ -144,11 +144,11 @@ double mean_square(const std::vector<double>& x, int order) {
 }
 
 // Does a force strike at that sample, or one of its neighbours?
-bool struck(const std::vector<const Channel*>& forces, size_t sample) {
-  for (const Channel* force : forces) {
-    const Statistics statistics = statistics_of(force->values);
-    for (size_t i = sample > 2 ? sample - 2 : 0; i < std::min(sample + 3, force->values.size()); ++i)
-      if (std::abs(force->values[i] - statistics.mean) > 3.0 * statistics.rms) return true;
+bool struck(const std::vector<KnownChannel>& forces, size_t sample) {
+  for (const KnownChannel& force : forces) {
+    const std::vector<double>& values = force.channel->values;
+    for (size_t i = sample > 2 ? sample - 2 : 0; i < std::min(sample + 3, values.size()); ++i)
+      if (std::abs(values[i] - force.statistics->mean) > 3.0 * force.statistics->rms) return true;
   }
   return false;
 }

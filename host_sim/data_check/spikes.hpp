@@ -7,13 +7,18 @@
 
 namespace host_sim::data_check {
 
+struct KnownChannel {
+  const Channel* channel = nullptr;
+  const Statistics* statistics = nullptr;
+};
+
 struct Neighbours {
   double sample_period_s = 0.0;
   int differentiated = 0;  // how often the estimation differentiates the channel: 2 for a displacement alone
   // Of an acceleration or force: what one sample of 1 changes the velocity by (the sample period, over the mass), and
   // what the velocity spans; 0 where that is not known.
   double velocity_step = 0.0, velocity_range = 0.0;
-  std::vector<const Channel*> forces;  // of the record: an acceleration under a blow is no fault
+  std::vector<KnownChannel> forces;  // of the record: an acceleration under a blow is no fault
 };
 
 // A spike: one to three samples off both what stands before and what stands behind them, alone, by more than 8 standard

@@ -67,14 +67,22 @@ std::vector<Run> equal_runs(const std::vector<double>& values, size_t shortest) 
   return runs;
 }
 
+MeanAndRms mean_and_rms(const std::vector<double>& values) {
+  if (values.empty()) return {};
+  const auto n = static_cast<double>(values.size());
+  double sum = 0.0, squares = 0.0;
+  for (const double value : values) sum += value;
+  const double mean = sum / n;
+  for (const double value : values) squares += (value - mean) * (value - mean);
+  return {mean, std::sqrt(squares / n)};
+}
+
 Statistics statistics_of(const std::vector<double>& values) {
   Statistics s;
   if (values.empty()) return s;
-  const auto n = static_cast<double>(values.size());
-  for (const double value : values) s.mean += value / n;
-  double squares = 0.0;
-  for (const double value : values) squares += (value - s.mean) * (value - s.mean) / n;
-  s.rms = std::sqrt(squares);
+  const MeanAndRms first = mean_and_rms(values);
+  s.mean = first.mean;
+  s.rms = first.rms;
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
   s.lowest = *low;
   s.highest = *high;

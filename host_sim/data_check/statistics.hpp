@@ -15,6 +15,11 @@ struct Statistics {
   double repeats = 0.0;     // share of samples inside the range that equal their predecessor
 };
 
+struct MeanAndRms {
+  double mean = 0.0, rms = 0.0;  // rms about the mean
+};
+MeanAndRms mean_and_rms(const std::vector<double>& values);  // 0 of nothing
+
 Statistics statistics_of(const std::vector<double>& values);
 
 // The q-quantile (0 to 1), by partial sorting of a copy; 0 of nothing.

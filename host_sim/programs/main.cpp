@@ -1,4 +1,6 @@
 // host_sim: simulate a rig, estimate from measured data, name what a model lacks, read the frames.
+#include <malloc.h>
+
 #include <cstdio>
 #include <memory>
 
@@ -26,6 +28,9 @@ bool known_first_word(const CLI::App& app, int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  // Records are vectors of some hundred kilobytes that come and go: memory once taken is kept, not asked for again.
+  mallopt(M_MMAP_THRESHOLD, 32 << 20);
+  mallopt(M_TRIM_THRESHOLD, 1 << 30);
   CLI::App app{"Damping of vibration rigs: simulate, estimate, diagnose, read CAN frames", "host_sim"};
   app.require_subcommand(1);
   app.formatter(std::make_shared<host_sim::HelpText>());

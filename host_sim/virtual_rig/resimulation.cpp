@@ -1,6 +1,7 @@
 #include "host_sim/virtual_rig/resimulation.hpp"
 
 #include <cmath>
+#include <future>
 #include <limits>
 #include <numeric>
 
@@ -38,12 +39,16 @@ double mean_square_error(const Scenario& scenario, const RunResult& result, int 
 
 }  // namespace
 
-void judge_by_resimulation(const Scenario& scenario, uint64_t seed, RunResult& result) {
+void judge_by_resimulation(const Scenario& scenario, RunResult& result) {
   result.mse_percent.assign(scenario.rig.dofs.size(), std::numeric_limits<double>::quiet_NaN());
   try {
     const Scenario estimated = with_estimates(scenario, result);
+    std::vector<std::future<Record>> levels;
     for (size_t level = 0; level < scenario.levels.size(); ++level)
-      result.resimulated.push_back(simulate_level(estimated, level, seed));
+      levels.push_back(std::async(std::launch::async, [&estimated, &result, level] {
+        return simulate_level(estimated, level, result.measured.excitation[level]);
+      }));
+    for (std::future<Record>& level : levels) result.resimulated.push_back(level.get());
     for (size_t i = 0; i < result.mse_percent.size(); ++i)
       result.mse_percent[i] = mean_square_error(scenario, result, static_cast<int>(i + 1));
   } catch (const PlantError& error) {

@@ -4,7 +4,7 @@
 
 namespace host_sim {
 
-// Fills resimulated, mse_percent and mse_note from result.parameters and result.measured.truth.
-void judge_by_resimulation(const Scenario& scenario, uint64_t seed, RunResult& result);
+// Fills resimulated, mse_percent and mse_note from result.parameters and result.measured (truth, excitation).
+void judge_by_resimulation(const Scenario& scenario, RunResult& result);
 
 }  // namespace host_sim

@@ -113,7 +113,7 @@ RunResult run_scenario(const Scenario& scenario, uint64_t seed, ProgressSink& si
   result.sample_rate_Hz = scenario.sample_rate_Hz;
   result.health = board.core().health();
   result.measured = rig.measured();
-  judge_by_resimulation(rig.scenario(), seed, result);
+  judge_by_resimulation(rig.scenario(), result);
   return result;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <future>
 
 #include "hal/rig_file/channel_name.hpp"
 #include "host_sim/plant/instruments/random_numbers.hpp"
@@ -85,13 +86,14 @@ Record only(const std::vector<Channel>& wanted, const Record& simulated) {
   return record;
 }
 
-Record measured_level(const Scenario& scenario, size_t level, uint64_t seed, Record record) {
+Record measured_level(const Scenario& scenario, size_t level, uint64_t seed, const Excitation& excitation,
+                      Record record) {
   std::map<double, Record> delayed;  // by delay: the same motion at shifted sample times
   for (Channel& channel : record.channels) {
     const SensorChannel& sensor = sensor_of(scenario, channel.name);
     if (sensor.delay_us != 0.0) {
       if (delayed.count(sensor.delay_us) == 0)
-        delayed[sensor.delay_us] = simulate_level(scenario, level, seed, -sensor.delay_us * 1e-6);
+        delayed[sensor.delay_us] = simulate_level(scenario, level, excitation, -sensor.delay_us * 1e-6);
       if (const Channel* late = delayed[sensor.delay_us].find(channel.quantity, channel.dof))
         channel.values = late->values;
     }
@@ -130,13 +132,27 @@ MeasuredLevels measure(const Scenario& scenario, uint64_t seed) {
   MeasuredLevels result;
   const std::vector<Channel> channels = measured_channels(scenario);
   if (channels.empty()) throw PlantError("scenario " + scenario.name + " measures no channel");
+  struct Level {
+    Excitation excitation;
+    Record truth, measured;
+  };
+  std::vector<std::future<Level>> levels;  // beside each other: no level knows of another
+  for (size_t number = 0; number < scenario.levels.size(); ++number)
+    levels.push_back(std::async(std::launch::async, [&scenario, &channels, seed, number] {
+      Level level;
+      level.excitation = level_excitation(scenario, number, seed);
+      level.truth = simulate_level(scenario, number, level.excitation);
+      level.measured = measured_level(scenario, number, seed, level.excitation, only(channels, level.truth));
+      return level;
+    }));
   std::vector<double> largest(channels.size(), 0.0);
-  for (size_t level = 0; level < scenario.levels.size(); ++level) {
-    result.truth.push_back(simulate_level(scenario, level, seed));
-    result.measured.push_back(measured_level(scenario, level, seed, only(channels, result.truth.back())));
+  for (std::future<Level>& made : levels) {
+    Level level = made.get();
     for (size_t c = 0; c < channels.size(); ++c)
-      for (double value : result.measured.back().channels[c].values)
-        largest[c] = std::max(largest[c], std::fabs(value));
+      for (double value : level.measured.channels[c].values) largest[c] = std::max(largest[c], std::fabs(value));
+    result.excitation.push_back(std::move(level.excitation));
+    result.truth.push_back(std::move(level.truth));
+    result.measured.push_back(std::move(level.measured));
   }
   for (size_t c = 0; c < channels.size(); ++c)
     result.calibrations.push_back(calibrate_channel(scenario, channels[c], largest[c]));

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "hal/rig_file/compile_rig.hpp"
+#include "host_sim/plant/instruments/signal.hpp"
 #include "host_sim/plant/scenario/scenario.hpp"
 
 namespace host_sim {
@@ -11,6 +12,7 @@ namespace host_sim {
 // have the same channels, one calibration for each.
 struct MeasuredLevels {
   std::vector<rig_file::ChannelCalibration> calibrations;
+  std::vector<Excitation> excitation;
   std::vector<Record> truth;  // noise-free, undelayed, all channels of every DOF
   std::vector<Record>
       measured;  // SI values that the codes stand for: (code - offset_code) * unit_per_code, delays still in

@@ -31,11 +31,15 @@ Excitation level_excitation(const Scenario& scenario, size_t level_number, uint6
   return excitation;
 }
 
-Record simulate_level(const Scenario& scenario, size_t level_number, uint64_t seed, double offset_s) {
+Record simulate_level(const Scenario& scenario, size_t level_number, const Excitation& excitation, double offset_s) {
   const ExcitationLevel& level = scenario.levels[level_number];
   const long settle = static_cast<long>(level.settle_samples);
   const SampleTimes times{scenario.sample_period_s(), -settle, -settle, level.recorded(), offset_s};
-  return simulate(scenario.plant, level.initial, level_excitation(scenario, level_number, seed), times);
+  return simulate(scenario.plant, level.initial, excitation, times);
+}
+
+Record simulate_level(const Scenario& scenario, size_t level_number, uint64_t seed, double offset_s) {
+  return simulate_level(scenario, level_number, level_excitation(scenario, level_number, seed), offset_s);
 }
 
 }  // namespace host_sim

@@ -12,5 +12,7 @@ Excitation level_excitation(const Scenario& scenario, size_t level, uint64_t see
 // (ExcitationLevel::recorded() samples), without sensors.
 // offset_s shifts all sample times: negative for a channel that is late.
 Record simulate_level(const Scenario& scenario, size_t level, uint64_t seed, double offset_s = 0.0);
+// The same under an excitation that is there already: that of a random band takes as long as the rig's motion.
+Record simulate_level(const Scenario& scenario, size_t level, const Excitation& excitation, double offset_s = 0.0);
 
 }  // namespace host_sim

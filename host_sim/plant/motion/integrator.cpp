@@ -8,6 +8,7 @@
 #include <cmath>
 #include <string>
 
+#include "host_sim/plant/motion/short_vector.hpp"
 #include "host_sim/plant/plant_error.hpp"
 
 namespace host_sim {
@@ -126,7 +127,7 @@ void Integrator::Working::grow_scale() {
 void Integrator::Working::create() {
   if (SUNContext_Create(nullptr, &context) != 0) throw PlantError("cannot create a SUNDIALS context");
   vector = N_VMake_Serial(static_cast<sunindextype>(y.size()), y.data(), context);
-  N_VEnableFusedOps_Serial(vector, SUNTRUE);  // a stage is one pass over the stage vectors
+  use_short_loops(vector);
   arkode = ERKStepCreate(right_hand_side, t, vector, context);
   if (arkode == nullptr) throw PlantError("cannot create an ARKODE integrator");
   ERKStepSetErrHandlerFn(arkode, on_error, this);
