@@ -1,7 +1,9 @@
 // One block of every signal that the energy equations multiply, side by side as integer columns.
 //
-// Arithmetic: column entries are integers |c| <= 2^23 (signals), 10 * 2^23 (instrument: six times the velocity or displacement), 2^26 (effect
-// terms), 1 (signs). A product is below 2^26.4 * 2^26; a batch sums at most 1024 of them: below 2^62.4, exact in int64.
+// The binary point of an entry is in the type of its column: Code for signals (|c| <= 2^23), instruments (six times the
+// velocity or displacement: 10 * 2^23) and signs, PassedSign for signs behind a filter, LawForce for effect terms (one
+// is 2^26). What multiplies any two columns alike, the product sums, takes them raw, and the plan of the equations knows
+// their units. A product is below 2^26.4 * 2^26; a batch sums at most 1024 of them: below 2^62.4, exact in int64.
 //
 // A frame holds 3 samples before the block and 4 after it: the instrument reaches 2 samples to either side and the end
 // corrections of the integrals look one sample further, also at the sample that follows the block.
@@ -9,6 +11,7 @@
 #include <cstdint>
 
 #include "firmware/configuration/configuration.hpp"
+#include "firmware/fixed_point/fixed.hpp"
 
 namespace firmware {
 
@@ -38,8 +41,38 @@ constexpr int kMaxColumns = kEffectColumn + kMaxEffectColumns;
 
 constexpr int signal_column(int node, Quantity quantity) { return node * kQuantities + static_cast<int>(quantity); }
 
+using Code = Fixed<int32_t, 0>;
+using LawForce = Fixed<int32_t, 26>;
+
+// One column of a frame as what it holds.
+template <typename Number>
+class Column {
+ public:
+  explicit Column(int32_t* raw) : raw_(raw) {}
+  Number operator[](int i) const { return Number::from_raw(raw_[i]); }
+  void put(int i, Number number) { raw_[i] = number.raw; }
+
+ private:
+  int32_t* raw_;
+};
+template <typename Number>
+class ConstColumn {
+ public:
+  explicit ConstColumn(const int32_t* raw) : raw_(raw) {}
+  Number operator[](int i) const { return Number::from_raw(raw_[i]); }
+
+ private:
+  const int32_t* raw_;
+};
+
 struct Frame {
-  alignas(16) int32_t column[kMaxColumns][kFrameStride];
+  alignas(16) int32_t raw[kMaxColumns][kFrameStride];
+
+  // column: a signal, an instrument or a sign.
+  Column<Code> codes(int column) { return Column<Code>(raw[column]); }
+  ConstColumn<Code> codes(int column) const { return ConstColumn<Code>(raw[column]); }
+  Column<PassedSign> passed_sign(int link) { return Column<PassedSign>(raw[kClearSignColumn + link]); }
+  Column<LawForce> effect(int number) { return Column<LawForce>(raw[kEffectColumn + number]); }
 };
 
 }  // namespace firmware

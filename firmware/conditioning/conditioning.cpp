@@ -6,7 +6,6 @@ namespace firmware {
 namespace {
 
 constexpr int32_t kSignalLimit = 1 << 23;
-constexpr int kStateFraction = 16;
 // Of the high-pass, until what a level started with is forgotten. A double integration turns a start in mid-motion into
 // metres: t^2 exp(-t / tau) must fall below 1e-5 of it, which takes 16 time constants.
 constexpr int settling_time_constants(int order) { return order > 2 ? 16 : 4; }
@@ -130,14 +129,15 @@ void Conditioning::restart() {
   saturated_ = false;
   history_at_ = 0;
   for (int i = 0; i < path_count_; ++i)
-    for (int s = 0; s < kMaxSections; ++s) path_[i].section[s] = path_[i].previous[s] = 0;
+    for (int s = 0; s < kMaxSections; ++s) path_[i].section[s] = path_[i].previous[s] = State{};
+  for (FusionState& fusion : fusion_) fusion = FusionState{};
 }
 
 bool Conditioning::append(const RawSample& sample, Frame& frame, int at) {
   FIRMWARE_PRECONDITION(configuration_ != nullptr && at >= 0 && at < kFrameStride);
   static_assert(signal_column(1, Quantity::kForce) == kQuantities, "channels and signal columns are numbered alike");
   const int32_t* code = &sample.code[0][0];
-  int32_t* column = &frame.column[0][at];
+  int32_t* column = &frame.raw[0][at];
   saturated_ = false;
   for (const Channel *c = channel_, *end = channel_ + channel_count_; c != end; ++c) {
     const int32_t value = code[c->place];
@@ -145,7 +145,7 @@ bool Conditioning::append(const RawSample& sample, Frame& frame, int at) {
       column[c->column] = value - c->offset;
     } else {
       saturated_ = true;
-      column[c->column] = centred(*c, value);
+      column[c->column] = centred(*c, value).raw;
     }
   }
   return plain_ || filter(sample, frame, at);
@@ -156,10 +156,10 @@ bool Conditioning::filter(const RawSample& sample, Frame& frame, int at) {
     Path& path = path_[i];
     const Channel& channel = channel_[path.channel];
     const int32_t code = (&sample.code[0][0])[channel.place];
-    frame.column[path.column][at] = filtered(path, centred(channel, code));
+    frame.codes(path.column).put(at, filtered(path, centred(channel, code)));
   }
   for (int i = 0; i < path_count_; ++i)
-    if (path_[i].fused_with >= 0) frame.column[path_[i].column][at] = fused(path_[i]);
+    if (path_[i].fused_with >= 0) frame.codes(path_[i].column).put(at, fused(path_[i]));
   if (++history_at_ == kHistory) history_at_ = 0;
   ++received_;
   return received_ > static_cast<uint32_t>(history_samples_);
@@ -167,87 +167,85 @@ bool Conditioning::filter(const RawSample& sample, Frame& frame, int at) {
 
 void Conditioning::move_frame(Frame& frame, int count, int kept) const {
   for (int p = 0; p < path_count_; ++p) {
-    int32_t* column = frame.column[path_[p].column];
-    for (int i = 0; i < kept; ++i) column[i] = column[i + count];
+    Column<Code> column = frame.codes(path_[p].column);
+    for (int i = 0; i < kept; ++i) column.put(i, column[i + count]);
   }
 }
 
-int32_t Conditioning::centred(const Channel& channel, int32_t code) {
-  return between(channel.lowest, code, channel.highest) - channel.offset;
+Code Conditioning::centred(const Channel& channel, int32_t code) {
+  return Code::from_raw(between(channel.lowest, code, channel.highest) - channel.offset);
 }
 
 // A weighted sum over the window of a path, whose centre is `reach` samples old.
 template <int kTaps>
-int64_t weighted(const Fixed<int32_t, 0> (&tap)[kTaps], const int32_t* first, int half_length) {
+int64_t weighted(const Fixed<int32_t, 0> (&tap)[kTaps], const Code* first, int half_length) {
   int64_t sum = 0;
-  for (int k = 0; k <= 2 * half_length; ++k) sum += static_cast<int64_t>(tap[k].raw) * first[k];
+  for (int k = 0; k <= 2 * half_length; ++k) sum += (tap[k] * first[k]).raw;
   return sum;
 }
 
-int32_t Conditioning::rounded(int64_t sum, int shift) {
+Code Conditioning::rounded(int64_t sum, int shift) {
   if (shift > 0) sum = (sum + (int64_t{1} << (shift - 1))) >> shift;
   if (sum > kSignalLimit || sum < -kSignalLimit) {
     if (received_ >= static_cast<uint32_t>(history_samples_)) saturated_ = true;  // not while the filters fill
     sum = sum > 0 ? kSignalLimit : -kSignalLimit;
   }
-  return static_cast<int32_t>(sum);
+  return Code::from_raw(static_cast<int32_t>(sum));
 }
 
-int32_t Conditioning::filtered(Path& path, int32_t code) {
+Code Conditioning::filtered(Path& path, Code code) {
   const SignalConfiguration& signal = configuration_->signals[path.node][path.quantity];
-  const int32_t input = path.sections == 0 ? code : high_passed(path, code);
+  const Code input = path.sections == 0 ? code : high_passed(path, code);
   path.history[history_at_] = path.history[history_at_ + kHistory] = input;
-  if (path.fused_with >= 0) return 0;                      // filled once the acceleration's history is
-  const int32_t* window = &path.history[history_at_ + 1];  // window[kHistory - 1] is the newest sample
+  if (path.fused_with >= 0) return {};                  // filled once the acceleration's history is
+  const Code* window = &path.history[history_at_ + 1];  // window[kHistory - 1] is the newest sample
   const int first = kHistory - 1 - (reach_ - path.early) - signal.half_length;
   const bool for_sign = path.column >= kSignVelocityColumn;  // of which the limit does not matter
   const bool saturated = saturated_;
-  const int32_t value = rounded(weighted(signal.tap, window + first, signal.half_length), signal.shift);
+  const Code value = rounded(weighted(signal.tap, window + first, signal.half_length), signal.shift);
   if (for_sign) saturated_ = saturated;
   return value;
 }
 
-// section[0] and section[1] are the difference of the two velocities after one and two high-pass sections, previous[0] the
-// last slope, previous[1] the last section[0]. The first slope is taken to have stood there for ever.
-int32_t Conditioning::fused(Path& path) {
+// The first slope is taken to have stood there for ever.
+Code Conditioning::fused(const Path& path) {
   const SignalConfiguration& signal = configuration_->signals[path.node][path.quantity];
   const FusionConfiguration& fusion = configuration_->fusion[path.node];
+  FusionState& state = fusion_[kDerivesSignals ? path.node : 0];
   const int first = history_at_ + 1 + kHistory - 1 - reach_ - signal.half_length;
   const int64_t slope = weighted(signal.tap, &path.history[first], signal.half_length);
   const int64_t step = weighted(fusion.step_tap, &path_[path.fused_with].history[first], signal.half_length);
-  if (received_ + 1 < static_cast<uint32_t>(2 * reach_ + 1)) return 0;
-  if (received_ + 1 == static_cast<uint32_t>(2 * reach_ + 1)) path.previous[0] = slope;
+  if (received_ + 1 < static_cast<uint32_t>(2 * reach_ + 1)) return {};
+  if (received_ + 1 == static_cast<uint32_t>(2 * reach_ + 1)) state.slope = slope;
   const int leak = starting_leak(received_ - static_cast<uint32_t>(2 * reach_), fusion.leak_shift);
-  int64_t& once = path.section[0];
-  int64_t& twice = path.section[1];
-  once += step - (slope - path.previous[0]) - (once >> leak);
-  twice += once - path.previous[1] - (twice >> leak);
-  path.previous[0] = slope;
-  path.previous[1] = once;
-  return rounded(slope + twice, signal.shift);
+  const int64_t before = state.once;
+  state.once += step - (slope - state.slope) - (state.once >> leak);
+  state.twice += state.once - before - (state.twice >> leak);
+  state.slope = slope;
+  return rounded(slope + state.twice, signal.shift);
 }
 
 // First-order sections with the pole 1 - 2^-shift. The differences come first, they take the offset away before the
 // integrations sum anything; the very first sample is taken to have stood there for ever, so there is no switch-on
 // step.
-int32_t Conditioning::high_passed(Path& path, int32_t code) const {
+Code Conditioning::high_passed(Path& path, Code code) const {
   const int differences = path.sections - path.integrations;
   const bool for_sign = path.column >= kSignVelocityColumn;
   const int shift = for_sign ? starting_leak(received_, path.shift) : path.shift;
-  int64_t value = static_cast<int64_t>(code) * (int64_t{1} << kStateFraction);
+  State value = rescale<State>(code);
   if (received_ == 0) path.previous[0] = value;
   for (int s = 0; s < path.sections; ++s) {
-    int64_t& state = path.section[s];
+    State& state = path.section[s];
     if (s < differences) {
-      state += value - path.previous[s] - (state >> shift);
+      state = state + (value - path.previous[s] - (state >> shift));
       path.previous[s] = value;
       value = state;
     } else {
-      state += value - (state >> shift);
+      state = state + (value - (state >> shift));
       value = state >> (configuration_->high_pass_shift - kIntegrationExtraBits);
     }
   }
-  return clamp32((value + (int64_t{1} << (kStateFraction - 1))) >> kStateFraction);
+  return Code::from_raw(clamp32(rescale<Fixed<int64_t, 0>>(value).raw));
 }
 
 }  // namespace firmware

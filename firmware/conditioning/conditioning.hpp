@@ -8,7 +8,7 @@
 // Where signals pass a low-pass, friction's sign passes it too: the velocity it is taken from comes as many samples early as that
 // filter needs (links/low_passed_sign.hpp), all other signals wait for it.
 //
-// Formats: code 24 bits; section states Q16 in int64, below 2^57 for two integrations at the slowest corner (shift 12);
+// Formats: code 24 bits; section states (State) in int64, below 2^57 for two integrations at the slowest corner (shift 12);
 // FIR: 57 taps of 30 bits times codes of 24 bits, or of 25 bits times 31, stay below 2^62. Signals leave with |value| <= 2^23; a signal at that limit and a code at
 // one of its channel's rails count as saturated.
 #pragma once
@@ -32,19 +32,25 @@ class Conditioning {
 
  private:
   static constexpr int kHistory = 2 * kFilterHalf + 1;
-  static constexpr int kMaxSections = kDerivesSignals ? 3 : 2;
+  static constexpr int kMaxSections = kDerivesSignals ? 3 : 1;
   static constexpr int kMaxPaths = kMaxNodes * (kQuantities + (kDerivesSignals ? 1 : 0));
+  using State = Fixed<int64_t, 16>;
   struct Path {  // one signal
     uint8_t node = 0, quantity = 0;
-    uint8_t channel = 0;                  // that it is made from
-    uint16_t column = 0;                  // of the frame
-    int32_t history[2 * kHistory] = {};   // every entry twice, so that a window is contiguous
-    int64_t section[kMaxSections] = {};   // Q16
-    int64_t previous[kMaxSections] = {};  // Q16, last input of a difference section
+    uint8_t channel = 0;              // that it is made from
+    uint16_t column = 0;              // of the frame
+    Code history[2 * kHistory] = {};  // every entry twice, so that a window is contiguous
+    State section[kMaxSections] = {};
+    State previous[kMaxSections] = {};  // last input of a difference section
     // High-pass: differences come first, then integrations, all with the pole 1 - 2^-shift.
     uint8_t sections = 0, integrations = 0, shift = 0;
     uint8_t early = 0;        // samples by which it comes before the others
-    int16_t fused_with = -1;  // the path of the node's acceleration; section and previous are of the fusion
+    int16_t fused_with = -1;  // the path of the node's acceleration
+  };
+  // The difference of the two velocities after one and two high-pass sections, and the last slope; in the unit of the taps'
+  // sums, which SignalConfiguration::shift takes back to codes.
+  struct FusionState {
+    int64_t once = 0, twice = 0, slope = 0;
   };
   // A measured channel. Codes at or beyond its rails are saturated; beyond them they are taken for the rails, so that
   // code - offset holds 24 bits with sign whatever a converter delivers.
@@ -58,12 +64,12 @@ class Conditioning {
   };
   void add_channel(int node, int quantity);
   bool filter(const RawSample& sample, Frame& frame, int at);
-  static int32_t centred(const Channel& channel, int32_t code);
+  static Code centred(const Channel& channel, int32_t code);
   void link_fused_paths();
-  int32_t filtered(Path& path, int32_t code);
-  int32_t fused(Path& path);
-  int32_t rounded(int64_t sum, int shift);
-  int32_t high_passed(Path& path, int32_t code) const;
+  Code filtered(Path& path, Code code);
+  Code fused(const Path& path);
+  Code rounded(int64_t sum, int shift);
+  Code high_passed(Path& path, Code code) const;
   Path& add_path(int node, int quantity, int column);
   void add_sign_velocity(int node);
 
@@ -72,6 +78,7 @@ class Conditioning {
   int channel_count_ = 0;
   Path path_[kMaxPaths];
   int path_count_ = 0;
+  FusionState fusion_[kDerivesSignals ? kMaxNodes : 1];
   int reach_ = 0;  // longest half_length: the common delay in samples
   int history_samples_ = 0;
   bool plain_ = true;  // no filter anywhere: codes are copied

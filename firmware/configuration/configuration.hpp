@@ -61,7 +61,7 @@ struct FusionConfiguration {
 };
 
 constexpr int kSignFilterHalf = kDerivesSignals ? 12 : 0;
-constexpr int kFilteredSignBits = 20;
+using PassedSign = Fixed<int32_t, 20>;  // the sign of friction behind a filter
 
 // A link between two nodes: elongation u = x_a - x_b, rate w = v_a - v_b; its force acts on a with -1, on b with +1.
 struct LinkConfiguration {
@@ -128,10 +128,9 @@ struct CoreConfiguration {
   // integrations, plus one where any is integrated; an integration takes the place of one section's difference.
   uint8_t high_pass_order = 0;
   uint8_t high_pass_shift = 0;
-  // Where every signal passes a low-pass, the sign of friction passes it too: taps in Q20, oldest first. 0: it passes none.
+  // Where every signal passes a low-pass, the sign of friction passes it too: taps, oldest first. 0: it passes none.
   uint8_t sign_half_length = 0;
-  Fixed<int32_t, 20> sign_tap[2 * kSignFilterHalf + 1];
-  // The column of friction's sign holds 2^kFilteredSignBits times the filtered sign.
+  PassedSign sign_tap[2 * kSignFilterHalf + 1];
   bool filters_sign() const { return high_pass_order > 0 || sign_half_length > 0; }
   WindowConfiguration window;
   // What the score tests (firmware/warrant) may cost: products of two numbers a sample; 0: no tests.

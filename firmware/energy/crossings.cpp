@@ -4,23 +4,22 @@
 
 namespace firmware {
 
-int64_t crossing_correction_q16(int64_t w0, int64_t w1, int32_t q0, int32_t q1) {
-  constexpr int64_t kOne = 1 << 16;
-  [[maybe_unused]] constexpr int64_t kLargestRate = int64_t{1} << 35;
-  FIRMWARE_PRECONDITION((w0 > 0 && w1 < 0) || (w0 < 0 && w1 > 0));
-  FIRMWARE_PRECONDITION(w0 <= kLargestRate && w0 >= -kLargestRate && w1 <= kLargestRate && w1 >= -kLargestRate);
-  const int64_t theta = w0 * kOne / (w0 - w1);  // |w| < 2^35: fits; 0 < theta < 2^16
-  const int64_t step = static_cast<int64_t>(q1) - q0;
-  const int64_t correction = (2 * theta - kOne) * q0 + ((theta * theta) / kOne - kOne / 6) * step;
-  return w0 > 0 ? correction : -correction;
+Crossing crossing_correction(Rate w0, Rate w1, Code q0, Code q1) {
+  constexpr int64_t kOne = int64_t{1} << Crossing::kFractionBits;
+  [[maybe_unused]] constexpr Rate kLargestRate = Rate::from_raw(int64_t{1} << 35);
+  FIRMWARE_PRECONDITION(sign_of(w0) * sign_of(w1) == -1);
+  FIRMWARE_PRECONDITION(!(kLargestRate < size_of(w0)) && !(kLargestRate < size_of(w1)));
+  const int64_t theta = w0.raw * kOne / (w0.raw - w1.raw);  // |w| < 2^35: fits; 0 < theta < 2^16
+  const int64_t step = static_cast<int64_t>(q1.raw) - q0.raw;
+  const int64_t correction = (2 * theta - kOne) * q0.raw + ((theta * theta) / kOne - kOne / 6) * step;
+  return Crossing::from_raw(w0.raw > 0 ? correction : -correction);
 }
 
-int64_t crossing_corrections_q16(const int64_t* rate, const int32_t* weight, int from, int to) {
-  int64_t sum = 0;
-  for (int n = from; n < to; ++n) {
-    const bool changes = (rate[n] > 0 && rate[n + 1] < 0) || (rate[n] < 0 && rate[n + 1] > 0);
-    if (changes) sum += crossing_correction_q16(rate[n], rate[n + 1], weight[n], weight[n + 1]);
-  }
+Crossing crossing_corrections(const Rate* rate, ConstColumn<Code> weight, int from, int to) {
+  Crossing sum;
+  for (int n = from; n < to; ++n)
+    if (sign_of(rate[n]) * sign_of(rate[n + 1]) < 0)
+      sum = sum + crossing_correction(rate[n], rate[n + 1], weight[n], weight[n + 1]);
   return sum;
 }
 

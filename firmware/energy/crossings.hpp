@@ -6,13 +6,15 @@
 //
 // Formats: theta Q16; weight 27 bits; one correction below 2^46, 1024 of them below 2^56.
 #pragma once
-#include "firmware/acquisition/columns.hpp"
+#include "firmware/links/link_motion.hpp"
 
 namespace firmware {
 
-// Correction in Q16 of the weight's code, for one interval whose rate goes from w0 to w1 with opposite signs.
-int64_t crossing_correction_q16(int64_t w0, int64_t w1, int32_t q0, int32_t q1);
+using Crossing = Fixed<int64_t, 16>;  // of the weight's code
+
+// For one interval whose rate goes from w0 to w1 with opposite signs.
+Crossing crossing_correction(Rate w0, Rate w1, Code q0, Code q1);
 // The sum over all sign changes in the intervals [n, n + 1], from <= n < to.
-int64_t crossing_corrections_q16(const int64_t* rate, const int32_t* weight, int from, int to);
+Crossing crossing_corrections(const Rate* rate, ConstColumn<Code> weight, int from, int to);
 
 }  // namespace firmware

@@ -1,7 +1,5 @@
 #include "firmware/energy/energy_sums.hpp"
 
-#include "firmware/energy/crossings.hpp"
-
 namespace firmware {
 namespace {
 
@@ -14,7 +12,7 @@ constexpr int kDisplacement = static_cast<int>(Weight::kDisplacement);
 constexpr int kClearMeans = 4, kClearMeansDerived = 8;
 
 void copy(Frame& frame, int to_column, int from_column, int from, int to) {
-  for (int n = from; n < to; ++n) frame.column[to_column][n] = frame.column[from_column][n];
+  for (int n = from; n < to; ++n) frame.raw[to_column][n] = frame.raw[from_column][n];
 }
 
 bool measured_velocity(const CoreConfiguration& configuration, int node) {
@@ -77,25 +75,25 @@ void EnergySums::restart() {
 void EnergySums::fill_instruments(Frame& frame, int from, int to) {
   // z = (-v[-2] + 4 v[-1] + 4 v[+1] - v[+2]) / 6 without the division: cubic through the four neighbours.
   for (int node = 0; node < configuration_->dof_count; ++node) {
-    const int32_t* v = frame.column[signal_column(node, Quantity::kVelocity)];
-    int32_t* z = frame.column[kInstrumentColumn + node];
-    for (int i = from; i < to; ++i) z[i] = 4 * (v[i - 1] + v[i + 1]) - (v[i - 2] + v[i + 2]);
+    const Column<Code> v = frame.codes(signal_column(node, Quantity::kVelocity));
+    Column<Code> z = frame.codes(kInstrumentColumn + node);
+    for (int i = from; i < to; ++i) z.put(i, 4 * (v[i - 1] + v[i + 1]) - (v[i - 2] + v[i + 2]));
     if (weights_ <= kDisplacement) continue;
-    const int32_t* x = frame.column[signal_column(node, Quantity::kDisplacement)];
-    int32_t* y = frame.column[kDisplacementInstrumentColumn + node];
-    for (int i = from; i < to; ++i) y[i] = 4 * (x[i - 1] + x[i + 1]) - (x[i - 2] + x[i + 2]);
+    const Column<Code> x = frame.codes(signal_column(node, Quantity::kDisplacement));
+    Column<Code> y = frame.codes(kDisplacementInstrumentColumn + node);
+    for (int i = from; i < to; ++i) y.put(i, 4 * (x[i - 1] + x[i + 1]) - (x[i - 2] + x[i + 2]));
   }
 }
 
 void EnergySums::fill_signs(Frame& frame, int link, int from, int to) {
   const bool smooth_too = weights_ > kInstrument && wants_all_signs_[link];
   for (int stream = 0; stream < (smooth_too ? 2 : 1); ++stream) {
-    int32_t* sign = frame.column[(stream == 0 ? kSignColumn : kSmoothSignColumn) + link];
+    const Column<Code> sign = frame.codes((stream == 0 ? kSignColumn : kSmoothSignColumn) + link);
     if (!locates_crossings_[link] && equal_units(gains_[link])) {
       signs_of_difference(gains_[link], frame, stream == 1, from, to, sign);
       continue;
     }
-    int64_t rate[kFrameStride];
+    Rate rate[kFrameStride];
     link_rate(gains_[link], frame, stream == 1, from, to, rate);
     signs(rate, from, to, sign);
     if (locates_crossings_[link]) add_crossings(frame, link, stream == 1, rate, from + 1, to - 2);
@@ -112,40 +110,42 @@ void EnergySums::fill_clear_signs(Frame& frame, int from, int to, int advance) {
   }
   for (int l = 0; l < configuration_->link_count; ++l) {
     if (!wants_clear_sign_[l]) continue;
-    int32_t clear[kFrameStride];
-    int32_t* sign = frame.column[kClearSignColumn + l];
+    bool clear[kFrameStride];
+    const Column<Code> sign = frame.codes(kClearSignColumn + l);
     clear_sign_[l].fill(frame, from, to, advance, clear, sign);
     const int filter = kDerivesSignals ? l : 0;
     if (kDerivesSignals && configuration_->high_pass_order > 0)
       high_passed_sign_[filter].fill(configuration_->high_pass_order, configuration_->high_pass_shift, from, to,
-                                     advance, sign);
+                                     advance, sign, frame.passed_sign(l));
     if (kDerivesSignals && configuration_->sign_half_length > 0)
-      low_passed_sign_[filter].fill(*configuration_, from, to, advance, sign, clear);
+      low_passed_sign_[filter].fill(*configuration_, from, to, advance, sign, frame.passed_sign(l), clear);
     leave_out(frame, l, from, to, clear);
   }
 }
 
-void EnergySums::leave_out(Frame& frame, int link, int from, int to, const int32_t* clear) {
+void EnergySums::leave_out(Frame& frame, int link, int from, int to, const bool* clear) {
   const int nodes[2] = {configuration_->links[link].node_a, configuration_->links[link].node_b};
   for (const int i : nodes) {
     if (i >= configuration_->dof_count || !plan_.dof[i].clear_signs_only) continue;
+    Column<Code> z = frame.codes(kClearInstrumentColumn + i);
     for (int n = from; n < to; ++n)
-      if (clear[n] == 0) frame.column[kClearInstrumentColumn + i][n] = 0;
+      if (!clear[n]) z.put(n, Code{});
     if (weights_ <= kDisplacement) continue;
+    Column<Code> y = frame.codes(kClearDisplacementColumn + i);
     for (int n = from; n < to; ++n)
-      if (clear[n] == 0) frame.column[kClearDisplacementColumn + i][n] = 0;
+      if (!clear[n]) y.put(n, Code{});
   }
 }
 
-void EnergySums::add_crossings(const Frame& frame, int link, bool smoothed, const int64_t* rate, int from, int to) {
+void EnergySums::add_crossings(const Frame& frame, int link, bool smoothed, const Rate* rate, int from, int to) {
   for (int n = 0; n < plan_.incidence_count; ++n) {
     const Incidence& incidence = plan_.incidence[n];
     const Term& term = configuration_->terms[incidence.term];
     if (!is_sign_term(term.kind) || term.place != link || plan_.dof[incidence.dof].has_acceleration) continue;
     for (int q = 0; q < weights_; ++q)
       if ((q == kInstrument) == smoothed)
-        crossing_q16_[n][q] +=
-            crossing_corrections_q16(rate, frame.column[weight_column(plan_, incidence.dof, q)], from, to);
+        crossing_[n][q] =
+            crossing_[n][q] + crossing_corrections(rate, frame.codes(weight_column(plan_, incidence.dof, q)), from, to);
   }
 }
 
@@ -163,8 +163,8 @@ EnergySums::EndPoint EnergySums::end_point(const Frame& frame, int at) const {
   EndPoint point;
   for (int i = 0; i < configuration_->dof_count; ++i) {
     point.displacement[i] =
-        plan_.dof[i].has_displacement ? frame.column[signal_column(i, Quantity::kDisplacement)][at] : 0;
-    point.velocity[i] = plan_.dof[i].has_velocity ? frame.column[signal_column(i, Quantity::kVelocity)][at] : 0;
+        plan_.dof[i].has_displacement ? frame.codes(signal_column(i, Quantity::kDisplacement))[at].raw : 0;
+    point.velocity[i] = plan_.dof[i].has_velocity ? frame.codes(signal_column(i, Quantity::kVelocity))[at].raw : 0;
   }
   return point;
 }
@@ -187,7 +187,7 @@ void EnergySums::add_block(Frame& frame, int count) {
 
 void EnergySums::clear_crossings() {
   for (int n = 0; n < plan_.incidence_count; ++n)
-    for (int64_t& correction : crossing_q16_[n]) correction = 0;
+    for (Crossing& correction : crossing_[n]) correction = Crossing{};
 }
 
 // 24 times the sum and its ends fit one word where the sum is below 2^57 (the ends are): the usual case. Both ways are
@@ -211,8 +211,9 @@ Scaled EnergySums::friction_energy(const Incidence& incidence, int weight) const
   if (clear && (weight != kPlain || configuration_->filters_sign())) return integral(incidence.product_a[weight]);
   const int column = weight_column(plan_, incidence.dof, weight);
   const int link = configuration_->terms[incidence.term].place;
-  const Scaled crossing = configuration_->sample_period_s * plan_.column_unit[column] *
-                          Scaled::from_int(crossing_q16_[&incidence - plan_.incidence][weight], -16);
+  const Scaled crossing =
+      configuration_->sample_period_s * plan_.column_unit[column] *
+      Scaled::from_int(crossing_[&incidence - plan_.incidence][weight].raw, -Crossing::kFractionBits);
   const Scaled own = integral(incidence.product_a[weight]) + crossing;
   if (weight != kInstrument) return own;
   const Scaled smooth = integral(incidence.product_smooth) + crossing;

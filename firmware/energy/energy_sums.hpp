@@ -2,6 +2,7 @@
 #pragma once
 #include "firmware/conditioning/conditioning.hpp"
 #include "firmware/energy/batch_table.hpp"
+#include "firmware/energy/crossings.hpp"
 #include "firmware/energy/equation_plan.hpp"
 #include "firmware/energy/product_sums.hpp"
 #include "firmware/links/clear_sign.hpp"
@@ -50,8 +51,8 @@ class EnergySums {
   void fill_instruments(Frame& frame, int from, int to);
   void fill_signs(Frame& frame, int link, int from, int to);
   void fill_clear_signs(Frame& frame, int from, int to, int advance);
-  void leave_out(Frame& frame, int link, int from, int to, const int32_t* clear);
-  void add_crossings(const Frame& frame, int link, bool smoothed, const int64_t* rate, int from, int to);
+  void leave_out(Frame& frame, int link, int from, int to, const bool* clear);
+  void add_crossings(const Frame& frame, int link, bool smoothed, const Rate* rate, int from, int to);
   void start_batch(const Frame& frame, int at);
   EndPoint end_point(const Frame& frame, int at) const;
   void clear_crossings();
@@ -83,7 +84,7 @@ class EnergySums {
   bool locates_crossings_[kMaxLinks];  // a DOF at the link has no measured acceleration
   bool
       smooth_is_white_[kMaxLinks];  // both velocities are measured: the noise of the two sign streams is known to scale
-  int64_t crossing_q16_[kMaxTermIncidences][kWeights];
+  Crossing crossing_[kMaxTermIncidences][kWeights];
   // Of the batch that is closed: 24 times the sum with its ends, piece by piece turned into the integral in SI units.
   Scaled integral_[kMaxProducts];
   Scaled integral_unit_[kMaxProducts];  // of one twenty-fourth of a product sum

@@ -117,7 +117,7 @@ void set_column_units(const CoreConfiguration& configuration, EquationPlan& plan
         plan.column_unit[kClearSignColumn + link] = Scaled::from_int(1);
   if (!configuration.filters_sign()) return;
   for (int link = 0; link < kMaxLinks; ++link)
-    plan.column_unit[kClearSignColumn + link] = Scaled::from_int(1, -kFilteredSignBits);
+    plan.column_unit[kClearSignColumn + link] = Scaled::from_int(1, -PassedSign::kFractionBits);
 }
 
 // Gives every unknown of DOF i a slot, in the order of the unknowns' first appearance.

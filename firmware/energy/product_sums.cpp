@@ -30,8 +30,8 @@ int16_t ProductSums::add(int column_a, int column_b) {
 }
 
 int64_t ProductSums::end(const Product& product, const Frame& frame, int at) const {
-  const int32_t* a = &frame.column[product.a][at];
-  const int32_t* b = &frame.column[product.b][at];
+  const int32_t* a = &frame.raw[product.a][at];
+  const int32_t* b = &frame.raw[product.b][at];
   return 12 * (static_cast<int64_t>(a[0]) * b[0]) - static_cast<int64_t>(a[1]) * b[1] +
          static_cast<int64_t>(a[-1]) * b[-1];
 }
@@ -48,7 +48,7 @@ void ProductSums::add_block(const Frame& frame, int from, int to) {
   FIRMWARE_PRECONDITION(from >= kLeadIn && from <= to && to <= kFrameSamples && to - from <= kBlockSamples);
   if (to - from == kBlockSamples) return add_whole_block(frame, from);
   for (int i = 0; i < product_count_; ++i)
-    sum_[i] += dot(&frame.column[product_[i].a][from], &frame.column[product_[i].b][from], to - from);
+    sum_[i] += dot(&frame.raw[product_[i].a][from], &frame.raw[product_[i].b][from], to - from);
 }
 
 void ProductSums::stop(const Frame& frame, int at) {

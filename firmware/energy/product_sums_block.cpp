@@ -77,10 +77,10 @@ void ProductSums::finish_plan() {
 
 void ProductSums::add_whole_block(const Frame& frame, int from) {
   uint64_t column_sum[kMaxColumns];
-  for (int c = 0; c < column_count_; ++c) column_sum[c] = offset_sum(&frame.column[column_[c]][from]);
+  for (int c = 0; c < column_count_; ++c) column_sum[c] = offset_sum(&frame.raw[column_[c]][from]);
   for (int i = 0; i < product_count_; ++i) {
     // sum of (a + O)(b + O) = sum of a b + O (sum of (a + O) + sum of (b + O)) - n O^2, all modulo 2^64
-    const uint64_t raw = offset_dot(&frame.column[product_[i].a][from], &frame.column[product_[i].b][from]);
+    const uint64_t raw = offset_dot(&frame.raw[product_[i].a][from], &frame.raw[product_[i].b][from]);
     const uint64_t offsets = kOffset * (column_sum[rank_a_[i]] + column_sum[rank_b_[i]]) -
                              static_cast<uint64_t>(kBlockSamples) * kOffset * kOffset;
     sum_[i] += static_cast<int64_t>(raw - offsets);
@@ -119,14 +119,14 @@ void ProductSums::add_whole_block(const Frame& frame, int from) {
   for (int g = 0; g < group_count_; ++g) {
     const Group& group = group_[g];
     const int32_t* other[3];
-    for (int k = 0; k < 3; ++k) other[k] = &frame.column[group.other[k]][from];
+    for (int k = 0; k < 3; ++k) other[k] = &frame.raw[group.other[k]][from];
     int64_t sum[3];
-    dot3(&frame.column[group.shared][from], other, sum);
+    dot3(&frame.raw[group.shared][from], other, sum);
     for (int k = 0; k < 3; ++k) sum_[group.product[k]] += sum[k];
   }
   for (int i = 0; i < single_count_; ++i) {
     const Product& p = product_[single_[i]];
-    sum_[single_[i]] += dot1(&frame.column[p.a][from], &frame.column[p.b][from]);
+    sum_[single_[i]] += dot1(&frame.raw[p.a][from], &frame.raw[p.b][from]);
   }
 }
 

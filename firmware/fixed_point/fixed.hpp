@@ -37,6 +37,33 @@ template <typename S, int F>
 constexpr bool operator==(Fixed<S, F> a, Fixed<S, F> b) {
   return a.raw == b.raw;
 }
+template <typename S, int F>
+constexpr Fixed<S, F> operator-(Fixed<S, F> a) {
+  return Fixed<S, F>::from_raw(static_cast<S>(-a.raw));
+}
+// A whole number of times.
+template <typename S, int F>
+constexpr Fixed<S, F> operator*(int32_t times, Fixed<S, F> a) {
+  return Fixed<S, F>::from_raw(static_cast<S>(times * a.raw));
+}
+// a / 2^bits, rounded down.
+template <typename S, int F>
+constexpr Fixed<S, F> operator>>(Fixed<S, F> a, int bits) {
+  return Fixed<S, F>::from_raw(static_cast<S>(a.raw >> bits));
+}
+template <typename S, int F>
+constexpr int32_t sign_of(Fixed<S, F> a) {
+  return static_cast<int32_t>(a.raw > 0) - static_cast<int32_t>(a.raw < 0);
+}
+// |a|, for what is not the most negative number.
+template <typename S, int F>
+constexpr Fixed<S, F> size_of(Fixed<S, F> a) {
+  return a.raw < 0 ? -a : a;
+}
+template <typename S, int F>
+constexpr Fixed<S, F> limited(Fixed<S, F> a, Fixed<S, F> limit) {
+  return limit < a ? limit : a < -limit ? -limit : a;
+}
 // The exact product: always 64 bits wide, so two 32-bit factors cannot overflow.
 template <typename SA, int FA, typename SB, int FB>
 constexpr Fixed<int64_t, FA + FB> operator*(Fixed<SA, FA> a, Fixed<SB, FB> b) {

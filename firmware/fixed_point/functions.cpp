@@ -27,10 +27,10 @@ Q30 sine_of_turns(uint32_t turns) {
   return rescale<Q30>(polynomial(kSine, square) * z);
 }
 
-Q30 exp2_of_minus(int64_t x_q26) {
-  const int64_t whole = x_q26 >> 26;
+Q30 exp2_of_minus(Fixed<int64_t, 26> x) {
+  const int64_t whole = x.raw >> 26;
   if (whole > 31) return {};
-  const Q30 fraction = Q30::from_raw(static_cast<int32_t>((x_q26 & ((1 << 26) - 1)) << 4));
+  const Q30 fraction = Q30::from_raw(static_cast<int32_t>((x.raw & ((1 << 26) - 1)) << 4));
   return Q30::from_raw(polynomial(kExponential, fraction).raw >> whole);
 }
 

@@ -10,7 +10,7 @@ using Q30 = Fixed<int32_t, 30>;
 
 // sin(2 pi turns / 2^32); error below 2e-8.
 Q30 sine_of_turns(uint32_t turns);
-// 2^-x for x >= 0 in Q26; error below 2e-8. Above 31 the result is 0.
-Q30 exp2_of_minus(int64_t x_q26);
+// 2^-x for x >= 0; error below 2e-8. Above 31 the result is 0.
+Q30 exp2_of_minus(Fixed<int64_t, 26> x);
 
 }  // namespace firmware

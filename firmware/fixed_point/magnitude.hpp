@@ -1,11 +1,17 @@
-// |value| without overflow, also of the most negative number.
+// Size and limit of whole numbers; of typed ones fixed.hpp has size_of() and limited().
 #pragma once
 #include <cstdint>
 
 namespace firmware {
 
+// |value| without overflow, also of the most negative number.
 constexpr uint64_t magnitude(int64_t value) {
   return value < 0 ? ~static_cast<uint64_t>(value) + 1 : static_cast<uint64_t>(value);
+}
+// |value|, for what is not the most negative number.
+constexpr int64_t size_of(int64_t value) { return value < 0 ? -value : value; }
+constexpr int64_t limited(int64_t value, int64_t limit) {
+  return value > limit ? limit : (value < -limit ? -limit : value);
 }
 
 }  // namespace firmware

@@ -18,25 +18,25 @@ class ClearSign {
   // for neighbours to show. slow: the rate has passed a high-pass, which shifts it by up to an eighth of its mean magnitude.
   void configure(const RateGains& gains, int means, bool slow);
   void restart();  // a new level: its noise is measured anew
-  // For positions [from, to): clear[i] is -1 or 1 where clear, else 0; sign[i] is that of the rate itself. What is known of the
+  // For positions [from, to): clear[i]: is it; sign[i] is that of the rate itself. What is known of the
   // noise goes on from position from + advance at the next call. Rates are read two positions further on either side.
-  void fill(const Frame& frame, int from, int to, int advance, int32_t* clear, int32_t* sign);
+  void fill(const Frame& frame, int from, int to, int advance, bool* clear, Column<Code> sign);
 
  private:
   static constexpr uint32_t kLongMemory = 2048;  // samples; then the means forget half
 
   struct Known {
-    int64_t differences = 0, magnitudes = 0;  // sums of 6 |rate - interpolated| and 6 |rate|
+    Rate differences, magnitudes;  // sums of 6 |rate - interpolated| and 6 |rate|
     uint32_t count = 0;
   };
-  // around: six times the interpolated rate; both in 2^-unit_bits of the common unit.
-  template <int kUnitBits, typename Rate>
-  int32_t judge(Rate own, Rate around);
-  template <int kUnitBits, typename Rate>
-  void judge_block(const Rate* w, int from, int to, int advance, int32_t* clear, int32_t* sign);
+  // around: six times the interpolated rate. Number: Code where a unit of both is one of the common unit, else Rate.
+  template <typename Number>
+  bool judge(Number own, Number around);
+  template <typename Number>
+  void judge_block(const Number* w, int from, int to, int advance, bool* clear, Column<Code> sign);
 
   RateGains gains_;
-  int64_t means_ = 4;
+  int32_t means_ = 4;
   bool slow_ = false;
   Known known_;
 };

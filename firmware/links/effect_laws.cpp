@@ -1,38 +1,36 @@
 #include "firmware/links/effect_laws.hpp"
 
 #include "firmware/fixed_point/functions.hpp"
-#include "firmware/fixed_point/magnitude.hpp"
 
 namespace firmware {
 namespace {
 
-int64_t product(int64_t a, int64_t b) { return (a * b) >> kLawFraction; }
-int64_t size_of(int64_t x) { return static_cast<int64_t>(magnitude(x)); }  // far from 2^63 here
-int64_t clamp(int64_t x, int64_t limit) { return x > limit ? limit : (x < -limit ? -limit : x); }
-int sign(int64_t x) { return (x > 0) - (x < 0); }
-int64_t exponential_q26(int64_t log2_q26) { return exp2_of_minus(log2_q26).raw >> (30 - kLawFraction); }
-int32_t narrow(int64_t x) { return static_cast<int32_t>(x); }
+LawNumber product(LawNumber a, LawNumber b) { return LawNumber::from_raw((a.raw * b.raw) >> kLawFraction); }
+LawNumber exponential(LawNumber log2) { return LawNumber::from_raw(exp2_of_minus(log2).raw >> (30 - kLawFraction)); }
+LawNumber times(LawRatio ratio, LawNumber x) { return LawNumber::from_raw(times(ratio, x.raw)); }
+LawForce force(LawNumber x) { return LawForce::from_raw(static_cast<int32_t>(x.raw)); }
 
-int32_t sine(const LawPoint& at, const LawShape& shape) {
-  return sine_of_turns(static_cast<uint32_t>(times(shape.ratio, at.u)) + shape.phase).raw >> (30 - kLawFraction);
+LawForce sine(const LawPoint& at, const LawShape& shape) {
+  return LawForce::from_raw(sine_of_turns(static_cast<uint32_t>(times(shape.ratio, at.u.raw)) + shape.phase).raw >>
+                            (30 - kLawFraction));
 }
-int32_t cubic_spring(const LawPoint& at, const LawShape&) { return narrow(product(product(at.u, at.u), at.u)); }
-int32_t quadratic_spring(const LawPoint& at, const LawShape&) { return narrow(product(at.u, at.u)); }
-int32_t gap_lost(const LawPoint& at, const LawShape& shape) { return narrow(-clamp(at.u, shape.gap_q26)); }
-int32_t beyond_gap(const LawPoint& at, const LawShape& shape) { return narrow(at.u - clamp(at.u, shape.gap_q26)); }
-int32_t quadratic_damper(const LawPoint& at, const LawShape&) { return narrow(product(size_of(at.w), at.w)); }
-int32_t cubic_damper(const LawPoint& at, const LawShape&) { return narrow(product(product(at.w, at.w), at.w)); }
-int32_t stribeck(const LawPoint& at, const LawShape& shape) {
-  return narrow(sign(at.w) * exponential_q26(times(shape.ratio, size_of(at.w))));
+LawForce cubic_spring(const LawPoint& at, const LawShape&) { return force(product(product(at.u, at.u), at.u)); }
+LawForce quadratic_spring(const LawPoint& at, const LawShape&) { return force(product(at.u, at.u)); }
+LawForce gap_lost(const LawPoint& at, const LawShape& shape) { return force(-limited(at.u, shape.gap)); }
+LawForce beyond_gap(const LawPoint& at, const LawShape& shape) { return force(at.u - limited(at.u, shape.gap)); }
+LawForce quadratic_damper(const LawPoint& at, const LawShape&) { return force(product(size_of(at.w), at.w)); }
+LawForce cubic_damper(const LawPoint& at, const LawShape&) { return force(product(product(at.w, at.w), at.w)); }
+LawForce stribeck(const LawPoint& at, const LawShape& shape) {
+  return force(sign_of(at.w) * exponential(times(shape.ratio, size_of(at.w))));
 }
-int32_t constant(const LawPoint&, const LawShape&) { return narrow(kLawOne); }
-int32_t one_way_damper(const LawPoint& at, const LawShape&) { return narrow(size_of(at.w)); }
-int32_t displaced_damper(const LawPoint& at, const LawShape&) { return narrow(product(product(at.u, at.u), at.w)); }
-int32_t drifting_damper(const LawPoint& at, const LawShape& shape) {
+LawForce constant(const LawPoint&, const LawShape&) { return force(kLawOne); }
+LawForce one_way_damper(const LawPoint& at, const LawShape&) { return force(size_of(at.w)); }
+LawForce displaced_damper(const LawPoint& at, const LawShape&) { return force(product(product(at.u, at.u), at.w)); }
+LawForce drifting_damper(const LawPoint& at, const LawShape& shape) {
   if (shape.ratio.mantissa != 0)  // tau (1 - exp(-t / tau)), in units of tau
-    return narrow(product(at.w, kLawOne - exponential_q26(times(shape.ratio, at.time))));
-  const int64_t limited = at.time < (1u << kLawTimeBits) ? at.time : (1 << kLawTimeBits);
-  return narrow((at.w * limited) >> kLawTimeBits);
+    return force(product(at.w, kLawOne - exponential(LawNumber::from_raw(times(shape.ratio, int64_t{at.time})))));
+  const int64_t limited_time = at.time < (1u << kLawTimeBits) ? at.time : (1 << kLawTimeBits);
+  return force(LawNumber::from_raw((at.w.raw * limited_time) >> kLawTimeBits));
 }
 
 constexpr int kFirst = static_cast<int>(TermKind::kGravity);
@@ -64,10 +62,10 @@ static_assert(in_order(), "laws in the order of TermKind");
 
 const CoreLaw& core_law(TermKind kind) { return kLaws[static_cast<int>(kind) - kFirst]; }
 
-int64_t bent_bristles(int64_t z_q26, int64_t step_q26, const LawShape& shape) {
-  if (step_q26 == 0) return z_q26;
-  const int64_t towards = sign(step_q26) * kLawOne;
-  return towards + product(z_q26 - towards, exponential_q26(times(shape.ratio, size_of(step_q26))));
+LawNumber bent_bristles(LawNumber z, LawNumber step, const LawShape& shape) {
+  if (step == LawNumber{}) return z;
+  const LawNumber towards = sign_of(step) * kLawOne;
+  return towards + product(z - towards, exponential(times(shape.ratio, size_of(step))));
 }
 
 }  // namespace firmware

@@ -21,7 +21,7 @@ LawRatio law_ratio(Scaled value) {
 LawShape law_shape(const Term& term, ShapeUse use, int32_t exponent_u, int32_t exponent_w, Scaled sample_period_s) {
   const Scaled range_u = Scaled::from_int(1, exponent_u), range_w = Scaled::from_int(1, exponent_w);
   LawShape shape;
-  if (use == ShapeUse::kGap) shape.gap_q26 = to_fixed(term.shape, kLawFraction - exponent_u);
+  if (use == ShapeUse::kGap) shape.gap = LawNumber::from_raw(to_fixed(term.shape, kLawFraction - exponent_u));
   if (use == ShapeUse::kTurns) {
     const Scaled turns = term.shape.is_zero() ? range_u * turns_per_radian() : range_u / term.shape;
     shape.ratio = law_ratio(turns * Scaled::from_int(64));  // of 2^-26 of the range, in 2^-32 turns
@@ -51,8 +51,8 @@ NodeDifference side(const CoreConfiguration& configuration, const LinkConfigurat
                          has_b ? configuration.signals[link.node_b][index].unit_per_code : Scaled{}, kSignalBits);
 }
 
-int32_t value(const NodeDifference& side, const Frame& frame, int at) {
-  return difference_at(side, frame.column[side.column_a], frame.column[side.column_b], at);
+LawNumber value(const NodeDifference& side, const Frame& frame, int at) {
+  return LawNumber::from_raw(difference_at(side, frame.raw[side.column_a], frame.raw[side.column_b], at));
 }
 
 }  // namespace
@@ -79,27 +79,27 @@ void Effects::configure(const CoreConfiguration& configuration, Scaled* column_u
 
 void Effects::restart() {
   for (int e = 0; e < count_; ++e) {
-    effect_[e].memory_q26 = 0;
+    effect_[e].memory = LawForce{};
     effect_[e].moved = false;
     effect_[e].time = 0;
   }
 }
 
 // A link that moves when its level starts has slid before: its bristles are bent all the way in the direction of its rate.
-void Effects::fill_bristles(Effect& effect, const Frame& frame, int from, int to, int advance, int32_t* column) {
-  int64_t z = effect.memory_q26;
+void Effects::fill_bristles(Effect& effect, const Frame& frame, int from, int to, int advance,
+                            Column<LawForce> column) {
+  LawNumber z = rescale<LawNumber>(effect.memory);
   if (!effect.moved) {
-    const int32_t w = value(effect.rate, frame, from);
-    z = ((w > 0) - (w < 0)) * kLawOne;
+    z = sign_of(value(effect.rate, frame, from)) * kLawOne;
     effect.moved = true;
   }
-  int32_t previous = value(effect.elongation, frame, from);
+  LawNumber previous = value(effect.elongation, frame, from);
   for (int at = from; at < to; ++at) {
-    const int32_t u = value(effect.elongation, frame, at);
-    z = bent_bristles(z, static_cast<int64_t>(u) - previous, effect.shape);
+    const LawNumber u = value(effect.elongation, frame, at);
+    z = bent_bristles(z, u - previous, effect.shape);
     previous = u;
-    column[at] = static_cast<int32_t>(z);
-    if (at == from + advance) effect.memory_q26 = static_cast<int32_t>(z);
+    column.put(at, rescale<LawForce>(z));
+    if (at == from + advance) effect.memory = rescale<LawForce>(z);
   }
 }
 
@@ -107,14 +107,14 @@ void Effects::fill(Frame& frame, int from, int to, int advance) {
   for (int e = 0; e < count_; ++e) {
     Effect& effect = effect_[e];
     const CoreLaw& law = core_law(effect.kind);
-    int32_t* column = frame.column[kEffectColumn + e];
+    Column<LawForce> column = frame.effect(e);
     if (law.force == nullptr) {
       fill_bristles(effect, frame, from, to, advance, column);
     } else {
       for (int at = from; at < to; ++at)
-        column[at] = law.force({value(effect.elongation, frame, at), value(effect.rate, frame, at),
-                                effect.time + static_cast<uint32_t>(at - from)},
-                               effect.shape);
+        column.put(at, law.force({value(effect.elongation, frame, at), value(effect.rate, frame, at),
+                                  effect.time + static_cast<uint32_t>(at - from)},
+                                 effect.shape));
     }
     effect.time += static_cast<uint32_t>(advance);
   }

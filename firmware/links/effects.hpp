@@ -1,7 +1,7 @@
 // Force laws of the extension terms (TermKind from kGravity on): one column per term, the force per unit coefficient.
 //
 // Elongation and rate are brought to Q26 of the link's own ranges U and W (powers of two that hold the codes' full scale),
-// so a column entry is an integer of at most 2^26 whose unit follows from the law: u^3 has U^3 / 2^26, w|w| has W^2 / 2^26.
+// so a column entry is at most one (2^26) and its unit follows from the law: u^3 has U^3 / 2^26, w|w| has W^2 / 2^26.
 // Formats: links/node_difference.hpp; products of two Q26 numbers 2^52, shifted back to Q26.
 #pragma once
 #include "firmware/acquisition/columns.hpp"
@@ -25,11 +25,11 @@ class Effects {
     TermKind kind = TermKind::kGravity;
     NodeDifference elongation, rate;
     LawShape shape;
-    int32_t memory_q26 = 0;  // bristles at the next start position
-    bool moved = false;      // false: the bristles still stand as they start
-    uint32_t time = 0;       // samples since the level's start, at the next start position
+    LawForce memory;     // bristles at the next start position
+    bool moved = false;  // false: the bristles still stand as they start
+    uint32_t time = 0;   // samples since the level's start, at the next start position
   };
-  static void fill_bristles(Effect& effect, const Frame& frame, int from, int to, int advance, int32_t* column);
+  static void fill_bristles(Effect& effect, const Frame& frame, int from, int to, int advance, Column<LawForce> column);
 
   Effect effect_[kMaxEffectColumns];
   int count_ = 0;

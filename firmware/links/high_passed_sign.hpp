@@ -1,6 +1,7 @@
 // The sign of friction through the high-pass that all other signals of its equation have passed: the high-passed sign is not the
 // sign of a high-passed velocity.
 #pragma once
+#include "firmware/acquisition/columns.hpp"
 #include "firmware/configuration/configuration.hpp"
 
 namespace firmware {
@@ -8,14 +9,15 @@ namespace firmware {
 class HighPassedSign {
  public:
   void restart() { state_ = State{}; }
-  // sign: -1, 0, 1 in, the filtered column out, positions [from, to); goes on from from + advance at the next call.
-  // Sections as in conditioning: pole 1 - 2^-shift; states Q16 of 2^20: below 2^38.
-  void fill(int order, int shift, int from, int to, int advance, int32_t* sign);
+  // sign: -1, 0, 1; passed may be the same column. Positions [from, to); goes on from from + advance at the next call.
+  // Sections as in conditioning: pole 1 - 2^-shift; states below 2^38.
+  void fill(int order, int shift, int from, int to, int advance, Column<Code> sign, Column<PassedSign> passed);
 
  private:
+  using Section = Fixed<int64_t, PassedSign::kFractionBits + 16>;
   struct State {
     bool started = false;
-    int64_t section[3] = {}, previous[3] = {};
+    Section section[3], previous[3];
   };
   State state_;
 };

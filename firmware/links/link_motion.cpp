@@ -3,26 +3,17 @@
 namespace firmware {
 namespace {
 
-constexpr int kGainFraction = 23;
-
-int64_t velocity(const Frame& frame, int column, bool smoothed, int i) {
-  const int32_t* v = &frame.column[column][i];
-  if (!smoothed) return v[0];
-  return 10 * static_cast<int64_t>(v[0]) + 4 * (static_cast<int64_t>(v[-2]) + v[2]) + v[-1] + v[1];
-}
-
 // 20 times the smoothed velocity fits 32 bits: 20 * 2^23 < 2^28.
-int32_t velocity_sum(const int32_t* v, bool smoothed) {
-  return smoothed ? 10 * v[0] + 4 * (v[-2] + v[2]) + v[-1] + v[1] : v[0];
+Code velocity(ConstColumn<Code> v, bool smoothed, int i) {
+  return smoothed ? 10 * v[i] + 4 * (v[i - 2] + v[i + 2]) + v[i - 1] + v[i + 1] : v[i];
 }
 
 }  // namespace
 
 bool equal_units(const RateGains& gains) { return !gains.has_a || !gains.has_b || gains.gain_a == gains.gain_b; }
 
-void rate_of_difference(const RateGains& gains, const Frame& frame, int from, int to, int32_t* rate) {
-  const int32_t* a = frame.column[gains.column_a];
-  const int32_t* b = frame.column[gains.column_b];
+void rate_of_difference(const RateGains& gains, const Frame& frame, int from, int to, Code* rate) {
+  const ConstColumn<Code> a = frame.codes(gains.column_a), b = frame.codes(gains.column_b);
   if (!gains.has_b) {
     for (int i = from; i < to; ++i) rate[i] = a[i];
   } else if (!gains.has_a) {
@@ -32,13 +23,14 @@ void rate_of_difference(const RateGains& gains, const Frame& frame, int from, in
   }
 }
 
-void signs_of_difference(const RateGains& gains, const Frame& frame, bool smoothed, int from, int to, int32_t* sign) {
+void signs_of_difference(const RateGains& gains, const Frame& frame, bool smoothed, int from, int to,
+                         Column<Code> sign) {
   static const int32_t kRest[kFrameStride] = {};
-  const int32_t* a = gains.has_a ? frame.column[gains.column_a] : kRest;
-  const int32_t* b = gains.has_b ? frame.column[gains.column_b] : kRest;
+  const ConstColumn<Code> a = gains.has_a ? frame.codes(gains.column_a) : ConstColumn<Code>(kRest);
+  const ConstColumn<Code> b = gains.has_b ? frame.codes(gains.column_b) : ConstColumn<Code>(kRest);
   for (int i = from; i < to; ++i) {
-    const int32_t left = velocity_sum(a + i, smoothed), right = velocity_sum(b + i, smoothed);
-    sign[i] = static_cast<int32_t>(left > right) - static_cast<int32_t>(left < right);
+    const Code left = velocity(a, smoothed, i), right = velocity(b, smoothed, i);
+    sign.put(i, Code::from_raw(static_cast<int32_t>(right < left) - static_cast<int32_t>(left < right)));
   }
 }
 
@@ -53,22 +45,22 @@ RateGains rate_gains(const CoreConfiguration& configuration, const LinkConfigura
   const Scaled unit_b = gains.has_b ? configuration.signals[link.node_b][velocity_index].unit_per_code : Scaled{};
   const Scaled coarser = unit_a > unit_b ? unit_a : unit_b;
   if (coarser.is_zero()) return gains;
-  gains.gain_a = static_cast<int32_t>(to_fixed(unit_a / coarser, kGainFraction + kRateGuardBits));
-  gains.gain_b = static_cast<int32_t>(to_fixed(unit_b / coarser, kGainFraction + kRateGuardBits));
+  gains.gain_a = RateGain::from_raw(static_cast<int32_t>(to_fixed(unit_a / coarser, RateGain::kFractionBits)));
+  gains.gain_b = RateGain::from_raw(static_cast<int32_t>(to_fixed(unit_b / coarser, RateGain::kFractionBits)));
   return gains;
 }
 
-void link_rate(const RateGains& gains, const Frame& frame, bool smoothed, int from, int to, int64_t* rate) {
+void link_rate(const RateGains& gains, const Frame& frame, bool smoothed, int from, int to, Rate* rate) {
   for (int i = from; i < to; ++i) {
-    int64_t w = 0;
-    if (gains.has_a) w += velocity(frame, gains.column_a, smoothed, i) * gains.gain_a;
-    if (gains.has_b) w -= velocity(frame, gains.column_b, smoothed, i) * gains.gain_b;
-    rate[i] = (w + (int64_t{1} << (kGainFraction - 1))) >> kGainFraction;
+    Fixed<int64_t, 28> w;
+    if (gains.has_a) w = w + velocity(frame.codes(gains.column_a), smoothed, i) * gains.gain_a;
+    if (gains.has_b) w = w - velocity(frame.codes(gains.column_b), smoothed, i) * gains.gain_b;
+    rate[i] = rescale<Rate>(w);
   }
 }
 
-void signs(const int64_t* rate, int from, int to, int32_t* sign) {
-  for (int i = from; i < to; ++i) sign[i] = static_cast<int32_t>(rate[i] > 0) - static_cast<int32_t>(rate[i] < 0);
+void signs(const Rate* rate, int from, int to, Column<Code> sign) {
+  for (int i = from; i < to; ++i) sign.put(i, Code::from_raw(sign_of(rate[i])));
 }
 
 }  // namespace firmware

@@ -12,8 +12,11 @@
 
 namespace firmware {
 
+using Rate = Fixed<int64_t, 5>;       // of the coarser code's unit
+using RateGain = Fixed<int32_t, 28>;  // likewise
+
 struct RateGains {
-  int32_t gain_a = 0, gain_b = 0;       // Q23
+  RateGain gain_a, gain_b;              // of the common unit, per code
   uint16_t column_a = 0, column_b = 0;  // velocity columns of the nodes
   bool has_a = false, has_b = false;    // false: ground
 };
@@ -21,15 +24,15 @@ struct RateGains {
 RateGains rate_gains(const CoreConfiguration& configuration, const LinkConfiguration& link);
 
 // w[i], in the common unit, for positions [from, to) of the frame. smoothed: 20 times the smoothed rate.
-void link_rate(const RateGains& gains, const Frame& frame, bool smoothed, int from, int to, int64_t* rate);
+void link_rate(const RateGains& gains, const Frame& frame, bool smoothed, int from, int to, Rate* rate);
 // Whether both codes have one unit (or one end is ground): the sign of the rate is then that of a plain difference.
 bool equal_units(const RateGains& gains);
-// Then link_rate() is 2^kRateGuardBits times this.
-constexpr int kRateGuardBits = 5;  // the common unit is up to 2^5 finer than the finer channel
-void rate_of_difference(const RateGains& gains, const Frame& frame, int from, int to, int32_t* rate);
+// Then this is link_rate() as a difference of codes.
+void rate_of_difference(const RateGains& gains, const Frame& frame, int from, int to, Code* rate);
 // The same signs as link_rate() and signs() give where equal_units(), without the 64-bit steps.
-void signs_of_difference(const RateGains& gains, const Frame& frame, bool smoothed, int from, int to, int32_t* sign);
+void signs_of_difference(const RateGains& gains, const Frame& frame, bool smoothed, int from, int to,
+                         Column<Code> sign);
 // -1, 0 or 1 for each.
-void signs(const int64_t* rate, int from, int to, int32_t* sign);
+void signs(const Rate* rate, int from, int to, Column<Code> sign);
 
 }  // namespace firmware

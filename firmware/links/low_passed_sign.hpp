@@ -4,6 +4,7 @@
 #pragma once
 #include <cstdint>
 
+#include "firmware/acquisition/columns.hpp"
 #include "firmware/configuration/configuration.hpp"
 
 namespace firmware {
@@ -11,10 +12,11 @@ namespace firmware {
 class LowPassedSign {
  public:
   void restart() { state_ = State{}; }
-  // sign: -1, 0, 1 in, 2^kFilteredSignBits times the filtered sign out; clear: 0 where the sign is not known. clear out: 0
+  // sign: -1, 0, 1; passed: the filtered sign, may be the same column; clear in: is the sign known; clear out: false
   // where signs that are not known make up over a quarter of the filter's weight. Positions [from, to); goes on from
   // from + advance at the next call. Sums of at most 25 taps of 2^20: 31 bits.
-  void fill(const CoreConfiguration& configuration, int from, int to, int advance, int32_t* sign, int32_t* clear);
+  void fill(const CoreConfiguration& configuration, int from, int to, int advance, Column<Code> sign,
+            Column<PassedSign> passed, bool* clear);
 
  private:
   static constexpr int kTaps = 2 * kSignFilterHalf + 1;

@@ -5,7 +5,7 @@
 namespace firmware {
 namespace {
 
-constexpr int kSignFraction = kFilteredSignBits;
+constexpr int kSignFraction = PassedSign::kFractionBits;
 constexpr int kSignalBits = 23, kDerivedBits = 27;
 
 }  // namespace
@@ -105,12 +105,12 @@ int BlockMotion::append(const Frame& frame, int from, int count) {
   for (int node = 0; node < kMaxNodes; ++node)
     for (int q = 0; q < kQuantities; ++q)
       if (configuration_->signals[node][q].available)
-        copy(frame.column[node * kQuantities + q], signal_[node * kQuantities + q]);
-  for (int e = 0; e < effects_; ++e) copy(frame.column[kEffectColumn + e], force_law_[e]);
+        copy(frame.raw[node * kQuantities + q], signal_[node * kQuantities + q]);
+  for (int e = 0; e < effects_; ++e) copy(frame.raw[kEffectColumn + e], force_law_[e]);
   for (int l = 0; l < configuration_->link_count; ++l)
-    if (signs_.link[l]) copy(frame.column[kClearSignColumn + l], clear_sign_[l]);
+    if (signs_.link[l]) copy(frame.raw[kClearSignColumn + l], clear_sign_[l]);
   for (int i = 0; i < configuration_->dof_count; ++i)
-    if (signs_.dof[i]) copy(frame.column[kClearInstrumentColumn + i], counted_[i]);
+    if (signs_.dof[i]) copy(frame.raw[kClearInstrumentColumn + i], counted_[i]);
   filled_ += taken;
   return taken;
 }

@@ -1,6 +1,7 @@
 #include "firmware/warrant/probe_force.hpp"
 
 #include "firmware/fixed_point/functions.hpp"
+#include "firmware/fixed_point/magnitude.hpp"
 
 namespace firmware {
 namespace {
@@ -14,15 +15,13 @@ constexpr int kReversalDeviations = 4;  // of the rate's noise: closer to a reve
 constexpr int64_t kNarrow = 2462, kWide = 739;
 constexpr int64_t kNarrowRate = kUnit * 15 / 100;
 
-int64_t clamp(int64_t x, int64_t limit) { return x > limit ? limit : (x < -limit ? -limit : x); }
-int64_t magnitude(int64_t x) { return x < 0 ? -x : x; }
 int32_t normalised(int32_t q26, int shift) {
   const int64_t value = shift >= 0 ? int64_t{q26} >> shift : int64_t{q26} * (int64_t{1} << -shift);
-  return static_cast<int32_t>(clamp(value, kMost));
+  return static_cast<int32_t>(limited(value, kMost));
 }
 int64_t square(int64_t x) { return (x * x) >> 22; }  // Q14
 int64_t decay(int64_t w, int64_t per_unit) {
-  return exp2_of_minus(magnitude(w) * per_unit).raw >> (30 - kPureFraction);
+  return exp2_of_minus(Fixed<int64_t, 26>::from_raw(size_of(w) * per_unit)).raw >> (30 - kPureFraction);
 }
 
 // sign: of the rate, Q20.
@@ -36,9 +35,9 @@ int64_t law(Form form, int64_t u, int64_t w, int64_t sign) {
     case Form::kElongationCube:
       return (square(u) * u) >> 23;
     case Form::kWithinGap:
-      return clamp(u, kGap);
+      return limited(u, kGap);
     case Form::kBeyondStop:
-      return u - clamp(u, kStop);
+      return u - limited(u, kStop);
     case Form::kConstant:
       return 1 << kPureFraction;
     case Form::kRate:
@@ -49,7 +48,7 @@ int64_t law(Form form, int64_t u, int64_t w, int64_t sign) {
     case Form::kRateCube:
       return (square(w) * w) >> 23;
     case Form::kRateMagnitude:
-      return magnitude(w);
+      return size_of(w);
     case Form::kElongationSquareRate:
       return (square(u) * w) >> 23;
     case Form::kSign:
@@ -59,7 +58,7 @@ int64_t law(Form form, int64_t u, int64_t w, int64_t sign) {
     case Form::kSignWide:
       return (sign * decay(w, kWide)) >> kPureFraction;
     case Form::kSignElongation:
-      return (sign * magnitude(u)) >> kPureFraction;
+      return (sign * size_of(u)) >> kPureFraction;
     case Form::kJerk:
     case Form::kForceRate:
       return 0;
@@ -97,7 +96,7 @@ void fill_motion(const BlockMotion& block, const Place& place, const PlaceScale&
   const int64_t close = scale.near_friction ? int64_t{kReversalDeviations} * scale.noise_q26 : 0;
   const int64_t limit = scale.shift[1] >= 0 ? close >> scale.shift[1] : close << -scale.shift[1];
   for (int n = 0; n < kBlockSamples; ++n) {
-    bool used = !scale.near_friction || magnitude(motion.instrument[1][n]) > limit;
+    bool used = !scale.near_friction || size_of(motion.instrument[1][n]) > limit;
     for (int e = 0; e < place.equations; ++e) used = used && block.counts(place.dof[e], n);
     if (used && scale.smeared) {
       const NodeDifference& rate = scale.difference[1];
@@ -121,7 +120,7 @@ int64_t rate_noise(const PlaceScale& scale) {
 
 // From the instruments: close to a reversal a sign is not known.
 int64_t instrument_force(Form form, int64_t u, int64_t w, int64_t noise) {
-  if (has_sign(form) && magnitude(w) <= kReversalDeviations * noise) return 0;
+  if (has_sign(form) && size_of(w) <= kReversalDeviations * noise) return 0;
   if (form == Form::kSignNarrow && kReversalDeviations * noise > kNarrowRate) return 0;  // over where signs are known
   return law(form, u, w, ((w > 0) - (w < 0)) * (1 << kPureFraction));
 }
@@ -142,8 +141,8 @@ void fill_force(Form form, const PlaceScale& scale, const PlaceMotion& motion, i
       continue;
     }
     const int64_t own_w = motion.own[1][n];
-    const int64_t own_sign = width > 0 && magnitude(own_w) < width ? own_w * (1 << kPureFraction) / width
-                                                                   : ((own_w > 0) - (own_w < 0)) * (1 << kPureFraction);
+    const int64_t own_sign = width > 0 && size_of(own_w) < width ? own_w * (1 << kPureFraction) / width
+                                                                 : ((own_w > 0) - (own_w < 0)) * (1 << kPureFraction);
     phi[n] = static_cast<int32_t>(instrument_force(form, motion.instrument[0][n], motion.instrument[1][n], noise));
     own[n] = static_cast<int32_t>(law(form, motion.own[0][n], own_w, own_sign));
   }

@@ -1,6 +1,7 @@
 #include "firmware/warrant/score_sums.hpp"
 
 #include "firmware/energy/product_sums.hpp"
+#include "firmware/fixed_point/magnitude.hpp"
 
 namespace firmware {
 namespace {
@@ -8,8 +9,6 @@ namespace {
 constexpr int kScaleBlocks = 8;
 constexpr int kScaleShift = 6;  // Q26 to Q20: squares of 256 samples stay below 2^48
 constexpr int kNormalBits = 18, kHeadroomBits = 5;
-
-int64_t magnitude(int64_t x) { return x < 0 ? -x : x; }
 
 bool has_friction(const CoreConfiguration& configuration, int link) {
   for (int t = 0; t < configuration.term_count; ++t) {
@@ -179,7 +178,7 @@ bool ScoreSums::outgrown() const {
       const NodeDifference& d = scale.difference[q];
       const int32_t *a = block_.signal(d.column_a), *b = block_.signal(d.column_b);
       for (int n = 0; n < kBlockSamples; n += 4)
-        if (magnitude(smoothed(d, a, b, n)) > most) return true;
+        if (size_of(smoothed(d, a, b, n)) > most) return true;
     }
   return false;
 }

@@ -149,7 +149,7 @@ class Plan {
     const Impulse taps = low_pass(0.0);
     c_.sign_half_length = kLowPassHalf;
     for (size_t k = 0; k < taps.size(); ++k)
-      c_.sign_tap[k].raw = static_cast<int32_t>(std::lround(std::ldexp(taps[k], firmware::kFilteredSignBits)));
+      c_.sign_tap[k].raw = static_cast<int32_t>(std::lround(std::ldexp(taps[k], firmware::PassedSign::kFractionBits)));
   }
 
  private:

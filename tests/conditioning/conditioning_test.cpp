@@ -57,7 +57,7 @@ Response respond(const CoreConfiguration& c, Quantity signal, Quantity source, d
         static_cast<int32_t>(std::lround(0.9 * (1 << 22) * std::sin(w * (n * kPeriod - delay_s))));
     const bool usable = conditioning->append(sample, *frame, 0);
     if (!usable || n < last || n >= last + 4 * cycle) continue;
-    const double value = frame->column[signal_column(0, signal)][0] * unit / 0.9;
+    const double value = frame->raw[signal_column(0, signal)][0] * unit / 0.9;
     const double t = (n - delay) * kPeriod;
     r.in_phase += 2.0 * value * std::sin(w * t) / (4 * cycle);
     r.quadrature += 2.0 * value * std::cos(w * t) / (4 * cycle);
@@ -78,7 +78,7 @@ TEST(Conditioning, AllMeasuredIsACopy) {
   sample.code[0][1] = -1234567;
   EXPECT_TRUE(conditioning.append(sample, *frame, 5));
   EXPECT_FALSE(conditioning.saturated());
-  EXPECT_EQ(frame->column[signal_column(0, Quantity::kDisplacement)][5], -1234567);
+  EXPECT_EQ(frame->raw[signal_column(0, Quantity::kDisplacement)][5], -1234567);
   EXPECT_EQ(conditioning.history_samples(), 0);
 }
 
@@ -116,7 +116,7 @@ TEST(Conditioning, ACodeAtEitherRailIsSaturated) {
     sample.code[0][1] = each.code;
     EXPECT_TRUE(conditioning->append(sample, *frame, 0));
     EXPECT_EQ(conditioning->saturated(), each.saturated) << each.code;
-    EXPECT_EQ(frame->column[signal_column(0, Quantity::kDisplacement)][0], each.signal) << each.code;
+    EXPECT_EQ(frame->raw[signal_column(0, Quantity::kDisplacement)][0], each.signal) << each.code;
   }
 }
 
@@ -172,7 +172,7 @@ TEST(Conditioning, AnOffsetDoesNotDrift) {
     RawSample sample;
     sample.code[0][3] = 100000;  // nothing but an offset
     if (conditioning.append(sample, *frame, 0))
-      largest = std::max(largest, std::abs(frame->column[signal_column(0, Quantity::kDisplacement)][0]));
+      largest = std::max(largest, std::abs(frame->raw[signal_column(0, Quantity::kDisplacement)][0]));
   }
   EXPECT_LE(largest, 1);
 }

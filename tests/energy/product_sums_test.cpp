@@ -19,7 +19,7 @@ struct Bench {
   std::unique_ptr<ProductSums> sums = std::make_unique<ProductSums>();
   Bench() { sums->clear_plan(); }
   void fill(int column, int32_t value) {
-    for (int i = 0; i < kFrameStride; ++i) frame->column[column][i] = value;
+    for (int i = 0; i < kFrameStride; ++i) frame->raw[column][i] = value;
   }
 };
 
@@ -48,13 +48,13 @@ TEST(ProductSums, WholeAndPartBlocksGiveThe128BitSum) {
   for (int trial = 0; trial < 200; ++trial) {
     for (int column : {3, 7})
       for (int i = 0; i < kFrameStride; ++i)
-        bench.frame->column[column][i] = static_cast<int32_t>(random() % (1u << 24)) - (1 << 23);
+        bench.frame->raw[column][i] = static_cast<int32_t>(random() % (1u << 24)) - (1 << 23);
     const int count = trial % 2 == 0 ? kBlockSamples : 1 + trial % 31;
     bench.sums->start(*bench.frame, kLeadIn);
     bench.sums->add_block(*bench.frame, kLeadIn, kLeadIn + count);
     __int128 expected = 0;
     for (int i = 0; i < count; ++i)
-      expected += static_cast<__int128>(bench.frame->column[3][kLeadIn + i]) * bench.frame->column[7][kLeadIn + i];
+      expected += static_cast<__int128>(bench.frame->raw[3][kLeadIn + i]) * bench.frame->raw[7][kLeadIn + i];
     EXPECT_EQ(bench.sums->sum(product), static_cast<int64_t>(expected));
   }
 }
@@ -65,7 +65,7 @@ TEST(ProductSums, ProductsThatShareColumnsKeepTheirOwnSums) {
   std::mt19937_64 random(8);
   for (int column = 0; column < 5; ++column)
     for (int i = 0; i < kFrameStride; ++i)
-      bench.frame->column[column][i] = static_cast<int32_t>(random() % (1u << 24)) - (1 << 23);
+      bench.frame->raw[column][i] = static_cast<int32_t>(random() % (1u << 24)) - (1 << 23);
   for (int a = 0; a < 5; ++a)
     for (int b = a; b < 5; ++b) bench.sums->add(a, b);
   bench.sums->finish_plan();
@@ -74,8 +74,8 @@ TEST(ProductSums, ProductsThatShareColumnsKeepTheirOwnSums) {
   bench.sums->add_block(*bench.frame, kLeadIn, kLeadIn + kBlockSamples);
   ASSERT_EQ(bench.sums->count(), 15);
   for (int p = 0; p < 15; ++p) {
-    const int32_t* a = bench.frame->column[bench.sums->column_a(p)];
-    const int32_t* b = bench.frame->column[bench.sums->column_b(p)];
+    const int32_t* a = bench.frame->raw[bench.sums->column_a(p)];
+    const int32_t* b = bench.frame->raw[bench.sums->column_b(p)];
     int64_t expected = 0;
     for (int i = kLeadIn; i < kLeadIn + kBlockSamples; ++i) expected += 2 * static_cast<int64_t>(a[i]) * b[i];
     EXPECT_EQ(bench.sums->sum(p), expected)
@@ -89,7 +89,7 @@ TEST(ProductSums, EndCorrectionsMakeTheTrapezoidOfFourthOrder) {
   Bench bench;
   const int16_t product = bench.sums->add(0, 1);
   bench.sums->finish_plan();
-  for (int i = 0; i < kFrameStride; ++i) bench.frame->column[0][i] = bench.frame->column[1][i] = i - kLeadIn;
+  for (int i = 0; i < kFrameStride; ++i) bench.frame->raw[0][i] = bench.frame->raw[1][i] = i - kLeadIn;
   bench.sums->start(*bench.frame, kLeadIn);
   bench.sums->add_block(*bench.frame, kLeadIn, kLeadIn + 4);
   bench.sums->stop(*bench.frame, kLeadIn + 4);

@@ -6,6 +6,7 @@ import subprocess
 import sys
 
 FRAME = """
+#include "firmware/acquisition/columns.hpp"
 #include "firmware/excitation/drive.hpp"
 #include "firmware/fixed_point/fixed.hpp"
 #include "firmware/fixed_point/scaled.hpp"
@@ -13,8 +14,8 @@ using namespace firmware;
 using Code = Fixed<int32_t, 0>;
 using FilterTap = Fixed<int32_t, 24>;
 using Fraction = Fixed<int32_t, 16>;
-void f(Code code, FilterTap tap, Fraction fraction, Drive drive, Fixed<int64_t, 24> wide, Scaled scaled) {
-  (void)code, (void)tap, (void)fraction, (void)drive, (void)wide, (void)scaled;
+void f(Code code, FilterTap tap, Fraction fraction, Drive drive, Fixed<int64_t, 24> wide, Scaled scaled, Frame& frame) {
+  (void)frame, (void)code, (void)tap, (void)fraction, (void)drive, (void)wide, (void)scaled;
   CASE
 }
 """
@@ -25,6 +26,8 @@ GOOD = [
     "bool less = fraction < fraction; (void)less;",
     "Fraction made = rescale<Fraction>(drive); (void)made;",
     "auto sum = wide + rescale<Fixed<int64_t, 24>>(code); (void)sum;",
+    "frame.effect(0).put(1, frame.effect(0)[0]); frame.codes(0).put(1, 4 * frame.codes(0)[0]);",
+    "frame.passed_sign(0).put(0, rescale<PassedSign>(frame.codes(0)[0]));",
 ]
 
 BAD = [
@@ -44,6 +47,10 @@ BAD = [
     "auto sum = scaled + drive; (void)sum;",
     "Scaled made = 5; (void)made;",
     "double value = drive; (void)value;",
+    "frame.effect(0).put(0, frame.codes(0)[0]);",
+    "frame.passed_sign(0).put(0, frame.codes(0)[0]);",
+    "frame.codes(0).put(0, frame.codes(0)[0] * tap);",
+    "frame.codes(0).put(0, 5);",
 ]
 
 

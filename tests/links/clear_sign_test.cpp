@@ -14,13 +14,15 @@ using namespace firmware;
 constexpr int kVelocity = signal_column(0, Quantity::kVelocity);
 
 struct Signs {
-  int32_t clear[kFrameStride] = {}, own[kFrameStride] = {};
+  bool is_clear[kFrameStride] = {};
+  int32_t own[kFrameStride] = {};
+  int clear(int i) const { return is_clear[i] ? own[i] : 0; }
 };
 
 RateGains one_velocity() {
   RateGains gains;
   gains.has_a = true;
-  gains.gain_a = 1 << 23;
+  gains.gain_a = RateGain::from_raw(1 << 23);
   gains.column_a = kVelocity;
   return gains;
 }
@@ -29,7 +31,7 @@ Signs of(const Frame& frame, int means = 4) {
   ClearSign sign;
   sign.configure(one_velocity(), means, false);
   Signs result;
-  sign.fill(frame, 2, 37, 35, result.clear, result.own);
+  sign.fill(frame, 2, 37, 35, result.is_clear, Column<Code>(result.own));
   return result;
 }
 
@@ -37,18 +39,18 @@ Signs of(const Frame& frame, int means = 4) {
 // which differs from the sample's own by 26.7; four of them are 107, far below 1000.
 TEST(ClearSign, IsClearFarAboveTheNoise) {
   const auto frame = std::make_unique<Frame>();
-  for (int i = 0; i < kFrameStride; ++i) frame->column[kVelocity][i] = -1000 + (i % 2 == 0 ? 10 : -10);
+  for (int i = 0; i < kFrameStride; ++i) frame->raw[kVelocity][i] = -1000 + (i % 2 == 0 ? 10 : -10);
   const Signs signs = of(*frame);
-  for (int i = 2; i < 37; ++i) EXPECT_EQ(signs.clear[i], -1);
+  for (int i = 2; i < 37; ++i) EXPECT_EQ(signs.clear(i), -1);
 }
 
 // The same noise about a rate of 60, which is below 107.
 TEST(ClearSign, IsNotClearWithinFourMeanDifferences) {
   const auto frame = std::make_unique<Frame>();
-  for (int i = 0; i < kFrameStride; ++i) frame->column[kVelocity][i] = 60 + (i % 2 == 0 ? 10 : -10);
+  for (int i = 0; i < kFrameStride; ++i) frame->raw[kVelocity][i] = 60 + (i % 2 == 0 ? 10 : -10);
   const Signs signs = of(*frame);
   for (int i = 2; i < 37; ++i) {
-    EXPECT_EQ(signs.clear[i], 0);
+    EXPECT_EQ(signs.clear(i), 0);
     EXPECT_EQ(signs.own[i], 1);
   }
 }
@@ -56,22 +58,22 @@ TEST(ClearSign, IsNotClearWithinFourMeanDifferences) {
 TEST(ClearSign, ALinkAtRestIsNeverClear) {
   const auto frame = std::make_unique<Frame>();
   const Signs signs = of(*frame);
-  for (int i = 2; i < 37; ++i) EXPECT_EQ(signs.clear[i], 0);
+  for (int i = 2; i < 37; ++i) EXPECT_EQ(signs.clear(i), 0);
 }
 
 // On a straight line the neighbours foretell every sample; where it crosses zero at a sample no sign is clear.
 TEST(ClearSign, OnAStraightLineEverySampleButTheCrossingIsClear) {
   const auto frame = std::make_unique<Frame>();
-  for (int i = 0; i < kFrameStride; ++i) frame->column[kVelocity][i] = 100 * (i - 20);
+  for (int i = 0; i < kFrameStride; ++i) frame->raw[kVelocity][i] = 100 * (i - 20);
   const Signs signs = of(*frame);
-  for (int i = 2; i < 37; ++i) EXPECT_EQ(signs.clear[i], (i > 20) - (i < 20));
+  for (int i = 2; i < 37; ++i) EXPECT_EQ(signs.clear(i), (i > 20) - (i < 20));
 }
 
 // One section with the pole 1 - 1/4 on a step from 0 to 1: 1, 3/4, 9/16, ... times 2^20.
 TEST(HighPassedSign, AStepDecaysWithTheFiltersPole) {
   HighPassedSign filter;
   int32_t sign[kFrameStride] = {0, 1, 1, 1, 1};
-  filter.fill(1, 2, 0, 5, 5, sign);
+  filter.fill(1, 2, 0, 5, 5, Column<Code>(sign), Column<PassedSign>(sign));
   const int32_t expected[] = {0, 1 << 20, 3 << 18, 9 << 16, 27 << 14};
   for (int i = 0; i < 5; ++i) EXPECT_EQ(sign[i], expected[i]);
 }
@@ -82,9 +84,9 @@ TEST(HighPassedSign, GoesOnFromWhereTheNextBlockBegins) {
   for (int i = 0; i < 8; ++i) first[i] = whole[i];
   for (int i = 0; i < 6; ++i) second[i] = whole[6 + i];
   HighPassedSign one, two;
-  one.fill(3, 3, 0, 12, 12, whole);
-  two.fill(3, 3, 0, 8, 6, first);
-  two.fill(3, 3, 0, 6, 6, second);
+  one.fill(3, 3, 0, 12, 12, Column<Code>(whole), Column<PassedSign>(whole));
+  two.fill(3, 3, 0, 8, 6, Column<Code>(first), Column<PassedSign>(first));
+  two.fill(3, 3, 0, 6, 6, Column<Code>(second), Column<PassedSign>(second));
   for (int i = 0; i < 8; ++i) EXPECT_EQ(first[i], whole[i]);
   for (int i = 0; i < 6; ++i) EXPECT_EQ(second[i], whole[6 + i]);
 }

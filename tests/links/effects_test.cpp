@@ -38,12 +38,12 @@ struct Case {
   void block(int first_sample, const std::function<double(double)>& u, const std::function<double(double)>& w) {
     for (int i = 0; i < kFrameStride; ++i) {
       const double t = (first_sample + i - kLeadIn) * kPeriod;
-      frame->column[signal_column(0, Quantity::kDisplacement)][i] = static_cast<int32_t>(std::lround(u(t) / kUnitX));
-      frame->column[signal_column(0, Quantity::kVelocity)][i] = static_cast<int32_t>(std::lround(w(t) / kUnitV));
+      frame->raw[signal_column(0, Quantity::kDisplacement)][i] = static_cast<int32_t>(std::lround(u(t) / kUnitX));
+      frame->raw[signal_column(0, Quantity::kVelocity)][i] = static_cast<int32_t>(std::lround(w(t) / kUnitV));
     }
     effects->fill(*frame, kLeadIn - 1, kLeadIn + kBlockSamples + 2, kBlockSamples);
   }
-  double at(int i) const { return frame->column[kEffectColumn][kLeadIn + i] * to_double(unit[kEffectColumn]); }
+  double at(int i) const { return frame->raw[kEffectColumn][kLeadIn + i] * to_double(unit[kEffectColumn]); }
 };
 
 }  // namespace
@@ -53,7 +53,7 @@ TEST(Effects, GravityBeyondOneTurn) {
   test.configuration->signals[0][1].unit_per_code = from_double(1.0 / (1 << 18));  // 32 rad at full scale
   test.effects->configure(*test.configuration, test.unit);
   for (int i = 0; i < kFrameStride; ++i)
-    test.frame->column[signal_column(0, Quantity::kDisplacement)][i] = (i - 20) * 262144;  // i - 20 rad
+    test.frame->raw[signal_column(0, Quantity::kDisplacement)][i] = (i - 20) * 262144;  // i - 20 rad
   test.effects->fill(*test.frame, kLeadIn - 1, kLeadIn + kBlockSamples + 2, kBlockSamples);
   for (int i = 0; i < kBlockSamples; ++i) EXPECT_NEAR(test.at(i), std::sin(i + kLeadIn - 20.0), 2e-6);
 }

@@ -21,13 +21,13 @@ std::unique_ptr<CoreConfiguration> two_dofs(Scaled unit_a, Scaled unit_b) {
 int sign_of(const CoreConfiguration& c, LinkConfiguration link, int32_t va, int32_t vb, bool smoothed = false) {
   auto frame = std::make_unique<Frame>();
   for (int i = 0; i < kFrameStride; ++i) {
-    frame->column[signal_column(0, Quantity::kVelocity)][i] = va;
-    frame->column[signal_column(1, Quantity::kVelocity)][i] = vb;
+    frame->raw[signal_column(0, Quantity::kVelocity)][i] = va;
+    frame->raw[signal_column(1, Quantity::kVelocity)][i] = vb;
   }
-  int64_t rate[kFrameStride];
+  Rate rate[kFrameStride];
   int32_t sign[kFrameStride];
   link_rate(rate_gains(c, link), *frame, smoothed, 5, 6, rate);
-  signs(rate, 5, 6, sign);
+  signs(rate, 5, 6, Column<Code>(sign));
   return sign[5];
 }
 
@@ -61,10 +61,10 @@ TEST(LinkMotion, SmoothingIsLinearInTime) {
   // v = -1, 1, 3, 5, 7 at positions 3 to 7: (4, 1, 10, 1, 4) . v = -4 + 1 + 30 + 5 + 28 = 60 = 20 * 3.
   const auto c = two_dofs(Scaled::from_int(1), Scaled::from_int(1));
   auto frame = std::make_unique<Frame>();
-  for (int i = 0; i < kFrameStride; ++i) frame->column[signal_column(0, Quantity::kVelocity)][i] = 2 * i - 7;
-  int64_t plain[kFrameStride], smooth[kFrameStride];
+  for (int i = 0; i < kFrameStride; ++i) frame->raw[signal_column(0, Quantity::kVelocity)][i] = 2 * i - 7;
+  Rate plain[kFrameStride], smooth[kFrameStride];
   const RateGains gains = rate_gains(*c, {0, kGroundNode});
   link_rate(gains, *frame, false, 5, 6, plain);
   link_rate(gains, *frame, true, 5, 6, smooth);
-  EXPECT_EQ(smooth[5], 20 * plain[5]);
+  EXPECT_EQ(smooth[5].raw, 20 * plain[5].raw);
 }

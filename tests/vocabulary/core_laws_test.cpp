@@ -54,12 +54,12 @@ struct CoreColumn {
   void fill(int block) {
     for (int i = 0; i < kFrameStride; ++i) {
       const int n = block * kBlockSamples + i - (kLeadIn - 1);
-      frame->column[signal_column(0, Quantity::kDisplacement)][i] = code_u(n);
-      frame->column[signal_column(0, Quantity::kVelocity)][i] = code_w(n);
+      frame->raw[signal_column(0, Quantity::kDisplacement)][i] = code_u(n);
+      frame->raw[signal_column(0, Quantity::kVelocity)][i] = code_w(n);
     }
     effects->fill(*frame, kLeadIn - 1, kLeadIn + kBlockSamples + 2, kBlockSamples);
   }
-  double at(int i) const { return frame->column[kEffectColumn][kLeadIn - 1 + i] * to_double(unit[kEffectColumn]); }
+  double at(int i) const { return frame->raw[kEffectColumn][kLeadIn - 1 + i] * to_double(unit[kEffectColumn]); }
 };
 
 void compare(const EffectRow& row, const vocabulary::Shape& shape) {

@@ -129,7 +129,7 @@ TEST(ProbeForce, FullScaleStaysInItsFormat) {
   block.configure(c, no_effects, {});
   static Frame frame;
   for (int q = 0; q < kQuantities; ++q)
-    for (int i = 0; i < kFrameStride; ++i) frame.column[q][i] = (i / 8) % 2 == 0 ? 8388607 : -8388607;
+    for (int i = 0; i < kFrameStride; ++i) frame.raw[q][i] = (i / 8) % 2 == 0 ? 8388607 : -8388607;
   ASSERT_EQ(block.append(frame, 0, 32), 32);
   ASSERT_FALSE(block.full());
   ASSERT_EQ(block.append(frame, 0, 32), 8);
