@@ -62,7 +62,10 @@ TEST_F(Diagnose, NamesTheHiddenSpringAndWritesAllThatWasAskedFor) {
   EXPECT_NE(page.find("<h2 id=\"links\">"), std::string::npos);
   for (const char* fetched : {"src=\"http", "href=\"http", "url(http", "src=\"//", "import("})
     EXPECT_EQ(page.find(fetched), std::string::npos) << fetched;
-  EXPECT_EQ(workspace_.entries(),
+  std::set<std::string> entries = workspace_.entries();
+  for (auto entry = entries.begin(); entry != entries.end();)
+    entry = entry->find("report/figures/") == 0 ? entries.erase(entry) : std::next(entry);
+  EXPECT_EQ(entries,
             (std::set<std::string>{"extended.toml", "hidden.csv", "out.json", "report/index.html", "rig.toml"}));
 }
 

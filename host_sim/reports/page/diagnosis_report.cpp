@@ -83,9 +83,7 @@ void add_advice(Page& page, const DiagnosisReportData& data) {
   page.html(list + "</ul>\n");
 }
 
-}  // namespace
-
-std::string diagnosis_page(const DiagnosisReportData& data) {
+Page made_page(const DiagnosisReportData& data) {
   Page page(verdict_headline(data), "Diagnosis of " + data.rig_name, lead_html(data));
   add_causes(page, data);
   add_advice(page, data);
@@ -98,11 +96,15 @@ std::string diagnosis_page(const DiagnosisReportData& data) {
   add_data_check(page, data.check);
   add_candidates(page, data);
   if (data.verdict != "none") add_detectable(page, data);
-  return page.finish();
+  return page;
 }
 
+}  // namespace
+
+std::string diagnosis_page(const DiagnosisReportData& data) { return made_page(data).finish(); }
+
 void write_diagnosis_report(const std::string& directory, const DiagnosisReportData& data) {
-  write_index(directory, diagnosis_page(data));
+  write_page(directory, made_page(data));
 }
 
 }  // namespace host_sim::reports

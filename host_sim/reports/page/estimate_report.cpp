@@ -42,9 +42,7 @@ void add_list(Page& page, const char* id, const char* heading, const std::vector
   page.html("<ul class=\"advice\">\n" + list + "</ul>\n");
 }
 
-}  // namespace
-
-std::string estimate_page(const EstimateReportData& data) {
+Page made_page(const EstimateReportData& data) {
   std::vector<std::string> facts;
   for (const std::string& file : data.files) facts.push_back("data: " + file);
   facts.insert(facts.end(), data.facts.begin(), data.facts.end());
@@ -68,11 +66,15 @@ std::string estimate_page(const EstimateReportData& data) {
   add_zoom(page, zoom_records(data.dofs));
   add_rig_sections(page, data.views);
   add_data_check(page, data.check);
-  return page.finish();
+  return page;
 }
 
+}  // namespace
+
+std::string estimate_page(const EstimateReportData& data) { return made_page(data).finish(); }
+
 void write_estimate_report(const std::string& directory, const EstimateReportData& data) {
-  write_index(directory, estimate_page(data));
+  write_page(directory, made_page(data));
 }
 
 }  // namespace host_sim::reports

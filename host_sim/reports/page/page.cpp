@@ -131,6 +131,7 @@ void Page::figures(const std::vector<Plot>& plots) {
     body_ += "</figure>\n";
   }
   body_ += "</div>\n";
+  plots_.insert(plots_.end(), plots.begin(), plots.end());
 }
 
 std::string Page::finish() const {

@@ -32,16 +32,19 @@ class Page {
   // which is left out where it would repeat the one above.
   void figures(const std::vector<Plot>& plots);
   std::string finish() const;
+  const std::vector<Plot>& plots() const { return plots_; }  // in the order of the page
 
  private:
   std::string title_, kicker_, lead_, body_, contents_, last_legend_;
+  std::vector<Plot> plots_;
 };
 
 // The style sheet of all pages.
 const char* page_style();
 
-// `content` as directory/index.html, whole or not at all; makes the directory (and removes it again where it was made
-// here and the writing failed). Throws OutputError.
-void write_index(const std::string& directory, const std::string& content);
+// The page as directory/index.html, whole or not at all, and the data of its pictures as directory/figures/<number>_<title>.csv
+// (figures/figure_csv.hpp); what an earlier page left there goes. Makes the directory (and removes it again where it was
+// made here and the page could not be written). Throws OutputError.
+void write_page(const std::string& directory, const Page& page);
 
 }  // namespace host_sim::reports

@@ -1,4 +1,5 @@
-// The pages. Each is one file, DIR/index.html, that opens offline: styles and pictures are inside, no scripts.
+// The pages. Each is one file, DIR/index.html, that opens offline: styles, pictures and the script that zooms are inside.
+// Beside it stands the data of every picture, DIR/figures/<number>_<title>.csv.
 #pragma once
 #include <string>
 

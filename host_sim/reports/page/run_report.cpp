@@ -60,9 +60,7 @@ void add_table(Page& page, const RunReportData& data) {
   page.html(table_html(table));
 }
 
-}  // namespace
-
-std::string run_page(const RunReportData& data) {
+Page made_page(const RunReportData& data) {
   std::vector<std::string> facts = data.facts;
   if (const std::string worst = worst_error(data); !worst.empty()) facts.insert(facts.begin(), worst);
   if (std::isfinite(data.condition_number))
@@ -94,11 +92,15 @@ std::string run_page(const RunReportData& data) {
   add_zoom(page, closer);
   add_rig_sections(page, data.views);
   add_data_check(page, data.check);
-  return page.finish();
+  return page;
 }
 
+}  // namespace
+
+std::string run_page(const RunReportData& data) { return made_page(data).finish(); }
+
 void write_run_report(const std::string& directory, const RunReportData& data) {
-  write_index(directory, run_page(data));
+  write_page(directory, made_page(data));
 }
 
 }  // namespace host_sim::reports
