@@ -93,11 +93,14 @@ Vec Columns::force(const Term& t, const Window& w, const WindowRun& run, Memory&
     const double o = kTwoPi * t.shape, c = 2 * t.shape2 * o, q = o * o,
                  yield = 1 / (1 + 0.5 * h * c + 0.25 * h * h * q);
     if (!follows) memory.z = run.x(d, 0), memory.v = run.v(d, 0);
+    const auto carried = [&](Index k) { return record.base.ridden ? record.guess.back().a[w.from + k] : 0.0; };
+    // a: against the ground; z and s: against the base where that carries the rig
     double z = memory.z, s = memory.v, a = c * (run.v(d, 0) - s) + q * (run.x(d, 0) - z);
     for (Index k = 0; k < len; ++k) {
       out[k] = a;
       const Index n = std::min(len - 1, k + 1);
-      const double zp = z + h * s + 0.25 * h * h * a, sp = s + 0.5 * h * a;
+      const double now = a - carried(k), lost = carried(n);
+      const double zp = z + h * s + 0.25 * h * h * (now - lost), sp = s + 0.5 * h * (now - lost);
       const double next = (c * (run.v(d, n) - sp) + q * (run.x(d, n) - zp)) * yield;
       z = zp + 0.25 * h * h * next, s = sp + 0.5 * h * next, a = next;
     }

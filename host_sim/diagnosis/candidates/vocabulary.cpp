@@ -81,6 +81,8 @@ std::vector<Candidate> candidates_beside(const System& s, const Model& model, co
   for (size_t i = 0; i < s.links.size(); ++i) {
     const int l = static_cast<int>(i);
     const bool listed = i < s.known_links || find(model, l, {Kind::kMissingViscous, Kind::kMissingCoulomb}) >= 0;
+    if (records[0].base.ridden && (s.links[i].a == rig_file::kGround || s.links[i].b == rig_file::kGround))
+      continue;  // where the ground is, accelerations do not say
     const Extent e = extent_of(s, records, i);
     if (e.w_rms <= 0) continue;
     const int viscous = find(model, l, {Kind::kViscous, Kind::kMissingViscous});

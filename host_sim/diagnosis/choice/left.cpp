@@ -19,23 +19,31 @@ double median(std::vector<double> v) {
   return v[v.size() / 2];
 }
 
-// Records whose forces carry another noise of the same level beside their own, white: the level of the top of the band.
-std::vector<Prepared> with_force_noise(const std::vector<Prepared>& records, bool& any) {
+// Level of the top of the band, as of white noise. What drives may act above the motion's band, and a thinned record ends
+// early.
+double noise_level(const Vec& y) {
+  if (y.size() == 0 || y.cwiseAbs().maxCoeff() == 0) return 0;
+  const size_t n = fast_length(static_cast<size_t>(y.size()));
+  const Vec power = Fourier(n).forward(y.head(static_cast<Index>(n))).cwiseAbs2() / static_cast<double>(n);
+  std::vector<double> top(power.data() + power.size() * 2 / 3, power.data() + power.size() * 4 / 5);
+  return std::sqrt(median(top) / kMedianOfSpread);
+}
+
+// Records whose forces and bases carry another white noise of the same level beside their own.
+std::vector<Prepared> with_drive_noise(const std::vector<Prepared>& records, bool& any) {
   std::vector<Prepared> list = records;
   std::mt19937_64 random(1);
   std::normal_distribution<double> normal;
-  for (Prepared& p : list)
-    for (Vec& f : p.force) {
-      if (f.size() == 0 || f.cwiseAbs().maxCoeff() == 0) continue;
-      const size_t n = fast_length(static_cast<size_t>(f.size()));
-      const Vec power = Fourier(n).forward(f.head(static_cast<Index>(n))).cwiseAbs2() / static_cast<double>(n);
-      const Index from =
-          power.size() * 2 / 3;  // a force may act above the motion's band, and a thinned record ends early
-      std::vector<double> top(power.data() + from, power.data() + power.size() * 4 / 5);
-      const double sigma = std::sqrt(median(top) / kMedianOfSpread);
-      for (double& value : f) value += sigma * normal(random);
-      any = any || sigma > 0;
-    }
+  const auto disturb = [&](Vec& y) {
+    const double sigma = noise_level(y);
+    for (double& value : y) value += sigma * normal(random);
+    any = any || sigma > 0;
+  };
+  for (Prepared& p : list) {
+    for (Vec& f : p.force) disturb(f);
+    for (Vec& b : p.base.reading) disturb(b);
+    renew_base(p);
+  }
   return list;
 }
 
@@ -68,7 +76,7 @@ Left left_by(const System& system, const std::vector<Prepared>& records, const S
   const size_t channels = evaluator.traces(0).size();
   std::vector<std::vector<double>> rows(channels), pushed(channels);
   bool force_noise = false;
-  const std::vector<Prepared> noisy_records = with_force_noise(records, force_noise);
+  const std::vector<Prepared> noisy_records = with_drive_noise(records, force_noise);
   Evaluator noisy(system, state.model, noisy_records);
   WindowRun run;
   for (const Window& w : state.seen) {

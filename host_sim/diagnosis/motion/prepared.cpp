@@ -125,9 +125,22 @@ Guess guess_of(const std::vector<const Vec*>& measured, double step_s, Index hal
   return g;
 }
 
-bool driven(const std::vector<Vec>& force, const std::vector<Vec>& base) {
+bool driven(const Prepared& p) {
   const auto acts = [](const Vec& y) { return y.size() > 0 && y.cwiseAbs().maxCoeff() > 0; };
-  return std::any_of(force.begin(), force.end(), acts) || std::any_of(base.begin(), base.end(), acts);
+  return std::any_of(p.force.begin(), p.force.end(), acts) ||
+         std::any_of(p.base.reading.begin(), p.base.reading.end(), acts);
+}
+
+bool touches_ground(const rig_file::RigModel& rig) {
+  return std::any_of(rig.links.begin(), rig.links.end(),
+                     [](const rig_file::Link& l) { return l.a == rig_file::kGround || l.b == rig_file::kGround; });
+}
+
+// Only accelerations are known, and only against the base do they say where a DOF is.
+bool rides_on_base(const rig_file::RigModel& rig, const Prepared& p) {
+  return p.base.reading[2].size() > 0 && p.base.reading[0].size() + p.base.reading[1].size() == 0 &&
+         !touches_ground(rig) &&
+         std::all_of(p.traces.begin(), p.traces.end(), [](const MotionTrace& t) { return t.quantity == 2; });
 }
 
 // Of a decay: the mean of its last part, whose swings are the smallest.
@@ -173,7 +186,6 @@ Prepared prepare_by(const rig_file::RigModel& rig, const host_sim::Record& recor
   };
   const int n = static_cast<int>(rig.dofs.size());
   p.force.resize(static_cast<size_t>(n));
-  std::vector<Vec> base(3);
   for (const host_sim::Channel& c : record.channels) {
     if (c.quantity == host_sim::Quantity::kForce && c.dof >= 1 && c.dof <= n) {
       p.force[static_cast<size_t>(c.dof - 1)] = series(c);
@@ -183,20 +195,21 @@ Prepared prepare_by(const rig_file::RigModel& rig, const host_sim::Record& recor
                          : c.quantity == host_sim::Quantity::kVelocity   ? 1
                                                                          : 2;
     if (c.dof == rig_file::kBase)
-      base[static_cast<size_t>(quantity)] = series(c);
+      p.base.reading[static_cast<size_t>(quantity)] = series(c);
     else if (c.dof >= 1 && c.dof <= n)
       p.traces.push_back({c.dof - 1, quantity, c.name, series(c)});
   }
   for (const MotionTrace& t : p.traces) p.samples = t.y.size();
   // Where nothing drives the motion its middle is free anyway: runs start from it, wherever the sensor has its zero.
-  if (!driven(p.force, base))
+  if (!driven(p))
     for (MotionTrace& t : p.traces)
       if (t.quantity == 0) t.y.array() -= middle(t.y);
   if (p.samples < kLeast)
     throw CannotAnswer(record.file + ": " + std::to_string(record.samples()) +
                        " samples; a diagnosis needs at least 400");
-  const Index half = std::clamp<Index>(static_cast<Index>(0.15 / (p.top_Hz * p.step_s)), 2, p.samples / 8);
-  const Index slow = std::clamp<Index>(static_cast<Index>(8 / (p.top_Hz * p.step_s)), 8, p.samples / 3);
+  p.smooth_half = std::clamp<Index>(static_cast<Index>(0.15 / (p.top_Hz * p.step_s)), 2, p.samples / 8);
+  p.slow_half = std::clamp<Index>(static_cast<Index>(8 / (p.top_Hz * p.step_s)), 8, p.samples / 3);
+  p.base.ridden = rides_on_base(rig, p);
   for (int d = 0; d < n; ++d) {
     std::vector<const Vec*> measured(3, nullptr);
     for (const MotionTrace& t : p.traces)
@@ -204,17 +217,27 @@ Prepared prepare_by(const rig_file::RigModel& rig, const host_sim::Record& recor
     if (!measured[0] && !measured[1] && !measured[2])
       throw CannotAnswer(record.file + ": no displacement, velocity or acceleration of DOF " + std::to_string(d + 1) +
                          "; measure one of them");
-    p.guess.push_back(guess_of(measured, p.step_s, half, slow));
+    Vec against_base;
+    if (p.base.ridden) against_base = *measured[2] - p.base.reading[2], measured[2] = &against_base;
+    p.guess.push_back(guess_of(measured, p.step_s, p.smooth_half, p.slow_half));
+    if (p.base.ridden) p.guess.back().a += p.base.reading[2];
   }
   p.guess.push_back({});
-  const std::vector<const Vec*> measured = {base[0].size() ? &base[0] : nullptr, base[1].size() ? &base[1] : nullptr,
-                                            base[2].size() ? &base[2] : nullptr};
-  if (measured[0] || measured[1] || measured[2]) p.guess.back() = guess_of(measured, p.step_s, half, slow);
+  renew_base(p);
   p.period_s = period_of(p);
   return p;
 }
 
 }  // namespace
+
+void renew_base(Prepared& p) {
+  if (!p.base.given()) return;
+  const auto measured = [&](size_t quantity) {
+    return p.base.reading[quantity].size() ? &p.base.reading[quantity] : nullptr;
+  };
+  p.guess.back() = guess_of({measured(0), measured(1), measured(2)}, p.step_s, p.smooth_half, p.slow_half);
+  if (p.base.ridden) p.guess.back().x.setZero(), p.guess.back().v.setZero();
+}
 
 Prepared prepare(const rig_file::RigModel& rig, const host_sim::Record& record) {
   return prepare_by(rig, record, needs_of(record));

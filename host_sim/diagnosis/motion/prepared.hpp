@@ -2,6 +2,7 @@
 // of displacement, velocity and acceleration of every DOF.
 #pragma once
 #include <Eigen/Core>
+#include <array>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,14 @@ struct Guess {  // of one DOF; base: after the last DOF
   Vec x, v, a;
 };
 
+// A moving base of which nothing but accelerations is known, in a rig that touches no ground, is left where it is: the
+// DOFs move against it, under its inertial forces. Its displacement, which would have to be integrated twice, is not needed.
+struct Base {
+  std::array<Vec, 3> reading;  // displacement, velocity, acceleration; empty: not measured
+  bool ridden = false;  // displacements and velocities of DOFs are against it; accelerations are against the ground
+  bool given() const { return reading[0].size() + reading[1].size() + reading[2].size() > 0; }
+};
+
 struct Prepared {
   std::string file;
   double step_s = 0;
@@ -36,6 +45,8 @@ struct Prepared {
   std::vector<MotionTrace> traces;
   std::vector<Vec> force;  // per DOF; empty: none
   std::vector<Guess> guess;
+  Base base;
+  Index smooth_half = 0, slow_half = 0;  // samples that the guesses are smoothed over, and their drift taken off
   double time_s(Index sample) const { return static_cast<double>(sample) * step_s; }
 };
 
@@ -43,6 +54,9 @@ struct Prepared {
 Prepared prepare(const rig_file::RigModel& rig, const host_sim::Record& record);
 // All records at one step: that of the fastest motion among them.
 std::vector<Prepared> prepare_all(const rig_file::RigModel& rig, const std::vector<host_sim::Record>& records);
+
+// The guess of the base from its readings.
+void renew_base(Prepared& record);
 
 // Delays `y` by a whole or broken number of samples (six-point interpolation; ends repeat).
 Vec delayed(const Vec& y, double samples);

@@ -140,9 +140,9 @@ void Simulator::upsample(const Model& model) {
           t.term.shape == faults_[i].frequency)
         fine_[faults_[i].fine] += t.value * fine_slope_[i];
   }
-  if (record_.guess.back().given)
-    base_x_ = finer(record_.guess.back().x), base_v_ = finer(record_.guess.back().v),
-    base_a_ = finer(record_.guess.back().a);
+  if (record_.guess.back().given) base_a_ = finer(record_.guess.back().a);
+  if (record_.guess.back().given && !record_.base.ridden)
+    base_x_ = finer(record_.guess.back().x), base_v_ = finer(record_.guess.back().v);
 }
 
 Simulator::Outside Simulator::outside(double r) const {
@@ -154,6 +154,7 @@ Simulator::Outside Simulator::outside(double r) const {
   };
   for (size_t i = 0; i < fine_.size(); ++i) o.force[fine_node_[i]] += at(fine_[i]);
   if (base_x_.size()) o.x = at(base_x_), o.v = at(base_v_), o.a = at(base_a_);
+  if (record_.base.ridden) o.carried = at(base_a_);
   o.t_s = (static_cast<double>(at_) / 2 + r) * record_.step_s / substeps_;
   return o;
 }
@@ -248,6 +249,7 @@ void Simulator::accelerations(const Vec& y, const Outside& o, Vec& acc, bool slo
                e.kind == Kind::kStribeck ? f.sign * share * std::abs(w) / e.shape : 0.0});
     }
   }
+  net_ -= o.carried * mass_;
   renew_yield();
   if (!stuck_)
     acc = net_.cwiseQuotient(mass_);
@@ -266,7 +268,7 @@ void Simulator::accelerations(const Vec& y, const Outside& o, Vec& acc, bool slo
           r * r * (2 * s[at_] - 4 * s[at_ + 1] + 2 * s[at_ + 2]);
     }
   for (Index node = 0; node < nodes_; ++node)
-    for (Index p : by_mass_[static_cast<size_t>(node)]) slope_x_(node, states() + p) -= acc[node];
+    for (Index p : by_mass_[static_cast<size_t>(node)]) slope_x_(node, states() + p) -= acc[node] + o.carried;
   if (!stuck_)
     for (Index i = 0; i < nodes_; ++i) slope_x_.row(i) /= mass_[i];
   else
@@ -486,7 +488,9 @@ void Simulator::accelerations(Index sample, const Vec& y, Vec& a, Mat* slopes) {
   const bool last = sample + 1 >= record_.samples;
   at_ = (last ? sample - 1 : sample) * 2 * substeps_;
   if (last) at_ += 2 * (substeps_ - 1);
-  accelerations(y, outside(last ? 1 : 0), a, slopes != nullptr);
+  const Outside o = outside(last ? 1 : 0);
+  accelerations(y, o, a, slopes != nullptr);
+  a.array() += o.carried;
   if (slopes) *slopes = slope_x_;
 }
 

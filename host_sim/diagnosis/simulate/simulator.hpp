@@ -25,7 +25,7 @@ class Simulator {
   void start(Index sample, const Vec& y);  // sets modes
   // From a sample to the next; `sensitivity` (states x (states + parameters)), where given, is that of this step alone.
   bool advance(Index sample, Vec& y, Mat* sensitivity);
-  // Accelerations at the present state, and their sensitivity (nodes x (states + parameters)) where wanted.
+  // Accelerations against the ground at the present state, and their sensitivity (nodes x (states + parameters)) where wanted.
   void accelerations(Index sample, const Vec& y, Vec& a, Mat* slopes);
   const Mat& yield() const { return yield_; }  // accelerations per force on each node, at the last accelerations()
 
@@ -49,7 +49,8 @@ class Simulator {
   };
   struct Outside {  // what acts from outside at an instant
     Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 48, 1> force;
-    double x = 0, v = 0, a = 0;
+    double x = 0, v = 0, a = 0;  // of the base
+    double carried = 0;          // acceleration of the base against which the nodes move
     double t_s = 0;
   };
   void compile(const System& system, const Model& model);
