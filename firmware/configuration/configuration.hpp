@@ -124,6 +124,9 @@ struct CoreConfiguration {
   ProbeNoise probe_noise[kKeepsProbeNoise ? kMaxNodes : 1];
   bool shares_probe_noise = false;  // probe_noise holds something
   bool noise_unknown = false;       // signals pass filters, and nobody has said how much noise their channels have
+  // The products above of a node's motion and of its force may be off by this many thousandths of themselves.
+  uint16_t motion_noise_doubt[kMaxNodes] = {};
+  uint16_t force_noise_doubt[kMaxNodes] = {};
   // Every signal passes as many first-order high-pass sections (corner = rate / (2 pi 2^shift)) as the most integrated one has
   // integrations, plus one where any is integrated; an integration takes the place of one section's difference.
   uint8_t high_pass_order = 0;

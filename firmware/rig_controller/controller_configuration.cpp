@@ -191,6 +191,8 @@ constexpr void walk_probe_noise(Archive& archive, Core& core, int node) {
       if (core.shares_probe_noise) walk_scaled(archive, covariance);
   }
   if (core.shares_probe_noise) walk_scaled(archive, noise.force);
+  archive.field(core.motion_noise_doubt[node]);
+  archive.field(core.force_noise_doubt[node]);
 }
 
 // Of a node: its channels, what the equations use of them, and how a velocity is fused.

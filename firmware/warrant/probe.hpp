@@ -63,6 +63,9 @@ struct Probe {
   int8_t unknown = -1;  // the estimated term it stands for; -1: a candidate
   Cause cause = Cause::kUnknown;
   uint8_t quantity = kNoQuantity;  // of the channel, where the cause is in the measurement
+  // Grows with the time since the level's start: t times the force of the probe before it at this place with the same form,
+  // whose sums over stretches it shares.
+  bool drifts = false;
   // Its sums: one per equation, one per column of the place, one of its own force; two of its slopes where noise is shared.
   uint16_t first_value = 0;
 };
@@ -72,7 +75,8 @@ struct ProbePlan {
   int place_count = 0;
   Probe probe[kMaxProbes];
   int probe_count = 0;
-  int base_count = 0;  // the first ones: those of estimated terms
+  int base_count = 0;    // the first ones: those of estimated terms
+  int summed_count = 0;  // those with sums of their own; what drifts comes after them
   int value_count = 0;
   int slopes = 0;  // 2 where signals share noise, else 0
   // Sums of a probe, in their order.

@@ -87,6 +87,22 @@ class Planner {
         add(p, Form::kForceRate, cause_of(EffectKind::kSensorDelay), static_cast<uint8_t>(Quantity::kForce), -1);
       }
     }
+    plan_.summed_count = plan_.probe_count;
+  }
+
+  // A damper that changes with time needs no sums of its own.
+  void drifting() {
+    for (int j = 0; j < plan_.summed_count && plan_.probe_count < kMaxProbes; ++j) {
+      const Probe& rate = plan_.probe[j];
+      const Place& place = plan_.place[rate.place];
+      if (rate.form != Form::kRate || place.kind != PlaceKind::kLink) continue;
+      if (has_term(TermKind::kDriftingViscous, place.link)) continue;
+      Probe& probe = plan_.probe[plan_.probe_count++];
+      probe = rate;
+      probe.drifts = true;
+      probe.unknown = -1;
+      probe.cause = cause_of(EffectKind::kDriftingViscous);
+    }
   }
 
  private:
@@ -157,6 +173,12 @@ class Planner {
     return false;
   }
 
+  bool has_term(TermKind kind, int link) const {
+    for (int t = 0; t < c_.term_count; ++t)
+      if (c_.terms[t].kind == kind && c_.terms[t].place == link) return true;
+    return false;
+  }
+
   void add(int place, Form form, Cause cause, uint8_t quantity, int unknown) {
     const Place& where = plan_.place[place];
     const bool on_dof = where.kind == PlaceKind::kDof;
@@ -187,12 +209,13 @@ class Planner {
 }  // namespace
 
 void make_probe_plan(const CoreConfiguration& configuration, int most_values, ProbePlan& plan) {
-  plan.place_count = plan.probe_count = plan.base_count = plan.value_count = 0;
+  plan.place_count = plan.probe_count = plan.base_count = plan.summed_count = plan.value_count = 0;
   plan.slopes = configuration.shares_probe_noise ? 2 : 0;
   Planner planner(configuration, most_values, plan);
   planner.places();
   planner.base_probes();
   planner.candidates();
+  planner.drifting();
 }
 
 }  // namespace firmware

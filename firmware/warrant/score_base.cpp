@@ -10,6 +10,13 @@ Scaled square(Scaled value) { return value * value; }
 
 }  // namespace
 
+// Mean time of a stretch since its level's start, where the probe's force grows with it; else 1.
+Scaled ScoreTest::time(const Probe& probe, int s) const {
+  if (!probe.drifts) return Scaled::from_int(1);
+  const Stretch& stretch = sums_->table().stretch(s);
+  return configuration_->sample_period_s * Scaled::ratio(static_cast<int64_t>(stretch.time), stretch.blocks);
+}
+
 // The sums of one probe in SI units, its residuals at the estimates.
 void ScoreTest::read(const Probe& probe) {
   const ProbePlan& plan = sums_->plan();
@@ -18,9 +25,10 @@ void ScoreTest::read(const Probe& probe) {
   Scaled unit[kPlaceEquations + kMaxPlaceColumns + 3], noise[2][kPlaceEquations + kMaxPlaceColumns];
   for (int v = 0; v < values; ++v) unit[v] = sums_->unit(probe, v);
   for (int slope = 0; slope < plan.slopes; ++slope)
-    for (int v = 0; v < sums; ++v) noise[slope][v] = sums_->noise_share(probe, slope, v);
+    for (int v = 0; v < sums; ++v) noise[slope][v] = sums_->noise_share(probe, slope, v, SharedNoise::Of::kWhole);
+  read_doubt(probe);
   for (int s = 0; s < stretches_; ++s) {
-    const auto raw = [&](int v) { return sums_->table().value(s, probe.first_value + v) * unit[v]; };
+    const auto raw = [&](int v) { return sums_->table().value(s, probe.first_value + v) * unit[v] * time(probe, s); };
     Scaled slopes[2];
     for (int slope = 0; slope < plan.slopes; ++slope) slopes[slope] = raw(sums + 1 + slope);
     const auto value = [&](int v) {
@@ -38,8 +46,44 @@ void ScoreTest::read(const Probe& probe) {
         if (place.column_sign[k][e] < 0) residual_[s][e] = residual_[s][e] + force;
       }
     }
-    own_[s] = raw(sums);
+    own_[s] = raw(sums) * time(probe, s);
   }
+}
+
+// What of the probe's residuals is noise of a doubtful size: the sums of its slopes over a level, times the covariances.
+void ScoreTest::read_doubt(const Probe& probe) {
+  const ProbePlan& plan = sums_->plan();
+  const Place& place = plan.place[probe.place];
+  const int sums = place.equations + place.columns;
+  for (auto& level : doubtful_)
+    for (Scaled& equation : level) equation = Scaled{};
+  for (int slope = 0; slope < plan.slopes; ++slope) {
+    Scaled total[kMaxLevels], share[kPlaceEquations];
+    const int value = probe.first_value + sums + 1 + slope;
+    for (int s = 0; s < stretches_; ++s)
+      total[level_of_[s]] = total[level_of_[s]] + sums_->table().value(s, value) * time(probe, s);
+    for (int e = 0; e < place.equations; ++e) {
+      share[e] = sums_->noise_share(probe, slope, e, SharedNoise::Of::kDoubtful);
+      for (int k = 0; k < place.columns; ++k) {
+        if (place.column_sign[k][e] == 0) continue;
+        const Scaled part = parameter_[place.unknown[k]] *
+                            sums_->noise_share(probe, slope, place.equations + k, SharedNoise::Of::kDoubtful);
+        share[e] = place.column_sign[k][e] > 0 ? share[e] - part : share[e] + part;
+      }
+      share[e] = share[e] * sums_->unit(probe, sums + 1 + slope);
+    }
+    for (int level = 0; level < levels_; ++level)
+      for (int e = 0; e < place.equations; ++e) doubtful_[level][e] = doubtful_[level][e] + total[level] * share[e];
+  }
+}
+
+// The same in the whole score.
+Scaled ScoreTest::doubtful_score(int place) const {
+  Scaled sum;
+  for (int level = 0; level < levels_; ++level)
+    for (int e = 0; e < sums_->plan().place[place].equations; ++e)
+      sum = sum + weight_[place][level][e] * doubtful_[level][e];
+  return sum;
 }
 
 // From the scores of the place's rate (on a DOF, of its acceleration).
@@ -48,7 +92,7 @@ void ScoreTest::weigh(int number) {
   const Place& place = plan.place[number];
   const Form wanted = place.kind == PlaceKind::kDof ? Form::kAcceleration : Form::kRate;
   int found = -1;
-  for (int j = plan.probe_count - 1; j >= 0; --j)
+  for (int j = plan.summed_count - 1; j >= 0; --j)
     if (plan.probe[j].place == number && (found < 0 || plan.probe[j].form == wanted)) found = j;
   if (found < 0) return;
   read(plan.probe[found]);
@@ -111,6 +155,7 @@ void ScoreTest::add_base(const Probe& probe) {
     }
     base_score_[s][row] = score;
   }
+  base_doubt_[row] = doubtful_score(probe.place);
 }
 
 // Gauss-Jordan with the largest pivot of what is left, rows and columns scaled; a term that is a combination of others is
@@ -162,7 +207,7 @@ void ScoreTest::invert() {
 // One step of the fit with the score tests' own instrument, its deviation from the stretches' shares.
 void ScoreTest::compare() {
   for (int k = 0; k < unknowns_; ++k) {
-    difference_[k] = difference_std_[k] = Scaled{};
+    difference_[k] = difference_std_[k] = difference_doubt_[k] = Scaled{};
     if (!determined_[k]) continue;
     Scaled share[kMostStretches], squares;
     for (int s = 0; s < stretches_; ++s) {
@@ -170,6 +215,8 @@ void ScoreTest::compare() {
         if (!inverse_[k][j].is_zero()) share[s] = share[s] + inverse_[k][j] * base_score_[s][j];
       difference_[k] = difference_[k] + share[s];
     }
+    for (int j = 0; j < unknowns_; ++j) difference_doubt_[k] = difference_doubt_[k] + inverse_[k][j] * base_doubt_[j];
+    difference_doubt_[k] = abs(difference_doubt_[k]);
     const Scaled mean = difference_[k] / Scaled::from_int(stretches_);
     for (int s = 0; s < stretches_; ++s) squares = squares + square(share[s] - mean);
     difference_std_[k] = sqrt(squares);

@@ -76,7 +76,7 @@ Scaled ScoreTest::terms_square(int number, bool own) const {
     if (!counts) continue;
     const Form form = term.kind == TermKind::kViscous ? Form::kRate : Form::kSign;
     const Scaled value = term.unknown >= 0 ? parameter_[term.unknown] : term.value;
-    for (int j = 0; j < plan.probe_count; ++j) {
+    for (int j = 0; j < plan.summed_count; ++j) {
       const Place& at = plan.place[plan.probe[j].place];
       if (plan.probe[j].form == form && at.kind == PlaceKind::kLink && at.link == term.place)
         sum = sum + square(value) * abs(own_square_[j]);
@@ -88,7 +88,7 @@ Scaled ScoreTest::terms_square(int number, bool own) const {
 Scaled ScoreTest::rate_kurtosis(int link) const {
   const ProbePlan& plan = sums_->plan();
   Scaled square_sum, fourth_sum;
-  for (int j = 0; j < plan.probe_count; ++j) {
+  for (int j = 0; j < plan.summed_count; ++j) {
     const Place& place = plan.place[plan.probe[j].place];
     if (place.kind != PlaceKind::kLink || place.link != link) continue;
     if (plan.probe[j].form == Form::kRate) square_sum = own_square_[j];

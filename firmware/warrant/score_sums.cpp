@@ -38,7 +38,7 @@ void ScoreSums::configure(const CoreConfiguration& configuration, const Scaled* 
   table_.configure(plan_.value_count);
   int filled = 0;
   for (int p = 0; p < plan_.place_count; ++p)
-    for (int j = 0; j < plan_.probe_count; ++j)
+    for (int j = 0; j < plan_.summed_count; ++j)
       if (plan_.probe[j].place == p) order_[filled++] = static_cast<uint16_t>(j);
   for (int t = 0; t < configuration.term_count; ++t)
     if (configuration.terms[t].unknown >= 0)
@@ -193,7 +193,7 @@ void ScoreSums::work() {
     if (credit_ < cost) return;
     credit_ -= cost;
     work_on(probe);
-    if (++next_ == plan_.probe_count) end_block();
+    if (++next_ == plan_.summed_count) end_block();
   }
 }
 
@@ -225,7 +225,7 @@ void ScoreSums::end_block() {
 void ScoreSums::finish() {
   while (busy_) {
     work_on(plan_.probe[order_[next_]]);
-    if (++next_ == plan_.probe_count) end_block();
+    if (++next_ == plan_.summed_count) end_block();
   }
 }
 
@@ -244,10 +244,10 @@ Scaled ScoreSums::unit(const Probe& probe, int value) const {
          Scaled::from_int(1, -1 - kSlopeStepLog2 - quantity_exponent(scale_[probe.place], value - place.columns - 1));
 }
 
-Scaled ScoreSums::noise_share(const Probe& probe, int slope, int value) const {
+Scaled ScoreSums::noise_share(const Probe& probe, int slope, int value, SharedNoise::Of of) const {
   const Place& place = plan_.place[probe.place];
-  if (value < place.equations) return noise_.with_known(place, probe.form, slope, place.dof[value]);
-  return noise_.with_column(place, probe.form, slope, unknown_column_[place.unknown[value - place.equations]]);
+  if (value < place.equations) return noise_.with_known(place, probe.form, slope, place.dof[value], of);
+  return noise_.with_column(place, probe.form, slope, unknown_column_[place.unknown[value - place.equations]], of);
 }
 
 }  // namespace firmware

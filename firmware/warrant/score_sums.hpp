@@ -32,7 +32,7 @@ class ScoreSums {
   Scaled unit(const Probe& probe, int value) const;
   Scaled force_unit(const Probe& probe) const;
   // What noise adds to the sum with an equation's known part or a column, per unit of a slope's sum; SI.
-  Scaled noise_share(const Probe& probe, int slope, int value) const;
+  Scaled noise_share(const Probe& probe, int slope, int value, SharedNoise::Of of) const;
 
  private:
   void start_block();

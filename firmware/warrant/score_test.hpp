@@ -29,6 +29,7 @@ struct ProbeScore {
   Scaled before;         // sum of psi^2
   Scaled scatter;        // what is left: sum of (psi - effect d)^2
   Scaled score;          // sum of psi
+  Scaled doubt;          // what of it may be noise that signals share, beyond what is taken out
   Scaled gain;           // of the log-likelihood, twice; comparable between probes
   Scaled rms;            // of the force, SI
 };
@@ -46,22 +47,30 @@ class ScoreTest {
   Scaled force_ratio(int probe) const;
   // The smallest effect of a tested probe that would be told from chance.
   Scaled detectable(int probe) const;
+  // How far a force that is likely (over kLikely deviations) and yet not beyond chance would bend the unknown, at the most.
+  Scaled likely_bend(int unknown) const { return likely_bend_[unknown]; }
   // What the instrument of the score tests says of an unknown, less the estimate; 0 where it cannot say.
   Scaled difference(int unknown) const { return difference_[unknown]; }
   Scaled difference_std(int unknown) const { return difference_std_[unknown]; }
+  Scaled difference_doubt(int unknown) const { return difference_doubt_[unknown]; }  // from noise of a doubtful size
 
  private:
+  Scaled time(const Probe& probe, int stretch) const;
   void read(const Probe& probe);
+  void read_doubt(const Probe& probe);
+  Scaled doubtful_score(int place) const;
   void weigh(int place);
   void weigh_level(const Place& place, int level, int place_number);
   void add_base(const Probe& probe);
   void invert();
   void compare();
   void test(int number);
+  Scaled variance_of_sum(const Scaled* share, Scaled& freedom) const;
   Scaled taken(const Probe& probe, int stretch, int column) const;
   void find_answers(const Probe& probe);
   void share_out(const Probe& probe);
   void bend_base(Scaled* bent) const;
+  void keep_likely_bend(const ProbeScore& score);
   void judge_size(int number);
   void name();
   Scaled damping_square(int place) const;
@@ -78,13 +87,16 @@ class ScoreTest {
   Scaled weight_[kMaxPlaces][kMaxLevels][kPlaceEquations];
   Scaled normal_[kMaxUnknowns][kMaxUnknowns], inverse_[kMaxUnknowns][kMaxUnknowns];
   Scaled base_score_[kMostStretches][kMaxUnknowns];
+  Scaled base_doubt_[kMaxUnknowns];  // of the sum of its scores
   // Of the probe that was read last: C, b, and the answers of the estimated terms' scores.
   Scaled share_[kMaxUnknowns], bend_[kMaxUnknowns], answer_[kMaxLevels][kMaxPlaceColumns];
   Scaled residual_[kMostStretches][kPlaceEquations], column_[kMostStretches][kMaxPlaceColumns], own_[kMostStretches];
+  Scaled doubtful_[kMaxLevels][kPlaceEquations];  // noise of a doubtful size in the sums of residual_
   Scaled psi_[kMostStretches], d_[kMostStretches];
   ProbeScore score_[kMaxProbes];
   Scaled own_square_[kMaxProbes];  // sum of own forces squared, SI
-  Scaled difference_[kMaxUnknowns], difference_std_[kMaxUnknowns];
+  Scaled difference_[kMaxUnknowns], difference_std_[kMaxUnknowns], difference_doubt_[kMaxUnknowns];
+  Scaled likely_bend_[kMaxUnknowns];
   Scaled samples_;
   int best_ = -1, rival_ = -1;
 };

@@ -18,14 +18,15 @@ class SharedNoise {
     configuration_ = &configuration;
     known_ = &known;
   }
+  enum class Of { kWhole, kDoubtful };  // the covariance, or the part of it that is in doubt
   // Covariance of the noise in the probe's first or second quantity with that of a column of the equations, or with that of
   // the known part of a DOF's equation; SI units.
-  Scaled with_column(const Place& place, Form form, int quantity, int column) const;
-  Scaled with_known(const Place& place, Form form, int quantity, int dof) const;
+  Scaled with_column(const Place& place, Form form, int quantity, int column, Of of) const;
+  Scaled with_known(const Place& place, Form form, int quantity, int dof, Of of) const;
 
  private:
-  Scaled of_node(int node, ProbeWeight weight, Quantity quantity) const;
-  Scaled of_ends(const Place& place, ProbeWeight weight, Quantity quantity, int node_a, int node_b) const;
+  Scaled of_node(int node, ProbeWeight weight, Quantity quantity, Of of) const;
+  Scaled of_ends(const Place& place, ProbeWeight weight, Quantity quantity, int node_a, int node_b, Of of) const;
 
   const CoreConfiguration* configuration_ = nullptr;
   const KnownForce* known_ = nullptr;

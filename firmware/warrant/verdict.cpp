@@ -3,6 +3,7 @@
 namespace firmware {
 namespace {
 
+constexpr int kBendShare = 20;        // of the value, beyond which a bend is told
 constexpr int kOneTonePercent = 156;  // of the squared mean of w^2: mean of w^4
 
 void raise(ParameterEstimate& parameter, EstimateStatus status) {
@@ -70,10 +71,17 @@ bool impossible(const CoreConfiguration& configuration, int unknown, const Param
 }
 
 bool instruments_differ(const ScoreTest& test, int unknown, const ParameterEstimate& parameter) {
-  const Scaled difference = abs(test.difference(unknown));
+  const Scaled whole = abs(test.difference(unknown)), doubt = test.difference_doubt(unknown);
+  const Scaled difference = whole > doubt ? whole - doubt : Scaled{};
   return difference > test.difference_std(unknown) * Scaled::from_int(4) &&
          scale_by_power_of_two(difference, 1) > parameter.ci95_high - parameter.ci95_low &&
          difference * Scaled::from_int(40) > abs(parameter.value);
+}
+
+bool may_be_bent(const ScoreTest& test, int unknown, const ParameterEstimate& parameter) {
+  const Scaled bend = test.likely_bend(unknown);
+  return scale_by_power_of_two(bend, 1) > parameter.ci95_high - parameter.ci95_low &&
+         bend * Scaled::from_int(kBendShare) > abs(parameter.value);
 }
 
 bool is_damping(TermKind kind) { return kind != TermKind::kMass && !row_of(kind).nature.conservative; }
@@ -107,6 +115,7 @@ void give_verdict(const CoreConfiguration& configuration, const ScoreSums& sums,
       continue;
     }
     if (test.best() >= 0) raise(parameter, EstimateStatus::kModelSuspect);
+    if (may_be_bent(test, k, parameter)) raise(parameter, EstimateStatus::kUntested);
     if (instruments_differ(test, k, parameter)) raise(parameter, EstimateStatus::kBiasSuspect);
     // A second level asks the model another question.
     if (state.levels == 1 && one_amplitude(configuration, test, k)) raise(parameter, EstimateStatus::kUntested);

@@ -6,6 +6,7 @@
 #include "hal/rig_file/filter_design.hpp"
 #include "hal/rig_file/rig_file_error.hpp"
 #include "hal/rig_file/scaled_double.hpp"
+#include "hal/rig_file/shared_noise.hpp"
 
 namespace rig_file {
 namespace {
@@ -217,7 +218,10 @@ class Plan {
   // variance w^2 sx^2 + sa^2 T / (2 w), least at w^3 = sa^2 T / (4 sx^2). Where the noise is not known, that of sensors which
   // are equally good at the node's own frequency w0, sqrt(k / m): sa = w0^2 sx.
   int leak_shift(int node) const {
-    const double sx = ranges_.noise[node][kX], sa = ranges_.noise[node][kA];
+    const auto noise = [&](int q) {
+      return ranges_.noise[node][q].deviation * to_double(c_.channels[node][q].unit_per_code);
+    };
+    const double sx = noise(kX), sa = noise(kA);
     const double ratio = sx > 0.0 && sa > 0.0 ? sa / sx : own_frequency_square(node);
     if (!(ratio > 0.0)) return kMiddleLeak;
     const double corner = std::cbrt(ratio * ratio * period_s_ / 4.0);
@@ -263,134 +267,6 @@ double largest_fused(const CoreConfiguration& c, int node, const std::vector<fir
   return std::ldexp(largest, -signal.shift) * to_double(signal.unit_per_code);
 }
 
-// Sections of the high-pass, the last of them integrations: the input as firmware/conditioning makes it, without its rounding.
-void high_pass(const CoreConfiguration& c, int integrations, std::vector<double>& input) {
-  const double leak = std::ldexp(1.0, -c.high_pass_shift);
-  for (int s = 0; s < c.high_pass_order; ++s) {
-    const bool difference = s < c.high_pass_order - integrations;
-    double state = 0.0, previous = s == 0 && !input.empty() ? input[0] : 0.0;
-    for (double& value : input) {
-      state += value - (difference ? previous : 0.0) - state * leak;
-      previous = value;
-      value = difference ? state : state * std::ldexp(1.0, firmware::kIntegrationExtraBits - c.high_pass_shift);
-    }
-  }
-}
-
-// Responses of a node's signals to one code of one of its channels at count / 4, SI units.
-std::vector<double> response(const CoreConfiguration& c, int node, int q, int channel, size_t count) {
-  const SignalConfiguration& signal = c.signals[node][q];
-  std::vector<double> out(count, 0.0), code(count, 0.0);
-  const double unit = to_double(signal.unit_per_code) * std::ldexp(1.0, -signal.shift);
-  const long half = signal.half_length, length = static_cast<long>(count);
-  code[count / 4] = 1.0;
-  const auto filtered = [&](const auto& tap, long n) {
-    double sum = 0.0;
-    for (long k = -half; k <= half; ++k)
-      if (n + k >= 0 && n + k < length) sum += tap[k + half].raw * code[static_cast<size_t>(n + k)];
-    return sum;
-  };
-  const bool fused = q == kV && c.fusion[node].used;
-  if (!fused) {
-    if (channel != signal.source) return out;
-    high_pass(c, signal.integrations, code);
-    const bool plain = half == 0 && signal.tap[0].raw == 0;
-    for (long n = 0; n < length; ++n)
-      out[static_cast<size_t>(n)] =
-          plain ? to_double(signal.unit_per_code) * code[static_cast<size_t>(n)] : unit * filtered(signal.tap, n);
-    return out;
-  }
-  const double keep = 1.0 - std::ldexp(1.0, -c.fusion[node].leak_shift);
-  double once = 0.0, twice = 0.0, before = 0.0;
-  for (long n = 0; n < length; ++n) {
-    const double slope = channel == kX ? filtered(signal.tap, n) : 0.0;
-    const double step = channel == kA ? filtered(c.fusion[node].step_tap, n) : 0.0;
-    const double last = once;
-    once = keep * once + step - (slope - before);
-    twice = keep * twice + once - last;
-    before = slope;
-    out[static_cast<size_t>(n)] = unit * (slope + twice);
-  }
-  return out;
-}
-
-size_t response_samples(const CoreConfiguration& c, int node) {
-  size_t count = 256;
-  if (c.fusion[node].used) count = size_t{64} << c.fusion[node].leak_shift;
-  if (c.high_pass_order > 0) count = std::max(count, size_t{16} << c.high_pass_shift);
-  return count;
-}
-
-using Responses = std::vector<double>[kQuantities];
-
-// Mean products of noise in the weights of the energy equations with that in the signals.
-void add_to_energies(const CoreConfiguration& c, int node, double variance, const Responses& of,
-                     double (&shared)[3][kQuantities]) {
-  const bool derived = c.signals[node][kV].available && c.signals[node][kV].derived;
-  if (!derived || c.high_pass_order > 0) return;
-  for (size_t n = 2; n + 2 < of[kV].size(); ++n) {
-    const auto around = [&](int q) {
-      return (4.0 * (of[q][n - 1] + of[q][n + 1]) - of[q][n - 2] - of[q][n + 2]) / 6.0;
-    };
-    for (int q = kX; q <= kA; ++q) {
-      shared[0][q] += variance * of[kV][n] * of[q][n];
-      shared[1][q] += variance * around(kV) * of[q][n];
-      shared[2][q] += variance * around(kX) * of[q][n];
-    }
-  }
-}
-
-// The same for the instruments of the score tests (firmware/warrant/neighbours.hpp).
-double between_neighbours(const std::vector<double>& v, size_t n) {
-  return (54 * (v[n - 1] + v[n + 1]) + 39 * (v[n - 2] + v[n + 2]) + 14 * (v[n - 3] + v[n + 3]) -
-          21 * (v[n - 4] + v[n + 4])) /
-         172;
-}
-double neighbours_slope(const std::vector<double>& v, size_t n) {
-  return (v[n + 1] - v[n - 1] + 2 * (v[n + 2] - v[n - 2]) + 3 * (v[n + 3] - v[n - 3]) + 4 * (v[n + 4] - v[n - 4])) / 60;
-}
-void add_to_probes(double variance, const Responses& of, double (&shared)[firmware::kMotionProbeWeights][3]) {
-  for (size_t n = 4; n + 4 < of[kX].size(); ++n) {
-    const double weight[firmware::kMotionProbeWeights] = {between_neighbours(of[kX], n), between_neighbours(of[kV], n),
-                                                          between_neighbours(of[kA], n), neighbours_slope(of[kA], n)};
-    for (int w = 0; w < firmware::kMotionProbeWeights; ++w)
-      for (int q = kX; q <= kA; ++q) shared[w][q - kX] += variance * weight[w] * of[q][n];
-  }
-}
-
-// Where signals pass filters, the noise of one channel is in several signals and in neighbouring samples.
-void find_shared_noise(CoreConfiguration& c, const SignalRanges& ranges) {
-  for (int node = 0; node < firmware::kMaxNodes; ++node) {
-    const size_t count = response_samples(c, node);
-    double energies[3][kQuantities] = {}, probes[firmware::kMotionProbeWeights][3] = {};
-    for (const int channel : {kF, kX, kV, kA}) {
-      if (!c.channels[node][channel].present) continue;
-      const double sd = ranges.noise[node][channel] / to_double(c.channels[node][channel].unit_per_code);
-      if (!(sd > 0.0)) {
-        c.noise_unknown = true;
-        continue;
-      }
-      if (channel == kF) {
-        const std::vector<double> force = response(c, node, kF, kF, count);
-        double sum = 0.0;
-        for (size_t n = 4; n + 4 < count; ++n) sum += between_neighbours(force, n) * force[n];
-        c.probe_noise[node].force = to_scaled(sd * sd * sum);
-        continue;
-      }
-      Responses of;
-      for (int q = kX; q <= kA; ++q)
-        of[q] = c.signals[node][q].available ? response(c, node, q, channel, count) : std::vector<double>(count, 0.0);
-      add_to_energies(c, node, sd * sd, of, energies);
-      add_to_probes(sd * sd, of, probes);
-    }
-    c.shares_probe_noise = true;
-    for (int w = 0; w < 3; ++w)
-      for (int q = kX; q <= kA; ++q) c.shared_noise[node][w][q] = to_scaled(energies[w][q]);
-    for (int w = 0; w < firmware::kMotionProbeWeights; ++w)
-      for (int q = 0; q < 3; ++q) c.probe_noise[node].motion[w][q] = to_scaled(probes[w][q]);
-  }
-}
-
 // The signals' values over one record, in double: as firmware/conditioning, without its rounding.
 double largest_value(const CoreConfiguration& c, int node, int q, const std::vector<firmware::RawSample>& record) {
   const SignalConfiguration& signal = c.signals[node][q];
@@ -409,33 +285,6 @@ double largest_value(const CoreConfiguration& c, int node, int q, const std::vec
   return std::ldexp(largest, -signal.shift) * to_double(signal.unit_per_code);
 }
 
-// Standard deviation of white noise from a difference of high order, which leaves little of a signal. Order 8 for displacements,
-// whose second slope alone jumps with friction: its mean square, which counts rare large errors as the products of noise do.
-// Order 4 where the signal itself may jump: the median of its magnitude.
-double noise(const std::vector<std::vector<firmware::RawSample>>& records, int node, int q) {
-  static const std::vector<double> kFourth = {1, -4, 6, -4, 1}, kEighth = {1, -8, 28, -56, 70, -56, 28, -8, 1};
-  const std::vector<double>& weights = q == kX ? kEighth : kFourth;
-  double squares = 0.0;
-  for (double w : weights) squares += w * w;
-  std::vector<double> magnitudes;
-  for (const auto& record : records)
-    for (size_t n = 0; n + weights.size() <= record.size(); ++n) {
-      double sum = 0.0;
-      for (size_t k = 0; k < weights.size(); ++k) sum += weights[k] * record[n + k].code[node][q];
-      magnitudes.push_back(std::fabs(sum));
-    }
-  if (magnitudes.empty()) return 0.0;
-  if (q == kX) {
-    double sum = 0.0;
-    for (double m : magnitudes) sum += m * m;
-    return std::sqrt(sum / static_cast<double>(magnitudes.size()) / squares);
-  }
-  const auto middle = magnitudes.begin() + static_cast<long>(magnitudes.size() / 2);
-  std::nth_element(magnitudes.begin(), middle, magnitudes.end());
-  constexpr double kMedianOfNormal = 0.6745;
-  return *middle / kMedianOfNormal / std::sqrt(squares);
-}
-
 }  // namespace
 
 void plan_signals(CoreConfiguration& configuration, const SignalRanges& ranges) {
@@ -446,6 +295,8 @@ void plan_signals(CoreConfiguration& configuration, const SignalRanges& ranges) 
       for (firmware::Scaled& product : weight) product = {};
   for (firmware::ProbeNoise& node : configuration.probe_noise) node = {};
   configuration.noise_unknown = configuration.shares_probe_noise = false;
+  std::fill_n(configuration.motion_noise_doubt, firmware::kMaxNodes, uint16_t{0});
+  std::fill_n(configuration.force_noise_doubt, firmware::kMaxNodes, uint16_t{0});
   configuration.sign_half_length = 0;
   if (!plan.filtered()) return;
   for (int node = 0; node < firmware::kMaxNodes; ++node)
@@ -461,7 +312,7 @@ SignalRanges measure_ranges(const CoreConfiguration& planned,
   for (int node = 0; node < firmware::kMaxNodes; ++node)
     for (int q = 0; q < kQuantities; ++q)
       if (planned.channels[node][q].present)
-        ranges.noise[node][q] = noise(records, node, q) * to_double(planned.channels[node][q].unit_per_code);
+        ranges.noise[node][q] = read_noise(records, node, q, 1.0 / to_double(planned.sample_period_s));
   for (int node = 0; node < firmware::kMaxNodes; ++node)
     for (int q = 0; q < kQuantities; ++q) {
       const SignalConfiguration& signal = planned.signals[node][q];

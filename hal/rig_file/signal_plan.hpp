@@ -13,6 +13,7 @@
 
 #include "firmware/acquisition/raw_sample.hpp"
 #include "firmware/configuration/configuration.hpp"
+#include "hal/rig_file/channel_noise.hpp"
 
 namespace rig_file {
 
@@ -20,8 +21,7 @@ namespace rig_file {
 // costs resolution). A signal has 22 bits for it and one to spare.
 struct SignalRanges {
   double largest[firmware::kMaxNodes][firmware::kQuantities] = {};
-  // Standard deviation of a channel's noise, from what its neighbours do not foretell of a sample.
-  double noise[firmware::kMaxNodes][firmware::kQuantities] = {};
+  ChannelNoise noise[firmware::kMaxNodes][firmware::kQuantities] = {};  // in codes
 };
 
 // Fills configuration.signals and the high-pass from configuration.channels, links and terms.

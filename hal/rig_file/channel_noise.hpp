@@ -1,0 +1,23 @@
+// The noise of a recorded channel, read from differences of high order, which leave little of a motion.
+//
+// Model: first-order noise, autocovariance deviation^2 * pole^|lag|. It is read at three bands of the upper half of the
+// spectrum. Where these do not fit one such curve, the motion itself reaches up there and what is read is a bound; that of a
+// velocity or an acceleration, whose integrals have the noise of low frequencies, is read below the motion as well.
+#pragma once
+#include <vector>
+
+#include "firmware/acquisition/raw_sample.hpp"
+
+namespace rig_file {
+
+struct ChannelNoise {
+  double deviation = 0;  // standard deviation, codes
+  double pole = 0;       // 0: white
+  double doubt = 1;      // the products of this noise in the signals may be off by this share of them
+};
+
+// The channel's codes of one sample are sample.code[node][quantity]; one vector a record.
+ChannelNoise read_noise(const std::vector<std::vector<firmware::RawSample>>& records, int node, int quantity,
+                        double rate_Hz);
+
+}  // namespace rig_file
