@@ -45,6 +45,7 @@ enum class Kind {
   kForceHumSin50,
   kForceHumCos60,
   kForceHumSin60,
+  kBaseDelay,  // of all channels of the moving base
   // faults of a motion channel, seen in what a simulation gives for it
   kChannelDelay,
   kChannelGain,

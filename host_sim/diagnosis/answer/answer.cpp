@@ -36,9 +36,19 @@ std::vector<ActiveTerm> active(const Model& model, const std::vector<Determined>
   return list;
 }
 
-bool of_motion_channel(Kind kind) { return kind >= Kind::kChannelDelay && kind <= Kind::kHumSin; }
+bool of_motion_channel(Kind kind) { return kind >= Kind::kBaseDelay && kind <= Kind::kHumSin; }
+
+// The first that is measured of displacement, velocity and acceleration.
+std::string base_channel(const Task& task) {
+  constexpr const char* kNames[] = {"displacement_base_m", "velocity_base_m_s", "acceleration_base_m_s2"};
+  const auto& reading = task.records[0].base.reading;
+  size_t quantity = 0;
+  while (quantity < 2 && reading[quantity].size() == 0) ++quantity;
+  return kNames[quantity];
+}
 
 std::string place(const Task& task, const Term& t) {
+  if (t.kind == Kind::kBaseDelay) return "channel " + base_channel(task);
   if (of_motion_channel(t.kind))
     for (const MotionTrace& trace : task.records[0].traces)
       if (trace.dof == t.dof && trace.quantity == t.quantity) return "channel " + trace.channel;
@@ -49,7 +59,7 @@ std::vector<diagnosis::Parameter> parameters_of_cause(const Task& task, const st
                                                       const ActiveTerm& a) {
   if (!of_motion_channel(a.term.kind)) return parameters_of_term(task.system, list, a);
   const std::string channel = place(task, a.term).substr(8);
-  const bool delay = a.term.kind == Kind::kChannelDelay;
+  const bool delay = a.term.kind == Kind::kChannelDelay || a.term.kind == Kind::kBaseDelay;
   return {{std::string(word_of(a.term.kind)) + "[" + channel + "]", a.value, delay ? "s" : "1", a.std, true}};
 }
 

@@ -27,6 +27,33 @@ double Columns::base(const Window& w, Index k, bool rate) const {
   return g.given ? (rate ? g.v : g.x)[w.from + k] : 0;
 }
 
+void Columns::base_delay(const Window& w, const WindowRun& run, Mat& forces, Vec& carried) const {
+  const Prepared& record = records_[w.record];
+  const Guess& g = record.guess.back();
+  forces.setZero(run.x.rows(), w.length), carried.setZero(w.length);
+  if (record.base.ridden) {
+    carried = slope_of(g.a, record.step_s).segment(w.from, w.length);
+    for (const ModelTerm& t : model_)
+      if (t.term.kind == Kind::kMass || t.term.kind == Kind::kMassError) forces.row(t.term.dof) -= t.value * carried;
+    return;
+  }
+  for (const ModelTerm& t : model_) {
+    if (t.term.link < 0 || t.host >= 0) continue;
+    const rig_file::Link& l = system_.links[static_cast<size_t>(t.term.link)];
+    const bool first = l.a == rig_file::kBase;
+    if (!first && l.b != rig_file::kBase) continue;
+    const int dof = first ? l.b : l.a;
+    if (dof < 1) continue;
+    for (Index k = 0; k < w.length; ++k) {
+      const double turn = first ? -1 : 1;
+      const double u = turn * (run.x(dof - 1, k) - base(w, k, false)),
+                   v = turn * (run.v(dof - 1, k) - base(w, k, true));
+      const LawValue f = law(t.term.kind, u, v, record.time_s(w.from + k), t.term.shape, t.term.shape2);
+      forces(dof - 1, k) += t.value * (f.by_u * g.v[w.from + k] + f.by_w * g.a[w.from + k]);
+    }
+  }
+}
+
 // Positive against the motion of the link's first end, or of the DOF.
 Vec Columns::force(const Term& t, const Window& w, const WindowRun& run, Memory& memory) const {
   const Index len = w.length;
@@ -150,11 +177,18 @@ void Columns::make(const std::vector<Term>& terms, const Window& w, const Window
   out.setZero(count, channels * len);
   Mat g(count, len);
   std::vector<bool> direct(terms.size(), false);
+  Index late = -1;  // the base's delay among the terms
+  Mat late_base;
+  Vec carried;
   for (Index i = 0; i < count; ++i) {
     Vec rows;
     const Term& t = terms[static_cast<size_t>(i)];
     if ((direct[static_cast<size_t>(i)] = of_channel(t, w, run, traces, rows))) {
       out.row(i) = rows, g.row(i).setZero();
+      continue;
+    }
+    if (t.kind == Kind::kBaseDelay) {
+      base_delay(w, run, late_base, carried), late = i, g.row(i).setZero();
       continue;
     }
     g.row(i) = force(t, w, run, memory_[static_cast<size_t>(i)]);
@@ -189,6 +223,7 @@ void Columns::make(const std::vector<Term>& terms, const Window& w, const Window
       if (a >= 0) push.row(i) -= f * yield.col(a).transpose();
       if (b >= 0) push.row(i) += f * yield.col(b).transpose();
     }
+    if (late >= 0) push.row(late) = (yield * late_base.col(k)).transpose();
   };
   bool acceleration = false;
   for (const MotionTrace& t : traces) acceleration = acceleration || t.quantity == 2;
@@ -197,6 +232,7 @@ void Columns::make(const std::vector<Term>& terms, const Window& w, const Window
     pushes(k);
     if (k > 0) d.middleCols(n, n) += half * push;
     if (acceleration) acc.noalias() = d * run.acc[static_cast<size_t>(k)].transpose(), acc += push;
+    if (acceleration && late >= 0) acc.row(late).array() += carried[k];
     for (Index c = 0; c < channels; ++c) {
       const MotionTrace& t = traces[static_cast<size_t>(c)];
       auto column = out.col(c * len + k);

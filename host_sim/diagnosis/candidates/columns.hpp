@@ -23,6 +23,9 @@ class Columns {
   bool of_channel(const Term& t, const Window& w, const WindowRun& run, const std::vector<MotionTrace>& traces,
                   Vec& rows) const;
   double base(const Window& w, Index k, bool rate) const;
+  // What a base that is read late by a second changes at once: forces on the nodes, and the base's acceleration (where it
+  // carries the rig).
+  void base_delay(const Window& w, const WindowRun& run, Mat& forces, Vec& carried) const;
   const System& system_;
   const Model& model_;
   const std::vector<Prepared>& records_;

@@ -78,6 +78,7 @@ std::vector<Candidate> candidates_beside(const System& s, const Model& model, co
   const bool scale_known =
       std::any_of(model.begin(), model.end(), [](const ModelTerm& t) { return t.known && !t.added && t.value != 0; });
   const bool based = records[0].guess.back().given;
+  if (based) add({Term{Kind::kBaseDelay}}, 0);
   for (size_t i = 0; i < s.links.size(); ++i) {
     const int l = static_cast<int>(i);
     const bool listed = i < s.known_links || find(model, l, {Kind::kMissingViscous, Kind::kMissingCoulomb}) >= 0;

@@ -83,6 +83,8 @@ void Simulator::compile(const System& system, const Model& model) {
           std::find_if(friction_.begin(), friction_.end(), [&](const Friction& g) { return g.a == a && g.b == b; });
       if (f == friction_.end()) friction_.push_back({a, b, 1, {}}), f = friction_.end() - 1;
       f->levels.push_back(elements_.size() - 1);
+    } else if (kind == Kind::kBaseDelay) {
+      by_base_delay_ = by_value;
     } else if (of_force_sensor(kind)) {
       faults_.push_back({kind, static_cast<size_t>(t.term.dof), t.term.shape, by_value});
     }
@@ -92,16 +94,40 @@ void Simulator::compile(const System& system, const Model& model) {
     if (t.term.kind == Kind::kMass && !t.known) massless_ = false;
 }
 
-// Force and base between samples, two instants to a substep; faults of a force's sensor are taken out of it.
+// Between samples, two instants to a substep.
+Vec Simulator::finer(const Vec& y) const {
+  const Index per = 2 * substeps_;
+  Vec out((record_.samples - 1) * per + 1);
+  for (Index k = 0; k < record_.samples; ++k)
+    for (Index j = 0; j < (k + 1 < record_.samples ? per : 1); ++j)
+      out[k * per + j] = j == 0 ? y[k] : between(y, k, static_cast<double>(j) / static_cast<double>(per));
+  return out;
+}
+
+// Channels that read late: the base was there earlier.
+void Simulator::upsample_base(const Model& model) {
+  const Guess& base = record_.guess.back();
+  if (!base.given) return;
+  double late = 0;
+  for (const ModelTerm& t : model)
+    if (t.term.kind == Kind::kBaseDelay) late += t.value;
+  const auto made = [&](const Vec& y) { return finer(late != 0 ? delayed(y, -late / record_.step_s) : y); };
+  base_a_ = made(base.a);
+  if (!record_.base.ridden) base_x_ = made(base.x), base_v_ = made(base.v);
+  if (by_base_delay_ < 0) return;
+  const double h = record_.step_s / (2 * substeps_);
+  const Index n = base_a_.size();
+  base_jerk_.resize(n);
+  for (Index i = 0; i < n; ++i) {
+    const Index a = std::max<Index>(0, i - 1), b = std::min(n - 1, i + 1);
+    base_jerk_[i] = (base_a_[b] - base_a_[a]) / (static_cast<double>(b - a) * h);
+  }
+}
+
+// Force and base; faults of a force's sensor are taken out of it.
 void Simulator::upsample(const Model& model) {
-  const Index per = 2 * substeps_, count = (record_.samples - 1) * per + 1;
-  const auto finer = [&](const Vec& y) {
-    Vec out(count);
-    for (Index k = 0; k < record_.samples; ++k)
-      for (Index j = 0; j < (k + 1 < record_.samples ? per : 1); ++j)
-        out[k * per + j] = j == 0 ? y[k] : between(y, k, static_cast<double>(j) / static_cast<double>(per));
-    return out;
-  };
+  upsample_base(model);
+  const Index count = (record_.samples - 1) * 2 * substeps_ + 1;
   std::vector<size_t> where(record_.force.size(), 0);
   for (size_t d = 0; d < record_.force.size(); ++d) {
     if (record_.force[d].size() == 0) continue;
@@ -113,7 +139,7 @@ void Simulator::upsample(const Model& model) {
     // a channel that reads late: the true force came earlier
     fine_.push_back(finer(late != 0 ? delayed(record_.force[d], -late / record_.step_s) : record_.force[d]));
   }
-  const double h = record_.step_s / static_cast<double>(per);
+  const double h = record_.step_s / (2 * substeps_);
   for (ForceFault& f : faults_) {
     const Vec& force = fine_[f.fine = where[f.fine]];
     Vec slope(count);
@@ -140,9 +166,6 @@ void Simulator::upsample(const Model& model) {
           t.term.shape == faults_[i].frequency)
         fine_[faults_[i].fine] += t.value * fine_slope_[i];
   }
-  if (record_.guess.back().given) base_a_ = finer(record_.guess.back().a);
-  if (record_.guess.back().given && !record_.base.ridden)
-    base_x_ = finer(record_.guess.back().x), base_v_ = finer(record_.guess.back().v);
 }
 
 Simulator::Outside Simulator::outside(double r) const {
@@ -155,6 +178,7 @@ Simulator::Outside Simulator::outside(double r) const {
   for (size_t i = 0; i < fine_.size(); ++i) o.force[fine_node_[i]] += at(fine_[i]);
   if (base_x_.size()) o.x = at(base_x_), o.v = at(base_v_), o.a = at(base_a_);
   if (record_.base.ridden) o.carried = at(base_a_);
+  if (base_jerk_.size()) o.jerk = at(base_jerk_);
   o.t_s = (static_cast<double>(at_) / 2 + r) * record_.step_s / substeps_;
   return o;
 }
@@ -215,6 +239,8 @@ void Simulator::accelerations(const Vec& y, const Outside& o, Vec& acc, bool slo
       slope_x_(node, node) -= ku, slope_x_(node, nodes_ + node) -= cw;
       if (other >= 0) slope_x_(node, other) += ku, slope_x_(node, nodes_ + other) += cw;
     }
+    if (by_base_delay_ >= 0 && (e.a == -2 || e.b == -2))
+      add(e.a >= 0 ? e.a : e.b, states() + by_base_delay_, ku * o.v + cw * o.a);
     if (e.by_value >= 0) add(e.a, states() + e.by_value, -f.force), add(e.b, states() + e.by_value, f.force);
     if (e.by_shape >= 0)
       add(e.a, states() + e.by_shape, -e.value * f.by_log_shape),
@@ -267,6 +293,7 @@ void Simulator::accelerations(const Vec& y, const Outside& o, Vec& acc, bool slo
           s[at_] + r * (-3 * s[at_] + 4 * s[at_ + 1] - s[at_ + 2]) +
           r * r * (2 * s[at_] - 4 * s[at_ + 1] + 2 * s[at_ + 2]);
     }
+  if (by_base_delay_ >= 0 && record_.base.ridden) slope_x_.col(states() + by_base_delay_) -= o.jerk * mass_;
   for (Index node = 0; node < nodes_; ++node)
     for (Index p : by_mass_[static_cast<size_t>(node)]) slope_x_(node, states() + p) -= acc[node] + o.carried;
   if (!stuck_)
@@ -491,7 +518,9 @@ void Simulator::accelerations(Index sample, const Vec& y, Vec& a, Mat* slopes) {
   const Outside o = outside(last ? 1 : 0);
   accelerations(y, o, a, slopes != nullptr);
   a.array() += o.carried;
-  if (slopes) *slopes = slope_x_;
+  if (!slopes) return;
+  *slopes = slope_x_;
+  if (by_base_delay_ >= 0 && record_.base.ridden) slopes->col(states() + by_base_delay_).array() += o.jerk;
 }
 
 double Simulator::elongation(const Vec& y, size_t link, Index sample) const {

@@ -51,10 +51,13 @@ class Simulator {
     Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 48, 1> force;
     double x = 0, v = 0, a = 0;  // of the base
     double carried = 0;          // acceleration of the base against which the nodes move
+    double jerk = 0;             // of the base
     double t_s = 0;
   };
   void compile(const System& system, const Model& model);
   void upsample(const Model& model);
+  void upsample_base(const Model& model);
+  Vec finer(const Vec& y) const;
   Outside outside(double share) const;  // of the present substep
   double relative(const Vec& y, Index offset, int a, int b, double base) const;
   void accelerations(const Vec& y, const Outside& o, Vec& acc, bool slopes);
@@ -84,8 +87,9 @@ class Simulator {
     Index by_value;
   };
   std::vector<ForceFault> faults_;
-  std::vector<Vec> fine_slope_;  // of faults_, on the same instants
-  Vec base_x_, base_v_, base_a_;
+  std::vector<Vec> fine_slope_;               // of faults_, on the same instants
+  Vec base_x_, base_v_, base_a_, base_jerk_;  // jerk: where the base's delay is fitted
+  Index by_base_delay_ = -1;
   Index at_ = 0;  // first fine instant of the present substep
   Mat yield_, slope_x_;
   Vec net_;
