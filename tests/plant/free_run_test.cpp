@@ -54,6 +54,24 @@ TEST(FreeRun, ConstantForceGivesAParabola) {
   }
 }
 
+// On a base that accelerates with 3 m/s^2 a mass of 2 kg hangs back by 2 * 3 / 800 m in its spring: it goes with the base.
+TEST(FreeRun, ABaseWithAccelerationsAloneCarriesTheRig) {
+  rig_file::RigModel rig = oscillator(2.0, 800.0, 0.0, 0.0, rig_file::kBase);
+  host_sim::Record record;
+  record.sample_period_s = 0.01;
+  for (int dof : {1, rig_file::kBase})
+    record.channels.push_back({"", Quantity::kAcceleration, dof, std::vector<double>(201, 3.0)});
+  const auto run = host_sim::free_run(rig, record, 1, {{-0.0075}, {0.0}}, 200);
+  EXPECT_DOUBLE_EQ(run.start_s, 0.01);
+  for (size_t k = 0; k < 200; ++k) {
+    EXPECT_NEAR(run.find(Quantity::kDisplacement, 1)->values[k], -0.0075, 1e-12);
+    EXPECT_NEAR(run.find(Quantity::kAcceleration, 1)->values[k], 3.0, 1e-9);
+  }
+  rig.links.push_back(rig.links[0]);
+  rig.links[1].b = rig_file::kGround;  // where that is, accelerations do not say
+  EXPECT_THROW(host_sim::free_run(rig, record, 0, {{0.0}, {0.0}}, 200), host_sim::PlantError);
+}
+
 // Without a force channel there is no force: x = cos 10 t. drifting_viscous counts from the record's first sample: c_t
 // t with c_t = 2 from sample 100 (1 s) on decays by exp(-(t^2 - 1)) (m = 1, k = 0).
 TEST(FreeRun, NoForceChannelIsNoForceAndTimeIsTheRecords) {

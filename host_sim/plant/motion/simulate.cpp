@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "hal/rig_file/channel_name.hpp"
+#include "host_sim/plant/motion/carried_by_base.hpp"
 #include "host_sim/plant/plant_error.hpp"
 
 namespace host_sim {
@@ -105,6 +106,14 @@ Record simulate(const rig_file::RigModel& rig, const InitialState& initial, cons
 
 Record free_run(const rig_file::RigModel& rig, const Record& record, size_t from, const InitialState& initial,
                 size_t count, const FreeRunOptions& options) {
+  if (carried_by_base(rig, record)) {
+    Record run = free_run(seen_from_base(rig), with_inertial_forces(rig, record), from, initial, count, options);
+    const std::vector<double>& base = record.find(Quantity::kAcceleration, rig_file::kBase)->values;
+    for (Channel& c : run.channels)
+      for (size_t k = 0; k < count && c.quantity == Quantity::kAcceleration; ++k) c.values[k] += base[from + k];
+    run.start_s = record.start_s + static_cast<double>(from) * record.sample_period_s;
+    return run;
+  }
   const Equations equations(rig);
   const double h = record.sample_period_s;
   if (from + count > record.samples())

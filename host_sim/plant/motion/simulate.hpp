@@ -36,7 +36,8 @@ struct FreeRunOptions {
 // (b) Simulated displacement, velocity, acceleration of every DOF under the record's measured forces (a DOF without
 // force channel has none) and base motion, for samples from .. from + count - 1, started from `initial`.
 // drifting_viscous counts its time from the record's first sample. A base channel that is missing is derived from the
-// others. Throws PlantError.
+// others. Where carried_by_base(), displacement and velocity are against the base, acceleration against the ground.
+// Throws PlantError.
 Record free_run(const rig_file::RigModel& rig, const Record& record, size_t from, const InitialState& initial,
                 size_t count, const FreeRunOptions& options = {});
 

@@ -12,6 +12,8 @@
 namespace host_sim {
 namespace {
 
+constexpr double kMostPercent = 1000;  // more says no more than that the simulation is another motion
+
 using can_log::rounded_to;
 using firmware::EstimateStatus;
 
@@ -88,7 +90,8 @@ std::string format_fit(const EstimateResult& result) {
   text += ", condition number " + plain(result.condition_number, 3) + "\n";
   if (result.mse_percent.empty()) return text;
   text += "MSE (Eq. 13) per DOF, %:";
-  for (const auto& mse : result.mse_percent) text += " " + (mse ? plain(*mse, 3) : std::string("-"));
+  const auto percent = [](double mse) { return mse > kMostPercent ? std::string("over 1000") : plain(mse, 3); };
+  for (const auto& mse : result.mse_percent) text += " " + (mse ? percent(*mse) : std::string("-"));
   if (!result.paper_mse_percent.empty()) {
     text += " (paper";
     for (const double mse : result.paper_mse_percent) text += " " + plain(mse, 3);
