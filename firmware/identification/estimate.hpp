@@ -54,6 +54,16 @@ struct ParameterEstimate {
   EstimateStatus status = EstimateStatus::kStale;
 };
 
+// An error that no scatter shows, as a further standard deviation.
+inline void widen(ParameterEstimate& parameter, Scaled deviation) {
+  if (parameter.std.is_zero()) return;
+  const Scaled wider = sqrt(parameter.std * parameter.std + deviation * deviation);
+  const Scaled half = scale_by_power_of_two(parameter.ci95_high - parameter.ci95_low, -1) * wider / parameter.std;
+  parameter.std = wider;
+  parameter.ci95_low = parameter.value - half;
+  parameter.ci95_high = parameter.value + half;
+}
+
 // How late a channel of a DOF is against its velocity, from identities that need no model of the rig.
 struct SkewEstimate {
   bool measured = false;     // both channels are there and move

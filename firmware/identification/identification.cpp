@@ -4,6 +4,7 @@
 #include "firmware/identification/bias_check.hpp"
 #include "firmware/identification/excitation_check.hpp"
 #include "firmware/identification/noise_doubt.hpp"
+#include "firmware/identification/regressor_noise.hpp"
 #include "firmware/identification/skew.hpp"
 #include "firmware/identification/uncertainty.hpp"
 
@@ -67,6 +68,7 @@ void identify(const CoreConfiguration& configuration, const BatchTable& table, I
   fit.solve(list, table);
   estimate_uncertainty(list, table, fit, estimates);
   add_noise_doubt(configuration, list, table, fit, estimates);
+  take_out_regressor_noise(list, table, fit, estimates);
   estimates.condition_number = fit.identifiability().condition_number;
   measure_skew(list, table, estimates);
   compare_with_plain(list, table, fit, bias);

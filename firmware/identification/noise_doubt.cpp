@@ -96,15 +96,8 @@ void add_noise_doubt(const CoreConfiguration& configuration, const EquationList&
   Doubt doubt(configuration, list, table, fit, estimates);
   for (int l = 0; l < table.level_count; ++l) doubt.add_level(l);
   for (int k = 0; k < list.unknown_count; ++k) {
-    ParameterEstimate& parameter = estimates.parameters[k];
-    if (parameter.std.is_zero()) continue;
     // The doubt is a bound: half of it is a deviation.
-    const Scaled deviation = scale_by_power_of_two(doubt.shift(k), -1);
-    const Scaled wider = sqrt(parameter.std * parameter.std + deviation * deviation);
-    const Scaled half = scale_by_power_of_two(parameter.ci95_high - parameter.ci95_low, -1) * wider / parameter.std;
-    parameter.std = wider;
-    parameter.ci95_low = parameter.value - half;
-    parameter.ci95_high = parameter.value + half;
+    widen(estimates.parameters[k], scale_by_power_of_two(doubt.shift(k), -1));
   }
 }
 

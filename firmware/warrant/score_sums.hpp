@@ -17,7 +17,10 @@ class ScoreSums {
   void restart();  // a gap: what comes does not follow what came
   // The frame's block of count samples has its columns filled.
   void offer(const Frame& frame, int count);
-  void work();  // once a sample
+  void work() {  // once a sample
+    table_.advance();
+    if (busy_ && (credit_ += budget_) >= needed_) go_on();
+  }
   bool merging() const { return table_.merging(); }
   void flush() {  // the table is about to be read
     table_.flush();
@@ -39,6 +42,8 @@ class ScoreSums {
   void measure_scales();
   void set_scales();
   bool outgrown() const;
+  void go_on();
+  uint32_t cost(const Probe& probe) const;
   void work_on(const Probe& probe);
   void end_block();
 
@@ -58,7 +63,8 @@ class ScoreSums {
   int next_ = 0;  // in order_
   int motion_place_ = -1;
   PlaceMotion motion_;
-  uint32_t credit_ = 0;
+  uint32_t budget_ = 0, credit_ = 0;    // products a sample; those that may be done
+  uint32_t needed_ = 0;                 // for the next probe, with what its block took before it
   uint32_t skip_ = 0, random_ = 1;      // blocks to leave out
   uint32_t time_ = 0, block_time_ = 0;  // samples since the level's start
 };

@@ -3,6 +3,7 @@
 namespace firmware {
 namespace {
 
+constexpr int kImpossibleDeviations = 4;
 constexpr int kBendShare = 20;        // of the value, beyond which a bend is told
 constexpr int kOneTonePercent = 156;  // of the squared mean of w^2: mean of w^4
 
@@ -70,6 +71,13 @@ bool impossible(const CoreConfiguration& configuration, int unknown, const Param
   return term != nullptr && row_of(term->kind).sign == Sign::kNotNegative && parameter.ci95_high.is_negative();
 }
 
+// So far on the impossible side that it is no chance: the model is wrong there, and bends the neighbours too.
+bool contradicts(const CoreConfiguration& configuration, int unknown, const ParameterEstimate& parameter) {
+  const Term* term = term_of(configuration, unknown);
+  return term != nullptr && row_of(term->kind).sign == Sign::kNotNegative &&
+         (parameter.value + parameter.std * Scaled::from_int(kImpossibleDeviations)).is_negative();
+}
+
 bool instruments_differ(const ScoreTest& test, int unknown, const ParameterEstimate& parameter) {
   const Scaled whole = abs(test.difference(unknown)), doubt = test.difference_doubt(unknown);
   const Scaled difference = whole > doubt ? whole - doubt : Scaled{};
@@ -106,9 +114,12 @@ void give_verdict(const CoreConfiguration& configuration, const ScoreSums& sums,
     warrant.rival = warrant.named;
     warrant.named = late;
   }
+  bool contradicted = false;
+  for (int k = 0; k < estimates.unknown_count; ++k)
+    contradicted = contradicted || contradicts(configuration, k, estimates.parameters[k]);
   for (int k = 0; k < estimates.unknown_count; ++k) {
     ParameterEstimate& parameter = estimates.parameters[k];
-    if (impossible(configuration, k, parameter)) raise(parameter, EstimateStatus::kModelSuspect);
+    if (contradicted || impossible(configuration, k, parameter)) raise(parameter, EstimateStatus::kModelSuspect);
     if (!state.calibrated) continue;
     if (!state.judged) {
       raise(parameter, EstimateStatus::kUntested);

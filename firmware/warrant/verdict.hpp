@@ -2,13 +2,14 @@
 //
 // MODEL_SUSPECT: a force that the model lacks is beyond chance and over 3 % of the damping force beside it: no estimate of
 // the rig is believed, because a wrong term bends its neighbours too. Also a coefficient that physics keeps positive with
-// an interval wholly below zero.
+// an interval wholly below zero; the whole rig where that is by four deviations.
 // BIAS_SUSPECT: the score tests' instrument, which reaches four samples to either side, says another value: by more than
 // four deviations of the difference, the half width of the interval and 1/40 of the value.
 // UNTESTED: one level, and the rate of a coefficient's link has one amplitude, as with one tone: the mean of w^4 over the
 // squared mean of w^2 is below 1.56 (1.5 for one tone, 1.72 for two levels apart by half, 2.25 for two tones, 3 for a random
 // band). There a damping law of another power looks like the estimated one. Also where the record is too short to test
-// anything.
+// anything, and where a force that is over three deviations but not beyond chance would bend the coefficient by more than half
+// its interval and 1/20 of its value.
 // Where signals pass filters and nobody has said how much noise their channels have, the score tests are not calibrated:
 // they say nothing, warrant.tested is false, and only impossible coefficients and late channels are told.
 #pragma once

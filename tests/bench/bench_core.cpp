@@ -18,7 +18,8 @@
 
 namespace {
 
-constexpr uint16_t kSmallBudget = 30;  // products a sample for the score tests of a small board
+constexpr uint16_t kSmallBudget =
+    10;  // products a sample for the score tests of a small board: 1.6 times the core at the most
 constexpr int kDofs[] = {1, 2, 3, 4, 8, 16};
 
 void core(benchmark::State& state, int dofs, firmware::CoreDetail detail, uint16_t probe_products = 0) {

@@ -164,7 +164,7 @@ TEST(Warrant, ABudgetCostsSensitivityNotEstimates) {
   settings.rho_low = 0.5;
   settings.masses = 1;
   const hidden_rig::Draw draw = hidden_rig::make_draw(8200, settings);
-  const CoreRun whole = run_core(draw), some = run_core(draw, 30), none = run_core(draw, 0);
+  const CoreRun whole = run_core(draw), some = run_core(draw, 60), none = run_core(draw, 0);
   EXPECT_TRUE(suspect(whole.core->estimates()));
   EXPECT_TRUE(suspect(some.core->estimates()));
   EXPECT_FALSE(none.core->estimates().warrant.tested);
