@@ -6,6 +6,7 @@
 #include "host_sim/programs/estimate/estimate_report_data.hpp"
 #include "host_sim/programs/estimate/estimation.hpp"
 #include "host_sim/programs/estimate/model_export.hpp"
+#include "host_sim/programs/estimate/rest_position.hpp"
 #include "host_sim/programs/results/result_json.hpp"
 #include "host_sim/programs/results/result_table.hpp"
 #include "host_sim/programs/shared/data_options.hpp"
@@ -52,11 +53,12 @@ void show_more(const EstimateArguments& arguments, const rig_file::RigModel& mod
 void estimate(const EstimateArguments& arguments) {
   const rig_file::RigModel model = rig_file::read_rig_file(arguments.rig);
   rig_file::require_unknowns(model);
-  const std::vector<Record> records = read_data(arguments.data, model, arguments.reading);
+  std::vector<Record> records = read_data(arguments.data, model, arguments.reading);
   require_same_channels(records);
   ResultTarget json(arguments.json), log(arguments.log);
   std::FILE* const people = human_stream(json, log);
   const data_check::Report check = require_sound(records, model, arguments.reading);
+  const std::vector<std::string> zeros = count_from_rest(records);
 
   EstimationOptions options;
   options.frames = !arguments.log.empty();
@@ -67,6 +69,7 @@ void estimate(const EstimateArguments& arguments) {
     options.progress = [&bar](double share) { bar.show(share); };
     estimation = estimate_records(model, records, options);
   }
+  estimation.result.notes.insert(estimation.result.notes.end(), zeros.begin(), zeros.end());
   print_table(people, model, estimation.result);
   json.deliver(to_text(to_json(estimation.result)));
   log.deliver(estimation.frames);

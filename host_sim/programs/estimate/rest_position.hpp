@@ -1,0 +1,17 @@
+// Displacement channels that count from a place which is not the rig's position of rest.
+//
+// A spring pulls towards its rest. Where a channel's zero lies elsewhere, every spring seems to carry a constant force, and an
+// unknown stiffness comes out near zero.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "host_sim/records/record.hpp"
+
+namespace host_sim {
+
+// Takes out of every displacement or angle the mean over all records where the motion stays on one side of zero: where the mean is
+// over twice the root mean square about it. Returns what to say of each.
+std::vector<std::string> count_from_rest(std::vector<Record>& records);
+
+}  // namespace host_sim
