@@ -141,6 +141,35 @@ TEST(Warrant, TheCauseIsNamedWithItsSize) {
   }
 }
 
+// A damper that fades within a record: its stretches disagree in the order of time, whatever the sensors.
+TEST(Warrant, DampingThatDriftsIsNamed) {
+  for (const char* sensors : {"xva", "xa", "x", "a"}) {
+    Settings settings;
+    settings.hidden = "drifting_viscous";
+    settings.sensors = sensors;
+    settings.rho_low = 0.4;
+    settings.masses = 1;
+    const CoreRun run = run_core(hidden_rig::make_draw(9100, settings));
+    EXPECT_EQ(run.core->estimates().warrant.named.cause, firmware::cause_of(firmware::EffectKind::kDriftingViscous))
+        << sensors;
+  }
+}
+
+// The bottom of a channel's noise is not the continuation of its top: with one channel a DOF the tests need its colour.
+TEST(Warrant, LoneChannelsWithColouredNoiseKeepTheirNumbers) {
+  for (const char* sensors : {"x", "a"})
+    for (const char* condition : {"ar_0p5_1pct", "ar_0p8_1pct"})
+      for (int seed = 8301; seed <= 8303; ++seed) {
+        Settings settings;
+        settings.condition = condition;
+        settings.sensors = sensors;
+        const hidden_rig::Draw draw = hidden_rig::make_draw(static_cast<uint64_t>(seed), settings);
+        const CoreRun run = run_core(draw);
+        EXPECT_FALSE(suspect(run.core->estimates())) << sensors << " " << condition << " " << seed;
+        EXPECT_EQ(valid_and_wrong(draw, run.core->estimates()), 0) << sensors << " " << condition << " " << seed;
+      }
+}
+
 // One tone at one level: damping laws of different powers look the same. Two levels tell them apart.
 TEST(Warrant, OneToneAtOneLevelIsUntested) {
   Settings settings;
