@@ -7,6 +7,7 @@
 #include "host_sim/programs/estimate/estimation.hpp"
 #include "host_sim/programs/estimate/model_export.hpp"
 #include "host_sim/programs/estimate/rest_position.hpp"
+#include "host_sim/programs/estimate/slow_motion.hpp"
 #include "host_sim/programs/results/result_json.hpp"
 #include "host_sim/programs/results/result_table.hpp"
 #include "host_sim/programs/shared/data_options.hpp"
@@ -58,7 +59,8 @@ void estimate(const EstimateArguments& arguments) {
   ResultTarget json(arguments.json), log(arguments.log);
   std::FILE* const people = human_stream(json, log);
   const data_check::Report check = require_sound(records, model, arguments.reading);
-  const std::vector<std::string> zeros = count_from_rest(records);
+  std::vector<std::string> notes = count_from_rest(records);
+  if (const std::string slow = average_slow_motion(records); !slow.empty()) notes.push_back(slow);
 
   EstimationOptions options;
   options.frames = !arguments.log.empty();
@@ -69,7 +71,7 @@ void estimate(const EstimateArguments& arguments) {
     options.progress = [&bar](double share) { bar.show(share); };
     estimation = estimate_records(model, records, options);
   }
-  estimation.result.notes.insert(estimation.result.notes.end(), zeros.begin(), zeros.end());
+  estimation.result.notes.insert(estimation.result.notes.end(), notes.begin(), notes.end());
   print_table(people, model, estimation.result);
   json.deliver(to_text(to_json(estimation.result)));
   log.deliver(estimation.frames);
