@@ -8,41 +8,6 @@
 namespace diagnosis {
 namespace {
 
-struct Unit {
-  Kind kind;
-  const char* sliding;
-  const char* turning;
-};
-constexpr Unit kUnits[] = {{Kind::kMass, "kg", "kg m^2"},
-                           {Kind::kStiffness, "N/m", "N m/rad"},
-                           {Kind::kViscous, "N s/m", "N m s/rad"},
-                           {Kind::kCoulomb, "N", "N m"},
-                           {Kind::kGravity, "N m", "N m"},
-                           {Kind::kCubicStiffness, "N/m^3", "N m/rad^3"},
-                           {Kind::kQuadraticStiffness, "N/m^2", "N m/rad^2"},
-                           {Kind::kStiffnessError, "N/m", "N m/rad"},
-                           {Kind::kBacklash, "N/m", "N m/rad"},
-                           {Kind::kEndStop, "N/m", "N m/rad"},
-                           {Kind::kQuadraticDamping, "N s^2/m^2", "N m s^2/rad^2"},
-                           {Kind::kCubicDamping, "N s^3/m^3", "N m s^3/rad^3"},
-                           {Kind::kStribeck, "N", "N m"},
-                           {Kind::kPresliding, "N", "N m"},
-                           {Kind::kForceOffset, "N", "N m"},
-                           {Kind::kAsymmetricViscous, "N s/m", "N m s/rad"},
-                           {Kind::kDisplacementDamping, "N s/m^3", "N m s/rad^3"},
-                           {Kind::kMissingViscous, "N s/m", "N m s/rad"},
-                           {Kind::kMissingCoulomb, "N", "N m"},
-                           {Kind::kDriftingViscous, "N/m", "N m/rad"},
-                           {Kind::kCogging, "N", "N m"},
-                           {Kind::kMissingGravity, "N m", "N m"},
-                           {Kind::kDeadBand, "1", "1"},
-                           {Kind::kMassError, "kg", "kg m^2"},
-                           {Kind::kResonance, "kg", "kg m^2"},
-                           {Kind::kForceHumCos50, "N", "N m"},
-                           {Kind::kForceHumCos60, "N", "N m"},
-                           {Kind::kForceDelay, "s", "s"},
-                           {Kind::kForceGain, "1", "1"}};
-
 rig_file::Effect as_effect(const Term& t, double value, bool rotating) {
   rig_file::Effect e;
   e.kind = word_of(t.kind);
@@ -89,39 +54,18 @@ bool rotates(const System& s, const Term& t) {
 }
 
 std::string unit_of(Kind kind, bool rotating) {
-  for (const Unit& u : kUnits)
-    if (u.kind == kind) return rotating ? u.turning : u.sliding;
-  return "1";
+  const std::string unit = firmware::row_of(effect_of(kind)).unit.of(rotating);
+  return unit != "channel" ? unit : rotating ? "N m" : "N";  // of a force's channel
 }
 
 std::string shape_name(Kind kind) {
-  switch (kind) {
-    case Kind::kBacklash:
-      return "backlash_gap";
-    case Kind::kEndStop:
-      return "end_stop_gap";
-    case Kind::kStribeck:
-      return "stribeck_velocity";
-    case Kind::kPresliding:
-      return "presliding_length";
-    case Kind::kResonance:
-      return "resonance_frequency";
-    case Kind::kDriftingViscous:
-      return "drift_time";
-    case Kind::kCogging:
-      return "cogging_pitch";
-    case Kind::kDeadBand:
-      return "dead_band";
-    default:
-      return "";
-  }
+  const firmware::Shapes& shapes = firmware::row_of(effect_of(kind)).shape;
+  return shapes.count > 0 ? shapes.at[0].name : "";
 }
 
 std::string shape_unit(Kind kind, bool rotating) {
-  if (kind == Kind::kResonance) return "Hz";
-  if (kind == Kind::kDriftingViscous) return "s";
-  if (kind == Kind::kDeadBand) return rotating ? "N m" : "N";
-  return std::string(rotating ? "rad" : "m") + (kind == Kind::kStribeck ? "/s" : "");
+  const firmware::Shapes& shapes = firmware::row_of(effect_of(kind)).shape;
+  return shapes.count > 0 ? shapes.at[0].unit.of(rotating) : "1";
 }
 
 std::string parameter_name(const System& s, const Term& t) {

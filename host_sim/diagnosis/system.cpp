@@ -7,49 +7,59 @@
 namespace diagnosis {
 namespace {
 
-struct Word {
+using firmware::EffectKind;
+
+struct RowOfKind {
   Kind kind;
-  const char* text;
+  EffectKind effect;
 };
-constexpr Word kWords[] = {{Kind::kMass, "mass"},
-                           {Kind::kStiffness, "stiffness"},
-                           {Kind::kViscous, "viscous"},
-                           {Kind::kCoulomb, "coulomb"},
-                           {Kind::kGravity, "gravity_torque"},
-                           {Kind::kCubicStiffness, "cubic_stiffness"},
-                           {Kind::kQuadraticStiffness, "quadratic_stiffness"},
-                           {Kind::kStiffnessError, "stiffness_error"},
-                           {Kind::kBacklash, "backlash"},
-                           {Kind::kEndStop, "end_stop"},
-                           {Kind::kQuadraticDamping, "quadratic_damping"},
-                           {Kind::kCubicDamping, "cubic_damping"},
-                           {Kind::kStribeck, "stribeck"},
-                           {Kind::kPresliding, "presliding_hysteresis"},
-                           {Kind::kForceOffset, "force_offset"},
-                           {Kind::kAsymmetricViscous, "asymmetric_viscous"},
-                           {Kind::kDisplacementDamping, "displacement_dependent_damping"},
-                           {Kind::kMissingViscous, "missing_viscous"},
-                           {Kind::kMissingCoulomb, "missing_coulomb"},
-                           {Kind::kDriftingViscous, "drifting_viscous"},
-                           {Kind::kCogging, "cogging"},
-                           {Kind::kMissingGravity, "missing_gravity_torque"},
-                           {Kind::kMassError, "mass_error"},
-                           {Kind::kResonance, "unmodelled_resonance"},
-                           {Kind::kResonanceCos, "unmodelled_resonance"},
-                           {Kind::kResonanceSin, "unmodelled_resonance"},
-                           {Kind::kForceDelay, "sensor_delay"},
-                           {Kind::kForceGain, "sensor_gain"},
-                           {Kind::kDeadBand, "drive_dead_band"},
-                           {Kind::kForceHumCos50, "mains_hum"},
-                           {Kind::kForceHumSin50, "mains_hum"},
-                           {Kind::kForceHumCos60, "mains_hum"},
-                           {Kind::kForceHumSin60, "mains_hum"},
-                           {Kind::kBaseDelay, "sensor_delay"},
-                           {Kind::kChannelDelay, "sensor_delay"},
-                           {Kind::kChannelGain, "sensor_gain"},
-                           {Kind::kHumCos, "mains_hum"},
-                           {Kind::kHumSin, "mains_hum"},
-                           {Kind::kUnknownPitch, "unknown"}};
+constexpr RowOfKind kRows[] = {{Kind::kMass, EffectKind::kMass},
+                               {Kind::kStiffness, EffectKind::kStiffness},
+                               {Kind::kViscous, EffectKind::kViscous},
+                               {Kind::kCoulomb, EffectKind::kCoulomb},
+                               {Kind::kGravity, EffectKind::kGravityTorque},
+                               {Kind::kCubicStiffness, EffectKind::kCubicStiffness},
+                               {Kind::kQuadraticStiffness, EffectKind::kQuadraticStiffness},
+                               {Kind::kStiffnessError, EffectKind::kStiffnessError},
+                               {Kind::kBacklash, EffectKind::kBacklash},
+                               {Kind::kEndStop, EffectKind::kEndStop},
+                               {Kind::kQuadraticDamping, EffectKind::kQuadraticDamping},
+                               {Kind::kCubicDamping, EffectKind::kCubicDamping},
+                               {Kind::kStribeck, EffectKind::kStribeck},
+                               {Kind::kPresliding, EffectKind::kPreslidingHysteresis},
+                               {Kind::kForceOffset, EffectKind::kForceOffset},
+                               {Kind::kAsymmetricViscous, EffectKind::kAsymmetricViscous},
+                               {Kind::kDisplacementDamping, EffectKind::kDisplacementDependentDamping},
+                               {Kind::kMissingViscous, EffectKind::kMissingViscous},
+                               {Kind::kMissingCoulomb, EffectKind::kMissingCoulomb},
+                               {Kind::kDriftingViscous, EffectKind::kDriftingViscous},
+                               {Kind::kCogging, EffectKind::kCogging},
+                               {Kind::kMissingGravity, EffectKind::kMissingGravityTorque},
+                               {Kind::kMassError, EffectKind::kMassError},
+                               {Kind::kResonance, EffectKind::kUnmodelledResonance},
+                               {Kind::kResonanceCos, EffectKind::kUnmodelledResonance},
+                               {Kind::kResonanceSin, EffectKind::kUnmodelledResonance},
+                               {Kind::kForceDelay, EffectKind::kSensorDelay},
+                               {Kind::kForceGain, EffectKind::kSensorGain},
+                               {Kind::kDeadBand, EffectKind::kDriveDeadBand},
+                               {Kind::kForceHumCos50, EffectKind::kMainsHum},
+                               {Kind::kForceHumSin50, EffectKind::kMainsHum},
+                               {Kind::kForceHumCos60, EffectKind::kMainsHum},
+                               {Kind::kForceHumSin60, EffectKind::kMainsHum},
+                               {Kind::kBaseDelay, EffectKind::kSensorDelay},
+                               {Kind::kChannelDelay, EffectKind::kSensorDelay},
+                               {Kind::kChannelGain, EffectKind::kSensorGain},
+                               {Kind::kHumCos, EffectKind::kMainsHum},
+                               {Kind::kHumSin, EffectKind::kMainsHum},
+                               {Kind::kUnknownPitch, EffectKind::kCogging}};
+
+constexpr bool in_order() {
+  int next = 0;
+  for (const RowOfKind& row : kRows)
+    if (static_cast<int>(row.kind) != next++) return false;
+  return next == static_cast<int>(Kind::kUnknownPitch) + 1;
+}
+static_assert(in_order(), "a row of the vocabulary for each kind, in the order of the kinds");
 
 // Expected sgn of a rate that is known up to a Gaussian error and changes from sample to sample.
 Series soft_sign(const Series& rate, double error) {
@@ -65,15 +75,16 @@ Series soft_sign(const Series& rate, double error) {
 
 }  // namespace
 
+EffectKind effect_of(Kind kind) { return kRows[static_cast<int>(kind)].effect; }
+
 const char* word_of(Kind kind) {
-  for (const Word& w : kWords)
-    if (w.kind == kind) return w.text;
-  return "";
+  return kind == Kind::kUnknownPitch ? "unknown" : firmware::row_of(effect_of(kind)).word.text;
 }
 
 bool kind_of_word(const std::string& word, Kind* kind) {
-  for (const Word& w : kWords)
-    if (word == w.text && w.kind >= Kind::kCubicStiffness && w.kind <= Kind::kResonance) return *kind = w.kind, true;
+  for (const RowOfKind& row : kRows)
+    if (word == word_of(row.kind) && row.kind >= Kind::kCubicStiffness && row.kind <= Kind::kResonance)
+      return *kind = row.kind, true;
   return false;
 }
 

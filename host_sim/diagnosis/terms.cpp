@@ -3,25 +3,29 @@
 #include <algorithm>
 #include <cmath>
 
-#include "host_sim/vocabulary/law.hpp"
+#include "host_sim/vocabulary/law_table.hpp"
 
 namespace diagnosis {
 namespace {
 
 constexpr double kTwoPi = 6.283185307179586;
 
-// Friction of unit level from bristles that bend over a length: z of Dahl, and of LuGre what damps the bristles.
+// Friction of unit level from bristles that bend over a length, between samples with the mean rate.
 Series bristles(const Series& w, double length, double time_s, double period_s) {
-  Series z(w.size());
-  double state = 0;
+  constexpr firmware::EffectKind kBristles = firmware::EffectKind::kPreslidingHysteresis;
+  const vocabulary::Shape shape{{length, time_s}};
+  Series force(w.size());
+  vocabulary::Point at = vocabulary::point(kBristles, 0, w[0], 0, shape);
+  vocabulary::start_memory(kBristles, at, shape, at.z);
   for (Eigen::Index i = 0; i < w.size(); ++i) {
     const double next = i + 1 < w.size() ? w[i + 1] : w[i];
-    z[i] = state + time_s * (w[i] - std::abs(w[i]) * state) / length;
-    // exact over a sample with the mean rate: z relaxes towards sgn(w) over the length
-    const double mean = 0.5 * (w[i] + next), way = mean < 0 ? -1 : 1;
-    state = way + (state - way) * std::exp(-std::abs(mean) * period_s / length);
+    at.w = w[i], at.sign = static_cast<double>((w[i] > 0) - (w[i] < 0));
+    force[i] = vocabulary::force_value(kBristles, at, shape);
+    vocabulary::Point to;
+    to.u = 0.5 * (w[i] + next) * period_s;
+    vocabulary::advance_memory(kBristles, vocabulary::Point(), to, period_s, shape, at.z);
   }
-  return z;
+  return force;
 }
 
 // Acceleration of a hidden mass on a spring driven by the motion x, v (semi-exact: trapezoidal rule).
@@ -42,10 +46,6 @@ Series hidden_mass(const Series& x, const Series& v, double frequency_Hz, double
   return out;
 }
 
-Series time_axis(const FusedRecord& f) {
-  return Series::LinSpaced(static_cast<Eigen::Index>(f.samples), 0, static_cast<double>(f.samples - 1) * f.period_s);
-}
-
 // exp(-decay t) cos(omega t + phase), turned on from sample to sample: many times faster than a cosine each, and after a
 // million samples right to 1e-10.
 Series tone(const FusedRecord& f, double omega, double phase, double decay = 0) {
@@ -63,6 +63,22 @@ Series tone(const FusedRecord& f, double omega, double phase, double decay = 0) 
 Series free_decay(const Term& t, const FusedRecord& f, double phase) {
   const double omega = kTwoPi * t.shape;
   return tone(f, omega, -phase, t.shape2 * omega);
+}
+
+// The law of a link's term along the smoothed motion; the sign of a rate is the expected one.
+Series force_along(const Term& t, const LinkMotion& l, const FusedRecord& f) {
+  const firmware::EffectKind effect = effect_of(t.kind);
+  const vocabulary::Shape shape{{t.shape, t.shape2}};
+  Series force(l.smooth_u.size());
+  for (Eigen::Index i = 0; i < force.size(); ++i) {
+    const double u = l.smooth_u[i], w = l.smooth_w[i];
+    vocabulary::Point at;
+    at.u = u, at.w = w, at.t_s = static_cast<double>(i) * f.period_s;
+    at.sign = t.kind == Kind::kStribeck ? l.sign[i] : static_cast<double>((w > 0) - (w < 0));
+    at.side = (u > t.shape) - (u < -t.shape);
+    force[i] = vocabulary::force_value(effect, at, shape);
+  }
+  return force;
 }
 
 }  // namespace
@@ -111,7 +127,6 @@ Series term_force(const Term& t, const FusedRecord& f, const std::vector<LinkMot
     }
   }
   const LinkMotion& l = links[static_cast<size_t>(t.link)];
-  const auto u = l.smooth_u.array(), w = l.smooth_w.array();
   switch (t.kind) {
     case Kind::kStiffness:
       return t.smooth ? l.smooth_u : l.u;
@@ -124,42 +139,13 @@ Series term_force(const Term& t, const FusedRecord& f, const std::vector<LinkMot
     case Kind::kCoulomb:
     case Kind::kMissingCoulomb:
       return l.sign;
-    case Kind::kGravity:
-      return u.sin().matrix();
-    case Kind::kCubicStiffness:
-      return u.cube().matrix();
-    case Kind::kQuadraticStiffness:
-      return u.square().matrix();
-    case Kind::kBacklash:
-      return (t.given ? -1.0 : 1.0) * u.max(-t.shape).min(t.shape).matrix();
-    case Kind::kEndStop:
-      return (u - u.max(-t.shape).min(t.shape)).matrix();
-    case Kind::kQuadraticDamping:
-      return (w * w.abs()).matrix();
-    case Kind::kCubicDamping:
-      return w.cube().matrix();
-    case Kind::kStribeck:
-      return ((-w.abs() / t.shape).exp() * l.sign.array()).matrix();
     case Kind::kPresliding:
       if (t.given) return bristles(l.smooth_w, t.shape, t.shape2, f.period_s);
       return bristles(l.smooth_w, t.shape, t.shape2, f.period_s) - l.sign;
-    case Kind::kForceOffset:
-      return Series::Ones(u.size());
-    case Kind::kAsymmetricViscous:
-      return w.abs().matrix();
-    case Kind::kDisplacementDamping:
-      return (u.square() * w).matrix();
-    case Kind::kDriftingViscous:
-      return time_axis(f)
-          .unaryExpr([&](double t_s) { return vocabulary::drifted_s(t_s, t.shape); })
-          .cwiseProduct(l.smooth_w);
-    case Kind::kMissingGravity:
-      return u.sin().matrix();
-    case Kind::kCogging:
-    case Kind::kUnknownPitch:
-      return (kTwoPi * u / t.shape + t.shape2).sin().matrix();
+    case Kind::kBacklash:
+      return (t.given ? 1.0 : -1.0) * force_along(t, l, f);
     default:
-      return Series::Zero(u.size());
+      return force_along(t, l, f);
   }
 }
 

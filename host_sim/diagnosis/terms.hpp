@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "firmware/vocabulary/effect_table.hpp"
 #include "motion.hpp"
 
 namespace diagnosis {
@@ -57,7 +58,9 @@ enum class Kind {
 
 inline bool of_force_sensor(Kind kind) { return kind >= Kind::kForceDelay && kind <= Kind::kForceHumSin60; }
 
-const char* word_of(Kind kind);  // the contract's word; base terms: "mass", "viscous", ...
+// The row of the vocabulary that a kind is named after; of kUnknownPitch that of the law it has.
+firmware::EffectKind effect_of(Kind kind);
+const char* word_of(Kind kind);  // of that row
 bool kind_of_word(const std::string& word, Kind* kind);
 
 struct Term {

@@ -29,18 +29,26 @@ struct Steady {
   }
 };
 
-// Dahl: z = 1 - exp(-u / L). At u = 1 mm and L = 1 mm: 1 - 1/e.
-TEST(Terms, DahlsBristlesBendOverTheirLength) {
-  const Series z = Steady().force(Kind::kPresliding, 1e-3, 0);
-  EXPECT_EQ(z[0], 0);
-  EXPECT_NEAR(z[50], 1 - std::exp(-1), 1e-12);
+// A link that was coming back when its record starts: its bristles are bent that way. From the second sample on it moves on.
+Steady turning() {
+  Steady s;
+  s.links[0].smooth_w[0] = -0.02;
+  return s;
 }
 
-// LuGre adds sigma1 dz/dt, in units of the level: tau dz/dt = tau w / L exp(-u / L). With tau = 0.05 s and w / L = 20 / s
-// that is exp(-u / L), which makes up for what Dahl's force lacks: 1 throughout.
+// Dahl: z = 1 - 2 exp(-u / L) after the turn. At u = 1 mm and L = 1 mm: 1 - 2/e. A link that moves on keeps its bristles bent.
+TEST(Terms, DahlsBristlesBendOverTheirLength) {
+  const Series z = turning().force(Kind::kPresliding, 1e-3, 0);
+  EXPECT_EQ(z[0], -1);
+  EXPECT_NEAR(z[51], 1 - 2 * std::exp(-1), 1e-12);
+  for (double value : Steady().force(Kind::kPresliding, 1e-3, 0)) EXPECT_EQ(value, 1);
+}
+
+// LuGre adds sigma1 dz/dt, in units of the level: tau dz/dt = tau w / L * 2 exp(-u / L) after the turn. With tau = 0.05 s and
+// w / L = 20 / s that is 2 exp(-u / L), which makes up for what Dahl's force lacks: 1 throughout.
 TEST(Terms, LuGresBristlesAreDamped) {
-  const Series z = Steady().force(Kind::kPresliding, 1e-3, 0.05);
-  for (Eigen::Index i = 0; i < z.size(); ++i) EXPECT_NEAR(z[i], 1, 1e-12);
+  const Series z = turning().force(Kind::kPresliding, 1e-3, 0.05);
+  for (Eigen::Index i = 1; i < z.size(); ++i) EXPECT_NEAR(z[i], 1, 1e-12);
 }
 
 // c(t) w with c = t, or tau (1 - exp(-t / tau)): at t = tau = 0.05 s 0.05 and 0.05 (1 - 1/e).

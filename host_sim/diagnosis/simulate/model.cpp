@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "host_sim/vocabulary/law.hpp"
+#include "host_sim/vocabulary/law_table.hpp"
 
 namespace diagnosis::runs {
 
@@ -34,54 +34,19 @@ bool positive(Kind kind) {
   }
 }
 
+bool is_linear(Kind kind) {
+  const auto force = vocabulary::law_of(effect_of(kind)).force;
+  return force == vocabulary::laws::elongation || force == vocabulary::laws::rate;
+}
+
 LawValue law(Kind kind, double u, double w, double t_s, double shape, double shape2) {
-  switch (kind) {
-    case Kind::kStiffness:
-    case Kind::kStiffnessError:
-      return {u, 1, 0, 0};
-    case Kind::kViscous:
-    case Kind::kMissingViscous:
-      return {w, 0, 1, 0};
-    case Kind::kGravity:
-    case Kind::kMissingGravity:
-      return {std::sin(u), std::cos(u), 0, 0};
-    case Kind::kCubicStiffness:
-      return {u * u * u, 3 * u * u, 0, 0};
-    case Kind::kQuadraticStiffness:
-      return {u * u, 2 * u, 0, 0};
-    case Kind::kBacklash: {  // what a spring of unit stiffness lacks
-      const bool inside = std::abs(u) < shape;
-      const double clip = std::clamp(u, -shape, shape);
-      return {-clip, inside ? -1.0 : 0.0, 0, inside ? 0 : -clip};
-    }
-    case Kind::kEndStop: {
-      const double clip = std::clamp(u, -shape, shape);
-      const bool beyond = std::abs(u) > shape;
-      return {u - clip, beyond ? 1.0 : 0.0, 0, beyond ? -clip : 0};
-    }
-    case Kind::kQuadraticDamping:
-      return {w * std::abs(w), 0, 2 * std::abs(w), 0};
-    case Kind::kCubicDamping:
-      return {w * w * w, 0, 3 * w * w, 0};
-    case Kind::kForceOffset:
-      return {1, 0, 0, 0};
-    case Kind::kAsymmetricViscous:
-      return {std::abs(w), 0, w < 0 ? -1.0 : 1.0, 0};
-    case Kind::kDisplacementDamping:
-      return {u * u * w, 2 * u * w, u * u, 0};
-    case Kind::kDriftingViscous: {
-      const double gone = vocabulary::drifted_s(t_s, shape), e = 1e-3;
-      const double slope = shape > 0 ? (vocabulary::drifted_s(t_s, shape * (1 + e)) - gone) / e : 0;
-      return {gone * w, 0, gone, slope * w};
-    }
-    case Kind::kCogging:
-    case Kind::kUnknownPitch: {
-      const double k = 6.283185307179586 / shape, slope = std::cos(k * u + shape2);
-      return {std::sin(k * u + shape2), k * slope, 0, -k * u * slope, slope};
-    }
-    default:
-      return {};
-  }
+  const firmware::EffectKind effect = effect_of(kind);
+  const vocabulary::Shape shapes{{shape, shape2}};
+  vocabulary::Point at;
+  at.u = u, at.w = w, at.t_s = t_s, at.sign = static_cast<double>((w > 0) - (w < 0));
+  at.side = (u > shape) - (u < -shape);
+  const vocabulary::Force f = vocabulary::force_here(effect, at, shapes);
+  return {f.value, f.slope.u, f.slope.w, shape * f.slope.shape[0], f.slope.shape[1]};
 }
 
 }  // namespace diagnosis::runs

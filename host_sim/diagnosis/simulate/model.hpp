@@ -31,6 +31,7 @@ bool positive(Kind kind);
 struct LawValue {
   double force = 0, by_u = 0, by_w = 0, by_log_shape = 0, by_phase = 0;
 };
+bool is_linear(Kind kind);  // in elongation and rate, without shapes
 LawValue law(Kind kind, double u, double w, double t_s, double shape, double shape2);
 
 }  // namespace diagnosis::runs

@@ -76,6 +76,8 @@ void Simulator::compile(const System& system, const Model& model) {
       const auto [a, b] = link_ends_[static_cast<size_t>(t.term.link)];
       Element e{kind, a, b, value, t.term.shape, t.term.shape2, by_value, by_shape, -1};
       e.by_phase = index_of(i, 2);
+      e.linear = is_linear(kind);
+      if (e.linear) e.by_u = law(kind, 0, 0, 0, 1, 0).by_u, e.by_w = law(kind, 0, 0, 0, 1, 0).by_w;
       if (kind == Kind::kPresliding) e.z = hysteresis_++;
       elements_.push_back(e);
       if (kind != Kind::kCoulomb && kind != Kind::kMissingCoulomb && kind != Kind::kStribeck) continue;
@@ -263,7 +265,7 @@ void Simulator::accelerations(const Vec& y, const Outside& o, Vec& acc, bool slo
                2 * omega * omega * u + 2 * e.shape2 * omega * w});
       continue;
     }
-    pull(e, law(e.kind, u, w, o.t_s, e.shape, e.shape2));
+    pull(e, e.linear ? LawValue{e.by_u * u + e.by_w * w, e.by_u, e.by_w} : law(e.kind, u, w, o.t_s, e.shape, e.shape2));
   }
   for (const Friction& f : friction_) {
     if (f.sign == 0) continue;

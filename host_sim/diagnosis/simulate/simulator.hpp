@@ -41,6 +41,8 @@ class Simulator {
     Index by_value = -1, by_shape = -1;
     Index z = -1;  // presliding: its state
     Index by_phase = -1;
+    bool linear = false;  // then its law's slopes are these everywhere
+    double by_u = 0, by_w = 0;
   };
   struct Friction {
     int a, b;
