@@ -77,7 +77,7 @@ const Kind kVocabulary[] = {{"cubic_stiffness", false},
                             {"mass_error", true},
                             {"unmodelled_resonance", true}};
 const Kind kOutside[] = {
-    {"cogging", false}, {"switched_damper", false}, {"pulsating_stiffness", false}, {"foreign_tone", true}};
+    {"switched_damper", false}, {"pulsating_stiffness", false}, {"foreign_tone", true}};
 
 std::string place(const TrueRig& rig, const TrueEffect& e) {
   if (e.dof >= 0) return "dof " + std::to_string(e.dof + 1);
@@ -153,7 +153,6 @@ bool shape_effect(Dice& dice, TrueEffect& e, const TrueRig& rig, const Motion& m
   const double sign = dice.sign();
   if (e.kind == "end_stop") e.shape = dice.between(0.35, 0.75) * peak;
   if (e.kind == "stribeck") e.shape = dice.between(0.1, 0.6) * rw;
-  if (e.kind == "cogging") e.shape = dice.between(0.15, 0.5) * peak;
   if (e.kind == "switched_damper") e.shape = dice.between(0.5, 4);
   if (e.kind == "pulsating_stiffness") e.shape = dice.between(0.3, 2);
   if (e.kind == "foreign_tone") e.shape = dice.between(7, 45);

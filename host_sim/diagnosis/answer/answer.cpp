@@ -9,14 +9,12 @@
 namespace diagnosis::runs {
 namespace {
 
-constexpr double kBeyondNoise = 3;   // in the band of the motion over beside it: 0.95 to 1.05 on complete drawn rigs
-constexpr double kLikeAHold = 0.1;   // of half a sample
-constexpr double kLeastGain = 1.05;  // on unseen data: a twentieth less missed is not a number that anybody acts on
-constexpr double kAsGoodAsRight = 1e-3;   // of the motion, over a window: no sensor of a rig is better
+constexpr double kLikeAHold = 0.1;       // of half a sample
+constexpr double kLeastGain = 1.05;      // on unseen data: a twentieth less missed is not a number that anybody acts on
+constexpr double kAsGoodAsRight = 1e-3;  // of the motion, over a window: no sensor of a rig is better
 constexpr double kHalfOfVariance = 70.7;  // NRMSE in percent
-constexpr double kSmall = 0.02;  // of the motion, over a window: what is left and nothing explains is said to be there
 
-// As the words and units of terms are kept.
+// As the words and units of terms are kept. A backlash and what acts in another's place have that one's coefficient.
 std::vector<ActiveTerm> active(const Model& model, const std::vector<Determined>& found) {
   std::vector<ActiveTerm> list;
   for (const ModelTerm& t : model) {
@@ -71,7 +69,13 @@ std::vector<diagnosis::Parameter> all_parameters(const Task& task, const std::ve
   return out;
 }
 
-// A backlash and what acts in another's place are named with that one's coefficient.
+// Whether one of the rig's own coefficients leaves the interval that it had without the causes.
+bool moved(const std::vector<ActiveTerm>& before, const std::vector<ActiveTerm>& after) {
+  for (size_t i = 0; i < before.size() && i < after.size(); ++i)
+    if (!before[i].known && std::abs(after[i].value - before[i].value) > 1.96 * before[i].std) return true;
+  return false;
+}
+
 void take(const Score& score, ModelScore& to) {
   to.holdout_nrmse_percent = score.nrmse_percent, to.holdout_mse_percent = score.mse_percent;
   to.holdout_velocity_nrmse_percent = score.velocity_percent;
@@ -90,7 +94,6 @@ bool is_hold(const Task& task, const Cause& c) {
 void answer(const Task& task, const Choice& choice, Diagnosis& d) {
   const std::vector<ActiveTerm> base = active(choice.base.model, determined(choice.base.fit, choice.base.model));
   const std::vector<ActiveTerm> full = active(choice.final.model, determined(choice.final.fit, choice.final.model));
-  const double whole = error_over(choice.final.fit, choice.base.fit);
   for (const Named& named : choice.named) {
     Cause c;
     c.effect = word_of(named.candidate.terms[0].kind), c.where = place(task, named.candidate.terms[0]);
@@ -124,25 +127,24 @@ void answer(const Task& task, const Choice& choice, Diagnosis& d) {
   }
   std::vector<ActiveTerm> writable;
   for (const ActiveTerm& a : full)
-    if (!of_motion_channel(a.term.kind)) writable.push_back(a);
+    if (!of_motion_channel(a.term.kind) && a.term.shape != kAcrossRecords) writable.push_back(a);
   d.extended_rig = extended_rig(task.system, writable);
   state_delays(d.causes, d.extended_rig);
   d.baseline_misfit = choice.base_left.worst(), d.extended_misfit = choice.final_left.worst();
-  (void)whole;
   const double error = motion_error(task, choice.final);
-  const bool noise =
-      choice.final.fit.ok && choice.final_left.worst() < kBeyondNoise && worst_free_run < kHalfOfVariance;
+  const bool noise = choice.final.fit.ok && !beyond_noise(choice.final_left) && worst_free_run < kHalfOfVariance;
   if (!choice.named.empty())
     d.verdict = !d.ambiguous_with.empty() ? Verdict::kAmbiguous : noise ? Verdict::kExplained : Verdict::kPartly;
   else
     d.verdict = noise || right(task, choice) || near_enough(task, choice) ||
-                        ((choice.noise_is_enough || error < kSmall) && worst_free_run < kHalfOfVariance)
+                        (choice.noise_is_enough && worst_free_run < kHalfOfVariance)
                     ? Verdict::kNone
                     : Verdict::kUnknown;
-  // A cause beside which as much remains as before explains nothing: of what acts here it is not the name.
-  if (!noise && !choice.named.empty() &&
+  // A cause beside which as much remains as before explains nothing: of what acts here it is not the name. Where only
+  // noise remains it is a cause still if the rig's own numbers are others beside it.
+  if (!choice.named.empty() && (!noise || !moved(base, full)) &&
       std::all_of(d.gain.begin(), d.gain.end(), [](double gain) { return gain < kLeastGain; })) {
-    d.verdict = motion_error(task, choice.base) < kAsGoodAsRight ? Verdict::kNone : Verdict::kUnknown;
+    d.verdict = noise || motion_error(task, choice.base) < kAsGoodAsRight ? Verdict::kNone : Verdict::kUnknown;
     d.causes.clear(), d.ambiguous_with.clear();
     d.extended = d.baseline;
     std::fill(d.gain.begin(), d.gain.end(), 1.0);

@@ -5,7 +5,8 @@
 
 namespace diagnosis::runs {
 
-// Causes, rivals, both models' parameters, their free runs on unseen data, the extended rig, the remainder and the verdict.
+// Causes, rivals, both models' parameters, their free runs on unseen data, the extended rig, the remainder and the
+// verdict.
 void answer(const Task& task, const Choice& choice, Diagnosis& d);
 
 // A model's free run on unseen data, from the measured state at its start; errors over 1000 % are said as 1000.

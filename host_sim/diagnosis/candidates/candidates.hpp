@@ -1,5 +1,5 @@
-// Every effect that could be missing, at every place, with its shapes on a grid; and what each would bring, from one pass
-// over the windows.
+// Every effect that could be missing, at every place, with its shapes on a grid; and what each would bring, from one
+// pass over the windows.
 #pragma once
 #include "../fit/fit.hpp"
 

@@ -107,7 +107,9 @@ Vec Columns::force(const Term& t, const Window& w, const WindowRun& run, Memory&
           break;
         }
         default:
-          out[k] = law(t.kind, u, v, record.time_s(w.from + k), t.shape, t.shape2).force;
+          out[k] = law(t.kind, u, v, law_time(record.time_s(w.from + k), t.shape, record), t.shape, t.shape2).force;
+          if ((t.kind == Kind::kStiffnessError || t.kind == Kind::kMissingViscous) && t.shape > 0)  // it pulsates, Hz
+            out[k] *= std::cos(kTwoPi * t.shape * record.time_s(w.from + k) + t.shape2);
       }
       before = u;
     }

@@ -13,6 +13,7 @@ constexpr double kLargeAngle = 0.2;     // rad: below it a pendulum is a spring
 constexpr double kPitchesOfASwing = 8;  // of a cogging, on the way from the middle to the farthest point
 constexpr double kPitchesOfAWay = 40;   // where no spring holds the link in place
 constexpr double kPitchStep = 0.3;      // pitches nearer than that look alike
+constexpr double kNoiseReaches = 4;  // standard deviations: a narrower dead band takes noise off, and that alone helps
 constexpr double kQuarterTurn = 1.5707963267948966;
 
 struct Extent {
@@ -143,12 +144,15 @@ std::vector<Candidate> candidates_beside(const System& s, const Model& model, co
     if (forced) {
       if (scale_known && mass >= 0) add({on_dof(Kind::kForceGain, dof)}, 0);
       add({on_dof(Kind::kForceDelay, dof)}, 0);
-      double rms = 0;
+      double rms = 0, noise = 0;
       for (const Prepared& p : records)
-        if (p.force[d].size())
+        if (p.force[d].size()) {
           rms = std::max(rms, std::sqrt(p.force[d].squaredNorm() / static_cast<double>(p.force[d].size())));
+          noise = std::max(noise, noise_level(p.force[d]));
+        }
       if (mass >= 0 && rms > 0)
-        for (double share = 0.02; share < 1.2; share *= 1.35) add({on_dof(Kind::kDeadBand, dof, share * rms)}, 1, 1);
+        for (double share = 0.02; share < 1.2; share *= 1.35)
+          if (share * rms > kNoiseReaches * noise) add({on_dof(Kind::kDeadBand, dof, share * rms)}, 1, 1);
     }
     for (int q = 0; q < 3 && mass >= 0; ++q) {
       if (!measures(records, dof, q)) continue;

@@ -6,18 +6,19 @@
 namespace diagnosis::runs {
 namespace {
 
-// A normal deviate that chance passes on one of 200 candidates once in 500 records, with a margin for what is not normal.
+// A normal deviate that chance passes on one of 200 candidates once in 500 records, with a margin for what is not
+// normal.
 constexpr double kSignificant = 4.5;
-// The same where most of the residual is not noise: there the share of it and unseen data decide, and chance is no rival.
+// The same where most of the residual is not noise: there the share of it and unseen data decide, and chance is no
+// rival.
 constexpr double kPlain = 3;
-// Of what is still to be explained, that a cause has to take: seen, and where chance is no rival unseen too.
-constexpr double kShare = 0.3;
-constexpr double kShows = 0.02;      // of unseen windows' squared residual: less is lost in its scatter
-constexpr double kNoHarm = 1.01;     // of their squared residual, where they cannot show it
-constexpr double kSmallStart = 0.3;  // of the value that the linearisation gives
-constexpr double kPromised = 0.8;    // of the linearisation's gain, that a fit should reach
-constexpr int kFirstSteps = 3;       // with shapes held
-constexpr double kClear = 2;         // of a difference, paired over blocks, in standard errors
+constexpr double kEnoughRows = 3000;  // samples of a part: some 60 periods
+constexpr double kShows = 0.02;       // of unseen windows' squared residual: less is lost in its scatter
+constexpr double kNoHarm = 1.01;      // of their squared residual, where they cannot show it
+constexpr double kSmallStart = 0.3;   // of the value that the linearisation gives
+constexpr double kPromised = 0.8;     // of the linearisation's gain, that a fit should reach
+constexpr int kFirstSteps = 3;        // with shapes held
+constexpr double kClear = 2;          // of a difference, paired over blocks, in standard errors
 
 double least_z(const Attempt& a, size_t added_from) {
   const std::vector<Determined> d = determined(a.state.fit, a.state.model);
@@ -69,6 +70,27 @@ void settle(const Task& task, State& s, int steps) {
   s.unseen_fit = fit(task.system, task.records, frozen, s.unseen, steps, true);
 }
 
+State part_of(const Task& task, const State& whole, double noise) {
+  double rows = 0;
+  for (const Window& w : whole.seen) rows += static_cast<double>(w.length);
+  const size_t shortest = std::min(whole.seen.size(), 2 * whole.unseen.size());
+  const size_t every = std::min(static_cast<size_t>(rows / kEnoughRows), shortest / (2 * kEnoughWindows));
+  if (noise > kMostlyNoise || every < 2) return whole;
+  State part;
+  part.model = whole.model;
+  for (size_t i = 0; i < whole.seen.size(); i += every) part.seen.push_back(whole.seen[i]);
+  for (size_t i = 0; i < whole.unseen.size(); i += every) part.unseen.push_back(whole.unseen[i]);
+  settle(task, part, kTrialSteps);
+  return part.fit.ok && part.unseen_fit.ok ? part : whole;
+}
+
+State on_all(const Task& task, const State& whole, const Model& model) {
+  State s = whole;
+  s.model = model;
+  settle(task, s, kBaseSteps);
+  return s;
+}
+
 double paired_z(const Fitted& before, const Fitted& after) {
   const size_t n = std::min(before.block_ss.size(), after.block_ss.size());
   if (n < 2) return 0;
@@ -111,7 +133,8 @@ Attempt attempt(const Task& task, const State& beside, const std::vector<Candida
 
 Attempt attempt(const Task& task, const State& beside, const std::vector<Candidate>& all, const Screened& one) {
   const Candidate& c = all[one.candidate];
-  // From a coefficient of nought the first step brings all numbers into balance; what has states of its own starts small.
+  // From a coefficient of nought the first step brings all numbers into balance; what has states of its own starts
+  // small.
   std::vector<double> start(c.terms.size(), 0.0);
   if (c.terms[0].kind == Kind::kResonance) start[0] = kSmallStart * one.value[0];
   if (c.terms[0].kind == Kind::kCogging) start = one.value;  // its phase too

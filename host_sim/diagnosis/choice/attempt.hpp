@@ -10,15 +10,24 @@ struct Attempt {
   double error = 1e300, unseen = 1e300;  // squared, over that of the model beside which they were put
   double z = 0;                          // of the least significant candidate
   int complexity = 0;                    // numbers beside the coefficients
-  // Whether unseen windows can tell: what it would bring there, as a share of their squared residual, is more than chance.
+  // Whether unseen windows can tell: what it would bring there, as a share of their squared residual, is more than
+  // chance.
   bool shows_unseen = true;
 };
 
 constexpr double kMostlyNoise =
     0.5;  // of the squared residual: above it chance is the rival, below it other causes are
 
+// Of what is still to be explained, that a cause has to take: seen, and where chance is no rival unseen too.
+constexpr double kShare = 0.3;
+
 // The model with its free numbers and states fitted over the seen windows; over the unseen ones its states alone.
 void settle(const Task& task, State& s, int steps);
+
+// Every so many windows of a state, fitted: where most of what is left is not noise a part of a long record tells
+// causes apart as well as all of it. And a model found on one state, fitted to the windows of another.
+State part_of(const Task& task, const State& whole, double noise);
+State on_all(const Task& task, const State& whole, const Model& model);
 
 constexpr int kBaseSteps = 12, kTrialSteps = 6;  // of Gauss-Newton: to rest, and near enough to compare
 Attempt attempt(const Task& task, const State& beside, const std::vector<Candidate>& candidates,

@@ -26,12 +26,27 @@ struct Named {
   std::vector<Rival> rivals;
 };
 
+// Whether what is left goes with the motion of its own window, or as well with that of any other: with_motion().
+struct WithMotion {
+  bool known = false;  // false: too few windows, too short ones, or nothing beyond the level beside the motion's band
+  double share = 0;    // of the squared residual, corrected for chance
+  double std = 0;      // of `share`, from its scatter between windows
+  double z = 0;        // of its mean over windows, as a normal deviate
+};
+
 // What is left, channel by channel.
 struct Left {
   Vec noise;    // mean square of what looks like noise: the level above the motion's band
   Vec in_band;  // residual's level in the band of the motion over that beside it
+  // Highest single line of a residual's spectrum in that band over the level around it, mains left out; and that of
+  // those at which nothing drives the rig.
+  double line = 0, foreign_line = 0;
+  WithMotion with_motion;
   double worst() const { return in_band.size() ? in_band.maxCoeff() : 0; }
 };
+// Whether more than noise is left: more in the band of the motion than beside it, and not of a colour that noise may
+// have.
+bool beyond_noise(const Left& left);
 
 struct Choice {
   double periods = 0;  // of a window
@@ -44,16 +59,16 @@ struct Choice {
   bool base_fits_nothing = false;  // not even over a fifth of a period does the rig as given describe the motion
 };
 
-// The rig as given, fitted over the longest windows that it can follow; `training` of the records may be fitted, the others
-// are unseen (where there are none, the last 30 % of each).
+// The rig as given, fitted over the longest windows that it can follow; `training` of the records may be fitted, the
+// others are unseen (where there are none, the last 30 % of each).
 struct Task {
   const System& system;
   const std::vector<Prepared>& records;
   size_t training;
 };
 Choice rig_fitted(const Task& task);
-// Whether the rig file as given is right already; and whether what it misses of unseen data is too little for simulations to
-// tell causes apart, where it is not noise.
+// Whether the rig file as given is right already; and whether what it misses of unseen data is too little for
+// simulations to tell causes apart, where it is not noise.
 bool right(const Task& task, const Choice& choice);
 bool near_enough(const Task& task, const Choice& choice);
 // Error of the windows' runs over the motion, the worst channel's; huge where there is no fit.
@@ -62,8 +77,8 @@ double motion_error(const Task& task, const State& state);
 void adopt(const Task& task, const std::vector<Candidate>& found, const std::vector<double>& values, Choice& choice);
 // Goes on from rig_fitted(): names what is missing. progress: called with the share done.
 void choose(const Task& task, Choice& choice, const std::function<void(double)>& progress);
-// Whether every one of these, found by another test, is borne out: it stays significant beside the others, and without it
-// unseen data are simulated worse.
+// Whether every one of these, found by another test, is borne out: it stays significant beside the others, and without
+// it unseen data are simulated worse.
 bool borne_out(const Task& task, const State& base, const std::vector<Candidate>& found,
                const std::vector<double>& values);
 

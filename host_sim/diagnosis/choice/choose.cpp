@@ -4,12 +4,14 @@
 #include "../answer/answer.hpp"
 #include "../fit/start.hpp"
 #include "round.hpp"
+#include "warming.hpp"
 
 namespace diagnosis::runs {
 namespace {
 
 constexpr size_t kMostCauses = 4;
 constexpr double kFurtherShare = 2e-3;    // of what the causes named before have brought, that a further one must
+constexpr double kTogether = 0.5;         // of what one cause leaves, that dampers which drift together may
 constexpr double kLinear = 0.25;          // error over motion up to which a linearisation is trusted
 constexpr double kShortestHorizon = 0.2;  // periods
 constexpr double kNearEnough_percent =
@@ -26,6 +28,21 @@ void lay(const Task& task, double periods, State& s) {
   }
 }
 
+// Windows twice as long, up to `most` periods, as long as the fitted model follows them: what was fitted over short
+// ones starts nearer than first values do. True where any were longer.
+bool widen(const Task& task, double most, double& periods, State& s) {
+  bool any = false;
+  while (periods < 0.75 * most) {
+    State longer = s;
+    lay(task, std::min(most, 2 * periods), longer);
+    if (longer.unseen.empty() != s.unseen.empty()) return any;
+    settle(task, longer, kBaseSteps);
+    if (!longer.fit.ok || !(motion_error(task, longer) < kLinear)) return any;
+    s = longer, periods = std::min(most, 2 * periods), any = true;
+  }
+  return any;
+}
+
 // The longest windows over which the model stays within reach of its linearisation.
 double horizon(const Task& task, State& s, double from, bool massless) {
   const Model start = s.model;
@@ -34,7 +51,9 @@ double horizon(const Task& task, State& s, double from, bool massless) {
     s.model = start;
     lay(task, periods, s);
     settle(task, s, kBaseSteps);
-    if (massless || (s.fit.ok && motion_error(task, s) < kLinear) || periods / 2 < kShortestHorizon) return periods;
+    const bool follows = s.fit.ok && motion_error(task, s) < kLinear;
+    if (!massless && follows) widen(task, from, periods, s);
+    if (massless || follows || periods / 2 < kShortestHorizon) return periods;
   }
 }
 
@@ -53,10 +72,6 @@ double motion_error(const Task& task, const State& s) {
     worst = std::max(worst, std::sqrt(s.fit.mean_square[static_cast<Index>(c)] / std::max(1e-300, sum / count)));
   }
   return worst;
-}
-
-double noise_share(const Left& left, const Fitted& fit) {
-  return left.noise.size() ? left.noise.cwiseQuotient(fit.mean_square).cwiseMin(1.0).mean() : 0;
 }
 
 double missed_percent(const Task& task, const State& state) {
@@ -90,17 +105,25 @@ Choice rig_fitted(const Task& task) {
 void choose(const Task& task, Choice& choice, const std::function<void(double)>& progress) {
   State now = choice.final;
   if (!now.fit.ok || now.unseen.empty() || near_enough(task, choice)) return;
+  bool warmed = false;
   while (choice.named.size() < kMostCauses) {
-    Round round = round_of(task, now, choice.named.size(), choice);
+    const Left remains = left_by(task.system, task.records, now);
+    const double noise = noise_share(remains, now.fit);
+    const State part = part_of(task, now, noise);
+    Round round = round_of(task, part, choice.named.size(), remains, noise, choice);
+    if (!warmed) {
+      const Attempt warm = warming(task, part, noise);
+      if (warm.state.fit.ok && (!round.found || whole_error(warm) < kTogether * whole_error(round.best)))
+        round.best = warm, round.found = warmed = true;
+    }
     if (!round.found) break;
     const double left = error_over(now.fit, choice.base.fit);
     if (!choice.named.empty() && left * (1 - round.best.error) < kFurtherShare * (1 - left)) break;
     for (Candidate c : round.best.candidates) {
       keep_shape(round.best.state.model, c);
-      choice.named.push_back(Named{c, round.best.z, share_of(round.best, round.noise), {}});
+      choice.named.push_back(Named{c, round.best.z, share_of(round.best, noise), {}});
     }
-    now = round.best.state;
-    settle(task, now, kBaseSteps);
+    now = on_all(task, now, round.best.state.model);
     progress(static_cast<double>(choice.named.size()) / static_cast<double>(kMostCauses));
   }
   choice.final = now;

@@ -5,7 +5,7 @@
 #include <random>
 
 #include "../fourier.hpp"
-#include "choice.hpp"
+#include "with_motion.hpp"
 
 namespace diagnosis::runs {
 namespace {
@@ -13,20 +13,16 @@ namespace {
 constexpr double kAboveMotion = 1.4;       // times its highest frequency: the band that shows noise alone
 constexpr double kMedianOfSpread = 0.693;  // of an exponential law, per mean
 
+constexpr double kBeyondNoise = 3;      // in the band of the motion over beside it: 0.95 to 1.05 on complete drawn rigs
+constexpr double kGoesWithMotion = 3;   // standard errors
+constexpr double kLine = 25;            // over the level around: chance makes one in e^25 of a spectrum's bins
+constexpr Index kAround = 40;           // bins on either side
+constexpr double kMainsWidth_Hz = 0.2;  // of the mains' frequency and its multiples
+
 double median(std::vector<double> v) {
   if (v.empty()) return 0;
   std::nth_element(v.begin(), v.begin() + static_cast<std::ptrdiff_t>(v.size() / 2), v.end());
   return v[v.size() / 2];
-}
-
-// Level of the top of the band, as of white noise. What drives may act above the motion's band, and a thinned record ends
-// early.
-double noise_level(const Vec& y) {
-  if (y.size() == 0 || y.cwiseAbs().maxCoeff() == 0) return 0;
-  const size_t n = fast_length(static_cast<size_t>(y.size()));
-  const Vec power = Fourier(n).forward(y.head(static_cast<Index>(n))).cwiseAbs2() / static_cast<double>(n);
-  std::vector<double> top(power.data() + power.size() * 2 / 3, power.data() + power.size() * 4 / 5);
-  return std::sqrt(median(top) / kMedianOfSpread);
 }
 
 // Records whose forces and bases carry another white noise of the same level beside their own.
@@ -68,6 +64,51 @@ Vec spectrum(const std::vector<double>& rows) {
   return Fourier(n).forward(Vec::Map(rows.data(), static_cast<Index>(n))).cwiseAbs2() / static_cast<double>(n);
 }
 
+bool of_mains(double hertz, double bin_Hz) {
+  for (double mains : {50.0, 60.0}) {
+    const double order = std::round(hertz / mains);
+    if (order >= 1 && std::abs(hertz - order * mains) < kMainsWidth_Hz * order + 2 * bin_Hz) return true;
+  }
+  return false;
+}
+
+double over_level_around(const Vec& power, Index i) {
+  std::vector<double> around;
+  for (Index k = std::max<Index>(1, i - kAround); k <= std::min(power.size() - 1, i + kAround); ++k)
+    if (std::abs(k - i) > 2) around.push_back(power[k]);
+  return power[i] * kMedianOfSpread / std::max(1e-300, median(around));
+}
+
+// What drives the rig, laid end to end as the residuals are.
+std::vector<Vec> drives(const std::vector<Prepared>& records, const std::vector<Window>& windows) {
+  std::vector<Vec> list;
+  for (size_t d = 0; d <= records[0].force.size(); ++d) {
+    std::vector<double> rows;
+    for (const Window& w : windows) {
+      const Prepared& p = records[w.record];
+      const Vec& y = d < p.force.size() ? p.force[d] : p.guess.back().x;
+      for (Index k = 0; y.size() && k < w.length; ++k) rows.push_back(y[w.from + k]);
+    }
+    if (!rows.empty()) list.push_back(spectrum(rows));
+  }
+  return list;
+}
+
+// Highest lines between two bins over the median level around them.
+void highest_lines(const Vec& power, Index from, Index to, double bin_Hz, const std::vector<Vec>& driving, Left& left) {
+  for (Index i = std::max<Index>(from, 3); i < std::min(to, power.size()); ++i) {
+    if (power[i] < power[i - 1] || (i + 1 < power.size() && power[i] < power[i + 1])) continue;
+    if (of_mains(static_cast<double>(i) * bin_Hz, bin_Hz)) continue;
+    const double line = over_level_around(power, i);
+    left.line = std::max(left.line, line);
+    const bool driven = std::any_of(driving.begin(), driving.end(), [&](const Vec& p) {
+      return i + 1 < p.size() &&
+             over_level_around(p, i - 1) + over_level_around(p, i) + over_level_around(p, i + 1) > kLine;
+    });
+    if (!driven) left.foreign_line = std::max(left.foreign_line, line);
+  }
+}
+
 }  // namespace
 
 Left left_by(const System& system, const std::vector<Prepared>& records, const State& state) {
@@ -92,6 +133,7 @@ Left left_by(const System& system, const std::vector<Prepared>& records, const S
   const double step = records[0].step_s;
   double low_Hz = 1e300, top_Hz = 0;
   for (const Prepared& p : records) low_Hz = std::min(low_Hz, 0.5 / p.period_s), top_Hz = std::max(top_Hz, p.top_Hz);
+  const std::vector<Vec> driving = drives(records, state.seen);
   for (size_t c = 0; c < channels; ++c) {
     const size_t n = fast_length(rows[c].size());
     const Vec p = spectrum(rows[c]), by_force = spectrum(pushed[c]);
@@ -112,8 +154,23 @@ Left left_by(const System& system, const std::vector<Prepared>& records, const S
     allowed += level * static_cast<double>(inside.size());
     left.noise[static_cast<Index>(c)] = level + pushed_level / static_cast<double>(pushed[c].size());
     left.in_band[static_cast<Index>(c)] = inside.empty() || allowed <= 0 ? 1 : sum / allowed;
+    highest_lines(p, static_cast<Index>(low_Hz / bin), static_cast<Index>(top_Hz / bin), bin, driving, left);
   }
+  if (left.worst() > kBeyondNoise && left.line < kLine && !evaluator.massless())
+    left.with_motion = with_motion(system, records, state);
   return left;
+}
+
+bool beyond_noise(const Left& left) {
+  return left.foreign_line > kLine ||
+         (left.worst() > kBeyondNoise && !(left.with_motion.known && left.with_motion.z < kGoesWithMotion));
+}
+
+double noise_share(const Left& left, const Fitted& fit) {
+  if (left.noise.size() == 0) return 0;
+  const double beside = left.noise.cwiseQuotient(fit.mean_square).cwiseMin(1.0).mean();
+  if (!left.with_motion.known) return beside;
+  return std::max(beside, std::clamp(1 - left.with_motion.share - 2 * left.with_motion.std, 0.0, 1.0));
 }
 
 double error_over(const Fitted& now, const Fitted& before) {

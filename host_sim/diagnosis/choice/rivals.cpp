@@ -30,14 +30,16 @@ bool without(const Task& task, const Choice& choice, size_t one, State& rest) {
 void weigh_rivals(const Task& task, const std::function<void(double)>& progress, Choice& choice) {
   for (size_t i = 0; i < choice.named.size(); ++i) {
     Named& mine = choice.named[i];
-    State rest;
-    if (!without(task, choice, i, rest)) continue;
-    const double noise = noise_share(left_by(task.system, task.records, rest), rest.fit);
+    if (mine.candidate.terms[0].shape == kAcrossRecords) continue;  // judged together with the others that warm
+    State all_rest;
+    if (!without(task, choice, i, all_rest)) continue;
+    const double noise = noise_share(left_by(task.system, task.records, all_rest), all_rest.fit);
+    const State rest = part_of(task, all_rest, noise);
     Attempt own;
     own.candidates = {mine.candidate}, own.state = choice.final, own.complexity = mine.candidate.complexity;
     own.z = mine.z;
-    own.error = error_over(choice.final.fit, rest.fit),
-    own.unseen = error_over(choice.final.unseen_fit, rest.unseen_fit);
+    if (rest.seen.size() != choice.final.seen.size()) own.state = on_all(task, rest, choice.final.model);
+    own.error = error_over(own.state.fit, rest.fit), own.unseen = error_over(own.state.unseen_fit, rest.unseen_fit);
     const std::vector<Candidate> all = candidates_beside(task.system, rest.model, task.records, false);
     const Screen s = screen(task.system, task.records, rest.model, rest.seen, rest.fit, all, 0);
     double best_gain = 0;
@@ -64,9 +66,8 @@ void weigh_rivals(const Task& task, const std::function<void(double)>& progress,
       if (t.complexity < own.complexity || (t.complexity == own.complexity && whole_error(t) < whole_error(own)))
         std::swap(t, own);
     if (!own.candidates[0].same_place(mine.candidate)) {
-      mine.candidate = own.candidates[0], mine.z = own.z, choice.final = own.state;
+      mine.candidate = own.candidates[0], mine.z = own.z, choice.final = on_all(task, choice.final, own.state.model);
       keep_shape(choice.final.model, mine.candidate);
-      settle(task, choice.final, kBaseSteps);
     }
     mine.share = share_of(own, noise);
     std::sort(as_good.begin(), as_good.end(),

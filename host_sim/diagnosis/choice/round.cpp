@@ -13,27 +13,26 @@ constexpr double kAsPromising = 4;  // of what a pair leaves, as the linearisati
 
 }  // namespace
 
-Round round_of(const Task& task, const State& now, size_t already, Choice& choice) {
+Round round_of(const Task& task, const State& now, size_t already, const Left& left, double noise, Choice& choice) {
   Round round;
-  const Left left = left_by(task.system, task.records, now);
-  round.noise = noise_share(left, now.fit);
   choice.last_candidates = candidates_beside(task.system, now.model, task.records, left.worst() > kPlainlyLeft);
   choice.last_screen = screen(task.system, task.records, now.model, now.seen, now.fit, choice.last_candidates, kPairs);
   const Screen& s = choice.last_screen;
   std::vector<Attempt> singles;
   for (const Screened& one : s.singles) {
     if (singles.size() >= kShortList) break;
-    if (one.z < (round.noise < kMostlyNoise ? kWorthFitting : kWorthFittingInNoise) *
-                    std::sqrt(static_cast<double>(already + 1)))
+    if (one.z <
+        (noise < kMostlyNoise ? kWorthFitting : kWorthFittingInNoise) * std::sqrt(static_cast<double>(already + 1)))
       continue;
     singles.push_back(attempt(task, now, choice.last_candidates, one));
   }
   std::sort(singles.begin(), singles.end(),
             [](const Attempt& a, const Attempt& b) { return whole_error(a) < whole_error(b); });
   const auto first =
-      std::find_if(singles.begin(), singles.end(), [&](const Attempt& t) { return passes(t, already, round.noise); });
+      std::find_if(singles.begin(), singles.end(), [&](const Attempt& t) { return passes(t, already, noise); });
   if (first != singles.end()) round.best = *first, round.found = true;
-  // two that help only together: where no single does, or where they leave half of what the best single with its best partner does
+  // two that help only together: where no single does, or where they leave half of what the best single with its best
+  // partner does
   double with_best = 0;
   for (const ScreenedPair& p : s.pairs)
     for (size_t c : {p.first, p.second})
@@ -42,7 +41,7 @@ Round round_of(const Task& task, const State& now, size_t already, Choice& choic
   std::vector<Attempt> pairs;
   double rows = 0;
   for (const Window& w : now.seen) rows += static_cast<double>(w.length);
-  const size_t most = round.noise < kMostlyNoise
+  const size_t most = noise < kMostlyNoise
                           ? static_cast<size_t>(std::clamp(kPairRows / rows, 2.0, static_cast<double>(kPairTrials)))
                           : kPairTrialsInNoise;
   // of those that promise as much the simpler ones come first
@@ -67,9 +66,9 @@ Round round_of(const Task& task, const State& now, size_t already, Choice& choic
   }
   const Attempt* best = nullptr;
   for (const Attempt& t : pairs) {
-    if (!passes(t, already, round.noise)) continue;
+    if (!passes(t, already, noise)) continue;
     const bool better = best && (t.complexity == best->complexity ? whole_error(t) < whole_error(*best)
-                                                                  : clearly_better(t, *best, round.noise));
+                                                                  : clearly_better(t, *best, noise));
     if (!best || better) best = &t;
   }
   if (best && (!round.found || whole_error(*best) < 0.5 * whole_error(round.best)))

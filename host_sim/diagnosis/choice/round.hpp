@@ -6,14 +6,14 @@ namespace diagnosis::runs {
 
 struct Round {
   Attempt best;
-  double noise = 0;  // share of the squared residual that looks like it
   bool found = false;
 };
-// already: causes named before. Leaves the screen in `choice`.
-Round round_of(const Task& task, const State& now, size_t already, Choice& choice);
+// already: causes named before; left: what the model leaves; noise: the share of its squares that looks like it. Leaves
+// the screen in `choice`.
+Round round_of(const Task& task, const State& now, size_t already, const Left& left, double noise, Choice& choice);
 
-// The named causes again, each against every other candidate in its place beside the rest: drops one that is not needed any more, puts a better one
-// in its place, and lists those that do as well.
+// The named causes again, each against every other candidate in its place beside the rest: drops one that is not needed
+// any more, puts a better one in its place, and lists those that do as well.
 void weigh_rivals(const Task& task, const std::function<void(double)>& progress, Choice& choice);
 
 }  // namespace diagnosis::runs

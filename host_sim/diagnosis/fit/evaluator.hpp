@@ -40,8 +40,8 @@ class Evaluator {
   void moved(const Window& w, const Vec& change, Vec& state) const;  // state after a change of the nuisances
 
  private:
-  // Channels whose zero is free in every window: accelerations, and displacements that nothing drives (where a sensor's zero
-  // and a constant force are the same).
+  // Channels whose zero is free in every window: accelerations, and displacements that nothing drives (where a sensor's
+  // zero and a constant force are the same).
   bool has_offset(const MotionTrace& t) const { return t.quantity == 2 || (t.quantity == 0 && !driven_); }
   bool simulate(const Window& w, bool slopes, bool keep, WindowRun& out);
   void from_motion(const Window& w, bool slopes, WindowRun& out) const;

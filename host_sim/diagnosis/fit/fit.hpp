@@ -1,4 +1,5 @@
-// Output error over windows with free states: Gauss-Newton on the sum over channels of the logarithm of the mean square.
+// Output error over windows with free states: Gauss-Newton on the sum over channels of the logarithm of the mean
+// square.
 #pragma once
 #include "evaluator.hpp"
 
@@ -18,8 +19,8 @@ constexpr size_t kBlocks = 24;         // that influences are taken over: fewer 
 constexpr size_t kEnoughWindows = 12;  // with free states of their own they are blocks that share nothing
 size_t parts_for(size_t windows);      // blocks per window
 
-// How each parameter is determined: influences of blocks, corrected for leverage; where there are windows enough, those of
-// whole windows too, and the wider counts (neighbouring blocks share what a model lacks).
+// How each parameter is determined: influences of blocks, corrected for leverage; where there are windows enough, those
+// of whole windows too, and the wider counts (neighbouring blocks share what a model lacks).
 struct Determined {
   double std = 0;  // of the parameter, so that value +- 1.96 std is its 95 % interval
   double z = 0;    // of a coefficient: value over standard error with all shapes held, as a normal deviate

@@ -14,6 +14,7 @@ constexpr double kSamplesPerTop = 24;  // of the fastest motion: one Runge-Kutta
 constexpr double kPowerBelowTop = 0.999;
 constexpr double kPowerOfDisplacement = 0.9999;  // its velocity, on which friction acts, is faster
 constexpr Index kLeast = 100;
+constexpr double kMedianOfSpread = 0.693;  // of an exponential law, per mean
 
 double rms_about_mean(const Vec& y) { return std::sqrt((y.array() - y.mean()).square().mean()); }
 
@@ -28,7 +29,7 @@ double top_frequency(const Vec& y, double step_s, bool displacement) {
   Vec p = Fourier(n).forward(w).cwiseAbs2();
   std::vector<double> upper(p.data() + p.size() / 2, p.data() + p.size());
   std::nth_element(upper.begin(), upper.begin() + static_cast<std::ptrdiff_t>(upper.size() / 2), upper.end());
-  const double floor = upper[upper.size() / 2] / 0.69;  // median of an exponential spread
+  const double floor = upper[upper.size() / 2] / kMedianOfSpread;
   // smoothed over 9 bins, less the floor
   double total = 0;
   Vec net = Vec::Zero(p.size());
@@ -251,11 +252,23 @@ std::vector<Prepared> prepare_all(const rig_file::RigModel& rig, const std::vect
     step_s = std::min(step_s, r.sample_period_s * needs.back().by);
   }
   std::vector<Prepared> list;
+  double begins_s = 0;
   for (size_t i = 0; i < records.size(); ++i) {
     needs[i].by = std::max(1, static_cast<int>(step_s / records[i].sample_period_s + 1e-6));
     list.push_back(prepare_by(rig, records[i], needs[i]));
+    list[i].middle_s = begins_s + 0.5 * list[i].time_s(list[i].samples);
+    begins_s += list[i].time_s(list[i].samples);
   }
   return list;
+}
+
+double noise_level(const Vec& f) {
+  if (f.size() == 0 || f.cwiseAbs().maxCoeff() == 0) return 0;
+  const size_t n = fast_length(static_cast<size_t>(f.size()));
+  const Vec power = Fourier(n).forward(f.head(static_cast<Index>(n))).cwiseAbs2() / static_cast<double>(n);
+  std::vector<double> top(power.data() + power.size() * 2 / 3, power.data() + power.size() * 4 / 5);
+  std::nth_element(top.begin(), top.begin() + static_cast<std::ptrdiff_t>(top.size() / 2), top.end());
+  return std::sqrt(top[top.size() / 2] / kMedianOfSpread);
 }
 
 double between(const Vec& y, Index sample, double share) {

@@ -1,5 +1,5 @@
-// A record made ready for simulation: every channel low-passed and thinned out to what its motion needs, and a first guess
-// of displacement, velocity and acceleration of every DOF.
+// A record made ready for simulation: every channel low-passed and thinned out to what its motion needs, and a first
+// guess of displacement, velocity and acceleration of every DOF.
 #pragma once
 #include <Eigen/Core>
 #include <array>
@@ -39,6 +39,7 @@ struct Prepared {
   std::string file;
   double step_s = 0;
   double read_every_s = 0;  // of the record, before it was thinned out
+  double middle_s = 0;      // of this record, from the beginning of the first, as if no time had passed between them
   Index samples = 0;
   double period_s = 0;  // of the motion: 2 pi rms(x) / rms(v)
   double top_Hz = 0;    // highest frequency of the motion
@@ -57,6 +58,10 @@ std::vector<Prepared> prepare_all(const rig_file::RigModel& rig, const std::vect
 
 // The guess of the base from its readings.
 void renew_base(Prepared& record);
+
+// Standard deviation of a drive channel's noise: white at the level of the top of its band (what drives may act above the
+// motion's band, and a thinned record ends early). 0 for a channel of noughts.
+double noise_level(const Vec& drive);
 
 // Delays `y` by a whole or broken number of samples (six-point interpolation; ends repeat).
 Vec delayed(const Vec& y, double samples);

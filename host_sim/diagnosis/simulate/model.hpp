@@ -27,6 +27,13 @@ std::vector<Parameter> parameters_of(const Model& model);
 // Whether a negative coefficient has no physical sense.
 bool positive(Kind kind);
 
+// Time constant of a drift from record to record, constant within each: warming.
+constexpr double kAcrossRecords = -1;
+// The time that a law with this shape counts, from that within a record.
+inline double law_time(double t_s, double shape, const Prepared& record) {
+  return shape == kAcrossRecords ? record.middle_s : t_s;
+}
+
 // Force of a law with coefficient one (positive against the motion) and its slopes. t_s: time since the record's start.
 struct LawValue {
   double force = 0, by_u = 0, by_w = 0, by_log_shape = 0, by_phase = 0;

@@ -265,7 +265,8 @@ void Simulator::accelerations(const Vec& y, const Outside& o, Vec& acc, bool slo
                2 * omega * omega * u + 2 * e.shape2 * omega * w});
       continue;
     }
-    pull(e, e.linear ? LawValue{e.by_u * u + e.by_w * w, e.by_u, e.by_w} : law(e.kind, u, w, o.t_s, e.shape, e.shape2));
+    const double time = law_time(o.t_s, e.shape, record_);
+    pull(e, e.linear ? LawValue{e.by_u * u + e.by_w * w, e.by_u, e.by_w} : law(e.kind, u, w, time, e.shape, e.shape2));
   }
   for (const Friction& f : friction_) {
     if (f.sign == 0) continue;
@@ -558,7 +559,7 @@ void Simulator::forces_of_motion(const Mat& x, const Mat& v, const Mat& a, Mat& 
         const double share = e.kind == Kind::kStribeck ? std::exp(-std::abs(w) / e.shape) : 1;
         f.force = sign * share, f.by_log_shape = e.kind == Kind::kStribeck ? sign * share * std::abs(w) / e.shape : 0;
       } else {
-        f = law(e.kind, u, w, record_.time_s(k), e.shape, e.shape2);
+        f = law(e.kind, u, w, law_time(record_.time_s(k), e.shape, record_), e.shape, e.shape2);
       }
       for (int side = 0; side < 2; ++side) {
         const int node = side == 0 ? e.a : e.b;

@@ -1,9 +1,9 @@
 // One model on one record: free runs with their exact sensitivities to states and parameters.
 //
 // State y = [x of every node | v of every node | z of every presliding term]; nodes are the DOFs and the hidden masses.
-// Between two events the right-hand side is smooth and one Runge-Kutta step of order 4 goes from instant to instant; a link
-// whose rate passes zero stops there, sticks where its friction holds it, and slides on else. The sensitivities jump there
-// as the trajectory's kink demands (saltation matrix).
+// Between two events the right-hand side is smooth and one Runge-Kutta step of order 4 goes from instant to instant; a
+// link whose rate passes zero stops there, sticks where its friction holds it, and slides on else. The sensitivities
+// jump there as the trajectory's kink demands (saltation matrix).
 #pragma once
 #include <array>
 
