@@ -12,7 +12,6 @@ namespace {
 
 constexpr double kAboveMotion = 1.4;       // times its highest frequency: the band that shows noise alone
 constexpr double kMedianOfSpread = 0.693;  // of an exponential law, per mean
-
 constexpr double kBeyondNoise = 3;      // in the band of the motion over beside it: 0.95 to 1.05 on complete drawn rigs
 constexpr double kGoesWithMotion = 3;   // standard errors
 constexpr double kLine = 25;            // over the level around: chance makes one in e^25 of a spectrum's bins
@@ -82,11 +81,12 @@ double over_level_around(const Vec& power, Index i) {
 // What drives the rig, laid end to end as the residuals are.
 std::vector<Vec> drives(const std::vector<Prepared>& records, const std::vector<Window>& windows) {
   std::vector<Vec> list;
-  for (size_t d = 0; d <= records[0].force.size(); ++d) {
+  const size_t forces = records[0].force.size();
+  for (size_t d = 0; d < forces + records[0].base.reading.size(); ++d) {
     std::vector<double> rows;
     for (const Window& w : windows) {
       const Prepared& p = records[w.record];
-      const Vec& y = d < p.force.size() ? p.force[d] : p.guess.back().x;
+      const Vec& y = d < forces ? p.force[d] : p.base.reading[d - forces];
       for (Index k = 0; y.size() && k < w.length; ++k) rows.push_back(y[w.from + k]);
     }
     if (!rows.empty()) list.push_back(spectrum(rows));
