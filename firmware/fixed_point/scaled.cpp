@@ -47,22 +47,20 @@ Scaled Scaled::from_int(int64_t value, int32_t exponent) { return normalised(mag
 
 Scaled Scaled::ratio(int64_t numerator, int64_t denominator) { return from_int(numerator) / from_int(denominator); }
 
-Scaled operator+(Scaled a, Scaled b) {
+Scaled operator+(const Scaled& a, const Scaled& b) {
   if (a.mantissa == 0) return b;
   if (b.mantissa == 0) return a;
-  if (a.exponent < b.exponent) {
-    const Scaled swap = a;
-    a = b;
-    b = swap;
-  }
-  const int32_t distance = a.exponent - b.exponent;
-  if (distance > kMantissaBits) return a;
-  const int64_t aligned = distance == 0 ? b.mantissa : (b.mantissa >> distance) + ((b.mantissa >> (distance - 1)) & 1);
-  return Scaled::from_int(a.mantissa + aligned, a.exponent);
+  const bool swapped = a.exponent < b.exponent;
+  const Scaled &larger = swapped ? b : a, &smaller = swapped ? a : b;
+  const int32_t distance = larger.exponent - smaller.exponent;
+  if (distance > kMantissaBits) return larger;
+  const int64_t aligned =
+      distance == 0 ? smaller.mantissa : (smaller.mantissa >> distance) + ((smaller.mantissa >> (distance - 1)) & 1);
+  return Scaled::from_int(larger.mantissa + aligned, larger.exponent);
 }
 
-Scaled operator-(Scaled a) { return {-a.mantissa, a.exponent}; }
-Scaled operator-(Scaled a, Scaled b) { return a + (-b); }
+Scaled operator-(const Scaled& a) { return {-a.mantissa, a.exponent}; }
+Scaled operator-(const Scaled& a, const Scaled& b) { return a + (-b); }
 
 // Of two normal mantissas.
 [[gnu::always_inline]] static inline Scaled product(uint64_t a, uint64_t b, int32_t exponent, bool negative) {
@@ -81,20 +79,20 @@ Scaled operator-(Scaled a, Scaled b) { return a + (-b); }
   return limited(value, exponent, negative);
 }
 
-Scaled operator*(Scaled a, Scaled b) {
+Scaled operator*(const Scaled& a, const Scaled& b) {
   if (a.mantissa == 0 || b.mantissa == 0) return {};
   return product(magnitude(a.mantissa), magnitude(b.mantissa), a.exponent + b.exponent,
                  (a.mantissa < 0) != (b.mantissa < 0));
 }
 
-Scaled times(Scaled a, int64_t n) {
+Scaled times(const Scaled& a, int64_t n) {
   if (a.mantissa == 0 || n == 0) return {};
   const uint64_t value = magnitude(n);
   const int shift = leading_zeros(value) - (64 - kMantissaBits);
   return product(magnitude(a.mantissa), value << shift, a.exponent - shift, (a.mantissa < 0) != (n < 0));
 }
 
-Scaled operator/(Scaled a, Scaled b) {
+Scaled operator/(const Scaled& a, const Scaled& b) {
   if (a.mantissa == 0) return {};
   const bool negative = (a.mantissa < 0) != (b.mantissa < 0);
   if (b.mantissa == 0) return {with_sign(static_cast<uint64_t>(kLargestMantissa), a.mantissa < 0), kExponentLimit};
@@ -105,7 +103,7 @@ Scaled operator/(Scaled a, Scaled b) {
   return normalised(quotient, a.exponent - b.exponent - kMantissaBits + halve, negative);
 }
 
-Scaled sqrt(Scaled a) {
+Scaled sqrt(const Scaled& a) {
   if (a.mantissa <= 0) return {};
   // Even exponent: mantissa * 2^(60 - drop) = radicand * 2^56 has 119 or 120 bits, its root 60.
   const int drop = (a.exponent & 1) ? 3 : 2;
@@ -113,21 +111,21 @@ Scaled sqrt(Scaled a) {
   return normalised(root, (a.exponent + drop - 60) / 2, false);
 }
 
-Scaled abs(Scaled a) { return a.mantissa < 0 ? -a : a; }
+Scaled abs(const Scaled& a) { return a.mantissa < 0 ? -a : a; }
 
-Scaled scale_by_power_of_two(Scaled a, int32_t power) {
+Scaled scale_by_power_of_two(const Scaled& a, int32_t power) {
   return a.mantissa == 0 ? a : normalised(magnitude(a.mantissa), a.exponent + power, a.mantissa < 0);
 }
 
-bool operator<(Scaled a, Scaled b) { return (a - b).mantissa < 0; }
-bool operator>(Scaled a, Scaled b) { return b < a; }
-bool operator<=(Scaled a, Scaled b) { return !(b < a); }
-bool operator>=(Scaled a, Scaled b) { return !(a < b); }
-bool operator==(Scaled a, Scaled b) {
+bool operator<(const Scaled& a, const Scaled& b) { return (a - b).mantissa < 0; }
+bool operator>(const Scaled& a, const Scaled& b) { return b < a; }
+bool operator<=(const Scaled& a, const Scaled& b) { return !(b < a); }
+bool operator>=(const Scaled& a, const Scaled& b) { return !(a < b); }
+bool operator==(const Scaled& a, const Scaled& b) {
   return a.mantissa == b.mantissa && (a.mantissa == 0 || a.exponent == b.exponent);
 }
 
-int64_t to_fixed(Scaled a, int32_t fraction_bits) {
+int64_t to_fixed(const Scaled& a, int32_t fraction_bits) {
   if (a.mantissa == 0) return 0;
   const int64_t shift = static_cast<int64_t>(a.exponent) + fraction_bits;
   if (shift >= 1) return a.mantissa < 0 ? -kLargestMantissa : kLargestMantissa;
@@ -138,6 +136,6 @@ int64_t to_fixed(Scaled a, int32_t fraction_bits) {
   return with_sign((value >> drop) + ((value >> (drop - 1)) & 1u), a.mantissa < 0);
 }
 
-int32_t log2_floor(Scaled a) { return a.mantissa == 0 ? INT32_MIN : a.exponent + kMantissaBits - 1; }
+int32_t log2_floor(const Scaled& a) { return a.mantissa == 0 ? INT32_MIN : a.exponent + kMantissaBits - 1; }
 
 }  // namespace firmware

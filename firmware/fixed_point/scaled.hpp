@@ -23,24 +23,25 @@ struct Scaled {
 };
 #pragma pack(pop)
 
-Scaled operator+(Scaled a, Scaled b);
-Scaled operator-(Scaled a, Scaled b);
-Scaled operator-(Scaled a);
-Scaled operator*(Scaled a, Scaled b);
-Scaled times(Scaled a, int64_t n);     // a * Scaled::from_int(n) with fewer steps; |n| < 2^62
-Scaled operator/(Scaled a, Scaled b);  // b == 0 gives the largest value with a's sign: callers test is_zero() first
-Scaled sqrt(Scaled a);                 // a < 0 gives 0
-Scaled abs(Scaled a);
-Scaled scale_by_power_of_two(Scaled a, int32_t power);
-bool operator<(Scaled a, Scaled b);
-bool operator>(Scaled a, Scaled b);
-bool operator<=(Scaled a, Scaled b);
-bool operator>=(Scaled a, Scaled b);
-bool operator==(Scaled a, Scaled b);
+Scaled operator+(const Scaled& a, const Scaled& b);
+Scaled operator-(const Scaled& a, const Scaled& b);
+Scaled operator-(const Scaled& a);
+Scaled operator*(const Scaled& a, const Scaled& b);
+Scaled times(const Scaled& a, int64_t n);  // a * Scaled::from_int(n) with fewer steps; |n| < 2^62
+Scaled operator/(const Scaled& a,
+                 const Scaled& b);  // b == 0 gives the largest value with a's sign: callers test is_zero() first
+Scaled sqrt(const Scaled& a);       // a < 0 gives 0
+Scaled abs(const Scaled& a);
+Scaled scale_by_power_of_two(const Scaled& a, int32_t power);
+bool operator<(const Scaled& a, const Scaled& b);
+bool operator>(const Scaled& a, const Scaled& b);
+bool operator<=(const Scaled& a, const Scaled& b);
+bool operator>=(const Scaled& a, const Scaled& b);
+bool operator==(const Scaled& a, const Scaled& b);
 
 // a * 2^fraction_bits rounded to nearest (halves away from zero), saturated to +-(2^62 - 1).
-int64_t to_fixed(Scaled a, int32_t fraction_bits);
+int64_t to_fixed(const Scaled& a, int32_t fraction_bits);
 // floor(log2 |a|); a == 0 gives the smallest int32.
-int32_t log2_floor(Scaled a);
+int32_t log2_floor(const Scaled& a);
 
 }  // namespace firmware
