@@ -41,8 +41,8 @@ class EstimatorCore {
   const Estimates& estimates() const { return estimates_; }  // of the last solve
   const CoreHealth& health() const { return health_; }
   const BatchTable& table() const { return table_; }
-  // Of the last solve: how the estimates move together (their correlation is that of (R^T R)^-1).
-  const TriangularFactor& factor() const { return memory_.fit.factor(); }
+  // Of the last solve: how the estimates move together.
+  const NormalEquations& normal_equations() const { return memory_.fit.equations(); }
   const ScoreTests& score_tests() const { return tests_; }
 #if FIRMWARE_WARRANT_NUMBERS > 0
   const ScoreSums& score_sums() const { return tests_.sums(); }

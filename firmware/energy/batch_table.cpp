@@ -7,6 +7,7 @@ namespace {
 constexpr int kPackedMantissaBits = 48;  // sign included
 constexpr int kDroppedBits = 15;         // 62-bit magnitude to 47
 constexpr int kScaledBits = 62;
+constexpr int64_t kLowest = -(int64_t{1} << (kPackedMantissaBits - 1));  // not normal: its magnitude has 48 bits
 }  // namespace
 
 PackedScaled pack(Scaled value) {
@@ -24,12 +25,15 @@ PackedScaled pack(Scaled value) {
 }
 
 Scaled unpack(PackedScaled packed) {
-  return Scaled::from_int(packed.bits >> 16, static_cast<int16_t>(packed.bits & 0xffff));
+  const int64_t mantissa = packed.bits >> 16;
+  const int32_t exponent = static_cast<int16_t>(packed.bits & 0xffff);
+  if (mantissa == 0) return {};
+  if (mantissa == kLowest) return Scaled::from_int(mantissa, exponent);
+  return {mantissa * (int64_t{1} << kDroppedBits), exponent - kDroppedBits};
 }
 
 // Both mantissas are normal, 47 bits; Scaled's are these times 2^15.
 PackedScaled operator+(PackedScaled a, PackedScaled b) {
-  constexpr int64_t kLowest = -(int64_t{1} << (kPackedMantissaBits - 1));  // not normal: its magnitude has 48 bits
   int64_t left = a.bits >> 16, right = b.bits >> 16;
   if (left == kLowest || right == kLowest) return pack(unpack(a) + unpack(b));
   if (left == 0) return b;

@@ -56,7 +56,23 @@ Scaled operator+(const Scaled& a, const Scaled& b) {
   if (distance > kMantissaBits) return larger;
   const int64_t aligned =
       distance == 0 ? smaller.mantissa : (smaller.mantissa >> distance) + ((smaller.mantissa >> (distance - 1)) & 1);
-  return Scaled::from_int(larger.mantissa + aligned, larger.exponent);
+  const int64_t sum = larger.mantissa + aligned;
+  if (sum == 0) return {};
+  uint64_t value = magnitude(sum);  // below 2^63
+  int32_t exponent = larger.exponent;
+  const int shift = leading_zeros(value) - (64 - kMantissaBits);
+  if (shift >= 0) {
+    value <<= shift;
+    exponent -= shift;
+  } else {
+    value = (value >> 1) + (value & 1u);
+    ++exponent;
+    if (value >> kMantissaBits) {
+      value >>= 1;
+      ++exponent;
+    }
+  }
+  return limited(value, exponent, sum < 0);
 }
 
 Scaled operator-(const Scaled& a) { return {-a.mantissa, a.exponent}; }
@@ -109,6 +125,14 @@ Scaled sqrt(const Scaled& a) {
   const int drop = (a.exponent & 1) ? 3 : 2;
   const uint64_t root = nearest_root(static_cast<uint64_t>(a.mantissa) << (4 - drop));
   return normalised(root, (a.exponent + drop - 60) / 2, false);
+}
+
+Scaled inverse_root(const Scaled& a) {
+  if (a.mantissa <= 0) return {};
+  // a = z 2^(exponent - n), z = mantissa 2^n / 2^32 of 31 or 32 bits, the exponent even.
+  const int up = (a.exponent & 1) ? 1 : 2;
+  const uint32_t z = static_cast<uint32_t>((static_cast<uint64_t>(a.mantissa) << up) >> 32);
+  return Scaled::from_int(reciprocal_root(z), -30 - (a.exponent - up + 64) / 2);
 }
 
 Scaled abs(const Scaled& a) { return a.mantissa < 0 ? -a : a; }

@@ -29,8 +29,9 @@ Scaled operator-(const Scaled& a);
 Scaled operator*(const Scaled& a, const Scaled& b);
 Scaled times(const Scaled& a, int64_t n);  // a * Scaled::from_int(n) with fewer steps; |n| < 2^62
 Scaled operator/(const Scaled& a,
-                 const Scaled& b);  // b == 0 gives the largest value with a's sign: callers test is_zero() first
-Scaled sqrt(const Scaled& a);       // a < 0 gives 0
+                 const Scaled& b);     // b == 0 gives the largest value with a's sign: callers test is_zero() first
+Scaled sqrt(const Scaled& a);          // a < 0 gives 0
+Scaled inverse_root(const Scaled& a);  // 1 / sqrt(a) to 2^-28 of itself, in a tenth of the steps; a <= 0 gives 0
 Scaled abs(const Scaled& a);
 Scaled scale_by_power_of_two(const Scaled& a, int32_t power);
 bool operator<(const Scaled& a, const Scaled& b);

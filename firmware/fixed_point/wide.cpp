@@ -28,8 +28,9 @@ uint64_t reciprocal(uint64_t d) {
   return (second << 31) + static_cast<uint64_t>((static_cast<int64_t>(second) * second_error) >> 27);
 }
 
-// 2^30 / sqrt(z / 2^32) for 2^30 <= z < 2^32, off by less than 2^-28 of itself: a line, 2^-3.7 off at its worst, and four
-// of Newton's steps y (3 - z y^2) / 2.
+}  // namespace
+
+// A line, 2^-3.7 off at its worst, and four of Newton's steps y (3 - z y^2) / 2.
 uint32_t reciprocal_root(uint32_t z) {
   // 2.13 - 1.21 z on [1/4, 1]
   uint32_t y = static_cast<uint32_t>(2287070085u - ((uint64_t{1299227607u} * z) >> 32));
@@ -39,21 +40,6 @@ uint32_t reciprocal_root(uint32_t z) {
     y = static_cast<uint32_t>((static_cast<uint64_t>(y) * ((uint32_t{3} << 29) - product)) >> 30);
   }
   return y;
-}
-
-}  // namespace
-
-Wide multiply(uint64_t a, uint64_t b) {
-#if defined(__SIZEOF_INT128__) && !defined(FIRMWARE_WITHOUT_INT128)
-  const unsigned __int128 product = static_cast<unsigned __int128>(a) * b;
-  return {static_cast<uint64_t>(product >> 64), static_cast<uint64_t>(product)};
-#else
-  const uint64_t a_low = a & 0xffffffffu, a_high = a >> 32, b_low = b & 0xffffffffu, b_high = b >> 32;
-  const uint64_t low = a_low * b_low;
-  const uint64_t middle = a_high * b_low + (low >> 32);
-  const uint64_t cross = a_low * b_high + (middle & 0xffffffffu);
-  return {a_high * b_high + (middle >> 32) + (cross >> 32), (cross << 32) | (low & 0xffffffffu)};
-#endif
 }
 
 uint64_t divide_fraction(uint64_t numerator, uint64_t denominator) {

@@ -12,10 +12,24 @@ struct Wide {  // high * 2^64 + low
   uint64_t high, low;
 };
 
-Wide multiply(uint64_t a, uint64_t b);
+inline Wide multiply(uint64_t a, uint64_t b) {
+#if defined(__SIZEOF_INT128__) && !defined(FIRMWARE_WITHOUT_INT128)
+  const unsigned __int128 product = static_cast<unsigned __int128>(a) * b;
+  return {static_cast<uint64_t>(product >> 64), static_cast<uint64_t>(product)};
+#else
+  const uint64_t a_low = a & 0xffffffffu, a_high = a >> 32, b_low = b & 0xffffffffu, b_high = b >> 32;
+  const uint64_t low = a_low * b_low;
+  const uint64_t middle = a_high * b_low + (low >> 32);
+  const uint64_t cross = a_low * b_high + (middle & 0xffffffffu);
+  return {a_high * b_high + (middle >> 32) + (cross >> 32), (cross << 32) | (low & 0xffffffffu)};
+#endif
+}
 
 // floor(numerator * 2^62 / denominator) for numerator < denominator, 2^61 <= denominator < 2^63.
 uint64_t divide_fraction(uint64_t numerator, uint64_t denominator);
+
+// 2^30 / sqrt(z / 2^32) for 2^30 <= z < 2^32, off by less than 2^-28 of itself.
+uint32_t reciprocal_root(uint32_t z);
 
 // The whole number nearest to sqrt(radicand * 2^56), 2^62 <= radicand < 2^64: 2^59 <= root <= 2^60.
 uint64_t nearest_root(uint64_t radicand);

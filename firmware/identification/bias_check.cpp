@@ -3,67 +3,75 @@
 namespace firmware {
 namespace {
 
-// Plain minus instrumented residual of a velocity equation in one batch, at the same parameters.
-Scaled residual_change(const EquationList& list, const BatchTable& table, const Batch& batch, int e, const Scaled* p) {
-  if (e >= list.dof_count) return {};
-  const Equation plain = {list.equation[e].dof, Weight::kPlain};
-  return batch_residual(table.layout, batch, plain, p) - batch_residual(table.layout, batch, list.equation[e], p);
-}
+void add_moment(PackedScaled& place, const Scaled& moment) { place = place + pack(moment); }
 
-Scaled whitened_change(const EquationList& list, const BatchTable& table, const LevelObservables& level,
-                       const Whitening& whitening, const Batch& batch, int b, int e, const Scaled* p) {
-  Scaled change = level.inverse_scale(b, list.equation[e].dof) * residual_change(list, table, batch, e, p);
-  for (int j = 0; j < whitening.count; ++j) {
-    if (whitening.observable[j] < kMaxControls) continue;
-    const int other = whitening.observable[j] - kMaxControls;
-    change = change - whitening.coefficient[j] * level.inverse_scale(b, list.equation[other].dof) *
-                          residual_change(list, table, batch, other, p);
-  }
-  return change / whitening.deviation;
-}
-
-void add_equation(const EquationList& list, const BatchTable& table, const LevelObservables& level, int l, int e,
-                  const WeightedFit& fit, Scaled (&shift)[kMaxBatches][kMaxUnknowns]) {
-  const Whitening& whitening = fit.whitening(l, e);
+// Each batch's change of the right-hand sides, times the columns of its rows.
+void add_equation(const EquationList& list, const LevelColumns& level, const Whitening& whitening, int e,
+                  WeightedFit& fit, BiasCheck& check) {
+  if (whitening.deviation.is_zero()) return;
+  const ReducedRows& rows = fit.reduce(whitening, e, false);
+  const BatchColumn change = rows.residual();
+  const Scaled weight = Scaled::from_int(1) / (whitening.deviation * whitening.deviation);
   Row row;
-  Scaled gain[kMaxUnknowns];
-  bool usable = level.periodic() && whitened_row(list, level, whitening, e, -1, row);
-  if (usable) fit.factor().apply_covariance(row.column, gain);
+  if (level.periodic() && !whitened_level_row(list, level, whitening, e, row)) return;
   for (int b = 0; b < level.batch_count(); ++b) {
-    if (!level.periodic()) {
-      usable = whitened_row(list, level, whitening, e, b, row);
-      if (usable) fit.factor().apply_covariance(row.column, gain);
+    if (change.value[b] == 0) continue;
+    if (level.periodic()) {
+      const Scaled whitened = Scaled::from_int(change.value[b], change.exponent) / whitening.deviation;
+      for (int k = 0; k < list.unknown_count; ++k) add_moment(check.moment[b][k], row.column[k] * whitened);
+      continue;
     }
-    if (!usable) continue;
-    const Scaled change =
-        whitened_change(list, table, level, whitening, table.level[l].batch[b], b, e, fit.parameters());
-    for (int k = 0; k < list.unknown_count; ++k) shift[b][k] = shift[b][k] + gain[k] * change;
+    for (int j = 0; j < rows.unknowns; ++j) {
+      const int64_t product = static_cast<int64_t>(rows.value[j][b]) * change.value[b];
+      add_moment(check.moment[b][rows.unknown[j]],
+                 Scaled::from_int(product, rows.exponent[j] + change.exponent) * weight);
+    }
+  }
+}
+
+// Sum over the batches of what each shifts the parameters by, and its variance by their scatter.
+void add_level(const EquationList& list, const NormalEquations& equations, int batches, BiasCheck& check) {
+  Scaled moment[kMaxUnknowns], shift[kMaxUnknowns], sum[kMaxUnknowns], squares[kMaxUnknowns];
+  for (int b = 0; b < batches; ++b) {
+    for (int k = 0; k < list.unknown_count; ++k) moment[k] = unpack(check.moment[b][k]);
+    equations.apply_covariance(moment, shift);
+    for (int k = 0; k < list.unknown_count; ++k) {
+      sum[k] = sum[k] + shift[k];
+      squares[k] = squares[k] + shift[k] * shift[k];
+    }
+  }
+  for (int k = 0; k < list.unknown_count; ++k) {
+    check.difference[k] = check.difference[k] + sum[k];
+    const Scaled of_mean = sum[k] * sum[k] / Scaled::from_int(batches);
+    check.deviation[k] =
+        check.deviation[k] + (batches > 1 ? (squares[k] - of_mean) * Scaled::ratio(batches, batches - 1) : of_mean);
   }
 }
 
 }  // namespace
 
-void compare_with_plain(const EquationList& list, const BatchTable& table, WeightedFit& fit, BiasCheck& result) {
+void begin_comparison(BiasCheck& result) {
   for (int k = 0; k < kMaxUnknowns; ++k) result.difference[k] = result.deviation[k] = Scaled{};
-  if (!list.instrument) return;
-  Scaled variance[kMaxUnknowns];
-  auto& shift = result.shift;
-  for (int l = 0; l < table.level_count; ++l) {
-    const LevelObservables& level = fit.load_level(l);
-    const int n = level.batch_count();
-    for (int b = 0; b < n; ++b)
-      for (int k = 0; k < list.unknown_count; ++k) shift[b][k] = Scaled{};
-    for (int e = 0; e < list.count; ++e) add_equation(list, table, level, l, e, fit, shift);
-    for (int k = 0; k < list.unknown_count && n > 0; ++k) {
-      Scaled sum, squares;
-      for (int b = 0; b < n; ++b) sum = sum + shift[b][k];
-      const Scaled mean = sum / Scaled::from_int(n);
-      for (int b = 0; b < n; ++b) squares = squares + (shift[b][k] - mean) * (shift[b][k] - mean);
-      result.difference[k] = result.difference[k] + sum;
-      variance[k] = variance[k] + (n > 1 ? squares * Scaled::ratio(n, n - 1) : sum * sum);
-    }
-  }
-  for (int k = 0; k < list.unknown_count; ++k) result.deviation[k] = sqrt(variance[k]);
+}
+
+void compare_with_plain(const EquationList& list, LevelColumns& level, int l, WeightedFit& fit, BiasCheck& result) {
+  const int batches = level.batch_count();
+  if (!list.instrument || batches == 0) return;
+  // What the residual of a velocity equation changes by where it is weighted with the plain velocity.
+  level.load_changes([&](const Batch& batch, int e) {
+    if (e >= list.dof_count) return Scaled{};
+    const Equation plain = {list.equation[e].dof, Weight::kPlain};
+    return batch_residual(fit.layout(), batch, plain, fit.parameters()) -
+           batch_residual(fit.layout(), batch, list.equation[e], fit.parameters());
+  });
+  for (int b = 0; b < batches; ++b)
+    for (int k = 0; k < list.unknown_count; ++k) result.moment[b][k] = PackedScaled{};
+  for (int e = 0; e < list.count; ++e) add_equation(list, level, fit.whitening(l, e), e, fit, result);
+  add_level(list, fit.equations(), batches, result);
+}
+
+void end_comparison(const EquationList& list, BiasCheck& result) {
+  for (int k = 0; k < list.unknown_count; ++k) result.deviation[k] = sqrt(result.deviation[k]);
 }
 
 bool bias_suspect(const BiasCheck& check, int unknown, const ParameterEstimate& parameter) {

@@ -16,14 +16,14 @@ Scaled normalise(Scaled* vector, int size) {
   return norm;
 }
 
-void start_vector(const TriangularFactor& factor, Scaled* vector) {
+void start_vector(const NormalEquations& factor, Scaled* vector) {
   for (int k = 0; k < factor.unknowns(); ++k)
     vector[k] =
         factor.determined(k) ? Scaled::from_int(1 + (k * 7) % 5) : Scaled{};  // not orthogonal to anything likely
 }
 
 // Largest singular value of R D^-1, D the column norms.
-Scaled largest_singular_value(const TriangularFactor& factor, const Scaled* norm) {
+Scaled largest_singular_value(const NormalEquations& factor, const Scaled* norm) {
   const int n = factor.unknowns();
   Scaled vector[kMaxUnknowns], middle[kMaxUnknowns], square;
   start_vector(factor, vector);
@@ -46,7 +46,7 @@ Scaled largest_singular_value(const TriangularFactor& factor, const Scaled* norm
 }
 
 // Smallest singular value of R D^-1 and its right singular vector, by inverse iteration.
-Scaled smallest_singular_value(const TriangularFactor& factor, const Scaled* norm, Scaled* vector) {
+Scaled smallest_singular_value(const NormalEquations& factor, const Scaled* norm, Scaled* vector) {
   const int n = factor.unknowns();
   Scaled scaled[kMaxUnknowns], square;
   start_vector(factor, vector);
@@ -62,7 +62,7 @@ Scaled smallest_singular_value(const TriangularFactor& factor, const Scaled* nor
 
 }  // namespace
 
-void judge_identifiability(TriangularFactor& factor, const Scaled* parameters, Identifiability& result) {
+void judge_identifiability(NormalEquations& factor, const Scaled* parameters, Identifiability& result) {
   const int n = factor.unknowns();
   Scaled norm[kMaxUnknowns];
   factor.invert();

@@ -6,7 +6,7 @@
 // changes the parameter by its own size, however small the noise is: ILL_CONDITIONED. (The paper's 3-DOF rig: 2 with
 // two frequencies, 400 to 560 with one.)
 #pragma once
-#include "firmware/identification/givens.hpp"
+#include "firmware/identification/normal_equations.hpp"
 
 namespace firmware {
 
@@ -24,6 +24,6 @@ struct Identifiability {
 };
 
 // factor: all rows are in; it is inverted here.
-void judge_identifiability(TriangularFactor& factor, const Scaled* parameters, Identifiability& result);
+void judge_identifiability(NormalEquations& factor, const Scaled* parameters, Identifiability& result);
 
 }  // namespace firmware

@@ -66,12 +66,19 @@ void identify(const CoreConfiguration& configuration, const BatchTable& table, I
   ++estimates.window_counter;
   const EquationList list = list_equations(configuration, table);
   fit.solve(list, table);
-  estimate_uncertainty(list, table, fit, estimates);
+  UncertaintySums sums;
+  begin_comparison(bias);
+  for (int l = 0; l < table.level_count; ++l) {
+    LevelColumns& level = fit.load_level(l);
+    add_uncertainty(list, level, l, fit, sums);
+    compare_with_plain(list, level, l, fit, bias);
+  }
+  report_uncertainty(list, fit, sums, estimates);
   add_noise_doubt(configuration, list, table, fit, estimates);
   take_out_regressor_noise(list, table, fit, estimates);
+  end_comparison(list, bias);
   estimates.condition_number = fit.identifiability().condition_number;
   measure_skew(list, table, estimates);
-  compare_with_plain(list, table, fit, bias);
   for (int k = 0; k < list.unknown_count; ++k) {
     ParameterEstimate& parameter = estimates.parameters[k];
     parameter.variance_inflation = fit.identifiability().inflation[k];

@@ -37,67 +37,47 @@ Scaled counted_time(const BatchTable& table, const Batch& batch, int dof) {
   return all > Scaled{} && counted > Scaled{} ? time * counted / all : time;
 }
 
-class Doubt {
- public:
-  Doubt(const CoreConfiguration& configuration, const EquationList& list, const BatchTable& table, WeightedFit& fit,
-        const Estimates& estimates)
-      : list_(list), table_(table), fit_(fit) {
-    for (int e = 0; e < list.count; ++e)
-      power_[e] =
-          doubtful_power(configuration, list.equation[e].dof, static_cast<int>(list.equation[e].weight), estimates);
-  }
-  void add_level(int l) {
-    const LevelObservables& level = fit_.load_level(l);
-    for (int e = 0; e < list_.count; ++e) add_equation(level, l, e);
-  }
-  const Scaled& shift(int unknown) const { return shift_[unknown]; }
-
- private:
-  void add_equation(const LevelObservables& level, int l, int e) {
-    const Whitening& whitening = fit_.whitening(l, e);
-    Row row;
-    Scaled gain[kMaxUnknowns];
-    bool usable = level.periodic() && whitened_row(list_, level, whitening, e, -1, row);
-    if (usable) fit_.factor().apply_covariance(row.column, gain);
-    for (int b = 0; b < level.batch_count(); ++b) {
-      if (!level.periodic()) {
-        usable = whitened_row(list_, level, whitening, e, b, row);
-        if (usable) fit_.factor().apply_covariance(row.column, gain);
-      }
-      if (!usable) continue;
-      const Scaled change = whitened_change(level, whitening, table_.level[l].batch[b], b, e);
-      for (int k = 0; k < list_.unknown_count; ++k) shift_[k] = shift_[k] + gain[k] * change;
+// Adds what the rows of the level that is loaded give to the normal equations where their right-hand sides change so.
+void add_equation(const EquationList& list, const LevelColumns& level, const Whitening& whitening, int e,
+                  WeightedFit& fit, Scaled* moment) {
+  if (whitening.deviation.is_zero()) return;
+  const ReducedRows& rows = fit.reduce(whitening, e, false);
+  const BatchColumn change = rows.residual();
+  if (!level.periodic()) {
+    const Scaled weight = Scaled::from_int(1) / (whitening.deviation * whitening.deviation);
+    for (int j = 0; j < rows.unknowns; ++j) {
+      Scaled& sum = moment[rows.unknown[j]];
+      sum = sum + dot(rows.column(j), change, level.batch_count()) * weight;
     }
+    return;
   }
-  Scaled change(const LevelObservables& level, const Batch& batch, int b, int e) const {
-    const int dof = list_.equation[e].dof;
-    return power_[e] * counted_time(table_, batch, dof) * level.inverse_scale(b, dof);
-  }
-  Scaled whitened_change(const LevelObservables& level, const Whitening& whitening, const Batch& batch, int b,
-                         int e) const {
-    Scaled sum = change(level, batch, b, e);
-    for (int j = 0; j < whitening.count; ++j)
-      if (whitening.observable[j] >= kMaxControls)
-        sum = sum - whitening.coefficient[j] * change(level, batch, b, whitening.observable[j] - kMaxControls);
-    return sum / whitening.deviation;
-  }
-
-  const EquationList& list_;
-  const BatchTable& table_;
-  WeightedFit& fit_;
-  Scaled power_[kMaxEquations], shift_[kMaxUnknowns];
-};
+  Row row;
+  if (!whitened_level_row(list, level, whitening, e, row)) return;
+  int64_t total = 0;
+  for (int b = 0; b < level.batch_count(); ++b) total += change.value[b];
+  const Scaled whitened = Scaled::from_int(total, change.exponent) / whitening.deviation;
+  for (int k = 0; k < list.unknown_count; ++k) moment[k] = moment[k] + row.column[k] * whitened;
+}
 
 }  // namespace
 
 void add_noise_doubt(const CoreConfiguration& configuration, const EquationList& list, const BatchTable& table,
                      WeightedFit& fit, Estimates& estimates) {
   if (!any_doubt(configuration)) return;
-  Doubt doubt(configuration, list, table, fit, estimates);
-  for (int l = 0; l < table.level_count; ++l) doubt.add_level(l);
+  Scaled power[kMaxEquations], moment[kMaxUnknowns], shift[kMaxUnknowns];
+  for (int e = 0; e < list.count; ++e)
+    power[e] =
+        doubtful_power(configuration, list.equation[e].dof, static_cast<int>(list.equation[e].weight), estimates);
+  for (int l = 0; l < table.level_count; ++l) {
+    LevelColumns& level = fit.load_level(l, false);
+    level.load_changes(
+        [&](const Batch& batch, int e) { return power[e] * counted_time(table, batch, list.equation[e].dof); });
+    for (int e = 0; e < list.count; ++e) add_equation(list, level, fit.whitening(l, e), e, fit, moment);
+  }
+  fit.equations().apply_covariance(moment, shift);
   for (int k = 0; k < list.unknown_count; ++k) {
     // The doubt is a bound: half of it is a deviation.
-    widen(estimates.parameters[k], scale_by_power_of_two(doubt.shift(k), -1));
+    widen(estimates.parameters[k], scale_by_power_of_two(shift[k], -1));
   }
 }
 

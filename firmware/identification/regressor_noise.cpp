@@ -3,18 +3,37 @@
 namespace firmware {
 namespace {
 
-// Adds share_k / p_k of one row, at its own whitened residual.
-void add_row(const EquationList& list, const Row& row, const Scaled* p, Scaled* pull) {
-  Scaled energy = row.rhs * row.rhs, residual = row.rhs;
+// Adds share_k / p_k of one row, whose right-hand side is its residual, at that residual; weight: of its square.
+void add_row(const EquationList& list, const Row& row, const Scaled* p, const Scaled& weight, Scaled* pull) {
+  Scaled energy, right_side = row.rhs;
   for (int k = 0; k < list.unknown_count; ++k) {
     const Scaled term = row.column[k] * p[k];
     energy = energy + term * term;
-    residual = residual - term;
+    right_side = right_side + term;
   }
+  energy = energy + right_side * right_side;
   if (energy.is_zero()) return;
-  const Scaled noise = residual * residual / energy;
+  const Scaled noise = row.rhs * row.rhs / energy * weight;
   for (int k = 0; k < list.unknown_count; ++k)
     if (!row.column[k].is_zero()) pull[k] = pull[k] + row.column[k] * row.column[k] * p[k] * noise;
+}
+
+void add_equation(const EquationList& list, const LevelColumns& level, const Whitening& whitening, int e,
+                  WeightedFit& fit, Scaled* pull) {
+  if (whitening.deviation.is_zero()) return;
+  Row row;
+  if (level.periodic()) {
+    if (whitened_level_row(list, level, whitening, e, row))
+      add_row(list, row, fit.parameters(), Scaled::from_int(1), pull);
+    return;
+  }
+  const ReducedRows& rows = fit.reduce(whitening, e, true);
+  const Scaled weight = Scaled::from_int(1) / (whitening.deviation * whitening.deviation);
+  for (int b = 0; b < level.batch_count(); ++b) {
+    if (!level.row_used(b, list.equation[e].dof)) continue;
+    rows.read(b, list.unknown_count, row);
+    add_row(list, row, fit.parameters(), weight, pull);
+  }
 }
 
 }  // namespace
@@ -23,15 +42,11 @@ void take_out_regressor_noise(const EquationList& list, const BatchTable& table,
                               Estimates& estimates) {
   if (!list.displacement) return;
   Scaled pull[kMaxUnknowns], shift[kMaxUnknowns];
-  Row row;
   for (int l = 0; l < table.level_count; ++l) {
-    const LevelObservables& level = fit.load_level(l);
-    const int first = level.periodic() ? -1 : 0, last = level.periodic() ? 0 : level.batch_count();
-    for (int e = 0; e < list.count; ++e)
-      for (int b = first; b < last; ++b)
-        if (whitened_row(list, level, fit.whitening(l, e), e, b, row)) add_row(list, row, fit.parameters(), pull);
+    const LevelColumns& level = fit.load_level(l);
+    for (int e = 0; e < list.count; ++e) add_equation(list, level, fit.whitening(l, e), e, fit, pull);
   }
-  fit.factor().apply_covariance(pull, shift);
+  fit.equations().apply_covariance(pull, shift);
   for (int k = 0; k < list.unknown_count; ++k) {
     ParameterEstimate& parameter = estimates.parameters[k];
     if (scale_by_power_of_two(abs(shift[k]), 2) < parameter.std) continue;  // less than 3 % of the interval

@@ -144,6 +144,10 @@ void measure_skew(const EquationList& list, const BatchTable& table, Estimates& 
 bool skew_matters(const EquationList& list, const BatchTable& table, const CoreConfiguration& configuration,
                   int unknown, const Estimates& estimates) {
   const ParameterEstimate& parameter = estimates.parameters[unknown];
+  bool any = false;
+  for (int i = 0; i < list.dof_count; ++i)
+    any = any || estimates.displacement_skew[i].significant || estimates.acceleration_skew[i].significant;
+  if (!any) return false;  // nothing imitates damping
   for (int i = 0; i < list.dof_count; ++i) {
     Scaled energy, motion;  // of the unknown's unit force and of the DOF
     for (int l = 0; l < table.level_count; ++l)

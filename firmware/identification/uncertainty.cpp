@@ -10,44 +10,62 @@ namespace {
 constexpr int kRepeatedErrorLog2 = -20;
 constexpr int kLeastLevels = 3;  // that show a scatter of their own
 
-struct Sums {
-  Scaled variance[kMaxUnknowns];
-  Scaled variance_square_per_freedom[kMaxUnknowns];
-  // Of one level: what its residuals pull the parameter by, and the variance of that; over all levels: sum of pull squares.
-  Scaled pull[kMaxUnknowns], pull_square[kMaxUnknowns];
-  Scaled relative_residuals;
-  uint32_t rows = 0;
-  uint32_t relative_rows = 0;
-};
+void add_share(const Whitening& whitening, int k, const Scaled& share, UncertaintySums& sums) {
+  const Scaled freedom = Scaled::from_int(whitening.freedom > 0 ? whitening.freedom : 1);
+  const Scaled part = share * whitening.inflation;
+  sums.variance[k] = sums.variance[k] + part;
+  sums.variance_square_per_freedom[k] = sums.variance_square_per_freedom[k] + part * part / freedom;
+}
+
+void add_relative(const Scaled& residual, const Scaled& right_side, UncertaintySums& sums) {
+  if (right_side.is_zero()) return;
+  sums.relative_residuals = sums.relative_residuals + abs(residual / right_side);
+  ++sums.relative_rows;
+}
+
+// A row's right-hand side is its residual and what the parameters explain.
+void add_level_row(const WeightedFit& fit, const Whitening& whitening, const Row& row, int unknowns,
+                   UncertaintySums& sums) {
+  Scaled gain[kMaxUnknowns], right_side = row.rhs;
+  fit.equations().apply_covariance(row.column, gain);
+  for (int k = 0; k < unknowns; ++k) {
+    right_side = right_side + row.column[k] * fit.parameters()[k];
+    sums.pull[k] = sums.pull[k] + gain[k] * row.rhs;
+    add_share(whitening, k, gain[k] * gain[k], sums);
+  }
+  add_relative(row.rhs, right_side, sums);
+  ++sums.rows;
+}
+
+// The gain of parameter k: column k of the covariance times the rows.
+void add_rows(const WeightedFit& fit, const Whitening& whitening, ReducedRows& rows, int batches, int unknowns,
+              UncertaintySums& sums) {
+  const Scaled weight = Scaled::from_int(1) / (whitening.deviation * whitening.deviation);
+  Scaled factor[kMaxUnknowns];
+  for (int k = 0; k < unknowns; ++k) {
+    for (int j = 0; j < rows.unknowns; ++j) factor[j] = fit.equations().covariance(k, rows.unknown[j]);
+    const BatchColumn gain = rows.combine(factor, batches);
+    add_share(whitening, k, dot(gain, gain, batches) * weight, sums);
+    sums.pull[k] = sums.pull[k] + dot(gain, rows.residual(), batches) * weight;
+  }
+  for (int j = 0; j < rows.unknowns; ++j) factor[j] = fit.parameters()[rows.unknown[j]];
+  const BatchColumn explained = rows.combine(factor, batches), left = rows.residual();
+  for (int b = 0; b < batches; ++b) {
+    const Scaled residual = Scaled::from_int(left.value[b], left.exponent);
+    add_relative(residual, residual + Scaled::from_int(explained.value[b], explained.exponent), sums);
+  }
+  sums.rows += static_cast<uint32_t>(rows.rows);
+}
 
 // Adds what one equation of one level contributes.
 // A frame of its own: its vectors and the sums of the caller together would be a third more than any other function has.
-[[gnu::noinline]] void add_equation(const EquationList& list, const LevelObservables& level, const Whitening& whitening,
-                                    int e, const WeightedFit& fit, Sums& sums) {
-  Scaled share[kMaxUnknowns], gain[kMaxUnknowns];
-  const int first = level.periodic() ? -1 : 0, last = level.periodic() ? 0 : level.batch_count();
+[[gnu::noinline]] void add_equation(const EquationList& list, const LevelColumns& level, const Whitening& whitening,
+                                    int e, WeightedFit& fit, UncertaintySums& sums) {
+  if (whitening.deviation.is_zero()) return;
+  if (!level.periodic())
+    return add_rows(fit, whitening, fit.reduce(whitening, e, true), level.batch_count(), list.unknown_count, sums);
   Row row;
-  int rows = 0;
-  for (int b = first; b < last; ++b) {
-    if (!whitened_row(list, level, whitening, e, b, row)) continue;
-    ++rows;
-    fit.factor().apply_covariance(row.column, gain);
-    for (int k = 0; k < list.unknown_count; ++k) share[k] = share[k] + gain[k] * gain[k];
-    Scaled residual = row.rhs;
-    for (int k = 0; k < list.unknown_count; ++k) residual = residual - row.column[k] * fit.parameters()[k];
-    for (int k = 0; k < list.unknown_count; ++k) sums.pull[k] = sums.pull[k] + gain[k] * residual;
-    if (!row.rhs.is_zero()) {
-      sums.relative_residuals = sums.relative_residuals + abs(residual / row.rhs);
-      ++sums.relative_rows;
-    }
-  }
-  sums.rows += static_cast<uint32_t>(rows);
-  const Scaled freedom = Scaled::from_int(whitening.freedom > 0 ? whitening.freedom : 1);
-  for (int k = 0; k < list.unknown_count; ++k) {
-    const Scaled part = share[k] * whitening.inflation;
-    sums.variance[k] = sums.variance[k] + part;
-    sums.variance_square_per_freedom[k] = sums.variance_square_per_freedom[k] + part * part / freedom;
-  }
+  if (whitened_level_row(list, level, whitening, e, row)) add_level_row(fit, whitening, row, list.unknown_count, sums);
 }
 
 // Residual scatter lost to the fitted parameters, and a fit that misses its own weights by far: both widen the
@@ -55,7 +73,7 @@ struct Sums {
 Scaled variance_factor(const EquationList& list, const WeightedFit& fit, uint32_t rows, bool periodic) {
   const int freedom = static_cast<int>(rows) - list.unknown_count;
   if (freedom <= 0) return Scaled::from_int(1);
-  const Scaled misfit = fit.factor().residual_square() / Scaled::from_int(freedom);
+  const Scaled misfit = fit.equations().residual_square() / Scaled::from_int(freedom);
   if (!fit.all_measured()) return misfit;
   const Scaled lost = periodic ? Scaled::from_int(1) : Scaled::ratio(static_cast<int64_t>(rows), freedom);
   // Chance takes the misfit over 1 + 5 sqrt(2 / freedom) less than once in 10^4 fits.
@@ -63,7 +81,7 @@ Scaled variance_factor(const EquationList& list, const WeightedFit& fit, uint32_
   return misfit > limit ? (misfit > lost ? misfit : lost) : lost;
 }
 
-void report(const EquationList& list, const WeightedFit& fit, const Sums& sums, Scaled factor, bool measured,
+void report(const EquationList& list, const WeightedFit& fit, const UncertaintySums& sums, Scaled factor, bool measured,
             Estimates& estimates) {
   const int spare = static_cast<int>(sums.rows) - list.unknown_count;
   for (int k = 0; k < list.unknown_count; ++k) {
@@ -88,7 +106,7 @@ void report(const EquationList& list, const WeightedFit& fit, const Sums& sums, 
 // A parameter that differs between levels (friction that warms up) shows no more scatter within any of them: the levels pull it
 // apart. Where they pull by more than noise does once in 10^3 fits (chi-square over its freedom n stays below 1 + 4.4 / sqrt(n) +
 // 6.2 / n, Wilson and Hilferty), the variance is theirs, with as many degrees of freedom as there are levels less one.
-void add_scatter_between_levels(const EquationList& list, int levels, Sums& sums) {
+void add_scatter_between_levels(const EquationList& list, int levels, UncertaintySums& sums) {
   const Scaled freedom = Scaled::from_int(levels - 1);
   const Scaled limit = Scaled::from_int(1) + Scaled::ratio(44, 10) / sqrt(freedom) + Scaled::ratio(62, 10) / freedom;
   for (int k = 0; k < list.unknown_count; ++k) {
@@ -101,22 +119,20 @@ void add_scatter_between_levels(const EquationList& list, int levels, Sums& sums
 
 }  // namespace
 
-void estimate_uncertainty(const EquationList& list, const BatchTable& table, WeightedFit& fit, Estimates& estimates) {
-  Sums sums;
-  bool periodic = true;
-  int levels = 0;
-  for (int l = 0; l < table.level_count; ++l) {
-    const LevelObservables& level = fit.load_level(l);
-    periodic = periodic && level.periodic();
-    for (int e = 0; e < list.count; ++e) add_equation(list, level, fit.whitening(l, e), e, fit, sums);
-    for (int k = 0; k < list.unknown_count; ++k) {
-      sums.pull_square[k] = sums.pull_square[k] + sums.pull[k] * sums.pull[k];
-      sums.pull[k] = Scaled{};
-    }
-    if (level.batch_count() > 0) ++levels;
+void add_uncertainty(const EquationList& list, const LevelColumns& level, int l, WeightedFit& fit,
+                     UncertaintySums& sums) {
+  sums.periodic = sums.periodic && level.periodic();
+  for (int e = 0; e < list.count; ++e) add_equation(list, level, fit.whitening(l, e), e, fit, sums);
+  for (int k = 0; k < list.unknown_count; ++k) {
+    sums.pull_square[k] = sums.pull_square[k] + sums.pull[k] * sums.pull[k];
+    sums.pull[k] = Scaled{};
   }
-  if (levels >= kLeastLevels && !periodic) add_scatter_between_levels(list, levels, sums);
-  report(list, fit, sums, variance_factor(list, fit, sums.rows, periodic), fit.all_measured(), estimates);
+  if (level.batch_count() > 0) ++sums.levels;
+}
+
+void report_uncertainty(const EquationList& list, const WeightedFit& fit, UncertaintySums& sums, Estimates& estimates) {
+  if (sums.levels >= kLeastLevels && !sums.periodic) add_scatter_between_levels(list, sums.levels, sums);
+  report(list, fit, sums, variance_factor(list, fit, sums.rows, sums.periodic), fit.all_measured(), estimates);
 }
 
 }  // namespace firmware

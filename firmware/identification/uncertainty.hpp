@@ -6,8 +6,23 @@
 namespace firmware {
 
 // Variance of p_k = sum over equations of (share of the equation in the covariance) * inflation; degrees of freedom
-// after Welch and Satterthwaite. Where no scatter could be measured the residuals of the fit give the scale. Fills
-// value, std, interval, rows, residual_mean_abs.
-void estimate_uncertainty(const EquationList& list, const BatchTable& table, WeightedFit& fit, Estimates& estimates);
+// after Welch and Satterthwaite. Where no scatter could be measured the residuals of the fit give the scale.
+struct UncertaintySums {
+  Scaled variance[kMaxUnknowns];
+  Scaled variance_square_per_freedom[kMaxUnknowns];
+  // Of one level: what its residuals pull the parameter by, and the variance of that; over all levels: sum of pull squares.
+  Scaled pull[kMaxUnknowns], pull_square[kMaxUnknowns];
+  Scaled relative_residuals;
+  uint32_t rows = 0;
+  uint32_t relative_rows = 0;
+  int levels = 0;  // with batches
+  bool periodic = true;
+};
+
+// Adds the level l that the fit has loaded.
+void add_uncertainty(const EquationList& list, const LevelColumns& level, int l, WeightedFit& fit,
+                     UncertaintySums& sums);
+// Fills value, std, interval, rows, residual_mean_abs.
+void report_uncertainty(const EquationList& list, const WeightedFit& fit, UncertaintySums& sums, Estimates& estimates);
 
 }  // namespace firmware

@@ -30,10 +30,14 @@ Scaled displacement_ratio(const EquationList& list, const BatchTable& table, int
 
 }  // namespace
 
-LevelObservables& WeightedFit::load_level(int level) {
-  if (level != loaded_) level_.load(*list_, table_->layout, table_->level[level]);
-  loaded_ = level;
+LevelColumns& WeightedFit::load_level(int level, bool with_controls) {
+  level_.load(*list_, table_->layout, table_->level[level], parameters_, with_controls);
   return level_;
+}
+
+ReducedRows& WeightedFit::reduce(const Whitening& whitening, int e, bool with_controls) {
+  reduce_rows(*list_, level_, whitening, e, with_controls, reduced_);
+  return reduced_;
 }
 
 void WeightedFit::start_weights() {
@@ -42,77 +46,122 @@ void WeightedFit::start_weights() {
         e < list_->dof_count ? Scaled::from_int(1) : displacement_ratio(*list_, *table_, e - list_->dof_count);
   for (int l = 0; l < table_->level_count; ++l)
     for (int e = 0; e < list_->count; ++e) whitening_[l][e] = Whitening{};
+  for (int k = 0; k < list_->unknown_count; ++k) parameters_[k] = Scaled{};
+  relative_noise_ = Scaled{};
+}
+
+// What a row's square is in proportion to, in the level that is loaded.
+Scaled WeightedFit::motion_of(int dof) const {
+  const Scaled mean = level_.motion_mean(dof);
+  return level_.periodic() ? level_.motion_total(dof) * mean : mean;
+}
+
+// Weights of the equations whose scatter the level shows.
+void WeightedFit::measure_level(int l) {
+  for (int e = 0; e < list_->count; ++e) {
+    Whitening& whitening = whitening_[l][e] = measure_whitening(*list_, level_, e);
+    if (!whitening.measured) continue;
+    noise_sum_ = noise_sum_ + whitening.relative_noise_square;
+    ++noise_count_;
+    const Scaled motion = motion_of(list_->equation[e].dof);
+    if (motion.is_zero()) continue;
+    deviation_sum_[e] = deviation_sum_[e] + whitening.deviation * whitening.deviation / motion;
+    ++deviation_count_[e];
+  }
 }
 
 // A level too short to show scatter takes it from the others, in proportion to its motion energy (the noise of a sensor
 // that is a fixed share of the signal), else keeps the start weight.
-void WeightedFit::fill_unmeasured() {
+void WeightedFit::take_unmeasured(int l) {
+  for (int e = 0; e < list_->count; ++e) {
+    Whitening& whitening = whitening_[l][e];
+    if (whitening.measured) continue;
+    const int dof = list_->equation[e].dof;
+    whitening.deviation = relative_deviation_[e] * sqrt(motion_of(dof));
+    if (level_.rows_used(dof) > 0) all_measured_ = false;
+    add_equation(l, e);
+  }
+}
+
+void WeightedFit::add_equation(int l, int e) {
+  const Whitening& whitening = whitening_[l][e];
+  if (whitening.deviation.is_zero()) return;
+  if (level_.periodic()) {
+    Row row;
+    if (!whitened_level_row(*list_, level_, whitening, e, row)) return;
+    return new_equations_ ? equations_.add(row) : equations_.add_right_side(row);
+  }
+  const ReducedRows& rows = reduce(whitening, e, true);
+  const int n = level_.batch_count();
+  const Scaled weight = Scaled::from_int(1) / (whitening.deviation * whitening.deviation);
+  for (int j = 0; j < rows.unknowns; ++j) {
+    for (int i = 0; new_equations_ && i <= j; ++i)
+      equations_.add_product(rows.unknown[i], rows.unknown[j], dot(rows.column(i), rows.column(j), n) * weight);
+    equations_.add_moment(rows.unknown[j], dot(rows.column(j), rows.residual(), n) * weight);
+  }
+  equations_.add_square(dot(rows.residual(), rows.residual(), n) * weight);
+}
+
+void WeightedFit::begin_pass(bool new_equations) {
+  new_equations_ = new_equations;
+  new_equations ? equations_.clear(list_->unknown_count) : equations_.clear_right_side();
   all_measured_ = true;
-  for (int l = table_->level_count - 1; l >= 0; --l) {  // ends with the level that the fit begins with
-    const LevelObservables& level = load_level(l);
-    for (int e = 0; e < list_->count; ++e) {
-      Whitening& whitening = whitening_[l][e];
-      if (whitening.measured) continue;
-      const int dof = list_->equation[e].dof;
-      const Scaled mean = level.motion_mean(dof);
-      const Scaled motion = level.periodic() ? level.motion_total(dof) * mean : mean;
-      whitening.deviation = relative_deviation_[e] * sqrt(motion);
-      if (level.rows_used(dof) > 0) all_measured_ = false;
-    }
+  noise_sum_ = Scaled{};
+  noise_count_ = 0;
+  for (int e = 0; e < list_->count; ++e) {
+    deviation_sum_[e] = Scaled{};
+    deviation_count_[e] = 0;
   }
 }
 
-void WeightedFit::measure_weights() {
-  Scaled sum[kMaxEquations], noise;
-  int count[kMaxEquations] = {}, noise_count = 0;
-  for (int l = 0; l < table_->level_count; ++l) {
-    LevelObservables& level = load_level(l);
-    level.set_residuals(parameters_);
-    for (int e = 0; e < list_->count; ++e) {
-      Whitening& whitening = whitening_[l][e] = measure_whitening(*list_, level, e);
-      if (!whitening.measured) continue;
-      noise = noise + whitening.relative_noise_square;
-      ++noise_count;
-      const int dof = list_->equation[e].dof;
-      const Scaled mean = level.motion_mean(dof);
-      const Scaled motion = level.periodic() ? level.motion_total(dof) * mean : mean;
-      if (motion.is_zero()) continue;
-      sum[e] = sum[e] + whitening.deviation * whitening.deviation / motion;
-      ++count[e];
-    }
-  }
-  relative_noise_ = noise_count ? sqrt(noise / Scaled::from_int(noise_count)) : Scaled{};
-  for (int e = 0; e < list_->count; ++e)
-    if (count[e] > 0) relative_deviation_[e] = sqrt(sum[e] / Scaled::from_int(count[e]));
+void WeightedFit::end_pass() {
+  if (new_equations_) equations_.factorise();
+  equations_.substitute();
+  Scaled change[kMaxUnknowns];
+  equations_.solve(change);
+  for (int k = 0; k < list_->unknown_count; ++k) parameters_[k] = parameters_[k] + change[k];
 }
 
-void WeightedFit::fit() {
-  factor_.clear(list_->unknown_count);
-  Row row;
+void WeightedFit::start_pass(bool new_equations) {
+  begin_pass(new_equations);
   for (int l = 0; l < table_->level_count; ++l) {
-    const LevelObservables& level = load_level(l);
-    const int first = level.periodic() ? -1 : 0, last = level.periodic() ? 0 : level.batch_count();
+    load_level(l, false);
+    take_unmeasured(l);
+  }
+  end_pass();
+}
+
+// Levels that show no scatter of their own come last: what they take from the others is known then.
+void WeightedFit::weighted_pass() {
+  begin_pass(true);
+  bool missing[kMaxLevels] = {};
+  for (int l = 0; l < table_->level_count; ++l) {
+    load_level(l);
+    measure_level(l);
     for (int e = 0; e < list_->count; ++e)
-      for (int b = first; b < last; ++b)
-        if (whitened_row(*list_, level, whitening_[l][e], e, b, row)) factor_.add(row);
+      whitening_[l][e].measured ? add_equation(l, e) : static_cast<void>(missing[l] = true);
   }
-  factor_.solve(parameters_);
+  relative_noise_ = noise_count_ ? sqrt(noise_sum_ / Scaled::from_int(noise_count_)) : Scaled{};
+  for (int e = 0; e < list_->count; ++e)
+    if (deviation_count_[e] > 0)
+      relative_deviation_[e] = sqrt(deviation_sum_[e] / Scaled::from_int(deviation_count_[e]));
+  for (int l = 0; l < table_->level_count; ++l) {
+    if (!missing[l]) continue;
+    load_level(l);
+    take_unmeasured(l);
+  }
+  end_pass();
 }
 
 void WeightedFit::solve(const EquationList& list, const BatchTable& table) {
   list_ = &list;
   table_ = &table;
-  loaded_ = -1;
   start_weights();
-  fill_unmeasured();
-  fit();
-  judge_identifiability(factor_, parameters_, identifiability_);
-  for (int pass = 0; pass < kReweightings; ++pass) {
-    measure_weights();
-    fill_unmeasured();
-    fit();
-  }
-  factor_.invert();
+  start_pass(true);
+  start_pass(false);
+  judge_identifiability(equations_, parameters_, identifiability_);
+  for (int pass = 0; pass < kReweightings; ++pass) weighted_pass();
+  equations_.invert();
 }
 
 }  // namespace firmware

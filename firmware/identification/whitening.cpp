@@ -4,9 +4,11 @@ namespace firmware {
 namespace {
 
 constexpr int kSize = kMaxPredecessors + 1;
+constexpr int kFactorBits = 30;
+constexpr int kMostSummands = kMaxUnknowns > kSize ? kMaxUnknowns : kSize;
 
 // The observables that equation e is reduced by, own ones first; at most limit.
-int list_predecessors(const EquationList& list, const LevelObservables& level, int e, int limit, uint8_t* observable) {
+int list_predecessors(const EquationList& list, const LevelColumns& level, int e, int limit, uint8_t* observable) {
   const Equation& equation = list.equation[e];
   int count = 0;
   const auto add = [&](int index) {
@@ -14,14 +16,14 @@ int list_predecessors(const EquationList& list, const LevelObservables& level, i
   };
   const auto add_controls = [&](int dof) {
     for (int which = 0; which < kControlsPerDof; ++which) {
-      const int c = LevelObservables::control(dof, which);
+      const int c = LevelColumns::control(dof, which);
       if ((which < 2 || list.displacement) && level.control_valid(c)) add(c);
     }
   };
   add_controls(equation.dof);
   for (int before = 0; before < e; ++before)
     if ((list.neighbours[equation.dof] >> list.equation[before].dof & 1u) && level.scatters(before))
-      add(LevelObservables::equation(before));
+      add(LevelColumns::residual(before));
   for (int j = 0; j < list.dof_count; ++j)
     if (j != equation.dof && (list.neighbours[equation.dof] >> j & 1u)) add_controls(j);
   return count;
@@ -29,14 +31,11 @@ int list_predecessors(const EquationList& list, const LevelObservables& level, i
 
 // Sums of products of the observables (the last one is the equation itself), as of the level's total for periodic
 // levels.
-void gram(const LevelObservables& level, const uint8_t* observable, int size, Scaled (*sums)[kSize]) {
+void gram(const LevelColumns& level, const uint8_t* observable, int size, Scaled (*sums)[kSize]) {
   for (int r = 0; r < size; ++r)
     for (int c = 0; c <= r; ++c) {
-      Scaled sum;
-      for (int b = 0; b < level.batch_count(); ++b)
-        sum = sum + level.deviation(observable[r], b) * level.deviation(observable[c], b);
-      if (r == c && observable[r] < kMaxControls) sum = sum + level.end_variance(observable[r]);
-      sums[r][c] = sum;
+      sums[r][c] = level.product(observable[r], observable[c]);
+      if (r == c && observable[r] < kMaxControls) sums[r][c] = sums[r][c] + level.end_variance(observable[r]);
     }
 }
 
@@ -72,7 +71,7 @@ Scaled regress(Scaled (*sums)[kSize], int predecessors, Scaled* coefficient) {
 
 }  // namespace
 
-Whitening measure_whitening(const EquationList& list, const LevelObservables& level, int e) {
+Whitening measure_whitening(const EquationList& list, const LevelColumns& level, int e) {
   Whitening result;
   const int dof = list.equation[e].dof, rows = level.rows_used(dof);
   result.inflation = Scaled::from_int(1);
@@ -81,7 +80,7 @@ Whitening measure_whitening(const EquationList& list, const LevelObservables& le
   if (limit > kMaxPredecessors) limit = kMaxPredecessors;
   uint8_t observable[kSize] = {};
   result.count = static_cast<uint8_t>(list_predecessors(list, level, e, limit, observable));
-  observable[result.count] = static_cast<uint8_t>(LevelObservables::equation(e));
+  observable[result.count] = static_cast<uint8_t>(LevelColumns::residual(e));
   Scaled sums[kSize][kSize];
   gram(level, observable, result.count + 1, sums);
   const Scaled unreduced = sums[result.count][result.count];
@@ -102,27 +101,112 @@ Whitening measure_whitening(const EquationList& list, const LevelObservables& le
   return result;
 }
 
-bool whitened_row(const EquationList& list, const LevelObservables& level, const Whitening& whitening, int e, int batch,
-                  Row& row) {
-  if (whitening.deviation.is_zero() || (batch >= 0 && !level.row_used(batch, list.equation[e].dof))) return false;
-  const auto read = [&](int equation, Row& target) {
-    if (batch < 0) {
-      level.level_row(equation, target);
+namespace {
+
+// One term of a sum of columns.
+struct Summand {
+  BatchColumn column;
+  Scaled factor;
+};
+
+// target = sum of factor * column, rounded to a column whose exponent leaves room for the largest that the sum can be.
+// |column| <= 2^kColumnBits, factors as whole numbers below 2^30: products below 2^60.
+int32_t sum_columns(const Summand* summand, int count, int batches, int32_t* target) {
+  int32_t top = 0;
+  bool any = false;
+  for (int s = 0; s < count; ++s) {
+    if (summand[s].factor.is_zero()) continue;
+    const int32_t size = log2_floor(summand[s].factor) + 1 + summand[s].column.exponent;
+    if (!any || size > top) top = size;
+    any = true;
+  }
+  int32_t factor[kMostSummands];
+  const int32_t exponent = top + bits_of(count);
+  for (int s = 0; s < count; ++s)
+    factor[s] = static_cast<int32_t>(
+        to_fixed(scale_by_power_of_two(summand[s].factor, summand[s].column.exponent - exponent), kFactorBits));
+  for (int b = 0; b < batches; ++b) {
+    int64_t sum = int64_t{1} << (kFactorBits - 1);
+    for (int s = 0; s < count; ++s) sum += static_cast<int64_t>(factor[s]) * summand[s].column.value[b];
+    target[b] = static_cast<int32_t>(sum >> kFactorBits);
+  }
+  return exponent;
+}
+
+void add_unknowns(const LevelColumns& level, int e, ReducedRows& reduced) {
+  for (int n = level.first_term(e); n < level.behind_terms(e); ++n) {
+    int k = 0;
+    while (k < reduced.unknowns && reduced.unknown[k] != level.unknown_of(n)) ++k;
+    if (k == reduced.unknowns) reduced.unknown[reduced.unknowns++] = static_cast<uint8_t>(level.unknown_of(n));
+  }
+}
+
+// The columns of one unknown in an equation: at most one.
+int add_summand(const LevelColumns& level, int e, int unknown, const Scaled& factor, Summand* summand, int count) {
+  for (int n = level.first_term(e); n < level.behind_terms(e); ++n)
+    if (level.unknown_of(n) == unknown) summand[count++] = {level.column(level.term(e, n)), factor};
+  return count;
+}
+
+}  // namespace
+
+void ReducedRows::read(int batch, int unknown_count, Row& row) const {
+  clear_row(unknown_count, row);
+  for (int k = 0; k < unknowns; ++k) row.column[unknown[k]] = Scaled::from_int(value[k][batch], exponent[k]);
+  row.rhs = Scaled::from_int(value[unknowns][batch], exponent[unknowns]);
+}
+
+BatchColumn ReducedRows::combine(const Scaled* factor, int count) {
+  Summand summand[kMaxUnknowns];
+  for (int k = 0; k < unknowns; ++k) summand[k] = {column(k), factor[k]};
+  exponent[unknowns + 1] = sum_columns(summand, unknowns, count, value[unknowns + 1]);
+  return column(unknowns + 1);
+}
+
+void reduce_rows(const EquationList& list, const LevelColumns& level, const Whitening& whitening, int e,
+                 bool with_controls, ReducedRows& reduced) {
+  const int batches = level.batch_count(), dof = list.equation[e].dof;
+  const Scaled one = Scaled::from_int(1);
+  Summand summand[kMaxPredecessors + 1];
+  reduced.unknowns = 0;
+  add_unknowns(level, e, reduced);
+  for (int j = 0; j < whitening.count; ++j)
+    if (whitening.observable[j] >= kMaxControls) add_unknowns(level, whitening.observable[j] - kMaxControls, reduced);
+  for (int k = 0; k < reduced.unknowns; ++k) {
+    int count = add_summand(level, e, reduced.unknown[k], one, summand, 0);
+    for (int j = 0; j < whitening.count; ++j)
+      if (whitening.observable[j] >= kMaxControls)
+        count = add_summand(level, whitening.observable[j] - kMaxControls, reduced.unknown[k],
+                            -whitening.coefficient[j], summand, count);
+    reduced.exponent[k] = sum_columns(summand, count, batches, reduced.value[k]);
+  }
+  int count = 0;
+  summand[count++] = {level.column(LevelColumns::residual(e)), one};
+  for (int j = 0; j < whitening.count; ++j)
+    if (with_controls || whitening.observable[j] >= kMaxControls)
+      summand[count++] = {level.column(whitening.observable[j]), -whitening.coefficient[j]};
+  reduced.exponent[reduced.unknowns] = sum_columns(summand, count, batches, reduced.value[reduced.unknowns]);
+  reduced.rows = 0;
+  for (int b = 0; b < batches; ++b) {
+    if (level.row_used(b, dof)) {
+      ++reduced.rows;
     } else {
-      level.row(equation, batch, target);
+      for (int k = 0; k <= reduced.unknowns; ++k) reduced.value[k][b] = 0;
     }
-  };
-  read(e, row);
+  }
+}
+
+bool whitened_level_row(const EquationList& list, const LevelColumns& level, const Whitening& whitening, int e,
+                        Row& row) {
+  if (whitening.deviation.is_zero() || level.batch_count() == 0) return false;
+  level.level_row(e, row);
   for (int j = 0; j < whitening.count; ++j) {
     const int observable = whitening.observable[j];
     const Scaled factor = whitening.coefficient[j];
-    if (observable < kMaxControls) {
-      row.rhs = row.rhs - factor * (batch < 0 ? level.total(observable) : level.deviation(observable, batch));
-      continue;
-    }
+    row.rhs = row.rhs - factor * level.total(observable);
+    if (observable < kMaxControls) continue;
     Row other;
-    read(observable - kMaxControls, other);
-    row.rhs = row.rhs - factor * other.rhs;
+    level.level_row(observable - kMaxControls, other);
     for (int k = 0; k < list.unknown_count; ++k) row.column[k] = row.column[k] - factor * other.column[k];
   }
   for (int k = 0; k < list.unknown_count; ++k) row.column[k] = row.column[k] / whitening.deviation;

@@ -5,7 +5,8 @@
 // rows of neighbouring equations that come before it; b is their regression on the scatter of the level's batches. This
 // is the modified Cholesky form of the full covariance, cut to neighbours in the rig: only those share sensor noise.
 #pragma once
-#include "firmware/identification/level_observables.hpp"
+#include "firmware/identification/level_columns.hpp"
+#include "firmware/identification/normal_equations.hpp"
 
 namespace firmware {
 
@@ -25,10 +26,29 @@ struct Whitening {
   Scaled relative_noise_square;  // (deviation of one unreduced row / its energy)^2
 };
 
-Whitening measure_whitening(const EquationList& list, const LevelObservables& level, int e);
-// Row of batch b (or, with b < 0, of the whole periodic level), reduced and divided by its deviation.
-// Returns false when it is not to be used.
-bool whitened_row(const EquationList& list, const LevelObservables& level, const Whitening& whitening, int e, int batch,
-                  Row& row);
+Whitening measure_whitening(const EquationList& list, const LevelColumns& level, int e);
+
+// Working memory: the reduced rows of one equation of a level, column by column, not yet divided by their deviation.
+struct ReducedRows {
+  int rows = 0;      // that count; the others are zero
+  int unknowns = 0;  // columns: the equation's own unknowns and those of the equations it is reduced by
+  uint8_t unknown[kMaxUnknowns];
+  int32_t value[kMaxUnknowns + 2][kMaxBatches];  // columns, then residuals, then room for one more
+  int32_t exponent[kMaxUnknowns + 2];
+  BatchColumn column(int k) const { return {value[k], exponent[k]}; }
+  BatchColumn residual() const { return column(unknowns); }
+  // One row of all unknowns; its right-hand side is the residual.
+  void read(int batch, int unknown_count, Row& row) const;
+  // In the free column: sum of factor[k] column[k].
+  BatchColumn combine(const Scaled* factor, int count);
+};
+
+// The rows of a level that is not periodic; with_controls false: without the discrepancies.
+void reduce_rows(const EquationList& list, const LevelColumns& level, const Whitening& whitening, int e,
+                 bool with_controls, ReducedRows& reduced);
+// The one row of a periodic level, reduced and divided by its deviation; its right-hand side is the residual. False where it
+// is not to be used.
+bool whitened_level_row(const EquationList& list, const LevelColumns& level, const Whitening& whitening, int e,
+                        Row& row);
 
 }  // namespace firmware

@@ -1,7 +1,7 @@
-// Givens solver and Student quantile against numbers worked out by hand or printed in tables.
+// Normal equations and Student quantile against numbers worked out by hand or printed in tables.
 #include <gtest/gtest.h>
 
-#include "firmware/identification/givens.hpp"
+#include "firmware/identification/normal_equations.hpp"
 #include "firmware/identification/student_quantile.hpp"
 #include "hal/rig_file/scaled_double.hpp"
 
@@ -23,12 +23,14 @@ double quantile(double freedom) {
 
 // Rows (1, 0 | 1), (0, 2 | 2), (1, 1 | 3): normal matrix [2 1; 1 5], right side (4, 7), determinant 9:
 // p = (13/9, 10/9), inverse [5 -1; -1 2] / 9; residuals (-4/9, -2/9, 4/9): sum of squares 36/81.
-TEST(Givens, ThreeRowsTwoUnknowns) {
-  firmware::TriangularFactor factor;
+TEST(NormalEquations, ThreeRowsTwoUnknowns) {
+  firmware::NormalEquations factor;
   factor.clear(2);
   factor.add(row(1, 0, 1));
   factor.add(row(0, 2, 2));
   factor.add(row(1, 1, 3));
+  factor.factorise();
+  factor.substitute();
   firmware::Scaled p[firmware::kMaxUnknowns];
   factor.solve(p);
   EXPECT_NEAR(rig_file::to_double(p[0]), 13.0 / 9.0, 1e-15);
@@ -40,21 +42,24 @@ TEST(Givens, ThreeRowsTwoUnknowns) {
   EXPECT_NEAR(rig_file::to_double(factor.covariance(1, 1)), 2.0 / 9.0, 1e-15);
 }
 
-TEST(Givens, DependentColumnIsNotDetermined) {
-  firmware::TriangularFactor factor;
+TEST(NormalEquations, DependentColumnIsNotDetermined) {
+  firmware::NormalEquations factor;
   factor.clear(2);
   factor.add(row(1, 3, 1));
   factor.add(row(2, 6, 2));
+  factor.factorise();
   EXPECT_TRUE(factor.determined(0));
   EXPECT_FALSE(factor.determined(1));
 }
 
 // Columns twelve orders of magnitude apart lose nothing: p = (1, 1e12).
-TEST(Givens, ScaleOfColumnsDoesNotMatter) {
-  firmware::TriangularFactor factor;
+TEST(NormalEquations, ScaleOfColumnsDoesNotMatter) {
+  firmware::NormalEquations factor;
   factor.clear(2);
   factor.add(row(1, 1e-12, 2));
   factor.add(row(1, -1e-12, 0));
+  factor.factorise();
+  factor.substitute();
   firmware::Scaled p[firmware::kMaxUnknowns];
   factor.solve(p);
   EXPECT_NEAR(rig_file::to_double(p[0]), 1.0, 1e-14);

@@ -123,7 +123,7 @@ std::vector<std::vector<double>> covariance_of(const EstimateResult& result, con
   const size_t n = result.parameters.size();
   std::vector<std::vector<double>> out(n, std::vector<double>(n, 0.0));
   const auto entry = [&](size_t i, size_t j) {
-    return rig_file::to_double(core.factor().covariance(static_cast<int>(i), static_cast<int>(j)));
+    return rig_file::to_double(core.normal_equations().covariance(static_cast<int>(i), static_cast<int>(j)));
   };
   for (size_t i = 0; i < n; ++i)
     for (size_t j = 0; j < n; ++j) {

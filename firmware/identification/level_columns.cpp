@@ -1,0 +1,160 @@
+#include "firmware/identification/level_columns.hpp"
+
+#include "firmware/fixed_point/magnitude.hpp"
+
+namespace firmware {
+namespace {
+
+constexpr int kMantissaBits = 62;
+constexpr int kSystematicDeviations = 4;  // a control variate whose mean is this far from zero is not noise
+
+void remove_mean(Scaled* values, int count) {
+  Scaled sum;
+  for (int b = 0; b < count; ++b) sum = sum + values[b];
+  const Scaled mean = sum / Scaled::from_int(count);
+  for (int b = 0; b < count; ++b) values[b] = values[b] - mean;
+}
+
+Scaled sum_of_squares(const Scaled* values, int count) {
+  Scaled sum;
+  for (int b = 0; b < count; ++b) sum = sum + values[b] * values[b];
+  return sum;
+}
+
+// Integral of v^2 over the samples that the velocity row counts (all, or those with clear signs of friction).
+Scaled weighted_motion(const BatchDof& batch, bool instrument) {
+  const Scaled motion = unpack(batch.velocity_square);
+  if (!instrument || batch.weight_square.bits == batch.velocity_instrument.bits) return motion;
+  const Scaled counted = unpack(batch.weight_square), all = unpack(batch.velocity_instrument);
+  return counted > Scaled{} && all > Scaled{} ? motion * counted / all : Scaled{};
+}
+
+}  // namespace
+
+Scaled dot(BatchColumn a, BatchColumn b, int count) {
+  int64_t sum = 0;
+  for (int i = 0; i < count; ++i) sum += static_cast<int64_t>(a.value[i]) * b.value[i];
+  return Scaled::from_int(sum, a.exponent + b.exponent);
+}
+
+int32_t round_to_column(const Scaled* numbers, int count, int32_t* value) {
+  bool any = false;
+  int32_t top = 0;
+  for (int b = 0; b < count; ++b) {
+    if (numbers[b].is_zero()) continue;
+    if (!any || numbers[b].exponent > top) top = numbers[b].exponent;
+    any = true;
+  }
+  for (int b = 0; b < count; ++b) {
+    const int32_t drop = kMantissaBits - kColumnBits + (top - numbers[b].exponent);
+    const bool lost = numbers[b].is_zero() || drop > kMantissaBits;
+    value[b] = lost ? 0 : static_cast<int32_t>(((numbers[b].mantissa >> (drop - 1)) + 1) >> 1);
+  }
+  return top + kMantissaBits - kColumnBits;
+}
+
+void LevelColumns::load(const EquationList& list, const RowLayout& layout, const Level& level, const Scaled* parameters,
+                        bool with_controls) {
+  list_ = &list;
+  layout_ = &layout;
+  level_ = &level;
+  for (int i = 0; i < list.dof_count; ++i) {
+    load_scale(i);
+    for (int which = 0; with_controls && which < (list.displacement ? kControlsPerDof : 2); ++which) {
+      load_control(i, which);
+      judge_control(control(i, which));
+    }
+  }
+  for (int e = 0; e < list.count; ++e) load_equation(e, parameters);
+}
+
+void LevelColumns::load_scale(int dof) {
+  const int n = level_->batch_count;
+  Scaled sum;
+  for (int b = 0; b < n; ++b) sum = sum + unpack(level_->batch[b].dof[dof].velocity_square);
+  motion_total_[dof] = sum;
+  motion_mean_[dof] = n ? sum / Scaled::from_int(n) : Scaled{};
+  rows_used_[dof] = 0;
+  for (int b = 0; b < n; ++b) {
+    const BatchDof& batch = level_->batch[b].dof[dof];
+    const Scaled motion = weighted_motion(batch, list_->instrument);
+    used_[b][dof] = level_->periodic || (moves(batch, list_->instrument, motion_mean_[dof]) && !motion.is_zero());
+    if (used_[b][dof] && !motion.is_zero()) ++rows_used_[dof];
+    inverse_scale_[b][dof] = level_->periodic ? Scaled::from_int(1) : Scaled{};
+    if (!level_->periodic && used_[b][dof]) inverse_scale_[b][dof] = inverse_root(motion);
+  }
+}
+
+void LevelColumns::load_control(int dof, int which) {
+  const int c = control(dof, which), n = level_->batch_count;
+  const int q = static_cast<int>(which == 2 ? Weight::kDisplacement : list_->equation[dof].weight);
+  total_[c] = end_variance_[c] = Scaled{};
+  for (int b = 0; b < n; ++b) {
+    const BatchDof& batch = level_->batch[b].dof[dof];
+    const Scaled value = unpack(which == 1 ? batch.elastic_discrepancy[q] : batch.kinetic_discrepancy[q]);
+    const Scaled ends = which == 2 ? Scaled{} : unpack(which == 1 ? batch.elastic_end : batch.kinetic_end);
+    number_[b] = level_->periodic ? value : value * inverse_scale_[b][dof];
+    if (!level_->periodic) continue;
+    other_[b] = value + ends;
+    total_[c] = total_[c] + value;
+  }
+  if (level_->periodic && n > 1 && which != 2) {
+    remove_mean(number_, n);
+    remove_mean(other_, n);
+    const Scaled with = sum_of_squares(number_, n), without = sum_of_squares(other_, n);
+    if (!total_[c].is_zero() && without < with) {
+      end_variance_[c] = (with - without) / Scaled::from_int(n - 1);
+      for (int b = 0; b < n; ++b) number_[b] = other_[b];
+    }
+  }
+  round(c);
+}
+
+// Noise alone has a sum whose square is about the sum of squares; more says that the discrepancy has a cause: skew
+// between channels, or an acceleration that jumps inside a sample interval at the same place of every cycle.
+void LevelColumns::judge_control(int c) {
+  Scaled sum, squares = square(c);
+  if (level_->periodic) {
+    sum = total_[c];
+    squares = squares + end_variance_[c];
+  } else {
+    int64_t whole = 0;
+    for (int b = 0; b < batch_count(); ++b) whole += value_[c][b];
+    sum = Scaled::from_int(whole, exponent_[c]);
+  }
+  valid_[c] =
+      !squares.is_zero() && sum * sum < Scaled::from_int(kSystematicDeviations * kSystematicDeviations) * squares;
+}
+
+void LevelColumns::load_equation(int e, const Scaled* parameters) {
+  const Equation& equation = list_->equation[e];
+  const int q = static_cast<int>(equation.weight), n = batch_count();
+  energy_square_[e] = Scaled{};
+  for (int k = first_term(e); k < behind_terms(e); ++k) {
+    for (int b = 0; b < n; ++b) number_[b] = scaled(b, equation.dof, unpack(level_->batch[b].column[q][k]));
+    round(term(e, k));
+    const Scaled& p = parameters[unknown_of(k)];
+    energy_square_[e] = energy_square_[e] + square(term(e, k)) * (p * p);
+  }
+  for (int b = 0; b < n; ++b) number_[b] = scaled(b, equation.dof, unpack(level_->batch[b].dof[equation.dof].rhs[q]));
+  round(residual(e));  // for its square alone
+  energy_square_[e] = energy_square_[e] + square(residual(e));
+  Scaled& total = total_[residual(e)];
+  total = Scaled{};
+  for (int b = 0; b < n; ++b) {
+    number_[b] = scaled(b, equation.dof, batch_residual(*layout_, level_->batch[b], equation, parameters));
+    if (level_->periodic) total = total + number_[b];
+  }
+  if (level_->periodic && n > 1) remove_mean(number_, n);
+  round(residual(e));
+  scatters_[e] = square(residual(e)) > rounding_square(e);
+}
+
+void LevelColumns::level_row(int e, Row& row) const {
+  clear_row(list_->unknown_count, row);
+  for (int b = 0; b < batch_count(); ++b)
+    add_batch_row(*layout_, level_->batch[b], list_->equation[e], Scaled::from_int(1), row);
+  row.rhs = total_[residual(e)];
+}
+
+}  // namespace firmware

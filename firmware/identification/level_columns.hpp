@@ -1,0 +1,115 @@
+// One level as columns of whole numbers, a number to each batch and an exponent to each column: the terms of every energy
+// equation and its residual, and the kinematic discrepancies, which are zero for any rig and so show
+// noise alone (control variates of the equations). Sums over batches of products of two columns are exact.
+//
+// Periodic levels (one long row per equation): batches are equal repetitions; their deviations from the mean show the
+// noise, the row itself is the sum over the batches. Where batches are whole cycles the discrepancy without its end
+// points has the smaller scatter (the end-point noise of neighbouring batches cancels in the sum), so that form is used
+// for covariances. Other levels: every batch is a row, divided by sqrt(integral of v^2) of its DOF (to 2^-28: all that
+// stands in the row by the same number): white sensor noise times the weight v.
+//
+// Formats: kColumnBits for the largest number of a column (27 for 128 batches: 2^-28 of it is what rounding costs the others),
+// products below 2^54, their sums below 2^62. Residuals are formed before they are rounded, so that they have their own
+// exponent.
+#pragma once
+#include "firmware/identification/rows.hpp"
+
+namespace firmware {
+
+constexpr int kControlsPerDof =
+    kWeights;  // kinetic and elastic of the velocity weight, kinetic of the displacement weight
+constexpr int kMaxControls = kControlsPerDof * kMaxDofs;
+constexpr int kMaxObservables = kMaxControls + kMaxEquations;
+constexpr int kLevelColumns = kMaxObservables + (kWeights - 1) * kMaxIncidences;
+
+constexpr int bits_of(int count) { return count <= 1 ? 0 : 1 + bits_of((count + 1) / 2); }
+constexpr int kColumnBits = (62 - bits_of(kMaxBatches)) / 2;
+static_assert(kColumnBits <= 30, "a column's numbers have 32 bits");
+
+// Numbers of one column: value times 2^exponent.
+struct BatchColumn {
+  const int32_t* value;
+  int32_t exponent;
+};
+// Sum of the products of two columns' first `count` numbers.
+Scaled dot(BatchColumn a, BatchColumn b, int count);
+// The numbers, rounded to kColumnBits of the largest; returns their exponent.
+int32_t round_to_column(const Scaled* numbers, int count, int32_t* value);
+
+class LevelColumns {
+ public:
+  // Fills everything, but the controls only where they are wanted. The level must outlive the object's use.
+  void load(const EquationList& list, const RowLayout& layout, const Level& level, const Scaled* parameters,
+            bool with_controls);
+  // In place of the residuals: change(batch, e), in J.
+  template <typename Change>
+  void load_changes(Change change) {
+    for (int e = 0; e < list_->count; ++e) {
+      for (int b = 0; b < batch_count(); ++b)
+        number_[b] = scaled(b, list_->equation[e].dof, change(level_->batch[b], e));
+      round(residual(e));
+    }
+  }
+
+  bool periodic() const { return level_->periodic; }
+  int batch_count() const { return level_->batch_count; }
+  bool row_used(int batch, int dof) const { return used_[batch][dof]; }  // the DOF moves in this batch
+  int rows_used(int dof) const { return rows_used_[dof]; }
+
+  // Places of columns. Observables are controls and residuals.
+  static int control(int dof, int which) { return kControlsPerDof * dof + which; }
+  static int residual(int e) { return kMaxControls + e; }
+  // n: as in RowLayout::unknown.
+  int term(int e, int n) const { return kMaxObservables + (e < list_->dof_count ? 0 : kMaxIncidences) + n; }
+  BatchColumn column(int place) const { return {value_[place], exponent_[place]}; }
+  Scaled product(int place, int other) const { return dot(column(place), column(other), batch_count()); }
+  int first_term(int e) const { return layout_->first[list_->equation[e].dof]; }
+  int behind_terms(int e) const { return layout_->first[list_->equation[e].dof + 1]; }
+  int unknown_of(int n) const { return layout_->unknown[n]; }
+
+  // Sum of squares of all energies of the equation's rows.
+  Scaled energy_square(int e) const { return energy_square_[e]; }
+  // Sums of squares up to this are rounding, not scatter: (2^-35 of the energy)^2.
+  Scaled rounding_square(int e) const { return scale_by_power_of_two(energy_square_[e], -70); }
+  bool scatters(int e) const { return scatters_[e]; }  // the residuals do, beyond rounding
+  // Measured, and its mean is zero as far as its scatter can tell.
+  bool control_valid(int c) const { return valid_[c]; }
+  // Of the level's own two end points, left out of the control's column.
+  Scaled end_variance(int c) const { return end_variance_[c]; }
+
+  // Periodic levels: sums over the batches. row: of all terms, its right-hand side the residual.
+  Scaled total(int observable) const { return total_[observable]; }
+  void level_row(int e, Row& row) const;
+
+  Scaled motion_mean(int dof) const { return motion_mean_[dof]; }  // mean over batches of V = integral of v^2
+  Scaled motion_total(int dof) const { return motion_total_[dof]; }
+
+ private:
+  Scaled scaled(int batch, int dof, const Scaled& value) const {
+    return level_->periodic ? value : inverse_scale_[batch][dof] * value;
+  }
+  void load_scale(int dof);
+  void load_control(int dof, int which);
+  void judge_control(int c);
+  void load_equation(int e, const Scaled* parameters);
+  void round(int place) { exponent_[place] = round_to_column(number_, batch_count(), value_[place]); }
+  Scaled square(int place) const { return product(place, place); }
+
+  const EquationList* list_ = nullptr;
+  const RowLayout* layout_ = nullptr;
+  const Level* level_ = nullptr;
+  bool used_[kMaxBatches][kMaxDofs];
+  int rows_used_[kMaxDofs];
+  bool valid_[kMaxControls];
+  bool scatters_[kMaxEquations];
+  Scaled inverse_scale_[kMaxBatches][kMaxDofs];  // 1 in periodic levels
+  int32_t value_[kLevelColumns][kMaxBatches];
+  int32_t exponent_[kLevelColumns];
+  Scaled end_variance_[kMaxControls];
+  Scaled total_[kMaxObservables];
+  Scaled energy_square_[kMaxEquations];
+  Scaled motion_mean_[kMaxDofs], motion_total_[kMaxDofs];
+  Scaled number_[kMaxBatches], other_[kMaxBatches];  // before they are rounded
+};
+
+}  // namespace firmware

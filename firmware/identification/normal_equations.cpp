@@ -1,0 +1,113 @@
+#include "firmware/identification/normal_equations.hpp"
+
+namespace firmware {
+
+void NormalEquations::clear(int unknowns) {
+  unknowns_ = unknowns;
+  for (int i = 0; i < at(0, unknowns); ++i) factor_[i] = Scaled{};
+  clear_right_side();
+}
+
+void NormalEquations::clear_right_side() {
+  square_ = Scaled{};
+  for (int i = 0; i < unknowns_; ++i) moment_[i] = Scaled{};
+}
+
+void NormalEquations::add_product(int i, int j, const Scaled& sum) {
+  Scaled& place = factor_[i < j ? at(i, j) : at(j, i)];
+  place = place + sum;
+}
+
+void NormalEquations::add(const Row& row) {
+  for (int j = 0; j < unknowns_; ++j) {
+    if (row.column[j].is_zero()) continue;
+    for (int i = 0; i <= j; ++i)
+      if (!row.column[i].is_zero()) add_product(i, j, row.column[i] * row.column[j]);
+  }
+  add_right_side(row);
+}
+
+void NormalEquations::add_right_side(const Row& row) {
+  for (int j = 0; j < unknowns_; ++j) add_moment(j, row.column[j] * row.rhs);
+  add_square(row.rhs * row.rhs);
+}
+
+void NormalEquations::factorise() {
+  for (int column = 0; column < unknowns_; ++column) {
+    for (int row = 0; row <= column; ++row) {
+      const Scaled whole = factor_[at(row, column)];
+      Scaled sum = whole;
+      for (int k = 0; k < row; ++k) {
+        const Scaled &a = factor_[at(k, row)], &b = factor_[at(k, column)];
+        if (!a.is_zero() && !b.is_zero()) sum = sum - a * b;
+      }
+      const Scaled& diagonal = factor_[at(row, row)];
+      if (row < column)
+        factor_[at(row, column)] = diagonal.is_zero() ? Scaled{} : sum / diagonal;
+      else
+        factor_[at(row, row)] = sum > scale_by_power_of_two(whole, -46) ? sqrt(sum) : Scaled{};
+    }
+  }
+}
+
+void NormalEquations::substitute() {
+  for (int column = 0; column < unknowns_; ++column) {
+    Scaled sum = moment_[column];
+    for (int k = 0; k < column; ++k) sum = sum - factor_[at(k, column)] * moment_[k];
+    moment_[column] = determined(column) ? sum / factor_[at(column, column)] : Scaled{};
+  }
+}
+
+Scaled NormalEquations::residual_square() const {
+  Scaled left = square_;
+  for (int k = 0; k < unknowns_; ++k) left = left - moment_[k] * moment_[k];
+  return left.is_negative() ? Scaled{} : left;
+}
+
+Scaled NormalEquations::column_norm(int column) const {
+  Scaled sum;
+  for (int i = 0; i <= column; ++i) sum = sum + factor_[at(i, column)] * factor_[at(i, column)];
+  return sqrt(sum);
+}
+
+void NormalEquations::solve(Scaled* parameters) const {
+  for (int k = unknowns_ - 1; k >= 0; --k) {
+    parameters[k] = Scaled{};
+    if (!determined(k)) continue;
+    Scaled sum = moment_[k];
+    for (int j = k + 1; j < unknowns_; ++j) sum = sum - factor_[at(k, j)] * parameters[j];
+    parameters[k] = sum / factor_[at(k, k)];
+  }
+}
+
+// R^-1 first, then its product with its transpose in the same place: an entry is read for the last time when it is written.
+void NormalEquations::invert() {
+  Scaled* const x = covariance_;
+  for (int column = 0; column < unknowns_; ++column) {
+    for (int row = 0; row <= column; ++row) x[at(row, column)] = Scaled{};
+    if (!determined(column)) continue;
+    x[at(column, column)] = Scaled::from_int(1) / factor_[at(column, column)];
+    for (int row = column - 1; row >= 0; --row) {
+      if (!determined(row)) continue;
+      Scaled sum;
+      for (int j = row + 1; j <= column; ++j) sum = sum - factor_[at(row, j)] * x[at(j, column)];
+      x[at(row, column)] = sum / factor_[at(row, row)];
+    }
+  }
+  for (int i = 0; i < unknowns_; ++i)
+    for (int j = i; j < unknowns_; ++j) {
+      Scaled sum;
+      for (int k = j; k < unknowns_; ++k) sum = sum + x[at(i, k)] * x[at(j, k)];
+      x[at(i, j)] = sum;
+    }
+}
+
+void NormalEquations::apply_covariance(const Scaled* vector, Scaled* result) const {
+  for (int i = 0; i < unknowns_; ++i) {
+    result[i] = Scaled{};
+    for (int j = 0; j < unknowns_; ++j)
+      if (!vector[j].is_zero()) result[i] = result[i] + covariance(i, j) * vector[j];
+  }
+}
+
+}  // namespace firmware
