@@ -141,6 +141,7 @@ Estimation estimate_as_told(const rig_file::RigModel& model, const std::vector<R
   estimation.result.samples = samples;
   estimation.result.sample_rate_Hz = 1.0 / records.front().sample_period_s;
   estimation.result.levels = static_cast<unsigned>(records.size());
+  estimation.result.integrates = configuration.high_pass_order > 0;
   estimation.result.health = board.core().health();
   if (const std::string plan = rig_file::describe_plan(configuration); !plan.empty())
     estimation.result.notes.push_back(plan);

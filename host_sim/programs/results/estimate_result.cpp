@@ -20,8 +20,21 @@ double finite(firmware::Scaled value) {
   return std::isfinite(result) ? std::clamp(result, -kLargest, kLargest) : std::copysign(kLargest, result);
 }
 
+// Columns that differ well are hidden by noise, not by each other.
+constexpr double kWellConditioned = 10.0;
+
+bool hidden_by_noise(EstimateStatus status, const EstimateResult& result) {
+  return status == EstimateStatus::kIllConditioned && result.condition_number < kWellConditioned;
+}
+
 // Why a parameter has no answer; empty where it has one.
-const char* reason(EstimateStatus status) {
+const char* reason(EstimateStatus status, const EstimateResult& result) {
+  if (hidden_by_noise(status, result))
+    return result.integrates
+               ? "hidden by noise: integrated accelerations do not show slow motion, nor where friction changes "
+                 "its direction; measure displacement or velocity as well"
+               : "hidden by noise: the energies of these data scatter as much as they are; raise the level, "
+                 "measure velocity or acceleration as well, or filter all channels alike and record slower";
   switch (status) {
     case EstimateStatus::kStale:
       return "no window closed; record several cycles of the lowest frequency at least";
@@ -105,17 +118,20 @@ std::vector<double> values_of(const EstimateResult& result) {
 std::string unanswered(const EstimateResult& result) {
   std::map<EstimateStatus, std::string> names;
   for (const ParameterResult& parameter : result.parameters) {
-    if (*reason(parameter.status) == '\0') continue;
+    if (*reason(parameter.status, result) == '\0') continue;
     std::string& list = names[parameter.status];
     list += (list.empty() ? "" : ", ") + parameter.info.name;
   }
   std::string text;
   for (const auto& [status, list] : names)
-    text += (text.empty() ? "" : "\n  ") + list + ": " + status_word(status) + ", " + reason(status);
+    text += (text.empty() ? "" : "\n  ") + list + ": " + status_word(status) + ", " + reason(status, result);
   if (text.empty()) return text;
-  const bool entangled = names.count(EstimateStatus::kIllConditioned) > 0 && !result.unresolved.empty();
+  const bool entangled = names.count(EstimateStatus::kIllConditioned) > 0 && !result.unresolved.empty() &&
+                         !hidden_by_noise(EstimateStatus::kIllConditioned, result);
   if (entangled) text += "\n  hardly seen is the change " + result.unresolved;
-  if (!result.advice.empty()) text += "\n  measure instead: " + result.advice;
+  const bool noise = hidden_by_noise(EstimateStatus::kIllConditioned, result);
+  if (!result.advice.empty() && !(noise && names.size() == 1 && names.count(EstimateStatus::kIllConditioned) == 1))
+    text += "\n  measure instead: " + result.advice;
   return text;
 }
 
