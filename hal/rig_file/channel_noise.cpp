@@ -18,9 +18,8 @@ constexpr double kClip = 3.0, kClippedVariance = 0.97334;  // variance of a norm
 
 // A level read from n samples is known to sqrt(2 / n) of its band: 2 % for 5000 samples.
 constexpr double kWhiteDoubt = 0.04;
-// The upper half of the spectrum hardly tells poles over 0.7 apart. Of a displacement, whose slopes are what noise is in, the
-// same band counts; an acceleration that is integrated has the noise of low frequencies, which is then anything up to twice
-// what a pole of 0.9 gives.
+// The upper half of the spectrum hardly tells poles over 0.7 apart. Of a displacement, whose slopes are what noise is
+// in, the same band counts. What is integrated has the noise of low frequencies: that is read there (kLowDoubt).
 constexpr double kColouredDoubt = 0.25, kMostPole = 0.9;
 // A bottom of the spectrum that is so far above the top is coloured: the least of 8 bands scatters by a half.
 constexpr double kColouredLevel = 3.0, kLowDoubt = 0.5;
