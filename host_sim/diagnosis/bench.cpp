@@ -1,6 +1,5 @@
 #include "bench.hpp"
 
-#include "beyond_noise.hpp"
 #include "naming.hpp"
 #include "sharpen.hpp"
 
@@ -58,15 +57,6 @@ void Bench::lay_out() {
 void Bench::lay_out_sharpened() {
   sharpen_all(system, records);
   lay_out();
-}
-
-void Bench::look_wide() {
-  for (FusedRecord& f : records) {
-    fuse(f);
-    f.last_bin = end_of_motion(f);
-  }
-  lay_out();
-  colour_by_vocabulary(*rows, *bank);
 }
 
 void sharpen_all(const System& system, std::vector<FusedRecord>& records) {

@@ -33,8 +33,6 @@ struct Bench {
   std::unique_ptr<CandidateBank> bank = nullptr;
   void lay_out();
   void lay_out_sharpened();  // after sharpen_all()
-  // For a rig that is far from any model: the motion as measured, where there is motion, and weights to match.
-  void look_wide();
 };
 
 }  // namespace diagnosis

@@ -18,7 +18,6 @@ Rows::Rows(const System& system, const std::vector<FusedRecord>& records) : syst
     for (const Series& force : f.force) force_.back().push_back(force.size() ? row_spectrum(f, force) : Spectrum());
     held_.emplace_back(system.links.size());
     doubt_.emplace_back(system.links.size(), 0.0);
-    inflation_.push_back(Series::Ones(f.last_bin + 1 - f.first_bin));
     size_ += 2 * static_cast<Eigen::Index>(system.dofs()) * (f.last_bin + 1 - f.first_bin);
   }
 }

@@ -69,9 +69,6 @@ class Rows {
   void hold_stuck(const std::vector<ActiveTerm>& model);
   // Sets the weights from the model's present values.
   void weight(const std::vector<ActiveTerm>& model);
-  // Real rigs differ from any model by more than sensor noise: widens the covariance, per frequency, to the residual
-  // (weighed by the present one) that a fit left over; `freedom` is the share of rows that the fit did not use up.
-  void colour(const std::vector<Balance>& residual, double freedom);
   std::shared_ptr<const Weights> weights() const { return weights_; }
   Place place(const Term& term) const { return place_of_force(system_, term); }
   // What the motion needs beyond the known forces: measured force less the friction held near reversals, per record.
@@ -99,7 +96,6 @@ class Rows {
   std::vector<std::vector<Spectrum>> force_;  // [record][dof]
   std::vector<std::vector<Spectrum>> held_;   // [record][link]: friction beyond Coulomb's; empty where none
   std::vector<std::vector<double>> doubt_;    // [record][link]: variance per sample of what is uncertain in it
-  std::vector<Series> inflation_;             // [record]: factor of the covariance per row bin, 1 or more
   std::shared_ptr<const Weights> weights_;    // shared with the fits made under them
   Eigen::Index size_ = 0;
   double absorbed_ = 0, log_determinant_ = 0;

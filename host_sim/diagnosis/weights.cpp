@@ -94,7 +94,7 @@ void Rows::weight(const std::vector<ActiveTerm>& model) {
       for (Eigen::Index k = 0; k <= j; ++k) {
         Spectrum& entry = covariance[in_triangle(j, k)];
         entry.array() += known(j, k);
-        entry = (0.5 * f.inner_energy * smoothed(entry).array() * inflation_[r].array()).matrix().eval();
+        entry = (0.5 * f.inner_energy * smoothed(entry)).eval();
         if (f.first_bin == 0) entry[0] *= 2;  // the mean is real: all its noise is in one of the two rows
       }
     }
@@ -102,21 +102,6 @@ void Rows::weight(const std::vector<ActiveTerm>& model) {
     log_determinant_ += 2 * weights->back().log_determinant();
   }
   weights_ = weights;
-}
-
-void Rows::colour(const std::vector<Balance>& residual, double freedom) {
-  for (size_t r = 0; r < records_.size(); ++r) {
-    Series& factor = inflation_[r];
-    const Series power = (*weights_)[r].power(residual[r]) / (2.0 * static_cast<double>(system_.dofs()));
-    Series total(factor.size() + 1);
-    total[0] = 0;
-    for (Eigen::Index i = 0; i < factor.size(); ++i) total[i + 1] = total[i] + factor[i] * power[i];
-    for (Eigen::Index i = 0; i < factor.size(); ++i) {
-      const Eigen::Index reach = 6 + i / 8, low = std::max<Eigen::Index>(0, i - reach),
-                         high = std::min(factor.size(), i + reach + 1);
-      factor[i] = std::max(1.0, (total[high] - total[low]) / static_cast<double>(high - low) / freedom);
-    }
-  }
 }
 
 }  // namespace diagnosis

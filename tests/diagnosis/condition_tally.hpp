@@ -29,7 +29,7 @@ struct Said {
   std::string text;                // truth and answer in one line
 };
 
-Outcome judge(const Draw& draw, const diagnosis::Diagnosis& answer);
+Outcome judge(const Draw& draw, diagnosis::Diagnosis answer);
 // One draw, diagnosed. What can hide: every word of effects() but faults of the data themselves (dead, clipped, ...).
 Said ask(const std::string& condition, const std::string& sensors, bool hides, uint64_t seed);
 

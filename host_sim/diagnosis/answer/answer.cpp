@@ -81,8 +81,6 @@ void take(const Score& score, ModelScore& to) {
   to.holdout_velocity_nrmse_percent = score.velocity_percent;
 }
 
-}  // namespace
-
 // A force that is held between its samples acts half a sample late on the mean: its readings come early by that much.
 bool is_hold(const Task& task, const Cause& c) {
   const bool of_force = c.where.rfind("channel force", 0) == 0 || c.where.rfind("channel torque", 0) == 0;
@@ -91,9 +89,19 @@ bool is_hold(const Task& task, const Cause& c) {
   return std::abs(c.parameters[0].value + half) < kLikeAHold * half + 2 * c.parameters[0].std;
 }
 
-void answer(const Task& task, const Choice& choice, Diagnosis& d) {
-  const std::vector<ActiveTerm> base = active(choice.base.model, determined(choice.base.fit, choice.base.model));
-  const std::vector<ActiveTerm> full = active(choice.final.model, determined(choice.final.fit, choice.final.model));
+using Terms = std::vector<ActiveTerm>;
+
+void add_rivals(const Task& task, const Named& named, Diagnosis& d) {
+  for (const Rival& r : named.rivals) {
+    const NamedPlace other{word_of(r.candidate.terms[0].kind), place(task, r.candidate.terms[0])};
+    const bool said = std::any_of(d.ambiguous_with.begin(), d.ambiguous_with.end(), [&](const NamedPlace& p) {
+      return p.effect == other.effect && p.where == other.where;
+    });
+    if (!said) d.ambiguous_with.push_back(other);
+  }
+}
+
+void name_causes(const Task& task, const Choice& choice, const Terms& full, Diagnosis& d) {
   for (const Named& named : choice.named) {
     Cause c;
     c.effect = word_of(named.candidate.terms[0].kind), c.where = place(task, named.candidate.terms[0]);
@@ -101,70 +109,104 @@ void answer(const Task& task, const Choice& choice, Diagnosis& d) {
     c.explains_percent = std::clamp(100 * named.share, 0.0, 100.0);
     for (const ActiveTerm& a : full)
       if (a.added && a.term.same_place(named.candidate.terms[0])) c.parameters = parameters_of_cause(task, full, a);
-    if (is_hold(task, c)) c.effect = "force_hold", c.parameters.clear(), d.force_between_samples = "steps";
     d.causes.push_back(c);
-    for (const Rival& r : named.rivals) {
-      const NamedPlace other{word_of(r.candidate.terms[0].kind), place(task, r.candidate.terms[0])};
-      const bool said = std::any_of(d.ambiguous_with.begin(), d.ambiguous_with.end(), [&](const NamedPlace& p) {
-        return p.effect == other.effect && p.where == other.where;
-      });
-      if (!said) d.ambiguous_with.push_back(other);
-    }
+    add_rivals(task, named, d);
   }
-  d.baseline.parameters = all_parameters(task, base);
-  d.extended.parameters = all_parameters(task, full);
+}
+
+// Both models on unseen data. Returns the worst DOF's error of the one with the causes, NRMSE in percent.
+double compare_unseen(const Task& task, const Choice& choice, Diagnosis& d) {
   const Score before = score_unseen(task, choice.base),
               after = choice.named.empty() ? before : score_unseen(task, choice.final);
   take(before, d.baseline), take(after, d.extended);
   d.gain.clear();
-  double worst_free_run = 0;
+  double worst = 0;
   for (size_t i = 0; i < before.nrmse_percent.size(); ++i) {
-    d.gain.push_back(before.nrmse_percent[i] / std::max(1e-9, after.nrmse_percent[i]));
-    worst_free_run = std::max(worst_free_run, after.nrmse_percent[i]);
-    d.remainder_percent.push_back(choice.named.empty() ? 100
-                                                       : std::min(1000.0, 100 * after.nrmse_percent[i] /
-                                                                              std::max(1e-9, before.nrmse_percent[i])));
+    const double old = before.nrmse_percent[i], now = after.nrmse_percent[i];
+    d.gain.push_back(old / std::max(1e-9, now));
+    d.remainder_percent.push_back(choice.named.empty() ? 100 : std::min(1000.0, 100 * now / std::max(1e-9, old)));
+    worst = std::max(worst, now);
   }
-  std::vector<ActiveTerm> writable;
+  return worst;
+}
+
+// What a rig file can state: a channel's fault and what changes from record to record it cannot.
+rig_file::RigModel written_rig(const Task& task, const Terms& full) {
+  Terms writable;
   for (const ActiveTerm& a : full)
     if (!of_motion_channel(a.term.kind) && a.term.shape != kAcrossRecords) writable.push_back(a);
-  d.extended_rig = extended_rig(task.system, writable);
+  return extended_rig(task.system, writable);
+}
+
+Verdict verdict_of(const Task& task, const Choice& choice, bool noise, double worst_free_run, const Diagnosis& d) {
+  if (!choice.named.empty())
+    return !d.ambiguous_with.empty() ? Verdict::kAmbiguous : noise ? Verdict::kExplained : Verdict::kPartly;
+  const bool nothing_missing = noise || right(task, choice) || near_enough(task, choice) ||
+                               (choice.noise_is_enough && worst_free_run < kHalfOfVariance);
+  return nothing_missing ? Verdict::kNone : Verdict::kUnknown;
+}
+
+// A cause beside which as much remains as before explains nothing: of what acts here it is not the name. Where only
+// noise remains it is a cause still if the rig's own numbers are others beside it.
+bool immaterial(const Choice& choice, bool noise, const Terms& base, const Terms& full, const Diagnosis& d) {
+  return !choice.named.empty() && (!noise || !moved(base, full)) &&
+         std::all_of(d.gain.begin(), d.gain.end(), [](double gain) { return gain < kLeastGain; });
+}
+
+void withdraw_causes(const Task& task, const Terms& base, Diagnosis& d) {
+  d.causes.clear(), d.ambiguous_with.clear();
+  d.extended = d.baseline;
+  std::fill(d.gain.begin(), d.gain.end(), 1.0);
+  std::fill(d.remainder_percent.begin(), d.remainder_percent.end(), 100.0);
+  d.extended_rig = extended_rig(task.system, base);
+}
+
+void say_cannot_describe(const Task& task, const Choice& choice, Diagnosis& d) {
+  d.baseline.parameters.clear(), d.extended.parameters.clear();  // numbers of a model that is not this rig's
+  char text[200];
+  std::snprintf(
+      text, sizeof text,
+      "Even over %.2g of a period, each from its own best start, its simulation misses %.0f %% of the motion.",
+      choice.periods, std::min(100.0, 100 * motion_error(task, choice.final)));
+  d.cannot_describe = text;
+  std::snprintf(
+      text, sizeof text,
+      "count the modes in the spectrum (the rig file has %zu DOF), and check the units and the channels' places",
+      task.system.dofs());
+  d.advice.push_back(text);
+}
+
+}  // namespace
+
+void widen(const Task& task, const State& fitted, std::vector<diagnosis::Parameter>& parameters) {
+  if (!fitted.fit.ok) return;
+  for (const diagnosis::Parameter& other :
+       all_parameters(task, active(fitted.model, determined(fitted.fit, fitted.model))))
+    for (diagnosis::Parameter& p : parameters)
+      if (p.name == other.name && p.std > 0) p.std = std::max(p.std, other.std);
+}
+
+void name_holds(const Task& task, Diagnosis& d) {
+  for (Cause& c : d.causes)
+    if (is_hold(task, c)) c.effect = "force_hold", c.parameters.clear(), d.force_between_samples = "steps";
+}
+
+void answer(const Task& task, const Choice& choice, Diagnosis& d) {
+  const Terms base = active(choice.base.model, determined(choice.base.fit, choice.base.model));
+  const Terms full = active(choice.final.model, determined(choice.final.fit, choice.final.model));
+  name_causes(task, choice, full, d);
+  d.baseline.parameters = all_parameters(task, base), d.extended.parameters = all_parameters(task, full);
+  const double worst_free_run = compare_unseen(task, choice, d);
+  d.extended_rig = written_rig(task, full);
   state_delays(d.causes, d.extended_rig);
   d.baseline_misfit = choice.base_left.worst(), d.extended_misfit = choice.final_left.worst();
-  const double error = motion_error(task, choice.final);
   const bool noise = choice.final.fit.ok && !beyond_noise(choice.final_left) && worst_free_run < kHalfOfVariance;
-  if (!choice.named.empty())
-    d.verdict = !d.ambiguous_with.empty() ? Verdict::kAmbiguous : noise ? Verdict::kExplained : Verdict::kPartly;
-  else
-    d.verdict = noise || right(task, choice) || near_enough(task, choice) ||
-                        (choice.noise_is_enough && worst_free_run < kHalfOfVariance)
-                    ? Verdict::kNone
-                    : Verdict::kUnknown;
-  // A cause beside which as much remains as before explains nothing: of what acts here it is not the name. Where only
-  // noise remains it is a cause still if the rig's own numbers are others beside it.
-  if (!choice.named.empty() && (!noise || !moved(base, full)) &&
-      std::all_of(d.gain.begin(), d.gain.end(), [](double gain) { return gain < kLeastGain; })) {
+  d.verdict = verdict_of(task, choice, noise, worst_free_run, d);
+  if (immaterial(choice, noise, base, full, d)) {
+    withdraw_causes(task, base, d);
     d.verdict = noise || motion_error(task, choice.base) < kAsGoodAsRight ? Verdict::kNone : Verdict::kUnknown;
-    d.causes.clear(), d.ambiguous_with.clear();
-    d.extended = d.baseline;
-    std::fill(d.gain.begin(), d.gain.end(), 1.0);
-    std::fill(d.remainder_percent.begin(), d.remainder_percent.end(), 100.0);
-    d.extended_rig = extended_rig(task.system, base);
   }
-  if (choice.base_fits_nothing && choice.named.empty()) {
-    d.baseline.parameters.clear(), d.extended.parameters.clear();  // numbers of a model that is not this rig's
-    char text[200];
-    std::snprintf(
-        text, sizeof text,
-        "Even over %.2g of a period, each from its own best start, its simulation misses %.0f %% of the motion.",
-        choice.periods, std::min(100.0, 100 * error));
-    d.cannot_describe = text;
-    std::snprintf(text, sizeof text,
-                  "count the modes in the spectrum (the rig file has %zu DOF), and check the units and the channels' "
-                  "places",
-                  task.system.dofs());
-    d.advice.push_back(text);
-  }
+  if (choice.base_fits_nothing && choice.named.empty()) say_cannot_describe(task, choice, d);
 }
 
 }  // namespace diagnosis::runs

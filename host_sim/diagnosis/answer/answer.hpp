@@ -9,6 +9,13 @@ namespace diagnosis::runs {
 // verdict.
 void answer(const Task& task, const Choice& choice, Diagnosis& d);
 
+// Widens intervals to those that a fit of free runs gives the same coefficients: its standard deviations come from the
+// scatter of what is left, window by window, and know of what a model of the noise leaves out.
+void widen(const Task& task, const State& fitted, std::vector<diagnosis::Parameter>& parameters);
+
+// A delay of the force that is half a sample early is named as what it is: the force is held between its samples.
+void name_holds(const Task& task, Diagnosis& d);
+
 // A model's free run on unseen data, from the measured state at its start; errors over 1000 % are said as 1000.
 struct Score {
   std::vector<double> nrmse_percent, velocity_percent, mse_percent;  // per DOF

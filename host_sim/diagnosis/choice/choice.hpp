@@ -80,7 +80,7 @@ void choose(const Task& task, Choice& choice, const std::function<void(double)>&
 // Whether every one of these, found by another test, is borne out: it stays significant beside the others, and without
 // it unseen data are simulated worse.
 bool borne_out(const Task& task, const State& base, const std::vector<Candidate>& found,
-               const std::vector<double>& values);
+               const std::vector<double>& values, State* fitted = nullptr);  // fitted: with all of them
 
 // Share of a fit's squared residual that looks like noise, mean over the channels.
 double noise_share(const Left& left, const Fitted& fit);

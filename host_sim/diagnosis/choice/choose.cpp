@@ -143,10 +143,11 @@ void adopt(const Task& task, const std::vector<Candidate>& found, const std::vec
 }
 
 bool borne_out(const Task& task, const State& base, const std::vector<Candidate>& found,
-               const std::vector<double>& values) {
+               const std::vector<double>& values, State* fitted) {
   std::vector<std::vector<double>> starts;
   for (double v : values) starts.push_back({v});
   const Attempt all = attempt(task, base, found, starts, kTrialSteps);
+  if (fitted) *fitted = all.state;
   if (!all.state.fit.ok || !(all.z > kBorneOut) || !unseen_agrees(all)) return false;
   for (size_t i = 0; found.size() > 1 && i < found.size(); ++i) {
     std::vector<Candidate> fewer = found;

@@ -244,18 +244,22 @@ Prepared prepare(const rig_file::RigModel& rig, const host_sim::Record& record) 
   return prepare_by(rig, record, needs_of(record));
 }
 
-std::vector<Prepared> prepare_all(const rig_file::RigModel& rig, const std::vector<host_sim::Record>& records) {
+std::vector<Prepared> prepare_all(const rig_file::RigModel& rig, const std::vector<host_sim::Record>& training,
+                                  const std::vector<host_sim::Record>& holdout) {
+  std::vector<const host_sim::Record*> records;
+  for (const auto* list : {&training, &holdout})
+    for (const host_sim::Record& r : *list) records.push_back(&r);
   std::vector<Needs> needs;
   double step_s = 1e300;
-  for (const host_sim::Record& r : records) {
-    needs.push_back(needs_of(r));
-    step_s = std::min(step_s, r.sample_period_s * needs.back().by);
+  for (const host_sim::Record* r : records) {
+    needs.push_back(needs_of(*r));
+    step_s = std::min(step_s, r->sample_period_s * needs.back().by);
   }
   std::vector<Prepared> list;
   double begins_s = 0;
   for (size_t i = 0; i < records.size(); ++i) {
-    needs[i].by = std::max(1, static_cast<int>(step_s / records[i].sample_period_s + 1e-6));
-    list.push_back(prepare_by(rig, records[i], needs[i]));
+    needs[i].by = std::max(1, static_cast<int>(step_s / records[i]->sample_period_s + 1e-6));
+    list.push_back(prepare_by(rig, *records[i], needs[i]));
     list[i].middle_s = begins_s + 0.5 * list[i].time_s(list[i].samples);
     begins_s += list[i].time_s(list[i].samples);
   }

@@ -54,7 +54,8 @@ struct Prepared {
 // Throws CannotAnswer where a DOF has no motion channel or the record is too short.
 Prepared prepare(const rig_file::RigModel& rig, const host_sim::Record& record);
 // All records at one step: that of the fastest motion among them.
-std::vector<Prepared> prepare_all(const rig_file::RigModel& rig, const std::vector<host_sim::Record>& records);
+std::vector<Prepared> prepare_all(const rig_file::RigModel& rig, const std::vector<host_sim::Record>& training,
+                                  const std::vector<host_sim::Record>& holdout);
 
 // The guess of the base from its readings.
 void renew_base(Prepared& record);
