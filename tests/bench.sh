@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # The long measurements, called by tests/run.sh --bench: docs/speed.md, docs/accuracy.md, docs/coverage.md, docs/warrant.md, docs/diagnosis.md. They take about
 # an hour on two cores; nothing else should run meanwhile. A page appears whole or not at all.
+#   tests/bench.sh speed    docs/speed.md alone
 set -euo pipefail
 cd "$(dirname "$0")/.."
 bin=build/host/bin
@@ -41,6 +42,7 @@ if measured bench_core; then
   } > build/host/speed.md
   mv build/host/speed.md docs/speed.md
 fi
+[ "${1:-all}" != speed ] || exit 0
 # Every compiler, level of optimisation and processor; sizes at some capacities.
 if measured scenario_script; then
   mapfile -t combinations < <(tests/bit_identity/identity.py --list)

@@ -10,7 +10,7 @@ void add_equation(const EquationList& list, const LevelColumns& level, const Whi
                   WeightedFit& fit, BiasCheck& check) {
   if (whitening.deviation.is_zero()) return;
   const ReducedRows& rows = fit.reduce(whitening, e, false);
-  const BatchColumn change = rows.residual();
+  const WholeColumn change = rows.residual();
   const Scaled weight = Scaled::from_int(1) / (whitening.deviation * whitening.deviation);
   Row row;
   if (level.periodic() && !whitened_level_row(list, level, whitening, e, row)) return;

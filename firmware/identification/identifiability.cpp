@@ -12,7 +12,8 @@ Scaled normalise(Scaled* vector, int size) {
   for (int k = 0; k < size; ++k) sum = sum + vector[k] * vector[k];
   const Scaled norm = sqrt(sum);
   if (norm.is_zero()) return norm;
-  for (int k = 0; k < size; ++k) vector[k] = vector[k] / norm;
+  const Scaled inverse = Scaled::from_int(1) / norm;
+  for (int k = 0; k < size; ++k) vector[k] = vector[k] * inverse;
   return norm;
 }
 
@@ -25,20 +26,21 @@ void start_vector(const NormalEquations& factor, Scaled* vector) {
 // Largest singular value of R D^-1, D the column norms.
 Scaled largest_singular_value(const NormalEquations& factor, const Scaled* norm) {
   const int n = factor.unknowns();
-  Scaled vector[kMaxUnknowns], middle[kMaxUnknowns], square;
+  Scaled vector[kMaxUnknowns], middle[kMaxUnknowns], inverse[kMaxUnknowns], square;
+  for (int j = 0; j < n; ++j)
+    if (!norm[j].is_zero()) inverse[j] = Scaled::from_int(1) / norm[j];
   start_vector(factor, vector);
   normalise(vector, n);
   for (int turn = 0; turn < kIterations; ++turn) {
+    for (int j = 0; j < n; ++j) vector[j] = vector[j] * inverse[j];
     for (int i = 0; i < n; ++i) {
       middle[i] = Scaled{};
-      for (int j = i; j < n; ++j)
-        if (!norm[j].is_zero()) middle[i] = middle[i] + factor.factor(i, j) * vector[j] / norm[j];
+      for (int j = i; j < n; ++j) middle[i] = middle[i] + factor.factor(i, j) * vector[j];
     }
     for (int j = 0; j < n; ++j) {
       vector[j] = Scaled{};
-      if (norm[j].is_zero()) continue;
       for (int i = 0; i <= j; ++i) vector[j] = vector[j] + factor.factor(i, j) * middle[i];
-      vector[j] = vector[j] / norm[j];
+      vector[j] = vector[j] * inverse[j];
     }
     square = normalise(vector, n);
   }

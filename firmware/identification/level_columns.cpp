@@ -1,11 +1,8 @@
 #include "firmware/identification/level_columns.hpp"
 
-#include "firmware/fixed_point/magnitude.hpp"
-
 namespace firmware {
 namespace {
 
-constexpr int kMantissaBits = 62;
 constexpr int kSystematicDeviations = 4;  // a control variate whose mean is this far from zero is not noise
 
 void remove_mean(Scaled* values, int count) {
@@ -31,28 +28,6 @@ Scaled weighted_motion(const BatchDof& batch, bool instrument) {
 
 }  // namespace
 
-Scaled dot(BatchColumn a, BatchColumn b, int count) {
-  int64_t sum = 0;
-  for (int i = 0; i < count; ++i) sum += static_cast<int64_t>(a.value[i]) * b.value[i];
-  return Scaled::from_int(sum, a.exponent + b.exponent);
-}
-
-int32_t round_to_column(const Scaled* numbers, int count, int32_t* value) {
-  bool any = false;
-  int32_t top = 0;
-  for (int b = 0; b < count; ++b) {
-    if (numbers[b].is_zero()) continue;
-    if (!any || numbers[b].exponent > top) top = numbers[b].exponent;
-    any = true;
-  }
-  for (int b = 0; b < count; ++b) {
-    const int32_t drop = kMantissaBits - kColumnBits + (top - numbers[b].exponent);
-    const bool lost = numbers[b].is_zero() || drop > kMantissaBits;
-    value[b] = lost ? 0 : static_cast<int32_t>(((numbers[b].mantissa >> (drop - 1)) + 1) >> 1);
-  }
-  return top + kMantissaBits - kColumnBits;
-}
-
 void LevelColumns::load(const EquationList& list, const RowLayout& layout, const Level& level, const Scaled* parameters,
                         bool with_controls) {
   list_ = &list;
@@ -74,11 +49,12 @@ void LevelColumns::load_scale(int dof) {
   for (int b = 0; b < n; ++b) sum = sum + unpack(level_->batch[b].dof[dof].velocity_square);
   motion_total_[dof] = sum;
   motion_mean_[dof] = n ? sum / Scaled::from_int(n) : Scaled{};
+  const Scaled least = scale_by_power_of_two(motion_mean_[dof], -34);
   rows_used_[dof] = 0;
   for (int b = 0; b < n; ++b) {
     const BatchDof& batch = level_->batch[b].dof[dof];
     const Scaled motion = weighted_motion(batch, list_->instrument);
-    used_[b][dof] = level_->periodic || (moves(batch, list_->instrument, motion_mean_[dof]) && !motion.is_zero());
+    used_[b][dof] = level_->periodic || (moves(batch, list_->instrument, least) && !motion.is_zero());
     if (used_[b][dof] && !motion.is_zero()) ++rows_used_[dof];
     inverse_scale_[b][dof] = level_->periodic ? Scaled::from_int(1) : Scaled{};
     if (!level_->periodic && used_[b][dof]) inverse_scale_[b][dof] = inverse_root(motion);

@@ -1,6 +1,6 @@
-// One level as columns of whole numbers, a number to each batch and an exponent to each column: the terms of every energy
-// equation and its residual, and the kinematic discrepancies, which are zero for any rig and so show
-// noise alone (control variates of the equations). Sums over batches of products of two columns are exact.
+// One level as columns of whole numbers, a number to each batch and an exponent to each column: the terms of every
+// energy equation and its residual, and the kinematic discrepancies, which are zero for any rig and so show noise alone
+// (control variates of the equations). Sums over batches of products of two columns are exact.
 //
 // Periodic levels (one long row per equation): batches are equal repetitions; their deviations from the mean show the
 // noise, the row itself is the sum over the batches. Where batches are whole cycles the discrepancy without its end
@@ -8,10 +8,11 @@
 // for covariances. Other levels: every batch is a row, divided by sqrt(integral of v^2) of its DOF (to 2^-28: all that
 // stands in the row by the same number): white sensor noise times the weight v.
 //
-// Formats: kColumnBits for the largest number of a column (27 for 128 batches: 2^-28 of it is what rounding costs the others),
-// products below 2^54, their sums below 2^62. Residuals are formed before they are rounded, so that they have their own
-// exponent.
+// Formats: kColumnBits for the largest number of a column (27 for 128 batches: 2^-28 of it is what rounding costs the
+// others), products below 2^54, their sums below 2^62. Residuals are formed before they are rounded, so that they have
+// their own exponent.
 #pragma once
+#include "firmware/fixed_point/whole_column.hpp"
 #include "firmware/identification/rows.hpp"
 
 namespace firmware {
@@ -25,16 +26,6 @@ constexpr int kLevelColumns = kMaxObservables + (kWeights - 1) * kMaxIncidences;
 constexpr int bits_of(int count) { return count <= 1 ? 0 : 1 + bits_of((count + 1) / 2); }
 constexpr int kColumnBits = (62 - bits_of(kMaxBatches)) / 2;
 static_assert(kColumnBits <= 30, "a column's numbers have 32 bits");
-
-// Numbers of one column: value times 2^exponent.
-struct BatchColumn {
-  const int32_t* value;
-  int32_t exponent;
-};
-// Sum of the products of two columns' first `count` numbers.
-Scaled dot(BatchColumn a, BatchColumn b, int count);
-// The numbers, rounded to kColumnBits of the largest; returns their exponent.
-int32_t round_to_column(const Scaled* numbers, int count, int32_t* value);
 
 class LevelColumns {
  public:
@@ -61,7 +52,7 @@ class LevelColumns {
   static int residual(int e) { return kMaxControls + e; }
   // n: as in RowLayout::unknown.
   int term(int e, int n) const { return kMaxObservables + (e < list_->dof_count ? 0 : kMaxIncidences) + n; }
-  BatchColumn column(int place) const { return {value_[place], exponent_[place]}; }
+  WholeColumn column(int place) const { return {value_[place], exponent_[place]}; }
   Scaled product(int place, int other) const { return dot(column(place), column(other), batch_count()); }
   int first_term(int e) const { return layout_->first[list_->equation[e].dof]; }
   int behind_terms(int e) const { return layout_->first[list_->equation[e].dof + 1]; }
@@ -92,7 +83,7 @@ class LevelColumns {
   void load_control(int dof, int which);
   void judge_control(int c);
   void load_equation(int e, const Scaled* parameters);
-  void round(int place) { exponent_[place] = round_to_column(number_, batch_count(), value_[place]); }
+  void round(int place) { exponent_[place] = round_to_column(number_, batch_count(), kColumnBits, value_[place]); }
   Scaled square(int place) const { return product(place, place); }
 
   const EquationList* list_ = nullptr;

@@ -42,7 +42,7 @@ void add_equation(const EquationList& list, const LevelColumns& level, const Whi
                   WeightedFit& fit, Scaled* moment) {
   if (whitening.deviation.is_zero()) return;
   const ReducedRows& rows = fit.reduce(whitening, e, false);
-  const BatchColumn change = rows.residual();
+  const WholeColumn change = rows.residual();
   if (!level.periodic()) {
     const Scaled weight = Scaled::from_int(1) / (whitening.deviation * whitening.deviation);
     for (int j = 0; j < rows.unknowns; ++j) {

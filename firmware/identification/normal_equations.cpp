@@ -80,7 +80,8 @@ void NormalEquations::solve(Scaled* parameters) const {
   }
 }
 
-// R^-1 first, then its product with its transpose in the same place: an entry is read for the last time when it is written.
+// R^-1 first, then its product with its transpose in the same place: an entry is read for the last time when it is
+// written.
 void NormalEquations::invert() {
   Scaled* const x = covariance_;
   for (int column = 0; column < unknowns_; ++column) {

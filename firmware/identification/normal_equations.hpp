@@ -1,9 +1,10 @@
-// Least squares by normal equations N p = h: sums of products of rows go in, the Cholesky factor R (R^T R = N) comes out.
+// Least squares by normal equations N p = h: sums of products of rows go in, the Cholesky factor R (R^T R = N) comes
+// out.
 //
-// Arithmetic: block-floating throughout (scaled.hpp), 62-bit mantissas; columns need no scaling. Squaring the rows costs half
-// the digits of an ill-conditioned problem: with sums that are exact before they are rounded once, a variance inflation of 2^23
-// still leaves a diagonal above the rounding. What the estimates lose besides is found by the next pass of the fit, which
-// solves for a change of the parameters from exact residuals (weighted_fit.hpp).
+// Arithmetic: block-floating throughout (scaled.hpp), 62-bit mantissas; columns need no scaling. Squaring the rows
+// costs half the digits of an ill-conditioned problem: with sums that are exact before they are rounded once, a
+// variance inflation of 2^23 still leaves a diagonal above the rounding. What the estimates lose besides is found by
+// the next pass of the fit, which solves for a change of the parameters from exact residuals (weighted_fit.hpp).
 #pragma once
 #include "firmware/configuration/capacity.hpp"
 #include "firmware/fixed_point/scaled.hpp"
@@ -18,7 +19,8 @@ class NormalEquations {
   int unknowns() const { return unknowns_; }
   void add(const Row& row);             // one row
   void add_right_side(const Row& row);  // of a row that is in already
-  // Sums over rows: of the products of two columns, of a column and the right-hand side, of the squared right-hand side.
+  // Sums over rows: of the products of two columns, of a column and the right-hand side, of the squared right-hand
+  // side.
   void add_product(int i, int j, const Scaled& sum);
   void add_moment(int i, const Scaled& sum) { moment_[i] = moment_[i] + sum; }
   void add_square(const Scaled& sum) { square_ = square_ + sum; }

@@ -76,9 +76,9 @@ Scaled batch_residual(const RowLayout& layout, const Batch& batch, Equation equa
   return residual;
 }
 
-bool moves(const BatchDof& dof, bool instrument, Scaled mean_motion) {
+bool moves(const BatchDof& dof, bool instrument, const Scaled& least_motion) {
   const Scaled energy = unpack(dof.velocity_square);
-  if (energy <= scale_by_power_of_two(mean_motion, -34)) return false;
+  if (energy <= least_motion) return false;
   if (!instrument) return true;
   const Scaled clean = unpack(dof.velocity_instrument);
   return energy - clean < clean;

@@ -39,8 +39,8 @@ void clear_row(int unknowns, Row& row);
 void add_batch_row(const RowLayout& layout, const Batch& batch, Equation equation, Scaled factor, Row& row);
 // rhs - sum of column * p of one batch.
 Scaled batch_residual(const RowLayout& layout, const Batch& batch, Equation equation, const Scaled* parameters);
-// The DOF moves in this batch: over 2^-34 of its mean motion energy in the level (a DOF held by friction does not
-// move), and with an instrument, whose noise is its own, the noise-free part of the energy is more than the noise.
-bool moves(const BatchDof& dof, bool instrument, Scaled mean_motion);
+// The DOF moves in this batch: over the least motion, 2^-34 of its mean motion energy in the level (a DOF held by friction
+// does not move), and with an instrument, whose noise is its own, the noise-free part of the energy is more than the noise.
+bool moves(const BatchDof& dof, bool instrument, const Scaled& least_motion);
 
 }  // namespace firmware

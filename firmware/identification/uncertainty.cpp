@@ -44,12 +44,12 @@ void add_rows(const WeightedFit& fit, const Whitening& whitening, ReducedRows& r
   Scaled factor[kMaxUnknowns];
   for (int k = 0; k < unknowns; ++k) {
     for (int j = 0; j < rows.unknowns; ++j) factor[j] = fit.equations().covariance(k, rows.unknown[j]);
-    const BatchColumn gain = rows.combine(factor, batches);
+    const WholeColumn gain = rows.combine(factor, batches);
     add_share(whitening, k, dot(gain, gain, batches) * weight, sums);
     sums.pull[k] = sums.pull[k] + dot(gain, rows.residual(), batches) * weight;
   }
   for (int j = 0; j < rows.unknowns; ++j) factor[j] = fit.parameters()[rows.unknown[j]];
-  const BatchColumn explained = rows.combine(factor, batches), left = rows.residual();
+  const WholeColumn explained = rows.combine(factor, batches), left = rows.residual();
   for (int b = 0; b < batches; ++b) {
     const Scaled residual = Scaled::from_int(left.value[b], left.exponent);
     add_relative(residual, residual + Scaled::from_int(explained.value[b], explained.exponent), sums);

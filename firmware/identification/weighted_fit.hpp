@@ -1,6 +1,6 @@
 // The weighted least-squares fit over all levels, iterated: the weights come from the scatter of the residuals, the
-// residuals from the last parameters. Start weights by motion energy, then twice by measured scatter. Each pass
-// solves for a change of the parameters from the residuals that the last one leaves, so that what rounding costs one pass the
+// residuals from the last parameters. Start weights by motion energy, then twice by measured scatter. Each pass solves
+// for a change of the parameters from the residuals that the last one leaves, so that what rounding costs one pass the
 // next one finds; the first is done over for that, with its equations as they are.
 #pragma once
 #include "firmware/identification/identifiability.hpp"
@@ -40,7 +40,8 @@ class WeightedFit {
   const EquationList* list_ = nullptr;
   const BatchTable* table_ = nullptr;
   Scaled parameters_[kMaxUnknowns];
-  // Deviation of a row per (integral of v^2), for levels without own scatter; of a pass: sum of their squares, and how many.
+  // Deviation of a row per (integral of v^2), for levels without own scatter; of a pass: sum of their squares, and how
+  // many.
   Scaled relative_deviation_[kMaxEquations], deviation_sum_[kMaxEquations];
   int deviation_count_[kMaxEquations];
   Whitening whitening_[kMaxLevels][kMaxEquations];

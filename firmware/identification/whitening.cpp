@@ -4,7 +4,6 @@ namespace firmware {
 namespace {
 
 constexpr int kSize = kMaxPredecessors + 1;
-constexpr int kFactorBits = 30;
 constexpr int kMostSummands = kMaxUnknowns > kSize ? kMaxUnknowns : kSize;
 
 // The observables that equation e is reduced by, own ones first; at most limit.
@@ -105,7 +104,7 @@ namespace {
 
 // One term of a sum of columns.
 struct Summand {
-  BatchColumn column;
+  WholeColumn column;
   Scaled factor;
 };
 
@@ -121,15 +120,14 @@ int32_t sum_columns(const Summand* summand, int count, int batches, int32_t* tar
     any = true;
   }
   int32_t factor[kMostSummands];
+  const int32_t* column[kMostSummands];
   const int32_t exponent = top + bits_of(count);
-  for (int s = 0; s < count; ++s)
-    factor[s] = static_cast<int32_t>(
-        to_fixed(scale_by_power_of_two(summand[s].factor, summand[s].column.exponent - exponent), kFactorBits));
-  for (int b = 0; b < batches; ++b) {
-    int64_t sum = int64_t{1} << (kFactorBits - 1);
-    for (int s = 0; s < count; ++s) sum += static_cast<int64_t>(factor[s]) * summand[s].column.value[b];
-    target[b] = static_cast<int32_t>(sum >> kFactorBits);
+  for (int s = 0; s < count; ++s) {
+    const Scaled share = scale_by_power_of_two(summand[s].factor, summand[s].column.exponent - exponent);
+    factor[s] = static_cast<int32_t>(to_fixed(share, kColumnFactorBits));
+    column[s] = summand[s].column.value;
   }
+  add_columns(column, factor, count, batches, target);
   return exponent;
 }
 
@@ -156,7 +154,7 @@ void ReducedRows::read(int batch, int unknown_count, Row& row) const {
   row.rhs = Scaled::from_int(value[unknowns][batch], exponent[unknowns]);
 }
 
-BatchColumn ReducedRows::combine(const Scaled* factor, int count) {
+WholeColumn ReducedRows::combine(const Scaled* factor, int count) {
   Summand summand[kMaxUnknowns];
   for (int k = 0; k < unknowns; ++k) summand[k] = {column(k), factor[k]};
   exponent[unknowns + 1] = sum_columns(summand, unknowns, count, value[unknowns + 1]);

@@ -35,19 +35,19 @@ struct ReducedRows {
   uint8_t unknown[kMaxUnknowns];
   int32_t value[kMaxUnknowns + 2][kMaxBatches];  // columns, then residuals, then room for one more
   int32_t exponent[kMaxUnknowns + 2];
-  BatchColumn column(int k) const { return {value[k], exponent[k]}; }
-  BatchColumn residual() const { return column(unknowns); }
+  WholeColumn column(int k) const { return {value[k], exponent[k]}; }
+  WholeColumn residual() const { return column(unknowns); }
   // One row of all unknowns; its right-hand side is the residual.
   void read(int batch, int unknown_count, Row& row) const;
   // In the free column: sum of factor[k] column[k].
-  BatchColumn combine(const Scaled* factor, int count);
+  WholeColumn combine(const Scaled* factor, int count);
 };
 
 // The rows of a level that is not periodic; with_controls false: without the discrepancies.
 void reduce_rows(const EquationList& list, const LevelColumns& level, const Whitening& whitening, int e,
                  bool with_controls, ReducedRows& reduced);
-// The one row of a periodic level, reduced and divided by its deviation; its right-hand side is the residual. False where it
-// is not to be used.
+// The one row of a periodic level, reduced and divided by its deviation; its right-hand side is the residual. False
+// where it is not to be used.
 bool whitened_level_row(const EquationList& list, const LevelColumns& level, const Whitening& whitening, int e,
                         Row& row);
 

@@ -1,5 +1,5 @@
 // The estimator core as the controller uses it. Two things take longer than a sample period: a
-// solve (3 DOF, full table: some 50 million instructions of a 32-bit processor) and the merging of a full table's
+// solve (3 DOF, full table: some 12 million instructions of a 32-bit processor) and the merging of a full table's
 // batches. They run on a worker while samples, drive and stop line go on.
 //
 // What the controller asks for is done at once while nothing runs; else it waits in a ring and is done afterwards, in

@@ -20,7 +20,7 @@ double wave(int dof, int n, int derivative) {
 
 }  // namespace
 
-firmware::CoreConfiguration chain(int dofs) {
+firmware::CoreConfiguration chain(int dofs, bool all_unknown) {
   using namespace firmware;
   CoreConfiguration c;
   c.dof_count = static_cast<uint8_t>(dofs);
@@ -37,10 +37,10 @@ firmware::CoreConfiguration chain(int dofs) {
     // Ground is always the second node.
     c.links[l].node_a = static_cast<uint8_t>(l < dofs ? l : dofs - 1);
     c.links[l].node_b = static_cast<uint8_t>(l == 0 || l == dofs ? kGroundNode : l - 1);
-    add(TermKind::kStiffness, l, false, 10000);
     add(TermKind::kViscous, l, true, 0);
+    if (all_unknown || l == dofs) add(TermKind::kCoulomb, l, true, 0);
   }
-  add(TermKind::kCoulomb, dofs, true, 0);
+  for (int l = 0; l <= dofs; ++l) add(TermKind::kStiffness, l, all_unknown && c.unknown_count < kMaxUnknowns, 10000);
   for (int i = 0; i < dofs; ++i) {
     add(TermKind::kMass, i, false, 1);
     for (int q = i == 0 ? 0 : 1; q < kQuantities; ++q) {

@@ -10,7 +10,8 @@ namespace bench {
 
 constexpr double kMass_kg = 1.5, kStiffness_N_m = 1e4, kPeriod_s = 1e-3;
 
-firmware::CoreConfiguration chain(int dofs);
+// all_unknown: not the dampers and the last link's friction alone, but every friction, and springs up to the core's capacity.
+firmware::CoreConfiguration chain(int dofs, bool all_unknown = false);
 
 // One sample in SI units; links 0 .. dofs, link l between DOF l - 1 and l (-1 and dofs are ground).
 struct Sample {

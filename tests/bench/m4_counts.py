@@ -26,6 +26,7 @@ RIGS = {
     "3 DOF, random force": (["scenario_script", "paper_3dof_random", "1", "FILE"], 3),
     "3 DOF, displacement only": (["scenario_script", "paper_3dof_random", "1", "FILE", "1000000", "x"], 3),
     "16 DOF": (["chain_script", "16", "20000", "FILE"], 16),
+    "16 DOF, 48 unknowns": (["chain_script", "16", "8000", "FILE", "all"], 16),
 }
 DETAILS = {"plain": "plain", "full": "untested", "full, first batches of 128": "untested slow"}
 CHECKED = [("3 DOF, random force", "plain"), ("3 DOF, random force", "full")]

@@ -79,7 +79,8 @@ def compiled(name, compiler, flags, folder):
         subprocess.run(launcher + [compiler, "-std=c++17", "-w", *flags.split(), "-I", ROOT, "-c", source, "-o", target],
                        check=True)
     program = folder / "program"
-    link = ["-nostartfiles", "--specs=nano.specs", "-Wl,--gc-sections", "-T", ROOT / "tests/bare_metal/image.ld"]
+    memory = ["-Wl,--defsym=image_large_memory=0x60000000"] if "cortex-m7" in flags else []  # as image.ld says
+    link = [*memory, "-nostartfiles", "--specs=nano.specs", "-Wl,--gc-sections", "-T", ROOT / "tests/bare_metal/image.ld"]
     subprocess.run([compiler, *flags.split(), *objects, *(link if bare else []), "-o", program], check=True)
     return program
 

@@ -1,0 +1,37 @@
+#include "firmware/fixed_point/whole_column.hpp"
+
+namespace firmware {
+
+Scaled dot(WholeColumn a, WholeColumn b, int count) {
+  int64_t sum = 0;
+  for (int i = 0; i < count; ++i) sum += static_cast<int64_t>(a.value[i]) * b.value[i];
+  return Scaled::from_int(sum, a.exponent + b.exponent);
+}
+
+int32_t round_to_column(const Scaled* numbers, int count, int bits, int32_t* value) {
+  constexpr int kMantissaBits = 62;
+  bool any = false;
+  int32_t top = 0;
+  for (int b = 0; b < count; ++b) {
+    if (numbers[b].is_zero()) continue;
+    if (!any || numbers[b].exponent > top) top = numbers[b].exponent;
+    any = true;
+  }
+  for (int b = 0; b < count; ++b) {
+    // The upper half of the mantissa holds as many bits as are kept.
+    const int32_t drop = kMantissaBits - 32 - bits + (top - numbers[b].exponent);
+    const int32_t high = static_cast<int32_t>(numbers[b].mantissa >> 32);
+    value[b] = drop > 31 ? 0 : drop == 0 ? high : ((high >> (drop - 1)) + 1) >> 1;
+  }
+  return top + kMantissaBits - bits;
+}
+
+void add_columns(const int32_t* const* column, const int32_t* factor, int terms, int count, int32_t* target) {
+  for (int b = 0; b < count; ++b) {
+    int64_t sum = int64_t{1} << (kColumnFactorBits - 1);
+    for (int s = 0; s < terms; ++s) sum += static_cast<int64_t>(factor[s]) * column[s][b];
+    target[b] = static_cast<int32_t>(sum >> kColumnFactorBits);
+  }
+}
+
+}  // namespace firmware
