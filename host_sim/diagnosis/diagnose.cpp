@@ -3,7 +3,7 @@
 
 #include "advice.hpp"
 #include "answer/answer.hpp"
-#include "rows_say.hpp"
+#include "first_screen/rows_say.hpp"
 
 namespace diagnosis {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "host_sim/diagnosis/bench.hpp"
+#include "host_sim/diagnosis/first_screen/bench.hpp"
 #include "judgement.hpp"
 #include "sensors.hpp"
 

@@ -1,5 +1,5 @@
 // The normal equations of a fit against least squares over whitened rows, written out densely.
-#include "host_sim/diagnosis/projection.hpp"
+#include "host_sim/diagnosis/rows/projection.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <random>
 
 #include "draw.hpp"
-#include "host_sim/diagnosis/candidates.hpp"
+#include "host_sim/diagnosis/search/candidates.hpp"
 
 namespace diagnosis {
 namespace {

@@ -1,5 +1,5 @@
 // Forces of terms with a memory, against their solutions in closed form.
-#include "host_sim/diagnosis/terms.hpp"
+#include "host_sim/diagnosis/terms/terms.hpp"
 
 #include <gtest/gtest.h>
 

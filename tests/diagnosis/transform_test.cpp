@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "host_sim/diagnosis/motion.hpp"
+#include "host_sim/diagnosis/record/motion.hpp"
 
 namespace diagnosis {
 namespace {

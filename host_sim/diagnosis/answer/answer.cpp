@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "../naming.hpp"
+#include "../terms/naming.hpp"
 
 namespace diagnosis::runs {
 namespace {

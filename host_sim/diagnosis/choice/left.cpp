@@ -4,7 +4,7 @@
 #include <cmath>
 #include <random>
 
-#include "../fourier.hpp"
+#include "../record/fourier.hpp"
 #include "with_motion.hpp"
 
 namespace diagnosis::runs {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "../fourier.hpp"
-#include "../motion.hpp"
+#include "../record/fourier.hpp"
+#include "../record/motion.hpp"
 
 namespace diagnosis::runs {
 namespace {

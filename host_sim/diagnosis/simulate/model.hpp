@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "../motion/prepared.hpp"
-#include "../terms.hpp"
+#include "../terms/terms.hpp"
 
 namespace diagnosis::runs {
 

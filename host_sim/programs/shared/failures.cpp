@@ -3,7 +3,7 @@
 #include <cstdio>
 
 #include "hal/rig_file/rig_file_error.hpp"
-#include "host_sim/diagnosis/motion.hpp"
+#include "host_sim/diagnosis/record/motion.hpp"
 #include "host_sim/records/data_file_error.hpp"
 #include "host_sim/records/output_file.hpp"
 #include "host_sim/reports/page/report.hpp"

@@ -1,0 +1,19 @@
+// What the search's model leaves over, against sensor noise.
+#pragma once
+#include <string>
+
+#include "../search/search.hpp"
+
+namespace diagnosis {
+
+// What is left is no noise, nor what the motion is uncertain by.
+bool far_beyond_noise(const Rows& rows, const SearchResult& found);
+
+struct Remainder {
+  bool noise_only = true;
+  std::string trace;  // of something outside the vocabulary, where there is a plain one
+};
+// Leaves the rows' weights settled on the model.
+Remainder remainder_of(Rows& rows, const CandidateBank& bank, const SearchResult& found);
+
+}  // namespace diagnosis
