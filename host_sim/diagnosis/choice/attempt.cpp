@@ -144,10 +144,13 @@ Attempt attempt(const Task& task, const State& beside, const std::vector<Candida
     if (again.error < a.error) return again;
   }
   if (c.host < 0 || a.error < 1) return a;
-  Candidate gentle = c;  // the shape that changes least
-  for (const Candidate& o : all)
-    if (o.same_place(c) && o.terms[0].shape < gentle.terms[0].shape) gentle = o;
-  return attempt(task, beside, {gentle}, {start}, kTrialSteps);
+  for (const Candidate& o :
+       all) {  // what acts in another's place has its full size at once: not every shape leads home
+    if (!o.same_place(c)) continue;
+    Attempt again = attempt(task, beside, {o}, {start}, kTrialSteps);
+    if (again.state.fit.ok && (!a.state.fit.ok || whole_error(again) < whole_error(a))) a = std::move(again);
+  }
+  return a;
 }
 
 void keep_shape(const Model& fitted, Candidate& c) {

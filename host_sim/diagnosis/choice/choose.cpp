@@ -43,9 +43,25 @@ bool widen(const Task& task, double most, double& periods, State& s) {
   return any;
 }
 
+// Of the fastest of the motions between two DOFs, over that of the slowest DOF: what turns freely is slow, its shafts are not.
+double quickest_share(const Task& task) {
+  double share = 1;
+  for (const Prepared& p : task.records)
+    for (size_t l = 0; l < task.system.known_links; ++l) {
+      const rig_file::Link& link = task.system.links[l];
+      if (link.a < 1 || link.b < 1) continue;
+      const Guess &a = p.guess[static_cast<size_t>(link.a - 1)], &b = p.guess[static_cast<size_t>(link.b - 1)];
+      const auto rms = [](const Vec& y) { return std::sqrt((y.array() - y.mean()).square().mean()); };
+      const double rate = rms(a.v - b.v);
+      if (rate > 0 && p.period_s > 0) share = std::min(share, 6.283185307179586 * rms(a.x - b.x) / rate / p.period_s);
+    }
+  return share;
+}
+
 // The longest windows over which the model stays within reach of its linearisation.
 double horizon(const Task& task, State& s, double from, bool massless) {
   const Model start = s.model;
+  const double shortest = kShortestHorizon * quickest_share(task);
   double periods = from;
   for (;; periods /= 2) {
     s.model = start;
@@ -53,8 +69,40 @@ double horizon(const Task& task, State& s, double from, bool massless) {
     settle(task, s, kBaseSteps);
     const bool follows = s.fit.ok && motion_error(task, s) < kLinear;
     if (!massless && follows) widen(task, from, periods, s);
-    if (massless || follows || periods / 2 < kShortestHorizon) return periods;
+    if (massless || follows || periods / 2 < shortest) return periods;
   }
+}
+
+}  // namespace
+
+namespace {
+
+// What windows add up to: of a channel, or of the difference of two.
+struct MotionSums {
+  double error = 0, motion = 0, noise = 0, count = 0, third_differences = 0;
+  void add(const Vec& y, const Vec& residual) {
+    error += residual.squaredNorm(), motion += (y.array() - y.mean()).square().sum();
+    count += static_cast<double>(y.size());
+    for (Index k = 3; k < residual.size(); ++k) {
+      const double d = residual[k] - 3 * residual[k - 1] + 3 * residual[k - 2] - residual[k - 3];
+      noise += d * d / 20, third_differences += 1;  // of white noise of unit variance: 1 + 9 + 9 + 1
+    }
+  }
+  double noise_sum() const { return third_differences > 0 ? noise / third_differences * count : 0; }
+};
+
+// Motion of a link that a sensor shows: twice its noise.
+constexpr double kShown = 4;
+
+// The two channels of one quantity at the ends of a link, -1 where there are none.
+std::pair<int, int> channels_across(const rig_file::Link& l, const std::vector<MotionTrace>& traces, int quantity) {
+  std::pair<int, int> found{-1, -1};
+  for (size_t c = 0; c < traces.size(); ++c) {
+    if (traces[c].quantity != quantity) continue;
+    if (traces[c].dof + 1 == l.a) found.first = static_cast<int>(c);
+    if (traces[c].dof + 1 == l.b) found.second = static_cast<int>(c);
+  }
+  return found.first < 0 || found.second < 0 ? std::make_pair(-1, -1) : found;
 }
 
 }  // namespace
@@ -62,14 +110,28 @@ double horizon(const Task& task, State& s, double from, bool massless) {
 double motion_error(const Task& task, const State& s) {
   if (!s.fit.ok) return 1e300;
   Evaluator e(task.system, s.model, task.records);
-  double worst = 0;
-  for (size_t c = 0; c < e.traces(0).size(); ++c) {
-    double sum = 0, count = 0;
-    for (const Window& w : s.seen) {
-      const auto y = e.traces(w.record)[c].y.segment(w.from, w.length).array();
-      sum += (y - y.mean()).square().sum(), count += static_cast<double>(w.length);
+  const std::vector<MotionTrace>& traces = e.traces(0);
+  std::vector<std::pair<int, int>> across;  // links between DOFs: masses that turn together hide what their shaft does
+  for (size_t l = 0; l < task.system.known_links && !e.massless(); ++l)
+    for (int q = 0; q < 3; ++q) {
+      const auto ends = channels_across(task.system.links[l], traces, q);
+      if (ends.first >= 0) across.push_back(ends);
     }
-    worst = std::max(worst, std::sqrt(s.fit.mean_square[static_cast<Index>(c)] / std::max(1e-300, sum / count)));
+  std::vector<MotionSums> own(traces.size()), relative(across.size());
+  WindowRun run;
+  for (const Window& w : s.seen) {
+    if (!e.run(w, false, false, run)) return 1e300;
+    const auto y = [&](int c) { return e.traces(w.record)[static_cast<size_t>(c)].y.segment(w.from, w.length); };
+    const auto r = [&](int c) { return run.residual.segment(c * w.length, w.length); };
+    for (size_t c = 0; c < traces.size(); ++c) own[c].add(y(static_cast<int>(c)), r(static_cast<int>(c)));
+    for (size_t i = 0; i < across.size(); ++i)
+      relative[i].add(y(across[i].first) - y(across[i].second), r(across[i].first) - r(across[i].second));
+  }
+  double worst = 0;
+  for (const MotionSums& m : own) worst = std::max(worst, std::sqrt(m.error / std::max(1e-300, m.motion)));
+  for (const MotionSums& m : relative) {
+    const double noise = m.noise_sum(), motion = m.motion - noise;
+    if (motion > kShown * noise) worst = std::max(worst, std::sqrt(std::max(0.0, m.error - noise) / motion));
   }
   return worst;
 }
@@ -102,6 +164,41 @@ Choice rig_fitted(const Task& task) {
   return choice;
 }
 
+namespace {
+
+constexpr double kTwoSided95 = 1.96;
+
+// The place in the model of a cause that the later ones have made needless: its interval holds zero. -1: there is none.
+int needless(const State& s, const std::vector<Named>& named) {
+  const std::vector<Determined> d = determined(s.fit, s.model);
+  const std::vector<Parameter> p = parameters_of(s.model);
+  for (size_t i = 0; i < p.size() && i < d.size(); ++i) {
+    const ModelTerm& t = s.model[p[i].term];
+    const int at = static_cast<int>(p[i].term);
+    const bool hosts = std::any_of(s.model.begin(), s.model.end(), [&](const ModelTerm& o) { return o.host == at; });
+    const bool alone = std::any_of(named.begin(), named.end(), [&](const Named& n) {
+      return n.candidate.terms.size() == 1 && n.candidate.host < 0 && n.candidate.terms[0].same_place(t.term);
+    });
+    if (t.added && alone && !hosts && !p[i].shape && std::abs(t.value) < kTwoSided95 * d[i].std) return at;
+  }
+  return -1;
+}
+
+void drop_needless(const Task& task, State& now, std::vector<Named>& named) {
+  while (named.size() > 1 && now.fit.ok) {
+    const int at = needless(now, named);
+    if (at < 0) return;
+    const Term gone = now.model[static_cast<size_t>(at)].term;
+    now.model.erase(now.model.begin() + at);
+    for (ModelTerm& t : now.model) t.host -= t.host > at;
+    named.erase(std::find_if(named.begin(), named.end(),
+                             [&](const Named& n) { return n.candidate.terms[0].same_place(gone); }));
+    settle(task, now, kBaseSteps);
+  }
+}
+
+}  // namespace
+
 void choose(const Task& task, Choice& choice, const std::function<void(double)>& progress) {
   State now = choice.final;
   if (!now.fit.ok || now.unseen.empty() || near_enough(task, choice)) return;
@@ -126,6 +223,7 @@ void choose(const Task& task, Choice& choice, const std::function<void(double)>&
     now = on_all(task, now, round.best.state.model);
     progress(static_cast<double>(choice.named.size()) / static_cast<double>(kMostCauses));
   }
+  drop_needless(task, now, choice.named);
   choice.final = now;
   weigh_rivals(task, progress, choice);
   choice.final_left = left_by(task.system, task.records, choice.final);

@@ -56,8 +56,7 @@ WithMotion goes_with(const System& system, const std::vector<Prepared>& records,
   for (const Window& w : state.seen) length = std::min(length, w.length);
   const Index channels = state.fit.mean_square.size();
   const size_t most = static_cast<size_t>(length * channels / kRowsPerColumn);
-  if (terms.size() > most) terms.resize(most);
-  if (terms.empty()) return out;
+  if (terms.empty() || terms.size() > most) return out;  // such short windows do not tell
   std::vector<Vec> residual;
   std::vector<Mat> basis;
   Pass pass(system, records, state.model, state.seen, state.fit);
