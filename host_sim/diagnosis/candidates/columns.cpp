@@ -20,6 +20,17 @@ Vec slope_of(const Vec& h, double step_s) {
   return out;
 }
 
+// Does a simulation miss half of a link's elongation? What acts there acted along the measured one.
+template <typename Simulated, typename Measured>
+bool is_lost(Index len, Simulated simulated, Measured measured) {
+  double missed = 0, sum = 0, square = 0;
+  for (Index k = 0; k < len; ++k) {
+    const double u = measured(k), error = simulated(k) - u;
+    missed += error * error, sum += u, square += u * u;
+  }
+  return missed > 0.25 * (square - sum * sum / static_cast<double>(len));
+}
+
 }  // namespace
 
 double Columns::base(const Window& w, Index k, bool rate) const {
@@ -66,7 +77,22 @@ Vec Columns::force(const Term& t, const Window& w, const WindowRun& run, Memory&
     const auto end = [&](const Mat& m, int dof, Index k, bool rate) {
       return dof > 0 ? m(dof - 1, k) : dof == rig_file::kBase ? base(w, k, rate) : 0.0;
     };
-    const auto rate = [&](Index k) { return end(run.v, l.a, k, true) - end(run.v, l.b, k, true); };
+    const auto measured = [&](int dof, Index k, bool rate) {
+      if (dof <= 0) return dof == rig_file::kBase ? base(w, k, rate) : 0.0;
+      const Guess& g = record.guess[static_cast<size_t>(dof - 1)];
+      return (rate ? g.v : g.x)[w.from + k];
+    };
+    const auto simulated = [&](Index k, bool rate) {
+      const Mat& m = rate ? run.v : run.x;
+      return end(m, l.a, k, rate) - end(m, l.b, k, rate);
+    };
+    const bool lost = is_lost(
+        len, [&](Index k) { return simulated(k, false); },
+        [&](Index k) { return measured(l.a, k, false) - measured(l.b, k, false); });
+    const auto along = [&](Index k, bool rate) {
+      return lost ? measured(l.a, k, rate) - measured(l.b, k, rate) : simulated(k, rate);
+    };
+    const auto rate = [&](Index k) { return along(k, true); };
     const auto sign = [&](Index k) {
       const double spread = 0.25 * std::abs(rate(std::min(len - 1, k + 1)) - rate(std::max<Index>(0, k - 1)));
       const double value = rate(k);
@@ -80,20 +106,14 @@ Vec Columns::force(const Term& t, const Window& w, const WindowRun& run, Memory&
       return false;
     }();
     for (Index k = 0; k < len; ++k) {
-      const double u = end(run.x, l.a, k, false) - end(run.x, l.b, k, false), v = rate(k);
+      const double u = along(k, false), v = rate(k);
       switch (t.kind) {
         case Kind::kMissingCoulomb:
           out[k] = sign(k);
           break;
-        case Kind::kCogging: {  // finer than what a simulation without it hits: along the way as measured
-          const auto place = [&](int dof) {
-            return dof > 0                  ? record.guess[static_cast<size_t>(dof - 1)].x[w.from + k]
-                   : dof == rig_file::kBase ? base(w, k, false)
-                                            : 0.0;
-          };
-          out[k] = law(t.kind, place(l.a) - place(l.b), v, 0, t.shape, t.shape2).force;
+        case Kind::kCogging:  // finer than what a simulation without it hits: along the way as measured
+          out[k] = law(t.kind, measured(l.a, k, false) - measured(l.b, k, false), v, 0, t.shape, t.shape2).force;
           break;
-        }
         case Kind::kStribeck:
           out[k] = sign(k) * std::exp(-std::abs(v) / t.shape);
           break;

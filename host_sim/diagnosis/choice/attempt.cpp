@@ -15,6 +15,7 @@ constexpr double kPlain = 3;
 constexpr double kEnoughRows = 3000;  // samples of a part: some 60 periods
 constexpr double kShows = 0.02;       // of unseen windows' squared residual: less is lost in its scatter
 constexpr double kNoHarm = 1.01;      // of their squared residual, where they cannot show it
+constexpr double kFollows = 0.25;     // of the motion, error: a model that misses more leaves states that help no other
 constexpr double kSmallStart = 0.3;   // of the value that the linearisation gives
 constexpr double kPromised = 0.8;     // of the linearisation's gain, that a fit should reach
 constexpr int kFirstSteps = 3;        // with shapes held
@@ -70,6 +71,12 @@ void settle(const Task& task, State& s, int steps) {
   s.unseen_fit = fit(task.system, task.records, frozen, s.unseen, steps, true);
 }
 
+// Windows start from the measured motion again.
+void forget_states(State& s) {
+  for (std::vector<Window>* windows : {&s.seen, &s.unseen})
+    for (Window& w : *windows) w.state.resize(0);
+}
+
 State part_of(const Task& task, const State& whole, double noise) {
   double rows = 0;
   for (const Window& w : whole.seen) rows += static_cast<double>(w.length);
@@ -88,7 +95,14 @@ State on_all(const Task& task, const State& whole, const Model& model) {
   State s = whole;
   s.model = model;
   settle(task, s, kBaseSteps);
-  return s;
+  if (motion_error(task, whole) < kFollows) return s;
+  State measured = whole;
+  measured.model = model;
+  forget_states(measured);
+  fit(task.system, task.records, measured.model, measured.seen, kBaseSteps,
+      true);  // states first: one that is far off holds all back
+  settle(task, measured, kBaseSteps);
+  return measured.fit.ok && (!s.fit.ok || error_over(measured.fit, s.fit) < 1) ? measured : s;
 }
 
 double paired_z(const Fitted& before, const Fitted& after) {
@@ -105,15 +119,17 @@ double paired_z(const Fitted& before, const Fitted& after) {
 }
 
 Attempt attempt(const Task& task, const State& beside, const std::vector<Candidate>& candidates,
-                const std::vector<std::vector<double>>& values, int steps) {
+                const std::vector<std::vector<double>>& values, int steps, From from) {
   Attempt a;
   a.candidates = candidates;
   a.state.model = beside.model, a.state.seen = beside.seen, a.state.unseen = beside.unseen;
+  if (from == From::kMeasured) forget_states(a.state);
   bool hosted = false;
   for (size_t i = 0; i < candidates.size(); ++i) {
     a.state.model = joined(a.state.model, candidates[i], values[i]);
     a.complexity += candidates[i].complexity, hosted = hosted || candidates[i].host >= 0;
   }
+  if (from == From::kMeasured) fit(task.system, task.records, a.state.model, a.state.seen, steps, true);
   // shapes wait until their coefficients have a size
   std::vector<bool> shape_free;
   for (ModelTerm& m : a.state.model) shape_free.push_back(m.shape_free && m.added), m.shape_free &= !m.added;
@@ -139,17 +155,18 @@ Attempt attempt(const Task& task, const State& beside, const std::vector<Candida
   if (c.terms[0].kind == Kind::kResonance) start[0] = kSmallStart * one.value[0];
   if (c.terms[0].kind == Kind::kCogging) start = one.value;  // its phase too
   Attempt a = attempt(task, beside, {c}, {start}, kTrialSteps);
-  if (c.host < 0 && 1 - a.error < kPromised * one.gain) {  // stuck on the way: from where the linearisation points
-    Attempt again = attempt(task, beside, {c}, {one.value}, kTrialSteps);
-    if (again.error < a.error) return again;
-  }
-  if (c.host < 0 || a.error < 1) return a;
-  for (const Candidate& o :
-       all) {  // what acts in another's place has its full size at once: not every shape leads home
-    if (!o.same_place(c)) continue;
-    Attempt again = attempt(task, beside, {o}, {start}, kTrialSteps);
+  if (1 - a.error >= kPromised * one.gain) return a;
+  // Stuck on the way: from where the linearisation points, and from the measured motion.
+  const auto try_again = [&](const Candidate& other, const std::vector<double>& value) {
+    Attempt again = attempt(task, beside, {other}, {value}, kTrialSteps, From::kMeasured);
     if (again.state.fit.ok && (!a.state.fit.ok || whole_error(again) < whole_error(a))) a = std::move(again);
+  };
+  if (c.host < 0) {
+    try_again(c, one.value);
+    return a;
   }
+  for (const Candidate& o : all)  // what acts in another's place has its full size at once: not every shape leads home
+    if (o.same_place(c)) try_again(o, start);
   return a;
 }
 

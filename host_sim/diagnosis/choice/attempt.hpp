@@ -30,8 +30,10 @@ State part_of(const Task& task, const State& whole, double noise);
 State on_all(const Task& task, const State& whole, const Model& model);
 
 constexpr int kBaseSteps = 12, kTrialSteps = 6;  // of Gauss-Newton: to rest, and near enough to compare
+// Where windows' states start: as fitted for the model beside, or (where that was far off) as measured.
+enum class From { kBeside, kMeasured };
 Attempt attempt(const Task& task, const State& beside, const std::vector<Candidate>& candidates,
-                const std::vector<std::vector<double>>& values, int steps);
+                const std::vector<std::vector<double>>& values, int steps, From from = From::kBeside);
 // One that was screened; `all`: where a gentler shape of it is found when the best one does not converge.
 Attempt attempt(const Task& task, const State& beside, const std::vector<Candidate>& all, const Screened& one);
 

@@ -117,6 +117,19 @@ void step_parameters(Model& model, const Vec& change) {
   }
 }
 
+// Windows whose own step led astray stay as they were: one that is not determined holds all others back. True where any did.
+bool put_back(const Pass& now, const Pass& next, const Vec& weights, const std::vector<Window>& windows,
+              std::vector<Window>& moved) {
+  constexpr double kAstray = 4;  // times as much as before
+  bool any = false;
+  for (size_t w = 0; w < windows.size(); ++w) {
+    const double before = now.windows[w].ss.dot(weights.cwiseAbs2()),
+                 after = next.windows[w].ss.dot(weights.cwiseAbs2());
+    if (after > kAstray * before) moved[w].state = windows[w].state, any = true;
+  }
+  return any;
+}
+
 }  // namespace
 
 double normal_deviate(double t, double dof) {  // Wallace 1959
@@ -163,6 +176,8 @@ Fitted fit(const System& system, const std::vector<Prepared>& records, Model& mo
             next_evaluator->moved(moved[w], n.state_step - n.states_inverse_cross * change, moved[w].state);
           }
         Pass next = pass_over(*next_evaluator, moved, &weights, false);  // its cost alone is many times cheaper
+        if (next.ok && next.cost >= now.cost && put_back(now, next, weights, windows, moved))
+          next = pass_over(*next_evaluator, moved, &weights, false);
         if (next.ok && next.cost < now.cost + 1e-9 * std::abs(now.cost) &&
             (next = pass_over(*next_evaluator, moved, &weights, true)).ok) {
           fall = now.cost - next.cost;

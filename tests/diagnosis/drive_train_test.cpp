@@ -1,0 +1,136 @@
+// Two inertias on a shaft that turn freely together, angles from encoders: what the shaft does is a hundredth of the motion.
+// The plant here is its own: fourth-order Runge-Kutta, dry friction as a steep smooth law.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "host_sim/diagnosis/diagnosis.hpp"
+
+namespace {
+
+constexpr double kTwoPi = 6.283185307179586;
+constexpr double kRate_Hz = 1000, kDuration_s = 16, kStep_rad = kTwoPi / 8192;
+constexpr int kFiner = 10;
+
+struct Train {
+  double inertia[2] = {2.1e-3, 3.4e-3};
+  double stiffness = 58, shaft_viscous = 0.018;
+  double motor_viscous = 0.007, motor_coulomb = 0.11, load_coulomb = 0.08;
+  double gap_rad = 0, cubic = 0;
+  uint64_t seed = 1;
+};
+
+struct State {
+  double x[2] = {0, 0}, v[2] = {0, 0};
+};
+
+State slope_of(const Train& t, const State& s, double torque) {
+  const double twist = s.x[0] - s.x[1], rate = s.v[0] - s.v[1];
+  const double beyond = twist > t.gap_rad ? twist - t.gap_rad : twist < -t.gap_rad ? twist + t.gap_rad : 0;
+  const double shaft = t.stiffness * beyond + t.shaft_viscous * rate + t.cubic * twist * twist * twist;
+  State out;
+  out.x[0] = s.v[0], out.x[1] = s.v[1];
+  out.v[0] = (torque - shaft - t.motor_viscous * s.v[0] - t.motor_coulomb * std::tanh(s.v[0] / 0.02)) / t.inertia[0];
+  out.v[1] = (shaft - t.load_coulomb * std::tanh(s.v[1] / 0.02)) / t.inertia[1];
+  return out;
+}
+
+State moved(const State& s, const State& slope, double h) {
+  State out = s;
+  for (int i = 0; i < 2; ++i) out.x[i] += h * slope.x[i], out.v[i] += h * slope.v[i];
+  return out;
+}
+
+host_sim::Record record_of(const Train& t) {
+  std::mt19937_64 random(t.seed);
+  std::uniform_real_distribution<double> phase(0, kTwoPi), hertz(0.5, 30);
+  std::vector<double> omega, start;
+  for (int i = 0; i < 80; ++i) omega.push_back(kTwoPi * hertz(random)), start.push_back(phase(random));
+  const auto torque = [&](double at) {
+    double sum = 0;
+    for (size_t i = 0; i < omega.size(); ++i) sum += std::sin(omega[i] * at + start[i]);
+    return 1.2 * std::sqrt(2.0 / static_cast<double>(omega.size())) * sum;
+  };
+  std::normal_distribution<double> normal;
+  const int samples = static_cast<int>(kRate_Hz * kDuration_s);
+  const double h = 1 / (kRate_Hz * kFiner);
+  std::vector<double> values[3];
+  State s;
+  for (int k = 0; k < samples; ++k) {
+    double now = torque(k / kRate_Hz);
+    values[0].push_back(now + 0.006 * normal(random));
+    for (int i = 0; i < 2; ++i) values[i + 1].push_back(kStep_rad * std::round(s.x[i] / kStep_rad));
+    for (int i = 0; i < kFiner; ++i) {
+      const double at = k / kRate_Hz + i * h, middle = torque(at + h / 2), next = torque(at + h);
+      const State k1 = slope_of(t, s, now), k2 = slope_of(t, moved(s, k1, h / 2), middle),
+                  k3 = slope_of(t, moved(s, k2, h / 2), middle), k4 = slope_of(t, moved(s, k3, h), next);
+      s = moved(moved(moved(moved(s, k1, h / 6), k2, h / 3), k3, h / 3), k4, h / 6);
+      now = next;
+    }
+  }
+  host_sim::Record record;
+  record.file = "train.csv", record.sample_period_s = 1 / kRate_Hz;
+  record.channels = {{"torque_1_N_m", host_sim::Quantity::kForce, 1, values[0]},
+                     {"angle_1_rad", host_sim::Quantity::kDisplacement, 1, values[1]},
+                     {"angle_2_rad", host_sim::Quantity::kDisplacement, 2, values[2]}};
+  return record;
+}
+
+diagnosis::Diagnosis answer_to(const Train& t) {
+  rig_file::RigModel rig;
+  for (double inertia : t.inertia) {
+    rig.dofs.emplace_back();
+    rig.dofs.back().mass_kg.value = inertia, rig.dofs.back().rotating = true;
+  }
+  rig.links.resize(3);
+  rig.links[0].a = 1, rig.links[0].b = 0;
+  rig.links[0].viscous_N_s_m.estimate = rig.links[0].coulomb_N.estimate = true;
+  rig.links[1].a = 2, rig.links[1].b = 0;
+  rig.links[1].coulomb_N.estimate = true;
+  rig.links[2].a = 1, rig.links[2].b = 2;
+  rig.links[2].stiffness_N_m.value = t.stiffness, rig.links[2].viscous_N_s_m.estimate = true;
+  return diagnosis::diagnose(rig, {record_of(t)}, {});
+}
+
+double value_of(const diagnosis::ModelScore& model, const std::string& name) {
+  for (const diagnosis::Parameter& p : model.parameters)
+    if (p.name == name) return p.value;
+  ADD_FAILURE() << name << " is not there";
+  return 0;
+}
+
+std::string said(const diagnosis::Diagnosis& d) {
+  std::string text = diagnosis::verdict_word(d.verdict);
+  for (const diagnosis::Cause& c : d.causes) text += ", " + c.effect + " on " + c.where;
+  return text;
+}
+
+TEST(DriveTrain, ARightRigIsRight) {
+  const Train t;
+  const diagnosis::Diagnosis d = answer_to(t);
+  EXPECT_EQ(said(d), "none");
+  EXPECT_NEAR(value_of(d.baseline, "viscous[1-2]"), t.shaft_viscous, 0.05 * t.shaft_viscous);
+  EXPECT_NEAR(value_of(d.baseline, "coulomb[2-0]"), t.load_coulomb, 0.05 * t.load_coulomb);
+}
+
+TEST(DriveTrain, AGapInTheShaftIsNamed) {
+  Train t;
+  t.gap_rad = 0.008, t.seed = 2;
+  const diagnosis::Diagnosis d = answer_to(t);
+  ASSERT_EQ(d.causes.size(), 1u) << said(d);
+  EXPECT_EQ(d.causes[0].effect + " on " + d.causes[0].where, "backlash on link 1-2");
+  EXPECT_NEAR(value_of(d.extended, "backlash_gap[1-2]"), t.gap_rad, 0.05 * t.gap_rad);
+  EXPECT_NEAR(value_of(d.extended, "viscous[1-0]"), t.motor_viscous, 0.1 * t.motor_viscous);
+}
+
+TEST(DriveTrain, AStiffeningShaftIsNamed) {
+  Train t;
+  t.cubic = 1.5e5, t.seed = 3;
+  const diagnosis::Diagnosis d = answer_to(t);
+  ASSERT_EQ(d.causes.size(), 1u) << said(d);
+  EXPECT_EQ(d.causes[0].effect + " on " + d.causes[0].where, "cubic_stiffness on link 1-2");
+  EXPECT_NEAR(value_of(d.extended, "cubic_stiffness[1-2]"), t.cubic, 0.05 * t.cubic);
+}
+
+}  // namespace
