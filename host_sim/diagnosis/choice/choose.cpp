@@ -166,34 +166,43 @@ Choice rig_fitted(const Task& task) {
 
 namespace {
 
-constexpr double kTwoSided95 = 1.96;
+constexpr double kByChance = 2;  // of a difference, paired over blocks, in standard errors
 
-// The place in the model of a cause that the later ones have made needless: its interval holds zero. -1: there is none.
-int needless(const State& s, const std::vector<Named>& named) {
-  const std::vector<Determined> d = determined(s.fit, s.model);
-  const std::vector<Parameter> p = parameters_of(s.model);
-  for (size_t i = 0; i < p.size() && i < d.size(); ++i) {
-    const ModelTerm& t = s.model[p[i].term];
-    const int at = static_cast<int>(p[i].term);
-    const bool hosts = std::any_of(s.model.begin(), s.model.end(), [&](const ModelTerm& o) { return o.host == at; });
-    const bool alone = std::any_of(named.begin(), named.end(), [&](const Named& n) {
-      return n.candidate.terms.size() == 1 && n.candidate.host < 0 && n.candidate.terms[0].same_place(t.term);
-    });
-    if (t.added && alone && !hosts && !p[i].shape && std::abs(t.value) < kTwoSided95 * d[i].std) return at;
-  }
-  return -1;
+bool stands_alone(const State& s, const Named& n) {
+  const int at = static_cast<int>(
+      std::find_if(s.model.begin(), s.model.end(),
+                   [&](const ModelTerm& t) { return t.added && n.candidate.terms[0].same_place(t.term); }) -
+      s.model.begin());
+  return n.candidate.terms.size() == 1 && n.candidate.host < 0 &&
+         std::none_of(s.model.begin(), s.model.end(), [&](const ModelTerm& t) { return t.host == at; });
 }
 
+State without(const Task& task, const State& now, const Named& n) {
+  State s = now;
+  const auto gone = std::find_if(s.model.begin(), s.model.end(), [&](const ModelTerm& t) {
+    return t.added && n.candidate.terms[0].same_place(t.term);
+  });
+  const int at = static_cast<int>(gone - s.model.begin());
+  s.model.erase(gone);
+  for (ModelTerm& t : s.model) t.host -= t.host > at;
+  settle(task, s, kBaseSteps);
+  return s;
+}
+
+// Causes that the later ones have made needless: without them the windows are followed as well, as far as chance can tell.
 void drop_needless(const Task& task, State& now, std::vector<Named>& named) {
-  while (named.size() > 1 && now.fit.ok) {
-    const int at = needless(now, named);
-    if (at < 0) return;
-    const Term gone = now.model[static_cast<size_t>(at)].term;
-    now.model.erase(now.model.begin() + at);
-    for (ModelTerm& t : now.model) t.host -= t.host > at;
-    named.erase(std::find_if(named.begin(), named.end(),
-                             [&](const Named& n) { return n.candidate.terms[0].same_place(gone); }));
-    settle(task, now, kBaseSteps);
+  for (size_t i = 0; named.size() > 1 && now.fit.ok && i < named.size();) {
+    if (!stands_alone(now, named[i])) {
+      ++i;
+      continue;
+    }
+    const State fewer = without(task, now, named[i]);
+    if (!fewer.fit.ok || paired_z(fewer.fit, now.fit) > kByChance) {
+      ++i;
+      continue;
+    }
+    now = fewer;
+    named.erase(named.begin() + static_cast<std::ptrdiff_t>(i));
   }
 }
 
