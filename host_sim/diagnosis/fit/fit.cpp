@@ -8,6 +8,7 @@ namespace diagnosis::runs {
 namespace {
 
 constexpr double kRidge = 1e-9;       // of a column's square: what is not determined stays where it is
+constexpr int kTries = 5;             // of a step, each damped more
 constexpr double kSettled = 0.02;     // of the cost: a fall that no test can notice
 constexpr double kLongestStep = 0.5;  // of a shape's logarithm
 constexpr size_t kLeastWindows = 8;   // from which on the scatter between windows is a measure
@@ -120,7 +121,7 @@ void step_parameters(Model& model, const Vec& change) {
 // Windows whose own step led astray stay as they were: one that is not determined holds all others back. True where any did.
 bool put_back(const Pass& now, const Pass& next, const Vec& weights, const std::vector<Window>& windows,
               std::vector<Window>& moved) {
-  constexpr double kAstray = 4;  // times as much as before
+  constexpr double kAstray = 100;  // times as much as before: it has left the motion altogether
   bool any = false;
   for (size_t w = 0; w < windows.size(); ++w) {
     const double before = now.windows[w].ss.dot(weights.cwiseAbs2()),
@@ -157,7 +158,7 @@ Fitted fit(const System& system, const std::vector<Prepared>& records, Model& mo
     for (const Normal& n : now.windows) gram += n.gram, score += n.score;
     bool better = false;
     double fall = 0;
-    for (int attempt = 0; attempt < 5 && !better; ++attempt) {
+    for (int attempt = 0; attempt < kTries && !better; ++attempt) {
       Vec change = Vec::Zero(p);
       if (!only_states && p > 0) {
         const Vec scale = gram.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
@@ -176,11 +177,12 @@ Fitted fit(const System& system, const std::vector<Prepared>& records, Model& mo
             next_evaluator->moved(moved[w], n.state_step - n.states_inverse_cross * change, moved[w].state);
           }
         Pass next = pass_over(*next_evaluator, moved, &weights, false);  // its cost alone is many times cheaper
-        if (next.ok && next.cost >= now.cost && put_back(now, next, weights, windows, moved))
-          next = pass_over(*next_evaluator, moved, &weights, false);
+        const bool early = !only_states && attempt + 1 < kTries;         // a shorter step may do for all
+        const bool whole = early || !next.ok || next.cost < now.cost || !put_back(now, next, weights, windows, moved);
+        if (!whole) next = pass_over(*next_evaluator, moved, &weights, false);
         if (next.ok && next.cost < now.cost + 1e-9 * std::abs(now.cost) &&
             (next = pass_over(*next_evaluator, moved, &weights, true)).ok) {
-          fall = now.cost - next.cost;
+          fall = whole ? now.cost - next.cost : kSettled;  // where some did not move there may be more to gain
           model = trial, windows = moved, now = std::move(next);
           evaluator = std::make_unique<Evaluator>(system, model, records);
           weights = now.mean_square.cwiseSqrt().cwiseInverse();
