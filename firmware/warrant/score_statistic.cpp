@@ -7,7 +7,9 @@ namespace {
 constexpr int kLeastFreedom = 2;
 constexpr int kLeastShareLog2 = -6;  // of a force, not taken up by the estimated terms
 
-constexpr int kLikely = 3;  // deviations of an effect that may well be there: of 80 right probes one in five records
+// Of the limit beyond which a force is no chance, from which on it may well be there: 4 deviations where the scatter is well known,
+// which 80 right probes reach in one of 200 records.
+constexpr int kLikelyPercent = 88;
 constexpr int kMostInGroup = 8, kLeastGroups = 5;
 
 Scaled square(Scaled value) { return value * value; }
@@ -92,8 +94,9 @@ void ScoreTest::bend_base(Scaled* bent) const {
   }
 }
 
-void ScoreTest::keep_likely_bend(const ProbeScore& score) {
-  if (abs(score.wald) < Scaled::from_int(kLikely)) return;
+void ScoreTest::keep_likely_bend(int number) {
+  const ProbeScore& score = score_[number];
+  if (abs(score.wald) * score.std < detectable(number) * Scaled::ratio(kLikelyPercent, 100)) return;
   for (int k = 0; k < unknowns_; ++k) {
     const Scaled bent = abs(score.effect * bend_[k]);
     if (bent > likely_bend_[k]) likely_bend_[k] = bent;
@@ -185,7 +188,7 @@ void ScoreTest::test(int number) {
   result.std = sqrt(variance) / sum_d;
   result.wald = quotient(sum_psi.is_negative() ? -sure : sure, sqrt(variance));
   result.plain = sum_psi / sqrt(result.before);
-  keep_likely_bend(result);
+  keep_likely_bend(number);
 }
 
 }  // namespace firmware

@@ -47,7 +47,7 @@ class ScoreTest {
   Scaled force_ratio(int probe) const;
   // The smallest effect of a tested probe that would be told from chance.
   Scaled detectable(int probe) const;
-  // How far a force that is likely (over kLikely deviations) and yet not beyond chance would bend the unknown, at the most.
+  // How far a force that is likely (near the limit of chance) and yet not beyond chance would bend the unknown, at the most.
   Scaled likely_bend(int unknown) const { return likely_bend_[unknown]; }
   // What the instrument of the score tests says of an unknown, less the estimate; 0 where it cannot say.
   Scaled difference(int unknown) const { return difference_[unknown]; }
@@ -70,7 +70,7 @@ class ScoreTest {
   void find_answers(const Probe& probe);
   void share_out(const Probe& probe);
   void bend_base(Scaled* bent) const;
-  void keep_likely_bend(const ProbeScore& score);
+  void keep_likely_bend(int probe);
   void judge_size(int number);
   void name();
   Scaled damping_square(int place) const;
