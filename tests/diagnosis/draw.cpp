@@ -76,8 +76,7 @@ const Kind kVocabulary[] = {{"cubic_stiffness", false},
                             {"drifting_viscous", false},
                             {"mass_error", true},
                             {"unmodelled_resonance", true}};
-const Kind kOutside[] = {
-    {"switched_damper", false}, {"pulsating_stiffness", false}, {"foreign_tone", true}};
+const Kind kOutside[] = {{"switched_damper", false}, {"pulsating_stiffness", false}, {"foreign_tone", true}};
 
 std::string place(const TrueRig& rig, const TrueEffect& e) {
   if (e.dof >= 0) return "dof " + std::to_string(e.dof + 1);

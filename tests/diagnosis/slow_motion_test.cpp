@@ -4,8 +4,8 @@
 #include <cmath>
 #include <random>
 
-#include "host_sim/diagnosis/search/candidates.hpp"
 #include "host_sim/diagnosis/record/sharpen.hpp"
+#include "host_sim/diagnosis/search/candidates.hpp"
 
 namespace diagnosis {
 namespace {

@@ -269,7 +269,8 @@ TEST(WriteReport, MakesTheFolderAndReplacesAnEarlierPage) {
   EXPECT_TRUE(contains(content(folder / "index.html"), "paper_3dof_random_noise"));
   EXPECT_EQ(std::distance(fs::directory_iterator(folder), fs::directory_iterator()), 2);  // the page and figures/
   EXPECT_TRUE(fs::exists(folder / "figures/notes.csv"));
-  EXPECT_FALSE(fs::exists(folder / "figures/01_dof_1_displacement_worst_moment.csv"));  // a run's page begins with another picture
+  EXPECT_FALSE(fs::exists(
+      folder / "figures/01_dof_1_displacement_worst_moment.csv"));  // a run's page begins with another picture
 }
 
 // Every picture of the page has its file, and no file is of another page.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "hal/rig_file/channel_noise.hpp"
 
@@ -50,9 +51,10 @@ bool noise_alone(const std::vector<Record>& records, size_t channel, size_t size
   std::vector<std::vector<firmware::RawSample>> codes;
   for (const Record& record : records) {
     const std::vector<double> mean = means(record.channels[channel].values, size);
-    std::vector<firmware::RawSample>& of = codes.emplace_back(mean.size());
+    std::vector<firmware::RawSample> made(mean.size());
     for (size_t n = 0; n < mean.size(); ++n)
-      of[n].code[0][kDisplacement] = static_cast<int32_t>(std::lround(mean[n] / largest * 0x1p30));
+      made[n].code[0][kDisplacement] = static_cast<int32_t>(std::lround(mean[n] / largest * 0x1p30));
+    codes.push_back(std::move(made));
   }
   const rig_file::ChannelNoise noise = rig_file::read_noise({codes.front()}, 0, kDisplacement, 1.0);
   return noise.deviation > 0 && noise.pole == 0.0 && noise.doubt < kReadable;
