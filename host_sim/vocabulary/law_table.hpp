@@ -74,27 +74,9 @@ inline double value_at(size_t kind, const Point& at, const Shape& shape, std::in
   static_cast<void>(((kind == I && (value = value_of<I>(at, shape), true)) || ...));
   return value;
 }
-template <size_t I>
-inline Force force_of(const Point& at, const Shape& shape) {
-  if constexpr (kLaws[I].force == nullptr)
-    return {};
-  else
-    return kLaws[I].force(at, shape);
-}
-template <size_t... I>
-inline Force force_at(size_t kind, const Point& at, const Shape& shape, std::index_sequence<I...>) {
-  Force force;
-  static_cast<void>(((kind == I && (force = force_of<I>(at, shape), true)) || ...));
-  return force;
-}
 }  // namespace inner
 
-// force(kind, at, shape), to be inlined.
-inline Force force_here(EffectKind kind, const Point& at, const Shape& shape) {
-  return inner::force_at(static_cast<size_t>(kind), at, shape, std::make_index_sequence<firmware::kEffectKinds>());
-}
-
-// Its value without the slopes.
+// force(kind, at, shape).value without the slopes.
 inline double force_value(EffectKind kind, const Point& at, const Shape& shape) {
   return inner::value_at(static_cast<size_t>(kind), at, shape, std::make_index_sequence<firmware::kEffectKinds>());
 }

@@ -15,7 +15,6 @@ constexpr double kPlain = 3;
 constexpr double kEnoughRows = 3000;  // samples of a part: some 60 periods
 constexpr double kShows = 0.02;       // of unseen windows' squared residual: less is lost in its scatter
 constexpr double kNoHarm = 1.01;      // of their squared residual, where they cannot show it
-constexpr double kFollows = 0.25;     // of the motion, error: a model that misses more leaves states that help no other
 constexpr double kSmallStart = 0.3;   // of the value that the linearisation gives
 constexpr double kPromised = 0.8;     // of the linearisation's gain, that a fit should reach
 constexpr int kFirstSteps = 3;        // with shapes held

@@ -71,6 +71,8 @@ Choice rig_fitted(const Task& task);
 // simulations to tell causes apart, where it is not noise.
 bool right(const Task& task, const Choice& choice);
 bool near_enough(const Task& task, const Choice& choice);
+constexpr double kFollows =
+    0.25;  // of the motion, error: up to it a linearisation is trusted and fitted states help others
 // Error of the windows' runs over the motion, the worst channel's; huge where there is no fit.
 double motion_error(const Task& task, const State& state);
 // Takes causes that another test found and borne_out() confirms.

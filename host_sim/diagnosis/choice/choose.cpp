@@ -12,7 +12,6 @@ namespace {
 constexpr size_t kMostCauses = 4;
 constexpr double kFurtherShare = 2e-3;    // of what the causes named before have brought, that a further one must
 constexpr double kTogether = 0.5;         // of what one cause leaves, that dampers which drift together may
-constexpr double kLinear = 0.25;          // error over motion up to which a linearisation is trusted
 constexpr double kShortestHorizon = 0.2;  // periods
 constexpr double kNearEnough_percent =
     0.3;                                 // of the motion, free run on unseen data: sensors are not better calibrated
@@ -37,7 +36,7 @@ bool widen(const Task& task, double most, double& periods, State& s) {
     lay(task, std::min(most, 2 * periods), longer);
     if (longer.unseen.empty() != s.unseen.empty()) return any;
     settle(task, longer, kBaseSteps);
-    if (!longer.fit.ok || !(motion_error(task, longer) < kLinear)) return any;
+    if (!longer.fit.ok || !(motion_error(task, longer) < kFollows)) return any;
     s = longer, periods = std::min(most, 2 * periods), any = true;
   }
   return any;
@@ -67,15 +66,11 @@ double horizon(const Task& task, State& s, double from, bool massless) {
     s.model = start;
     lay(task, periods, s);
     settle(task, s, kBaseSteps);
-    const bool follows = s.fit.ok && motion_error(task, s) < kLinear;
+    const bool follows = s.fit.ok && motion_error(task, s) < kFollows;
     if (!massless && follows) widen(task, from, periods, s);
     if (massless || follows || periods / 2 < shortest) return periods;
   }
 }
-
-}  // namespace
-
-namespace {
 
 // What windows add up to: of a channel, or of the difference of two.
 struct MotionSums {
@@ -159,7 +154,7 @@ Choice rig_fitted(const Task& task) {
   const bool massless = Evaluator(task.system, now.model, task.records).massless();
   choice.periods = horizon(task, now, longest_horizon(task.records), massless);
   choice.base = choice.final = now;
-  choice.base_fits_nothing = !massless && !(motion_error(task, now) < kLinear);
+  choice.base_fits_nothing = !massless && !(motion_error(task, now) < kFollows);
   if (now.fit.ok) choice.base_left = choice.final_left = left_by(task.system, task.records, now);
   return choice;
 }

@@ -42,10 +42,7 @@ bool is_linear(Kind kind) {
 LawValue law(Kind kind, double u, double w, double t_s, double shape, double shape2) {
   const firmware::EffectKind effect = effect_of(kind);
   const vocabulary::Shape shapes{{shape, shape2}};
-  vocabulary::Point at;
-  at.u = u, at.w = w, at.t_s = t_s, at.sign = static_cast<double>((w > 0) - (w < 0));
-  at.side = (u > shape) - (u < -shape);
-  const vocabulary::Force f = vocabulary::force_here(effect, at, shapes);
+  const vocabulary::Force f = vocabulary::force(effect, vocabulary::point(effect, u, w, t_s, shapes), shapes);
   return {f.value, f.slope.u, f.slope.w, shape * f.slope.shape[0], f.slope.shape[1]};
 }
 
