@@ -5,9 +5,11 @@
 #include <cmath>
 #include <random>
 
-#include "host_sim/diagnosis/diagnosis.hpp"
+#include "two_masses.hpp"
 
 namespace {
+
+using namespace two_masses;
 
 constexpr double kTwoPi = 6.283185307179586;
 constexpr double kRate_Hz = 1000, kDuration_s = 16, kStep_rad = kTwoPi / 8192;
@@ -21,10 +23,6 @@ struct Train {
   uint64_t seed = 1;
 };
 
-struct State {
-  double x[2] = {0, 0}, v[2] = {0, 0};
-};
-
 State slope_of(const Train& t, const State& s, double torque) {
   const double twist = s.x[0] - s.x[1], rate = s.v[0] - s.v[1];
   const double beyond = twist > t.gap_rad ? twist - t.gap_rad : twist < -t.gap_rad ? twist + t.gap_rad : 0;
@@ -33,12 +31,6 @@ State slope_of(const Train& t, const State& s, double torque) {
   out.x[0] = s.v[0], out.x[1] = s.v[1];
   out.v[0] = (torque - shaft - t.motor_viscous * s.v[0] - t.motor_coulomb * std::tanh(s.v[0] / 0.02)) / t.inertia[0];
   out.v[1] = (shaft - t.load_coulomb * std::tanh(s.v[1] / 0.02)) / t.inertia[1];
-  return out;
-}
-
-State moved(const State& s, const State& slope, double h) {
-  State out = s;
-  for (int i = 0; i < 2; ++i) out.x[i] += h * slope.x[i], out.v[i] += h * slope.v[i];
   return out;
 }
 
@@ -63,9 +55,8 @@ host_sim::Record record_of(const Train& t) {
     for (int i = 0; i < 2; ++i) values[i + 1].push_back(kStep_rad * std::round(s.x[i] / kStep_rad));
     for (int i = 0; i < kFiner; ++i) {
       const double at = k / kRate_Hz + i * h, middle = torque(at + h / 2), next = torque(at + h);
-      const State k1 = slope_of(t, s, now), k2 = slope_of(t, moved(s, k1, h / 2), middle),
-                  k3 = slope_of(t, moved(s, k2, h / 2), middle), k4 = slope_of(t, moved(s, k3, h), next);
-      s = moved(moved(moved(moved(s, k1, h / 6), k2, h / 3), k3, h / 3), k4, h / 6);
+      s = stepped(s, h, now, middle, next,
+                  [&](const State& at_state, double torque_now) { return slope_of(t, at_state, torque_now); });
       now = next;
     }
   }
@@ -98,12 +89,6 @@ double value_of(const diagnosis::ModelScore& model, const std::string& name) {
     if (p.name == name) return p.value;
   ADD_FAILURE() << name << " is not there";
   return 0;
-}
-
-std::string said(const diagnosis::Diagnosis& d) {
-  std::string text = diagnosis::verdict_word(d.verdict);
-  for (const diagnosis::Cause& c : d.causes) text += ", " + c.effect + " on " + c.where;
-  return text;
 }
 
 TEST(DriveTrain, ARightRigIsRight) {

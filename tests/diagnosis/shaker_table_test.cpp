@@ -5,9 +5,11 @@
 #include <cmath>
 #include <random>
 
-#include "host_sim/diagnosis/diagnosis.hpp"
+#include "two_masses.hpp"
 
 namespace {
+
+using namespace two_masses;
 
 constexpr double kTwoPi = 6.283185307179586;
 constexpr double kRate_Hz = 200, kDuration_s = 60;
@@ -38,10 +40,6 @@ class Table {
   std::vector<double> omega_, phase_;
 };
 
-struct State {
-  double x[2] = {0, 0}, v[2] = {0, 0};  // against the table
-};
-
 // Accelerations against the ground.
 void floors(const Building& b, const State& s, double a[2]) {
   const double rate_2 = s.v[1] - s.v[0];
@@ -49,12 +47,6 @@ void floors(const Building& b, const State& s, double a[2]) {
   const double above =
       kStiffness[1] * (s.x[1] - s.x[0]) + kViscous[1] * rate_2 + b.coulomb_link_2_N * std::tanh(rate_2 / 5e-4);
   a[0] = (above - below) / kMass[0], a[1] = -above / kMass[1];
-}
-
-State moved(const State& s, const State& slope, double h) {
-  State out = s;
-  for (int i = 0; i < 2; ++i) out.x[i] += h * slope.x[i], out.v[i] += h * slope.v[i];
-  return out;
 }
 
 State slope_of(const Building& b, const State& s, double table) {
@@ -71,7 +63,7 @@ host_sim::Record record_of(const Building& b) {
   const int samples = static_cast<int>(kRate_Hz * kDuration_s);
   const double h = 1 / (kRate_Hz * kFiner);
   std::vector<double> channel[3];
-  State s;
+  State s;  // against the table
   for (int k = 0; k < samples; ++k) {
     const double t = k / kRate_Hz;
     double a[2];
@@ -80,10 +72,8 @@ host_sim::Record record_of(const Building& b) {
     channel[1].push_back(a[0]), channel[2].push_back(a[1]);
     for (int i = 0; i < kFiner; ++i) {
       const double at = t + i * h, middle = table.acceleration(at + h / 2);
-      const State k1 = slope_of(b, s, table.acceleration(at)), k2 = slope_of(b, moved(s, k1, h / 2), middle),
-                  k3 = slope_of(b, moved(s, k2, h / 2), middle),
-                  k4 = slope_of(b, moved(s, k3, h), table.acceleration(at + h));
-      s = moved(moved(moved(moved(s, k1, h / 6), k2, h / 3), k3, h / 3), k4, h / 6);
+      s = stepped(s, h, table.acceleration(at), middle, table.acceleration(at + h),
+                  [&](const State& from, double shaken) { return slope_of(b, from, shaken); });
     }
   }
   host_sim::Record record;
@@ -120,12 +110,6 @@ rig_file::RigModel rig_of(bool springs_known) {
 
 diagnosis::Diagnosis answer_to(const Building& b, bool springs_known = false) {
   return diagnosis::diagnose(rig_of(springs_known), {record_of(b)}, {});
-}
-
-std::string said(const diagnosis::Diagnosis& d) {
-  std::string text = diagnosis::verdict_word(d.verdict);
-  for (const diagnosis::Cause& c : d.causes) text += ", " + c.effect + " on " + c.where;
-  return text;
 }
 
 void expect_near_truth(const diagnosis::ModelScore& model, const char* name, double truth, double within) {

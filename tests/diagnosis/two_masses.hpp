@@ -1,0 +1,34 @@
+// Two masses that a test moves by itself, and what a diagnosis said of them. Shares no code with the plant.
+#pragma once
+#include <string>
+
+#include "host_sim/diagnosis/diagnosis.hpp"
+
+namespace two_masses {
+
+struct State {
+  double x[2] = {0, 0}, v[2] = {0, 0};
+};
+
+inline State moved(const State& s, const State& slope, double h) {
+  State out = s;
+  for (int i = 0; i < 2; ++i) out.x[i] += h * slope.x[i], out.v[i] += h * slope.v[i];
+  return out;
+}
+
+// Fourth-order Runge-Kutta over h. slope(state, drive); drive at the start, in the middle and at the end of the step.
+template <typename Slope>
+State stepped(const State& s, double h, double start, double middle, double end, Slope slope) {
+  const State k1 = slope(s, start), k2 = slope(moved(s, k1, h / 2), middle), k3 = slope(moved(s, k2, h / 2), middle),
+              k4 = slope(moved(s, k3, h), end);
+  return moved(moved(moved(moved(s, k1, h / 6), k2, h / 3), k3, h / 3), k4, h / 6);
+}
+
+// "explained, backlash on link 1-2"
+inline std::string said(const diagnosis::Diagnosis& d) {
+  std::string text = diagnosis::verdict_word(d.verdict);
+  for (const diagnosis::Cause& c : d.causes) text += ", " + c.effect + " on " + c.where;
+  return text;
+}
+
+}  // namespace two_masses
