@@ -2,8 +2,7 @@
 #include <cmath>
 
 #include "advice.hpp"
-#include "answer/answer.hpp"
-#include "first_screen/rows_say.hpp"
+#include "answer/rows_borne_out.hpp"
 
 namespace diagnosis {
 
@@ -25,78 +24,14 @@ bool springs_and_masses_known(const rig_file::RigModel& rig) {
                       [](const rig_file::Link& l) { return l.stiffness_N_m.estimate; });
 }
 
-// Gains and delays of motion channels as the simulation's candidates, one per channel and kind.
-void add_faults(const std::vector<SensorFault>& faults, std::vector<runs::Candidate>& list,
-                std::vector<double>& values) {
-  for (const SensorFault& f : faults) {
-    if (is_hum(f.kind)) continue;
-    runs::Candidate c;
-    c.terms = {on_dof(f.kind == FaultKind::kGain ? Kind::kChannelGain : Kind::kChannelDelay, static_cast<int>(f.dof))};
-    c.terms[0].quantity = static_cast<int>(f.quantity);
-    const auto same = [&](const runs::Candidate& o) { return o.same_place(c); };
-    if (std::any_of(list.begin(), list.end(), same)) continue;  // of a further record
-    list.push_back(c), values.push_back(f.value);
-  }
-}
-
 bool two_channels_a_dof(const runs::Prepared& p) { return p.traces.size() > p.guess.size() - 1; }
-
-// The rows' terms as the simulation's candidates; false where it has no such term.
-bool as_candidates(const runs::Model& model, const RowsSay& say, std::vector<runs::Candidate>& list) {
-  for (const Term& t : say.terms) {
-    runs::Candidate c;
-    c.terms = {t};
-    if (t.kind >= Kind::kForceHumCos50 && t.kind <= Kind::kForceHumSin60) return false;
-    if (t.kind == Kind::kBacklash || t.kind == Kind::kPresliding)
-      for (size_t i = 0; i < model.size(); ++i)
-        if (model[i].term.link == t.link &&
-            (t.kind == Kind::kBacklash ? model[i].term.kind == Kind::kStiffness : model[i].term.kind == Kind::kCoulomb))
-          c.host = static_cast<int>(i);
-    list.push_back(c);
-  }
-  return true;
-}
 
 constexpr double kMostlyNoise = 0.8;  // of the squared residual
 
-// The rows' answer stands where nothing is left beyond their noise and runs that have not seen the data bear it out.
-bool rows_stand(const runs::Task& task, const runs::Choice& fitted, const RowsSay& say, runs::State& with_them) {
-  with_them = fitted.base;
-  if (!say.noise_only) return false;
-  std::vector<runs::Candidate> list;
-  if (!as_candidates(fitted.base.model, say, list)) return true;
-  std::vector<double> values = say.values;
-  add_faults(say.faults, list, values);
-  return list.empty() || runs::borne_out(task, fitted.base, list, values, &with_them);
-}
-
-// The rows' answer, where it stands; otherwise what it found out that the free runs may use.
-bool answered_by_rows(const Asked& asked, const runs::Task& task, runs::Choice& choice, RowsSay& say, Diagnosis& d) {
-  try {
-    say = ask_rows(task.system, asked);
-  } catch (const CannotAnswer&) {  // too few rows: the free runs alone
-  }
-  say.asked = true;
-  choice.noise_is_enough = say.noise_only;
-  d.unknown_trace = say.d.unknown_trace;
-  runs::State with_them;
-  if (!rows_stand(task, choice, say, with_them)) return false;
-  d = say.d;
-  runs::widen(task, with_them, d.extended.parameters);
-  if (say.terms.empty()) d.baseline.parameters = d.extended.parameters;
-  for (Cause& c : d.causes) runs::widen(task, with_them, c.parameters);
-  for (double gain : d.gain) d.remainder_percent.push_back(100 / std::max(gain, 1e-3));
-  return true;
-}
-
 // Names what is missing by free runs, from the rig as given with the sensor faults that they bear out.
 void answer_by_runs(const Asked& asked, const runs::Task& task, const RowsSay& say, runs::Choice& choice) {
-  if (!massless(asked.rig) && two_channels_a_dof(task.records[0])) {
-    std::vector<runs::Candidate> list;
-    std::vector<double> values;
-    add_faults(say.asked ? say.faults : motion_faults(asked), list, values);
-    if (!list.empty() && runs::borne_out(task, choice.base, list, values)) runs::adopt(task, list, values, choice);
-  }
+  if (!massless(asked.rig) && two_channels_a_dof(task.records[0]))
+    runs::adopt_faults(task, say.asked ? say.faults : motion_faults(asked), choice);
   const auto& progress = asked.options.progress;
   runs::choose(task, choice, [&](double share) {
     if (progress) progress(0.6 + 0.3 * share);
@@ -124,7 +59,7 @@ Diagnosis diagnose(const rig_file::RigModel& rig, const std::vector<host_sim::Re
   if (!right && !massless(rig) && !rows_can_tell)
     choice.noise_is_enough = runs::noise_share(choice.base_left, choice.base.fit) > kMostlyNoise;
   const bool answered =
-      !right && rows_can_tell && !choice.base_fits_nothing && answered_by_rows(asked, task, choice, say, d);
+      !right && rows_can_tell && !choice.base_fits_nothing && runs::answered_by_rows(asked, task, choice, say, d);
   progress(0.6);
   if (!answered) {
     if (!right) answer_by_runs(asked, task, say, choice);

@@ -80,8 +80,6 @@ struct Diagnosis {
 
 struct Options {
   double top_of_band = 0.098;            // of the sampling rate: highest frequency of the equation rows
-  double holdout_fraction = 0.3;         // of each training record, where no hold-out records are given
-  bool simulate = true;                  // free-running simulation on held-out data
   std::function<void(double)> progress;  // called with the share done, 0 to 1
 };
 

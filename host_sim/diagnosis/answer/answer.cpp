@@ -117,22 +117,6 @@ void name_causes(const Task& task, const Choice& choice, const Terms& full, Diag
   }
 }
 
-// Both models on unseen data. Returns the worst DOF's error of the one with the causes, NRMSE in percent.
-double compare_unseen(const Task& task, const Choice& choice, Diagnosis& d) {
-  const Score before = score_unseen(task, choice.base),
-              after = choice.named.empty() ? before : score_unseen(task, choice.final);
-  take(before, d.baseline), take(after, d.extended);
-  d.gain.clear();
-  double worst = 0;
-  for (size_t i = 0; i < before.nrmse_percent.size(); ++i) {
-    const double old = before.nrmse_percent[i], now = after.nrmse_percent[i];
-    d.gain.push_back(old / std::max(1e-9, now));
-    d.remainder_percent.push_back(choice.named.empty() ? 100 : std::min(1000.0, 100 * now / std::max(1e-9, old)));
-    worst = std::max(worst, now);
-  }
-  return worst;
-}
-
 // What a rig file can state: a channel's fault and what changes from record to record it cannot.
 rig_file::RigModel written_rig(const Task& task, const Terms& full) {
   Terms writable;
@@ -165,6 +149,16 @@ void withdraw_causes(const Task& task, const Terms& base, Diagnosis& d) {
   d.extended_rig = extended_rig(task.system, base);
 }
 
+// What the rows named and the runs did not: what those name themselves in the end was not rejected.
+void keep_rejected(Diagnosis& d) {
+  const auto named = [&](const Cause& r) {
+    const auto same = [&](const auto& o) { return o.effect == r.effect && o.where == r.where; };
+    return std::any_of(d.causes.begin(), d.causes.end(), same) ||
+           std::any_of(d.ambiguous_with.begin(), d.ambiguous_with.end(), same);
+  };
+  d.rejected.erase(std::remove_if(d.rejected.begin(), d.rejected.end(), named), d.rejected.end());
+}
+
 void say_cannot_describe(const Task& task, const Choice& choice, Diagnosis& d) {
   d.baseline.parameters.clear(), d.extended.parameters.clear();  // numbers of a model that is not this rig's
   char text[200];
@@ -181,6 +175,20 @@ void say_cannot_describe(const Task& task, const Choice& choice, Diagnosis& d) {
 }
 
 }  // namespace
+
+double compare_unseen(const Task& task, const State& base, const State& with_causes, bool any_cause, Diagnosis& d) {
+  const Score before = score_unseen(task, base), after = any_cause ? score_unseen(task, with_causes) : before;
+  take(before, d.baseline), take(after, d.extended);
+  d.gain.clear();
+  double worst = 0;
+  for (size_t i = 0; i < before.nrmse_percent.size(); ++i) {
+    const double old = before.nrmse_percent[i], now = after.nrmse_percent[i];
+    d.gain.push_back(old / std::max(1e-9, now));
+    d.remainder_percent.push_back(any_cause ? std::min(1000.0, 100 * now / std::max(1e-9, old)) : 100);
+    worst = std::max(worst, now);
+  }
+  return worst;
+}
 
 void widen(const Task& task, const State& fitted, std::vector<diagnosis::Parameter>& parameters) {
   if (!fitted.fit.ok) return;
@@ -200,7 +208,7 @@ void answer(const Task& task, const Choice& choice, Diagnosis& d) {
   const Terms full = active(choice.final.model, determined(choice.final.fit, choice.final.model));
   name_causes(task, choice, full, d);
   d.baseline.parameters = all_parameters(task, base), d.extended.parameters = all_parameters(task, full);
-  const double worst_free_run = compare_unseen(task, choice, d);
+  const double worst_free_run = compare_unseen(task, choice.base, choice.final, !choice.named.empty(), d);
   d.extended_rig = written_rig(task, full);
   state_delays(d.causes, d.extended_rig);
   d.baseline_misfit = choice.base_left.worst(), d.extended_misfit = choice.final_left.worst();
@@ -211,6 +219,7 @@ void answer(const Task& task, const Choice& choice, Diagnosis& d) {
     d.verdict = noise || motion_error(task, choice.base) < kAsGoodAsRight ? Verdict::kNone : Verdict::kUnknown;
   }
   if (choice.base_fits_nothing && choice.named.empty()) say_cannot_describe(task, choice, d);
+  keep_rejected(d);
 }
 
 }  // namespace diagnosis::runs

@@ -76,13 +76,14 @@ constexpr double kFollows =
 // Error of the windows' runs over the motion, the worst channel's; huge where there is no fit.
 double motion_error(const Task& task, const State& state);
 // Takes causes that another test found and borne_out() confirms.
-void adopt(const Task& task, const std::vector<Candidate>& found, const std::vector<double>& values, Choice& choice);
+void adopt(const Task& task, const std::vector<Candidate>& found, const std::vector<std::vector<double>>& values,
+           Choice& choice);
 // Goes on from rig_fitted(): names what is missing. progress: called with the share done.
 void choose(const Task& task, Choice& choice, const std::function<void(double)>& progress);
 // Whether every one of these, found by another test, is borne out: it stays significant beside the others, and without
 // it unseen data are simulated worse.
 bool borne_out(const Task& task, const State& base, const std::vector<Candidate>& found,
-               const std::vector<double>& values, State* fitted = nullptr);  // fitted: with all of them
+               const std::vector<std::vector<double>>& values, State* fitted = nullptr);  // fitted: with all of them
 
 // Share of a fit's squared residual that looks like noise, mean over the channels.
 double noise_share(const Left& left, const Fitted& fit);

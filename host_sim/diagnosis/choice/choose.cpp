@@ -233,10 +233,9 @@ void choose(const Task& task, Choice& choice, const std::function<void(double)>&
   choice.final_left = left_by(task.system, task.records, choice.final);
 }
 
-void adopt(const Task& task, const std::vector<Candidate>& found, const std::vector<double>& values, Choice& choice) {
-  std::vector<std::vector<double>> starts;
-  for (double v : values) starts.push_back({v});
-  Attempt t = attempt(task, choice.base, found, starts, kBaseSteps);
+void adopt(const Task& task, const std::vector<Candidate>& found, const std::vector<std::vector<double>>& values,
+           Choice& choice) {
+  Attempt t = attempt(task, choice.base, found, values, kBaseSteps);
   if (!t.state.fit.ok) return;
   for (const Candidate& c : found) {
     choice.named.push_back(Named{c, t.z, share_of(t, noise_share(choice.base_left, choice.base.fit)), {}});
@@ -245,15 +244,13 @@ void adopt(const Task& task, const std::vector<Candidate>& found, const std::vec
 }
 
 bool borne_out(const Task& task, const State& base, const std::vector<Candidate>& found,
-               const std::vector<double>& values, State* fitted) {
-  std::vector<std::vector<double>> starts;
-  for (double v : values) starts.push_back({v});
-  const Attempt all = attempt(task, base, found, starts, kTrialSteps);
+               const std::vector<std::vector<double>>& values, State* fitted) {
+  const Attempt all = attempt(task, base, found, values, kTrialSteps);
   if (fitted) *fitted = all.state;
   if (!all.state.fit.ok || !(all.z > kBorneOut) || !unseen_agrees(all)) return false;
   for (size_t i = 0; found.size() > 1 && i < found.size(); ++i) {
     std::vector<Candidate> fewer = found;
-    std::vector<std::vector<double>> start = starts;
+    std::vector<std::vector<double>> start = values;
     fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(i)),
         start.erase(start.begin() + static_cast<std::ptrdiff_t>(i));
     if (attempt(task, base, fewer, start, kTrialSteps).unseen <= all.unseen) return false;

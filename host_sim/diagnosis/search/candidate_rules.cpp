@@ -60,8 +60,6 @@ bool CandidateBank::prepare(const std::vector<ActiveTerm>& model, Candidate& c) 
   const Term& t = c.term();
   c.threshold = threshold_;
   if (!observable(model, t)) return false;
-  for (const Term& b : barred_)
-    if (b.same_place(t)) return false;
   for (const ActiveTerm& a : model) {
     const Term& other = a.term;
     if (other.same_place(t)) return false;

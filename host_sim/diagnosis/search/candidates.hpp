@@ -16,8 +16,6 @@ class CandidateBank {
   explicit CandidateBank(const Rows& rows);
   // Those that make sense beside the present model (no second copy of a term, hosts found).
   std::vector<Candidate> beside(const std::vector<ActiveTerm>& model) const;
-  // Leaves a term out from now on: one that simulates unseen data worse than the rig without it.
-  void bar(const Term& term) { barred_.push_back(term); }
   // Terms that these records cannot show at any strength, which is why they are not among the candidates.
   std::vector<Term> unseen(const std::vector<ActiveTerm>& model) const;
   // One candidate of the same kind and place with another shape.
@@ -65,7 +63,6 @@ class CandidateBank {
   bool prepare(const std::vector<ActiveTerm>& model, Candidate& candidate) const;
   mutable std::map<const Column*, Columns> partner_;  // companions of those on the grid
   const Rows& rows_;
-  std::vector<Term> barred_;
   double highest_Hz_ = 0;  // of a hidden resonance
   double threshold_ = 0;
   Columns columns_;

@@ -1,0 +1,85 @@
+#include "rows_borne_out.hpp"
+
+#include <algorithm>
+
+namespace diagnosis::runs {
+namespace {
+
+struct Found {
+  std::vector<Candidate> list;
+  std::vector<std::vector<double>> values;
+  void add(Candidate c, std::vector<double> value) {
+    const auto same = [&](const Candidate& o) { return o.same_place(c); };
+    if (std::any_of(list.begin(), list.end(), same)) return;  // of a further record
+    list.push_back(std::move(c)), values.push_back(std::move(value));
+  }
+};
+
+// Gains and delays of motion channels, one per channel and kind. A hum is a nuisance and no cause of what the rig does.
+void add_faults(const std::vector<SensorFault>& faults, Found& found) {
+  for (const SensorFault& f : faults) {
+    if (is_hum(f.kind)) continue;
+    Candidate c;
+    c.terms = {on_dof(f.kind == FaultKind::kGain ? Kind::kChannelGain : Kind::kChannelDelay, static_cast<int>(f.dof))};
+    c.terms[0].quantity = static_cast<int>(f.quantity);
+    found.add(c, {f.value});
+  }
+}
+
+// The rows' terms as the simulation's; a force's hum, which it has no term for, is left out.
+void add_terms(const Model& model, const RowsSay& say, Found& found) {
+  for (size_t k = 0; k < say.terms.size(); ++k) {
+    const Term& t = say.terms[k];
+    if (t.kind >= Kind::kForceHumCos50 && t.kind <= Kind::kForceHumSin60) continue;
+    Candidate c;
+    c.terms = {t};
+    if (t.kind == Kind::kBacklash || t.kind == Kind::kPresliding)
+      for (size_t i = 0; i < model.size(); ++i)
+        if (model[i].term.link == t.link &&
+            (t.kind == Kind::kBacklash ? model[i].term.kind == Kind::kStiffness : model[i].term.kind == Kind::kCoulomb))
+          c.host = static_cast<int>(i);
+    found.add(c, {say.values[k]});
+  }
+}
+
+bool stands(const Task& task, const Choice& fitted, const RowsSay& say, State& with_them) {
+  with_them = fitted.base;
+  if (!say.noise_only) return false;
+  Found found;
+  add_terms(fitted.base.model, say, found);
+  add_faults(say.faults, found);
+  return found.list.empty() || borne_out(task, fitted.base, found.list, found.values, &with_them);
+}
+
+}  // namespace
+
+bool answered_by_rows(const Asked& asked, const Task& task, Choice& choice, RowsSay& say, Diagnosis& d) {
+  try {
+    say = ask_rows(task.system, asked);
+  } catch (const CannotAnswer&) {  // too few rows: the free runs alone
+  }
+  say.asked = true;
+  choice.noise_is_enough = say.noise_only;
+  d.unknown_trace = say.d.unknown_trace;
+  State with_them;
+  if (!stands(task, choice, say, with_them)) {
+    for (const Cause& c : say.d.causes)
+      if (!c.taken_out) d.rejected.push_back(c);
+    return false;
+  }
+  d = say.d;
+  widen(task, with_them, d.extended.parameters);
+  if (say.terms.empty()) d.baseline.parameters = d.extended.parameters;
+  for (Cause& c : d.causes) widen(task, with_them, c.parameters);
+  compare_unseen(task, choice.base, with_them, !d.causes.empty(), d);
+  return true;
+}
+
+void adopt_faults(const Task& task, const std::vector<SensorFault>& faults, Choice& choice) {
+  Found found;
+  add_faults(faults, found);
+  if (!found.list.empty() && borne_out(task, choice.base, found.list, found.values))
+    adopt(task, found.list, found.values, choice);
+}
+
+}  // namespace diagnosis::runs
