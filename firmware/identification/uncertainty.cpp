@@ -10,10 +10,9 @@ namespace {
 constexpr int kRepeatedErrorLog2 = -20;
 constexpr int kLeastLevels = 3;  // that show a scatter of their own
 
-void add_share(const Whitening& whitening, int k, const Scaled& share, UncertaintySums& sums) {
-  const Scaled freedom = Scaled::from_int(whitening.freedom > 0 ? whitening.freedom : 1);
-  const Scaled part = share * whitening.inflation;
+void add_share(const Scaled& part, const Scaled& freedom, int k, UncertaintySums& sums) {
   sums.variance[k] = sums.variance[k] + part;
+  sums.variance_per_freedom[k] = sums.variance_per_freedom[k] + part / freedom;
   sums.variance_square_per_freedom[k] = sums.variance_square_per_freedom[k] + part * part / freedom;
 }
 
@@ -27,27 +26,34 @@ void add_relative(const Scaled& residual, const Scaled& right_side, UncertaintyS
 void add_level_row(const WeightedFit& fit, const Whitening& whitening, const Row& row, int unknowns,
                    UncertaintySums& sums) {
   Scaled gain[kMaxUnknowns], right_side = row.rhs;
+  const Scaled freedom = Scaled::from_int(whitening.freedom > 0 ? whitening.freedom : 1);
   fit.equations().apply_covariance(row.column, gain);
   for (int k = 0; k < unknowns; ++k) {
     right_side = right_side + row.column[k] * fit.parameters()[k];
     sums.pull[k] = sums.pull[k] + gain[k] * row.rhs;
-    add_share(whitening, k, gain[k] * gain[k], sums);
+    add_share(gain[k] * gain[k] * whitening.inflation, freedom, k, sums);
   }
   add_relative(row.rhs, right_side, sums);
   ++sums.rows;
 }
 
-// The gain of parameter k: column k of the covariance times the rows.
+// The gain of parameter k: column k of the covariance times the rows. What the fit takes out of the residuals of these rows
+// is the trace of their hat matrix: so many degrees of freedom less have they, and so much larger is their variance.
 void add_rows(const WeightedFit& fit, const Whitening& whitening, ReducedRows& rows, int batches, int unknowns,
               UncertaintySums& sums) {
   const Scaled weight = Scaled::from_int(1) / (whitening.deviation * whitening.deviation);
-  Scaled factor[kMaxUnknowns];
+  Scaled factor[kMaxUnknowns], share[kMaxUnknowns], fitted;
   for (int k = 0; k < unknowns; ++k) {
     for (int j = 0; j < rows.unknowns; ++j) factor[j] = fit.equations().covariance(k, rows.unknown[j]);
     const WholeColumn gain = rows.combine(factor, batches);
-    add_share(whitening, k, dot(gain, gain, batches) * weight, sums);
+    share[k] = dot(gain, gain, batches) * weight;
+    for (int j = 0; j < rows.unknowns; ++j)
+      if (rows.unknown[j] == k) fitted = fitted + dot(gain, rows.column(j), batches) * weight;
     sums.pull[k] = sums.pull[k] + dot(gain, rows.residual(), batches) * weight;
   }
+  const Scaled before = Scaled::from_int(whitening.freedom > 0 ? whitening.freedom : 1), least = Scaled::from_int(1);
+  const Scaled freedom = before < fitted + least ? least : before - fitted;
+  for (int k = 0; k < unknowns; ++k) add_share(share[k] * whitening.inflation * (before / freedom), freedom, k, sums);
   for (int j = 0; j < rows.unknowns; ++j) factor[j] = fit.parameters()[rows.unknown[j]];
   const WholeColumn explained = rows.combine(factor, batches), left = rows.residual();
   for (int b = 0; b < batches; ++b) {
@@ -68,17 +74,15 @@ void add_rows(const WeightedFit& fit, const Whitening& whitening, ReducedRows& r
   if (whitened_level_row(list, level, whitening, e, row)) add_level_row(fit, whitening, row, list.unknown_count, sums);
 }
 
-// Residual scatter lost to the fitted parameters, and a fit that misses its own weights by far: both widen the
-// intervals.
-Scaled variance_factor(const EquationList& list, const WeightedFit& fit, uint32_t rows, bool periodic) {
+// A fit that misses its own weights by far widens the intervals.
+Scaled variance_factor(const EquationList& list, const WeightedFit& fit, uint32_t rows) {
   const int freedom = static_cast<int>(rows) - list.unknown_count;
   if (freedom <= 0) return Scaled::from_int(1);
   const Scaled misfit = fit.equations().residual_square() / Scaled::from_int(freedom);
   if (!fit.all_measured()) return misfit;
-  const Scaled lost = periodic ? Scaled::from_int(1) : Scaled::ratio(static_cast<int64_t>(rows), freedom);
   // Chance takes the misfit over 1 + 5 sqrt(2 / freedom) less than once in 10^4 fits.
   const Scaled limit = Scaled::from_int(1) + sqrt(Scaled::ratio(50, freedom)) + Scaled::ratio(6, freedom);
-  return misfit > limit ? (misfit > lost ? misfit : lost) : lost;
+  return misfit > limit ? misfit : Scaled::from_int(1);
 }
 
 void report(const EquationList& list, const WeightedFit& fit, const UncertaintySums& sums, Scaled factor, bool measured,
@@ -89,10 +93,13 @@ void report(const EquationList& list, const WeightedFit& fit, const UncertaintyS
     parameter.value = fit.parameters()[k];
     const Scaled variance = sums.variance[k];
     const Scaled repeated = scale_by_power_of_two(parameter.value, kRepeatedErrorLog2);
-    parameter.std = sqrt(variance * factor + repeated * repeated);
-    Scaled freedom = Scaled::from_int(spare > 0 ? spare : 1);
-    if (measured && !sums.variance_square_per_freedom[k].is_zero())
+    Scaled of_weights = Scaled::from_int(1), freedom = Scaled::from_int(spare > 0 ? spare : 1);
+    if (measured && !sums.variance_square_per_freedom[k].is_zero()) {
       freedom = variance * variance / sums.variance_square_per_freedom[k];
+      const Scaled chosen = sums.variance_per_freedom[k] / variance - Scaled::from_int(1) / freedom;
+      if (Scaled{} < chosen) of_weights = of_weights + scale_by_power_of_two(chosen, 2);
+    }
+    parameter.std = sqrt(variance * factor * of_weights + repeated * repeated);
     const Scaled half = student_quantile_95(freedom) * parameter.std;
     parameter.ci95_low = parameter.value - half;
     parameter.ci95_high = parameter.value + half;
@@ -113,6 +120,7 @@ void add_scatter_between_levels(const EquationList& list, int levels, Uncertaint
     const Scaled between = sums.pull_square[k] * Scaled::ratio(levels, levels - 1);
     if (between <= sums.variance[k] * limit) continue;
     sums.variance[k] = between;
+    sums.variance_per_freedom[k] = between / freedom;
     sums.variance_square_per_freedom[k] = between * between / freedom;
   }
 }
@@ -132,7 +140,7 @@ void add_uncertainty(const EquationList& list, const LevelColumns& level, int l,
 
 void report_uncertainty(const EquationList& list, const WeightedFit& fit, UncertaintySums& sums, Estimates& estimates) {
   if (sums.levels >= kLeastLevels && !sums.periodic) add_scatter_between_levels(list, sums.levels, sums);
-  report(list, fit, sums, variance_factor(list, fit, sums.rows, sums.periodic), fit.all_measured(), estimates);
+  report(list, fit, sums, variance_factor(list, fit, sums.rows), fit.all_measured(), estimates);
 }
 
 }  // namespace firmware

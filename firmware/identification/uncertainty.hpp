@@ -6,10 +6,11 @@
 namespace firmware {
 
 // Variance of p_k = sum over equations of (share of the equation in the covariance) * inflation; degrees of freedom
-// after Welch and Satterthwaite. Where no scatter could be measured the residuals of the fit give the scale.
+// after Welch and Satterthwaite. The weights of the equations are themselves estimated from n degrees of freedom each: with
+// shares s of the variance it is 1 + 4 sum of s (1 - s) / n times as large (Meier, Biometrics 9, 1953). Where no scatter could be measured the residuals of the fit give the scale.
 struct UncertaintySums {
   Scaled variance[kMaxUnknowns];
-  Scaled variance_square_per_freedom[kMaxUnknowns];
+  Scaled variance_per_freedom[kMaxUnknowns], variance_square_per_freedom[kMaxUnknowns];
   // Of one level: what its residuals pull the parameter by, and the variance of that; over all levels: sum of pull squares.
   Scaled pull[kMaxUnknowns], pull_square[kMaxUnknowns];
   Scaled relative_residuals;

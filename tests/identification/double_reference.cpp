@@ -68,6 +68,7 @@ struct Whitened {
   MatrixXd columns;
   VectorXd rhs;
   double inflation, freedom;
+  bool measured = true;
 };
 
 class Reference {
@@ -112,7 +113,7 @@ class Reference {
               {data.columns[i].colwise().sum() * weight, VectorXd::Constant(1, data.rhs.col(i).sum() * weight), 1, 1});
         } else {
           rows.push_back({s.asDiagonal() * data.columns[i] / std::sqrt(mean),
-                          s.cwiseProduct(data.rhs.col(i)) / std::sqrt(mean), 1, 1});
+                          s.cwiseProduct(data.rhs.col(i)) / std::sqrt(mean), 1, 1, false});
         }
       }
     fit(rows);
@@ -198,33 +199,59 @@ class Reference {
     Eigen::Index count = 0;
     for (const Whitened& row : rows) count += row.rhs.size();
     MatrixXd a(count, unknowns_);
-    VectorXd y(count), inflation(count);
+    VectorXd y(count);
     count = 0;
     for (const Whitened& row : rows) {
       a.middleRows(count, row.rhs.size()) = row.columns;
       y.segment(count, row.rhs.size()) = row.rhs;
-      inflation.segment(count, row.rhs.size()).setConstant(row.inflation);
       count += row.rhs.size();
     }
     result_.value = a.colPivHouseholderQr().solve(y);
     const MatrixXd gain = a.completeOrthogonalDecomposition().pseudoInverse();
     double used = 0.0;
     for (Eigen::Index r = 0; r < count; ++r) used += a.row(r).squaredNorm() > 0.0 ? 1.0 : 0.0;
-    const double lost = levels_.front().periodic ? 1.0 : used / (used - unknowns_);
     const double freedom = used - unknowns_;
     const double misfit = freedom > 0.0 ? (y - a * result_.value).squaredNorm() / freedom : 0.0;
-    const double factor = misfit > 1.0 + std::sqrt(50.0 / freedom) + 6.0 / freedom ? std::max(misfit, lost) : lost;
+    const double factor = misfit > 1.0 + std::sqrt(50.0 / freedom) + 6.0 / freedom ? misfit : 1.0;
     const Eigen::ArrayXd repeated = result_.value.array() / 1048576.0;  // errors that no scatter shows: 2^-20
-    const VectorXd variance =
-        with_levels(rows, gain, y - a * result_.value, gain.array().square().matrix() * inflation);
+    const VectorXd variance = with_levels(rows, gain, y - a * result_.value, shares(rows, a, gain));
     result_.deviation = (variance.array() * factor + repeated.square()).sqrt();
+  }
+
+  // Per parameter (rows) the variance that each equation of a level (columns) has a share of, per degree of freedom that the fit
+  // leaves its residuals; and those degrees of freedom.
+  struct Shares {
+    MatrixXd of;
+    VectorXd freedom;
+  };
+
+  Shares shares(const std::vector<Whitened>& rows, const MatrixXd& a, const MatrixXd& gain) const {
+    Shares s{MatrixXd(unknowns_, static_cast<Eigen::Index>(rows.size())), VectorXd(rows.size())};
+    Eigen::Index at = 0;
+    for (size_t i = 0; i < rows.size(); ++i) {
+      const Eigen::Index n = rows[i].rhs.size(), g = static_cast<Eigen::Index>(i);
+      const bool alone =
+          levels_.front().periodic || !rows[i].measured;  // scatter about the level's mean, not about the fit
+      const double hat = alone ? 0.0 : (a.middleRows(at, n) * gain.middleCols(at, n)).trace();
+      s.freedom(g) = std::max(1.0, rows[i].freedom - hat);
+      s.of.col(g) = gain.middleCols(at, n).rowwise().squaredNorm() * rows[i].inflation * rows[i].freedom / s.freedom(g);
+      at += n;
+    }
+    return s;
   }
 
   // Three levels or more that pull a parameter apart by more than chi-square allows once in a thousand give it their scatter.
   VectorXd with_levels(const std::vector<Whitened>& rows, const MatrixXd& gain, const VectorXd& residual,
-                       VectorXd variance) const {
+                       const Shares& shares) const {
+    const VectorXd variance = shares.of.rowwise().sum();
+    VectorXd widened = variance;
+    const bool measured = std::all_of(rows.begin(), rows.end(), [](const Whitened& row) { return row.measured; });
+    for (Eigen::Index k = 0; k < variance.size() && measured; ++k) {  // Meier 1953: the weights are estimates too
+      const Eigen::ArrayXd part = shares.of.row(k).transpose().array() / variance(k);
+      widened(k) *= 1.0 + 4.0 * (part * (1.0 - part) / shares.freedom.array()).sum();
+    }
     const size_t levels = levels_.size();
-    if (levels < 3 || levels_.front().periodic) return variance;
+    if (levels < 3 || levels_.front().periodic) return widened;
     VectorXd squares = VectorXd::Zero(unknowns_);
     Eigen::Index at = 0;
     for (size_t l = 0; l < levels; ++l) {
@@ -237,9 +264,9 @@ class Reference {
     const double limit = 1.0 + 4.4 / std::sqrt(freedom) + 6.2 / freedom;
     for (Eigen::Index k = 0; k < variance.size(); ++k) {
       const double between = squares(k) * static_cast<double>(levels) / freedom;
-      if (between > variance(k) * limit) variance(k) = between;
+      if (between > variance(k) * limit) widened(k) = between;
     }
-    return variance;
+    return widened;
   }
 
   int dofs_, unknowns_;

@@ -28,7 +28,8 @@ TEST(Weighting, TwoLevelsSolveViscousAndCoulomb) {
 //   level A: rhs 11, 9, 11, 9: sum 40, deviations +-1: variance of the sum 4 * 4 / 3 = 16/3
 //   level B: rhs 19, 13, 19, 13: sum 64, deviations +-3: variance of the sum 4 * 36 / 3 = 48
 // Rows 4 p = 40 and 4 p = 64 with these variances:
-//   p = (4 * 40 / (16/3) + 4 * 64 / 48) / (16 / (16/3) + 16 / 48) = (30 + 16/3) / (10/3) = 10.6, variance 3/10.
+//   p = (4 * 40 / (16/3) + 4 * 64 / 48) / (16 / (16/3) + 16 / 48) = (30 + 16/3) / (10/3) = 10.6, variance 3/10; the weights
+//   have 3 degrees of freedom and shares of 0.9 and 0.1: 1 + 4 (0.9 * 0.1 + 0.1 * 0.9) / 3 = 1.24 times as much.
 // Degrees of freedom (3 for each level; shares 0.27 and 0.03 of the variance): 0.09 / ((0.0729 + 0.0009) / 3) = 3.6585;
 // t = 3.1824 - 0.6585 * (3.1824 - 2.7764) = 2.9150.
 TEST(Weighting, LevelsCountByTheirMeasuredScatter) {
@@ -40,7 +41,7 @@ TEST(Weighting, LevelsCountByTheirMeasuredScatter) {
   for (double rhs : {19.0, 13.0, 19.0, 13.0}) t.batch({{{1}, rhs}});
   t.identify();
   EXPECT_NEAR(t.value(0), 10.6, 1e-9);
-  EXPECT_NEAR(t.deviation(0), std::sqrt(0.3), 1e-9);
+  EXPECT_NEAR(t.deviation(0), std::sqrt(0.3 * 1.24), 1e-9);
   const double half = rig_file::to_double(t.estimates->parameters[0].ci95_high) - t.value(0);
   EXPECT_NEAR(half / t.deviation(0), 2.9150, 1e-3);
 }
