@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "advice.hpp"
+#include "answer/common_lag.hpp"
 #include "answer/rows_borne_out.hpp"
 
 namespace diagnosis {
@@ -66,6 +67,7 @@ Diagnosis diagnose(const rig_file::RigModel& rig, const std::vector<host_sim::Re
     runs::answer(task, choice, d);
   }
   runs::name_holds(task, d);
+  runs::say_common_lag(task, d);
   for (const std::string& advice : advice_for(d)) d.advice.push_back(advice);
   progress(1);
   return d;

@@ -176,18 +176,18 @@ void say_cannot_describe(const Task& task, const Choice& choice, Diagnosis& d) {
 
 }  // namespace
 
-double compare_unseen(const Task& task, const State& base, const State& with_causes, bool any_cause, Diagnosis& d) {
-  const Score before = score_unseen(task, base), after = any_cause ? score_unseen(task, with_causes) : before;
+double compare_unseen(const Task& task, const State& base, const State& with_causes, bool any_cause, const Vec& noise,
+                      Diagnosis& d) {
+  const Score before = score_unseen(task, base, &noise),
+              after = any_cause ? score_unseen(task, with_causes, &noise) : before;
   take(before, d.baseline), take(after, d.extended);
   d.gain.clear();
-  double worst = 0;
   for (size_t i = 0; i < before.nrmse_percent.size(); ++i) {
     const double old = before.nrmse_percent[i], now = after.nrmse_percent[i];
     d.gain.push_back(old / std::max(1e-9, now));
     d.remainder_percent.push_back(any_cause ? std::min(1000.0, 100 * now / std::max(1e-9, old)) : 100);
-    worst = std::max(worst, now);
   }
-  return worst;
+  return after.worst_beyond_noise_percent;
 }
 
 void widen(const Task& task, const State& fitted, std::vector<diagnosis::Parameter>& parameters) {
@@ -208,7 +208,8 @@ void answer(const Task& task, const Choice& choice, Diagnosis& d) {
   const Terms full = active(choice.final.model, determined(choice.final.fit, choice.final.model));
   name_causes(task, choice, full, d);
   d.baseline.parameters = all_parameters(task, base), d.extended.parameters = all_parameters(task, full);
-  const double worst_free_run = compare_unseen(task, choice.base, choice.final, !choice.named.empty(), d);
+  const double worst_free_run =
+      compare_unseen(task, choice.base, choice.final, !choice.named.empty(), choice.final_left.noise, d);
   d.extended_rig = written_rig(task, full);
   state_delays(d.causes, d.extended_rig);
   d.baseline_misfit = choice.base_left.worst(), d.extended_misfit = choice.final_left.worst();

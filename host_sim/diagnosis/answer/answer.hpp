@@ -16,14 +16,16 @@ void widen(const Task& task, const State& fitted, std::vector<diagnosis::Paramet
 // A delay of the force that is half a sample early is named as what it is: the force is held between its samples.
 void name_holds(const Task& task, Diagnosis& d);
 
-// Scores two models on unseen data: the rig as given and that with the causes. Returns the second's worst error, NRMSE in
-// percent.
-double compare_unseen(const Task& task, const State& base, const State& with_causes, bool any_cause, Diagnosis& d);
+// Scores two models on unseen data: the rig as given and that with the causes. `noise`: mean square of each channel's. Returns
+// the second's worst error beyond it, in percent of the motion.
+double compare_unseen(const Task& task, const State& base, const State& with_causes, bool any_cause, const Vec& noise,
+                      Diagnosis& d);
 
 // A model's free run on unseen data, from the measured state at its start; errors over 1000 % are said as 1000.
 struct Score {
   std::vector<double> nrmse_percent, velocity_percent, mse_percent;  // per DOF
+  double worst_beyond_noise_percent = 0;                             // of DOFs whose unseen motion its channel shows
 };
-Score score_unseen(const Task& task, const State& state);
+Score score_unseen(const Task& task, const State& state, const Vec* noise = nullptr);
 
 }  // namespace diagnosis::runs

@@ -11,15 +11,20 @@ namespace {
 constexpr double kMostPercent = 1000;  // more says no more
 constexpr double kRestart_s = 1;       // where no spring holds a DOF in its place the run starts anew that often
 
+// Twice its noise: less motion than that a channel does not show, and what is simulated for it cannot be judged.
+constexpr double kShown = 4;
+
 struct Sums {
   double error = 0, square = 0, sum = 0, count = 0;
   void add(const Vec& simulated, const Vec& measured) {
     error += (simulated - measured).squaredNorm(), square += measured.squaredNorm(), sum += measured.sum();
     count += static_cast<double>(measured.size());
   }
-  double ratio() const {  // mean square over variance
-    const double variance = square / count - std::pow(sum / count, 2);
-    return variance > 0 ? error / count / variance : 0;
+  double variance() const { return square / count - std::pow(sum / count, 2); }
+  double ratio() const { return variance() > 0 ? error / count / variance() : 0; }  // mean square over variance
+  double ratio_beyond(double noise) const {                                         // both without the noise's
+    const double motion = variance() - noise;
+    return motion > (kShown - 1) * noise ? std::max(0.0, error / count - noise) / motion : 0;
   }
 };
 
@@ -27,10 +32,11 @@ double capped(double percent) { return std::isfinite(percent) ? std::min(percent
 
 }  // namespace
 
-Score score_unseen(const Task& task, const State& state) {
+Score score_unseen(const Task& task, const State& state, const Vec* noise) {
   const size_t n = task.system.dofs();
   Evaluator evaluator(task.system, state.model, task.records);
   std::vector<Sums> x(n), v(n), a(n);
+  std::vector<double> noise_of(n, 0.0);  // of what stands in x
   bool finite = evaluator.sound();
   const bool held = vocabulary::held_in_place(task.system.rig);
   const bool driven = forced(task.records);
@@ -62,6 +68,7 @@ Score score_unseen(const Task& task, const State& state) {
               const Vec y = traces[c].y.segment(w.from, w.length);
               x[d].add(y - run.residual.segment(static_cast<Index>(c) * w.length, w.length), y);
               v[d] = a[d] = x[d];
+              if (noise && noise->size()) noise_of[d] = (*noise)[static_cast<Index>(c)];
             }
           continue;
         }
@@ -69,7 +76,10 @@ Score score_unseen(const Task& task, const State& state) {
         // what is measured of this DOF: no displacement is judged that had to be integrated
         const MotionTrace* measured = nullptr;
         for (const MotionTrace& t : p.traces)
-          if (t.dof == static_cast<int>(d) && (!measured || t.quantity < measured->quantity)) measured = &t;
+          if (t.dof == static_cast<int>(d) && (!measured || t.quantity < measured->quantity)) {
+            measured = &t;
+            if (noise && noise->size()) noise_of[d] = (*noise)[static_cast<Index>(&t - p.traces.data())];
+          }
         const Mat& simulated = measured->quantity == 0 ? run.x : measured->quantity == 1 ? run.v : run.a;
         Vec alike = simulated.row(i), reading = measured->y.segment(w.from, w.length);
         if (measured->quantity == 2)
@@ -86,6 +96,8 @@ Score score_unseen(const Task& task, const State& state) {
     score.nrmse_percent.push_back(any ? capped(100 * std::sqrt(x[d].ratio())) : kMostPercent);
     score.velocity_percent.push_back(any ? capped(100 * std::sqrt(v[d].ratio())) : kMostPercent);
     score.mse_percent.push_back(any ? capped(100 * a[d].ratio()) : kMostPercent);
+    score.worst_beyond_noise_percent = std::max(
+        score.worst_beyond_noise_percent, any ? capped(100 * std::sqrt(x[d].ratio_beyond(noise_of[d]))) : kMostPercent);
   }
   return score;
 }
