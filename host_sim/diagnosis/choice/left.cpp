@@ -24,27 +24,38 @@ double median(std::vector<double> v) {
   return v[v.size() / 2];
 }
 
-// Records whose forces and bases carry another white noise of the same level beside their own.
-std::vector<Prepared> with_drive_noise(const std::vector<Prepared>& records, bool& any) {
-  std::vector<Prepared> list = records;
-  std::mt19937_64 random(1);
-  std::normal_distribution<double> normal;
-  const auto disturb = [&](Vec& y) {
-    const double sigma = noise_level(y);
-    for (double& value : y) value += sigma * normal(random);
-    any = any || sigma > 0;
-  };
-  for (Prepared& p : list) {
-    for (Vec& f : p.force) disturb(f);
-    for (Vec& b : p.base.reading) disturb(b);
-    renew_base(p);
+// A record whose forces and bases carry another white noise of the same level beside their own.
+class DriveNoise {
+ public:
+  std::vector<Prepared> added_to(const Prepared& record) {
+    std::vector<Prepared> list(1, record);
+    for (Vec& f : list[0].force) disturb(f);
+    for (Vec& b : list[0].base.reading) disturb(b);
+    renew_base(list[0]);
+    return list;
   }
-  return list;
+
+ private:
+  void disturb(Vec& y) {
+    const double sigma = noise_level(y);
+    for (double& value : y) value += sigma * normal_(random_);
+  }
+  std::mt19937_64 random_{1};
+  std::normal_distribution<double> normal_;
+};
+
+bool drives_have_noise(const std::vector<Prepared>& records) {
+  const auto noisy = [](const Vec& y) { return noise_level(y) > 0; };
+  return std::any_of(records.begin(), records.end(), [&](const Prepared& p) {
+    return std::any_of(p.force.begin(), p.force.end(), noisy) ||
+           std::any_of(p.base.reading.begin(), p.base.reading.end(), noisy);
+  });
 }
 
 // What such noise makes of a window's run beside its free state.
-Vec response(Evaluator& noisy, const Window& w, const WindowRun& run) {
+Vec response(Evaluator& noisy, Window w, const WindowRun& run) {
   WindowRun other;
+  w.record = 0;
   if (!noisy.run(w, false, false, other)) return Vec::Zero(run.residual.size());
   Vec difference = other.residual - run.residual;
   const Mat states = run.slopes.leftCols(run.nuisances);
@@ -109,26 +120,50 @@ void highest_lines(const Vec& power, Index from, Index to, double bin_Hz, const 
   }
 }
 
+// What the model leaves of each channel, windows end to end, and what noise of the drives would make of it.
+struct Leftovers {
+  std::vector<std::vector<double>> rows, pushed;
+  bool massless = false;
+};
+
+// False where a run does not stay finite.
+bool run_all(const System& system, const std::vector<Prepared>& records, const State& state, Leftovers& out) {
+  Evaluator evaluator(system, state.model, records);
+  const size_t channels = evaluator.traces(0).size();
+  size_t samples = 0;
+  for (const Window& w : state.seen) samples += static_cast<size_t>(w.length);
+  out.massless = evaluator.massless();
+  out.rows.resize(channels), out.pushed.resize(channels);
+  for (size_t c = 0; c < channels; ++c) out.rows[c].reserve(samples), out.pushed[c].reserve(samples);
+  const bool force_noise = drives_have_noise(records), pushes = force_noise && !out.massless;
+  DriveNoise noise;
+  WindowRun run;
+  for (size_t r = 0; r < records.size(); ++r) {
+    const std::vector<Prepared> noisy_record = pushes ? noise.added_to(records[r]) : std::vector<Prepared>{};
+    Evaluator noisy(system, state.model, noisy_record);
+    for (const Window& w : state.seen) {
+      if (w.record != r) continue;
+      if (!evaluator.run(w, force_noise, false, run)) return false;
+      const Vec push = pushes ? response(noisy, w, run) : Vec::Zero(run.residual.size());
+      for (size_t c = 0; c < channels; ++c) {
+        const double* const at = run.residual.data() + static_cast<Index>(c) * w.length;
+        const double* const pushed_at = push.data() + static_cast<Index>(c) * w.length;
+        out.rows[c].insert(out.rows[c].end(), at, at + w.length);
+        out.pushed[c].insert(out.pushed[c].end(), pushed_at, pushed_at + w.length);
+      }
+    }
+  }
+  return true;
+}
+
 }  // namespace
 
 Left left_by(const System& system, const std::vector<Prepared>& records, const State& state) {
   Left left;
-  Evaluator evaluator(system, state.model, records);
-  const size_t channels = evaluator.traces(0).size();
-  std::vector<std::vector<double>> rows(channels), pushed(channels);
-  bool force_noise = false;
-  const std::vector<Prepared> noisy_records = with_drive_noise(records, force_noise);
-  Evaluator noisy(system, state.model, noisy_records);
-  WindowRun run;
-  for (const Window& w : state.seen) {
-    if (!evaluator.run(w, force_noise, false, run)) return left;
-    const Vec push = force_noise && !evaluator.massless() ? response(noisy, w, run) : Vec::Zero(run.residual.size());
-    for (size_t c = 0; c < channels; ++c)
-      for (Index k = 0; k < w.length; ++k) {
-        const Index row = static_cast<Index>(c) * w.length + k;
-        rows[c].push_back(run.residual[row]), pushed[c].push_back(push[row]);
-      }
-  }
+  Leftovers over;
+  if (!run_all(system, records, state, over)) return left;
+  const std::vector<std::vector<double>>&rows = over.rows, &pushed = over.pushed;
+  const size_t channels = rows.size();
   left.noise = Vec::Zero(static_cast<Index>(channels)), left.in_band = left.noise;
   const double step = records[0].step_s;
   double low_Hz = 1e300, top_Hz = 0;
@@ -156,7 +191,7 @@ Left left_by(const System& system, const std::vector<Prepared>& records, const S
     left.in_band[static_cast<Index>(c)] = inside.empty() || allowed <= 0 ? 1 : sum / allowed;
     highest_lines(p, static_cast<Index>(low_Hz / bin), static_cast<Index>(top_Hz / bin), bin, driving, left);
   }
-  if (left.worst() > kBeyondNoise && left.line < kLine && !evaluator.massless())
+  if (left.worst() > kBeyondNoise && left.line < kLine && !over.massless)
     left.with_motion = with_motion(system, records, state);
   return left;
 }

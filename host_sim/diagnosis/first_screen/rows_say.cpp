@@ -10,6 +10,7 @@
 #include "limits.hpp"
 #include "ranking.hpp"
 #include "remainder.hpp"
+#include "stretches.hpp"
 
 namespace diagnosis {
 namespace {
@@ -43,7 +44,8 @@ RowsSay ask_rows(const System& system, const Asked& asked) {
   RowsSay say;
   Diagnosis& d = say.d;
   std::vector<SensorCheck> checks;
-  auto owner = std::make_unique<Bench>(Bench{system, ready(asked.rig, asked.training, asked.options, &checks), {}});
+  auto owner = std::make_unique<Bench>(
+      Bench{system, ready(asked.rig, stretches(asked.rig, asked.training), asked.options, &checks), {}});
   report_faults(checks, d);
   for (const SensorCheck& check : checks) say.faults.insert(say.faults.end(), check.faults.begin(), check.faults.end());
   owner->lay_out_sharpened();
@@ -79,7 +81,7 @@ RowsSay ask_rows(const System& system, const Asked& asked) {
 std::vector<SensorFault> motion_faults(const Asked& asked) {
   std::vector<SensorCheck> checks;
   try {
-    ready(asked.rig, asked.training, asked.options, &checks);
+    ready(asked.rig, stretches(asked.rig, asked.training), asked.options, &checks);
   } catch (const CannotAnswer&) {
   }
   std::vector<SensorFault> faults;

@@ -42,24 +42,21 @@ Evaluator::Evaluator(const System& system, const Model& model, const std::vector
     parameters_ = s.parameters();
     massless_ = s.massless();
     sound_ = sound_ && (massless_ || s.sound());
-    traces_.push_back({});
-    if (!massless_) {
-      traces_.back() = p.traces;
-      continue;
-    }
+    if (!massless_) continue;
+    force_traces_.push_back({});
     const Index n = static_cast<Index>(system.dofs());
     Mat x(n, p.samples), v(n, p.samples), a(n, p.samples);
     for (Index d = 0; d < n; ++d) {
       const Guess& g = p.guess[static_cast<size_t>(d)];
       x.row(d) = g.x, v.row(d) = g.v, a.row(d) = g.a;
       if (p.force[static_cast<size_t>(d)].size())
-        traces_.back().push_back({static_cast<int>(d), kForceTrace, "", p.force[static_cast<size_t>(d)]});
+        force_traces_.back().push_back({static_cast<int>(d), kForceTrace, "", p.force[static_cast<size_t>(d)]});
     }
     forces_.push_back({});
     s.forces_of_motion(x, v, a, forces_.back().force, forces_.back().slopes);
   }
   if (massless_)
-    for (const auto& list : traces_)
+    for (const auto& list : force_traces_)
       if (list.empty()) throw CannotAnswer("no mass and no force channel: nothing balances the links' forces");
 }
 
@@ -67,7 +64,7 @@ Vec Evaluator::carried_state(const Window& w) const {
   if (massless_) return Vec();
   const Simulator& s = *simulators_[w.record];
   Index offsets = 0;
-  for (const MotionTrace& t : traces_[w.record]) offsets += has_offset(t);
+  for (const MotionTrace& t : traces(w.record)) offsets += has_offset(t);
   Vec state = Vec::Zero(s.states() + offsets);
   if (w.state.size() == state.size()) return w.state;
   state.head(s.states()) = s.guessed_state(w.from);
@@ -94,14 +91,14 @@ bool Evaluator::run(const Window& w, bool slopes, bool keep, WindowRun& out) {
 }
 
 void Evaluator::from_motion(const Window& w, bool slopes, WindowRun& out) const {
-  const auto& traces = traces_[w.record];
+  const std::vector<MotionTrace>& channel_list = traces(w.record);
   const MotionForces& f = forces_[w.record];
-  const Index channels = static_cast<Index>(traces.size()), len = w.length;
+  const Index channels = static_cast<Index>(channel_list.size()), len = w.length;
   Mat h(channels, len);
   out.nuisances = 0;
   if (slopes) out.slopes.setZero(channels * len, parameters_);
   for (Index c = 0; c < channels; ++c) {
-    const int d = traces[static_cast<size_t>(c)].dof;
+    const int d = channel_list[static_cast<size_t>(c)].dof;
     h.row(c) = f.force.row(d).segment(w.from, len);
     if (slopes)
       for (Index p = 0; p < parameters_; ++p)
@@ -121,11 +118,11 @@ void Evaluator::from_motion(const Window& w, bool slopes, WindowRun& out) const 
 
 bool Evaluator::simulate(const Window& w, bool slopes, bool keep, WindowRun& out) {
   Simulator& s = *simulators_[w.record];
-  const auto& traces = traces_[w.record];
-  const Index channels = static_cast<Index>(traces.size()), len = w.length, ns = s.states(), n = s.nodes();
+  const std::vector<MotionTrace>& channel_list = traces(w.record);
+  const Index channels = static_cast<Index>(channel_list.size()), len = w.length, ns = s.states(), n = s.nodes();
   bool acceleration = false;
   Index offsets = 0;
-  for (const MotionTrace& t : traces) acceleration = acceleration || t.quantity == 2, offsets += has_offset(t);
+  for (const MotionTrace& t : channel_list) acceleration = acceleration || t.quantity == 2, offsets += has_offset(t);
   out.nuisances = ns + offsets;
   Vec y = w.state.head(ns), acc;
   Mat one, sensitivity = Mat::Zero(ns, ns + parameters_), acc_slopes;
@@ -148,7 +145,7 @@ bool Evaluator::simulate(const Window& w, bool slopes, bool keep, WindowRun& out
       acc_rows.rightCols(parameters_) += acc_slopes.rightCols(parameters_);
     }
     for (Index c = 0; c < channels; ++c) {
-      const MotionTrace& t = traces[static_cast<size_t>(c)];
+      const MotionTrace& t = channel_list[static_cast<size_t>(c)];
       h(c, k) = t.quantity == 0 ? y[t.dof] : t.quantity == 1 ? y[n + t.dof] : acc[t.dof];
       const Index own = offset;
       if (has_offset(t)) h(c, k) += w.state[offset++];
@@ -173,7 +170,7 @@ bool Evaluator::simulate(const Window& w, bool slopes, bool keep, WindowRun& out
 
 // What the sensors make of it; then the residual.
 void Evaluator::faults(const Window& w, bool slopes, Mat& h, WindowRun& out) const {
-  const auto& traces = traces_[w.record];
+  const std::vector<MotionTrace>& channel_list = traces(w.record);
   const Prepared& record = records_[w.record];
   const Index len = w.length, channels = h.rows();
   const std::vector<Parameter> parameters = parameters_of(model_);
@@ -184,7 +181,7 @@ void Evaluator::faults(const Window& w, bool slopes, Mat& h, WindowRun& out) con
   };
   out.residual.resize(channels * len);
   for (Index c = 0; c < channels; ++c) {
-    const MotionTrace& trace = traces[static_cast<size_t>(c)];
+    const MotionTrace& trace = channel_list[static_cast<size_t>(c)];
     const Vec clean = h.row(c);
     Vec reading = clean;
     for (size_t i = 0; i < model_.size(); ++i) {

@@ -32,7 +32,9 @@ class Evaluator {
   bool sound() const { return sound_; }
   bool massless() const { return massless_; }
   Index parameters() const { return parameters_; }
-  const std::vector<MotionTrace>& traces(size_t record) const { return traces_[record]; }
+  const std::vector<MotionTrace>& traces(size_t record) const {
+    return massless_ ? force_traces_[record] : records_[record].traces;
+  }
   // The guess for a window, keeping what it has where the model has changed since.
   Vec carried_state(const Window& w) const;
   // False where the run does not stay finite. keep: transitions too, for candidates.
@@ -48,7 +50,7 @@ class Evaluator {
   void faults(const Window& w, bool slopes, Mat& h, WindowRun& out) const;
   const Model& model_;
   const std::vector<Prepared>& records_;
-  std::vector<std::vector<MotionTrace>> traces_;  // massless: the forces
+  std::vector<std::vector<MotionTrace>> force_traces_;  // per record, without masses: what is compared
   std::vector<std::unique_ptr<Simulator>> simulators_;
   struct MotionForces {
     Mat force;
