@@ -18,6 +18,8 @@ struct Tops {
   double slope = 0.0;    // mean of the last step before and the first behind the flat part, towards it
   double turning = 0.0;  // by how much that slope shrinks from step to step
   double missing = 0.0;  // height of the parabola through the run's ends
+  double turn =
+      0.0;  // height over the longest run of a parabola through the values that lie its length before and behind it
 };
 
 // Stretches of two and more samples within `band` of the level. sign +1: the level is the highest value; -1: the lowest.
@@ -31,6 +33,16 @@ std::vector<Run> runs_at(const std::vector<double>& values, double level, double
   return runs;
 }
 
+// A parabola that is L samples wide at its level is 8 times as far below it another L to either side as its top is above it.
+double turn_over(const std::vector<double>& values, const Run& run, double sign) {
+  double fall = 0.0, sides = 0.0;
+  const double level = values[run.first];
+  if (run.first >= run.length) fall += sign * (level - values[run.first - run.length]), sides += 1.0;
+  const size_t behind = run.first + 2 * run.length - 1;
+  if (behind < values.size()) fall += sign * (level - values[behind]), sides += 1.0;
+  return sides > 0.0 ? fall / sides / 8.0 : 0.0;
+}
+
 Tops tops_at(const std::vector<double>& values, const std::vector<Run>& runs, double sign) {
   Tops tops;
   double steps[3] = {};
@@ -38,7 +50,7 @@ Tops tops_at(const std::vector<double>& values, const std::vector<Run>& runs, do
   for (const Run& run : runs) {
     ++tops.runs;
     tops.samples += run.length;
-    tops.longest = std::max(tops.longest, run.length);
+    if (run.length > tops.longest) tops.longest = run.length, tops.turn = turn_over(values, run, sign);
     const size_t behind = run.first + run.length;
     if (run.first >= 4) {
       for (size_t k = 0; k < 3; ++k) steps[k] += sign * (values[run.first - k - 1] - values[run.first - k - 2]);
@@ -56,9 +68,12 @@ Tops tops_at(const std::vector<double>& values, const std::vector<Run>& runs, do
   return tops;
 }
 
-// Runs of L equal values at the very end of the range: expected number of chance is N p^(L-1).
+// Runs of L equal values at the very end of the range: expected number of chance is N p^(L-1). Where a step of the converter is
+// more than the noise, a smooth turn stays on its last step for as long as it is within it, and a stop in friction longer.
 bool beyond_chance(const Tops& tops, const Statistics& statistics, size_t count) {
   if (!statistics.noisy || tops.longest < 4) return false;
+  if (statistics.resolution > statistics.noise && (tops.runs < kFewestRuns || tops.turn < 1.5 * statistics.resolution))
+    return false;
   const double p = std::clamp(statistics.repeats, 1e-3, 1.0);
   return static_cast<double>(count) * std::pow(p, static_cast<double>(tops.longest - 1)) < kChance;
 }

@@ -105,6 +105,8 @@ TEST(Faults, AreCalledByTheirNames) {
     std::vector<double>& x = made::values(record, kX1);
     for (size_t i = 0; i < x.size(); ++i) x[i] += 2e-5 * std::sin(12.9898 * static_cast<double>(i * i % 7919));
   };
+  made::Options coarse = with("x", made::Drive::kRandom, 0.0);
+  coarse.encoder_m = 1e-4;
   const Fault faults[] = {
       {"all zero, others of the DOF move", with("xva"), set(kX1, 0.0), "dead", kX1},
       {"stuck at a value", with("xa"), set(kA2, 2.5), "dead", kA2},
@@ -148,6 +150,7 @@ TEST(Faults, AreCalledByTheirNames) {
       {"clipped amid noise", with("xva"), clip(kA1, 0.5), "clipped", kA1},
       {"clipped displacement amid noise", with("x"), clip(kX1, 0.6), "clipped", kX1},
       {"clipped without noise", with("x", made::Drive::kTwoTones, 0.0), clip(kX1, 0.7), "clipped", kX1},
+      {"clipped, read by a coarse encoder", coarse, clip(kX1, 0.6), "clipped", kX1},
       {"clipped acceleration without noise", with("xa", made::Drive::kRandom, 0.0), clip(kA1, 0.5), "clipped", kA1},
       {"clipped force amid noise", with("xva"), clip("force_1_N", 0.5), "clipped", "force_1_N"},
   };

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <random>
 
 #include "hal/rig_file/rig_reader.hpp"
 #include "host_sim/data_check/data_check.hpp"
@@ -55,6 +56,27 @@ TEST(Quiet, OtherRatesFrictionAndRigs) {
       const rig_file::RigModel rig = made::chain();
       EXPECT_EQ(doubts(check({made::record(options)}, &rig)), "") << rate_Hz << " Hz, " << friction_N << " N";
     }
+}
+
+// The angle of a shaft that wanders slowly and trembles, read by an encoder of 8192 steps a turn under noise of a fifth of a step.
+// Between its turns it never reads the same twice; at its farthest it stands still for as long as the turn is within one step.
+TEST(Quiet, ACoarseEncoderStandsStillAtItsFarthest) {
+  constexpr double kStep_rad = 2.0 * M_PI / 8192.0;
+  for (unsigned seed = 1; seed <= 12; ++seed) {
+    Record record = made::record({});
+    std::mt19937 random(seed);
+    std::normal_distribution<double> noise(0.0, 0.2 * kStep_rad);
+    std::vector<double>& angle = made::values(record, "displacement_1_m");
+    for (size_t k = 0; k < angle.size(); ++k) {
+      const double t = 0.001 * static_cast<double>(k) + 100.0 * seed;
+      const double turned = 1.5 * std::sin(0.5 * t) + 0.8 * std::sin(1.3 * t) + 0.3 * std::sin(3.1 * t) +
+                            0.02 * std::sin(21.0 * t) + noise(random);
+      angle[k] = kStep_rad * std::nearbyint(turned / kStep_rad);
+    }
+    record.channels = {*record.find(host_sim::Quantity::kForce, 1), *record.find(host_sim::Quantity::kDisplacement, 1)};
+    const std::string said = doubts(check({record}, nullptr));
+    EXPECT_EQ(said.find("clipped"), std::string::npos) << "seed " << seed << ": " << said;
+  }
 }
 
 // A rig file whose masses and springs are a third off is for the diagnosis to say, not for the check.
