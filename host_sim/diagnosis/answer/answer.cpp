@@ -187,7 +187,7 @@ double compare_unseen(const Task& task, const State& base, const State& with_cau
     d.gain.push_back(old / std::max(1e-9, now));
     d.remainder_percent.push_back(any_cause ? std::min(1000.0, 100 * now / std::max(1e-9, old)) : 100);
   }
-  return after.worst_beyond_noise_percent;
+  return after.worst_percent;
 }
 
 void widen(const Task& task, const State& fitted, std::vector<diagnosis::Parameter>& parameters) {
@@ -209,7 +209,7 @@ void answer(const Task& task, const Choice& choice, Diagnosis& d) {
   name_causes(task, choice, full, d);
   d.baseline.parameters = all_parameters(task, base), d.extended.parameters = all_parameters(task, full);
   const double worst_free_run =
-      compare_unseen(task, choice.base, choice.final, !choice.named.empty(), choice.final_left.noise, d);
+      compare_unseen(task, choice.base, choice.final, !choice.named.empty(), choice.final_left.sensor_noise, d);
   d.extended_rig = written_rig(task, full);
   state_delays(d.causes, d.extended_rig);
   d.baseline_misfit = choice.base_left.worst(), d.extended_misfit = choice.final_left.worst();

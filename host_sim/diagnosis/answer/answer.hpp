@@ -17,14 +17,14 @@ void widen(const Task& task, const State& fitted, std::vector<diagnosis::Paramet
 void name_holds(const Task& task, Diagnosis& d);
 
 // Scores two models on unseen data: the rig as given and that with the causes. `noise`: mean square of each channel's. Returns
-// the second's worst error beyond it, in percent of the motion.
+// the second's worst NRMSE in percent where a channel shows motion beyond it.
 double compare_unseen(const Task& task, const State& base, const State& with_causes, bool any_cause, const Vec& noise,
                       Diagnosis& d);
 
 // A model's free run on unseen data, from the measured state at its start; errors over 1000 % are said as 1000.
 struct Score {
   std::vector<double> nrmse_percent, velocity_percent, mse_percent;  // per DOF
-  double worst_beyond_noise_percent = 0;                             // of DOFs whose unseen motion its channel shows
+  double worst_percent = 0;                                          // of DOFs whose unseen motion its channel shows
 };
 Score score_unseen(const Task& task, const State& state, const Vec* noise = nullptr);
 

@@ -71,7 +71,7 @@ bool answered_by_rows(const Asked& asked, const Task& task, Choice& choice, Rows
   widen(task, with_them, d.extended.parameters);
   if (say.terms.empty()) d.baseline.parameters = d.extended.parameters;
   for (Cause& c : d.causes) widen(task, with_them, c.parameters);
-  compare_unseen(task, choice.base, with_them, !d.causes.empty(), choice.base_left.noise, d);
+  compare_unseen(task, choice.base, with_them, !d.causes.empty(), choice.base_left.sensor_noise, d);
   return true;
 }
 

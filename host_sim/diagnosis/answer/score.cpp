@@ -22,10 +22,7 @@ struct Sums {
   }
   double variance() const { return square / count - std::pow(sum / count, 2); }
   double ratio() const { return variance() > 0 ? error / count / variance() : 0; }  // mean square over variance
-  double ratio_beyond(double noise) const {                                         // both without the noise's
-    const double motion = variance() - noise;
-    return motion > (kShown - 1) * noise ? std::max(0.0, error / count - noise) / motion : 0;
-  }
+  bool shows(double noise) const { return variance() > kShown * noise; }
 };
 
 double capped(double percent) { return std::isfinite(percent) ? std::min(percent, kMostPercent) : kMostPercent; }
@@ -39,12 +36,11 @@ Score score_unseen(const Task& task, const State& state, const Vec* noise) {
   std::vector<double> noise_of(n, 0.0);  // of what stands in x
   bool finite = evaluator.sound();
   const bool held = vocabulary::held_in_place(task.system.rig);
-  const bool driven = forced(task.records);
   const bool apart = task.training < task.records.size();
   WindowRun run;
   for (size_t r = apart ? task.training : 0; r < task.records.size() && finite; ++r) {
     const Prepared& p = task.records[r];
-    const Index all = moving_samples(p, driven);
+    const Index all = moving_samples(p, task.records, evaluator.massless());
     const Index first = apart ? 0 : static_cast<Index>(0.7 * static_cast<double>(all));
     const Index part =
         held || evaluator.massless() ? all - first : std::max<Index>(12, static_cast<Index>(kRestart_s / p.step_s));
@@ -96,8 +92,8 @@ Score score_unseen(const Task& task, const State& state, const Vec* noise) {
     score.nrmse_percent.push_back(any ? capped(100 * std::sqrt(x[d].ratio())) : kMostPercent);
     score.velocity_percent.push_back(any ? capped(100 * std::sqrt(v[d].ratio())) : kMostPercent);
     score.mse_percent.push_back(any ? capped(100 * a[d].ratio()) : kMostPercent);
-    score.worst_beyond_noise_percent = std::max(
-        score.worst_beyond_noise_percent, any ? capped(100 * std::sqrt(x[d].ratio_beyond(noise_of[d]))) : kMostPercent);
+    const double worst = !any ? kMostPercent : x[d].shows(noise_of[d]) ? score.nrmse_percent.back() : 0;
+    score.worst_percent = std::max(score.worst_percent, worst);
   }
   return score;
 }

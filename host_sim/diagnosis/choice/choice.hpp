@@ -36,8 +36,9 @@ struct WithMotion {
 
 // What is left, channel by channel.
 struct Left {
-  Vec noise;    // mean square of what looks like noise: the level above the motion's band
-  Vec in_band;  // residual's level in the band of the motion over that beside it
+  Vec noise;         // mean square of what looks like noise: the level above the motion's band
+  Vec sensor_noise;  // of that what the drives' noise does not make of it
+  Vec in_band;       // residual's level in the band of the motion over that beside it
   // Highest single line of a residual's spectrum in that band over the level around it, mains left out; and that of
   // those at which nothing drives the rig.
   double line = 0, foreign_line = 0;

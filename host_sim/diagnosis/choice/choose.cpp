@@ -20,8 +20,9 @@ constexpr double kBorneOut = 3;          // standard errors, of what another tes
 
 void lay(const Task& task, double periods, State& s) {
   const bool apart = task.training < task.records.size();
+  const bool massless = Evaluator(task.system, s.model, task.records).massless();
   s.seen.clear(), s.unseen.clear();
-  for (Window& w : lay_windows(task.records, periods, apart ? 0 : 0.3)) {
+  for (Window& w : lay_windows(task.records, periods, apart ? 0 : 0.3, massless)) {
     const bool unseen = apart ? w.record >= task.training : w.unseen;
     (unseen ? s.unseen : s.seen).push_back(w);
   }

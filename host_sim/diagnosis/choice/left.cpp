@@ -164,7 +164,7 @@ Left left_by(const System& system, const std::vector<Prepared>& records, const S
   if (!run_all(system, records, state, over)) return left;
   const std::vector<std::vector<double>>&rows = over.rows, &pushed = over.pushed;
   const size_t channels = rows.size();
-  left.noise = Vec::Zero(static_cast<Index>(channels)), left.in_band = left.noise;
+  left.noise = Vec::Zero(static_cast<Index>(channels)), left.in_band = left.sensor_noise = left.noise;
   const double step = records[0].step_s;
   double low_Hz = 1e300, top_Hz = 0;
   for (const Prepared& p : records) low_Hz = std::min(low_Hz, 0.5 / p.period_s), top_Hz = std::max(top_Hz, p.top_Hz);
@@ -187,6 +187,7 @@ Left left_by(const System& system, const std::vector<Prepared>& records, const S
     double pushed_level = 0;
     for (double value : pushed[c]) pushed_level += value * value;
     allowed += level * static_cast<double>(inside.size());
+    left.sensor_noise[static_cast<Index>(c)] = level;
     left.noise[static_cast<Index>(c)] = level + pushed_level / static_cast<double>(pushed[c].size());
     left.in_band[static_cast<Index>(c)] = inside.empty() || allowed <= 0 ? 1 : sum / allowed;
     highest_lines(p, static_cast<Index>(low_Hz / bin), static_cast<Index>(top_Hz / bin), bin, driving, left);

@@ -29,8 +29,6 @@ Index until_rest(const Prepared& p, Index from, Index length) {
 
 }  // namespace
 
-Index moving_samples(const Prepared& p, bool driven) { return driven ? p.samples : until_rest(p, 0, p.samples); }
-
 bool forced(const std::vector<Prepared>& records) {
   for (const Prepared& p : records) {
     if (p.guess.back().given) return true;
@@ -38,6 +36,10 @@ bool forced(const std::vector<Prepared>& records) {
       if (f.size() && f.cwiseAbs().maxCoeff() > 0) return true;
   }
   return false;
+}
+
+Index moving_samples(const Prepared& p, const std::vector<Prepared>& records, bool massless) {
+  return forced(records) && !massless ? p.samples : until_rest(p, 0, p.samples);
 }
 
 double longest_horizon(const std::vector<Prepared>& records) {
@@ -51,12 +53,13 @@ double longest_horizon(const std::vector<Prepared>& records) {
   return driven ? std::min(kForcedPeriods, 0.7 * whole / 12) : longest;
 }
 
-std::vector<Window> lay_windows(const std::vector<Prepared>& records, double periods, double unseen_share) {
+std::vector<Window> lay_windows(const std::vector<Prepared>& records, double periods, double unseen_share,
+                                bool massless) {
   std::vector<Window> list;
-  const bool driven = forced(records);
+  const bool driven = forced(records) && !massless;
   for (size_t r = 0; r < records.size(); ++r) {
     const Prepared& p = records[r];
-    const Index all = moving_samples(p, driven);
+    const Index all = moving_samples(p, records, massless);
     const Index seen = static_cast<Index>((1 - unseen_share) * static_cast<double>(all));
     const auto cover = [&](Index from, Index to, bool unseen) {
       const double wanted = std::max<double>(static_cast<double>(kLeastLength), periods * p.period_s / p.step_s);
