@@ -90,7 +90,16 @@ void smooth_cubic(const Vec& y, Index half, double step_s, Vec* value, Vec* slop
   }
 }
 
-// Integrates and takes off what is slower than two periods.
+// The straight line that fits a stretch best, at one of its samples.
+double line_at(const Vec& y, Index from, Index count, Index at) {
+  const double middle = 0.5 * static_cast<double>(count - 1), n = static_cast<double>(count);
+  double slope = 0;
+  for (Index i = 0; i < count; ++i) slope += (static_cast<double>(i) - middle) * y[from + i];
+  slope /= std::max(1.0, n * (n * n - 1) / 12);
+  return y.segment(from, count).mean() + slope * (static_cast<double>(at - from) - middle);
+}
+
+// Integrates and takes off what is slower than two periods: a moving mean, at the ends a straight line.
 Vec integrated(const Vec& y, double step_s, Index slow) {
   Vec z(y.size());
   z[0] = 0;
@@ -98,10 +107,15 @@ Vec integrated(const Vec& y, double step_s, Index slow) {
   Vec sums(z.size() + 1);
   sums[0] = 0;
   for (Index i = 0; i < z.size(); ++i) sums[i + 1] = sums[i] + z[i];
-  Vec out(z.size());
-  for (Index i = 0; i < z.size(); ++i) {
-    const Index half = std::min({slow, i, z.size() - 1 - i});
-    out[i] = z[i] - (sums[i + half + 1] - sums[i - half]) / static_cast<double>(2 * half + 1);
+  const Index n = z.size(), half = std::max<Index>(1, std::min(slow, (n - 1) / 2)), whole = 2 * half + 1;
+  Vec out(n);
+  for (Index i = half; i + half < n; ++i)
+    out[i] = z[i] - (sums[i + half + 1] - sums[i - half]) / static_cast<double>(whole);
+  const double first = line_at(z, 0, whole, 0), last = line_at(z, n - whole, whole, n - 1);
+  const double inner = line_at(z, 0, whole, half), outer = line_at(z, n - whole, whole, n - 1 - half);
+  for (Index i = 0; i < half; ++i) {
+    const double share = static_cast<double>(i) / static_cast<double>(half);
+    out[i] = z[i] - (first + share * (inner - first)), out[n - 1 - i] = z[n - 1 - i] - (last + share * (outer - last));
   }
   return out;
 }
