@@ -20,9 +20,8 @@ constexpr double kBorneOut = 3;          // standard errors, of what another tes
 
 void lay(const Task& task, double periods, State& s) {
   const bool apart = task.training < task.records.size();
-  const bool massless = Evaluator(task.system, s.model, task.records).massless();
   s.seen.clear(), s.unseen.clear();
-  for (Window& w : lay_windows(task.records, periods, apart ? 0 : 0.3, massless)) {
+  for (Window& w : lay_windows(task.records, periods, apart ? 0 : 0.3, massless(s.model))) {
     const bool unseen = apart ? w.record >= task.training : w.unseen;
     (unseen ? s.unseen : s.seen).push_back(w);
   }
@@ -152,10 +151,9 @@ Choice rig_fitted(const Task& task) {
   State now;
   now.model = rig_as_given(task.system, task.records);
   start_values(task.system, task.records, now.model);
-  const bool massless = Evaluator(task.system, now.model, task.records).massless();
-  choice.periods = horizon(task, now, longest_horizon(task.records), massless);
+  choice.periods = horizon(task, now, longest_horizon(task.records), massless(now.model));
   choice.base = choice.final = now;
-  choice.base_fits_nothing = !massless && !(motion_error(task, now) < kFollows);
+  choice.base_fits_nothing = !massless(now.model) && !(motion_error(task, now) < kFollows);
   if (now.fit.ok) choice.base_left = choice.final_left = left_by(task.system, task.records, now);
   return choice;
 }

@@ -17,6 +17,13 @@ std::vector<Parameter> parameters_of(const Model& model) {
   return list;
 }
 
+bool massless(const Model& model) {
+  return std::none_of(model.begin(), model.end(), [](const ModelTerm& t) {
+    const bool inertia = t.term.kind == Kind::kMass || t.term.kind == Kind::kMassError;
+    return inertia && (t.value > 0 || (t.term.kind == Kind::kMass && !t.known));
+  });
+}
+
 bool positive(Kind kind) {
   switch (kind) {
     case Kind::kMass:

@@ -24,6 +24,9 @@ struct Parameter {
 };
 std::vector<Parameter> parameters_of(const Model& model);
 
+// Nothing has inertia: the motion is given and forces answer to it.
+bool massless(const Model& model);
+
 // Whether a negative coefficient has no physical sense.
 bool positive(Kind kind);
 

@@ -91,9 +91,7 @@ void Simulator::compile(const System& system, const Model& model) {
       faults_.push_back({kind, static_cast<size_t>(t.term.dof), t.term.shape, by_value});
     }
   }
-  massless_ = mass_.maxCoeff() <= 0;
-  for (const ModelTerm& t : model)
-    if (t.term.kind == Kind::kMass && !t.known) massless_ = false;
+  massless_ = runs::massless(model);
 }
 
 // Between samples, two instants to a substep.
