@@ -137,7 +137,9 @@ Verdict verdict_of(const Task& task, const Choice& choice, bool noise, double wo
 // A cause beside which as much remains as before explains nothing: of what acts here it is not the name. Where only
 // noise remains it is a cause still if the rig's own numbers are others beside it.
 bool immaterial(const Choice& choice, bool noise, const Terms& base, const Terms& full, const Diagnosis& d) {
-  return !choice.named.empty() && (!noise || !moved(base, full)) &&
+  if (choice.named.empty() || (noise && moved(base, full))) return false;
+  const double windows = std::sqrt(1 / std::max(1e-12, error_over(choice.final.unseen_fit, choice.base.unseen_fit)));
+  return windows < kLeastGain &&
          std::all_of(d.gain.begin(), d.gain.end(), [](double gain) { return gain < kLeastGain; });
 }
 
