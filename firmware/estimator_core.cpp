@@ -46,7 +46,7 @@ void EstimatorCore::reset() {
   filled_ = 0;
   level_samples_ = units_ = 0;
   closing_ = false;
-  summed_ = 0;
+  filled_columns_ = 0;
 }
 
 void EstimatorCore::begin_level() {
@@ -59,14 +59,14 @@ void EstimatorCore::begin_level() {
 
 void EstimatorCore::push(const RawSample& sample) {
   ++health_.samples;
-  if (sequence_known_ && sample.sequence != next_sequence_) {
-    health_.missed_samples += sample.sequence - next_sequence_;
-    break_window();
-  }
+  if (sample.sequence != next_sequence_) note_gap(sample.sequence);
   next_sequence_ = sample.sequence + 1;
   sequence_known_ = true;
-  collector_.advance();
-  for (int piece = 0; piece < pieces_per_sample_ && closing_; ++piece) go_on_closing();
+  // What can wait goes on in the steps that do not work on a block.
+  if (filled_columns_ == 0 && filled_ + 1 != full_) {
+    collector_.advance();
+    if (closing_) close_some();
+  }
   const bool usable = conditioning_.append(sample, frame_, filled_);
   if (conditioning_.saturated()) {
     ++health_.saturated_samples;
@@ -75,8 +75,18 @@ void EstimatorCore::push(const RawSample& sample) {
   if (!usable || !collector_.level_open()) return;
   ++filled_;
   tests_.work();
-  move_on();
+  if (filled_columns_ != 0) move_on();
   if (filled_ == full_) process(full_ - kLevelMarginSamples);
+}
+
+void EstimatorCore::note_gap(uint32_t sequence) {
+  if (!sequence_known_) return;
+  health_.missed_samples += sequence - next_sequence_;
+  break_window();
+}
+
+void EstimatorCore::close_some() {
+  for (int piece = 0; piece < pieces_per_sample_ && closing_; ++piece) go_on_closing();
 }
 
 // A block ends where the batch ends, at the latest after kBlockSamples.
@@ -91,19 +101,20 @@ void EstimatorCore::aim(uint32_t units) {
   choose_block();
 }
 
-// Works on the block. The frame moves on by its length with the next sample, for which there is just room: two steps bear
-// what one would.
+// Works on the block: its columns now, its sums with the next sample, for which there is just room in the frame, and then the
+// frame moves on. Two steps bear what one would.
 void EstimatorCore::process(int count) {
-  sums_.add_block(frame_, count);
+  sums_.fill_columns(frame_, count);
   tests_.offer(frame_, count);
   level_samples_ += static_cast<uint32_t>(count);
-  summed_ = count;
+  filled_columns_ = count;
 }
 
 void EstimatorCore::move_on() {
-  const int count = summed_;
+  const int count = filled_columns_;
   if (count == 0) return;
-  summed_ = 0;
+  filled_columns_ = 0;
+  sums_.add_block(frame_, count);
   if (level_samples_ == aim_) {
     finish_closing();
     sums_.begin_close(frame_, kLeadIn + count);
@@ -138,6 +149,7 @@ void EstimatorCore::break_window() {
   finish_closing();
   const int rest = filled_ - kLevelMarginSamples;
   if (rest >= 0) {
+    sums_.fill_columns(frame_, rest);
     sums_.add_block(frame_, rest);
     if (sums_.samples() > 0) {
       sums_.close_batch(frame_, kLeadIn + rest, batch_);

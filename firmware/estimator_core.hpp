@@ -30,6 +30,9 @@ class EstimatorCore {
   // A gap in the samples' sequence numbers is counted and splits the window: no integral runs across it. Constant cost
   // per sample on average; the work is done every kBlockSamples samples.
   void push(const RawSample& sample);
+  bool saturated() const {
+    return conditioning_.saturated();
+  }                  // of the last sample: a channel at a rail, a signal cut off
   void end_level();  // closes the window
   // A table's batches, or the stretches of the score tests, are being merged, a few with each sample: ending the level now
   // would merge the rest at once, which takes about as long as a hundred batches.
@@ -58,33 +61,36 @@ class EstimatorCore {
   void process(int count);
   void move_on();
   void break_window();
+  void note_gap(uint32_t sequence);
   void aim(
       uint32_t units = 0);  // where the batch that starts now ends; units: of the batch before it, still to be added
+  void close_some();
   void go_on_closing();
   void finish_closing();
 
   const CoreConfiguration& configuration_;
-  Conditioning conditioning_;
-  Frame frame_ = {};
-  int filled_ = 0;  // samples in the frame
-  int full_ = 0;    // at this many the block is worked on
-  int summed_ = 0;  // samples of a block that is summed and still stands in the frame
-  EnergySums sums_;
-  uint32_t level_samples_ = 0;                      // sample intervals summed since the level (or a gap in it) began
-  uint32_t units_ = 0, units_aimed_ = 0, aim_ = 0;  // units summed, to be summed, and the latter in samples
-  BatchTable table_;
-  BatchCollector collector_{table_};
-  IdentificationMemory memory_;
-  Batch batch_;
-  bool closing_ = false;  // into batch_, a few pieces with each sample
-  int pieces_per_sample_ = 1;
-  uint32_t closing_units_ = 0;
-  ScoreTests tests_;
-  bool fits_ = true;
-  Estimates estimates_;
+  // What every sample looks at stands together in front.
   CoreHealth health_;
   uint32_t next_sequence_ = 0;
   bool sequence_known_ = false;
+  bool fits_ = true;
+  bool closing_ = false;  // into batch_, a few pieces with each sample
+  int pieces_per_sample_ = 1;
+  int filled_ = 0;          // samples in the frame
+  int full_ = 0;            // at this many the block is worked on
+  int filled_columns_ = 0;  // samples of a block whose columns are filled and which is to be summed
+  uint32_t closing_units_ = 0;
+  uint32_t level_samples_ = 0;                      // sample intervals summed since the level (or a gap in it) began
+  uint32_t units_ = 0, units_aimed_ = 0, aim_ = 0;  // units summed, to be summed, and the latter in samples
+  BatchCollector collector_{table_};
+  Conditioning conditioning_;
+  Frame frame_ = {};
+  EnergySums sums_;
+  BatchTable table_;
+  IdentificationMemory memory_;
+  Batch batch_;
+  ScoreTests tests_;
+  Estimates estimates_;
 };
 
 }  // namespace firmware

@@ -13,12 +13,16 @@ void set_raw(CanFrame& message, const Signal& signal, int64_t raw, int bit_offse
   if (raw < lowest_raw(signal)) raw = lowest_raw(signal);
   if (raw > highest_raw(signal)) raw = highest_raw(signal);
   FIRMWARE_PRECONDITION(bit_offset + signal.start_bit + signal.length <= 8 * static_cast<int>(sizeof message.data));
-  const uint64_t bits = static_cast<uint64_t>(raw);
-  for (int i = 0; i < signal.length; ++i) {
-    const int position = bit_offset + signal.start_bit + i;
-    const uint8_t mask = static_cast<uint8_t>(1u << (position % 8));
+  auto bits = static_cast<uint32_t>(static_cast<uint64_t>(raw));  // a signal has at most 32
+  unsigned left = signal.length, position = static_cast<unsigned>(bit_offset + signal.start_bit);
+  while (left > 0) {  // what falls into one byte at a time
+    const unsigned at = position % 8, count = left < 8 - at ? left : 8 - at;
+    const uint32_t mask = ((1u << count) - 1) << at;
     uint8_t& byte = message.data[position / 8];
-    byte = static_cast<uint8_t>((bits >> i) & 1u ? byte | mask : byte & ~mask);
+    byte = static_cast<uint8_t>((byte & ~mask) | ((bits << at) & mask));
+    bits >>= count;
+    left -= count;
+    position += count;
   }
 }
 

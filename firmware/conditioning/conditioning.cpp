@@ -1,5 +1,6 @@
 #include "firmware/conditioning/conditioning.hpp"
 
+#include "firmware/conditioning/filter_sum.hpp"
 #include "firmware/fixed_point/precondition.hpp"
 
 namespace firmware {
@@ -56,6 +57,9 @@ void Conditioning::configure(const CoreConfiguration& configuration) {
     }
     if (kDerivesSignals && configuration.filters_sign()) add_sign_velocity(node);
   }
+  alike_ = true;
+  for (int c = 1; c < channel_count_; ++c)
+    alike_ = alike_ && channel_[c].inside == channel_[0].inside && channel_[c].count == channel_[0].count;
   FIRMWARE_PRECONDITION(2 * reach_ + configuration.sign_half_length < kHistory);
   reach_ += configuration.sign_half_length;
   history_samples_ = 2 * reach_;
@@ -67,6 +71,7 @@ void Conditioning::configure(const CoreConfiguration& configuration) {
     const SignalConfiguration& signal = configuration.signals[path_[i].node][path_[i].quantity];
     if (signal.half_length > 0 || signal.tap[0].raw != 0) plain_ = false;
   }
+  share_histories();
   restart();
 }
 
@@ -88,10 +93,11 @@ Conditioning::Path& Conditioning::add_path(int node, int quantity, int column) {
   Path& path = path_[path_count_++];
   path.node = static_cast<uint8_t>(node);
   path.quantity = static_cast<uint8_t>(quantity);
+  path.signal = &signal;
   path.channel = 0;
   for (int c = 0; c < channel_count_; ++c)
     if (channel_[c].place == node * kQuantities + signal.source) path.channel = static_cast<uint8_t>(c);
-  path.column = static_cast<uint16_t>(column);
+  path.column = static_cast<uint16_t>(column * kFrameStride);
   path.sections = configuration_->high_pass_order;
   path.integrations = signal.integrations;
   path.shift = configuration_->high_pass_shift;
@@ -133,42 +139,85 @@ void Conditioning::restart() {
   for (FusionState& fusion : fusion_) fusion = FusionState{};
 }
 
+// Without a high-pass every path of a channel would keep the same samples.
+void Conditioning::share_histories() {
+  for (int i = 0; i < path_count_; ++i) {
+    Path& path = path_[i];
+    path.history_of = static_cast<uint8_t>(i);
+    for (int j = i - 1; j >= 0 && path.sections == 0; --j)
+      if (path_[j].channel == path.channel && path_[j].sections == 0) path.history_of = static_cast<uint8_t>(j);
+    path.middle = static_cast<uint8_t>(kHistory - (reach_ - path.early));
+    const int parity = parity_of(path.signal->tap, path.signal->half_length);
+    path.parity = static_cast<int8_t>(path.sections == 0 ? parity : 0);  // integrals have no bit left for a sum
+    path.turn = static_cast<uint8_t>(path.fused_with >= 0 ? kFused : kAlone);
+    if (path.history_of == i) path.turn = static_cast<uint8_t>(path.turn | kKeepsHistory);
+  }
+  for (int i = 0; i + 1 < path_count_; ++i) share_pass(path_[i], path_[i + 1]);
+}
+
+void Conditioning::share_pass(Path& velocity, Path& acceleration) {
+  const bool neighbours = velocity.quantity == static_cast<int>(Quantity::kVelocity) &&
+                          acceleration.node == velocity.node && acceleration.column == velocity.column + kFrameStride;
+  const bool alike = acceleration.history_of == velocity.history_of &&
+                     acceleration.signal->half_length == velocity.signal->half_length &&
+                     velocity.early == acceleration.early;
+  if (!neighbours || !alike || velocity.parity != -1 || acceleration.parity != 1 || velocity.turn & kFused) return;
+  velocity.turn = static_cast<uint8_t>((velocity.turn & kKeepsHistory) | kWithNext);
+  acceleration.turn = static_cast<uint8_t>(acceleration.turn & kKeepsHistory);
+}
+
+template <bool kAlike>
+bool Conditioning::copy_codes(const int32_t* code, int32_t* column) const {
+  bool saturated = false;
+  const uint32_t inside = static_cast<uint32_t>(channel_->inside), count = channel_->count;
+  for (const Channel *c = channel_, *end = channel_ + channel_count_; c != end; ++c) {
+    const int32_t value = code[c->place];
+    const uint32_t above = static_cast<uint32_t>(value) - (kAlike ? inside : static_cast<uint32_t>(c->inside));
+    if (above < (kAlike ? count : c->count)) {
+      column[c->column] = value - c->offset;
+    } else {
+      saturated = true;
+      column[c->column] = centred(*c, value).raw;
+    }
+  }
+  return saturated;
+}
+
 bool Conditioning::append(const RawSample& sample, Frame& frame, int at) {
   FIRMWARE_PRECONDITION(configuration_ != nullptr && at >= 0 && at < kFrameStride);
   static_assert(signal_column(1, Quantity::kForce) == kQuantities, "channels and signal columns are numbered alike");
   const int32_t* code = &sample.code[0][0];
   int32_t* column = &frame.raw[0][at];
-  saturated_ = false;
-  for (const Channel *c = channel_, *end = channel_ + channel_count_; c != end; ++c) {
-    const int32_t value = code[c->place];
-    if (static_cast<uint32_t>(value) - static_cast<uint32_t>(c->inside) < c->count) {
-      column[c->column] = value - c->offset;
-    } else {
-      saturated_ = true;
-      column[c->column] = centred(*c, value).raw;
-    }
-  }
-  return plain_ || filter(sample, frame, at);
+  saturated_ = alike_ ? copy_codes<true>(code, column) : copy_codes<false>(code, column);
+  return plain_ || filter(frame, at);
 }
 
-bool Conditioning::filter(const RawSample& sample, Frame& frame, int at) {
-  for (int i = 0; i < path_count_; ++i) {
-    Path& path = path_[i];
-    const Channel& channel = channel_[path.channel];
-    const int32_t code = (&sample.code[0][0])[channel.place];
-    frame.codes(path.column).put(at, filtered(path, centred(channel, code)));
+bool Conditioning::filter(Frame& frame, int at) {
+  int32_t* column = &frame.raw[0][at];
+  for (Path *path = path_, *end = path_ + path_count_; path != end; ++path) {
+    if (path->turn & kKeepsHistory) keep(*path, Code::from_raw(column[channel_[path->channel].column]));
   }
-  for (int i = 0; i < path_count_; ++i)
-    if (path_[i].fused_with >= 0) frame.codes(path_[i].column).put(at, fused(path_[i]));
+  for (const Path *path = path_, *end = path_ + path_count_; path != end; ++path) {
+    int32_t& place = column[path->column];
+    if (path->turn & kAlone) place = filtered(*path).raw;
+    if (path->turn & kWithNext) filtered_pair(*path, place, (&place)[kFrameStride]);
+    if (path->turn & kFused) place = fused(*path).raw;
+  }
   if (++history_at_ == kHistory) history_at_ = 0;
   ++received_;
   return received_ > static_cast<uint32_t>(history_samples_);
 }
 
+void Conditioning::keep(Path& path, Code code) {
+  const Code input = path.sections == 0 ? code : high_passed(path, code);
+  path.history[history_at_] = path.history[history_at_ + kHistory] = input;
+}
+
 void Conditioning::move_frame(Frame& frame, int count, int kept) const {
-  for (int p = 0; p < path_count_; ++p) {
-    Column<Code> column = frame.codes(path_[p].column);
-    for (int i = 0; i < kept; ++i) column.put(i, column[i + count]);
+  for (const Path *path = path_, *end = path_ + path_count_; path != end; ++path) {
+    int32_t* to = &frame.raw[0][0] + path->column;
+    const int32_t* from = to + count;
+    for (const int32_t* last = from + kept; from != last;) *to++ = *from++;
   }
 }
 
@@ -176,45 +225,51 @@ Code Conditioning::centred(const Channel& channel, int32_t code) {
   return Code::from_raw(between(channel.lowest, code, channel.highest) - channel.offset);
 }
 
-// A weighted sum over the window of a path, whose centre is `reach` samples old.
-template <int kTaps>
-int64_t weighted(const Fixed<int32_t, 0> (&tap)[kTaps], const Code* first, int half_length) {
-  int64_t sum = 0;
-  for (int k = 0; k <= 2 * half_length; ++k) sum += (tap[k] * first[k]).raw;
-  return sum;
-}
-
-Code Conditioning::rounded(int64_t sum, int shift) {
-  if (shift > 0) sum = (sum + (int64_t{1} << (shift - 1))) >> shift;
-  if (sum > kSignalLimit || sum < -kSignalLimit) {
-    if (received_ >= static_cast<uint32_t>(history_samples_)) saturated_ = true;  // not while the filters fill
-    sum = sum > 0 ? kSignalLimit : -kSignalLimit;
+// sum / 2^shift to nearest; |sum| < 2^62. Of shifts over 32 bits, the usual ones, the upper word alone is needed.
+int64_t shifted_to_nearest(int64_t sum, int shift) {
+  if (shift > 32) {
+    const auto high = static_cast<int32_t>(sum >> 32);
+    return (high + (int32_t{1} << (shift - 33))) >> (shift - 32);
   }
-  return Code::from_raw(static_cast<int32_t>(sum));
+  return shift == 32 ? ((sum >> 31) + 1) >> 1 : shift > 0 ? (sum + (int64_t{1} << (shift - 1))) >> shift : sum;
 }
 
-Code Conditioning::filtered(Path& path, Code code) {
-  const SignalConfiguration& signal = configuration_->signals[path.node][path.quantity];
-  const Code input = path.sections == 0 ? code : high_passed(path, code);
-  path.history[history_at_] = path.history[history_at_ + kHistory] = input;
-  if (path.fused_with >= 0) return {};                  // filled once the acceleration's history is
-  const Code* window = &path.history[history_at_ + 1];  // window[kHistory - 1] is the newest sample
-  const int first = kHistory - 1 - (reach_ - path.early) - signal.half_length;
-  const bool for_sign = path.column >= kSignVelocityColumn;  // of which the limit does not matter
-  const bool saturated = saturated_;
-  const Code value = rounded(weighted(signal.tap, window + first, signal.half_length), signal.shift);
-  if (for_sign) saturated_ = saturated;
-  return value;
+Code Conditioning::rounded(int64_t sum, int shift, bool counts) {
+  const int64_t value = shifted_to_nearest(sum, shift);
+  if (value <= kSignalLimit && value >= -kSignalLimit) return Code::from_raw(static_cast<int32_t>(value));
+  if (counts && received_ >= static_cast<uint32_t>(history_samples_)) saturated_ = true;  // not while the filters fill
+  return Code::from_raw(value > 0 ? kSignalLimit : -kSignalLimit);
+}
+
+const Code* Conditioning::middle_of_window(const Path& path) const {
+  return &path_[path.history_of].history[history_at_ + path.middle];
+}
+
+Code Conditioning::filtered(const Path& path) {
+  const bool for_sign = path.column >= kSignVelocityColumn * kFrameStride;  // of which the limit does not matter
+  return rounded(filter_sum(path.parity, path.signal->tap, middle_of_window(path), path.signal->half_length),
+                 path.signal->shift, !for_sign);
+}
+
+// The acceleration's filter stands behind the velocity's.
+void Conditioning::filtered_pair(const Path& velocity, int32_t& v, int32_t& a) {
+  static_assert(static_cast<int>(Quantity::kAcceleration) == static_cast<int>(Quantity::kVelocity) + 1, "neighbours");
+  const SignalConfiguration* signal = velocity.signal;
+  const OddAndEven sum =
+      odd_and_even_sum(signal[0].tap, signal[1].tap, middle_of_window(velocity), signal->half_length);
+  v = rounded(sum.odd, signal[0].shift).raw;
+  a = rounded(sum.even, signal[1].shift).raw;
 }
 
 // The first slope is taken to have stood there for ever.
 Code Conditioning::fused(const Path& path) {
-  const SignalConfiguration& signal = configuration_->signals[path.node][path.quantity];
+  const SignalConfiguration& signal = *path.signal;
   const FusionConfiguration& fusion = configuration_->fusion[path.node];
   FusionState& state = fusion_[kDerivesSignals ? path.node : 0];
-  const int first = history_at_ + 1 + kHistory - 1 - reach_ - signal.half_length;
-  const int64_t slope = weighted(signal.tap, &path.history[first], signal.half_length);
-  const int64_t step = weighted(fusion.step_tap, &path_[path.fused_with].history[first], signal.half_length);
+  const int half = signal.half_length, middle = history_at_ + kHistory - reach_;
+  const Path& acceleration = path_[path_[path.fused_with].history_of];
+  const int64_t slope = filter_sum(0, signal.tap, &path_[path.history_of].history[middle], half);
+  const int64_t step = filter_sum(0, fusion.step_tap, &acceleration.history[middle], half);
   if (received_ + 1 < static_cast<uint32_t>(2 * reach_ + 1)) return {};
   if (received_ + 1 == static_cast<uint32_t>(2 * reach_ + 1)) state.slope = slope;
   const int leak = starting_leak(received_ - static_cast<uint32_t>(2 * reach_), fusion.leak_shift);
@@ -230,7 +285,7 @@ Code Conditioning::fused(const Path& path) {
 // step.
 Code Conditioning::high_passed(Path& path, Code code) const {
   const int differences = path.sections - path.integrations;
-  const bool for_sign = path.column >= kSignVelocityColumn;
+  const bool for_sign = path.column >= kSignVelocityColumn * kFrameStride;
   const int shift = for_sign ? starting_leak(received_, path.shift) : path.shift;
   State value = rescale<State>(code);
   if (received_ == 0) path.previous[0] = value;

@@ -8,6 +8,8 @@
 // Where signals pass a low-pass, friction's sign passes it too: the velocity it is taken from comes as many samples early as that
 // filter needs (links/low_passed_sign.hpp), all other signals wait for it.
 //
+// Signals made from one channel share its history; velocity and acceleration from one channel are made in one pass over it.
+//
 // Formats: code 24 bits; section states (State) in int64, below 2^57 for two integrations at the slowest corner (shift 12);
 // FIR: 57 taps of 30 bits times codes of 24 bits, or of 25 bits times 31, stay below 2^62. Signals leave with |value| <= 2^23; a signal at that limit and a code at
 // one of its channel's rails count as saturated.
@@ -35,17 +37,23 @@ class Conditioning {
   static constexpr int kMaxSections = kDerivesSignals ? 3 : 1;
   static constexpr int kMaxPaths = kMaxNodes * (kQuantities + (kDerivesSignals ? 1 : 0));
   using State = Fixed<int64_t, 16>;
+  enum Turn : uint8_t { kKeepsHistory = 1, kAlone = 2, kWithNext = 4, kFused = 8 };
   struct Path {  // one signal
     uint8_t node = 0, quantity = 0;
-    uint8_t channel = 0;              // that it is made from
-    uint16_t column = 0;              // of the frame
-    Code history[2 * kHistory] = {};  // every entry twice, so that a window is contiguous
-    State section[kMaxSections] = {};
-    State previous[kMaxSections] = {};  // last input of a difference section
+    uint8_t channel = 0;  // that it is made from
     // High-pass: differences come first, then integrations, all with the pole 1 - 2^-shift.
     uint8_t sections = 0, integrations = 0, shift = 0;
     uint8_t early = 0;        // samples by which it comes before the others
+    uint8_t history_of = 0;   // the path that keeps the samples it is made from
+    uint8_t turn = 0;         // what is done for it with each sample
+    int8_t parity = 0;        // of the filter's taps (filter_sum.hpp)
+    uint8_t middle = 0;       // of its window, from the newest sample's place in the history
     int16_t fused_with = -1;  // the path of the node's acceleration
+    uint16_t column = 0;      // of the frame, as so many numbers from its start
+    const SignalConfiguration* signal = nullptr;
+    Code history[2 * kHistory] = {};  // every entry twice, so that a window is contiguous
+    State section[kMaxSections] = {};
+    State previous[kMaxSections] = {};  // last input of a difference section
   };
   // The difference of the two velocities after one and two high-pass sections, and the last slope; in the unit of the taps'
   // sums, which SignalConfiguration::shift takes back to codes.
@@ -63,26 +71,34 @@ class Conditioning {
     int32_t lowest = 0, highest = 0;
   };
   void add_channel(int node, int quantity);
-  bool filter(const RawSample& sample, Frame& frame, int at);
+  template <bool kAlike>
+  bool copy_codes(const int32_t* code, int32_t* column) const;
+  bool filter(Frame& frame, int at);
+  void keep(Path& path, Code code);
   static Code centred(const Channel& channel, int32_t code);
   void link_fused_paths();
-  Code filtered(Path& path, Code code);
+  void share_histories();
+  static void share_pass(Path& velocity, Path& acceleration);
+  const Code* middle_of_window(const Path& path) const;
+  Code filtered(const Path& path);
+  void filtered_pair(const Path& velocity, int32_t& v, int32_t& a);
   Code fused(const Path& path);
-  Code rounded(int64_t sum, int shift);
+  Code rounded(int64_t sum, int shift, bool counts = true);
   Code high_passed(Path& path, Code code) const;
   Path& add_path(int node, int quantity, int column);
   void add_sign_velocity(int node);
 
   const CoreConfiguration* configuration_ = nullptr;
-  Channel channel_[kMaxNodes * kQuantities];
   int channel_count_ = 0;
+  bool alike_ = false;  // all channels have one range
+  bool plain_ = true;   // no filter anywhere: codes are copied
+  bool saturated_ = false;
+  Channel channel_[kMaxNodes * kQuantities];
   Path path_[kMaxPaths];
   int path_count_ = 0;
   FusionState fusion_[kDerivesSignals ? kMaxNodes : 1];
   int reach_ = 0;  // longest half_length: the common delay in samples
   int history_samples_ = 0;
-  bool plain_ = true;  // no filter anywhere: codes are copied
-  bool saturated_ = false;
   uint32_t received_ = 0;
   int history_at_ = 0;
 };

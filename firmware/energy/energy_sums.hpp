@@ -26,7 +26,9 @@ class EnergySums {
   bool takes_clear_sign(int link) const { return wants_clear_sign_[link]; }
   bool leaves_samples_out(int dof) const { return plan_.dof[dof].clear_signs_only; }
   // Works on positions [kLeadIn, kLeadIn + count) of the frame; position kLeadIn + count is the boundary to what follows.
-  void add_block(Frame& frame, int count);
+  // First what the signals give (instruments, signs, effects), then the sums of products.
+  void fill_columns(Frame& frame, int count);
+  void add_block(const Frame& frame, int count);
   uint32_t samples() const { return started_ ? samples_ : 0; }  // since the batch was started
   // Energies since the last call (or restart) up to the end of the last block; starts the next batch there.
   void close_batch(const Frame& frame, int boundary, Batch& batch) {
@@ -47,17 +49,15 @@ class EnergySums {
   struct EndPoint {
     int32_t displacement[kMaxDofs], velocity[kMaxDofs];
   };
-  void fill_columns(Frame& frame, int count);
   void fill_instruments(Frame& frame, int from, int to);
   void fill_signs(Frame& frame, int link, int from, int to);
   void fill_clear_signs(Frame& frame, int from, int to, int advance);
   void leave_out(Frame& frame, int link, int from, int to, const bool* clear);
   void add_crossings(const Frame& frame, int link, bool smoothed, const Rate* rate, int from, int to);
-  void start_batch(const Frame& frame, int at);
   EndPoint end_point(const Frame& frame, int at) const;
   void clear_crossings();
   static constexpr int kProductsAPiece = 8;
-  void read_sums();
+  void read_sums(const Frame& frame, int boundary);
   void convert(int product);
   void close_weight(int dof, int weight, Batch& batch);
   void close_dof(int dof, Batch& batch) const;

@@ -34,6 +34,23 @@ class Planner {
     if (products.has_acceleration && weights_ > 1) products.acceleration_square = sums_.add(acceleration, acceleration);
   }
 
+  // All coefficients of DOF i's equation.
+  void terms_of(int i) {
+    int effects = 0;
+    for (int t = 0; t < configuration_.term_count; ++t) {
+      const Term& each = configuration_.terms[t];
+      if (each.kind == TermKind::kMass) {
+        if (each.place == i) term(t, i, 1, 0);
+        continue;
+      }
+      const LinkConfiguration& link = configuration_.links[each.place];
+      if (link.node_a == i) term(t, i, 1, effects);
+      if (link.node_b == i) term(t, i, -1, effects);
+      if (is_effect_term(each.kind)) ++effects;  // the configuration holds at most kMaxEffectColumns of them
+    }
+  }
+
+ private:
   // The term's force on DOF i: column a (and minus column b), with its sign in the equation of motion.
   void term(int t, int i, int sign, int effect) {
     const Term& term = configuration_.terms[t];
@@ -65,7 +82,6 @@ class Planner {
       incidence.product_smooth = weighted_column(i, 1, kSmoothSignColumn + term.place);
   }
 
- private:
   bool has(int node, Quantity quantity) const {
     return configuration_.signals[node][static_cast<int>(quantity)].available;
   }
@@ -121,17 +137,18 @@ void set_column_units(const CoreConfiguration& configuration, EquationPlan& plan
 }
 
 // Gives every unknown of DOF i a slot, in the order of the unknowns' first appearance.
-void assign_slots(const CoreConfiguration& configuration, EquationPlan& plan, RowLayout& layout) {
+void assign_slots(const CoreConfiguration& configuration, int weights, EquationPlan& plan, RowLayout& layout) {
   layout = RowLayout{};
   layout.dof_count = configuration.dof_count;
   layout.unknown_count = configuration.unknown_count;
+  layout.weight_count = static_cast<uint8_t>(weights);
   int slots = 0;
   for (int i = 0; i < configuration.dof_count; ++i) {
     layout.first[i] = static_cast<uint8_t>(slots);
-    for (int n = 0; n < plan.incidence_count; ++n) {
+    for (int n = plan.first_incidence[i]; n < plan.first_incidence[i + 1]; ++n) {
       Incidence& incidence = plan.incidence[n];
       const int unknown = configuration.terms[incidence.term].unknown;
-      if (incidence.dof != i || unknown < 0 || slots == kMaxIncidences) continue;
+      if (unknown < 0 || slots == kMaxIncidences) continue;
       incidence.column_slot = static_cast<int16_t>(slots);
       layout.unknown[slots++] = static_cast<uint8_t>(unknown);
     }
@@ -153,21 +170,15 @@ void make_equation_plan(const CoreConfiguration& configuration, int weights, Equ
   for (DofProducts& products : plan.dof) products = DofProducts{};
   Planner planner(configuration, weights, plan, sums);
   for (int i = 0; i < configuration.dof_count; ++i) planner.dof(i);
-  int effects = 0;
-  for (int t = 0; t < configuration.term_count; ++t) {
-    const Term& term = configuration.terms[t];
-    if (term.kind == TermKind::kMass) {
-      planner.term(t, term.place, 1, 0);
-      continue;
-    }
-    const LinkConfiguration& link = configuration.links[term.place];
-    if (link.node_a < configuration.dof_count) planner.term(t, link.node_a, 1, effects);
-    if (link.node_b < configuration.dof_count) planner.term(t, link.node_b, -1, effects);
-    if (is_effect_term(term.kind)) ++effects;  // the configuration holds at most kMaxEffectColumns of them
+  for (int i = 0; i < configuration.dof_count; ++i) {
+    plan.first_incidence[i] = static_cast<uint16_t>(plan.incidence_count);
+    planner.terms_of(i);
   }
+  for (int i = configuration.dof_count; i <= kMaxDofs; ++i)
+    plan.first_incidence[i] = static_cast<uint16_t>(plan.incidence_count);
   sums.finish_plan();
   set_column_units(configuration, plan);
-  assign_slots(configuration, plan, layout);
+  assign_slots(configuration, weights, plan, layout);
 }
 
 }  // namespace firmware

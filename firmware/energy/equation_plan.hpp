@@ -38,7 +38,8 @@ struct DofProducts {
 };
 
 struct EquationPlan {
-  Incidence incidence[kMaxTermIncidences];
+  Incidence incidence[kMaxTermIncidences];      // DOF by DOF, in the order of the terms
+  uint16_t first_incidence[kMaxDofs + 1] = {};  // of a DOF
   int incidence_count = 0;
   DofProducts dof[kMaxDofs];
   Scaled column_unit[kMaxColumns];

@@ -29,13 +29,6 @@ int16_t ProductSums::add(int column_a, int column_b) {
   return static_cast<int16_t>(product_count_++);
 }
 
-int64_t ProductSums::end(const Product& product, const Frame& frame, int at) const {
-  const int32_t* a = &frame.raw[product.a][at];
-  const int32_t* b = &frame.raw[product.b][at];
-  return 12 * (static_cast<int64_t>(a[0]) * b[0]) - static_cast<int64_t>(a[1]) * b[1] +
-         static_cast<int64_t>(a[-1]) * b[-1];
-}
-
 void ProductSums::start(const Frame& frame, int at) {
   FIRMWARE_PRECONDITION(at >= 1 && at + 1 < kFrameSamples);
   for (int i = 0; i < product_count_; ++i) {
@@ -49,10 +42,6 @@ void ProductSums::add_block(const Frame& frame, int from, int to) {
   if (to - from == kBlockSamples) return add_whole_block(frame, from);
   for (int i = 0; i < product_count_; ++i)
     sum_[i] += dot(&frame.raw[product_[i].a][from], &frame.raw[product_[i].b][from], to - from);
-}
-
-void ProductSums::stop(const Frame& frame, int at) {
-  for (int i = 0; i < product_count_; ++i) ends_[i] = end(product_[i], frame, at) - ends_[i];
 }
 
 }  // namespace firmware

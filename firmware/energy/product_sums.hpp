@@ -39,15 +39,30 @@ class ProductSums {
 
   void start(const Frame& frame, int at);                // a window starts at this position of the frame
   void add_block(const Frame& frame, int from, int to);  // positions from <= n < to
-  void stop(const Frame& frame, int at);  // the window ends at this position, once; integrals can be read
   int64_t sum(int product) const { return sum_[product]; }
-  int64_t ends_times_24(int product) const { return ends_[product]; }
+  // The window ends at this position and the next one starts there: the sum, and both ends' corrections times 24.
+  struct Sum {
+    int64_t sum, ends_times_24;
+  };
+  Sum turn(int product, const Frame& frame, int at) {
+    const int64_t end_here = end(product_[product], frame, at);
+    const Sum closed = {sum_[product], end_here - ends_[product]};
+    sum_[product] = 0;
+    ends_[product] = end_here;
+    return closed;
+  }
 
  private:
   struct Product {
     uint16_t a, b;  // columns
   };
-  int64_t end(const Product& product, const Frame& frame, int at) const;
+  // Columns hold at most 10 * 2^23: twelve times that fits 32 bits.
+  static int64_t end(const Product& product, const Frame& frame, int at) {
+    const int32_t* a = &frame.raw[product.a][at];
+    const int32_t* b = &frame.raw[product.b][at];
+    return static_cast<int64_t>(12 * a[0]) * b[0] - static_cast<int64_t>(a[1]) * b[1] +
+           static_cast<int64_t>(a[-1]) * b[-1];
+  }
   void add_whole_block(const Frame& frame, int from);
 
   Product product_[kMaxProducts];
@@ -58,16 +73,17 @@ class ProductSums {
   uint16_t column_[kMaxColumns];                          // columns in use
   int column_count_ = 0;
 #else
-  struct Group {  // three products that share a column
+  struct Group {  // three products that share a column; columns as so many numbers from the frame's start
     uint16_t shared, other[3], product[3];
   };
+  static_assert(kMaxColumns * kFrameStride <= 65535, "a group's columns");
   void group_around(int column, bool (&done)[kMaxProducts]);
   Group group_[kMaxProducts / 3];
   uint16_t single_[kMaxProducts];
   int group_count_ = 0, single_count_ = 0;
 #endif
   int64_t sum_[kMaxProducts];
-  int64_t ends_[kMaxProducts];  // end corrections times 24: of the start, after stop() of both ends
+  int64_t ends_[kMaxProducts];  // end corrections times 24 of the start
 };
 
 }  // namespace firmware

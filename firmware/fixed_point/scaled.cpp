@@ -3,12 +3,15 @@
 
 #include "firmware/fixed_point/magnitude.hpp"
 #include "firmware/fixed_point/wide.hpp"
+#include "firmware/fixed_point/work_meter.hpp"
 
 namespace firmware {
 namespace {
 
 constexpr int kMantissaBits = 62;  // |mantissa| < 2^62
 constexpr int32_t kExponentLimit = 1 << 20;
+// What they take on a small processor, for what is done in slices.
+constexpr int32_t kProductWork = 140, kQuotientWork = 500, kRootWork = 800;
 constexpr int64_t kLargestMantissa = (int64_t{1} << kMantissaBits) - 1;
 
 int64_t with_sign(uint64_t value, bool negative) {
@@ -47,19 +50,15 @@ Scaled Scaled::from_int(int64_t value, int32_t exponent) { return normalised(mag
 
 Scaled Scaled::ratio(int64_t numerator, int64_t denominator) { return from_int(numerator) / from_int(denominator); }
 
-Scaled operator+(const Scaled& a, const Scaled& b) {
-  if (a.mantissa == 0) return b;
-  if (b.mantissa == 0) return a;
-  const bool swapped = a.exponent < b.exponent;
-  const Scaled &larger = swapped ? b : a, &smaller = swapped ? a : b;
-  const int32_t distance = larger.exponent - smaller.exponent;
-  if (distance > kMantissaBits) return larger;
-  const int64_t aligned =
-      distance == 0 ? smaller.mantissa : (smaller.mantissa >> distance) + ((smaller.mantissa >> (distance - 1)) & 1);
-  const int64_t sum = larger.mantissa + aligned;
+// Mantissas of 62 bits, larger_exponent - smaller_exponent = distance >= 0.
+[[gnu::always_inline]] static inline Scaled aligned_sum(int64_t larger, int32_t exponent, int64_t smaller,
+                                                        int32_t distance) {
+  if (distance > kMantissaBits) return {larger, exponent};
+  if (distance > 0) smaller = ((smaller >> (distance - 1)) + 1) >> 1;  // to nearest
+  const int64_t sum = larger + smaller;
+  if (is_surely_normal(sum)) return {sum, exponent};
   if (sum == 0) return {};
   uint64_t value = magnitude(sum);  // below 2^63
-  int32_t exponent = larger.exponent;
   const int shift = leading_zeros(value) - (64 - kMantissaBits);
   if (shift >= 0) {
     value <<= shift;
@@ -75,8 +74,22 @@ Scaled operator+(const Scaled& a, const Scaled& b) {
   return limited(value, exponent, sum < 0);
 }
 
+Scaled operator+(const Scaled& a, const Scaled& b) {
+  if (a.mantissa == 0) return b;
+  if (b.mantissa == 0) return a;
+  const int32_t distance = a.exponent - b.exponent;
+  return distance >= 0 ? aligned_sum(a.mantissa, a.exponent, b.mantissa, distance)
+                       : aligned_sum(b.mantissa, b.exponent, a.mantissa, -distance);
+}
+
 Scaled operator-(const Scaled& a) { return {-a.mantissa, a.exponent}; }
-Scaled operator-(const Scaled& a, const Scaled& b) { return a + (-b); }
+Scaled operator-(const Scaled& a, const Scaled& b) {
+  if (a.mantissa == 0) return -b;
+  if (b.mantissa == 0) return a;
+  const int32_t distance = a.exponent - b.exponent;
+  return distance >= 0 ? aligned_sum(a.mantissa, a.exponent, -b.mantissa, distance)
+                       : aligned_sum(-b.mantissa, b.exponent, a.mantissa, -distance);
+}
 
 // Of two normal mantissas.
 [[gnu::always_inline]] static inline Scaled product(uint64_t a, uint64_t b, int32_t exponent, bool negative) {
@@ -95,7 +108,12 @@ Scaled operator-(const Scaled& a, const Scaled& b) { return a + (-b); }
   return limited(value, exponent, negative);
 }
 
+[[gnu::noinline, gnu::cold]] static Scaled reported_product(const Scaled& a, const Scaled& b) {
+  return reported(kProductWork, [&] { return a * b; });
+}
+
 Scaled operator*(const Scaled& a, const Scaled& b) {
+  if (work_meter != nullptr) return reported_product(a, b);
   if (a.mantissa == 0 || b.mantissa == 0) return {};
   return product(magnitude(a.mantissa), magnitude(b.mantissa), a.exponent + b.exponent,
                  (a.mantissa < 0) != (b.mantissa < 0));
@@ -109,6 +127,7 @@ Scaled times(const Scaled& a, int64_t n) {
 }
 
 Scaled operator/(const Scaled& a, const Scaled& b) {
+  report_work(kQuotientWork);
   if (a.mantissa == 0) return {};
   const bool negative = (a.mantissa < 0) != (b.mantissa < 0);
   if (b.mantissa == 0) return {with_sign(static_cast<uint64_t>(kLargestMantissa), a.mantissa < 0), kExponentLimit};
@@ -120,6 +139,7 @@ Scaled operator/(const Scaled& a, const Scaled& b) {
 }
 
 Scaled sqrt(const Scaled& a) {
+  report_work(kRootWork);
   if (a.mantissa <= 0) return {};
   // Even exponent: mantissa * 2^(60 - drop) = radicand * 2^56 has 119 or 120 bits, its root 60.
   const int drop = (a.exponent & 1) ? 3 : 2;
@@ -128,6 +148,7 @@ Scaled sqrt(const Scaled& a) {
 }
 
 Scaled inverse_root(const Scaled& a) {
+  report_work(kProductWork);
   if (a.mantissa <= 0) return {};
   // a = z 2^(exponent - n), z = mantissa 2^n / 2^32 of 31 or 32 bits, the exponent even.
   const int up = (a.exponent & 1) ? 1 : 2;

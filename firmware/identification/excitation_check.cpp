@@ -1,5 +1,6 @@
 #include "firmware/identification/excitation_check.hpp"
 
+#include "firmware/fixed_point/work_meter.hpp"
 #include "firmware/vocabulary/effect_table.hpp"
 
 namespace firmware {
@@ -35,6 +36,7 @@ bool adds_up(const EquationList& list, const BatchTable& table, const Term& term
   for (int l = 0; l < table.level_count; ++l) {
     Scaled sum, magnitude;
     for (int b = 0; b < table.level[l].batch_count; ++b) {
+      report_work(150);
       const Scaled work = unit_work(table.layout, table.level[l].batch[b], weight, term.unknown);
       sum = sum + work;
       magnitude = magnitude + abs(work);

@@ -1,5 +1,6 @@
 #include "firmware/identification/rows.hpp"
 
+#include "firmware/fixed_point/work_meter.hpp"
 #include "firmware/vocabulary/effect_table.hpp"
 
 namespace firmware {
@@ -19,7 +20,7 @@ bool has_rows(const BatchTable& table, Weight weight) {
   const int q = static_cast<int>(weight) % kWeights;
   for (int l = 0; l < table.level_count; ++l) {
     const Level& level = table.level[l];
-    for (int b = 0; b < level.batch_count; ++b)
+    for (int b = 0; b < level.batch_count; ++b, report_work(10 * table.layout.first[table.layout.dof_count]))
       for (int n = 0; n < table.layout.first[table.layout.dof_count]; ++n)
         if (level.batch[b].column[q][n].bits != 0) return true;
   }

@@ -14,6 +14,9 @@ class DescriptionFrames {
   void tell_parameters() { next_parameter_ = 0; }  // all of them, from now on
   void tell_channels() { next_channel_ = 0; }
   void send_some();
+  bool wait() const {  // for room in the queue
+    return next_parameter_ < configuration_.core.unknown_count || next_channel_ < kMaxNodes * kQuantities;
+  }
 
  private:
   bool rotating(int node) const { return node < 32 && (configuration_.node.rotating_nodes >> node & 1) != 0; }

@@ -30,6 +30,7 @@ class DriveLink {
   bool delivered() const { return taken_ && !frame_waits_; }
   bool zero_commanded() const { return commanded_ == Drive{}; }
   bool at_rest() const { return delivered() && zero_commanded(); }
+  bool frame_waits() const { return frame_waits_; }
   // How long the bus has taken none of the commands; 0 where nothing waits.
   uint64_t waiting_ns(uint64_t now_ns) const { return frame_waits_ ? now_ns - waits_since_ns_ : 0; }
 

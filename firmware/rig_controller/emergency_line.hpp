@@ -14,9 +14,15 @@ class EmergencyLine {
   explicit EmergencyLine(hal::DigitalInput& line) : line_(line) {}
 
   // True where the line is pressed now or has been since the last look.
-  bool pressed();
+  bool pressed() {
+    hal::LineEdge edge;
+    const bool changed = line_.next_edge(edge);
+    if (changed) take_edges();
+    return line_.active() || changed;
+  }
 
  private:
+  void take_edges();
   // More edges than that in one look: a line that chatters, which counts as pressed like any edge. The rest waits.
   static constexpr int kEdgesPerLook = 16;
   hal::DigitalInput& line_;

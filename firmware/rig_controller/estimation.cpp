@@ -23,21 +23,20 @@ void Estimation::end_level() {
   level_left_out_ = false;
 }
 
-void Estimation::push(const RawSample& sample) {
-  if (idle() && !core_.merges_with(sample)) return core_.push(sample);
+void Estimation::wait(const RawSample& sample) {
   if (level_left_out_ || count_ >= kMaxWaiting - kKeptForOthers) {
     ++dropped_samples_;
     return;
   }
   append(Kind::kSample).sample = sample;
-  if (!working_ && count_ == 1) advance(now_ns_);
+  if (!working_ && count_ == 1) go_on();
 }
 
 void Estimation::solve(bool judge) {
   judge_owed_ = judge || (solve_owed_ && judge_owed_);
   solve_owed_ = true;
   before_solve_ = count_;
-  if (!working_ && count_ == 0) advance(now_ns_);
+  if (!working_ && count_ == 0) go_on();
 }
 
 void Estimation::ask(Kind kind) {
@@ -58,8 +57,7 @@ Estimation::Entry& Estimation::append(Kind kind) {
   return entry;
 }
 
-void Estimation::advance(uint64_t now_ns) {
-  now_ns_ = now_ns;
+void Estimation::go_on() {
   if (working_ && worker_->done()) finish();
   const int most = came_ + kCatchUp;
   came_ = 0;

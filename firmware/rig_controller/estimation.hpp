@@ -27,18 +27,33 @@ class Estimation {
 
   // worker: nullptr where there is none. Both must outlive this.
   Estimation(const CoreConfiguration& configuration, hal::Worker* worker)
-      : configuration_(configuration), core_(configuration), worker_(worker) {}
+      : configuration_(configuration), worker_(worker), core_(configuration) {}
 
   // As in EstimatorCore.
   void reset();
   void begin_level();
-  void push(const RawSample& sample);
+  // True: the core has it already, and no channel was at a rail.
+  bool push(const RawSample& sample) {
+    if (!idle() || core_.merges_with(sample)) {
+      wait(sample);
+      return false;
+    }
+    core_.push(sample);
+    return !core_.saturated();
+  }
   void end_level();
   // judge: tell the diagnosis as well.
   void solve(bool judge);
 
-  void advance(uint64_t now_ns);  // first in a step: goes on with what waits
-  bool take_result();             // true: results() are of a solve that has ended since the last call
+  // First in a step: goes on with what waits.
+  void advance(uint64_t now_ns) {
+    now_ns_ = now_ns;
+    if (!idle()) return go_on();
+    came_ = 0;
+  }
+  bool has_result() const { return fresh_; }
+  bool working() const { return working_; }
+  bool take_result();  // true: results() are of a solve that has ended since the last call
   bool idle() const { return !working_ && count_ == 0 && !solve_owed_; }
   // What runs on the worker has been running for longer than anything can.
   bool late() const { return working_ && now_ns_ - begun_ns_ > kLongestWork_ns; }
@@ -63,6 +78,8 @@ class Estimation {
   static_assert(kMaxWaiting > kKeptForOthers, "see FIRMWARE_MAX_WAITING");
 
   void ask(Kind kind);
+  void wait(const RawSample& sample);
+  void go_on();
   Entry& append(Kind kind);
   void perform(const Entry& entry);  // here or on the worker
   bool takes_long(const Entry& entry) const;
@@ -71,22 +88,22 @@ class Estimation {
   static void work(void* self);
 
   const CoreConfiguration& configuration_;
-  EstimatorCore core_;
   hal::Worker* worker_;
   bool working_ = false;  // the core belongs to the worker
   bool discard_ = false;  // what runs has been forgotten meanwhile
-  Entry job_;
-  CoreHealth health_;  // when it was begun
   bool fresh_ = false;
-  Results results_;
-  uint32_t dropped_samples_ = 0;
-  Entry ring_[kMaxWaiting];
-  int first_ = 0, count_ = 0;
-  int came_ = 0;  // entries of the ring since the last advance()
   bool solve_owed_ = false, judge_owed_ = false;
-  int before_solve_ = 0;         // entries of the ring that come before it
   bool level_left_out_ = false;  // its samples are dropped
+  int first_ = 0, count_ = 0;
+  int came_ = 0;          // entries of the ring since the last advance()
+  int before_solve_ = 0;  // entries of the ring that come before it
+  uint32_t dropped_samples_ = 0;
   uint64_t now_ns_ = 0, begun_ns_ = 0;
+  CoreHealth health_;  // when it was begun
+  Entry job_;
+  Results results_;
+  EstimatorCore core_;
+  Entry ring_[kMaxWaiting];
 };
 
 }  // namespace firmware

@@ -38,16 +38,6 @@ void Measurement::cut_level() {
   running_ = false;
 }
 
-void Measurement::take(const RawSample& sample) {
-  if (!running_) return;
-  estimation_.push(sample);
-  ++samples_in_window_;
-}
-
-void Measurement::close_full_window() {
-  if (running_ && samples_in_window_ >= configuration_.node.window_samples) close_window();
-}
-
 void Measurement::close_begun_window() {
   if (running_ && samples_in_window_ > 0) close_window();
 }

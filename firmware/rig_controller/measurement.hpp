@@ -18,18 +18,28 @@ class Measurement {
   void begin_step(uint64_t now_ns) { now_ns_ = now_ns; }  // first thing in a step
   void go_on() { estimation_.advance(now_ns_); }          // once in a step: with what waited for the worker
   // What go_on() found out; kNone where there is nothing to tell.
-  Alarm worker_alarm();  // the worker does not come back; once
-  Alarm loss_alarm();    // samples that found no room
+  Alarm worker_alarm();                                                       // the worker does not come back; once
+  Alarm loss_alarm();                                                         // samples that found no room
+  bool may_be_late() const { return worker_late_ || estimation_.working(); }  // else worker_alarm() has none
+  bool has_losses() const { return estimation_.dropped_samples() != told_dropped_; }  // else loss_alarm() has none
 
   void forget() { estimation_.reset(); }  // everything that was measured
   void begin_level();
-  void end_level();                    // and its window
-  void cut_level();                    // the same, without estimates: the rig was stopped
-  void take(const RawSample& sample);  // where a level is measured
-  void close_window();                 // now
-  void close_full_window();            // where it has its samples
-  void close_begun_window();           // where it has any
+  void end_level();  // and its window
+  void cut_level();  // the same, without estimates: the rig was stopped
+  // Where a level is measured. True: the core has it and found no channel at a rail.
+  bool take(const RawSample& sample) {
+    if (!running_) return false;
+    ++samples_in_window_;
+    return estimation_.push(sample);
+  }
+  void close_window();        // now
+  void close_full_window() {  // where it has its samples
+    if (running_ && samples_in_window_ >= configuration_.node.window_samples) close_window();
+  }
+  void close_begun_window();  // where it has any
 
+  bool has_result() const { return estimation_.has_result(); }
   bool take_result() { return estimation_.take_result(); }  // true: results() are new
   const Estimation::Results& results() const { return estimation_.results(); }
   bool running() const { return running_; }
@@ -39,13 +49,13 @@ class Measurement {
 
  private:
   const ControllerConfiguration& configuration_;
-  Estimation estimation_;
   bool running_ = false;  // samples go to the core
+  bool worker_late_ = false;
   uint32_t samples_in_window_ = 0;
+  uint32_t told_dropped_ = 0;
   uint64_t now_ns_ = 0;
   uint64_t next_judgement_ns_ = 0;
-  bool worker_late_ = false;
-  uint32_t told_dropped_ = 0;
+  Estimation estimation_;
 };
 
 }  // namespace firmware

@@ -132,7 +132,7 @@ SdoAbort NodeObjects::change_heartbeat(uint8_t subindex, uint32_t value, uint8_t
   if (size != 0 && size != 2) return SdoAbort::kLength;
   if ((value != 0 && value < kShortestHeartbeat_ms) || value > kLongestHeartbeat_ms) return SdoAbort::kValue;
   configuration_.node.heartbeat_ms = static_cast<uint16_t>(value);
-  schedule_.heartbeat.change_period(now_ns_, uint64_t{configuration_.node.heartbeat_ms} * 1000000);
+  schedule_.change_heartbeat(configuration_.node.heartbeat_ms, now_ns_);
   configuration_crc_ = firmware::configuration_crc(configuration_);
   return SdoAbort::kNone;
 }

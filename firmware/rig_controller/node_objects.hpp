@@ -21,6 +21,8 @@ class NodeObjects final : public ObjectDictionary {
   void begin_step(uint64_t now_ns) { now_ns_ = now_ns; }
   Alarm load();  // at start: what was saved for this very rig; kStore where what is stored cannot be read
   void apply();  // the node's settings, from now on
+  // Whether take_saved() or take_alarm() may have something.
+  bool has_news() const { return settings_.busy() || static_cast<bool>(alarm_); }
   // True once after a save that took longer than the step that began it: answer is for SdoServer::complete().
   bool take_saved(SdoAbort& answer);
   Alarm take_alarm();  // kStore, once after a save that failed

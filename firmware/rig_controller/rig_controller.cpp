@@ -6,17 +6,17 @@
 namespace firmware {
 
 RigController::RigController(const ControllerConfiguration& configuration, const Ports& ports)
-    : configuration_(configuration),
-      ports_(ports),
-      measurement_(configuration_, ports.worker),
+    : ports_(ports),
+      listening_(configuration.programme.level_count == 0),
       drive_(ports.drive, queue_),
       safe_(ports.emergency_stop, ports.relay, drive_),
       lamp_(ports.ready_lamp),
-      objects_(configuration_, schedule_, safe_, bus_, ports.store, ports.store_worker),
-      sdo_(objects_),
       windows_(configuration_, queue_),
       descriptions_(configuration_, queue_),
-      listening_(configuration.programme.level_count == 0) {
+      configuration_(configuration),
+      objects_(configuration_, schedule_, safe_, bus_, ports.store, ports.store_worker),
+      sdo_(objects_),
+      measurement_(configuration_, ports.worker) {
   excitation_.configure(configuration_.programme, configuration_.core.dof_count,
                         static_cast<uint32_t>(core().margin_samples()));
   supervisor_.configure(configuration_.core, configuration_.limits, configuration_.programme.limits);
@@ -33,18 +33,23 @@ void RigController::step() {
   handle(safe_.look_at_line());
   judge(supervisor_.check_time(now_ns_, safe_.live()));
   receive_frames();
-  check_save();
+  if (objects_.has_news()) check_save();
   measurement_.go_on();
-  const Alarm worker = measurement_.worker_alarm();
-  safe_.live() ? judge(worker) : handle(worker);
-  handle(measurement_.loss_alarm());
-  take_results();
+  if (measurement_.may_be_late()) {
+    const Alarm worker = measurement_.worker_alarm();
+    safe_.live() ? judge(worker) : handle(worker);
+  }
+  if (measurement_.has_losses()) handle(measurement_.loss_alarm());
+  if (measurement_.has_result()) take_results();
   const bool all_taken = take_samples();
-  check_sync_edge();
+  if (ports_.sync_edge != nullptr) check_sync_edge();
   if (safe_.state() == SafeState::State::kStopping) safe_.make_safe();
   if (start_waits_ && all_taken && safe_.may_start()) start();
-  run_schedule();
-  flush_queue();
+  if (!schedule_.quiet(now_ns_)) run_schedule();
+  const bool alarms = alarms_.waiting() != 0 || queue_.given_up() != reported_drops_;
+  if (alarms || windows_.floats_wait() || descriptions_.wait()) send_waiting();
+  if (queue_.waiting() != 0 || !bus_.may_send()) flush_queue();
+  if (safe_.awaits_delivery()) handle(safe_.check_delivery());
   lamp_.show(!safe_.tripped());
   if (!safe_.output_refuses() && !measurement_.worker_late()) ports_.watchdog.feed();
 }
@@ -54,8 +59,10 @@ void RigController::boot() {
   boot_ns_ = now_ns_;
   queue_.push(pack_heartbeat(configuration_.node.node, HeartbeatState::kBootUp), false);
   flush_queue();
+  handle(safe_.check_delivery());
   safe_.make_safe();
   flush_queue();
+  handle(safe_.check_delivery());
   handle(objects_.load());
   uint8_t level = 0;
   const ProgrammeFault fault = check(configuration_.programme, level);
@@ -146,10 +153,12 @@ bool RigController::take_samples() {
 }
 
 void RigController::take_sample(const RawSample& sample) {
-  judge(supervisor_.check_sample(sample, now_ns_, safe_.live()));
+  const bool live = safe_.live();
+  judge(live ? supervisor_.check_sample(sample, now_ns_, true) : supervisor_.check_arrival(sample, now_ns_));
   const bool begins = listening_ && !finished_ && !configuration_.node.listen_on_command;
   if (begins && !measurement_.running()) measurement_.begin_level();
-  measurement_.take(sample);
+  const bool inside = measurement_.take(sample);
+  if (!live) supervisor_.count_codes(sample, inside);
   if (safe_.live()) {
     int32_t codes[kMaxDofs];
     response_codes(sample, codes);
@@ -158,7 +167,7 @@ void RigController::take_sample(const RawSample& sample) {
     follow(event);
   }
   measurement_.close_full_window();
-  take_results();
+  if (measurement_.has_result()) take_results();
 }
 
 // Displacement where there is one, else velocity, else acceleration.
@@ -219,9 +228,9 @@ void RigController::command_drive(Drive wanted, uint32_t sequence) {
 }
 
 // What stops the rig is carried out at once.
-void RigController::judge(const Alarm& alarm) { handle(stops_drive(alarm.cause) ? safe_.stop(alarm) : alarm); }
+void RigController::stop_or_tell(const Alarm& alarm) { tell(stops_drive(alarm.cause) ? safe_.stop(alarm) : alarm); }
 
-void RigController::handle(const Alarm& alarm) {
+void RigController::tell(const Alarm& alarm) {
   if (!alarm) return;
   passing_faults_ = static_cast<uint16_t>(passing_faults_ | status_bit(alarm.cause));
   const bool stopped = stops_drive(alarm.cause) && safe_.tripped();

@@ -97,8 +97,15 @@ class RigController final {
   void end_level();
   void response_codes(const RawSample& sample, int32_t (&codes)[kMaxDofs]) const;
   void command_drive(Drive wanted, uint32_t sequence);
-  void handle(const Alarm& alarm);
-  void judge(const Alarm& alarm);
+  // Most of the time there is none.
+  void handle(const Alarm& alarm) {
+    if (alarm) tell(alarm);
+  }
+  void judge(const Alarm& alarm) {
+    if (alarm) stop_or_tell(alarm);
+  }
+  void tell(const Alarm& alarm);
+  void stop_or_tell(const Alarm& alarm);
 
   // rig_controller_frames.cpp: what comes and goes over the bus
   void receive_frames();
@@ -109,6 +116,7 @@ class RigController final {
   void check_save();
   void take_results();
   void run_schedule();
+  void send_waiting();
   void send_heartbeat();
   void send_status();
   void send_health();
@@ -117,24 +125,8 @@ class RigController final {
   void flush_queue();
   uint16_t fault_bits() const;
 
-  ControllerConfiguration configuration_;
+  // What every step looks at stands in front, the large things behind.
   Ports ports_;
-  Measurement measurement_;
-  Excitation excitation_;
-  Supervisor supervisor_;
-  TransmitQueue queue_;
-  DriveLink drive_;
-  SafeState safe_;
-  ReadyLamp lamp_;
-  BusMonitor bus_;
-  NodeSchedule schedule_;
-  NodeObjects objects_;
-  SdoServer sdo_;
-  WindowFrames windows_;
-  DescriptionFrames descriptions_;
-  AlarmQueue alarms_;
-
-  RawSample sample_;  // the last one; channels that are not there stay 0
   uint64_t now_ns_ = 0;
   uint64_t boot_ns_ = 0;
   bool booted_ = false;
@@ -145,6 +137,22 @@ class RigController final {
   uint16_t passing_faults_ = 0;  // seen since the last status frame
   uint32_t reported_drops_ = 0;
   uint32_t reported_overflows_ = 0;
+  RawSample sample_;  // the last one; channels that are not there stay 0
+  DriveLink drive_;
+  SafeState safe_;
+  ReadyLamp lamp_;
+  BusMonitor bus_;
+  NodeSchedule schedule_;
+  WindowFrames windows_;
+  DescriptionFrames descriptions_;
+  AlarmQueue alarms_;
+  Supervisor supervisor_;
+  ControllerConfiguration configuration_;
+  Excitation excitation_;
+  NodeObjects objects_;
+  SdoServer sdo_;
+  TransmitQueue queue_;
+  Measurement measurement_;
 };
 
 }  // namespace firmware

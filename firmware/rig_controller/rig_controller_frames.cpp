@@ -59,7 +59,6 @@ void RigController::follow(const NetworkCommand& command) {
 }
 
 void RigController::check_sync_edge() {
-  if (ports_.sync_edge == nullptr) return;
   hal::LineEdge edge;
   for (int taken = 0; taken < kEdgesPerStep && ports_.sync_edge->next_edge(edge); ++taken) {
     if (edge.rising && configuration_.node.sync_closes_window) measurement_.close_begun_window();
@@ -83,6 +82,11 @@ void RigController::run_schedule() {
     descriptions_.tell_parameters();
   }
   if (schedule_.five_seconds.due(now_ns_)) descriptions_.tell_channels();
+  schedule_.settle();
+}
+
+// What waits for room in the transmit queue, the most urgent last: it goes in front.
+void RigController::send_waiting() {
   windows_.send_some_floats();
   descriptions_.send_some();
   send_alarms();
@@ -163,7 +167,6 @@ void RigController::send_alarms() {
 // While the bus is away only the newest of each kind is kept; what has to be told again is told on its return.
 void RigController::flush_queue() {
   if (bus_.trial_due(now_ns_)) follow(bus_.answer(queue_.flush(ports_.can), now_ns_));
-  handle(safe_.check_delivery());
 }
 
 void RigController::follow(BusEvent event) {

@@ -4,8 +4,7 @@
 namespace firmware {
 
 // Whoever looks at the line acts on what it sees: a look cannot swallow a press.
-Alarm SafeState::look_at_line() {
-  if (!line_.pressed()) return Alarm{};
+Alarm SafeState::line_pressed() {
   pressed_ = true;
   if (latched_.cause == AlarmCause::kEmergencyStop) return Alarm{};
   return stop({AlarmCause::kEmergencyStop});

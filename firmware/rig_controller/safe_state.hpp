@@ -33,12 +33,13 @@ class SafeState {
   }
 
   // Each returns an alarm that stopped the rig just now; kNone where nothing did.
-  Alarm look_at_line();
+  Alarm look_at_line() { return line_.pressed() ? line_pressed() : Alarm{}; }
   Alarm energise();                               // kSafe -> kLive
   Alarm command(Drive drive, uint32_t sequence);  // in kLive
   Alarm check_delivery();                         // after the transmit queue was flushed
-  Alarm end();                                    // kLive -> kSafe: the programme is done, the drive is down to zero
-  Alarm stop(Alarm reason);                       // from any state: latched, outputs to zero and open at once
+  bool awaits_delivery() const { return state_ == State::kStopping || drive_.frame_waits(); }  // else it finds nothing
+  Alarm end();               // kLive -> kSafe: the programme is done, the drive is down to zero
+  Alarm stop(Alarm reason);  // from any state: latched, outputs to zero and open at once
 
   void make_safe();  // at start, and in every step of kStopping
   bool reset();  // kStopped -> kSafe. False: the line is or was pressed in this step, or the outputs are not safe yet
@@ -55,6 +56,7 @@ class SafeState {
   bool output_refuses() const { return state_ == State::kStopping && refused_; }
 
  private:
+  Alarm line_pressed();
   void settle();  // where relay and drive are to be safe: whether they are
 
   EmergencyLine line_;

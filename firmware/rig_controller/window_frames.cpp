@@ -8,6 +8,7 @@ namespace firmware {
 void WindowFrames::forget() {
   estimates_ = nullptr;
   judged_ = false;
+  next_float_ = floats_ = 0;
 }
 
 void WindowFrames::send(const Estimates& estimates, bool judged) {
@@ -15,6 +16,9 @@ void WindowFrames::send(const Estimates& estimates, bool judged) {
   estimates_ = &estimates;
   queue_.push(pack_window(node.node, window_result(estimates)));
   next_float_ = 0;
+  floats_ = !sends_float_estimates(configuration_) ? 0
+            : node.can_fd                          ? fd_frames(estimates.unknown_count)
+                                                   : estimates.unknown_count;
   if (node.can_fd) {
     for (int i = 0; i < fd_frames(estimates.unknown_count); ++i)
       queue_.push(pack_estimates_fd(node.node, i, estimates));
@@ -50,10 +54,8 @@ void WindowFrames::send_diagnosis() {
 }
 
 void WindowFrames::send_some_floats() {
-  if (estimates_ == nullptr || !sends_float_estimates(configuration_)) return;
   const NodeConfiguration& node = configuration_.node;
-  const int count = node.can_fd ? fd_frames(estimates_->unknown_count) : estimates_->unknown_count;
-  for (; next_float_ < count && queue_.has_room_for_more(); ++next_float_)
+  for (; next_float_ < floats_ && queue_.has_room_for_more(); ++next_float_)
     queue_.push(node.can_fd ? pack_estimates_float_fd(node.node, next_float_, *estimates_)
                             : pack_estimate_float(node.node, next_float_, estimates_->parameters[next_float_]));
 }

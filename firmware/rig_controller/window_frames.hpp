@@ -14,6 +14,7 @@ class WindowFrames {
 
   void send(const Estimates& estimates, bool judged);  // judged: its warrant is to be told too
   void send_some_floats();  // the estimates once more, a few at a time: they say nothing new, so all else goes first
+  bool floats_wait() const { return next_float_ < floats_; }
   void repeat_diagnosis();  // the last one, where there is one
   void forget();
 
@@ -27,7 +28,7 @@ class WindowFrames {
   const ControllerConfiguration& configuration_;
   TransmitQueue& queue_;
   const Estimates* estimates_ = nullptr;
-  int next_float_ = 0;  // float estimates still to send
+  int next_float_ = 0, floats_ = 0;  // frames of float estimates: the next one, and how many there are
   Diagnosis diagnosis_;
   bool judged_ = false;  // diagnosis_ holds a judgement of the last window
 };

@@ -36,37 +36,64 @@ void Supervisor::configure(const CoreConfiguration& core, const LimitConfigurati
       channel.limit = limits.response_limit_code[node][quantity];
       channel.node = static_cast<uint8_t>(node);
       channel.quantity = static_cast<uint8_t>(quantity);
+      channel.place = static_cast<uint16_t>(node * kQuantities + quantity);
+      has_limits_ = has_limits_ || channel.limit != 0;
     }
   }
+  alike_ = true;
+  for (int c = 1; c < channel_count_; ++c)
+    alike_ = alike_ && channel_[c].inside == channel_[0].inside && channel_[c].count == channel_[0].count;
 }
 
 void Supervisor::begin(uint64_t now_ns) {
   last_sample_ns_ = now_ns;
   last_step_ns_ = now_ns;
   for (Channel& channel : channel_) channel.saturated_in_row = 0;
+  any_in_row_ = false;
 }
 
 Alarm Supervisor::check_sample(const RawSample& sample, uint64_t now_ns, bool live) {
-  const bool has_time = sample.time_ns != 0 && sample.time_ns <= now_ns;
-  last_sample_ns_ = has_time ? sample.time_ns : now_ns;
-  Alarm alarm = check_sequence(sample, live);
-  if (live && over(now_ns - last_sample_ns_, limits_->sample_timeout_us) && !stops_drive(alarm.cause))
-    alarm = {AlarmCause::kSensorLost, milliseconds((now_ns - last_sample_ns_) / 1000)};
-  for (Channel *channel = channel_, *end = channel_ + channel_count_; channel != end; ++channel) {
-    const int32_t code = sample.code[channel->node][channel->quantity];
-    const bool saturated = static_cast<uint32_t>(code) - static_cast<uint32_t>(channel->inside) >= channel->count;
-    if (!saturated && channel->saturated_in_row == 0 && (!live || channel->limit == 0)) continue;
-    const Alarm found = judge_code(*channel, code, live);
-    if (stops_drive(found.cause) && !stops_drive(alarm.cause)) alarm = found;
-  }
-  return alarm;
-}
-
-Alarm Supervisor::check_sequence(const RawSample& sample, bool live) {
-  uint32_t missed = sequence_known_ ? sample.sequence - sequence_ - 1 : 0;
+  last_sample_ns_ = has_time(sample, now_ns) ? sample.time_ns : now_ns;
+  Alarm alarm;
+  const uint32_t missed = sequence_known_ ? sample.sequence - sequence_ - 1 : 0;
   sequence_known_ = true;
   sequence_ = sample.sequence;
-  if (missed == 0) return Alarm{};
+  if (missed != 0) alarm = judge_gap(missed, live);
+  if (live && over(now_ns - last_sample_ns_, limits_->sample_timeout_us) && !stops_drive(alarm.cause))
+    alarm = {AlarmCause::kSensorLost, milliseconds((now_ns - last_sample_ns_) / 1000)};
+  if (!any_in_row_ && !(live && has_limits_) && all_inside(sample)) return alarm;
+  const Alarm found = judge_codes(sample, live);
+  return found && !stops_drive(alarm.cause) ? found : alarm;
+}
+
+// The first alarm of a channel that stops the drive.
+Alarm Supervisor::judge_codes(const RawSample& sample, bool live) {
+  Alarm first;
+  any_in_row_ = false;
+  for (Channel *channel = channel_, *end = channel_ + channel_count_; channel != end; ++channel) {
+    const Alarm found = judge_code(*channel, sample.code[channel->node][channel->quantity], live);
+    any_in_row_ = any_in_row_ || channel->saturated_in_row != 0;
+    if (stops_drive(found.cause) && !first) first = found;
+  }
+  return first;
+}
+
+// No channel at a rail: the usual case.
+bool Supervisor::all_inside(const RawSample& sample) const {
+  const int32_t* code = &sample.code[0][0];
+  const Channel *channel = channel_, *end = channel_ + channel_count_;
+  if (alike_) {
+    const uint32_t inside = static_cast<uint32_t>(channel_->inside), count = channel_->count;
+    while (channel != end && static_cast<uint32_t>(code[channel->place]) - inside < count) ++channel;
+  } else {
+    while (channel != end &&
+           static_cast<uint32_t>(code[channel->place]) - static_cast<uint32_t>(channel->inside) < channel->count)
+      ++channel;
+  }
+  return channel == end;
+}
+
+Alarm Supervisor::judge_gap(uint32_t missed, bool live) {
   if (missed >= 0x80000000u)
     missed = 1;  // the counter stood still or went back: something is missing, how much is unknown
   counters_.missed_samples += missed;
@@ -88,10 +115,7 @@ Alarm Supervisor::judge_code(Channel& channel, int32_t code, bool live) {
   return at(AlarmCause::kResponseLimit, static_cast<uint32_t>(code), channel.node, channel.quantity);
 }
 
-Alarm Supervisor::check_time(uint64_t now_ns, bool live) {
-  const uint64_t since_step_ns = now_ns - last_step_ns_, since_sample_ns = now_ns - last_sample_ns_;
-  last_step_ns_ = now_ns;
-  if (!live) return Alarm{};
+Alarm Supervisor::judge_time(uint64_t since_step_ns, uint64_t since_sample_ns) const {
   if (over(since_step_ns, limits_->step_timeout_us)) return {AlarmCause::kStepLate, milliseconds(since_step_ns / 1000)};
   if (over(since_sample_ns, limits_->sample_timeout_us))
     return {AlarmCause::kSensorLost, milliseconds(since_sample_ns / 1000)};

@@ -2,6 +2,7 @@
 #include <new>
 
 #include "firmware/estimator_core.hpp"
+#include "hal/bare_metal/sliced_worker.hpp"
 #include "tests/bare_metal/script_reader.hpp"
 #include "tests/bare_metal/text_line.hpp"
 
@@ -36,6 +37,7 @@ Words read_words(const char* text) {
     words.untested = words.untested || named("untested");
     words.frames = words.frames || named("frames");
     words.slow = words.slow || named("slow");
+    words.sliced = words.sliced || named("sliced");
   }
   return words;
 }
@@ -49,7 +51,9 @@ bool run_core(Bytes& script, Text& out, WorkCounter& counter, const Words& words
       configuration.core, words.plain ? firmware::CoreDetail::kPlain : firmware::CoreDetail::kFull);
   if (!core.fits()) return false;
   firmware::RawSample sample;
-  static Cost push, solve;
+  static Cost push, solve, slice;
+  alignas(16) static uint8_t stack[kSolveStack];
+  static hal::SlicedWorker worker(stack, sizeof stack);
   uint8_t event = 0;
   while (reader.next(event) && event != 'Q') {
     if (event == 'S') {
@@ -60,9 +64,18 @@ bool run_core(Bytes& script, Text& out, WorkCounter& counter, const Words& words
       ++sample.sequence;
     } else if (event == 'W') {
       const uint32_t before = counter.now();
-      const firmware::Estimates& estimates = core.solve();
+      if (words.sliced) {
+        worker.start([](void* solved) { static_cast<firmware::EstimatorCore*>(solved)->solve(); }, &core);
+        while (!worker.done()) {
+          const uint32_t begun = counter.now();
+          worker.run_slice();
+          slice.add(counter.now() - begun);
+        }
+      } else {
+        core.solve();
+      }
       solve.add(counter.now() - before);
-      print_estimates(estimates, out);
+      print_estimates(core.estimates(), out);
     } else if (event == 'L') {
       core.begin_level();
     } else if (event == 'E') {
@@ -74,6 +87,7 @@ bool run_core(Bytes& script, Text& out, WorkCounter& counter, const Words& words
   push.print("push", out);
   if (push.total > 0) Line(out).add("median ").add(int64_t{push.median()});
   solve.print("solve", out);
+  slice.print("slice", out);
   return event == 'Q';
 }
 

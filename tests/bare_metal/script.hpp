@@ -43,8 +43,16 @@ struct Words {
   bool untested = false;  // "untested": without the score tests
   bool frames = false;    // "frames": the whole controller
   bool slow = false;      // "slow": first batches of 128 samples, not 32
+  bool sliced = false;    // "sliced": solves in slices (hal/bare_metal/sliced_worker.hpp)
 };
 Words read_words(const char* text);
+
+// Of a solve in slices. Where there is an operating system its own part of the machinery comes on top.
+#ifdef __linux__
+constexpr size_t kSolveStack = 256 * 1024;
+#else
+constexpr size_t kSolveStack = 8 * 1024;
+#endif
 
 // Runs the script through the core and prints each set of estimates as integers (mantissa:exponent), then what the path
 // cost: "push: count N total T worst W" and "solve: ..." in the counter's unit, where the counter counts.
@@ -52,7 +60,8 @@ Words read_words(const char* text);
 bool run_core(Bytes& script, Text& out, WorkCounter& counter, const Words& words);
 
 // Runs the script through a RigController that listens on command, one step() a sample, without a worker, and prints after
-// each level how many frames it has sent and their CRC-32 (identifiers, lengths and data), then what the steps cost.
+// each level how many frames it has sent and their CRC-32 (identifiers, lengths and data), then what the steps cost. With
+// "sliced" it has a worker, of which a few slices are run after each step.
 bool run_controller(Bytes& script, Text& out, WorkCounter& counter, const Words& words);
 
 inline bool run_script(Bytes& script, Text& out, WorkCounter& counter, const Words& words) {

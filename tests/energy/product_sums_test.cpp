@@ -35,9 +35,9 @@ TEST(ProductSums, HoldTheLongestBatchAtFullScale) {
   bench.sums->start(*bench.frame, kLeadIn);
   for (int block = 0; block < kMaxBatchSamples / kBlockSamples; ++block)
     bench.sums->add_block(*bench.frame, kLeadIn, kLeadIn + kBlockSamples);
-  bench.sums->stop(*bench.frame, kLeadIn);
-  EXPECT_EQ(bench.sums->sum(product), -10 * (int64_t{1} << 59));
-  EXPECT_EQ(bench.sums->ends_times_24(product), 0);  // the same values at both ends
+  const ProductSums::Sum closed = bench.sums->turn(product, *bench.frame, kLeadIn);
+  EXPECT_EQ(closed.sum, -10 * (int64_t{1} << 59));
+  EXPECT_EQ(closed.ends_times_24, 0);  // the same values at both ends
 }
 
 TEST(ProductSums, WholeAndPartBlocksGiveThe128BitSum) {
@@ -92,9 +92,10 @@ TEST(ProductSums, EndCorrectionsMakeTheTrapezoidOfFourthOrder) {
   for (int i = 0; i < kFrameStride; ++i) bench.frame->raw[0][i] = bench.frame->raw[1][i] = i - kLeadIn;
   bench.sums->start(*bench.frame, kLeadIn);
   bench.sums->add_block(*bench.frame, kLeadIn, kLeadIn + 4);
-  bench.sums->stop(*bench.frame, kLeadIn + 4);
-  EXPECT_EQ(bench.sums->sum(product), 14);
-  EXPECT_EQ(bench.sums->ends_times_24(product), 24 * 22 / 3);
+  const ProductSums::Sum closed = bench.sums->turn(product, *bench.frame, kLeadIn + 4);
+  EXPECT_EQ(closed.sum, 14);
+  EXPECT_EQ(closed.ends_times_24, 24 * 22 / 3);
+  EXPECT_EQ(bench.sums->sum(product), 0);  // the next window's
 }
 
 TEST(ProductSums, OnePairOfColumnsIsSummedOnce) {

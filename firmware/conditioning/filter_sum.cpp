@@ -1,0 +1,61 @@
+#include "firmware/conditioning/filter_sum.hpp"
+
+namespace firmware {
+namespace {
+
+// Steps of the loops below at a time, so that a small processor spends its time on products and not on counting.
+constexpr int kAtATime = 4;
+
+template <bool kOdd>
+int64_t folded_sum(const Tap* tap, const Code* middle, int half_length) {
+  int64_t sum = (tap[0] * middle[0]).raw;
+  const Code *newer = middle, *older = middle;
+  const Tap* last = tap + half_length;
+  for (; last - tap >= kAtATime; tap += kAtATime, newer += kAtATime, older -= kAtATime)
+#pragma GCC unroll 4
+    for (int k = 1; k <= kAtATime; ++k) sum += (tap[k] * (kOdd ? newer[k] - older[-k] : newer[k] + older[-k])).raw;
+  while (tap != last) {
+    const Code late = *++newer, early = *--older;
+    sum += (*++tap * (kOdd ? late - early : late + early)).raw;
+  }
+  return sum;
+}
+
+}  // namespace
+
+int parity_of(const Tap* tap, int half_length) {
+  bool even = half_length > 0, odd = even;
+  for (int k = 0; k <= half_length; ++k) {
+    const int32_t late = tap[half_length + k].raw, early = tap[half_length - k].raw;
+    even = even && late == early;
+    odd = odd && late == -early;
+  }
+  return even ? 1 : odd ? -1 : 0;
+}
+
+int64_t filter_sum(int parity, const Tap* tap, const Code* middle, int half_length) {
+  if (parity > 0) return folded_sum<false>(tap + half_length, middle, half_length);
+  if (parity < 0) return folded_sum<true>(tap + half_length, middle, half_length);
+  const Code* first = middle - half_length;
+  int64_t sum = 0;
+  for (int k = 0; k <= 2 * half_length; ++k) sum += (tap[k] * first[k]).raw;
+  return sum;
+}
+
+OddAndEven odd_and_even_sum(const Tap* odd_tap, const Tap* even_tap, const Code* middle, int half_length) {
+  const Tap *first = odd_tap + half_length, *second = even_tap + half_length, *last = first + half_length;
+  const Code *newer = middle, *older = middle;
+  OddAndEven sum = {0, (second[0] * middle[0]).raw};
+  const auto add = [&](int k) {
+    const Code late = newer[k], early = older[-k];
+    sum.odd += (first[k] * (late - early)).raw;
+    sum.even += (second[k] * (late + early)).raw;
+  };
+  for (; last - first >= kAtATime; first += kAtATime, second += kAtATime, newer += kAtATime, older -= kAtATime)
+#pragma GCC unroll 4
+    for (int k = 1; k <= kAtATime; ++k) add(k);
+  for (; first != last; ++first, ++second, ++newer, --older) add(1);
+  return sum;
+}
+
+}  // namespace firmware
