@@ -1,5 +1,7 @@
 #include "firmware/estimator_core.hpp"
 
+#include "firmware/fixed_point/work_meter.hpp"
+
 namespace firmware {
 namespace {
 
@@ -115,9 +117,11 @@ void EstimatorCore::move_on() {
   if (count == 0) return;
   filled_columns_ = 0;
   sums_.add_block(frame_, count);
+  report_work(150 * count);
   if (level_samples_ == aim_) {
     finish_closing();
     sums_.begin_close(frame_, kLeadIn + count);
+    report_work(4000);
     closing_ = true;
     closing_units_ = units_aimed_ - units_;
     units_ = units_aimed_;

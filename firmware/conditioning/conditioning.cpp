@@ -93,7 +93,6 @@ Conditioning::Path& Conditioning::add_path(int node, int quantity, int column) {
   Path& path = path_[path_count_++];
   path.node = static_cast<uint8_t>(node);
   path.quantity = static_cast<uint8_t>(quantity);
-  path.signal = &signal;
   path.channel = 0;
   for (int c = 0; c < channel_count_; ++c)
     if (channel_[c].place == node * kQuantities + signal.source) path.channel = static_cast<uint8_t>(c);
@@ -147,7 +146,7 @@ void Conditioning::share_histories() {
     for (int j = i - 1; j >= 0 && path.sections == 0; --j)
       if (path_[j].channel == path.channel && path_[j].sections == 0) path.history_of = static_cast<uint8_t>(j);
     path.middle = static_cast<uint8_t>(kHistory - (reach_ - path.early));
-    const int parity = parity_of(path.signal->tap, path.signal->half_length);
+    const int parity = parity_of(signal_of(path).tap, signal_of(path).half_length);
     path.parity = static_cast<int8_t>(path.sections == 0 ? parity : 0);  // integrals have no bit left for a sum
     path.turn = static_cast<uint8_t>(path.fused_with >= 0 ? kFused : kAlone);
     if (path.history_of == i) path.turn = static_cast<uint8_t>(path.turn | kKeepsHistory);
@@ -155,11 +154,11 @@ void Conditioning::share_histories() {
   for (int i = 0; i + 1 < path_count_; ++i) share_pass(path_[i], path_[i + 1]);
 }
 
-void Conditioning::share_pass(Path& velocity, Path& acceleration) {
+void Conditioning::share_pass(Path& velocity, Path& acceleration) const {
   const bool neighbours = velocity.quantity == static_cast<int>(Quantity::kVelocity) &&
                           acceleration.node == velocity.node && acceleration.column == velocity.column + kFrameStride;
   const bool alike = acceleration.history_of == velocity.history_of &&
-                     acceleration.signal->half_length == velocity.signal->half_length &&
+                     signal_of(acceleration).half_length == signal_of(velocity).half_length &&
                      velocity.early == acceleration.early;
   if (!neighbours || !alike || velocity.parity != -1 || acceleration.parity != 1 || velocity.turn & kFused) return;
   velocity.turn = static_cast<uint8_t>((velocity.turn & kKeepsHistory) | kWithNext);
@@ -247,14 +246,15 @@ const Code* Conditioning::middle_of_window(const Path& path) const {
 
 Code Conditioning::filtered(const Path& path) {
   const bool for_sign = path.column >= kSignVelocityColumn * kFrameStride;  // of which the limit does not matter
-  return rounded(filter_sum(path.parity, path.signal->tap, middle_of_window(path), path.signal->half_length),
-                 path.signal->shift, !for_sign);
+  const SignalConfiguration& signal = signal_of(path);
+  return rounded(filter_sum(path.parity, signal.tap, middle_of_window(path), signal.half_length), signal.shift,
+                 !for_sign);
 }
 
 // The acceleration's filter stands behind the velocity's.
 void Conditioning::filtered_pair(const Path& velocity, int32_t& v, int32_t& a) {
   static_assert(static_cast<int>(Quantity::kAcceleration) == static_cast<int>(Quantity::kVelocity) + 1, "neighbours");
-  const SignalConfiguration* signal = velocity.signal;
+  const SignalConfiguration* signal = &signal_of(velocity);
   const OddAndEven sum =
       odd_and_even_sum(signal[0].tap, signal[1].tap, middle_of_window(velocity), signal->half_length);
   v = rounded(sum.odd, signal[0].shift).raw;
@@ -263,7 +263,7 @@ void Conditioning::filtered_pair(const Path& velocity, int32_t& v, int32_t& a) {
 
 // The first slope is taken to have stood there for ever.
 Code Conditioning::fused(const Path& path) {
-  const SignalConfiguration& signal = *path.signal;
+  const SignalConfiguration& signal = signal_of(path);
   const FusionConfiguration& fusion = configuration_->fusion[path.node];
   FusionState& state = fusion_[kDerivesSignals ? path.node : 0];
   const int half = signal.half_length, middle = history_at_ + kHistory - reach_;

@@ -43,14 +43,13 @@ class Conditioning {
     uint8_t channel = 0;  // that it is made from
     // High-pass: differences come first, then integrations, all with the pole 1 - 2^-shift.
     uint8_t sections = 0, integrations = 0, shift = 0;
-    uint8_t early = 0;        // samples by which it comes before the others
-    uint8_t history_of = 0;   // the path that keeps the samples it is made from
-    uint8_t turn = 0;         // what is done for it with each sample
-    int8_t parity = 0;        // of the filter's taps (filter_sum.hpp)
-    uint8_t middle = 0;       // of its window, from the newest sample's place in the history
-    int16_t fused_with = -1;  // the path of the node's acceleration
-    uint16_t column = 0;      // of the frame, as so many numbers from its start
-    const SignalConfiguration* signal = nullptr;
+    uint8_t early = 0;                // samples by which it comes before the others
+    uint8_t history_of = 0;           // the path that keeps the samples it is made from
+    uint8_t turn = 0;                 // what is done for it with each sample
+    int8_t parity = 0;                // of the filter's taps (filter_sum.hpp)
+    uint8_t middle = 0;               // of its window, from the newest sample's place in the history
+    int16_t fused_with = -1;          // the path of the node's acceleration
+    uint16_t column = 0;              // of the frame, as so many numbers from its start
     Code history[2 * kHistory] = {};  // every entry twice, so that a window is contiguous
     State section[kMaxSections] = {};
     State previous[kMaxSections] = {};  // last input of a difference section
@@ -78,7 +77,10 @@ class Conditioning {
   static Code centred(const Channel& channel, int32_t code);
   void link_fused_paths();
   void share_histories();
-  static void share_pass(Path& velocity, Path& acceleration);
+  void share_pass(Path& velocity, Path& acceleration) const;
+  const SignalConfiguration& signal_of(const Path& path) const {
+    return configuration_->signals[path.node][path.quantity];
+  }
   const Code* middle_of_window(const Path& path) const;
   Code filtered(const Path& path);
   void filtered_pair(const Path& velocity, int32_t& v, int32_t& a);

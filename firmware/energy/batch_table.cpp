@@ -25,16 +25,7 @@ PackedScaled pack(Scaled value) {
   return {static_cast<int64_t>((static_cast<uint64_t>(mantissa) << 16) | static_cast<uint16_t>(exponent))};
 }
 
-// With the sum that it goes into.
-[[gnu::noinline, gnu::cold]] static Scaled reported_number(PackedScaled packed) {
-  return reported(130, [&] { return unpack(packed); });
-}
-[[gnu::noinline, gnu::cold]] static PackedScaled reported_sum(PackedScaled a, PackedScaled b) {
-  return reported(160, [&] { return a + b; });
-}
-
-Scaled unpack(PackedScaled packed) {
-  if (work_meter != nullptr) return reported_number(packed);
+[[gnu::noinline]] static Scaled unreported_number(PackedScaled packed) {
   const int64_t mantissa = packed.bits >> 16;
   const int32_t exponent = static_cast<int16_t>(packed.bits & 0xffff);
   if (mantissa == 0) return {};
@@ -42,11 +33,18 @@ Scaled unpack(PackedScaled packed) {
   return {mantissa * (int64_t{1} << kDroppedBits), exponent - kDroppedBits};
 }
 
+[[gnu::noinline, gnu::cold]] static Scaled reported_number(PackedScaled packed) {
+  report_work(130);  // with the sum that it goes into
+  return unreported_number(packed);
+}
+Scaled unpack(PackedScaled packed) {
+  return work_meter == nullptr ? unreported_number(packed) : reported_number(packed);
+}
+
 // Both mantissas are normal, 47 bits; Scaled's are these times 2^15.
-PackedScaled operator+(PackedScaled a, PackedScaled b) {
-  if (work_meter != nullptr) return reported_sum(a, b);
+[[gnu::noinline]] static PackedScaled unreported_sum(PackedScaled a, PackedScaled b) {
   int64_t left = a.bits >> 16, right = b.bits >> 16;
-  if (left == kLowest || right == kLowest) return pack(unpack(a) + unpack(b));
+  if (left == kLowest || right == kLowest) return pack(unreported_number(a) + unreported_number(b));
   if (left == 0) return b;
   if (right == 0) return a;
   int32_t exponent = static_cast<int16_t>(a.bits & 0xffff), other = static_cast<int16_t>(b.bits & 0xffff);
@@ -84,6 +82,14 @@ PackedScaled operator+(PackedScaled a, PackedScaled b) {
   }
   const auto normal = static_cast<int64_t>(value);
   return pack({sum < 0 ? -normal : normal, exponent - kDroppedBits});
+}
+
+[[gnu::noinline, gnu::cold]] static PackedScaled reported_sum(PackedScaled a, PackedScaled b) {
+  report_work(160);
+  return unreported_sum(a, b);
+}
+PackedScaled operator+(PackedScaled a, PackedScaled b) {
+  return work_meter == nullptr ? unreported_sum(a, b) : reported_sum(a, b);
 }
 
 }  // namespace firmware

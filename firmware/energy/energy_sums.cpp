@@ -1,5 +1,7 @@
 #include "firmware/energy/energy_sums.hpp"
 
+#include "firmware/fixed_point/work_meter.hpp"
+
 namespace firmware {
 namespace {
 
@@ -325,6 +327,7 @@ void EnergySums::convert(int product) {
 }
 
 bool EnergySums::go_on_closing(Batch& batch) {
+  report_work(1000);  // a solve may find a batch that is being closed
   if (converted_ < sums_.count()) {
     for (int n = 0; n < kProductsAPiece && converted_ < sums_.count(); ++n, ++converted_) convert(converted_);
     return false;

@@ -11,7 +11,7 @@ namespace {
 constexpr int kMantissaBits = 62;  // |mantissa| < 2^62
 constexpr int32_t kExponentLimit = 1 << 20;
 // What they take on a small processor, for what is done in slices.
-constexpr int32_t kProductWork = 140, kQuotientWork = 500, kRootWork = 800;
+constexpr int32_t kProductWork = 150, kQuotientWork = 800, kRootWork = 1000;
 constexpr int64_t kLargestMantissa = (int64_t{1} << kMantissaBits) - 1;
 
 int64_t with_sign(uint64_t value, bool negative) {
@@ -108,15 +108,17 @@ Scaled operator-(const Scaled& a, const Scaled& b) {
   return limited(value, exponent, negative);
 }
 
-[[gnu::noinline, gnu::cold]] static Scaled reported_product(const Scaled& a, const Scaled& b) {
-  return reported(kProductWork, [&] { return a * b; });
-}
-
-Scaled operator*(const Scaled& a, const Scaled& b) {
-  if (work_meter != nullptr) return reported_product(a, b);
+[[gnu::noinline]] static Scaled unreported_product(const Scaled& a, const Scaled& b) {
   if (a.mantissa == 0 || b.mantissa == 0) return {};
   return product(magnitude(a.mantissa), magnitude(b.mantissa), a.exponent + b.exponent,
                  (a.mantissa < 0) != (b.mantissa < 0));
+}
+[[gnu::noinline, gnu::cold]] static Scaled reported_product(const Scaled& a, const Scaled& b) {
+  report_work(kProductWork);
+  return unreported_product(a, b);
+}
+Scaled operator*(const Scaled& a, const Scaled& b) {
+  return work_meter == nullptr ? unreported_product(a, b) : reported_product(a, b);
 }
 
 Scaled times(const Scaled& a, int64_t n) {

@@ -22,20 +22,10 @@ class WorkMeter {
 // Of the calculation that runs; nullptr: it runs in one piece. Set by one thread alone, while it runs a slice.
 inline WorkMeter* work_meter = nullptr;
 
+// A function so short that a call in it would cost as much as it does hands over, where somebody listens, to one that reports and
+// then does the same; the last call of either is a jump.
 inline void report_work(int32_t instructions) {
   if (work_meter != nullptr) work_meter->spend(instructions);
-}
-
-// For functions so short that a call in front of them would cost as much as they do: where somebody listens, one of them hands
-// over to a function that reports for it and then calls it again. It must not report within itself.
-template <typename Function>
-auto reported(int32_t instructions, Function function) {
-  WorkMeter* const meter = work_meter;
-  meter->spend(instructions);
-  work_meter = nullptr;
-  const auto result = function();
-  work_meter = meter;
-  return result;
 }
 
 }  // namespace firmware

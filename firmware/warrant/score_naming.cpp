@@ -1,4 +1,5 @@
 // What is beyond chance and large enough, and which probe is named for it.
+#include "firmware/fixed_point/work_meter.hpp"
 #include "firmware/warrant/score_test.hpp"
 
 namespace firmware {
@@ -76,7 +77,7 @@ Scaled ScoreTest::terms_square(int number, bool own) const {
     if (!counts) continue;
     const Form form = term.kind == TermKind::kViscous ? Form::kRate : Form::kSign;
     const Scaled value = term.unknown >= 0 ? parameter_[term.unknown] : term.value;
-    for (int j = 0; j < plan.summed_count; ++j) {
+    for (int j = 0; j < plan.summed_count; ++j, report_work(20)) {
       const Place& at = plan.place[plan.probe[j].place];
       if (plan.probe[j].form == form && at.kind == PlaceKind::kLink && at.link == term.place)
         sum = sum + square(value) * abs(own_square_[j]);

@@ -1,5 +1,7 @@
 #include "firmware/warrant/score_table.hpp"
 
+#include "firmware/fixed_point/work_meter.hpp"
+
 namespace firmware {
 
 void ScoreTable::configure(int values) {
@@ -41,6 +43,7 @@ void ScoreTable::flush() {
     stretch_[count_++] = Stretch{static_cast<uint8_t>(level_), 0, 0};
     open_ = true;
   }
+  report_work(25 * values_);
   if (!merging_ && held_in_new_row_) append_row();
   for (int v = 0; v < values_; ++v) {
     if (merging_) {

@@ -1,5 +1,7 @@
 #include "firmware/warrant/score_test.hpp"
 
+#include "firmware/fixed_point/work_meter.hpp"
+
 namespace firmware {
 namespace {
 
@@ -14,7 +16,7 @@ bool ScoreTest::judge(const CoreConfiguration& configuration, const ScoreSums& s
   const ScoreTable& table = sums.table();
   stretches_ = table.stretches();
   const ProbePlan& plan = sums.plan();
-  for (int j = 0; j < plan.probe_count; ++j) score_[j] = ProbeScore{};
+  for (int j = 0; j < plan.probe_count; ++j, report_work(60)) score_[j] = ProbeScore{};
   if (!sums.scaled() || stretches_ < kLeastStretches) return false;
   unknowns_ = configuration.unknown_count;
   levels_ = 0;
@@ -25,6 +27,7 @@ bool ScoreTest::judge(const CoreConfiguration& configuration, const ScoreSums& s
     if (stretch.level != last && levels_ < kMaxLevels) ++levels_;
     last = stretch.level;
     level_of_[s] = static_cast<uint8_t>(levels_ - 1);
+    report_work(150);
     samples_ = samples_ + Scaled::from_int(static_cast<int64_t>(stretch.blocks) * kBlockSamples);
   }
   for (int k = 0; k < unknowns_; ++k) {
@@ -32,7 +35,7 @@ bool ScoreTest::judge(const CoreConfiguration& configuration, const ScoreSums& s
     determined_[k] = false;
     likely_bend_[k] = base_doubt_[k] = Scaled{};
     for (int j = 0; j < unknowns_; ++j) normal_[k][j] = Scaled{};
-    for (int s = 0; s < stretches_; ++s) base_score_[s][k] = Scaled{};
+    for (int s = 0; s < stretches_; ++s, report_work(15)) base_score_[s][k] = Scaled{};
   }
   for (int p = 0; p < plan.place_count; ++p) weigh(p);
   for (int j = 0; j < plan.base_count; ++j) add_base(plan.probe[j]);

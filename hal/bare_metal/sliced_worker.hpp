@@ -16,7 +16,7 @@ namespace hal {
 
 class SlicedWorker final : public Worker, private firmware::WorkMeter {
  public:
-  static constexpr int32_t kInstructionsPerSlice = 8000;  // as they are reported
+  static constexpr int32_t kInstructionsPerSlice = 6000;  // as they are reported
 
   // stack: as deep as a solve goes (docs/memory_budget.md) and what an interrupt takes; aligned to 8 bytes, outlives this.
   SlicedWorker(uint8_t* stack, size_t size, int32_t instructions_per_slice = kInstructionsPerSlice)

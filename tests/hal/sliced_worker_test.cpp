@@ -72,7 +72,7 @@ TEST(SlicedWorker, WhatRunsBetweenSlicesIsNotHeld) {
 }
 
 TEST(SlicedWorker, ArithmeticReportsItsWorkAndGivesTheSameNumbers) {
-  // 1 / 1 + 1 / 2 + ... + 1 / 40 by Scaled's division: 40 quotients of 500 instructions, held at each.
+  // 1 / 1 + 1 / 2 + ... + 1 / 40 by Scaled's division: 40 quotients of 800 instructions, held at each.
   struct Harmonic {
     firmware::Scaled sum;
     static void add(void* argument) {
