@@ -1,5 +1,7 @@
 #include "firmware/identification/bias_check.hpp"
 
+#include "firmware/fixed_point/work_meter.hpp"
+
 namespace firmware {
 namespace {
 
@@ -64,7 +66,7 @@ void compare_with_plain(const EquationList& list, LevelColumns& level, int l, We
     return batch_residual(fit.layout(), batch, plain, fit.parameters()) -
            batch_residual(fit.layout(), batch, list.equation[e], fit.parameters());
   });
-  for (int b = 0; b < batches; ++b)
+  for (int b = 0; b < batches; ++b, report_work(40 + 40 * list.unknown_count))
     for (int k = 0; k < list.unknown_count; ++k) result.moment[b][k] = PackedScaled{};
   for (int e = 0; e < list.count; ++e) add_equation(list, level, fit.whitening(l, e), e, fit, result);
   add_level(list, fit.equations(), batches, result);
