@@ -3,6 +3,7 @@
 
 #include "advice.hpp"
 #include "answer/common_lag.hpp"
+#include "answer/hum.hpp"
 #include "answer/rows_borne_out.hpp"
 
 namespace diagnosis {
@@ -68,6 +69,7 @@ Diagnosis diagnose(const rig_file::RigModel& rig, const std::vector<host_sim::Re
   }
   runs::name_holds(task, d);
   runs::say_common_lag(task, d);
+  runs::say_shared_hum(d);
   for (const std::string& advice : advice_for(d)) d.advice.push_back(advice);
   progress(1);
   return d;

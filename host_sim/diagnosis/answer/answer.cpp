@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "../terms/naming.hpp"
+#include "hum.hpp"
 
 namespace diagnosis::runs {
 namespace {
@@ -222,6 +223,7 @@ void answer(const Task& task, const Choice& choice, Diagnosis& d) {
     d.verdict = noise || motion_error(task, choice.base) < kAsGoodAsRight ? Verdict::kNone : Verdict::kUnknown;
   }
   if (choice.base_fits_nothing && choice.named.empty()) say_cannot_describe(task, choice, d);
+  name_hum(task, choice.final_left, d);
   keep_rejected(d);
 }
 

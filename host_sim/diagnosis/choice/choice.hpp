@@ -34,6 +34,13 @@ struct WithMotion {
   double z = 0;        // of its mean over windows, as a normal deviate
 };
 
+// A channel's line at the mains' frequency.
+struct Hum {
+  double hertz = 0, amplitude = 0;  // 0: none; of the channel, SI units
+  double over = 0;                  // the level around
+  bool driven = false;              // something drives the rig there: a model's error may look so
+};
+
 // What is left, channel by channel.
 struct Left {
   Vec noise;         // mean square of what looks like noise: the level above the motion's band
@@ -42,6 +49,7 @@ struct Left {
   // Highest single line of a residual's spectrum in that band over the level around it, mains left out; and that of
   // those at which nothing drives the rig.
   double line = 0, foreign_line = 0;
+  std::vector<Hum> hum;
   WithMotion with_motion;
   double worst() const { return in_band.size() ? in_band.maxCoeff() : 0; }
 };

@@ -5,24 +5,15 @@
 #include <random>
 
 #include "../record/fourier.hpp"
+#include "lines.hpp"
 #include "with_motion.hpp"
 
 namespace diagnosis::runs {
 namespace {
 
-constexpr double kAboveMotion = 1.4;       // times its highest frequency: the band that shows noise alone
-constexpr double kMedianOfSpread = 0.693;  // of an exponential law, per mean
-constexpr double kBeyondNoise = 3;      // in the band of the motion over beside it: 0.95 to 1.05 on complete drawn rigs
-constexpr double kGoesWithMotion = 3;   // standard errors
-constexpr double kLine = 25;            // over the level around: chance makes one in e^25 of a spectrum's bins
-constexpr Index kAround = 40;           // bins on either side
-constexpr double kMainsWidth_Hz = 0.2;  // of the mains' frequency and its multiples
-
-double median(std::vector<double> v) {
-  if (v.empty()) return 0;
-  std::nth_element(v.begin(), v.begin() + static_cast<std::ptrdiff_t>(v.size() / 2), v.end());
-  return v[v.size() / 2];
-}
+constexpr double kAboveMotion = 1.4;   // times its highest frequency: the band that shows noise alone
+constexpr double kBeyondNoise = 3;     // in the band of the motion over beside it: 0.95 to 1.05 on complete drawn rigs
+constexpr double kGoesWithMotion = 3;  // standard errors
 
 // A record whose forces and bases carry another white noise of the same level beside their own.
 class DriveNoise {
@@ -74,21 +65,6 @@ Vec spectrum(const std::vector<double>& rows) {
   return Fourier(n).forward(Vec::Map(rows.data(), static_cast<Index>(n))).cwiseAbs2() / static_cast<double>(n);
 }
 
-bool of_mains(double hertz, double bin_Hz) {
-  for (double mains : {50.0, 60.0}) {
-    const double order = std::round(hertz / mains);
-    if (order >= 1 && std::abs(hertz - order * mains) < kMainsWidth_Hz * order + 2 * bin_Hz) return true;
-  }
-  return false;
-}
-
-double over_level_around(const Vec& power, Index i) {
-  std::vector<double> around;
-  for (Index k = std::max<Index>(1, i - kAround); k <= std::min(power.size() - 1, i + kAround); ++k)
-    if (std::abs(k - i) > 2) around.push_back(power[k]);
-  return power[i] * kMedianOfSpread / std::max(1e-300, median(around));
-}
-
 // What drives the rig, laid end to end as the residuals are.
 std::vector<Vec> drives(const std::vector<Prepared>& records, const std::vector<Window>& windows) {
   std::vector<Vec> list;
@@ -103,21 +79,6 @@ std::vector<Vec> drives(const std::vector<Prepared>& records, const std::vector<
     if (!rows.empty()) list.push_back(spectrum(rows));
   }
   return list;
-}
-
-// Highest lines between two bins over the median level around them.
-void highest_lines(const Vec& power, Index from, Index to, double bin_Hz, const std::vector<Vec>& driving, Left& left) {
-  for (Index i = std::max<Index>(from, 3); i < std::min(to, power.size()); ++i) {
-    if (power[i] < power[i - 1] || (i + 1 < power.size() && power[i] < power[i + 1])) continue;
-    if (of_mains(static_cast<double>(i) * bin_Hz, bin_Hz)) continue;
-    const double line = over_level_around(power, i);
-    left.line = std::max(left.line, line);
-    const bool driven = std::any_of(driving.begin(), driving.end(), [&](const Vec& p) {
-      return i + 1 < p.size() &&
-             over_level_around(p, i - 1) + over_level_around(p, i) + over_level_around(p, i + 1) > kLine;
-    });
-    if (!driven) left.foreign_line = std::max(left.foreign_line, line);
-  }
 }
 
 // What the model leaves of each channel, windows end to end, and what noise of the drives would make of it.
@@ -191,6 +152,7 @@ Left left_by(const System& system, const std::vector<Prepared>& records, const S
     left.noise[static_cast<Index>(c)] = level + pushed_level / static_cast<double>(pushed[c].size());
     left.in_band[static_cast<Index>(c)] = inside.empty() || allowed <= 0 ? 1 : sum / allowed;
     highest_lines(p, static_cast<Index>(low_Hz / bin), static_cast<Index>(top_Hz / bin), bin, driving, left);
+    left.hum.push_back(hum_in(p, n, step, driving));
   }
   if (left.worst() > kBeyondNoise && left.line < kLine && !over.massless)
     left.with_motion = with_motion(system, records, state);

@@ -1,0 +1,75 @@
+#include "hum.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace diagnosis::runs {
+namespace {
+
+constexpr double kOneOfThem = 3;  // times the hum of any other channel, each over its own signal: then it is this one's
+
+std::string unit_of(const MotionTrace& t) {
+  constexpr const char *kUnits[] = {"m", "m/s", "m/s^2"}, *kAngles[] = {"rad", "rad/s", "rad/s^2"};
+  return (t.channel.find("_rad") != std::string::npos ? kAngles : kUnits)[t.quantity];
+}
+
+Cause cause_of(const MotionTrace& t, const Hum& hum) {
+  Cause c;
+  c.effect = "mains_hum", c.where = "channel " + t.channel;
+  c.significance = hum.over, c.taken_out = true;
+  c.parameters.push_back({"mains_hum[" + t.channel + "]", hum.amplitude, unit_of(t), 0, true});
+  c.parameters.push_back({"mains_frequency[" + t.channel + "]", hum.hertz, "Hz", 0, false});
+  return c;
+}
+
+}  // namespace
+
+void name_hum(const Task& task, const Left& left, Diagnosis& d) {
+  const std::vector<MotionTrace>& traces = task.records[0].traces;
+  if (left.hum.size() != traces.size() || traces.size() < 2) return;  // without masses the residuals are forces
+  size_t worst = 0, with_hum = 0;
+  std::vector<double> share(traces.size());  // of the signal
+  for (size_t i = 0; i < traces.size(); ++i) {
+    const Vec& y = traces[i].y;
+    const double rms = std::sqrt((y.array() - y.mean()).square().mean());
+    share[i] = rms > 0 ? left.hum[i].amplitude / rms : 0;
+    with_hum += share[i] > 0;
+    if (share[i] > share[worst]) worst = i;
+  }
+  if (with_hum == 0) return;
+  double next = 0;
+  for (size_t i = 0; i < share.size(); ++i)
+    if (i != worst) next = std::max(next, share[i]);
+  const bool borne_out = std::any_of(traces.begin(), traces.end(), [&](const MotionTrace& t) {
+    return t.dof == traces[worst].dof && t.quantity != traces[worst].quantity;
+  });
+  if (share[worst] > kOneOfThem * next && (borne_out || !left.hum[worst].driven)) {
+    d.causes.push_back(cause_of(traces[worst], left.hum[worst]));
+    if (d.verdict == Verdict::kNone) d.verdict = Verdict::kExplained;
+    return;
+  }
+  if (left.hum[worst].driven) return;
+  char text[120];
+  std::snprintf(text, sizeof text,
+                "a hum of %.0f Hz lies on %zu of %zu motion channels: it is left out of the judgement",
+                left.hum[worst].hertz, with_hum, traces.size());
+  d.advice.push_back(text);
+}
+
+void say_shared_hum(Diagnosis& d) {
+  const auto is_hum = [](const auto& c) { return c.effect == "mains_hum"; };
+  const auto channels = std::count_if(d.causes.begin(), d.causes.end(), is_hum);
+  if (channels < 2) return;
+  d.causes.erase(std::remove_if(d.causes.begin(), d.causes.end(), is_hum), d.causes.end());
+  d.ambiguous_with.erase(std::remove_if(d.ambiguous_with.begin(), d.ambiguous_with.end(), is_hum),
+                         d.ambiguous_with.end());
+  d.advice.push_back("mains hum lies on " + std::to_string(channels) +
+                     " channels or more: it is the room's, and left out of the judgement");
+  if (d.verdict == Verdict::kAmbiguous && d.ambiguous_with.empty()) d.verdict = Verdict::kExplained;
+  if (!d.causes.empty()) return;
+  d.baseline.parameters = d.extended.parameters;
+  d.verdict = d.verdict == Verdict::kPartly ? Verdict::kUnknown : Verdict::kNone;
+}
+
+}  // namespace diagnosis::runs

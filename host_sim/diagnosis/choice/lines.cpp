@@ -1,0 +1,74 @@
+#include "lines.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace diagnosis::runs {
+namespace {
+
+constexpr Index kAround = 40;           // bins on either side
+constexpr double kMainsWidth_Hz = 0.2;  // of the mains' frequency and its multiples
+constexpr Index kLeakage = 2;           // bins that a line between two of them spreads over, on either side
+
+bool of_mains(double hertz, double bin_Hz) {
+  for (double mains : {50.0, 60.0}) {
+    const double order = std::round(hertz / mains);
+    if (order >= 1 && std::abs(hertz - order * mains) < kMainsWidth_Hz * order + 2 * bin_Hz) return true;
+  }
+  return false;
+}
+
+double over_level_around(const Vec& power, Index i) {
+  std::vector<double> around;
+  for (Index k = std::max<Index>(1, i - kAround); k <= std::min(power.size() - 1, i + kAround); ++k)
+    if (std::abs(k - i) > 2) around.push_back(power[k]);
+  return power[i] * kMedianOfSpread / std::max(1e-300, median(around));
+}
+
+bool any_drives(const std::vector<Vec>& driving, Index i) {
+  return std::any_of(driving.begin(), driving.end(), [&](const Vec& p) {
+    return i >= 1 && i + 1 < p.size() &&
+           over_level_around(p, i - 1) + over_level_around(p, i) + over_level_around(p, i + 1) > kLine;
+  });
+}
+
+}  // namespace
+
+double median(std::vector<double> v) {
+  if (v.empty()) return 0;
+  std::nth_element(v.begin(), v.begin() + static_cast<std::ptrdiff_t>(v.size() / 2), v.end());
+  return v[v.size() / 2];
+}
+
+// Highest lines between two bins over the median level around them.
+void highest_lines(const Vec& power, Index from, Index to, double bin_Hz, const std::vector<Vec>& driving, Left& left) {
+  for (Index i = std::max<Index>(from, 3); i < std::min(to, power.size()); ++i) {
+    if (power[i] < power[i - 1] || (i + 1 < power.size() && power[i] < power[i + 1])) continue;
+    if (of_mains(static_cast<double>(i) * bin_Hz, bin_Hz)) continue;
+    const double line = over_level_around(power, i);
+    left.line = std::max(left.line, line);
+    if (!any_drives(driving, i)) left.foreign_line = std::max(left.foreign_line, line);
+  }
+}
+
+Hum hum_in(const Vec& power, size_t samples, double step_s, const std::vector<Vec>& driving) {
+  Hum best;
+  const double n = static_cast<double>(samples), bin_Hz = 1 / (n * step_s);
+  for (double mains : {50.0, 60.0}) {
+    const Index from = std::max<Index>(3, static_cast<Index>((mains - kMainsWidth_Hz) / bin_Hz)),
+                to = std::min(power.size() - 1 - kLeakage, static_cast<Index>((mains + kMainsWidth_Hz) / bin_Hz) + 1);
+    if (from > to) continue;
+    Index peak = from;
+    for (Index i = from; i <= to; ++i)
+      if (power[i] > power[peak]) peak = i;
+    const double over = over_level_around(power, peak);
+    if (over < kLine) continue;
+    // a sine of amplitude A has the power A^2 n / 4
+    const double line = power.segment(peak - kLeakage, 2 * kLeakage + 1).sum() * (1 - 1 / over);
+    const double amplitude = 2 * std::sqrt(line / n);
+    if (amplitude > best.amplitude) best = {mains, amplitude, over, any_drives(driving, peak)};
+  }
+  return best;
+}
+
+}  // namespace diagnosis::runs

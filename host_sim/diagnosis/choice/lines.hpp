@@ -1,0 +1,21 @@
+// Single lines in the spectrum of what a model leaves.
+#pragma once
+#include <vector>
+
+#include "choice.hpp"
+
+namespace diagnosis::runs {
+
+constexpr double kMedianOfSpread = 0.693;  // of an exponential law, per mean
+constexpr double kLine = 25;               // over the level around: chance makes one in e^25 of a spectrum's bins
+
+double median(std::vector<double> values);
+
+// Highest lines between two bins over the median level around them, mains left out; `driving`: spectra of what drives the
+// rig.
+void highest_lines(const Vec& power, Index from, Index to, double bin_Hz, const std::vector<Vec>& driving, Left& left);
+
+// The line at 50 or 60 Hz, where there is one. power: of `samples` values, per sample.
+Hum hum_in(const Vec& power, size_t samples, double step_s, const std::vector<Vec>& driving);
+
+}  // namespace diagnosis::runs

@@ -1,0 +1,91 @@
+// Mains hum that a model leaves over: of one channel, of all of them.
+#include "host_sim/diagnosis/answer/hum.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "host_sim/diagnosis/choice/lines.hpp"
+#include "host_sim/diagnosis/record/fourier.hpp"
+
+namespace diagnosis::runs {
+namespace {
+
+constexpr size_t kSamples = 10000;  // 10 s at 1 kHz: bins of 0.1 Hz
+
+// A sine between two bins in noise of unit variance.
+Vec power_of(double amplitude, double hertz) {
+  std::mt19937_64 random(3);
+  std::normal_distribution<double> normal;
+  Vec y(static_cast<Index>(kSamples));
+  for (Index i = 0; i < y.size(); ++i)
+    y[i] = normal(random) + amplitude * std::sin(6.283185307179586 * hertz * 1e-3 * static_cast<double>(i));
+  return Fourier(kSamples).forward(y).cwiseAbs2() / static_cast<double>(kSamples);
+}
+
+// Half a bin beside a bin five bins hold all but 6 % of a line's power: 3 % of its amplitude.
+TEST(Hum, AmplitudeIsThatOfTheSine) {
+  EXPECT_NEAR(hum_in(power_of(2, 50.0), kSamples, 1e-3, {}).amplitude, 2, 0.05);
+  EXPECT_NEAR(hum_in(power_of(2, 59.95), kSamples, 1e-3, {}).amplitude, 2, 0.1);
+  EXPECT_EQ(hum_in(power_of(2, 59.95), kSamples, 1e-3, {}).hertz, 60);
+}
+
+TEST(Hum, NoiseAndOtherLinesAreNone) {
+  EXPECT_EQ(hum_in(power_of(0, 50), kSamples, 1e-3, {}).amplitude, 0);
+  EXPECT_EQ(hum_in(power_of(2, 52), kSamples, 1e-3, {}).amplitude, 0);
+}
+
+// One DOF with displacement and velocity of unit variance.
+struct OneDof {
+  System system;
+  std::vector<Prepared> records = std::vector<Prepared>(1);
+  OneDof() {
+    Vec y(2);
+    y << -1, 1;
+    records[0].traces = {{0, 0, "displacement_1_m", y}, {0, 1, "velocity_1_m_s", y}};
+  }
+  Diagnosis with(double of_displacement, double of_velocity, bool driven) const {
+    Left left;
+    left.hum = {{50, of_displacement, 30, driven}, {50, of_velocity, 30, driven}};
+    Diagnosis d;
+    name_hum(Task{system, records, 1}, left, d);
+    return d;
+  }
+};
+
+TEST(Hum, OfOneChannelIsItsFault) {
+  const OneDof rig;
+  const Diagnosis d = rig.with(0.1, 0.01, true);
+  ASSERT_EQ(d.causes.size(), 1u);
+  EXPECT_EQ(d.causes[0].where, "channel displacement_1_m");
+  EXPECT_EQ(d.causes[0].parameters[0].value, 0.1);
+  EXPECT_EQ(d.verdict, Verdict::kExplained);
+}
+
+TEST(Hum, OfAllChannelsIsTheRooms) {
+  const OneDof rig;
+  EXPECT_TRUE(rig.with(0.1, 0.08, false).causes.empty());
+  EXPECT_EQ(rig.with(0.1, 0.08, false).advice.size(), 1u);
+  EXPECT_TRUE(rig.with(0.1, 0.08, true).advice.empty());  // the rig may answer so to what drives it
+}
+
+TEST(Hum, NamedForTwoChannelsIsTheRooms) {
+  Diagnosis d;
+  d.verdict = Verdict::kAmbiguous;
+  Cause c;
+  c.effect = "mains_hum", c.where = "channel force_1_N";
+  d.causes = {c};
+  say_shared_hum(d);
+  EXPECT_EQ(d.causes.size(), 1u);
+  c.where = "channel acceleration_1_m_s2";
+  d.causes.push_back(c);
+  d.ambiguous_with = {{"mains_hum", "channel displacement_1_m"}};
+  say_shared_hum(d);
+  EXPECT_TRUE(d.causes.empty());
+  EXPECT_TRUE(d.ambiguous_with.empty());
+  EXPECT_EQ(d.verdict, Verdict::kNone);
+}
+
+}  // namespace
+}  // namespace diagnosis::runs
