@@ -94,7 +94,9 @@ struct WindowConfiguration {
   uint32_t batch_samples = 0;
 };
 
-constexpr uint16_t kAllProbes = 65535;  // every candidate on every sample, whatever it costs
+// What the score tests may cost a sample, apart from a number of products (firmware/warrant/probe_budget.hpp):
+constexpr uint16_t kAllProbes = 65535;      // every candidate on every sample
+constexpr uint16_t kDefaultProbes = 65534;  // the same at the start of each level, then 1.6 times the core
 
 // What the score tests' instruments share with a node's own signals through filters (firmware/warrant/shared_noise.hpp): mean
 // products of noise, SI units. An instrument is interpolated from the four neighbours on either side.
@@ -137,7 +139,7 @@ struct CoreConfiguration {
   bool filters_sign() const { return high_pass_order > 0 || sign_half_length > 0; }
   WindowConfiguration window;
   // What the score tests (firmware/warrant) may cost: products of two numbers a sample; 0: no tests.
-  uint16_t probe_products_per_sample = kAllProbes;
+  uint16_t probe_products_per_sample = kDefaultProbes;
 };
 
 // Fills signals with plain copies of the measured channels.

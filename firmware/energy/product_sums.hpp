@@ -23,6 +23,8 @@ constexpr int16_t kNoProduct = -1;
 
 // Sum of a[i] * b[i] over kBlockSamples entries, exact in int64.
 int64_t dot_block(const int32_t* a, const int32_t* b);
+// sum[k] += the same of shared and other[k], for count of them.
+void add_dots(const int32_t* shared, const int32_t* const* other, int count, int64_t* sum);
 
 class ProductSums {
  public:

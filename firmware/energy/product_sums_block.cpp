@@ -65,6 +65,20 @@ int64_t dot_block(const int32_t* a, const int32_t* b) {
   return static_cast<int64_t>(offset_dot(a, b) - offsets);
 }
 
+void add_dots(const int32_t* __restrict shared, const int32_t* const* other, int count, int64_t* sum) {
+  const uint64_t whole = static_cast<uint64_t>(kBlockSamples) * kOffset * kOffset - kOffset * offset_sum(shared);
+  for (int k = 0; k < count; ++k) {
+    const int32_t* __restrict of = other[k];
+    uint64_t products = 0, offsets = 0;
+    for (int i = 0; i < kBlockSamples; ++i) {
+      const uint32_t number = offset_binary(of[i]);
+      products += static_cast<uint64_t>(offset_binary(shared[i])) * number;
+      offsets += number;
+    }
+    sum[k] += static_cast<int64_t>(products - kOffset * offsets + whole);
+  }
+}
+
 void ProductSums::finish_plan() {
   column_count_ = 0;
   for (int i = 0; i < product_count_; ++i)
@@ -92,6 +106,16 @@ void ProductSums::add_whole_block(const Frame& frame, int from) {
 #else
 
 int64_t dot_block(const int32_t* a, const int32_t* b) { return dot1(a, b); }
+
+void add_dots(const int32_t* shared, const int32_t* const* other, int count, int64_t* sum) {
+  int k = 0;
+  for (; k + 3 <= count; k += 3) {
+    int64_t three[3];
+    dot3(shared, other + k, three);
+    for (int i = 0; i < 3; ++i) sum[k + i] += three[i];
+  }
+  for (; k < count; ++k) sum[k] += dot1(shared, other[k]);
+}
 
 void ProductSums::group_around(int column, bool (&done)[kMaxProducts]) {
   Group group = {};

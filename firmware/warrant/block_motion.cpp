@@ -142,6 +142,14 @@ void BlockMotion::fill_acceleration(int dof) {
   }
 }
 
+void BlockMotion::fill_neighbours() {
+  for (int row = 0; row < kMaxNodes * kQuantities; ++row) {
+    if (signal_unit_[row].is_zero()) continue;
+    const int32_t* of = signal(row);
+    for (int n = 0; n < kBlockSamples; ++n) near_[row][n] = between_neighbours_q3(of + n);
+  }
+}
+
 void BlockMotion::fill_link(int l) {
   const NodeDifference &u = elongation_[l], &w = rate_[l];
   for (int n = 0; n < kBlockSamples; ++n)
@@ -184,6 +192,7 @@ void BlockMotion::fill_known(int i) {
 void BlockMotion::fill_columns() {
   for (int i = 0; i < configuration_->dof_count; ++i)
     if (derives_acceleration_[i]) fill_acceleration(i);
+  fill_neighbours();
   for (int e = 0; e < effects_; ++e)
     for (int n = 0; n < kBlockSamples; ++n) column_[kForceLawColumn + e][n] = force_law_[e][kProbeLead + n];
   for (int i = 0; i < configuration_->dof_count; ++i) {

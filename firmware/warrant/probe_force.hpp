@@ -23,7 +23,8 @@ struct PlaceMotion {
   int32_t instrument[2][kBlockSamples];
   int32_t own[2][kBlockSamples];
   int32_t slope[2][kBlockSamples], own_slope[2][kBlockSamples];  // DOFs only
-  bool used[kBlockSamples];
+  int32_t own_sign[kBlockSamples];                               // of the rate, Q20; not of DOFs
+  int32_t used[kBlockSamples];                                   // all bits, or none
 };
 
 void fill_motion(const BlockMotion& block, const Place& place, const PlaceScale& scale, PlaceMotion& motion);

@@ -7,6 +7,8 @@ namespace {
 constexpr int kLeastFreedom = 2;
 constexpr int kLeastShareLog2 = -6;  // of a force, not taken up by the estimated terms
 
+// A budget that leaves samples out leaves a force nearer to chance than the estimates' own samples would: the limit of what is
+// likely shrinks by the root of the share that was looked at.
 // Of the limit beyond which a force is no chance, from which on it may well be there: 4 deviations where the scatter is well known,
 // which 80 right probes reach in one of 200 records.
 constexpr int kLikelyPercent = 88;
@@ -96,7 +98,7 @@ void ScoreTest::bend_base(Scaled* bent) const {
 
 void ScoreTest::keep_likely_bend(int number) {
   const ProbeScore& score = score_[number];
-  if (abs(score.wald) * score.std < detectable(number) * Scaled::ratio(kLikelyPercent, 100)) return;
+  if (abs(score.wald) * score.std < detectable(number) * seen_root_ * Scaled::ratio(kLikelyPercent, 100)) return;
   for (int k = 0; k < unknowns_; ++k) {
     const Scaled bent = abs(score.effect * bend_[k]);
     if (bent > likely_bend_[k]) likely_bend_[k] = bent;

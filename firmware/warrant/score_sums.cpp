@@ -35,7 +35,7 @@ Scaled slow_rate_noise(const CoreConfiguration& configuration, int node, int32_t
 
 void ScoreSums::configure(const CoreConfiguration& configuration, const Scaled* effect_unit, const ClearSigns& signs) {
   configuration_ = &configuration;
-  budget_ = configuration.probe_products_per_sample;
+  budget_.configure(configuration);
   make_probe_plan(configuration, kMostProbeValues, plan_);
   block_.configure(configuration, effect_unit, signs);
   noise_.configure(configuration, block_.known());
@@ -67,6 +67,11 @@ void ScoreSums::configure(const CoreConfiguration& configuration, const Scaled* 
 }
 
 void ScoreSums::clear() {
+  offered_ = 0;
+  forget();
+}
+
+void ScoreSums::forget() {
   table_.clear();
   scaled_ = false;
   scale_blocks_ = 0;
@@ -90,6 +95,7 @@ void ScoreSums::begin_level() {
 void ScoreSums::offer(const Frame& frame, int count) {
   const uint32_t start = time_;
   time_ += static_cast<uint32_t>(count);
+  offered_ += static_cast<uint64_t>(count);
   if (configuration_->probe_products_per_sample == 0 || plan_.probe_count == 0) return;
   if (busy_) {  // the block at hand takes longer: the next one starts anew
     block_.restart();
@@ -109,7 +115,7 @@ void ScoreSums::offer(const Frame& frame, int count) {
 
 void ScoreSums::start_block() {
   block_.fill_columns();
-  if (scaled_ && outgrown()) clear();
+  if (scaled_ && outgrown()) forget();
   if (!scaled_) {
     measure_scales();
     return block_.keep_tail();
@@ -119,7 +125,7 @@ void ScoreSums::start_block() {
   motion_place_ = -1;
   const int columns = kColumnCost * (configuration_->link_count + configuration_->dof_count);
   needed_ = static_cast<uint32_t>(columns * kBlockSamples) + cost(plan_.probe[order_[0]]);
-  if (configuration_->probe_products_per_sample == kAllProbes) finish();
+  if (budget_.whole(time_)) finish();
 }
 
 void ScoreSums::measure_scales() {
@@ -127,9 +133,9 @@ void ScoreSums::measure_scales() {
     for (int q = 0; q < 2; ++q) {
       const NodeDifference& d = scale_[p].difference[q];
       if (!scale_[p].present[q]) continue;
-      const int32_t *a = block_.signal(d.column_a), *b = block_.signal(d.column_b);
+      const int32_t *a = block_.between_neighbours(d.column_a), *b = block_.between_neighbours(d.column_b);
       for (int n = 0; n < kBlockSamples; ++n) {
-        const int64_t value = smoothed(d, a, b, n) >> kScaleShift;
+        const int64_t value = smoothed(d, a[n], b[n]) >> kScaleShift;
         square_[p][q] += value * value;
       }
     }
@@ -182,9 +188,9 @@ bool ScoreSums::outgrown() const {
       if (!scale.present[q] || bits >= 26) continue;
       const int64_t most = int64_t{1} << (bits > 0 ? bits : 0);
       const NodeDifference& d = scale.difference[q];
-      const int32_t *a = block_.signal(d.column_a), *b = block_.signal(d.column_b);
+      const int32_t *a = block_.between_neighbours(d.column_a), *b = block_.between_neighbours(d.column_b);
       for (int n = 0; n < kBlockSamples; n += 4)
-        if (size_of(smoothed(d, a, b, n)) > most) return true;
+        if (size_of(smoothed(d, a[n], b[n])) > most) return true;
     }
   return false;
 }
@@ -213,19 +219,20 @@ void ScoreSums::work_on(const Probe& probe) {
   motion_place_ = probe.place;
   alignas(16) int32_t phi[kBlockSamples], own[kBlockSamples];
   fill_force(probe.form, scale, motion_, phi, own);
-  int value = probe.first_value;
-  for (int e = 0; e < place.equations; ++e)
-    table_.current(value++) += dot_block(phi, block_.column(kKnownColumn + place.dof[e]));
-  for (int k = 0; k < place.columns; ++k)
-    table_.current(value++) += dot_block(phi, block_.column(unknown_column_[place.unknown[k]]));
-  table_.current(value) += dot_block(phi, own);
+  const int32_t* with[kPlaceEquations + kMaxPlaceColumns + 1];
+  int values = 0;
+  for (int e = 0; e < place.equations; ++e) with[values++] = block_.column(kKnownColumn + place.dof[e]);
+  for (int k = 0; k < place.columns; ++k) with[values++] = block_.column(unknown_column_[place.unknown[k]]);
+  with[values++] = own;
+  add_dots(phi, with, values, &table_.current(probe.first_value));
+  const int value = probe.first_value + values - 1;
   if (plan_.slopes > 0) sum_slopes(probe.form, scale, motion_, &table_.current(value + 1), &table_.current(value + 2));
 }
 
 void ScoreSums::end_block() {
   busy_ = false;
   table_.add_block(block_time_);
-  if (configuration_->probe_products_per_sample == kAllProbes) return block_.keep_tail();
+  if (budget_.whole(time_)) return block_.keep_tail();
   block_.restart();
   random_ = random_ * 1664525u + 1013904223u;
   skip_ = random_ >> 30;  // 0 to 3

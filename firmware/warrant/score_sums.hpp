@@ -2,6 +2,7 @@
 // of products a sample. Where the budget is short, blocks are left out between two that are worked on, a random number of
 // them, so that a periodic motion is met at every phase.
 #pragma once
+#include "firmware/warrant/probe_budget.hpp"
 #include "firmware/warrant/probe_force.hpp"
 #include "firmware/warrant/score_table.hpp"
 #include "firmware/warrant/shared_noise.hpp"
@@ -19,7 +20,7 @@ class ScoreSums {
   void offer(const Frame& frame, int count);
   void work() {  // once a sample
     table_.advance();
-    if (busy_ && (credit_ += budget_) >= needed_) go_on();
+    if (busy_ && (credit_ += budget_.products()) >= needed_) go_on();
   }
   bool merging() const { return table_.merging(); }
   void flush() {  // the table is about to be read
@@ -30,7 +31,8 @@ class ScoreSums {
 
   const ProbePlan& plan() const { return plan_; }
   const ScoreTable& table() const { return table_; }
-  bool scaled() const { return scaled_; }  // the probes' own units are known: there are sums
+  uint64_t offered() const { return offered_; }  // samples, looked at or not
+  bool scaled() const { return scaled_; }        // the probes' own units are known: there are sums
   // SI unit of a probe's sums, per equation, per column of its place, of its own force, and of its slopes.
   Scaled unit(const Probe& probe, int value) const;
   Scaled force_unit(const Probe& probe) const;
@@ -38,6 +40,7 @@ class ScoreSums {
   Scaled noise_share(const Probe& probe, int slope, int value, SharedNoise::Of of) const;
 
  private:
+  void forget();  // the sums, not that there were samples
   void start_block();
   void measure_scales();
   void set_scales();
@@ -63,9 +66,11 @@ class ScoreSums {
   int next_ = 0;  // in order_
   int motion_place_ = -1;
   PlaceMotion motion_;
-  uint32_t budget_ = 0, credit_ = 0;    // products a sample; those that may be done
-  uint32_t needed_ = 0;                 // for the next probe, with what its block took before it
-  uint32_t skip_ = 0, random_ = 1;      // blocks to leave out
+  ProbeBudget budget_;
+  uint32_t credit_ = 0;             // products that may be done
+  uint32_t needed_ = 0;             // for the next probe, with what its block took before it
+  uint32_t skip_ = 0, random_ = 1;  // blocks to leave out
+  uint64_t offered_ = 0;
   uint32_t time_ = 0, block_time_ = 0;  // samples since the level's start
 };
 

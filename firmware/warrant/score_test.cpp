@@ -30,6 +30,8 @@ bool ScoreTest::judge(const CoreConfiguration& configuration, const ScoreSums& s
     report_work(150);
     samples_ = samples_ + Scaled::from_int(static_cast<int64_t>(stretch.blocks) * kBlockSamples);
   }
+  const Scaled offered = Scaled::from_int(static_cast<int64_t>(sums.offered()));
+  seen_root_ = samples_ < offered ? sqrt(samples_ / offered) : Scaled::from_int(1);
   for (int k = 0; k < unknowns_; ++k) {
     parameter_[k] = estimates.parameters[k].value;
     determined_[k] = false;

@@ -47,7 +47,8 @@ class ScoreTest {
   Scaled force_ratio(int probe) const;
   // The smallest effect of a tested probe that would be told from chance.
   Scaled detectable(int probe) const;
-  // How far a force that is likely (near the limit of chance) and yet not beyond chance would bend the unknown, at the most.
+  // How far a force that is likely (near the limit of chance, had every sample been looked at) and yet not beyond chance would
+  // bend the unknown, at the most.
   Scaled likely_bend(int unknown) const { return likely_bend_[unknown]; }
   // What the instrument of the score tests says of an unknown, less the estimate; 0 where it cannot say.
   Scaled difference(int unknown) const { return difference_[unknown]; }
@@ -97,7 +98,8 @@ class ScoreTest {
   Scaled own_square_[kMaxProbes];  // sum of own forces squared, SI
   Scaled difference_[kMaxUnknowns], difference_std_[kMaxUnknowns], difference_doubt_[kMaxUnknowns];
   Scaled likely_bend_[kMaxUnknowns];
-  Scaled samples_;
+  Scaled samples_;    // looked at
+  Scaled seen_root_;  // root of their share of all
   int best_ = -1, rival_ = -1;
 };
 

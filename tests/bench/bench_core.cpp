@@ -18,8 +18,6 @@
 
 namespace {
 
-constexpr uint16_t kSmallBudget =
-    10;  // products a sample for the score tests of a small board: 1.6 times the core at the most
 constexpr int kDofs[] = {1, 2, 3, 4, 8, 16};
 
 void core(benchmark::State& state, int dofs, firmware::CoreDetail detail, uint16_t probe_products = 0) {
@@ -84,7 +82,7 @@ void print_table(const std::vector<Result>& results) {
     std::printf("%4d %8.2f %10.2f %11.2f %13.2f %12.2f %16.1f %14.2f\n", d, at("core", d) / d, at("core_full", d) / d,
                 at("double_rls", d) / d, at("double_batch", d) / d, at("double_sums", d) / d,
                 at("double_rls", d) / at("core", d), at("core_full", d) / at("core", d));
-  std::printf("score tests over core_full: %d products a sample", static_cast<int>(kSmallBudget));
+  std::printf("core with score tests over core_full: default budget");
   for (int d : kDofs) std::printf(" %.2f", at("core_warrant", d) / at("core_full", d));
   std::printf("; all");
   for (int d : kDofs) std::printf(" %.2f", at("core_warrant_all", d) / at("core_full", d));
@@ -136,7 +134,8 @@ int main(int argc, char** argv) {
     };
     add("core", [d](benchmark::State& s) { core(s, d, firmware::CoreDetail::kPlain); });
     add("core_full", [d](benchmark::State& s) { core(s, d, firmware::CoreDetail::kFull); });
-    add("core_warrant", [d](benchmark::State& s) { core(s, d, firmware::CoreDetail::kFull, kSmallBudget); });
+    add("core_warrant",
+        [d](benchmark::State& s) { core(s, d, firmware::CoreDetail::kFull, firmware::kDefaultProbes); });
     add("core_warrant_all",
         [d](benchmark::State& s) { core(s, d, firmware::CoreDetail::kFull, firmware::kAllProbes); });
     add("double_rls", [d](benchmark::State& s) { baseline<bench::RecursiveLeastSquares>(s, d); });

@@ -79,7 +79,7 @@ class BoardFileTest : public testing::Test {
 };
 
 TEST_F(BoardFileTest, TheBudgetOfTheModelTestsIsAKey) {
-  EXPECT_EQ(read(kGood).controller.core.probe_products_per_sample, firmware::kAllProbes);
+  EXPECT_EQ(read(kGood).controller.core.probe_products_per_sample, firmware::kDefaultProbes);
   std::string text = kGood;
   text.replace(text.find("id = 3"), 6, "id = 3\nprobe_products_per_sample = 140");
   EXPECT_EQ(read(text).controller.core.probe_products_per_sample, 140);

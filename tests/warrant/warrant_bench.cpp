@@ -141,14 +141,14 @@ int main(int argc, char** argv) try {
   int draws = 20;
   bool tell = false;
   std::string page;
-  unsigned budget = 65535;
+  uint16_t budget = 65535;
   app.add_option("--condition", names, "conditions; all");
   app.add_option("--sensors", sensors, "sensor sets");
   app.add_option("--hidden", settings.hidden, "an effect, any, two or none");
   app.add_option("--masses", settings.masses, "how many; 0: as the condition draws");
   app.add_option("--first", first, "first seed");
   app.add_option("--draws", draws, "rigs per condition and sensor set");
-  app.add_option("--budget", budget, "probe_products_per_sample");
+  app.add_option("--budget", budget, "probe_products_per_sample; 65535: all, 65534: a board's default");
   app.add_flag("--tell", tell, "every record");
   app.add_option("--page", page, "Markdown page whose part below \"## Measured\" is written anew, from --draws");
   CLI11_PARSE(app, argc, argv);
@@ -168,8 +168,7 @@ int main(int argc, char** argv) try {
       settings.condition = name;
       settings.sensors = set;
       for (int d = 0; d < draws; ++d) {
-        const RecordOutcome o =
-            warrant_test::outcome_of(first + static_cast<uint64_t>(d), settings, static_cast<uint16_t>(budget));
+        const RecordOutcome o = warrant_test::outcome_of(first + static_cast<uint64_t>(d), settings, budget);
         if (tell) std::printf("%s", warrant_test::describe(o).c_str());
         count.add(o);
         all.add(o);

@@ -186,6 +186,51 @@ TEST(Warrant, OneToneAtOneLevelIsUntested) {
   EXPECT_EQ(one.core->estimates().parameters[0].status, EstimateStatus::kUntested);
 }
 
+uint32_t blocks(const CoreRun& run) {
+  uint32_t sum = 0;
+  const firmware::ScoreTable& table = run.core->score_tests().sums().table();
+  for (int s = 0; s < table.stretches(); ++s) sum += table.stretch(s).blocks;
+  return sum;
+}
+
+// The default looks at every sample of a level's start, 32768 of them in 1024 blocks of 32, and at some of what follows. A record
+// that is no longer has the same answer as with all; 12 and 5 products a DOF leave most of the rest out.
+TEST(Warrant, TheDefaultBudgetLooksAtAllOfALevelsStart) {
+  Settings settings;
+  settings.hidden = "cubic_stiffness";
+  settings.masses = 1;
+  const hidden_rig::Draw draw = hidden_rig::make_draw(8210, settings);  // 20 s at 1 kHz
+  const CoreRun all = run_core(draw), usual = run_core(draw, firmware::kDefaultProbes);
+  EXPECT_EQ(blocks(usual), blocks(all));
+  settings.condition = "seconds_120";
+  const hidden_rig::Draw long_draw = hidden_rig::make_draw(8210, settings);
+  const CoreRun of_long = run_core(long_draw, firmware::kDefaultProbes);
+  EXPECT_TRUE(suspect(of_long.core->estimates()));
+  EXPECT_GT(blocks(of_long), 1024u);
+  EXPECT_LT(blocks(of_long), 1024u + (120000u / 32u - 1024u) / 8u);
+}
+
+// What a budget leaves out could hold a force that bends a coefficient: then it is UNTESTED, not VALID.
+TEST(Warrant, WhatABudgetCannotTestIsNotValid) {
+  int wrong = 0, untested = 0, wrong_without = 0;
+  for (const char* hidden : {"quadratic_damping", "cubic_damping", "displacement_dependent_damping"})
+    for (uint64_t seed = 8220; seed < 8224; ++seed) {
+      Settings settings;
+      settings.hidden = hidden;
+      settings.rho_low = 0.2;
+      settings.masses = 2;
+      const hidden_rig::Draw draw = hidden_rig::make_draw(seed, settings);
+      const CoreRun some = run_core(draw, 30), none = run_core(draw, 0);
+      wrong += valid_and_wrong(draw, some.core->estimates()) > 0;
+      wrong_without += valid_and_wrong(draw, none.core->estimates()) > 0;
+      for (int k = 0; k < some.core->estimates().unknown_count; ++k)
+        untested += some.core->estimates().parameters[k].status == EstimateStatus::kUntested;
+    }
+  EXPECT_LE(wrong, 1);
+  EXPECT_GT(untested, 0);
+  EXPECT_GT(wrong_without, 4);  // there was something to say
+}
+
 // A budget leaves blocks out; what is strong is seen all the same, and the estimates keep every bit.
 TEST(Warrant, ABudgetCostsSensitivityNotEstimates) {
   Settings settings;
@@ -197,12 +242,6 @@ TEST(Warrant, ABudgetCostsSensitivityNotEstimates) {
   EXPECT_TRUE(suspect(whole.core->estimates()));
   EXPECT_TRUE(suspect(some.core->estimates()));
   EXPECT_FALSE(none.core->estimates().warrant.tested);
-  const auto blocks = [](const CoreRun& run) {
-    uint32_t sum = 0;
-    const firmware::ScoreTable& table = run.core->score_tests().sums().table();
-    for (int s = 0; s < table.stretches(); ++s) sum += table.stretch(s).blocks;
-    return sum;
-  };
   EXPECT_LT(blocks(some), blocks(whole) / 4);
   for (int k = 0; k < whole.core->estimates().unknown_count; ++k) {
     const firmware::ParameterEstimate &a = whole.core->estimates().parameters[k],

@@ -128,7 +128,7 @@ BoardFile read_board_file(const std::string& path) {
   board.controller.core = rig_file::compile_rig(board.rig, 1.0 / board.samples.rate_Hz, read_channels(root, board));
   read_excitation(path, root, drive, board.samples.rate_Hz, cycle_Hz, board.controller);
   board.controller.core.probe_products_per_sample = static_cast<uint16_t>(
-      node_section(path, root).whole("probe_products_per_sample", firmware::kAllProbes, 0, firmware::kAllProbes));
+      node_section(path, root).whole("probe_products_per_sample", firmware::kDefaultProbes, 0, firmware::kAllProbes));
   require_stop(drive, board);
   fit_float_estimates(board);
   return board;

@@ -120,6 +120,7 @@ Estimation estimate_as_told(const rig_file::RigModel& model, const std::vector<R
       rig_file::compile_rig(model, records.front().sample_period_s, calibrations);
   fit_signals_to(records, calibrations, configuration);
   configuration.window = window_of(records.front(), options);
+  configuration.probe_products_per_sample = firmware::kAllProbes;  // no next sample waits
   std::ostringstream log_text;
   can_log::LogWriter log(log_text, "can0");
   firmware::ControllerConfiguration controller =
