@@ -7,11 +7,6 @@ namespace {
 constexpr int kLeastFreedom = 2;
 constexpr int kLeastShareLog2 = -6;  // of a force, not taken up by the estimated terms
 
-// A budget that leaves samples out leaves a force nearer to chance than the estimates' own samples would: the limit of what is
-// likely shrinks by the root of the share that was looked at.
-// Of the limit beyond which a force is no chance, from which on it may well be there: 4 deviations where the scatter is well known,
-// which 80 right probes reach in one of 200 records.
-constexpr int kLikelyPercent = 88;
 constexpr int kMostInGroup = 8, kLeastGroups = 5;
 
 Scaled square(Scaled value) { return value * value; }
@@ -96,9 +91,13 @@ void ScoreTest::bend_base(Scaled* bent) const {
   }
 }
 
-void ScoreTest::keep_likely_bend(int number) {
+void ScoreTest::keep_bends(int number) {
   const ProbeScore& score = score_[number];
-  if (abs(score.wald) * score.std < detectable(number) * seen_root_ * Scaled::ratio(kLikelyPercent, 100)) return;
+  for (int k = 0; k < unknowns_; ++k) {
+    const Scaled possible = (abs(score.effect) + score.std) * abs(bend_[k]);
+    if (possible > possible_bend_[k]) possible_bend_[k] = possible;
+  }
+  if (!likely(number)) return;
   for (int k = 0; k < unknowns_; ++k) {
     const Scaled bent = abs(score.effect * bend_[k]);
     if (bent > likely_bend_[k]) likely_bend_[k] = bent;
@@ -190,7 +189,7 @@ void ScoreTest::test(int number) {
   result.std = sqrt(variance) / sum_d;
   result.wald = quotient(sum_psi.is_negative() ? -sure : sure, sqrt(variance));
   result.plain = sum_psi / sqrt(result.before);
-  keep_likely_bend(number);
+  keep_bends(number);
 }
 
 }  // namespace firmware

@@ -45,11 +45,12 @@ class ScoreTest {
   Scaled rate_kurtosis(int link) const;
   // rms force of a probe's effect over that of the dampers beside it.
   Scaled force_ratio(int probe) const;
-  // The smallest effect of a tested probe that would be told from chance.
-  Scaled detectable(int probe) const;
-  // How far a force that is likely (near the limit of chance, had every sample been looked at) and yet not beyond chance would
-  // bend the unknown, at the most.
+  // The probe's force is near the limit of chance, or would be had every sample been looked at.
+  bool likely(int probe) const;
+  // How far a force that is likely and yet not beyond chance would bend the unknown, at the most.
   Scaled likely_bend(int unknown) const { return likely_bend_[unknown]; }
+  // How far a tested force may bend the unknown for all that the record says, at the most: what is found of it, and its deviation.
+  Scaled possible_bend(int unknown) const { return possible_bend_[unknown]; }
   // What the instrument of the score tests says of an unknown, less the estimate; 0 where it cannot say.
   Scaled difference(int unknown) const { return difference_[unknown]; }
   Scaled difference_std(int unknown) const { return difference_std_[unknown]; }
@@ -71,7 +72,7 @@ class ScoreTest {
   void find_answers(const Probe& probe);
   void share_out(const Probe& probe);
   void bend_base(Scaled* bent) const;
-  void keep_likely_bend(int probe);
+  void keep_bends(int probe);
   void judge_size(int number);
   void name();
   Scaled damping_square(int place) const;
@@ -97,7 +98,7 @@ class ScoreTest {
   ProbeScore score_[kMaxProbes];
   Scaled own_square_[kMaxProbes];  // sum of own forces squared, SI
   Scaled difference_[kMaxUnknowns], difference_std_[kMaxUnknowns], difference_doubt_[kMaxUnknowns];
-  Scaled likely_bend_[kMaxUnknowns];
+  Scaled likely_bend_[kMaxUnknowns], possible_bend_[kMaxUnknowns];
   Scaled samples_;    // looked at
   Scaled seen_root_;  // root of their share of all
   int best_ = -1, rival_ = -1;

@@ -92,6 +92,13 @@ bool may_be_bent(const ScoreTest& test, int unknown, const ParameterEstimate& pa
          bend * Scaled::from_int(kBendShare) > abs(parameter.value);
 }
 
+// Wrong is what is over 5 % and over 4 deviations off. A record that says of no force whether it is there must exclude at the
+// least those that would do twice that.
+bool could_be_wrong(const ScoreTest& test, int unknown, const ParameterEstimate& parameter) {
+  const Scaled bend = test.possible_bend(unknown);
+  return bend > parameter.std * Scaled::from_int(8) && bend * Scaled::from_int(10) > abs(parameter.value);
+}
+
 bool is_damping(TermKind kind) { return kind != TermKind::kMass && !row_of(kind).nature.conservative; }
 
 bool one_amplitude(const CoreConfiguration& configuration, const ScoreTest& test, int unknown) {
@@ -126,7 +133,8 @@ void give_verdict(const CoreConfiguration& configuration, const ScoreSums& sums,
       continue;
     }
     if (test.best() >= 0) raise(parameter, EstimateStatus::kModelSuspect);
-    if (may_be_bent(test, k, parameter)) raise(parameter, EstimateStatus::kUntested);
+    if (may_be_bent(test, k, parameter) || could_be_wrong(test, k, parameter))
+      raise(parameter, EstimateStatus::kUntested);
     if (instruments_differ(test, k, parameter)) raise(parameter, EstimateStatus::kBiasSuspect);
     // A second level asks the model another question.
     if (state.levels == 1 && one_amplitude(configuration, test, k)) raise(parameter, EstimateStatus::kUntested);
