@@ -37,16 +37,17 @@ enum class Form : uint8_t {
 };
 constexpr bool needs_rate(Form form) { return form >= Form::kRate && form <= Form::kSignElongation; }
 
-constexpr int kMaxPlaces = 2 * kMaxLinks + kMaxDofs;
+constexpr int kMaxPlaces = 2 * kMaxLinks + kMaxDofs;  // what does not fit is not tested
 constexpr int kPlaceEquations = 2;
 constexpr int kMaxPlaceColumns =
     kMaxUnknowns < 24 ? kMaxUnknowns : 24;  // unknowns in a place's equations; a place with more is not probed
 
-enum class PlaceKind : uint8_t { kLink, kNoLink, kDof };
+// kBaseEnd: the base's end of a link, where its channels alone are the motion: late or with another gain than the DOFs'.
+enum class PlaceKind : uint8_t { kLink, kNoLink, kDof, kBaseEnd };
 
 struct Place {
   PlaceKind kind = PlaceKind::kLink;
-  uint8_t link = 0;  // kLink
+  uint8_t link = 0;  // kLink, kBaseEnd
   uint8_t node_a = 0, node_b = kGroundNode;
   uint8_t equations = 0;
   uint8_t dof[kPlaceEquations] = {};

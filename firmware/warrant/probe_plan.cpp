@@ -48,6 +48,7 @@ class Planner {
   void places() {
     for (int l = 0; l < c_.link_count; ++l) add_place(PlaceKind::kLink, l, c_.links[l].node_a, c_.links[l].node_b);
     for (int i = 0; i < c_.dof_count; ++i) add_place(PlaceKind::kDof, 0, i, kGroundNode);
+    for (int l = 0; l < c_.link_count; ++l) add_base_end(l);
     for (int i = 0; i < c_.dof_count; ++i) add_missing(i, kGroundNode);
     for (int i = 0; i < c_.dof_count; ++i)
       for (int j = i + 1; j < c_.dof_count; ++j)
@@ -75,6 +76,9 @@ class Planner {
       if (place.kind == PlaceKind::kNoLink) {
         add(p, Form::kRate, cause_of(EffectKind::kMissingViscous), kNoQuantity, -1);
         add(p, Form::kSign, cause_of(EffectKind::kMissingCoulomb), kNoQuantity, -1);
+      } else if (place.kind == PlaceKind::kBaseEnd) {
+        add(p, Form::kRate, cause_of(EffectKind::kSensorDelay), measured_quantity(kBaseNode), -1);
+        add(p, Form::kElongation, cause_of(EffectKind::kSensorGain), measured_quantity(kBaseNode), -1);
       } else if (place.kind == PlaceKind::kDof) {
         // An acceleration that is made from velocities here shares their noise with its neighbours, and has no channel.
         if (c_.signals[place.node_a][static_cast<int>(Quantity::kAcceleration)].available) {
@@ -122,13 +126,29 @@ class Planner {
     if (plan_.place_count < kMaxPlaces && !joined(a, b)) add_place(PlaceKind::kNoLink, 0, a, b);
   }
 
+  // A base that is read tau late leaves -k tau v of the base in the other end's equation.
+  void add_base_end(int l) {
+    const LinkConfiguration& link = c_.links[l];
+    if (!kHasBase || plan_.place_count == kMaxPlaces) return;
+    if (link.node_a == kBaseNode) add_place(PlaceKind::kBaseEnd, l, kGroundNode, link.node_b);
+    if (link.node_b == kBaseNode) add_place(PlaceKind::kBaseEnd, l, kGroundNode, link.node_a);
+  }
+  uint8_t measured_quantity(int node) const {
+    const auto present = [&](Quantity q) { return c_.channels[node][static_cast<int>(q)].present; };
+    if (present(Quantity::kDisplacement)) return static_cast<uint8_t>(Quantity::kDisplacement);
+    if (present(Quantity::kVelocity)) return static_cast<uint8_t>(Quantity::kVelocity);
+    return static_cast<uint8_t>(Quantity::kAcceleration);
+  }
+
+  // a, b: the ends that have equations.
   void add_place(PlaceKind kind, int link, int a, int b) {
     Place& place = plan_.place[plan_.place_count];
     place = Place{};
     place.kind = kind;
     place.link = static_cast<uint8_t>(link);
-    place.node_a = static_cast<uint8_t>(a);
-    place.node_b = static_cast<uint8_t>(b);
+    const bool base = kind == PlaceKind::kBaseEnd;
+    place.node_a = static_cast<uint8_t>(base ? kBaseNode : a);
+    place.node_b = static_cast<uint8_t>(base ? kGroundNode : b);
     const int ends[2] = {a, b};
     for (int e = 0; e < 2; ++e) {
       if (ends[e] >= c_.dof_count) continue;

@@ -53,6 +53,21 @@ bool pushes(const CoreConfiguration& configuration, const ProbePlan& plan, const
   return false;
 }
 
+// A damper or friction that no link has and that would push, or a mass below nothing: what is seen there is another cause.
+bool impossible(const CoreConfiguration& configuration, const ProbePlan& plan, const Probe& probe,
+                const ProbeScore& score, const Scaled* parameter) {
+  const Place& place = plan.place[probe.place];
+  const Scaled most = score.effect + scale_by_power_of_two(score.std, 1);
+  if (place.kind == PlaceKind::kNoLink) return most.is_negative();
+  if (place.kind != PlaceKind::kDof || probe.form != Form::kAcceleration) return false;
+  for (int t = 0; t < configuration.term_count; ++t) {
+    const Term& term = configuration.terms[t];
+    if (term.kind != TermKind::kMass || term.place != place.node_a) continue;
+    return (most + (term.unknown >= 0 ? parameter[term.unknown] : term.value)).is_negative();
+  }
+  return false;
+}
+
 }  // namespace
 
 // A budget that leaves samples out leaves a force nearer to chance than the estimates' own samples would: the limit shrinks
@@ -142,7 +157,12 @@ void ScoreTest::name() {
   bool any = false;
   for (int j = 0; j < plan.probe_count; ++j) any = any || score_[j].flagged;
   if (!any) return;
+  bool any_possible = false;
+  for (int j = 0; j < plan.probe_count; ++j)
+    any_possible =
+        any_possible || (score_[j].flagged && !impossible(*configuration_, plan, plan.probe[j], score_[j], parameter_));
   const auto sees = [&](int j) {
+    if (any_possible && impossible(*configuration_, plan, plan.probe[j], score_[j], parameter_)) return false;
     return score_[j].flagged || (score_[j].matters && abs(score_[j].wald) > Scaled::from_int(kNamingLimit));
   };
   const auto better = [&](int j, int than) { return than < 0 || score_[j].gain > score_[than].gain; };

@@ -17,7 +17,30 @@ const Term* term_of(const CoreConfiguration& configuration, int unknown) {
   return nullptr;
 }
 
-Finding finding_of(const ProbePlan& plan, const ScoreTest& test, int probe) {
+// The known or estimated coefficient of a kind at a place; 0: there is none.
+Scaled coefficient_at(const CoreConfiguration& configuration, const Estimates& estimates, TermKind kind, int place) {
+  for (int t = 0; t < configuration.term_count; ++t) {
+    const Term& term = configuration.terms[t];
+    if (term.kind != kind || term.place != place) continue;
+    return term.unknown < 0 ? term.value : estimates.parameters[term.unknown].value;
+  }
+  return {};
+}
+
+// What a unit of the probe's force is of a channel fault: seconds, or the share of what the channel says that is not so.
+Scaled fault_unit(const CoreConfiguration& configuration, const Estimates& estimates, const Probe& probe,
+                  const Place& place) {
+  const auto per = [](Scaled a, Scaled b) { return b.is_zero() ? Scaled{} : a / b; };
+  const Scaled mass = coefficient_at(configuration, estimates, TermKind::kMass, place.node_a);
+  const Scaled stiffness = coefficient_at(configuration, estimates, TermKind::kStiffness, place.link);
+  if (place.kind == PlaceKind::kBaseEnd) return per(Scaled::from_int(probe.form == Form::kRate ? 1 : -1), stiffness);
+  if (probe.form == Form::kJerk) return per(configuration.sample_period_s, mass);
+  if (probe.form == Form::kForceRate) return -configuration.sample_period_s;
+  return Scaled::from_int(1);
+}
+
+Finding finding_of(const CoreConfiguration& configuration, const Estimates& estimates, const ProbePlan& plan,
+                   const ScoreTest& test, int probe) {
   Finding finding;
   if (probe < 0) return finding;
   const Probe& p = plan.probe[probe];
@@ -25,9 +48,16 @@ Finding finding_of(const ProbePlan& plan, const ScoreTest& test, int probe) {
   finding.cause = p.cause;
   finding.quantity = p.quantity;
   finding.node_a = static_cast<int8_t>(place.node_a);
-  if (place.kind != PlaceKind::kDof) finding.node_b = static_cast<int8_t>(place.node_b);
-  finding.size = test.score(probe).effect;
-  finding.std = test.score(probe).std;
+  if (p.quantity == kNoQuantity && place.kind != PlaceKind::kDof) finding.node_b = static_cast<int8_t>(place.node_b);
+  const Scaled unit = fault_unit(configuration, estimates, p, place);
+  finding.size = test.score(probe).effect * unit;
+  finding.std = test.score(probe).std * abs(unit);
+  if (p.cause != cause_of(EffectKind::kSensorGain)) return finding;
+  // The channel says 1 + e times the truth: e / (1 + e) of what it says is not so.
+  const Scaled true_share = Scaled::from_int(1) - finding.size;
+  if (true_share.is_zero()) return finding;
+  finding.size = finding.size / true_share;
+  finding.std = finding.std / (true_share * true_share);
   return finding;
 }
 
@@ -56,11 +86,12 @@ Scaled gained(const ProbeScore& score) {
   return score.before.is_zero() ? Scaled{} : Scaled::from_int(1) - sqrt(score.scatter / score.before);
 }
 
-void tell(const ScoreSums& sums, const ScoreTest& test, Warrant& warrant) {
+void tell(const CoreConfiguration& configuration, const ScoreSums& sums, const ScoreTest& test, Estimates& estimates) {
+  Warrant& warrant = estimates.warrant;
   const int best = test.best(), rival = test.rival();
   if (best < 0) return;
-  warrant.named = finding_of(sums.plan(), test, best);
-  warrant.rival = finding_of(sums.plan(), test, rival);
+  warrant.named = finding_of(configuration, estimates, sums.plan(), test, best);
+  warrant.rival = finding_of(configuration, estimates, sums.plan(), test, rival);
   warrant.force_ratio = test.force_ratio(best);
   warrant.gained = gained(test.score(best));
   if (rival >= 0) warrant.rival_share = test.score(rival).gain / test.score(best).gain;
@@ -115,7 +146,7 @@ void give_verdict(const CoreConfiguration& configuration, const ScoreSums& sums,
   Warrant& warrant = estimates.warrant;
   warrant = Warrant{};
   warrant.tested = state.judged;
-  if (warrant.tested) tell(sums, test, warrant);
+  if (warrant.tested) tell(configuration, sums, test, estimates);
   Finding late;
   if (late_channel(estimates, late)) {
     warrant.rival = warrant.named;

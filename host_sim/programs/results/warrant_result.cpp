@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "firmware/vocabulary/effect_table.hpp"
 #include "hal/rig_file/channel_name.hpp"
 #include "hal/rig_file/scaled_double.hpp"
@@ -45,6 +47,22 @@ FindingResult finding_of(const rig_file::RigModel& model, const firmware::Findin
   return result;
 }
 
+// A gain that is no gain: what such a factor usually is.
+std::string slip_text(const FindingResult& named) {
+  if (named.effect != "sensor_gain") return "";
+  struct Slip {
+    double gain;
+    const char* text;
+  };
+  for (const Slip& slip :
+       {Slip{-1, "its sign is reversed"}, Slip{1e3, "a unit slip, a factor of 1000"},
+        Slip{1e-3, "a unit slip, a factor of 1/1000"}, Slip{9.80665, "a unit slip, a factor of 9.81"},
+        Slip{1 / 9.80665, "a unit slip, a factor of 1/9.81"}})
+    if (std::abs(1 + named.size - slip.gain) < 0.1 * std::abs(slip.gain))
+      return std::string("; it looks like ") + slip.text;
+  return "";
+}
+
 }  // namespace
 
 WarrantResult warrant_of(const rig_file::RigModel& model, const firmware::Warrant& warrant) {
@@ -61,8 +79,8 @@ std::string warrant_text(const WarrantResult& warrant) {
     return warrant.tested ? "the board finds nothing that the rig file lacks"
                           : "the board cannot test the rig file with these data";
   std::string size = fmt::format(", {:.4g} +- {:.2g} ", warrant.named.size, warrant.named.std);
-  std::string text =
-      "the board suspects " + warrant.named.effect + " on " + warrant.named.where + size + warrant.named.unit;
+  std::string text = "the board suspects " + warrant.named.effect + " on " + warrant.named.where + size +
+                     warrant.named.unit + slip_text(warrant.named);
   if (warrant.rival.effect.empty()) return text;
   std::string share = fmt::format(" ({:.0f} % of its likelihood)", warrant.rival_percent);
   return text + "; next best " + warrant.rival.effect + " on " + warrant.rival.where + share;
