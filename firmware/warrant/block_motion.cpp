@@ -1,14 +1,29 @@
 #include "firmware/warrant/block_motion.hpp"
 
 #include "firmware/energy/equation_plan.hpp"
+#include "firmware/fixed_point/magnitude.hpp"
 
 namespace firmware {
 namespace {
 
 constexpr int kSignFraction = PassedSign::kFractionBits;
 constexpr int kSignalBits = 23, kDerivedBits = 27;
+constexpr int kSlopeMantissaBits = 26;  // times 24 bits of code and 11 of the eight points: 61
+
+// Eight points, times 840: the slope per sample.
+int64_t slope_840(const int32_t* x) {
+  return 672 * (int64_t{x[1]} - x[-1]) - 168 * (int64_t{x[2]} - x[-2]) + 32 * (int64_t{x[3]} - x[-3]) -
+         3 * (int64_t{x[4]} - x[-4]);
+}
 
 }  // namespace
+
+bool measures_slope(const CoreConfiguration& configuration, int dof) {
+  if (configuration.high_pass_order > 0 || configuration.fusion[dof].used) return false;
+  const SignalConfiguration& x = configuration.signals[dof][static_cast<int>(Quantity::kDisplacement)];
+  const SignalConfiguration& v = configuration.signals[dof][static_cast<int>(Quantity::kVelocity)];
+  return x.available && v.available && !x.derived && !v.derived;
+}
 
 NodeDifference BlockMotion::difference(Quantity quantity, int node_a, int node_b) const {
   const bool has_a = node_a != kGroundNode, has_b = node_b != kGroundNode;
@@ -49,8 +64,24 @@ void BlockMotion::configure(const CoreConfiguration& configuration, const Scaled
     unit_[kRateColumn + l] = unit_of(rate_[l]);
     unit_[kSoftSignColumn + l] = Scaled::from_int(1, -kSignFraction);
   }
+  configure_slopes();
   configure_effects(effect_unit);
   share_known_terms();
+}
+
+void BlockMotion::configure_slopes() {
+  for (int i = 0; i < configuration_->dof_count; ++i) {
+    slope_mantissa_[i] = 0;
+    if (!measures_slope(*configuration_, i)) continue;
+    velocity_[i] = difference(Quantity::kVelocity, i, kGroundNode);
+    unit_[kSlopeRestColumn + i] = Scaled::from_int(1, velocity_[i].range_exponent - kDifferenceFraction);
+    const Scaled ratio = signal_unit_[signal_column(i, Quantity::kDisplacement)] /
+                         (Scaled::from_int(840) * configuration_->sample_period_s * unit_[kSlopeRestColumn + i]);
+    const int shift = kSlopeMantissaBits - 1 - log2_floor(ratio);
+    if (shift < 1 || shift > 62) continue;  // units of no use: not compared
+    slope_shift_[i] = static_cast<int8_t>(shift);
+    slope_mantissa_[i] = static_cast<int32_t>(to_fixed(ratio, shift));
+  }
 }
 
 void BlockMotion::configure_effects(const Scaled* effect_unit) {
@@ -136,9 +167,7 @@ void BlockMotion::fill_acceleration(int dof) {
       a[i] = 0;
       continue;
     }
-    const int64_t sum = 672 * (int64_t{v[i + 1]} - v[i - 1]) - 168 * (int64_t{v[i + 2]} - v[i - 2]) +
-                        32 * (int64_t{v[i + 3]} - v[i - 3]) - 3 * (int64_t{v[i + 4]} - v[i - 4]);
-    a[i] = static_cast<int32_t>((sum + 64) >> 7);
+    a[i] = static_cast<int32_t>((slope_840(v + i) + 64) >> 7);
   }
 }
 
@@ -189,6 +218,16 @@ void BlockMotion::fill_known(int i) {
         static_cast<int32_t>(known[n] > kMost ? kMost : (known[n] < -kMost ? -kMost : known[n]));
 }
 
+void BlockMotion::fill_slope_rest(int i) {
+  const int32_t *x = signal(signal_column(i, Quantity::kDisplacement)), *v = signal(velocity_[i].column_a);
+  constexpr int64_t kMost = int64_t{1} << kKnownFraction;
+  for (int n = 0; n < kBlockSamples; ++n) {
+    const int64_t slope = (slope_840(x + n) * slope_mantissa_[i]) >> slope_shift_[i];
+    column_[kSlopeRestColumn + i][n] =
+        static_cast<int32_t>(limited(difference_at(velocity_[i], v, v, n) - slope, kMost));
+  }
+}
+
 void BlockMotion::fill_columns() {
   for (int i = 0; i < configuration_->dof_count; ++i)
     if (derives_acceleration_[i]) fill_acceleration(i);
@@ -202,6 +241,8 @@ void BlockMotion::fill_columns() {
   }
   for (int l = 0; l < configuration_->link_count; ++l) fill_link(l);
   for (int i = 0; i < configuration_->dof_count; ++i) fill_known(i);
+  for (int i = 0; i < configuration_->dof_count; ++i)
+    if (slope_mantissa_[i] != 0) fill_slope_rest(i);
 }
 
 }  // namespace firmware

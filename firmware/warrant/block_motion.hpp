@@ -25,7 +25,12 @@ constexpr int kRateColumn = kElongationColumn + kMaxLinks;        // + link
 constexpr int kSoftSignColumn = kRateColumn + kMaxLinks;          // + link
 constexpr int kAccelerationColumn = kSoftSignColumn + kMaxLinks;  // + DOF
 constexpr int kForceLawColumn = kAccelerationColumn + kMaxDofs;   // + effect
-constexpr int kMotionColumns = kForceLawColumn + kMaxEffectColumns;
+constexpr int kSlopeRestColumn =
+    kForceLawColumn + kMaxEffectColumns;  // + DOF: its velocity less its displacement's slope
+constexpr int kMotionColumns = kSlopeRestColumn + kMaxDofs;
+
+// The DOF's displacement and velocity are both as measured: one is the slope of the other.
+bool measures_slope(const CoreConfiguration& configuration, int dof);
 
 // Where the energy rows take friction's sign, and which samples their equations leave out.
 struct ClearSigns {
@@ -74,6 +79,8 @@ class BlockMotion {
   void fill_link(int link);
   void fill_soft_sign(int link);
   void fill_known(int dof);
+  void configure_slopes();
+  void fill_slope_rest(int dof);
 
   const CoreConfiguration* configuration_ = nullptr;
   ClearSigns signs_;
@@ -84,6 +91,10 @@ class BlockMotion {
   uint8_t effect_of_term_[kMaxTerms] = {};
   int effects_ = 0;
   KnownForce known_;
+  NodeDifference velocity_[kMaxDofs];
+  int32_t slope_mantissa_[kMaxDofs] =
+      {};  // 840 slopes of displacement codes to the velocity's Q26; 0: not both are measured
+  int8_t slope_shift_[kMaxDofs] = {};
   int filled_ = 0;
   alignas(16) int32_t signal_[kMaxNodes * kQuantities][kProbeSamples];
   alignas(16) int32_t near_[kMaxNodes * kQuantities][kBlockSamples];

@@ -43,7 +43,8 @@ constexpr int kMaxPlaceColumns =
     kMaxUnknowns < 24 ? kMaxUnknowns : 24;  // unknowns in a place's equations; a place with more is not probed
 
 // kBaseEnd: the base's end of a link, where its channels alone are the motion: late or with another gain than the DOFs'.
-enum class PlaceKind : uint8_t { kLink, kNoLink, kDof, kBaseEnd };
+// kChannels: a DOF's velocity against the slope of its displacement, in place of an equation of motion.
+enum class PlaceKind : uint8_t { kLink, kNoLink, kDof, kBaseEnd, kChannels };
 
 struct Place {
   PlaceKind kind = PlaceKind::kLink;

@@ -1,3 +1,4 @@
+#include "firmware/warrant/block_motion.hpp"
 #include "firmware/warrant/probe.hpp"
 
 namespace firmware {
@@ -49,6 +50,8 @@ class Planner {
     for (int l = 0; l < c_.link_count; ++l) add_place(PlaceKind::kLink, l, c_.links[l].node_a, c_.links[l].node_b);
     for (int i = 0; i < c_.dof_count; ++i) add_place(PlaceKind::kDof, 0, i, kGroundNode);
     for (int l = 0; l < c_.link_count; ++l) add_base_end(l);
+    for (int i = 0; i < c_.dof_count; ++i)
+      if (plan_.place_count < kMaxPlaces && measures_slope(c_, i)) add_place(PlaceKind::kChannels, 0, i, kGroundNode);
     for (int i = 0; i < c_.dof_count; ++i) add_missing(i, kGroundNode);
     for (int i = 0; i < c_.dof_count; ++i)
       for (int j = i + 1; j < c_.dof_count; ++j)
@@ -76,6 +79,8 @@ class Planner {
       if (place.kind == PlaceKind::kNoLink) {
         add(p, Form::kRate, cause_of(EffectKind::kMissingViscous), kNoQuantity, -1);
         add(p, Form::kSign, cause_of(EffectKind::kMissingCoulomb), kNoQuantity, -1);
+      } else if (place.kind == PlaceKind::kChannels) {
+        add(p, Form::kRate, cause_of(EffectKind::kSensorGain), static_cast<uint8_t>(Quantity::kVelocity), -1);
       } else if (place.kind == PlaceKind::kBaseEnd) {
         add(p, Form::kRate, cause_of(EffectKind::kSensorDelay), measured_quantity(kBaseNode), -1);
         add(p, Form::kElongation, cause_of(EffectKind::kSensorGain), measured_quantity(kBaseNode), -1);
@@ -159,6 +164,7 @@ class Planner {
   }
 
   bool add_columns(Place& place) const {
+    if (place.kind == PlaceKind::kChannels) return true;
     for (int t = 0; t < c_.term_count; ++t) {
       const Term& term = c_.terms[t];
       if (term.unknown < 0) continue;

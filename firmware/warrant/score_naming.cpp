@@ -6,6 +6,7 @@ namespace firmware {
 namespace {
 
 constexpr int kDampingPercent = 3;
+constexpr int kGainPercent = 2;  // bends a damper by as much
 // The plain statistic cannot pass the root of the number of stretches that hold the information: it has to be most of
 // that, or 3.
 constexpr int kPlainLimit = 3, kPlainPercent = 80;
@@ -121,7 +122,9 @@ Scaled ScoreTest::rate_kurtosis(int link) const {
 }
 
 Scaled ScoreTest::force_ratio(int number) const {
-  const Scaled damping = damping_square(sums_->plan().probe[number].place);
+  const Place& place = sums_->plan().place[sums_->plan().probe[number].place];
+  const Scaled damping =
+      place.kind == PlaceKind::kChannels ? Scaled{} : damping_square(sums_->plan().probe[number].place);
   const Scaled force = square(score_[number].effect) * abs(own_square_[number]);
   return damping.is_zero() ? Scaled::from_int(1) : sqrt(force / damping);
 }
@@ -133,7 +136,10 @@ void ScoreTest::judge_size(int number) {
   if (!score.tested) return;
   const Scaled force = square(score.effect) * abs(own_square_[number]);
   score.rms = sqrt(quotient(force, samples_));
-  score.matters = force > square(percent(kDampingPercent)) * damping_square(probe.place);
+  if (sums_->plan().place[probe.place].kind == PlaceKind::kChannels)
+    score.matters = abs(score.effect) > percent(kGainPercent);
+  else
+    score.matters = force > square(percent(kDampingPercent)) * damping_square(probe.place);
   score.flagged =
       score.matters && abs(score.wald) > limit(score.freedom) && abs(score.plain) > plain_limit(score.freedom);
 }
@@ -165,7 +171,14 @@ void ScoreTest::name() {
     if (any_possible && impossible(*configuration_, plan, plan.probe[j], score_[j], parameter_)) return false;
     return score_[j].flagged || (score_[j].matters && abs(score_[j].wald) > Scaled::from_int(kNamingLimit));
   };
-  const auto better = [&](int j, int than) { return than < 0 || score_[j].gain > score_[than].gain; };
+  // Channels that contradict each other need no model of the rig to be named.
+  const auto of_channels = [&](int j) {
+    return score_[j].flagged && plan.place[plan.probe[j].place].kind == PlaceKind::kChannels;
+  };
+  const auto better = [&](int j, int than) {
+    if (than >= 0 && of_channels(j) != of_channels(than)) return of_channels(j);
+    return than < 0 || score_[j].gain > score_[than].gain;
+  };
   for (int j = 0; j < plan.probe_count; ++j)
     if (sees(j) && better(j, best_)) best_ = j;
   if (best_ < 0) return;

@@ -13,6 +13,11 @@ constexpr int kScaleBlocks = 8;
 constexpr int kScaleShift = 6;  // Q26 to Q20: squares of 256 samples stay below 2^48
 constexpr int kNormalBits = 18, kHeadroomBits = 5;
 
+// Of one of the place's equations: what is left of it without the unknown terms.
+int known_column(const Place& place, int equation) {
+  return (place.kind == PlaceKind::kChannels ? kSlopeRestColumn : kKnownColumn) + place.dof[equation];
+}
+
 bool has_friction(const CoreConfiguration& configuration, int link) {
   for (int t = 0; t < configuration.term_count; ++t) {
     const TermKind kind = configuration.terms[t].kind;
@@ -221,7 +226,7 @@ void ScoreSums::work_on(const Probe& probe) {
   fill_force(probe.form, scale, motion_, phi, own);
   const int32_t* with[kPlaceEquations + kMaxPlaceColumns + 1];
   int values = 0;
-  for (int e = 0; e < place.equations; ++e) with[values++] = block_.column(kKnownColumn + place.dof[e]);
+  for (int e = 0; e < place.equations; ++e) with[values++] = block_.column(known_column(place, e));
   for (int k = 0; k < place.columns; ++k) with[values++] = block_.column(unknown_column_[place.unknown[k]]);
   with[values++] = own;
   add_dots(phi, with, values, &table_.current(probe.first_value));
@@ -252,7 +257,7 @@ Scaled ScoreSums::force_unit(const Probe& probe) const {
 Scaled ScoreSums::unit(const Probe& probe, int value) const {
   const Place& place = plan_.place[probe.place];
   const Scaled own = force_unit(probe);
-  if (value < place.equations) return own * block_.column_unit(kKnownColumn + place.dof[value]);
+  if (value < place.equations) return own * block_.column_unit(known_column(place, value));
   value -= place.equations;
   if (value < place.columns) return own * block_.column_unit(unknown_column_[place.unknown[value]]);
   if (value == place.columns) return own * own;

@@ -39,6 +39,22 @@ Scaled fault_unit(const CoreConfiguration& configuration, const Estimates& estim
   return Scaled::from_int(1);
 }
 
+// A displacement of another gain shows in the springs beside it too; a velocity does not.
+bool gain_shows_in_springs(const CoreConfiguration& configuration, const Estimates& estimates, const ProbePlan& plan,
+                           const ScoreTest& test, int probe) {
+  const Place& place = plan.place[plan.probe[probe].place];
+  if (place.kind != PlaceKind::kChannels) return false;
+  for (int j = plan.base_count; j < plan.summed_count; ++j) {
+    const Place& at = plan.place[plan.probe[j].place];
+    if (plan.probe[j].form != Form::kElongation || at.kind != PlaceKind::kLink || !test.score(j).flagged) continue;
+    if (at.node_a != place.node_a && at.node_b != place.node_a) continue;
+    const Scaled stiffness = coefficient_at(configuration, estimates, TermKind::kStiffness, at.link);
+    const Scaled least = abs(scale_by_power_of_two(stiffness * test.score(probe).effect, -2));
+    if (abs(test.score(j).effect) > least) return true;
+  }
+  return false;
+}
+
 Finding finding_of(const CoreConfiguration& configuration, const Estimates& estimates, const ProbePlan& plan,
                    const ScoreTest& test, int probe) {
   Finding finding;
@@ -53,6 +69,11 @@ Finding finding_of(const CoreConfiguration& configuration, const Estimates& esti
   finding.size = test.score(probe).effect * unit;
   finding.std = test.score(probe).std * abs(unit);
   if (p.cause != cause_of(EffectKind::kSensorGain)) return finding;
+  if (gain_shows_in_springs(configuration, estimates, plan, test, probe)) {
+    finding.quantity = static_cast<uint8_t>(Quantity::kDisplacement);
+    finding.size = -finding.size;
+    return finding;
+  }
   // The channel says 1 + e times the truth: e / (1 + e) of what it says is not so.
   const Scaled true_share = Scaled::from_int(1) - finding.size;
   if (true_share.is_zero()) return finding;

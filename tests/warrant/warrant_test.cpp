@@ -1,6 +1,7 @@
 // What the board says of rigs whose model lacks something, and of rigs whose model is right: conditions, not seeds.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core_run.hpp"
@@ -139,6 +140,44 @@ TEST(Warrant, TheCauseIsNamedWithItsSize) {
     const double strength = draw.hidden.front().strength;
     EXPECT_NEAR(to_double(named.size), strength, 0.05 * std::abs(strength) + 4 * to_double(named.std)) << c.hidden;
   }
+}
+
+// A gain of 1.05 in one of a DOF's motion channels: a slope of 1.05 where 1 belongs. With one damper and one mass the equations alone
+// say nothing: the damper's coefficient is c / 1.05.
+TEST(Warrant, AMotionChannelOfAnotherGainIsNamed) {
+  for (const host_sim::Quantity quantity : {host_sim::Quantity::kVelocity, host_sim::Quantity::kDisplacement})
+    for (const int masses : {1, 2}) {
+      Settings settings;
+      settings.masses = masses;
+      hidden_rig::Draw draw = hidden_rig::make_draw(9200, settings);
+      for (host_sim::Channel& channel : draw.records.front().channels)
+        if (channel.dof == 1 && channel.quantity == quantity)
+          for (double& value : channel.values) value *= 1.05;
+      const CoreRun run = run_core(draw);
+      const firmware::Finding& named = run.core->estimates().warrant.named;
+      EXPECT_EQ(named.cause, firmware::cause_of(firmware::EffectKind::kSensorGain)) << masses;
+      EXPECT_EQ(named.node_a, 0);
+      EXPECT_EQ(static_cast<int>(named.quantity), static_cast<int>(quantity)) << masses;
+      EXPECT_NEAR(to_double(named.size), 0.05, 0.003) << masses;
+      EXPECT_EQ(valid_and_wrong(draw, run.core->estimates()), 0);
+    }
+}
+
+// Every channel of the base two samples late, 2 ms: the channels agree with each other, and not with the rig.
+TEST(Warrant, ABaseThatIsReadLateIsNamed) {
+  Settings settings;
+  settings.condition = "moving_base";
+  settings.masses = 2;
+  hidden_rig::Draw draw = hidden_rig::make_draw(9300, settings);
+  for (host_sim::Channel& channel : draw.records.front().channels)
+    if (channel.dof == rig_file::kBase)
+      std::copy_backward(channel.values.begin(), channel.values.end() - 2, channel.values.end());
+  const CoreRun run = run_core(draw);
+  const firmware::Finding& named = run.core->estimates().warrant.named;
+  EXPECT_EQ(named.cause, firmware::cause_of(firmware::EffectKind::kSensorDelay));
+  EXPECT_EQ(named.node_a, firmware::kBaseNode);
+  EXPECT_NEAR(to_double(named.size), 2e-3, 2e-4);
+  EXPECT_EQ(valid_and_wrong(draw, run.core->estimates()), 0);
 }
 
 // A damper that fades within a record: its stretches disagree in the order of time, whatever the sensors.
