@@ -26,7 +26,7 @@ class ProbeBudget {
 
   // With these the core takes at most 1.6 times what it takes without tests (tests/bench/bench_core.cpp measures it): one of few
   // DOFs has fewer products itself.
-  static constexpr uint32_t of_a_long_level(int dof_count) { return 12 + 5 * static_cast<uint32_t>(dof_count); }
+  static constexpr uint32_t of_a_long_level(int dof_count) { return 12 + 4 * static_cast<uint32_t>(dof_count); }
 
  private:
   uint16_t wanted_ = kAllProbes;

@@ -233,7 +233,7 @@ uint32_t blocks(const CoreRun& run) {
 }
 
 // The default looks at every sample of a level's start, 32768 of them in 1024 blocks of 32, and at some of what follows. A record
-// that is no longer has the same answer as with all; 12 and 5 products a DOF leave most of the rest out.
+// that is no longer has the same answer as with all; 12 and 4 products a DOF leave most of the rest out.
 TEST(Warrant, TheDefaultBudgetLooksAtAllOfALevelsStart) {
   Settings settings;
   settings.hidden = "cubic_stiffness";
