@@ -193,14 +193,16 @@ bool Conditioning::append(const RawSample& sample, Frame& frame, int at) {
 
 bool Conditioning::filter(Frame& frame, int at) {
   int32_t* column = &frame.raw[0][at];
-  for (Path *path = path_, *end = path_ + path_count_; path != end; ++path) {
+  for (Path *path = path_, *end = path_ + path_count_; path != end; ++path)
     if (path->turn & kKeepsHistory) keep(*path, Code::from_raw(column[channel_[path->channel].column]));
-  }
   for (const Path *path = path_, *end = path_ + path_count_; path != end; ++path) {
     int32_t& place = column[path->column];
-    if (path->turn & kAlone) place = filtered(*path).raw;
-    if (path->turn & kWithNext) filtered_pair(*path, place, (&place)[kFrameStride]);
-    if (path->turn & kFused) place = fused(*path).raw;
+    if (path->turn & kAlone)
+      place = filtered(*path).raw;
+    else if (path->turn & kWithNext)
+      filtered_pair(*path, place, (&place)[kFrameStride]);
+    else if (path->turn & kFused)
+      place = fused(*path).raw;
   }
   if (++history_at_ == kHistory) history_at_ = 0;
   ++received_;

@@ -6,6 +6,13 @@ namespace {
 // Steps of the loops below at a time, so that a small processor spends its time on products and not on counting.
 constexpr int kAtATime = 4;
 
+// Tap by tap: read ahead, the numbers would not fit such a processor's registers.
+inline void in_order() {
+#ifdef __thumb__
+  asm volatile("" ::: "memory");
+#endif
+}
+
 template <bool kOdd>
 int64_t folded_sum(const Tap* tap, const Code* middle, int half_length) {
   int64_t sum = (tap[0] * middle[0]).raw;
@@ -13,7 +20,8 @@ int64_t folded_sum(const Tap* tap, const Code* middle, int half_length) {
   const Tap* last = tap + half_length;
   for (; last - tap >= kAtATime; tap += kAtATime, newer += kAtATime, older -= kAtATime)
 #pragma GCC unroll 4
-    for (int k = 1; k <= kAtATime; ++k) sum += (tap[k] * (kOdd ? newer[k] - older[-k] : newer[k] + older[-k])).raw;
+    for (int k = 1; k <= kAtATime; ++k, in_order())
+      sum += (tap[k] * (kOdd ? newer[k] - older[-k] : newer[k] + older[-k])).raw;
   while (tap != last) {
     const Code late = *++newer, early = *--older;
     sum += (*++tap * (kOdd ? late - early : late + early)).raw;
@@ -45,17 +53,17 @@ int64_t filter_sum(int parity, const Tap* tap, const Code* middle, int half_leng
 OddAndEven odd_and_even_sum(const Tap* odd_tap, const Tap* even_tap, const Code* middle, int half_length) {
   const Tap *first = odd_tap + half_length, *second = even_tap + half_length, *last = first + half_length;
   const Code *newer = middle, *older = middle;
-  OddAndEven sum = {0, (second[0] * middle[0]).raw};
+  int64_t odd = 0, even = (second[0] * middle[0]).raw;
   const auto add = [&](int k) {
     const Code late = newer[k], early = older[-k];
-    sum.odd += (first[k] * (late - early)).raw;
-    sum.even += (second[k] * (late + early)).raw;
+    odd += (first[k] * (late - early)).raw;
+    even += (second[k] * (late + early)).raw;
   };
   for (; last - first >= kAtATime; first += kAtATime, second += kAtATime, newer += kAtATime, older -= kAtATime)
 #pragma GCC unroll 4
-    for (int k = 1; k <= kAtATime; ++k) add(k);
+    for (int k = 1; k <= kAtATime; ++k, in_order()) add(k);
   for (; first != last; ++first, ++second, ++newer, --older) add(1);
-  return sum;
+  return {odd, even};
 }
 
 }  // namespace firmware

@@ -1,4 +1,5 @@
 // Effect, deviation and Wald statistic of one probe.
+#include "firmware/fixed_point/work_meter.hpp"
 #include "firmware/warrant/score_test.hpp"
 
 namespace firmware {
@@ -67,7 +68,7 @@ void ScoreTest::find_answers(const Probe& probe) {
 // C N_s b: what the bent estimates do to the scores of the estimated terms, stretch by stretch.
 void ScoreTest::bend_base(Scaled* bent) const {
   const ProbePlan& plan = sums_->plan();
-  for (int s = 0; s < stretches_; ++s) bent[s] = Scaled{};
+  for (int s = 0; s < stretches_; ++s, report_work(60)) bent[s] = Scaled{};
   for (int j = 0; j < plan.base_count; ++j) {
     const Probe& base = plan.probe[j];
     const Place& place = plan.place[base.place];
@@ -116,7 +117,7 @@ Scaled ScoreTest::variance_of_sum(const Scaled* share, Scaled& freedom) const {
     if (groups < Scaled::from_int(kLeastGroups)) break;
     Scaled squares, sum;
     int in_group = 0;
-    for (int s = 0; s < stretches_; ++s) {
+    for (int s = 0; s < stretches_; ++s, report_work(80)) {
       sum = sum + share[s];
       if (++in_group < size && s + 1 < stretches_ && level_of_[s + 1] == level_of_[s]) continue;
       squares = squares + square(sum);
@@ -136,7 +137,7 @@ void ScoreTest::test(int number) {
   const Place& place = sums_->plan().place[probe.place];
   ProbeScore& result = score_[number] = ProbeScore{};
   read(probe);
-  for (int s = 0; s < stretches_; ++s) own_square_[number] = own_square_[number] + own_[s];
+  for (int s = 0; s < stretches_; ++s, report_work(80)) own_square_[number] = own_square_[number] + own_[s];
   if (probe.unknown >= 0) return;
   find_answers(probe);
   share_out(probe);

@@ -78,7 +78,7 @@ void ScoreTable::append_row() {
 // Neighbours of the same level; one that is left over at a level's end stays as it is, the last one goes on.
 void ScoreTable::begin_merge() {
   rows_ = 0;
-  for (int from = 0; from < count_; ++rows_) {
+  for (int from = 0; from < count_; ++rows_, report_work(60)) {
     Row& row = merged_[rows_];
     row.from = static_cast<uint16_t>(from);
     row.pair = from + 1 < count_ && stretch_[from + 1].level == stretch_[from].level;

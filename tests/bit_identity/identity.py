@@ -50,8 +50,12 @@ COMBINATIONS["gcc-without-int128"] = (None, "g++", "-O2 -DFIRMWARE_WITHOUT_INT12
 COMBINATIONS["gcc-without-vectors"] = (None, "g++", "-O2 -DFIRMWARE_WITHOUT_VECTORS", [])
 COMBINATIONS["armhf"] = ("arm-linux-gnueabihf/bin/script_host", None, "", ["qemu-arm", "-L", "/usr/arm-linux-gnueabihf"])
 COMBINATIONS["arm64"] = ("aarch64-linux-gnu/bin/script_host", None, "", ["qemu-aarch64", "-L", "/usr/aarch64-linux-gnu"])
-# Solves in slices give what solves in one piece give. (Frames come later, so their order on the bus is another.)
+# Solves in slices give what solves in one piece give, in every shipped scenario. (Frames come later, so their order on the bus is
+# another.)
 SLICED = {"host-sliced": "host", "cortex-m4-sliced": "cortex-m4"}
+SCENARIOS = ("paper_1dof paper_2dof paper_2dof_noise paper_3dof_two_frequencies paper_3dof_one_frequency "
+             "paper_3dof_two_frequencies_noise paper_3dof_random paper_3dof_random_noise paper_3dof_free_decay").split()
+SLICED_SAMPLES = 700
 COMBINATIONS["cortex-m4"] = ("cortex-m/bin/rig_image", None, "", emulated("mps2-an386"))
 # The board of the M3 runs what is compiled for the M0+, whose instructions are some of its own.
 for core, machine in (("cortex-m0plus", "mps2-an385"), ("cortex-m3", "mps2-an385"), ("cortex-m7", "mps2-an500")):
@@ -156,6 +160,19 @@ def write_answers(found):
     ANSWERS.write_text("\n".join(lines) + "\n")
 
 
+def compare_slices(name, command, writer, folder):
+    wrong = 0
+    for scenario in SCENARIOS:
+        path = folder / f"{scenario}_{SLICED_SAMPLES}.bin"
+        subprocess.run([writer, scenario, "1", path, str(SLICED_SAMPLES)], check=True)
+        whole, sliced = (output_of(command, path, words) for words in ("", "sliced"))
+        if whole != sliced:
+            wrong += 1
+            print(f"{name}: {scenario} gives {sliced} in slices, {whole} in one piece")
+    print(f"{name}: {len(SCENARIOS) - wrong} of {len(SCENARIOS)} scenarios the same in slices")
+    return wrong
+
+
 def compare(name, found, wanted):
     wrong = 0
     for run, (codes, answer) in found.items():
@@ -202,6 +219,8 @@ def main():
             skipped += 1
             continue
         wrong += compare(name, answers_of(command, made, name in SLICED), wanted)
+        if name in SLICED:
+            wrong += compare_slices(name, command, a.writer, a.build / "identity" / "scripts")
     return 1 if wrong else SKIPPED if skipped == len(a.combinations) else 0
 
 

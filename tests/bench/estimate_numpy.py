@@ -1,0 +1,77 @@
+#!/usr/bin/env python3
+"""What a user would write in numpy in place of `host_sim estimate`, and how long both take.
+
+  estimate_numpy.py DATA.csv ...               prints the dampers and the friction
+  estimate_numpy.py --ratio HOST_SIM RIG.toml DATA.csv ...   times it and host_sim estimate, from the files to the numbers
+
+The rig is that of paper_3dof_random, written into the script: masses and springs known, a viscous damper in each of four links,
+friction in the last. Energies of every DOF over intervals of 0.1 s, one least-squares solve. No intervals, no check of the data, no
+test of the model, no simulation of the result."""
+import subprocess
+import sys
+import time
+
+import numpy as np
+
+MASSES_KG = (1.5, 1.3, 2.0)
+LINKS = ((0, None), (0, 1), (1, 2), (2, None))
+STIFFNESS_N_PER_M, WINDOW_S = 10000.0, 0.1
+
+
+def energies(path):
+    with open(path) as file:
+        names = file.readline().split(",")
+    table = np.loadtxt(path, delimiter=",", skiprows=1)
+    zero = np.zeros(len(table))
+
+    def channel(kind, dof):
+        found = [i for i, name in enumerate(names) if dof is not None and name.startswith(f"{kind}_{dof + 1}_")]
+        return table[:, found[0]] if found else zero
+
+    starts = np.arange(0, len(table) - 1, max(1, round(WINDOW_S / (table[1, 0] - table[0, 0]))))
+    rows, right = [], []
+    for dof, mass_kg in enumerate(MASSES_KG):
+        power = channel("force", dof) - mass_kg * channel("acceleration", dof)
+        terms = [zero] * (len(LINKS) + 1)
+        for number, link in enumerate(LINKS):
+            if dof not in link:
+                continue
+            other = link[1 - link.index(dof)]
+            power = power - STIFFNESS_N_PER_M * (channel("displacement", dof) - channel("displacement", other))
+            terms[number] = channel("velocity", dof) - channel("velocity", other)
+        if dof in LINKS[-1]:
+            terms[-1] = np.sign(terms[-2])
+        integrals = [np.add.reduceat(channel("velocity", dof) * term, starts) for term in (*terms, power)]
+        rows.append(np.array(integrals[:-1]).T)
+        right.append(integrals[-1])
+    return np.vstack(rows), np.concatenate(right), len(MASSES_KG) * len(table)
+
+
+def estimate(paths):
+    parts = [energies(path) for path in paths]
+    solution = np.linalg.lstsq(np.vstack([p[0] for p in parts]), np.concatenate([p[1] for p in parts]), rcond=None)[0]
+    return solution, sum(p[2] for p in parts)
+
+
+def main():
+    if len(sys.argv) > 4 and sys.argv[1] == "--ratio":
+        host_sim, rig, paths = sys.argv[2], sys.argv[3], sys.argv[4:]
+        begun = time.perf_counter()
+        _, samples = estimate(paths)
+        own = time.perf_counter() - begun
+        begun = time.perf_counter()
+        subprocess.run([host_sim, "estimate", "--rig", rig, "--data", *paths], check=True, stdout=subprocess.DEVNULL)
+        theirs = time.perf_counter() - begun
+        print(f"numpy {samples / own / 1e6:.2f} and host_sim estimate {samples / theirs / 1e6:.2f} million DOF samples a second: "
+              f"{own / theirs:.2f} times as fast")
+        return 0
+    if len(sys.argv) < 2 or sys.argv[1].startswith("-"):
+        print(__doc__)
+        return 2
+    solution, _ = estimate(sys.argv[1:])
+    print(" ".join(f"{value:.6g}" for value in solution))
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
