@@ -39,6 +39,17 @@ if measured bench_core; then
     else
       echo "SKIPPED: no build/cortex-m/bin/rig_image."
     fi
+    echo
+    echo "## \`estimate\` beside a script"
+    echo
+    echo "\`tests/bench/estimate_numpy.py\` is what a user would write: it reads the same two files and gives the numbers alone."
+    if [ -x "$bin/host_sim" ] && /usr/bin/python3 -c "import numpy" 2> /dev/null; then
+      "$bin/host_sim" run --scenario paper_3dof_random --records build/host/bench_records > /dev/null
+      /usr/bin/python3 tests/bench/estimate_numpy.py --ratio "$bin/host_sim" build/host/bench_records/rig.toml \
+        build/host/bench_records/level_1.csv build/host/bench_records/level_2.csv
+    else
+      echo "SKIPPED: no host_sim or no numpy."
+    fi
   } > build/host/speed.md
   mv build/host/speed.md docs/speed.md
 fi
