@@ -1,0 +1,11 @@
+// Causes that are found and of no consequence.
+#pragma once
+#include "answer.hpp"
+
+namespace diagnosis::runs {
+
+// An error of a given mass, of a given spring or of a channel's gain that nobody could put right is none, however plainly
+// records without noise show it; neither is what looks like it at its place.
+void drop_trifles(const Task& task, Diagnosis& d);
+
+}  // namespace diagnosis::runs

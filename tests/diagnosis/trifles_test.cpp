@@ -1,0 +1,63 @@
+// An error that nobody could put right is no finding.
+#include "host_sim/diagnosis/answer/trifles.hpp"
+
+#include <gtest/gtest.h>
+
+namespace diagnosis::runs {
+namespace {
+
+// 2 kg on 5000 N/m: a trifle is less than 0.4 g, 1 N/m, a gain of 0.0002.
+struct OneMass {
+  System system;
+  std::vector<Prepared> records;
+  OneMass() {
+    rig_file::RigModel rig;
+    rig.dofs.resize(1), rig.dofs[0].mass_kg.value = 2;
+    rig.links.resize(1), rig.links[0].a = 1, rig.links[0].b = rig_file::kGround;
+    rig.links[0].stiffness_N_m.value = 5000;
+    system = make_system(rig);
+  }
+  Diagnosis of(const char* effect, const char* where, double value) const {
+    Diagnosis d;
+    d.verdict = Verdict::kExplained;
+    Cause c;
+    c.effect = effect, c.where = where, c.parameters = {{effect, value, "", 1e-9, true}};
+    d.causes = {c};
+    drop_trifles(Task{system, records, 0}, d);
+    return d;
+  }
+};
+
+TEST(Trifles, AreNotNamed) {
+  const OneMass rig;
+  EXPECT_EQ(rig.of("mass_error", "dof 1", -0.00039).verdict, Verdict::kNone);
+  EXPECT_EQ(rig.of("stiffness_error", "link 1-0", 0.99).verdict, Verdict::kNone);
+  EXPECT_EQ(rig.of("sensor_gain", "channel displacement_1_m", 0.00019).verdict, Verdict::kNone);
+}
+
+TEST(Trifles, WhatIsMoreStays) {
+  const OneMass rig;
+  EXPECT_EQ(rig.of("mass_error", "dof 1", -0.00041).causes.size(), 1u);
+  EXPECT_EQ(rig.of("stiffness_error", "link 1-0", 1.01).causes.size(), 1u);
+  EXPECT_EQ(rig.of("sensor_gain", "channel displacement_1_m", 0.00021).causes.size(), 1u);
+  EXPECT_EQ(rig.of("sensor_delay", "channel displacement_1_m", 1e-9).causes.size(), 1u);  // of nothing that is given
+}
+
+// What looked like the trifle goes with it; the other cause stays, and is no alternative to itself.
+TEST(Trifles, TakeTheirRivalsWithThem) {
+  const OneMass rig;
+  Diagnosis d = rig.of("mass_error", "dof 1", 1);
+  d.verdict = Verdict::kAmbiguous;
+  Cause trifle = d.causes[0];
+  trifle.parameters[0].value = 1e-6;
+  d.causes[0].effect = "sensor_delay", d.causes[0].where = "channel displacement_1_m";
+  d.causes.push_back(trifle);
+  d.ambiguous_with = {{"unmodelled_resonance", "dof 1"}, {"sensor_delay", "channel displacement_1_m"}};
+  drop_trifles(Task{rig.system, rig.records, 0}, d);
+  ASSERT_EQ(d.causes.size(), 1u);
+  EXPECT_TRUE(d.ambiguous_with.empty());
+  EXPECT_EQ(d.verdict, Verdict::kExplained);
+}
+
+}  // namespace
+}  // namespace diagnosis::runs
