@@ -36,6 +36,14 @@ TEST(Hum, NoiseAndOtherLinesAreNone) {
   EXPECT_EQ(hum_in(power_of(2, 52), kSamples, 1e-3, {}).amplitude, 0);
 }
 
+// 50 Hz is the fifth harmonic of 10 Hz: where 30 Hz is as strong it is no hum.
+TEST(Hum, OneOfSeveralHarmonicsIsNone) {
+  const Vec both = power_of(2, 50) + power_of(2, 30);
+  EXPECT_EQ(hum_in(both, kSamples, 1e-3, {}).amplitude, 0);
+  const Vec faint = power_of(2, 50) + power_of(0.5, 30);
+  EXPECT_GT(hum_in(faint, kSamples, 1e-3, {}).amplitude, 1);
+}
+
 // One DOF with displacement and velocity of unit variance.
 struct OneDof {
   System system;
@@ -61,6 +69,12 @@ TEST(Hum, OfOneChannelIsItsFault) {
   EXPECT_EQ(d.causes[0].where, "channel displacement_1_m");
   EXPECT_EQ(d.causes[0].parameters[0].value, 0.1);
   EXPECT_EQ(d.verdict, Verdict::kExplained);
+}
+
+TEST(Hum, BelowATrifleIsNone) {
+  const OneDof rig;
+  EXPECT_EQ(rig.with(1.9e-4, 0, false).verdict, Verdict::kNone);
+  EXPECT_EQ(rig.with(2.1e-4, 0, false).verdict, Verdict::kExplained);
 }
 
 TEST(Hum, OfAllChannelsIsTheRooms) {

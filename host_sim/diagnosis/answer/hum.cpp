@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "trifles.hpp"
+
 namespace diagnosis::runs {
 namespace {
 
@@ -34,6 +36,7 @@ void name_hum(const Task& task, const Left& left, Diagnosis& d) {
     const Vec& y = traces[i].y;
     const double rms = std::sqrt((y.array() - y.mean()).square().mean());
     share[i] = rms > 0 ? left.hum[i].amplitude / rms : 0;
+    if (share[i] < kTrifle) share[i] = 0;
     with_hum += share[i] > 0;
     if (share[i] > share[worst]) worst = i;
   }

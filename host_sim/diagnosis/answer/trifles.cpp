@@ -6,8 +6,6 @@
 namespace diagnosis::runs {
 namespace {
 
-constexpr double kTrifle = 2e-4;  // of what is given: no balance, spring tester or calibration of a rig is better
-
 // What the cause's first number is an error of; 0: of nothing that is given.
 double given(const System& system, const Cause& c) {
   if (c.effect == "sensor_gain") return 1;

@@ -4,6 +4,8 @@
 
 namespace diagnosis::runs {
 
+constexpr double kTrifle = 2e-4;  // of what is given: no balance, spring tester or calibration of a rig is better
+
 // An error of a given mass, of a given spring or of a channel's gain that nobody could put right is none, however plainly
 // records without noise show it; neither is what looks like it at its place.
 void drop_trifles(const Task& task, Diagnosis& d);

@@ -8,7 +8,8 @@ namespace {
 
 constexpr Index kAround = 40;           // bins on either side
 constexpr double kMainsWidth_Hz = 0.2;  // of the mains' frequency and its multiples
-constexpr Index kLeakage = 2;           // bins that a line between two of them spreads over, on either side
+constexpr double kAlone = 9;   // times the power of any other line: harmonics of a drive may fall on the mains too
+constexpr Index kLeakage = 2;  // bins that a line between two of them spreads over, on either side
 
 bool of_mains(double hertz, double bin_Hz) {
   for (double mains : {50.0, 60.0}) {
@@ -30,6 +31,14 @@ bool any_drives(const std::vector<Vec>& driving, Index i) {
     return i >= 1 && i + 1 < p.size() &&
            over_level_around(p, i - 1) + over_level_around(p, i) + over_level_around(p, i + 1) > kLine;
   });
+}
+
+// Whether no other line comes near that of a bin.
+bool stands_alone(const Vec& power, Index peak) {
+  for (Index i = 1; i < power.size(); ++i)
+    if (std::abs(i - peak) > kLeakage && kAlone * power[i] > power[peak] && over_level_around(power, i) > kLine)
+      return false;
+  return true;
 }
 
 }  // namespace
@@ -62,7 +71,7 @@ Hum hum_in(const Vec& power, size_t samples, double step_s, const std::vector<Ve
     for (Index i = from; i <= to; ++i)
       if (power[i] > power[peak]) peak = i;
     const double over = over_level_around(power, peak);
-    if (over < kLine) continue;
+    if (over < kLine || !stands_alone(power, peak)) continue;
     // a sine of amplitude A has the power A^2 n / 4
     const double line = power.segment(peak - kLeakage, 2 * kLeakage + 1).sum() * (1 - 1 / over);
     const double amplitude = 2 * std::sqrt(line / n);
