@@ -16,6 +16,9 @@ const char* verdict_word(Verdict v) {
 
 namespace {
 
+// Of the records, in motion: at rest there is noise alone, and friction that holds is no law of motion.
+constexpr double kKeptMoving = 0.7;
+
 bool massless(const rig_file::RigModel& rig) {
   return std::all_of(rig.dofs.begin(), rig.dofs.end(),
                      [](const rig_file::Dof& d) { return !d.mass_kg.estimate && d.mass_kg.value == 0; });
@@ -58,7 +61,8 @@ Diagnosis diagnose(const rig_file::RigModel& rig, const std::vector<host_sim::Re
   Diagnosis d;
   RowsSay say;
   const bool right = !massless(rig) && runs::right(task, choice);
-  const bool rows_can_tell = runs::forced(records) && !massless(rig) && springs_and_masses_known(rig);
+  const bool rows_can_tell = runs::forced(records) && runs::moving_share(records) > kKeptMoving && !massless(rig) &&
+                             springs_and_masses_known(rig);
   if (!right && !massless(rig) && !rows_can_tell)
     choice.noise_is_enough = runs::noise_share(choice.base_left, choice.base.fit) > kMostlyNoise;
   const bool answered =

@@ -40,7 +40,7 @@ Score score_unseen(const Task& task, const State& state, const Vec* noise) {
   WindowRun run;
   for (size_t r = apart ? task.training : 0; r < task.records.size() && finite; ++r) {
     const Prepared& p = task.records[r];
-    const Index all = moving_samples(p, task.records, evaluator.massless());
+    const Index all = moving_samples(p);
     const Index first = apart ? 0 : static_cast<Index>(0.7 * static_cast<double>(all));
     const Index part =
         held || evaluator.massless() ? all - first : std::max<Index>(12, static_cast<Index>(kRestart_s / p.step_s));

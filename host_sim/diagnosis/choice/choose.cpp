@@ -13,6 +13,8 @@ constexpr size_t kMostCauses = 4;
 constexpr double kFurtherShare = 2e-3;    // of what the causes named before have brought, that a further one must
 constexpr double kTogether = 0.5;         // of what one cause leaves, that dampers which drift together may
 constexpr double kShortestHorizon = 0.2;  // periods
+constexpr double kShorter = 4;            // times: where valleys of a window's error are as much wider
+constexpr double kPlainlyRight = 0.02;    // of the motion: no other valley is as low
 constexpr double kNearEnough_percent =
     0.3;                                 // of the motion, free run on unseen data: sensors are not better calibrated
 constexpr double kRight_percent = 0.05;  // where noise may hide a cause: no sensor tells it from the truth
@@ -57,6 +59,20 @@ double quickest_share(const Task& task) {
   return share;
 }
 
+// A long window's error has valleys beside the lowest, friction's most of all. A fit over shorter windows, carried on to the long
+// ones, finds the lower one more often; nothing is lost where it does not.
+void from_shorter(const Task& task, const Model& start, double periods, State& s) {
+  if (motion_error(task, s) < kPlainlyRight) return;
+  State other = s;
+  other.model = start;
+  double reached = periods / kShorter;
+  lay(task, reached, other);
+  settle(task, other, kBaseSteps);
+  if (!other.fit.ok || !(motion_error(task, other) < kFollows)) return;
+  widen(task, periods, reached, other);
+  if (reached == periods && other.fit.ok && error_over(other.fit, s.fit) < 1) s = other;
+}
+
 // The longest windows over which the model stays within reach of its linearisation.
 double horizon(const Task& task, State& s, double from, bool massless) {
   const Model start = s.model;
@@ -67,6 +83,7 @@ double horizon(const Task& task, State& s, double from, bool massless) {
     lay(task, periods, s);
     settle(task, s, kBaseSteps);
     const bool follows = s.fit.ok && motion_error(task, s) < kFollows;
+    if (!massless && follows && periods == from) from_shorter(task, start, periods, s);
     if (!massless && follows) widen(task, from, periods, s);
     if (massless || follows || periods / 2 < shortest) return periods;
   }

@@ -14,7 +14,11 @@ constexpr double kSamplesPerTop = 24;  // of the fastest motion: one Runge-Kutta
 constexpr double kPowerBelowTop = 0.999;
 constexpr double kPowerOfDisplacement = 0.9999;  // its velocity, on which friction acts, is faster
 constexpr Index kLeast = 100;
-constexpr double kMedianOfSpread = 0.693;  // of an exponential law, per mean
+constexpr double kMedianOfSpread = 0.693;   // of an exponential law, per mean
+constexpr double kMedianOfNormal = 0.6745;  // of a normal law's magnitude, per standard deviation
+constexpr double kNoiseReaches = 4;         // standard deviations: two neighbours beyond are one in 10^8
+constexpr double kBlowOverNoise = 30;       // a random force reaches 5 times what its median says
+constexpr double kBlowsShare = 0.2;         // of the samples, at most
 
 double rms_about_mean(const Vec& y) { return std::sqrt((y.array() - y.mean()).square().mean()); }
 
@@ -179,6 +183,41 @@ Needs needs_of(const host_sim::Record& record) {
   return needs;
 }
 
+// Without, the force is not what drives the motion but what answers it.
+bool has_mass(const rig_file::RigModel& rig) {
+  return std::any_of(rig.dofs.begin(), rig.dofs.end(),
+                     [](const rig_file::Dof& d) { return d.mass_kg.estimate || d.mass_kg.value != 0; });
+}
+
+// The force window of modal testing: between the blows of a hammer the force is nought, and what its channel shows there is noise,
+// which would drive the simulated rig. Everything farther than a blow's own length from any blow becomes the channel's median.
+Vec windowed(Vec f) {
+  const auto median_of = [](Vec y) {
+    std::nth_element(y.begin(), y.begin() + y.size() / 2, y.end());
+    return y[y.size() / 2];
+  };
+  const double zero = median_of(f), sigma = median_of((f.array() - zero).abs()) / kMedianOfNormal;
+  const auto quiet = [&](Index i) { return std::abs(f[i] - zero) <= kNoiseReaches * sigma; };
+  Index loud = 0;
+  for (Index i = 0; i < f.size(); ++i) loud += !quiet(i);
+  const double peak = (f.array() - zero).abs().maxCoeff();
+  if (!(peak > kBlowOverNoise * sigma) || static_cast<double>(loud) > kBlowsShare * static_cast<double>(f.size()))
+    return f;
+  std::vector<char> blow(static_cast<size_t>(f.size()), 0);
+  for (Index i = 0; i < f.size();) {
+    Index to = i;
+    while (to < f.size() && !quiet(to)) ++to;
+    // lone samples beyond the noise are noise
+    const Index reach = to - i;
+    for (Index k = std::max<Index>(0, i - reach); reach > 1 && k < std::min(f.size(), to + reach); ++k)
+      blow[static_cast<size_t>(k)] = 1;
+    i = to + 1;
+  }
+  for (Index i = 0; i < f.size(); ++i)
+    if (!blow[static_cast<size_t>(i)]) f[i] = zero;
+  return f;
+}
+
 double period_of(const Prepared& p) {
   double longest = 0;
   for (size_t i = 0; i < p.guess.size(); ++i) {
@@ -203,7 +242,9 @@ Prepared prepare_by(const rig_file::RigModel& rig, const host_sim::Record& recor
   p.force.resize(static_cast<size_t>(n));
   for (const host_sim::Channel& c : record.channels) {
     if (c.quantity == host_sim::Quantity::kForce && c.dof >= 1 && c.dof <= n) {
-      p.force[static_cast<size_t>(c.dof - 1)] = series(c);
+      Vec f = Vec::Map(c.values.data(), static_cast<Index>(c.values.size()));
+      if (has_mass(rig)) f = windowed(std::move(f));
+      p.force[static_cast<size_t>(c.dof - 1)] = thinned(f, needs.by);
       continue;
     }
     const int quantity = c.quantity == host_sim::Quantity::kDisplacement ? 0

@@ -7,6 +7,7 @@ namespace diagnosis::runs {
 namespace {
 
 constexpr double kAtRest = 0.05;      // of the record's motion: friction holds, and what holds is no law of motion
+constexpr double kAboveNoise = 4;     // times what a record at rest still shows: less motion tells of noise
 constexpr double kForcedPeriods = 8;  // a window; at least 12 of them
 constexpr Index kLeastLength = 12;    // samples
 
@@ -20,14 +21,37 @@ double motion_of(const Prepared& p, Index from, Index length) {
   return std::sqrt(sum);
 }
 
+Index a_period(const Prepared& p) { return std::max<Index>(2, static_cast<Index>(p.period_s / p.step_s)); }
+
+// Motion below which a record is at rest. One that comes to rest shows there what its guessed motion owes to noise.
+double rest_of(const Prepared& p) {
+  const Index part = a_period(p);
+  double least = 1;
+  for (Index from = 0; from + part <= p.samples; from += part) least = std::min(least, motion_of(p, from, part));
+  return least > kAtRest ? kAtRest : std::max(kAtRest, kAboveNoise * least);
+}
+
 // The length without the rest at its end.
-Index until_rest(const Prepared& p, Index from, Index length) {
-  const Index part = std::max<Index>(2, static_cast<Index>(p.period_s / p.step_s));
-  while (length > part && motion_of(p, from + length - part, part) <= kAtRest) length -= part;
+Index until_rest(const Prepared& p, double rest, Index from, Index length) {
+  const Index part = a_period(p);
+  while (length > part && motion_of(p, from + length - part, part) <= rest) length -= part;
   return length;
 }
 
 }  // namespace
+
+Index moving_samples(const Prepared& p) { return until_rest(p, rest_of(p), 0, p.samples); }
+
+double moving_share(const std::vector<Prepared>& records) {
+  double moving = 0, all = 0;
+  for (const Prepared& p : records) {
+    const Index part = a_period(p);
+    const double rest = rest_of(p);
+    for (Index from = 0; from + part <= p.samples; from += part)
+      all += 1, moving += motion_of(p, from, part) > rest ? 1 : 0;
+  }
+  return all > 0 ? moving / all : 1;
+}
 
 bool forced(const std::vector<Prepared>& records) {
   for (const Prepared& p : records) {
@@ -36,10 +60,6 @@ bool forced(const std::vector<Prepared>& records) {
       if (f.size() && f.cwiseAbs().maxCoeff() > 0) return true;
   }
   return false;
-}
-
-Index moving_samples(const Prepared& p, const std::vector<Prepared>& records, bool massless) {
-  return forced(records) && !massless ? p.samples : until_rest(p, 0, p.samples);
 }
 
 double longest_horizon(const std::vector<Prepared>& records) {
@@ -59,7 +79,8 @@ std::vector<Window> lay_windows(const std::vector<Prepared>& records, double per
   const bool driven = forced(records) && !massless;
   for (size_t r = 0; r < records.size(); ++r) {
     const Prepared& p = records[r];
-    const Index all = moving_samples(p, records, massless);
+    const double rest = rest_of(p);
+    const Index all = until_rest(p, rest, 0, p.samples);
     const Index seen = static_cast<Index>((1 - unseen_share) * static_cast<double>(all));
     const auto cover = [&](Index from, Index to, bool unseen) {
       const double wanted = std::max<double>(static_cast<double>(kLeastLength), periods * p.period_s / p.step_s);
@@ -69,8 +90,8 @@ std::vector<Window> lay_windows(const std::vector<Prepared>& records, double per
         w.record = r, w.from = from + i * (to - from) / count;
         w.length = from + (i + 1) * (to - from) / count - w.from;
         w.unseen = unseen;
-        if (!driven) w.length = until_rest(p, w.from, w.length);
-        if (w.length >= kLeastLength && motion_of(p, w.from, w.length) > kAtRest) list.push_back(w);
+        if (!driven) w.length = until_rest(p, rest, w.from, w.length);
+        if (w.length >= kLeastLength && motion_of(p, w.from, w.length) > rest) list.push_back(w);
       }
     };
     cover(0, seen, false);

@@ -4,10 +4,12 @@
 
 namespace diagnosis::runs {
 
+// Samples of a record until it has come to rest for good: a decay, what a blow left, a damper that is held (friction then
+// holds any force).
+Index moving_samples(const Prepared& record);
+// Of the records' periods, those that are not at rest.
+double moving_share(const std::vector<Prepared>& records);
 bool forced(const std::vector<Prepared>& records);
-// Samples of a record until its motion has come to rest; all of one whose masses something drives. Without masses the
-// motion is imposed and the forces answer to it: at rest friction holds any.
-Index moving_samples(const Prepared& record, const std::vector<Prepared>& records, bool massless);
 // Periods that a window has at first: more where no force keeps the motion up.
 double longest_horizon(const std::vector<Prepared>& records);
 // Windows over all records, those at rest left out. `unseen_share` of 0: all are for the fit.
