@@ -18,6 +18,7 @@ namespace {
 
 // Of the records, in motion: at rest there is noise alone, and friction that holds is no law of motion.
 constexpr double kKeptMoving = 0.7;
+constexpr size_t kLeastDecays = 3;  // two for the fit
 
 bool massless(const rig_file::RigModel& rig) {
   return std::all_of(rig.dofs.begin(), rig.dofs.end(),
@@ -55,13 +56,16 @@ Diagnosis diagnose(const rig_file::RigModel& rig, const std::vector<host_sim::Re
   const Asked asked{rig, training, holdout, options};
   const System system = make_system(rig);
   const std::vector<runs::Prepared> records = runs::prepare_all(rig, training, holdout);
-  const runs::Task task{system, records, training.size()};
+  const bool kept_moving = runs::moving_share(records) > kKeptMoving;
+  // The last swings of a decay are too small to bear anything out: of several decays the last is the unseen one.
+  const bool last_unseen = holdout.empty() && !kept_moving && training.size() >= kLeastDecays;
+  const runs::Task task{system, records, training.size() - (last_unseen ? 1 : 0)};
   runs::Choice choice = runs::rig_fitted(task);
   progress(0.3);
   Diagnosis d;
   RowsSay say;
   const bool right = !massless(rig) && runs::right(task, choice);
-  const bool rows_can_tell = runs::forced(records) && runs::moving_share(records) > kKeptMoving && !massless(rig) &&
+  const bool rows_can_tell = runs::forced(records) && kept_moving && !massless(rig) &&
                              springs_and_masses_known(rig);
   if (!right && !massless(rig) && !rows_can_tell)
     choice.noise_is_enough = runs::noise_share(choice.base_left, choice.base.fit) > kMostlyNoise;
