@@ -15,21 +15,22 @@ constexpr int kPlainLimit = 3, kPlainPercent = 80;
 constexpr int kNamingLimit = 4;
 
 // Student's quantiles at the chance of 4.5 deviations of the normal distribution (7e-6: with 80
-// probes one false finding in 2000 records) and of 4 (6e-5: one of them likely in 200), in tenths, over degrees of freedom.
+// probes one false finding in 2000 records), in tenths, over degrees of freedom.
 struct Quantile {
-  int freedom, limit_tenths, likely_tenths;
+  int freedom, tenths;
 };
-constexpr Quantile kLimits[] = {{2, 3836, 1256}, {3, 687, 326}, {4, 306, 174}, {5, 194, 123}, {6, 145, 98},
-                                {8, 103, 76},    {10, 85, 66},  {12, 75, 60},  {16, 65, 54},  {20, 60, 50},
-                                {24, 57, 48},    {32, 54, 46},  {48, 51, 44},  {64, 49, 43},  {128, 47, 41}};
+constexpr Quantile kLimits[] = {{2, 3836}, {3, 687}, {4, 306}, {5, 194}, {6, 145}, {8, 103}, {10, 85}, {12, 75},
+                                {16, 65},  {20, 60}, {24, 57}, {32, 54}, {48, 51}, {64, 49}, {128, 47}};
+// Of that limit, from which on a force may well be there: 4 deviations where the scatter is well known, which 80 right probes
+// reach in one of 200 records.
+constexpr int kLikelyPercent = 88;
 
-const Quantile& quantile(Scaled freedom) {
-  int found = 0;
-  for (int q = 1; q < static_cast<int>(sizeof kLimits / sizeof kLimits[0]); ++q)
-    if (freedom >= Scaled::from_int(kLimits[q].freedom)) found = q;
-  return kLimits[found];
+Scaled limit(Scaled freedom) {
+  int tenths = kLimits[0].tenths;
+  for (const Quantile& q : kLimits)
+    if (freedom >= Scaled::from_int(q.freedom)) tenths = q.tenths;
+  return Scaled::ratio(tenths, 10);
 }
-Scaled limit(Scaled freedom) { return Scaled::ratio(quantile(freedom).limit_tenths, 10); }
 Scaled square(Scaled value) { return value * value; }
 Scaled quotient(Scaled a, Scaled b) { return b.is_zero() ? Scaled{} : a / b; }
 Scaled plain_limit(Scaled freedom) {
@@ -74,7 +75,7 @@ bool impossible(const CoreConfiguration& configuration, const ProbePlan& plan, c
 // A budget that leaves samples out leaves a force nearer to chance than the estimates' own samples would: the limit shrinks
 // by the root of the share that was looked at.
 bool ScoreTest::likely(int probe) const {
-  const Scaled limit = Scaled::ratio(quantile(score_[probe].freedom).likely_tenths, 10);
+  const Scaled limit = ::firmware::limit(score_[probe].freedom) * Scaled::ratio(kLikelyPercent, 100);
   return abs(score_[probe].wald) >= limit * seen_root_;
 }
 

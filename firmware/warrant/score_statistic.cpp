@@ -94,7 +94,7 @@ void ScoreTest::bend_base(Scaled* bent) const {
 
 void ScoreTest::keep_bends(int number) {
   const ProbeScore& score = score_[number];
-  for (int k = 0; k < unknowns_; ++k) {
+  for (int k = 0; k < unknowns_ && abs(score.wald) >= Scaled::from_int(1); ++k) {
     const Scaled possible = (abs(score.effect) + score.std) * abs(bend_[k]);
     if (possible > possible_bend_[k]) possible_bend_[k] = possible;
   }

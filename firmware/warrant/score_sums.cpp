@@ -73,10 +73,6 @@ void ScoreSums::configure(const CoreConfiguration& configuration, const Scaled* 
 
 void ScoreSums::clear() {
   offered_ = 0;
-  forget();
-}
-
-void ScoreSums::forget() {
   table_.clear();
   scaled_ = false;
   scale_blocks_ = 0;
@@ -120,7 +116,7 @@ void ScoreSums::offer(const Frame& frame, int count) {
 
 void ScoreSums::start_block() {
   block_.fill_columns();
-  if (scaled_ && outgrown()) forget();
+  if (scaled_ && outgrown()) clear();
   if (!scaled_) {
     measure_scales();
     return block_.keep_tail();

@@ -31,7 +31,7 @@ class ScoreSums {
 
   const ProbePlan& plan() const { return plan_; }
   const ScoreTable& table() const { return table_; }
-  uint64_t offered() const { return offered_; }  // samples, looked at or not
+  uint64_t offered() const { return offered_; }  // samples since the sums have their scale, looked at or not
   bool scaled() const { return scaled_; }        // the probes' own units are known: there are sums
   // SI unit of a probe's sums, per equation, per column of its place, of its own force, and of its slopes.
   Scaled unit(const Probe& probe, int value) const;
@@ -40,7 +40,6 @@ class ScoreSums {
   Scaled noise_share(const Probe& probe, int slope, int value, SharedNoise::Of of) const;
 
  private:
-  void forget();  // the sums, not that there were samples
   void start_block();
   void measure_scales();
   void set_scales();

@@ -49,7 +49,8 @@ class ScoreTest {
   bool likely(int probe) const;
   // How far a force that is likely and yet not beyond chance would bend the unknown, at the most.
   Scaled likely_bend(int unknown) const { return likely_bend_[unknown]; }
-  // How far a tested force may bend the unknown for all that the record says, at the most: what is found of it, and its deviation.
+  // How far a tested force may bend the unknown for all that the record says, at the most: what is found of it, and its deviation;
+  // nothing where less than its deviation is found.
   Scaled possible_bend(int unknown) const { return possible_bend_[unknown]; }
   // What the instrument of the score tests says of an unknown, less the estimate; 0 where it cannot say.
   Scaled difference(int unknown) const { return difference_[unknown]; }

@@ -144,8 +144,19 @@ bool may_be_bent(const ScoreTest& test, int unknown, const ParameterEstimate& pa
          bend * Scaled::from_int(kBendShare) > abs(parameter.value);
 }
 
-// Wrong is what is over 5 % and over 4 deviations off. A record that says of no force whether it is there must exclude at the
-// least those that would do twice that.
+// Velocity and acceleration of a node are both slopes of its displacement: their noise is one, and forces look more alike.
+bool displacement_alone(const CoreConfiguration& configuration) {
+  const auto derived = [&](int node, Quantity q) {
+    const SignalConfiguration& signal = configuration.signals[node][static_cast<int>(q)];
+    return signal.available && signal.derived && signal.source == static_cast<uint8_t>(Quantity::kDisplacement);
+  };
+  for (int node = 0; node < configuration.dof_count; ++node)
+    if (derived(node, Quantity::kVelocity) && derived(node, Quantity::kAcceleration)) return true;
+  return false;
+}
+
+// Wrong is what is over 5 % and over 4 deviations off. A record that tells forces badly apart must exclude at the least those
+// that would do twice that.
 bool could_be_wrong(const ScoreTest& test, int unknown, const ParameterEstimate& parameter) {
   const Scaled bend = test.possible_bend(unknown);
   return bend > parameter.std * Scaled::from_int(8) && bend * Scaled::from_int(10) > abs(parameter.value);
@@ -173,6 +184,7 @@ void give_verdict(const CoreConfiguration& configuration, const ScoreSums& sums,
     warrant.rival = warrant.named;
     warrant.named = late;
   }
+  const bool badly_told = displacement_alone(configuration);
   bool contradicted = false;
   for (int k = 0; k < estimates.unknown_count; ++k)
     contradicted = contradicted || contradicts(configuration, k, estimates.parameters[k]);
@@ -185,7 +197,7 @@ void give_verdict(const CoreConfiguration& configuration, const ScoreSums& sums,
       continue;
     }
     if (test.best() >= 0) raise(parameter, EstimateStatus::kModelSuspect);
-    if (may_be_bent(test, k, parameter) || could_be_wrong(test, k, parameter))
+    if (may_be_bent(test, k, parameter) || (badly_told && could_be_wrong(test, k, parameter)))
       raise(parameter, EstimateStatus::kUntested);
     if (instruments_differ(test, k, parameter)) raise(parameter, EstimateStatus::kBiasSuspect);
     // A second level asks the model another question.

@@ -9,8 +9,8 @@
 // squared mean of w^2 is below 1.56 (1.5 for one tone, 1.72 for two levels apart by half, 2.25 for two tones, 3 for a random
 // band). There a damping law of another power looks like the estimated one. Also where the record is too short to test
 // anything, where a force that is near the limit of chance would bend the coefficient by more than half its interval and 1/20 of
-// its value, and where a force that the record does not exclude (what is found of it, and one deviation) would bend it by more
-// than 8 of its deviations and 1/10 of its value.
+// its value; with displacements alone also where a force that the record does not exclude (what is found of it, and one deviation)
+// would bend it by more than 8 of its deviations and 1/10 of its value.
 // Where signals pass filters and nobody has said how much noise their channels have, the score tests are not calibrated:
 // they say nothing, warrant.tested is false, and only impossible coefficients and late channels are told.
 #pragma once
