@@ -109,8 +109,7 @@ int64_t dot_block(const int32_t* a, const int32_t* b) { return dot1(a, b); }
 
 void add_dots(const int32_t* shared, const int32_t* const* other, int count, int64_t* sum) {
   int k = 0;
-  for (; k + 3 <= count; k += 3)
-    add_dot3(shared, other[k], other[k + 1], other[k + 2], sum[k], sum[k + 1], sum[k + 2]);
+  for (; k + 3 <= count; k += 3) add_dot3(shared, other[k], other[k + 1], other[k + 2], sum[k], sum[k + 1], sum[k + 2]);
   for (; k < count; ++k) sum[k] += dot1(shared, other[k]);
 }
 

@@ -17,7 +17,7 @@ constexpr int64_t limited(int64_t value, int64_t limit) {
 // 2^61 <= |value| < 2^62, the size of a Scaled's mantissa, from the upper word alone: false also at the very ends of the range.
 constexpr bool is_surely_normal(int64_t value) {
   const auto high = static_cast<int32_t>(value >> 32);
-  return static_cast<uint32_t>(high ^ (high >> 31)) - 0x20000000u < 0x1fffffffu;
+  return static_cast<uint32_t>(high < 0 ? ~high : high) - 0x20000000u < 0x1fffffffu;
 }
 
 }  // namespace firmware

@@ -2,6 +2,8 @@
 #include <ucontext.h>
 
 #include <cstdlib>
+#include <cstring>
+#include <memory>
 #include <new>
 
 #include "hal/bare_metal/coroutine.hpp"
@@ -18,7 +20,8 @@ struct Contexts {  // at the beginning of the stack
 // makecontext() hands over integers.
 void enter(unsigned high, unsigned low) {
   const auto address = static_cast<uintptr_t>((uint64_t{high} << 32) | low);
-  const auto* contexts = reinterpret_cast<const Contexts*>(address);
+  const Contexts* contexts = nullptr;
+  std::memcpy(&contexts, &address, sizeof address);
   contexts->body(contexts->argument);
   std::abort();
 }
@@ -26,17 +29,18 @@ void enter(unsigned high, unsigned low) {
 }  // namespace
 
 Coroutine::Coroutine(uint8_t* stack, size_t size, void (*body)(void*), void* argument) {
-  constexpr size_t kAlign = alignof(Contexts);
-  const auto first = (reinterpret_cast<uintptr_t>(stack) + kAlign - 1) / kAlign * kAlign;
-  auto* contexts = new (reinterpret_cast<void*>(first)) Contexts;
+  void* first = stack;
+  size_t left = size;
+  if (std::align(alignof(Contexts), sizeof(Contexts), first, left) == nullptr) std::abort();
+  auto* contexts = new (first) Contexts;
   contexts->body = body;
   contexts->argument = argument;
   getcontext(&contexts->inside);
-  const uintptr_t used = first + sizeof(Contexts) - reinterpret_cast<uintptr_t>(stack);
+  const size_t used = size - left + sizeof(Contexts);
   contexts->inside.uc_stack.ss_sp = stack + used;
   contexts->inside.uc_stack.ss_size = size - used;
   contexts->inside.uc_link = nullptr;
-  const auto address = static_cast<uint64_t>(first);
+  const auto address = static_cast<uint64_t>(reinterpret_cast<uintptr_t>(first));
   makecontext(&contexts->inside, reinterpret_cast<void (*)()>(&enter), 2, static_cast<unsigned>(address >> 32),
               static_cast<unsigned>(address));
   inside_ = contexts;

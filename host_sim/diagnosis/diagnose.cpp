@@ -65,8 +65,7 @@ Diagnosis diagnose(const rig_file::RigModel& rig, const std::vector<host_sim::Re
   Diagnosis d;
   RowsSay say;
   const bool right = !massless(rig) && runs::right(task, choice);
-  const bool rows_can_tell = runs::forced(records) && kept_moving && !massless(rig) &&
-                             springs_and_masses_known(rig);
+  const bool rows_can_tell = runs::forced(records) && kept_moving && !massless(rig) && springs_and_masses_known(rig);
   if (!right && !massless(rig) && !rows_can_tell)
     choice.noise_is_enough = runs::noise_share(choice.base_left, choice.base.fit) > kMostlyNoise;
   const bool answered =
