@@ -36,12 +36,13 @@ Score score_unseen(const Task& task, const State& state, const Vec* noise) {
   std::vector<double> noise_of(n, 0.0);  // of what stands in x
   bool finite = evaluator.sound();
   const bool held = vocabulary::held_in_place(task.system.rig);
-  const bool apart = task.training < task.records.size();
+  const bool apart = task.training < task.records.size(), pushed = forced(task.records) && !evaluator.massless();
   WindowRun run;
   for (size_t r = apart ? task.training : 0; r < task.records.size() && finite; ++r) {
     const Prepared& p = task.records[r];
-    const Index all = moving_samples(p);
-    const Index first = apart ? 0 : static_cast<Index>(0.7 * static_cast<double>(all));
+    const Span span = moving_span(p, pushed);
+    const Index all = span.to;
+    const Index first = span.from + (apart ? 0 : static_cast<Index>(0.7 * static_cast<double>(all - span.from)));
     const Index part =
         held || evaluator.massless() ? all - first : std::max<Index>(12, static_cast<Index>(kRestart_s / p.step_s));
     for (Index from = first; from + 12 <= all && finite; from += part) {

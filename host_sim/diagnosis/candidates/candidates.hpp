@@ -18,6 +18,9 @@ struct Candidate {
 std::vector<Candidate> candidates_beside(const System& system, const Model& model, const std::vector<Prepared>& records,
                                          bool periodic_too);
 
+// From the lowest to the highest elongation of a link, over all records.
+double way_of(const System& system, const std::vector<Prepared>& records, int link);
+
 struct Screened {
   size_t candidate = 0;
   double gain = 0;  // share of the squared residual that it would take

@@ -18,6 +18,7 @@ constexpr double kQuarterTurn = 1.5707963267948966;
 
 struct Extent {
   double u_peak = 0, u_rms = 0, w_rms = 0;
+  double way = 0;  // from the lowest to the highest elongation
 };
 
 Extent extent_of(const System& s, const std::vector<Prepared>& records, size_t link) {
@@ -37,7 +38,8 @@ Extent extent_of(const System& s, const std::vector<Prepared>& records, size_t l
       if (rate)
         e.w_rms = std::max(e.w_rms, rms);
       else
-        e.u_rms = std::max(e.u_rms, rms), e.u_peak = std::max(e.u_peak, d.cwiseAbs().maxCoeff());
+        e.u_rms = std::max(e.u_rms, rms), e.u_peak = std::max(e.u_peak, d.cwiseAbs().maxCoeff()),
+        e.way = std::max(e.way, d.maxCoeff() - d.minCoeff());
     }
   }
   return e;
@@ -57,6 +59,10 @@ bool measures(const std::vector<Prepared>& records, int dof, int quantity) {
 }
 
 }  // namespace
+
+double way_of(const System& s, const std::vector<Prepared>& records, int link) {
+  return extent_of(s, records, static_cast<size_t>(link)).way;
+}
 
 std::vector<Candidate> candidates_beside(const System& s, const Model& model, const std::vector<Prepared>& records,
                                          bool periodic_too) {
@@ -116,7 +122,7 @@ std::vector<Candidate> candidates_beside(const System& s, const Model& model, co
     if (periodic_too) {
       const double most = held ? kPitchesOfASwing : kPitchesOfAWay;
       for (double pitches = 1; pitches < most; pitches += kPitchStep) {
-        Term sine = on_link(Kind::kCogging, l, e.u_peak / pitches), cosine = sine;
+        Term sine = on_link(Kind::kCogging, l, 0.5 * e.way / pitches), cosine = sine;
         cosine.shape2 = kQuarterTurn;
         add({sine, cosine}, 2);
       }

@@ -71,6 +71,15 @@ bool resolved(const Task& task, const Term& presliding) {
   return false;
 }
 
+// Pitches that the way has to hold: along less of a sine a cubic spring is as good a story.
+constexpr double kRepeats = 1.5;
+
+// Whether these records can show what the shape says.
+bool shows(const Task& task, const Term& t) {
+  if (t.kind == Kind::kPresliding) return resolved(task, t);
+  return t.kind != Kind::kCogging || kRepeats * t.shape < way_of(task.system, task.records, t.link);
+}
+
 // Seen and unseen blocks together.
 Fitted all_blocks(const State& s) {
   Fitted f = s.fit;
@@ -155,8 +164,7 @@ Attempt attempt(const Task& task, const State& beside, const std::vector<Candida
   settle(task, a.state, steps);
   a.error = error_over(a.state.fit, beside.fit), a.unseen = error_over(a.state.unseen_fit, beside.unseen_fit);
   for (size_t i = beside.model.size(); i < a.state.model.size(); ++i)
-    if (a.state.model[i].term.kind == Kind::kPresliding && !resolved(task, a.state.model[i].term))
-      a.state.fit.ok = false;
+    if (!shows(task, a.state.model[i].term)) a.state.fit.ok = false;
   if (a.state.fit.ok) {
     a.z = std::min(1e300, least_z(a, beside.model.size()));
     a.shows_unseen = !a.state.unseen_fit.ok || expected_unseen(a, beside.model.size()) > kShows;

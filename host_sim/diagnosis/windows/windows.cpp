@@ -31,16 +31,31 @@ double rest_of(const Prepared& p) {
   return least > kAtRest ? kAtRest : std::max(kAtRest, kAboveNoise * least);
 }
 
+// Of a period: a reversal of regular motion is no rest of that length.
+constexpr Index kFine = 16;
+
 // The length without the rest at its end.
 Index until_rest(const Prepared& p, double rest, Index from, Index length) {
-  const Index part = a_period(p);
-  while (length > part && motion_of(p, from + length - part, part) <= rest) length -= part;
+  for (const Index part : {a_period(p), std::max<Index>(2, a_period(p) / kFine)})
+    while (length > part && motion_of(p, from + length - part, part) <= rest) length -= part;
   return length;
+}
+
+// Samples of rest at its beginning, and the part of a period in which it is let go.
+Index held_at_first(const Prepared& p, double rest, Index from, Index length) {
+  const Index part = std::max<Index>(2, a_period(p) / kFine);
+  Index held = 0;
+  while (held + 2 * part < length && motion_of(p, from + held, part) <= rest) held += part;
+  return held > 0 ? held + part : 0;
 }
 
 }  // namespace
 
-Index moving_samples(const Prepared& p) { return until_rest(p, rest_of(p), 0, p.samples); }
+Span moving_span(const Prepared& p, bool pushed) {
+  const double rest = rest_of(p);
+  const Index from = pushed ? 0 : held_at_first(p, rest, 0, p.samples);
+  return {from, from + until_rest(p, rest, from, p.samples - from)};
+}
 
 double moving_share(const std::vector<Prepared>& records) {
   double moving = 0, all = 0;
@@ -80,8 +95,8 @@ std::vector<Window> lay_windows(const std::vector<Prepared>& records, double per
   for (size_t r = 0; r < records.size(); ++r) {
     const Prepared& p = records[r];
     const double rest = rest_of(p);
-    const Index all = until_rest(p, rest, 0, p.samples);
-    const Index seen = static_cast<Index>((1 - unseen_share) * static_cast<double>(all));
+    const Span all = moving_span(p, driven);
+    const Index seen = all.from + static_cast<Index>((1 - unseen_share) * static_cast<double>(all.to - all.from));
     const auto cover = [&](Index from, Index to, bool unseen) {
       const double wanted = std::max<double>(static_cast<double>(kLeastLength), periods * p.period_s / p.step_s);
       const Index count = std::max<Index>(1, static_cast<Index>(static_cast<double>(to - from) / wanted + 0.5));
@@ -90,12 +105,15 @@ std::vector<Window> lay_windows(const std::vector<Prepared>& records, double per
         w.record = r, w.from = from + i * (to - from) / count;
         w.length = from + (i + 1) * (to - from) / count - w.from;
         w.unseen = unseen;
-        if (!driven) w.length = until_rest(p, rest, w.from, w.length);
+        if (!driven) {
+          const Index held = held_at_first(p, rest, w.from, w.length);
+          w.from += held, w.length = until_rest(p, rest, w.from, w.length - held);
+        }
         if (w.length >= kLeastLength && motion_of(p, w.from, w.length) > rest) list.push_back(w);
       }
     };
-    cover(0, seen, false);
-    if (unseen_share > 0) cover(seen, all, true);
+    cover(all.from, seen, false);
+    if (unseen_share > 0) cover(seen, all.to, true);
   }
   return list;
 }

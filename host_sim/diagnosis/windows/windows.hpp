@@ -4,9 +4,13 @@
 
 namespace diagnosis::runs {
 
-// Samples of a record until it has come to rest for good: a decay, what a blow left, a damper that is held (friction then
-// holds any force).
-Index moving_samples(const Prepared& record);
+// Samples of a record, the last one left out.
+struct Span {
+  Index from = 0, to = 0;
+};
+// From where a record is let go (from its first sample where something pushes it: `pushed`) until it has come to rest for good:
+// a decay, what a blow left, a damper that is held (friction then holds any force).
+Span moving_span(const Prepared& record, bool pushed);
 // Of the records' periods, those that are not at rest.
 double moving_share(const std::vector<Prepared>& records);
 bool forced(const std::vector<Prepared>& records);
