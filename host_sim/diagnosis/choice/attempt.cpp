@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "shown.hpp"
+
 namespace diagnosis::runs {
 namespace {
 
@@ -53,32 +55,6 @@ double unseen_share_of(const Attempt& a, double noise) {
 }
 
 constexpr double kMuch = 0.5;  // of what the better one leaves beyond noise
-
-// Whether a link's bristles take longer than a sample to bend from a reversal on (half a t^2 at its rms acceleration). What
-// a friction force does within one sample is what filters and thinning make of its jump.
-bool resolved(const Task& task, const Term& presliding) {
-  const rig_file::Link& l = task.system.links[static_cast<size_t>(presliding.link)];
-  for (const Prepared& p : task.records) {
-    Vec a = Vec::Zero(p.samples);
-    for (const int end : {l.a, l.b}) {
-      if (end == rig_file::kGround) continue;
-      const Guess& g = p.guess[end == rig_file::kBase ? p.guess.size() - 1 : static_cast<size_t>(end - 1)];
-      if (g.given) a += (end == l.a ? 1.0 : -1.0) * g.a;
-    }
-    const double rms = std::sqrt(a.squaredNorm() / static_cast<double>(a.size()));
-    if (2 * presliding.shape > rms * p.step_s * p.step_s) return true;
-  }
-  return false;
-}
-
-// Pitches that the way has to hold: along less of a sine a cubic spring is as good a story.
-constexpr double kRepeats = 1.5;
-
-// Whether these records can show what the shape says.
-bool shows(const Task& task, const Term& t) {
-  if (t.kind == Kind::kPresliding) return resolved(task, t);
-  return t.kind != Kind::kCogging || kRepeats * t.shape < way_of(task.system, task.records, t.link);
-}
 
 // Seen and unseen blocks together.
 Fitted all_blocks(const State& s) {
@@ -164,7 +140,7 @@ Attempt attempt(const Task& task, const State& beside, const std::vector<Candida
   settle(task, a.state, steps);
   a.error = error_over(a.state.fit, beside.fit), a.unseen = error_over(a.state.unseen_fit, beside.unseen_fit);
   for (size_t i = beside.model.size(); i < a.state.model.size(); ++i)
-    if (!shows(task, a.state.model[i].term)) a.state.fit.ok = false;
+    if (!shown(task, a.state.model[i])) a.state.fit.ok = false;
   if (a.state.fit.ok) {
     a.z = std::min(1e300, least_z(a, beside.model.size()));
     a.shows_unseen = !a.state.unseen_fit.ok || expected_unseen(a, beside.model.size()) > kShows;

@@ -1,0 +1,87 @@
+#include "shown.hpp"
+
+#include <cmath>
+
+#include "../candidates/candidates.hpp"
+
+namespace diagnosis::runs {
+namespace {
+
+// Pitches that the way has to hold: along less of a sine a cubic spring is as good a story.
+constexpr double kRepeats = 1.5;
+constexpr double kOneMotion = 0.9;      // correlation of two channels that see the same motion
+constexpr double kContradiction = 0.1;  // between two gains of a channel: noise and filters make less
+
+// Whether a link's bristles take longer than a sample to bend from a reversal on (half a t^2 at its rms acceleration). What
+// a friction force does within one sample is what filters and thinning make of its jump.
+bool bends_slowly(const Task& task, const Term& presliding) {
+  const rig_file::Link& l = task.system.links[static_cast<size_t>(presliding.link)];
+  for (const Prepared& p : task.records) {
+    Vec a = Vec::Zero(p.samples);
+    for (const int end : {l.a, l.b}) {
+      if (end == rig_file::kGround) continue;
+      const Guess& g = p.guess[end == rig_file::kBase ? p.guess.size() - 1 : static_cast<size_t>(end - 1)];
+      if (g.given) a += (end == l.a ? 1.0 : -1.0) * g.a;
+    }
+    const double rms = std::sqrt(a.squaredNorm() / static_cast<double>(a.size()));
+    if (2 * presliding.shape > rms * p.step_s * p.step_s) return true;
+  }
+  return false;
+}
+
+const MotionTrace* channel_of(const Prepared& p, int dof, int quantity) {
+  for (const MotionTrace& t : p.traces)
+    if (t.dof == dof && t.quantity == quantity) return &t;
+  return nullptr;
+}
+
+// Gain of a rate's channel over that of its integral's: what the rate adds up to over a quarter of a period against what the
+// other moves in that time. 0 where the two do not see one motion.
+double gain_ratio(const Prepared& p, const Vec& integral, const Vec& rate) {
+  const Index part = std::max<Index>(1, static_cast<Index>(0.25 * p.period_s / p.step_s));
+  const Index count = p.samples - part;
+  if (count < 2 * part) return 0;
+  Vec moved = integral.tail(count) - integral.head(count), sum(count);
+  double running = 0;
+  for (Index i = 0; i < part; ++i) running += 0.5 * (rate[i] + rate[i + 1]);
+  for (Index i = 0; i < count; ++i) {
+    sum[i] = running * p.step_s;
+    if (i + 1 < count) running += 0.5 * (rate[i + part] + rate[i + part + 1] - rate[i] - rate[i + 1]);
+  }
+  moved.array() -= moved.mean(), sum.array() -= sum.mean();
+  const double size = moved.norm() * sum.norm(), together = moved.dot(sum);
+  if (!(size > 0) || std::abs(together) < kOneMotion * size) return 0;
+  return std::copysign(sum.norm() / moved.norm(), together);
+}
+
+bool contradicted(const Task& task, const ModelTerm& gain) {
+  for (const Prepared& p : task.records) {
+    const MotionTrace* own = channel_of(p, gain.term.dof, gain.term.quantity);
+    for (const int next : {gain.term.quantity - 1, gain.term.quantity + 1}) {
+      const MotionTrace* other = channel_of(p, gain.term.dof, next);
+      if (!own || !other) continue;
+      const bool rate = next < gain.term.quantity;
+      const double ratio = rate ? gain_ratio(p, other->y, own->y) : gain_ratio(p, own->y, other->y);
+      if (ratio == 0) continue;
+      if (std::abs((rate ? ratio : 1 / ratio) - (1 + gain.value)) > kContradiction) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+bool shown(const Task& task, const ModelTerm& t) {
+  switch (t.term.kind) {
+    case Kind::kPresliding:
+      return bends_slowly(task, t.term);
+    case Kind::kCogging:
+      return kRepeats * t.term.shape < way_of(task.system, task.records, t.term.link);
+    case Kind::kChannelGain:
+      return !contradicted(task, t);
+    default:
+      return true;
+  }
+}
+
+}  // namespace diagnosis::runs

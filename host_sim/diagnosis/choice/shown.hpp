@@ -1,0 +1,11 @@
+// Whether records can show what a fitted term says.
+#pragma once
+#include "choice.hpp"
+
+namespace diagnosis::runs {
+
+// False for bristles that bend within a sample, for a pitch of which the way holds too little to see it repeat, and for a
+// channel's gain that the next quantity of its DOF contradicts.
+bool shown(const Task& task, const ModelTerm& term);
+
+}  // namespace diagnosis::runs
