@@ -21,9 +21,6 @@ struct Quantile {
 };
 constexpr Quantile kLimits[] = {{2, 3836}, {3, 687}, {4, 306}, {5, 194}, {6, 145}, {8, 103}, {10, 85}, {12, 75},
                                 {16, 65},  {20, 60}, {24, 57}, {32, 54}, {48, 51}, {64, 49}, {128, 47}};
-// Of that limit, from which on a force may well be there: 4 deviations where the scatter is well known, which 80 right probes
-// reach in one of 200 records.
-constexpr int kLikelyPercent = 88;
 
 Scaled limit(Scaled freedom) {
   int tenths = kLimits[0].tenths;
@@ -71,13 +68,6 @@ bool impossible(const CoreConfiguration& configuration, const ProbePlan& plan, c
 }
 
 }  // namespace
-
-// A budget that leaves samples out leaves a force nearer to chance than the estimates' own samples would: the limit shrinks
-// by the root of the share that was looked at.
-bool ScoreTest::likely(int probe) const {
-  const Scaled limit = ::firmware::limit(score_[probe].freedom) * Scaled::ratio(kLikelyPercent, 100);
-  return abs(score_[probe].wald) >= limit * seen_root_;
-}
 
 // Sum of squares of the forces of the rig's own damping terms: on a link its own, else (and where it has none) those of all
 // links at the place's DOFs.

@@ -6,6 +6,7 @@ namespace firmware {
 namespace {
 
 constexpr int kLeastFreedom = 2;
+constexpr int kFoundDeviations = 2;  // chance finds as much of one force in 20
 constexpr int kLeastShareLog2 = -6;  // of a force, not taken up by the estimated terms
 
 constexpr int kMostInGroup = 8, kLeastGroups = 5;
@@ -92,17 +93,36 @@ void ScoreTest::bend_base(Scaled* bent) const {
   }
 }
 
+// A budget that leaves samples out leaves a force nearer to chance than the estimates' own samples would: the limit shrinks
+// by the root of the share that was looked at.
 void ScoreTest::keep_bends(int number) {
   const ProbeScore& score = score_[number];
-  for (int k = 0; k < unknowns_ && abs(score.wald) >= Scaled::from_int(1); ++k) {
+  if (abs(score.wald) < Scaled::from_int(kFoundDeviations) * seen_root_) return;
+  for (int k = 0; k < unknowns_; ++k) {
     const Scaled possible = (abs(score.effect) + score.std) * abs(bend_[k]);
     if (possible > possible_bend_[k]) possible_bend_[k] = possible;
   }
-  if (!likely(number)) return;
+}
+
+void ScoreTest::keep_bend_of_shape(int number) {
+  const ProbePlan& plan = sums_->plan();
+  const Probe& probe = plan.probe[number];
+  if (probe.form != Form::kRateSquare && probe.form != Form::kRateCube) return;
+  const ProbeScore& score = score_[number];
   for (int k = 0; k < unknowns_; ++k) {
-    const Scaled bent = abs(score.effect * bend_[k]);
-    if (bent > likely_bend_[k]) likely_bend_[k] = bent;
+    if (place_of_unknown_[k] != probe.place) continue;
+    const Scaled bend = (abs(score.effect) + scale_by_power_of_two(score.std, 1)) * abs(bend_[k]);
+    if (bend > bend_of_shape_[k]) bend_of_shape_[k] = bend;
   }
+}
+
+// A damping law that the estimated coefficients take up altogether. What a narrow Stribeck force is the wide one shows too.
+void ScoreTest::keep_blind(const Probe& probe) {
+  const Place& place = sums_->plan().place[probe.place];
+  const Form form = probe.form;
+  if (place.kind == PlaceKind::kLink &&
+      (form == Form::kRateSquare || form == Form::kRateCube || form == Form::kSignWide))
+    blind_[place.link] = true;
 }
 
 // Variance of the sum of the stretches' shares. Neighbours that err alike (slow noise in derived signals) show it in the sums of
@@ -167,8 +187,8 @@ void ScoreTest::test(int number) {
   result.score = sum_psi;
   result.information = sum_d;
   result.share = quotient(sum_d, sum_p);
-  if (sum_d.is_zero() || sum_d.is_negative() || result.before.is_zero()) return;
-  if (result.share < Scaled::from_int(1, kLeastShareLog2)) return;
+  if (result.before.is_zero()) return;
+  if (sum_d.is_zero() || result.share < Scaled::from_int(1, kLeastShareLog2)) return keep_blind(probe);
   result.freedom = square(sum_d) / d_squares - Scaled::from_int(1);
   if (result.freedom < Scaled::from_int(kLeastFreedom)) return;
   result.tested = true;
@@ -191,6 +211,7 @@ void ScoreTest::test(int number) {
   result.wald = quotient(sum_psi.is_negative() ? -sure : sure, sqrt(variance));
   result.plain = sum_psi / sqrt(result.before);
   keep_bends(number);
+  keep_bend_of_shape(number);
 }
 
 }  // namespace firmware

@@ -20,6 +20,7 @@ bool ScoreTest::judge(const CoreConfiguration& configuration, const ScoreSums& s
   if (!sums.scaled() || stretches_ < kLeastStretches) return false;
   unknowns_ = configuration.unknown_count;
   levels_ = 0;
+  for (bool& blind : blind_) blind = false;
   int last = -1;
   samples_ = Scaled{};
   for (int s = 0; s < stretches_; ++s) {
@@ -35,7 +36,7 @@ bool ScoreTest::judge(const CoreConfiguration& configuration, const ScoreSums& s
   for (int k = 0; k < unknowns_; ++k) {
     parameter_[k] = estimates.parameters[k].value;
     determined_[k] = false;
-    likely_bend_[k] = possible_bend_[k] = base_doubt_[k] = Scaled{};
+    possible_bend_[k] = bend_of_shape_[k] = base_doubt_[k] = Scaled{};
     for (int j = 0; j < unknowns_; ++j) normal_[k][j] = Scaled{};
     for (int s = 0; s < stretches_; ++s, report_work(15)) base_score_[s][k] = Scaled{};
   }

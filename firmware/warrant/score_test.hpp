@@ -45,13 +45,13 @@ class ScoreTest {
   Scaled rate_kurtosis(int link) const;
   // rms force of a probe's effect over that of the dampers beside it.
   Scaled force_ratio(int probe) const;
-  // The probe's force is near the limit of chance, or would be had every sample been looked at.
-  bool likely(int probe) const;
-  // How far a force that is likely and yet not beyond chance would bend the unknown, at the most.
-  Scaled likely_bend(int unknown) const { return likely_bend_[unknown]; }
-  // How far a tested force may bend the unknown for all that the record says, at the most: what is found of it, and its deviation;
-  // nothing where less than its deviation is found.
+  // How far a force that the record does not exclude may bend the unknown, at the most: what is found of it, and its deviation,
+  // where two deviations are found (as many fewer as the root of the share of samples that were looked at).
   Scaled possible_bend(int unknown) const { return possible_bend_[unknown]; }
+  // How far a damping law of another power at the unknown's own link may bend it: what is found of it, and two deviations.
+  Scaled bend_of_shape(int unknown) const { return bend_of_shape_[unknown]; }
+  // The record cannot tell a damping law of the link from its estimated coefficients.
+  bool blind(int link) const { return blind_[link]; }
   // What the instrument of the score tests says of an unknown, less the estimate; 0 where it cannot say.
   Scaled difference(int unknown) const { return difference_[unknown]; }
   Scaled difference_std(int unknown) const { return difference_std_[unknown]; }
@@ -74,6 +74,8 @@ class ScoreTest {
   void share_out(const Probe& probe);
   void bend_base(Scaled* bent) const;
   void keep_bends(int probe);
+  void keep_bend_of_shape(int probe);
+  void keep_blind(const Probe& probe);
   void judge_size(int number);
   void name();
   Scaled damping_square(int place) const;
@@ -99,7 +101,8 @@ class ScoreTest {
   ProbeScore score_[kMaxProbes];
   Scaled own_square_[kMaxProbes];  // sum of own forces squared, SI
   Scaled difference_[kMaxUnknowns], difference_std_[kMaxUnknowns], difference_doubt_[kMaxUnknowns];
-  Scaled likely_bend_[kMaxUnknowns], possible_bend_[kMaxUnknowns];
+  Scaled possible_bend_[kMaxUnknowns], bend_of_shape_[kMaxUnknowns];
+  bool blind_[kMaxLinks];
   Scaled samples_;    // looked at
   Scaled seen_root_;  // root of their share of all
   int best_ = -1, rival_ = -1;

@@ -4,7 +4,8 @@ namespace firmware {
 namespace {
 
 constexpr int kImpossibleDeviations = 4;
-constexpr int kBendShare = 20;        // of the value, beyond which a bend is told
+// What a wrong value is: over 4 deviations and over 1/20 of it off.
+constexpr int kWrongDeviations = 4, kWrongShare = 20;
 constexpr int kOneTonePercent = 156;  // of the squared mean of w^2: mean of w^4
 
 void raise(ParameterEstimate& parameter, EstimateStatus status) {
@@ -138,10 +139,17 @@ bool instruments_differ(const ScoreTest& test, int unknown, const ParameterEstim
          difference * Scaled::from_int(40) > abs(parameter.value);
 }
 
-bool may_be_bent(const ScoreTest& test, int unknown, const ParameterEstimate& parameter) {
-  const Scaled bend = test.likely_bend(unknown);
-  return scale_by_power_of_two(bend, 1) > parameter.ci95_high - parameter.ci95_low &&
-         bend * Scaled::from_int(kBendShare) > abs(parameter.value);
+bool is_wrong_by(Scaled bend, const ParameterEstimate& parameter) {
+  return bend > parameter.std * Scaled::from_int(kWrongDeviations) &&
+         bend * Scaled::from_int(kWrongShare) > abs(parameter.value);
+}
+
+// What the record does not exclude, by a force that the model lacks or by the score tests' own fit, would make the value wrong.
+bool may_be_wrong(const ScoreTest& test, int unknown, const ParameterEstimate& parameter) {
+  const Scaled whole = abs(test.difference(unknown)), doubt = test.difference_doubt(unknown);
+  const Scaled difference = whole > doubt ? whole - doubt : Scaled{}, std = test.difference_std(unknown);
+  const bool found = difference > std * Scaled::from_int(2);
+  return is_wrong_by(test.possible_bend(unknown), parameter) || (found && is_wrong_by(difference + std, parameter));
 }
 
 // Velocity and acceleration of a node are both slopes of its displacement: their noise is one, and forces look more alike.
@@ -155,20 +163,23 @@ bool displacement_alone(const CoreConfiguration& configuration) {
   return false;
 }
 
-// Wrong is what is over 5 % and over 4 deviations off. A record that tells forces badly apart must exclude at the least those
-// that would do twice that.
-bool could_be_wrong(const ScoreTest& test, int unknown, const ParameterEstimate& parameter) {
-  const Scaled bend = test.possible_bend(unknown);
-  return bend > parameter.std * Scaled::from_int(8) && bend * Scaled::from_int(10) > abs(parameter.value);
+// A law that the link may have would not show.
+bool blind(const CoreConfiguration& configuration, const ScoreTest& test, int unknown) {
+  const Term* term = term_of(configuration, unknown);
+  return term != nullptr && term->kind != TermKind::kMass && test.blind(term->place);
 }
 
 bool is_damping(TermKind kind) { return kind != TermKind::kMass && !row_of(kind).nature.conservative; }
 
-bool one_amplitude(const CoreConfiguration& configuration, const ScoreTest& test, int unknown) {
+// One amplitude of the rate: other damping laws differ from the estimated ones in their harmonics alone, and those have to be
+// excluded one by one.
+bool one_amplitude(const CoreConfiguration& configuration, const ScoreTest& test, int unknown,
+                   const ParameterEstimate& parameter) {
   const Term* term = term_of(configuration, unknown);
   if (term == nullptr || !is_damping(term->kind)) return false;
   const Scaled shape = test.rate_kurtosis(term->place);
-  return !shape.is_zero() && shape < Scaled::ratio(kOneTonePercent, 100);
+  if (shape.is_zero() || shape >= Scaled::ratio(kOneTonePercent, 100)) return false;
+  return test.blind(term->place) || is_wrong_by(test.bend_of_shape(unknown), parameter);
 }
 
 }  // namespace
@@ -197,11 +208,12 @@ void give_verdict(const CoreConfiguration& configuration, const ScoreSums& sums,
       continue;
     }
     if (test.best() >= 0) raise(parameter, EstimateStatus::kModelSuspect);
-    if (may_be_bent(test, k, parameter) || (badly_told && could_be_wrong(test, k, parameter)))
+    if (may_be_wrong(test, k, parameter) || (badly_told && blind(configuration, test, k)))
       raise(parameter, EstimateStatus::kUntested);
     if (instruments_differ(test, k, parameter)) raise(parameter, EstimateStatus::kBiasSuspect);
     // A second level asks the model another question.
-    if (state.levels == 1 && one_amplitude(configuration, test, k)) raise(parameter, EstimateStatus::kUntested);
+    if (state.levels == 1 && one_amplitude(configuration, test, k, parameter))
+      raise(parameter, EstimateStatus::kUntested);
   }
 }
 
