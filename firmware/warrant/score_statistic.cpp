@@ -93,17 +93,6 @@ void ScoreTest::bend_base(Scaled* bent) const {
   }
 }
 
-// A budget that leaves samples out leaves a force nearer to chance than the estimates' own samples would: the limit shrinks
-// by the root of the share that was looked at.
-void ScoreTest::keep_bends(int number) {
-  const ProbeScore& score = score_[number];
-  if (abs(score.wald) < Scaled::from_int(kFoundDeviations) * seen_root_) return;
-  for (int k = 0; k < unknowns_; ++k) {
-    const Scaled possible = (abs(score.effect) + score.std) * abs(bend_[k]);
-    if (possible > possible_bend_[k]) possible_bend_[k] = possible;
-  }
-}
-
 void ScoreTest::keep_bend_of_shape(int number) {
   const ProbePlan& plan = sums_->plan();
   const Probe& probe = plan.probe[number];

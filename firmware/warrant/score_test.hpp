@@ -46,7 +46,7 @@ class ScoreTest {
   // rms force of a probe's effect over that of the dampers beside it.
   Scaled force_ratio(int probe) const;
   // How far a force that the record does not exclude may bend the unknown, at the most: what is found of it, and its deviation,
-  // where two deviations are found (as many fewer as the root of the share of samples that were looked at).
+  // where it is near the limit of chance, or would be had all samples been looked at (score_naming.cpp).
   Scaled possible_bend(int unknown) const { return possible_bend_[unknown]; }
   // How far a damping law of another power at the unknown's own link may bend it: what is found of it, and two deviations.
   Scaled bend_of_shape(int unknown) const { return bend_of_shape_[unknown]; }

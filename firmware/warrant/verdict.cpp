@@ -144,22 +144,20 @@ bool is_wrong_by(Scaled bend, const ParameterEstimate& parameter) {
          bend * Scaled::from_int(kWrongShare) > abs(parameter.value);
 }
 
-// What the record does not exclude, by a force that the model lacks or by the score tests' own fit, would make the value wrong.
-bool may_be_wrong(const ScoreTest& test, int unknown, const ParameterEstimate& parameter) {
+// What the score tests' own fit says of the value would make it wrong.
+bool fits_differ(const ScoreTest& test, int unknown, const ParameterEstimate& parameter) {
   const Scaled whole = abs(test.difference(unknown)), doubt = test.difference_doubt(unknown);
   const Scaled difference = whole > doubt ? whole - doubt : Scaled{}, std = test.difference_std(unknown);
-  const bool found = difference > std * Scaled::from_int(2);
-  return is_wrong_by(test.possible_bend(unknown), parameter) || (found && is_wrong_by(difference + std, parameter));
+  return difference > std * Scaled::ratio(5, 2) && is_wrong_by(difference + std, parameter);
 }
 
-// Velocity and acceleration of a node are both slopes of its displacement: their noise is one, and forces look more alike.
-bool displacement_alone(const CoreConfiguration& configuration) {
-  const auto derived = [&](int node, Quantity q) {
-    const SignalConfiguration& signal = configuration.signals[node][static_cast<int>(q)];
-    return signal.available && signal.derived && signal.source == static_cast<uint8_t>(Quantity::kDisplacement);
-  };
-  for (int node = 0; node < configuration.dof_count; ++node)
-    if (derived(node, Quantity::kVelocity) && derived(node, Quantity::kAcceleration)) return true;
+// A node's velocity is made from one channel alone, from that of the source or (kForce) of any.
+bool one_channel(const CoreConfiguration& configuration, Quantity source) {
+  for (int node = 0; node < configuration.dof_count; ++node) {
+    const SignalConfiguration& velocity = configuration.signals[node][static_cast<int>(Quantity::kVelocity)];
+    if (!velocity.available || !velocity.derived || configuration.fusion[node].used) continue;
+    if (source == Quantity::kForce || velocity.source == static_cast<uint8_t>(source)) return true;
+  }
   return false;
 }
 
@@ -195,7 +193,8 @@ void give_verdict(const CoreConfiguration& configuration, const ScoreSums& sums,
     warrant.rival = warrant.named;
     warrant.named = late;
   }
-  const bool badly_told = displacement_alone(configuration);
+  const bool derived = one_channel(configuration, Quantity::kForce);
+  const bool twice_derived = one_channel(configuration, Quantity::kDisplacement);
   bool contradicted = false;
   for (int k = 0; k < estimates.unknown_count; ++k)
     contradicted = contradicted || contradicts(configuration, k, estimates.parameters[k]);
@@ -208,7 +207,8 @@ void give_verdict(const CoreConfiguration& configuration, const ScoreSums& sums,
       continue;
     }
     if (test.best() >= 0) raise(parameter, EstimateStatus::kModelSuspect);
-    if (may_be_wrong(test, k, parameter) || (badly_told && blind(configuration, test, k)))
+    if (is_wrong_by(test.possible_bend(k), parameter) || (derived && fits_differ(test, k, parameter)) ||
+        (twice_derived && blind(configuration, test, k)))
       raise(parameter, EstimateStatus::kUntested);
     if (instruments_differ(test, k, parameter)) raise(parameter, EstimateStatus::kBiasSuspect);
     // A second level asks the model another question.

@@ -6,12 +6,12 @@
 // BIAS_SUSPECT: the score tests' instrument, which reaches four samples to either side, says another value: by more than
 // four deviations of the difference, the half width of the interval and 1/40 of the value.
 // UNTESTED: what the record does not exclude would make the coefficient wrong, by over 4 of its deviations and over 1/20 of its
-// value: a force of which two deviations are found, and one deviation more; or what the score tests' own fit says of it, likewise.
-// One level, and the rate of a coefficient's link has one amplitude, as with one tone: the mean of w^4 over the squared mean of
-// w^2 is below 1.56 (1.5 for one tone, 1.72 for two levels apart by half, 2.25 for two tones, 3 for a random band): other damping
-// laws differ in their harmonics alone, and have to be excluded with two deviations whatever is found of them. With displacements
-// alone also where a damping law of the link cannot be told from its coefficients. Also where the record is too short to test
-// anything.
+// value: a force that is found near the limit of chance, and one deviation more; where one quantity of a DOF is measured, a force
+// that two deviations are found of, and what the score tests' own fit says of it.
+// One level, and the rate of a coefficient's link has one amplitude, as with one tone (mean of w^4 over the squared mean of w^2
+// below 1.56; 1.5 for one tone, 2.25 for two, 3 for a random band): other damping laws differ in their harmonics alone, and have
+// to be excluded with two deviations whatever is found of them. With displacements alone also where a damping law of the link
+// cannot be told from its coefficients. Also where the record is too short to test anything.
 // Where signals pass filters and nobody has said how much noise their channels have, the score tests are not calibrated:
 // they say nothing, warrant.tested is false, and only impossible coefficients and late channels are told.
 #pragma once
