@@ -129,6 +129,7 @@ rig_file::RigModel written_rig(const Task& task, const Terms& full) {
 Verdict verdict_of(const Task& task, const Choice& choice, bool noise, double worst_free_run, const Diagnosis& d) {
   if (!choice.named.empty())
     return !d.ambiguous_with.empty() ? Verdict::kAmbiguous : noise ? Verdict::kExplained : Verdict::kPartly;
+  if (choice.base_fits_nothing && !right(task, choice)) return Verdict::kUnknown;
   const bool nothing_missing = noise || right(task, choice) || near_enough(task, choice) ||
                                (choice.noise_is_enough && worst_free_run < kHalfOfVariance) ||
                                (worst_free_run < 100 * kSmall && motion_error(task, choice.final) < kSmall);
@@ -136,11 +137,13 @@ Verdict verdict_of(const Task& task, const Choice& choice, bool noise, double wo
 }
 
 // A cause beside which as much remains as before explains nothing: of what acts here it is not the name. Where only
-// noise remains it is a cause still if the rig's own numbers are others beside it.
-bool immaterial(const Choice& choice, bool noise, const Terms& base, const Terms& full, const Diagnosis& d) {
+// noise remains it is a cause still if the rig's own numbers are others beside it. Where the free run misses the whole motion
+// with it as without, no window speaks for it.
+bool immaterial(const Choice& choice, bool noise, double worst_free_run, const Terms& base, const Terms& full,
+                const Diagnosis& d) {
   if (choice.named.empty() || (noise && moved(base, full))) return false;
   const double windows = std::sqrt(1 / std::max(1e-12, error_over(choice.final.unseen_fit, choice.base.unseen_fit)));
-  return windows < kLeastGain &&
+  return (windows < kLeastGain || worst_free_run > 100) &&
          std::all_of(d.gain.begin(), d.gain.end(), [](double gain) { return gain < kLeastGain; });
 }
 
@@ -218,7 +221,7 @@ void answer(const Task& task, const Choice& choice, Diagnosis& d) {
   d.baseline_misfit = choice.base_left.worst(), d.extended_misfit = choice.final_left.worst();
   const bool noise = choice.final.fit.ok && !beyond_noise(choice.final_left) && worst_free_run < kHalfOfVariance;
   d.verdict = verdict_of(task, choice, noise, worst_free_run, d);
-  if (immaterial(choice, noise, base, full, d)) {
+  if (immaterial(choice, noise, worst_free_run, base, full, d)) {
     withdraw_causes(task, base, d);
     d.verdict = noise || motion_error(task, choice.base) < kAsGoodAsRight ? Verdict::kNone : Verdict::kUnknown;
   }

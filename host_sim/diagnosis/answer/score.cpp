@@ -25,6 +25,15 @@ struct Sums {
   bool shows(double noise) const { return variance() > kShown * noise; }
 };
 
+// Variance of a channel's noise: what a model leaves of it above the motion's band, but no more than there is of white noise
+// in the channel itself (third differences of that have 20 times its variance: 1 + 9 + 9 + 1). A bad model leaves more.
+double noise_in(const Vec& y, double left) {
+  const Index n = y.size() - 3;
+  if (n < 1) return left;
+  const Vec d = y.tail(n) - 3 * y.segment(2, n) + 3 * y.segment(1, n) - y.head(n);
+  return std::min(left, d.squaredNorm() / (20 * static_cast<double>(n)));
+}
+
 double capped(double percent) { return std::isfinite(percent) ? std::min(percent, kMostPercent) : kMostPercent; }
 
 }  // namespace
@@ -65,7 +74,7 @@ Score score_unseen(const Task& task, const State& state, const Vec* noise) {
               const Vec y = traces[c].y.segment(w.from, w.length);
               x[d].add(y - run.residual.segment(static_cast<Index>(c) * w.length, w.length), y);
               v[d] = a[d] = x[d];
-              if (noise && noise->size()) noise_of[d] = (*noise)[static_cast<Index>(c)];
+              if (noise && noise->size()) noise_of[d] = noise_in(traces[c].y, (*noise)[static_cast<Index>(c)]);
             }
           continue;
         }
@@ -75,7 +84,7 @@ Score score_unseen(const Task& task, const State& state, const Vec* noise) {
         for (const MotionTrace& t : p.traces)
           if (t.dof == static_cast<int>(d) && (!measured || t.quantity < measured->quantity)) {
             measured = &t;
-            if (noise && noise->size()) noise_of[d] = (*noise)[static_cast<Index>(&t - p.traces.data())];
+            if (noise && noise->size()) noise_of[d] = noise_in(t.y, (*noise)[static_cast<Index>(&t - p.traces.data())]);
           }
         const Mat& simulated = measured->quantity == 0 ? run.x : measured->quantity == 1 ? run.v : run.a;
         Vec alike = simulated.row(i), reading = measured->y.segment(w.from, w.length);

@@ -20,26 +20,39 @@ constexpr double kNearEnough_percent =
 constexpr double kRight_percent = 0.05;  // where noise may hide a cause: no sensor tells it from the truth
 constexpr double kBorneOut = 3;          // standard errors, of what another test has found
 
-void lay(const Task& task, double periods, State& s) {
-  const bool apart = task.training < task.records.size();
-  s.seen.clear(), s.unseen.clear();
-  for (Window& w : lay_windows(task.records, periods, apart ? 0 : 0.3, massless(s.model))) {
-    const bool unseen = apart ? w.record >= task.training : w.unseen;
-    (unseen ? s.unseen : s.seen).push_back(w);
-  }
+constexpr double kAll = 1e300;     // samples
+constexpr double kEnough = 20000;  // samples: some hundred periods tell one valley from another
+
+void thin_out(std::vector<Window>& windows, size_t every) {
+  size_t kept = 0;
+  for (size_t i = 0; i < windows.size(); i += every) windows[kept++] = windows[i];
+  windows.resize(kept);
 }
 
-// Windows twice as long, up to `most` periods, as long as the fitted model follows them: what was fitted over short
+// Lays windows of so many periods over the records; every second, third ... of them where they hold more samples than `most`.
+void lay(const Task& task, double periods, State& s, double most = kAll) {
+  const bool apart = task.training < task.records.size();
+  s.seen.clear(), s.unseen.clear();
+  double rows = 0;
+  for (Window& w : lay_windows(task.records, periods, apart ? 0 : 0.3, massless(s.model))) {
+    const bool unseen = apart ? w.record >= task.training : w.unseen;
+    (unseen ? s.unseen : s.seen).push_back(w), rows += unseen ? 0 : static_cast<double>(w.length);
+  }
+  const size_t every = std::min(static_cast<size_t>(1 + rows / most), s.seen.size() / (2 * kEnoughWindows));
+  if (every > 1) thin_out(s.seen, every), thin_out(s.unseen, every);
+}
+
+// Windows twice as long, up to `longest` periods, as long as the fitted model follows them: what was fitted over short
 // ones starts nearer than first values do. True where any were longer.
-bool widen(const Task& task, double most, double& periods, State& s) {
+bool widen(const Task& task, double longest, double& periods, State& s, double most = kAll) {
   bool any = false;
-  while (periods < 0.75 * most) {
+  while (periods < 0.75 * longest) {
     State longer = s;
-    lay(task, std::min(most, 2 * periods), longer);
+    lay(task, std::min(longest, 2 * periods), longer, most);
     if (longer.unseen.empty() != s.unseen.empty()) return any;
     settle(task, longer, kBaseSteps);
     if (!longer.fit.ok || !(motion_error(task, longer) < kFollows)) return any;
-    s = longer, periods = std::min(most, 2 * periods), any = true;
+    s = longer, periods = std::min(longest, 2 * periods), any = true;
   }
   return any;
 }
@@ -63,14 +76,23 @@ double quickest_share(const Task& task) {
 // ones, finds the lower one more often; nothing is lost where it does not.
 void from_shorter(const Task& task, const Model& start, double periods, State& s) {
   if (motion_error(task, s) < kPlainlyRight) return;
-  State other = s;
+  State other = s, same = s;
   other.model = start;
   double reached = periods / kShorter;
-  lay(task, reached, other);
+  lay(task, reached, other, kEnough);
   settle(task, other, kBaseSteps);
   if (!other.fit.ok || !(motion_error(task, other) < kFollows)) return;
-  widen(task, periods, reached, other);
-  if (reached == periods && other.fit.ok && error_over(other.fit, s.fit) < 1) s = other;
+  widen(task, periods, reached, other, kEnough);
+  if (reached != periods || !other.fit.ok) return;
+  const bool some = other.seen.size() < s.seen.size();
+  if (some) same.seen = other.seen, same.unseen = other.unseen, settle(task, same, kBaseSteps);
+  if (same.fit.ok && error_over(other.fit, same.fit) >= 1) return;
+  if (some) {
+    lay(task, periods, other);
+    settle(task, other, kBaseSteps);
+    if (!other.fit.ok || error_over(other.fit, s.fit) >= 1) return;
+  }
+  s = other;
 }
 
 // The longest windows over which the model stays within reach of its linearisation.
@@ -224,6 +246,8 @@ void choose(const Task& task, Choice& choice, const std::function<void(double)>&
   if (!now.fit.ok || now.unseen.empty() || near_enough(task, choice)) return;
   bool warmed = false;
   while (choice.named.size() < kMostCauses) {
+    const double left = error_over(now.fit, choice.base.fit);
+    if (!choice.named.empty() && left < kFurtherShare * (1 - left)) break;  // no cause could take that much
     const Left remains = left_by(task.system, task.records, now);
     const double noise = noise_share(remains, now.fit);
     const State part = part_of(task, now, noise);
@@ -234,7 +258,6 @@ void choose(const Task& task, Choice& choice, const std::function<void(double)>&
         round.best = warm, round.found = warmed = true;
     }
     if (!round.found) break;
-    const double left = error_over(now.fit, choice.base.fit);
     if (!choice.named.empty() && left * (1 - round.best.error) < kFurtherShare * (1 - left)) break;
     for (Candidate c : round.best.candidates) {
       keep_shape(round.best.state.model, c);

@@ -9,32 +9,37 @@ constexpr size_t kRivalsTried = 6;
 constexpr double kMuchWorse = 4;   // of a screened gain's rest, against the best: not tried
 constexpr double kLeastRival = 2;  // its own deviate
 
-// The rig as given with every named cause but one; false where another one rests on it.
-bool without(const Task& task, const Choice& choice, size_t one, State& rest) {
+// The rig as given (`base`) with every named cause but one; false where another one rests on it.
+bool without(const Task& task, const Choice& choice, const State& base, size_t one, State& rest) {
   std::vector<Candidate> others;
   const int own_terms = static_cast<int>(choice.base.model.size());
   for (size_t i = 0; i < choice.named.size(); ++i) {
     if (choice.named[i].candidate.host >= own_terms) return false;
     if (i != one) others.push_back(choice.named[i].candidate);
   }
-  rest = choice.base;
+  rest = base;
   if (others.empty()) return true;
   std::vector<std::vector<double>> start;
   for (const Candidate& c : others) start.push_back(std::vector<double>(c.terms.size(), 0.0));
-  rest = attempt(task, choice.base, others, start, kBaseSteps).state;
+  rest = attempt(task, base, others, start, kBaseSteps).state;
   return rest.fit.ok;
 }
 
 }  // namespace
 
 void weigh_rivals(const Task& task, const std::function<void(double)>& progress, Choice& choice) {
+  if (choice.named.empty()) return;
+  const State few = part_of(task, choice.base, 0);
   for (size_t i = 0; i < choice.named.size(); ++i) {
     Named& mine = choice.named[i];
     if (mine.candidate.terms[0].shape == kAcrossRecords) continue;  // judged together with the others that warm
-    State all_rest;
-    if (!without(task, choice, i, all_rest)) continue;
-    const double noise = noise_share(left_by(task.system, task.records, all_rest), all_rest.fit);
-    const State rest = part_of(task, all_rest, noise);
+    State rest;
+    if (!without(task, choice, few, i, rest)) continue;
+    double noise = noise_share(left_by(task.system, task.records, rest), rest.fit);
+    if (noise > kMostlyNoise && few.seen.size() < choice.base.seen.size()) {  // then all are needed
+      if (!without(task, choice, choice.base, i, rest)) continue;
+      noise = noise_share(left_by(task.system, task.records, rest), rest.fit);
+    }
     Attempt own;
     own.candidates = {mine.candidate}, own.state = choice.final, own.complexity = mine.candidate.complexity;
     own.z = mine.z;
