@@ -92,7 +92,8 @@ class Planner {
           add(p, Form::kJerk, cause_of(EffectKind::kSensorDelay), static_cast<uint8_t>(Quantity::kAcceleration), -1);
         }
         if (!c_.signals[place.node_a][0].available) continue;
-        add(p, Form::kForce, cause_of(EffectKind::kSensorGain), static_cast<uint8_t>(Quantity::kForce), -1);
+        if (known_term_in(place.dof[0]))
+          add(p, Form::kForce, cause_of(EffectKind::kSensorGain), static_cast<uint8_t>(Quantity::kForce), -1);
         add(p, Form::kForceRate, cause_of(EffectKind::kSensorDelay), static_cast<uint8_t>(Quantity::kForce), -1);
       }
     }
@@ -119,6 +120,14 @@ class Planner {
     for (int l = 0; l < c_.link_count; ++l) {
       const LinkConfiguration& link = c_.links[l];
       if ((link.node_a == a && link.node_b == b) || (link.node_a == b && link.node_b == a)) return true;
+    }
+    return false;
+  }
+  // Without one all coefficients take up a gain of the force, and what they leave of the force is the residual itself.
+  bool known_term_in(int dof) const {
+    for (int t = 0; t < c_.term_count; ++t) {
+      const Term& term = c_.terms[t];
+      if (term.unknown < 0 && !term.value.is_zero() && sign_in(term, dof) != 0) return true;
     }
     return false;
   }

@@ -142,6 +142,25 @@ TEST(Warrant, TheCauseIsNamedWithItsSize) {
   }
 }
 
+// With mass and springs unknown all coefficients take up a gain of the force, and what they leave of the force is the residual
+// itself: a gain explains it always, and is no candidate.
+TEST(Warrant, AForcesGainIsNoCandidateWhereNothingIsKnown) {
+  Settings settings;
+  settings.masses = 1;
+  hidden_rig::Draw draw = hidden_rig::make_draw(9050, settings);
+  const auto gains = [&draw] {
+    static firmware::ProbePlan plan;
+    firmware::make_probe_plan(run_core(draw).configuration, firmware::kWarrantNumbers, plan);
+    return std::count_if(plan.probe, plan.probe + plan.probe_count,
+                         [](const firmware::Probe& p) { return p.form == firmware::Form::kForce; });
+  };
+  EXPECT_EQ(gains(), 1);
+  for (rig_file::Dof& dof : draw.rig.dofs) dof.mass_kg.estimate = true;
+  EXPECT_EQ(gains(), 1);  // the springs are known
+  for (rig_file::Link& link : draw.rig.links) link.stiffness_N_m.estimate = true;
+  EXPECT_EQ(gains(), 0);
+}
+
 // A gain of 1.05 in one of a DOF's motion channels: a slope of 1.05 where 1 belongs. With one damper and one mass the equations alone
 // say nothing: the damper's coefficient is c / 1.05.
 TEST(Warrant, AMotionChannelOfAnotherGainIsNamed) {
