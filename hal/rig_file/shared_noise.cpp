@@ -78,8 +78,7 @@ using Responses = std::vector<double>[kQuantities];
 // Mean products of noise in the weights of the energy equations with that in the signals; with: `of` after the noise's own colour.
 void add_to_energies(const CoreConfiguration& c, int node, double variance, const Responses& of, const Responses& with,
                      double (&shared)[3][kQuantities]) {
-  const bool derived = c.signals[node][kV].available && c.signals[node][kV].derived;
-  if (!derived) return;
+  if (!c.signals[node][kV].available) return;
   for (size_t n = 2; n + 2 < of[kV].size(); ++n) {
     const auto around = [&](int q) {
       return (4.0 * (of[q][n - 1] + of[q][n + 1]) - of[q][n - 2] - of[q][n + 2]) / 6.0;

@@ -285,6 +285,14 @@ double largest_value(const CoreConfiguration& c, int node, int q, const std::vec
   return std::ldexp(largest, -signal.shift) * to_double(signal.unit_per_code);
 }
 
+// Noise that is in the neighbours of a sample although nothing is filtered. A displacement tells: its motion does not reach the top
+// of the spectrum.
+bool coloured_displacement(const CoreConfiguration& c, const SignalRanges& ranges) {
+  for (int node = 0; node < c.dof_count; ++node)
+    if (c.channels[node][kX].present && ranges.noise[node][kX].pole != 0.0) return true;
+  return false;
+}
+
 }  // namespace
 
 void plan_signals(CoreConfiguration& configuration, const SignalRanges& ranges) {
@@ -298,7 +306,10 @@ void plan_signals(CoreConfiguration& configuration, const SignalRanges& ranges) 
   std::fill_n(configuration.motion_noise_doubt, firmware::kMaxNodes, uint16_t{0});
   std::fill_n(configuration.force_noise_doubt, firmware::kMaxNodes, uint16_t{0});
   configuration.sign_half_length = 0;
-  if (!plan.filtered()) return;
+  if (!plan.filtered()) {
+    if (coloured_displacement(configuration, ranges)) find_shared_noise(configuration, ranges);
+    return;
+  }
   for (int node = 0; node < firmware::kMaxNodes; ++node)
     for (int q = 0; q < kQuantities; ++q)
       if (configuration.signals[node][q].available) plan.quantise(node, q, ranges.largest[node][q]);
