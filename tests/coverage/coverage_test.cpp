@@ -29,7 +29,8 @@ INSTANTIATE_TEST_SUITE_P(SensorSets, Coverage,
                          testing::Values(Case{"random_1pct", "xva"}, Case{"random_1pct", "xa"},
                                          Case{"random_1pct", "x"}, Case{"random_1pct", "a"}, Case{"random_5pct", "xa"},
                                          Case{"stick_slip", "xva"}, Case{"bits_12", "xva"}, Case{"ar_0p8_1pct", "x"},
-                                         Case{"sine_records", "xa"}, Case{"masses_springs_unknown", "xa"}),
+                                         Case{"sine_records", "xa"}, Case{"masses_springs_unknown", "xa"},
+                                         Case{"ar_0p8_5pct", "xva"}),
                          [](const auto& test) { return std::string(test.param.condition) + "_" + test.param.sensors; });
 
 }  // namespace
