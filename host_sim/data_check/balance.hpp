@@ -13,8 +13,8 @@ namespace host_sim::data_check {
 // coefficients explain taken off.
 struct Equation {
   std::vector<size_t> channel;  // of each column: index into the balance's channels
-  Eigen::MatrixXd columns;
-  double reference = 0.0;  // squares of the force, or of the inertia where no force acts
+  Eigen::MatrixXd products;     // of each column with each
+  double reference = 0.0;       // squares of the force, or of the inertia where no force acts
   size_t reference_channel = 0;
 };
 
@@ -23,8 +23,8 @@ class Balance {
  public:
   Balance(const Record& record, const rig_file::RigModel& model);
   // With a bell of six boxes of h samples. Equations without anything known, or whose columns cannot be told apart, are
-  // left out.
-  std::vector<Equation> equations(size_t h) const;
+  // left out. Asked for one h after twice the one before, it makes the wider bell from the narrower.
+  std::vector<Equation> equations(size_t h);
   const std::vector<const Channel*>& channels() const { return channels_; }
 
  private:
@@ -34,9 +34,11 @@ class Balance {
     int order = 0;  // 0 displacement, 1 velocity, 2 acceleration; of a force the equation's own
   };
   void take_motion(int dof);
-  using Columns = std::map<std::pair<int, int>, Eigen::VectorXd>;  // by DOF and order, made once for all equations
-  const Eigen::VectorXd& column(int dof, int order, size_t h, Columns& columns) const;
-  Equation equation_of(int dof, size_t h, Columns& columns) const;
+  // A channel's derivative under the bell at every h-th sample.
+  const std::vector<double>& thinned(const Channel& channel, int derivative, size_t h);
+  // Without its mean: of the DOF's motion, differentiated as much further as all of the equation is.
+  Eigen::VectorXd column(int dof, int order, size_t h);
+  Equation equation_of(int dof, size_t h);
 
   const Record& record_;
   const rig_file::RigModel& model_;
@@ -44,6 +46,11 @@ class Balance {
   std::map<int, Used> motion_;           // by DOF
   std::map<int, size_t> place_, force_;  // index into channels_, by DOF
   int differentiate_ = 0;
+  struct Thinned {
+    size_t h = 0;
+    std::vector<double> values;
+  };
+  std::map<std::pair<const Channel*, int>, Thinned> thinned_;  // by channel and derivative
 };
 
 // The share of the reference that is not explained when each channel's values are multiplied so: the worst equation's.

@@ -12,4 +12,8 @@ constexpr int kBoxes = 6;
 // h even; k 0 to 6. The result has 6 h samples fewer than y; its first belongs to sample 3 h.
 std::vector<double> bell(const std::vector<double>& y, int k, size_t h, double sample_period_s);
 
+// From every h-th sample of bell(y, k, h, T) every 2h-th of bell(y, k, 2h, T): a box of 2h samples, and a difference over
+// them, is the mean of two of h.
+std::vector<double> twice_as_wide(const std::vector<double>& thinned);
+
 }  // namespace host_sim::data_check

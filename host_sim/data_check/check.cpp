@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <future>
 #include <set>
 
 #include "hal/rig_file/channel_name.hpp"
@@ -188,6 +189,7 @@ const char* Report::verdict() const {
 
 Report check(const std::vector<Record>& records, const rig_file::RigModel* model) {
   Report report;
+  std::vector<std::future<RecordReport>> checks;  // beside each other; the order of the answers is that of the records
   for (const Record& record : records) {
     std::vector<bool> elsewhere;
     for (const Channel& channel : record.channels)
@@ -195,8 +197,11 @@ Report check(const std::vector<Record>& records, const rig_file::RigModel* model
         const Channel* same = &other == &record ? nullptr : other.find(channel.quantity, channel.dof);
         return same != nullptr && changes(*same);
       }));
-    report.records.push_back(check_record(record, model, elsewhere));
+    const auto policy = records.size() > 1 ? std::launch::async : std::launch::deferred;
+    checks.push_back(std::async(
+        policy, [&record, model, moves = std::move(elsewhere)] { return check_record(record, model, moves); }));
   }
+  for (std::future<RecordReport>& done : checks) report.records.push_back(done.get());
   keep_what_all_records_say("exchanged", report);
   report.findings = describe_excitation(records);
   return report;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 
@@ -17,11 +18,8 @@ constexpr double kPlainGain = 3.0;           // no calibration is off by more
 constexpr double kUnitTolerance = 0.05;
 constexpr int kDelays = 3;  // samples that a channel may be late without its sign being in question
 
-double mean_of(const double* values, size_t count) {
-  double sum = 0.0;
-  for (size_t i = 0; i < count; ++i) sum += values[i];
-  return sum / static_cast<double>(count);
-}
+using Values = Eigen::Map<const Eigen::ArrayXd>;
+Values view(const double* values, size_t count) { return {values, static_cast<Eigen::Index>(count)}; }
 
 // Running sums: sums[i] of the first i values, `mean` taken off each.
 void sum_up(const std::vector<double>& values, double mean, std::vector<double>& sums) {
@@ -40,7 +38,7 @@ class Sides {
         upper_(upper.values),
         twice_(static_cast<int>(upper.quantity) - static_cast<int>(lower.quantity) == 2),
         T_(sample_period_s),
-        mean_(mean_of(upper_.data(), upper_.size())) {
+        mean_(view(upper_.data(), upper_.size()).mean()) {
     sum_up(upper_, mean_, once_);
   }
 
@@ -51,21 +49,25 @@ class Sides {
     const size_t n = samples(), count = n - 2 * h;
     const double span = static_cast<double>(h) * T_, steps = static_cast<double>(h);
     half_.resize(n);
+    const double *lower = lower_.data(), *upper = upper_.data(), *once = once_.data();
+    double* half = half_.data();
     for (size_t i = 0; i + h < n; ++i)  // mean over h steps from i on
-      half_[i] = (once_[i + h + 1] - once_[i] - 0.5 * (upper_[i] + upper_[i + h] - 2.0 * mean_)) / steps;
+      half[i] = (once[i + h + 1] - once[i] - 0.5 * (upper[i] + upper[i + h] - 2.0 * mean_)) / steps;
     std::fill(half_.end() - static_cast<std::ptrdiff_t>(h), half_.end(), 0.0);
     from_lower.resize(count);
     of_upper.resize(count);
+    double *from = from_lower.data(), *of = of_upper.data();
     if (twice_) {  // a triangle is a mean of means
       sum_up(half_, 0.0, again_);
+      const double* again = again_.data();
       for (size_t i = 0; i < count; ++i) {
-        from_lower[i] = (lower_[i + 2 * h] - 2.0 * lower_[i + h] + lower_[i]) / (span * span);
-        of_upper[i] = (again_[i + h + 1] - again_[i] - 0.5 * (half_[i] + half_[i + h])) / steps;
+        from[i] = (lower[i + 2 * h] - 2.0 * lower[i + h] + lower[i]) / (span * span);
+        of[i] = (again[i + h + 1] - again[i] - 0.5 * (half[i] + half[i + h])) / steps;
       }
     } else {
       for (size_t i = 0; i < count; ++i) {
-        from_lower[i] = (lower_[i + 2 * h] - lower_[i]) / (2.0 * span);
-        of_upper[i] = 0.5 * (half_[i] + half_[i + h]);
+        from[i] = (lower[i + 2 * h] - lower[i]) / (2.0 * span);
+        of[i] = 0.5 * (half[i] + half[i + h]);
       }
     }
   }
@@ -85,17 +87,14 @@ struct Moments {
 // Of q `lag` samples later, about the means.
 Moments moments(const Sides& sides, int lag) {
   const size_t count = sides.from_lower.size(), shift = static_cast<size_t>(std::abs(lag));
-  const double* p = sides.from_lower.data() + (lag < 0 ? shift : 0);
-  const double* q = sides.of_upper.data() + (lag > 0 ? shift : 0);
   const size_t n = count - shift;
-  const double mean_p = mean_of(p, n), mean_q = mean_of(q, n);
+  const Values p = view(sides.from_lower.data() + (lag < 0 ? shift : 0), n);
+  const Values q = view(sides.of_upper.data() + (lag > 0 ? shift : 0), n);
+  const double mean_p = p.mean(), mean_q = q.mean();
   Moments m;
-  for (size_t i = 0; i < n; ++i) {
-    const double off_p = p[i] - mean_p, off_q = q[i] - mean_q;
-    m.pp += off_p * off_p;
-    m.qq += off_q * off_q;
-    m.pq += off_p * off_q;
-  }
+  m.pp = (p - mean_p).square().sum();
+  m.qq = (q - mean_q).square().sum();
+  m.pq = ((p - mean_p) * (q - mean_q)).sum();
   return m;
 }
 
@@ -119,7 +118,7 @@ BestSpan best_span(Sides& sides) {
 void measure_lateness(const Sides& sides, double T, size_t h, Comparison& result) {
   double slope_square = 0.0, shared = 0.0, residual = 0.0;
   const size_t n = sides.from_lower.size();
-  const double mean_p = mean_of(sides.from_lower.data(), n), mean_q = mean_of(sides.of_upper.data(), n);
+  const double mean_p = view(sides.from_lower.data(), n).mean(), mean_q = view(sides.of_upper.data(), n).mean();
   for (size_t i = 1; i + 1 < n; ++i) {
     const double slope = result.gain * (sides.from_lower[i + 1] - sides.from_lower[i - 1]) / (2.0 * T);
     const double off = sides.of_upper[i] - mean_q - result.gain * (sides.from_lower[i] - mean_p);

@@ -140,7 +140,7 @@ std::vector<Finding> exchanged_dofs(const Record& record, const rig_file::RigMod
     for (int j = i + 1; j <= dofs; ++j) {
       if (!can_be_exchanged(record, i, j)) continue;
       const Record other = with_exchanged(record, i, j);
-      const Balance balance(other, model);
+      Balance balance(other, model);
       const std::vector<Equation> equations = balance.equations(h);
       if (equations.empty()) continue;
       const double left = unexplained(equations, std::vector<double>(balance.channels().size(), 1.0));
@@ -164,7 +164,7 @@ std::vector<Finding> exchanged_dofs(const Record& record, const rig_file::RigMod
 }  // namespace
 
 std::vector<Finding> check_rig_balance(const Record& record, const rig_file::RigModel& model) {
-  const Balance balance(record, model);
+  Balance balance(record, model);
   std::vector<Change> best;
   double best_before = 0.0, best_left = 1e300;
   size_t best_h = 0;

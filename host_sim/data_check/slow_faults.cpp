@@ -15,40 +15,37 @@ constexpr double kAboveSurroundings = 30.0;
 constexpr size_t kParts = 10;
 constexpr double kSteady = 0.9, kDriftShare = 0.05;
 
-// Amplitudes of a channel at a few frequencies, by a Hann window over its first samples. All frequencies go through the
-// record side by side, so that the compiler can keep several in one vector register.
+// Amplitudes of a channel at a few frequencies, by a Hann window over its first samples (Goertzel, Amer. Math. Monthly
+// 65, 1958). All frequencies go through the record side by side, so that the compiler can keep several in one register.
 constexpr size_t kLine = 5, kAround = 16, kFrequencies = kLine + kAround;
-void amplitudes_at(const std::vector<double>& values, double mean, const double (&cycles_per_sample)[kFrequencies],
+void amplitudes_at(const std::vector<double>& windowed, const double (&cycles_per_sample)[kFrequencies],
                    double (&amplitude)[kFrequencies]) {
-  const size_t n = std::min(values.size(), kMostSamples);
-  const std::complex<double> window_turn = std::polar(1.0, 2.0 * kPi / static_cast<double>(n));
-  std::complex<double> window = 1.0;
-  double turn_re[kFrequencies], turn_im[kFrequencies], re[kFrequencies], im[kFrequencies];
-  double sum_re[kFrequencies] = {}, sum_im[kFrequencies] = {};
-  for (size_t k = 0; k < kFrequencies; ++k) {
-    const std::complex<double> turn = std::polar(1.0, -2.0 * kPi * cycles_per_sample[k]);
-    turn_re[k] = turn.real(), turn_im[k] = turn.imag();
-    re[k] = 1.0, im[k] = 0.0;
-  }
-  for (size_t i = 0; i < n; ++i) {
-    const double value = (values[i] - mean) * (0.5 - 0.5 * window.real());
-    window *= window_turn;
+  double twice_cosine[kFrequencies], last[kFrequencies] = {}, before[kFrequencies] = {};
+  for (size_t k = 0; k < kFrequencies; ++k) twice_cosine[k] = 2.0 * std::cos(2.0 * kPi * cycles_per_sample[k]);
+  for (const double value : windowed)
     for (size_t k = 0; k < kFrequencies; ++k) {
-      sum_re[k] += value * re[k];
-      sum_im[k] += value * im[k];
-      const double turned = re[k] * turn_re[k] - im[k] * turn_im[k];
-      im[k] = re[k] * turn_im[k] + im[k] * turn_re[k];
-      re[k] = turned;
+      const double next = value + twice_cosine[k] * last[k] - before[k];
+      before[k] = last[k];
+      last[k] = next;
     }
-  }
   for (size_t k = 0; k < kFrequencies; ++k)
-    amplitude[k] = 4.0 * std::abs(std::complex<double>(sum_re[k], sum_im[k])) / static_cast<double>(n);
+    amplitude[k] = 4.0 * std::abs(last[k] - std::polar(1.0, -2.0 * kPi * cycles_per_sample[k]) * before[k]) /
+                   static_cast<double>(windowed.size());
 }
 
-std::optional<Finding> find_hum(const Channel& channel, const Statistics& statistics, double sample_period_s,
-                                double mains_Hz) {
-  const double resolution_Hz =
-      1.0 / (static_cast<double>(std::min(channel.values.size(), kMostSamples)) * sample_period_s);
+// Without its mean, under a Hann window.
+std::vector<double> windowed_start(const std::vector<double>& values, double mean) {
+  std::vector<double> windowed(std::min(values.size(), kMostSamples));
+  const std::complex<double> turn = std::polar(1.0, 2.0 * kPi / static_cast<double>(windowed.size()));
+  std::complex<double> window = 1.0;
+  for (size_t i = 0; i < windowed.size(); ++i, window *= turn)
+    windowed[i] = (values[i] - mean) * (0.5 - 0.5 * window.real());
+  return windowed;
+}
+
+std::optional<Finding> find_hum(const Channel& channel, const Statistics& statistics,
+                                const std::vector<double>& windowed, double sample_period_s, double mains_Hz) {
+  const double resolution_Hz = 1.0 / (static_cast<double>(windowed.size()) * sample_period_s);
   if (resolution_Hz > 0.5 || mains_Hz + 5.0 > 0.45 / sample_period_s) return std::nullopt;
   double cycles[kFrequencies], amplitude[kFrequencies];
   for (size_t k = 0; k < kLine; ++k) cycles[k] = (mains_Hz + 0.05 * (static_cast<double>(k) - 2.0)) * sample_period_s;
@@ -56,7 +53,7 @@ std::optional<Finding> find_hum(const Channel& channel, const Statistics& statis
     const double off_Hz = std::max(1.0, 4.0 * resolution_Hz) + 0.37 * static_cast<double>(k / 2);
     cycles[kLine + k] = (mains_Hz + (k % 2 == 0 ? -off_Hz : off_Hz)) * sample_period_s;
   }
-  amplitudes_at(channel.values, statistics.mean, cycles, amplitude);
+  amplitudes_at(windowed, cycles, amplitude);
   const double line = *std::max_element(amplitude, amplitude + kLine);
   double around = 0.0;
   for (size_t k = kLine; k < kFrequencies; ++k) around += amplitude[k] * amplitude[k];
@@ -102,8 +99,10 @@ std::optional<Finding> find_drift(const Channel& channel, const Statistics& stat
 std::vector<Finding> find_slow_faults(const Record& record, const Channel& channel, const Statistics& statistics) {
   std::vector<Finding> findings;
   if (statistics.lowest == statistics.highest) return findings;
+  const std::vector<double> windowed = windowed_start(channel.values, statistics.mean);
   for (const double mains_Hz : {50.0, 60.0})
-    if (auto hum = find_hum(channel, statistics, record.sample_period_s, mains_Hz)) findings.push_back(std::move(*hum));
+    if (auto hum = find_hum(channel, statistics, windowed, record.sample_period_s, mains_Hz))
+      findings.push_back(std::move(*hum));
   if (auto drift = find_drift(channel, statistics)) findings.push_back(std::move(*drift));
   return findings;
 }

@@ -25,20 +25,29 @@ struct Gap {
   double size = 0.0;
 };
 
-// Cubic through the two samples before and the two behind a gap, at the gap's sample k.
-double across(const std::vector<double>& x, size_t first, size_t width, size_t k) {
-  const double t[4] = {-2.0, -1.0, static_cast<double>(width), static_cast<double>(width + 1)};
-  const double y[4] = {x[first - 2], x[first - 1], x[first + width], x[first + width + 1]};
-  const auto at = static_cast<double>(k);
-  double sum = 0.0;
-  for (int i = 0; i < 4; ++i) {
-    double weight = 1.0;
-    for (int j = 0; j < 4; ++j)
-      if (j != i) weight *= (at - t[j]) / (t[i] - t[j]);
-    sum += weight * y[i];
+// Cubic through the two samples before and the two behind a gap of one width: the four samples' weights at the gap's samples.
+class Across {
+ public:
+  explicit Across(size_t width) : width_(width) {
+    const double t[4] = {-2.0, -1.0, static_cast<double>(width), static_cast<double>(width + 1)};
+    for (size_t k = 0; k < width; ++k)
+      for (int i = 0; i < 4; ++i) {
+        weight_[k][i] = 1.0;
+        for (int j = 0; j < 4; ++j)
+          if (j != i) weight_[k][i] *= (static_cast<double>(k) - t[j]) / (t[i] - t[j]);
+      }
   }
-  return sum;
-}
+  double at(const std::vector<double>& x, size_t first, size_t k) const {
+    const double* w = weight_[k];
+    const double *before = &x[first - 2], *behind = &x[first + width_];
+    return w[0] * before[0] + w[1] * before[1] + w[2] * behind[0] + w[3] * behind[1];
+  }
+  size_t width() const { return width_; }
+
+ private:
+  size_t width_;
+  double weight_[kWidest][4] = {};
+};
 
 double off_left(const std::vector<double>& x, size_t i) {
   return std::abs(x[i] - (3.0 * x[i - 1] - 3.0 * x[i - 2] + x[i - 3]));
@@ -70,17 +79,18 @@ bool stands_alone(const std::vector<double>& x, size_t first, size_t width, doub
 }
 
 // How far a stretch stands off the cubic across it.
-double size_of(const std::vector<double>& x, size_t first, size_t width) {
+double size_of(const std::vector<double>& x, size_t first, const Across& across) {
   double size = 0.0;
-  for (size_t k = 0; k < width; ++k) size = std::max(size, std::abs(x[first + k] - across(x, first, width, k)));
+  for (size_t k = 0; k < across.width(); ++k) size = std::max(size, std::abs(x[first + k] - across.at(x, first, k)));
   return size;
 }
 
 // What 95 of 100 stretches of that width are off at most, anywhere in the record.
-double tail_of(const std::vector<double>& x, size_t width) {
+double tail_of(const std::vector<double>& x, const Across& across) {
   constexpr size_t kStride = 5;
   std::vector<double> sizes;
-  for (size_t i = 4; i + 8 < x.size(); i += kStride) sizes.push_back(size_of(x, i, width));
+  sizes.reserve(x.size() / kStride + 1);
+  for (size_t i = 4; i + 8 < x.size(); i += kStride) sizes.push_back(size_of(x, i, across));
   return quantile(std::move(sizes), 0.95);
 }
 
@@ -89,13 +99,14 @@ std::vector<Gap> spikes_in(const std::vector<double>& x, const Statistics& stati
   if (x.size() < 16) return gaps;
   const std::vector<double> misfit = misfits(x);
   const double least = std::max({kShareOfRange * statistics.range, 4.0 * statistics.resolution});
-  double tail[kWidest + 1] = {};
-  for (size_t width = 1; width <= kWidest; ++width) tail[width] = kOfTheTail * tail_of(x, width);
+  const Across across[kWidest] = {Across(1), Across(2), Across(3)};
+  double tail[kWidest] = {};
+  for (size_t k = 0; k < kWidest; ++k) tail[k] = kOfTheTail * tail_of(x, across[k]);
   for (size_t i = 4; i + 8 < x.size(); ++i) {
     if (misfit[i] < 0.3 * least) continue;
     for (size_t width = 1; width <= kWidest; ++width) {
-      const double size = size_of(x, i, width);
-      if (size < least || size < tail[width] || !stands_alone(x, i, width, size)) continue;
+      const double size = size_of(x, i, across[width - 1]);
+      if (size < least || size < tail[width - 1] || !stands_alone(x, i, width, size)) continue;
       if (size < kDeviations * std::max(usual_near(misfit, i, width), statistics.resolution)) continue;
       gaps.push_back({i, width, size});
       i += width + 3;
@@ -177,7 +188,8 @@ std::optional<Finding> find_spikes(const Channel& channel, const Statistics& sta
     dropouts = more.size();
     gaps.insert(gaps.end(), more.begin(), more.end());
   } else {
-    const double usual = quantile(x, 0.95) - quantile(x, 0.05);
+    const auto [low, high] = quantiles(x, 0.05, 0.95);
+    const double usual = high - low;
     const auto possible = [&](const Gap& gap) {
       return !impossible(gap, channel.quantity, usual, statistics, neighbours);
     };

@@ -1,26 +1,38 @@
 #include "host_sim/data_check/statistics.hpp"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace host_sim::data_check {
 namespace {
 
 constexpr double kNormalMedian = 0.67448975;  // of |x|, x standard normal
 
-// Standard deviation of white noise from the differences of an even order: their variance is the noise's times the
+void difference(std::vector<double>& values) {
+  for (size_t k = 0; k + 1 < values.size(); ++k) values[k] = values[k + 1] - values[k];
+  if (!values.empty()) values.pop_back();
+}
+
+// Standard deviation of white noise from its differences of an even order: their variance is the noise's times the
 // binomial coefficient (2n over n). By the median, so that bursts and edges do not count.
-double noise_by_differences(const std::vector<double>& values, int order) {
-  std::vector<double> differences = values;
-  for (int i = 0; i < order; ++i) {
-    for (size_t k = 0; k + 1 < differences.size(); ++k) differences[k] = differences[k + 1] - differences[k];
-    differences.pop_back();
-  }
-  for (double& difference : differences) difference = std::abs(difference);
+double noise_by_differences(const std::vector<double>& differences, int order) {
+  std::vector<double> sizes(differences.size());
+  for (size_t k = 0; k < sizes.size(); ++k) sizes[k] = std::abs(differences[k]);
   double binomial = 1.0;
   for (int i = 1; i <= order; ++i) binomial *= static_cast<double>(order + i) / static_cast<double>(i);
-  return quantile(std::move(differences), 0.5) / kNormalMedian / std::sqrt(binomial);
+  return quantile(std::move(sizes), 0.5) / kNormalMedian / std::sqrt(binomial);
+}
+
+// Of the fourth and the sixth differences.
+std::pair<double, double> noise_of(const std::vector<double>& values) {
+  std::vector<double> differences = values;
+  for (int i = 0; i < 4; ++i) difference(differences);
+  const double fourth = noise_by_differences(differences, 4);
+  for (int i = 0; i < 2; ++i) difference(differences);
+  return {fourth, noise_by_differences(differences, 6)};
 }
 
 // The smallest step, where all others are whole multiples of it within a hundredth (99 of 100 of them).
@@ -56,6 +68,16 @@ double quantile(std::vector<double> values, double q) {
   return *place;
 }
 
+std::pair<double, double> quantiles(std::vector<double> values, double low, double high) {
+  if (values.empty()) return {0.0, 0.0};
+  const auto place = [&](double q) {
+    return values.begin() + static_cast<std::ptrdiff_t>(q * static_cast<double>(values.size() - 1));
+  };
+  std::nth_element(values.begin(), place(low), values.end());
+  if (place(high) != place(low)) std::nth_element(place(low) + 1, place(high), values.end());
+  return {*place(low), *place(high)};
+}
+
 std::vector<Run> equal_runs(const std::vector<double>& values, size_t shortest) {
   std::vector<Run> runs;
   for (size_t first = 0; first < values.size();) {
@@ -69,12 +91,9 @@ std::vector<Run> equal_runs(const std::vector<double>& values, size_t shortest) 
 
 MeanAndRms mean_and_rms(const std::vector<double>& values) {
   if (values.empty()) return {};
-  const auto n = static_cast<double>(values.size());
-  double sum = 0.0, squares = 0.0;
-  for (const double value : values) sum += value;
-  const double mean = sum / n;
-  for (const double value : values) squares += (value - mean) * (value - mean);
-  return {mean, std::sqrt(squares / n)};
+  const Eigen::Map<const Eigen::ArrayXd> of(values.data(), static_cast<Eigen::Index>(values.size()));
+  const double mean = of.mean();
+  return {mean, std::sqrt((of - mean).square().mean())};
 }
 
 Statistics statistics_of(const std::vector<double>& values) {
@@ -83,14 +102,14 @@ Statistics statistics_of(const std::vector<double>& values) {
   const MeanAndRms first = mean_and_rms(values);
   s.mean = first.mean;
   s.rms = first.rms;
-  const auto [low, high] = std::minmax_element(values.begin(), values.end());
-  s.lowest = *low;
-  s.highest = *high;
+  const Eigen::Map<const Eigen::ArrayXd> of(values.data(), static_cast<Eigen::Index>(values.size()));
+  s.lowest = of.minCoeff();
+  s.highest = of.maxCoeff();
   if (s.lowest == s.highest) return s;
-  const double bottom = quantile(values, 0.001), top = quantile(values, 0.999);
+  const auto [bottom, top] = quantiles(values, 0.001, 0.999);
   s.range = top - bottom;
   s.resolution = resolution_of(values);
-  const double fourth = noise_by_differences(values, 4), sixth = noise_by_differences(values, 6);
+  const auto [fourth, sixth] = noise_of(values);
   s.noise = std::max(fourth, s.resolution / std::sqrt(12.0));
   s.noisy = sixth > 0.5 * fourth && fourth > 0.3 * s.resolution;  // a smooth signal's sixth differences vanish
   double inside = 0.0, same = 0.0;

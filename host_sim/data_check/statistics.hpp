@@ -1,6 +1,7 @@
 // What one channel says about itself.
 #pragma once
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace host_sim::data_check {
@@ -24,6 +25,8 @@ Statistics statistics_of(const std::vector<double>& values);
 
 // The q-quantile (0 to 1), by partial sorting of a copy; 0 of nothing.
 double quantile(std::vector<double> values, double q);
+// Two of them, low <= high.
+std::pair<double, double> quantiles(std::vector<double> values, double low, double high);
 
 // Runs of at least `shortest` equal values.
 struct Run {
