@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <memory>
+#include <mutex>
 
 #include "host_sim/records/columns/column_meaning.hpp"
 #include "host_sim/records/columns/column_name.hpp"
@@ -213,6 +214,8 @@ bool is_mat(const std::string& path, std::string_view content) {
 }
 
 std::vector<Record> read_mat(const std::string& path, const rig_file::RigModel& model, const ReadingOptions& options) {
+  static std::mutex one_at_a_time;  // the library beneath (HDF5) is not for several threads
+  const std::lock_guard<std::mutex> lock(one_at_a_time);
   Mat_LogInitFunc(nullptr, [](int, char*) {});  // the library's own messages say less than ours
   const File file(Mat_Open(path.c_str(), MAT_ACC_RDONLY), Mat_Close);
   if (!file) throw DataFileError(path, 0, "is no MAT file that can be read, expected version 4, 5 or 7.3");

@@ -114,4 +114,21 @@ TEST(Sampled, InterpolatesBandLimitedData) {
   EXPECT_NEAR(quintic->value(0.007), values[7], 1e-12);
 }
 
+// Read in any order, also at the knots and beyond the ends, a reader says what the signal says, to the last bit.
+TEST(SignalReader, SaysWhatTheSignalSays) {
+  host_sim::RandomNumbers random(5, 1);
+  std::vector<double> values;
+  for (int i = 0; i < 50; ++i) values.push_back(random.normal());
+  for (const host_sim::SignalPtr& signal : {host_sim::sampled(values, 0.25, 1e-3), host_sim::cosine(2.0, 7.0, 0.3),
+                                            host_sim::sampled(values, 0.25, 1e-3, host_sim::Interpolation::kLinear)}) {
+    host_sim::SignalReader reader(signal);
+    for (double t = 0.24; t < 0.31; t += 1.7e-4) EXPECT_EQ(reader.value(t), signal->value(t)) << t;
+    for (int i = 49; i >= 0; --i) EXPECT_EQ(reader.value(0.25 + i * 1e-3), signal->value(0.25 + i * 1e-3)) << i;
+    for (int i = 0; i < 1000; ++i) {
+      const double t = 0.275 + 0.01 * random.normal();
+      EXPECT_EQ(reader.value(t), signal->value(t)) << t;
+    }
+  }
+}
+
 }  // namespace

@@ -34,17 +34,22 @@ class Quintic : public Signal {
     for (const Motion& knot : knots_) peak_ = std::max(peak_, std::fabs(knot.value));
   }
   double value(double t) const override {
+    SignalPiece piece;
+    return piece_at(t, piece) ? piece.value((t - start_) / period_) : motion(t).value;
+  }
+  bool piece_at(double t, SignalPiece& piece) const override {
     const double position = (t - start_) / period_;
     const size_t k = static_cast<size_t>(std::max(0.0, position));
-    if (position <= 0.0 || k + 1 >= knots_.size()) return motion(t).value;
+    if (position <= 0.0 || k + 1 >= knots_.size()) return false;
     const Motion &p = knots_[k], &q = knots_[k + 1];
-    const double h = period_, s = position - static_cast<double>(k);
-    const double p1 = p.rate * h, p2 = 0.5 * p.acceleration * h * h;
+    const double h = period_, p1 = p.rate * h, p2 = 0.5 * p.acceleration * h * h;
     const double d0 = q.value - p.value - p1 - p2, d1 = q.rate * h - p1 - 2.0 * p2,
                  d2 = 0.5 * q.acceleration * h * h - p2;
-    const double r =
-        s * (10.0 * d0 - 4.0 * d1 + d2 + s * (-15.0 * d0 + 7.0 * d1 - 2.0 * d2 + s * (6.0 * d0 - 3.0 * d1 + d2)));
-    return p.value + s * (p1 + s * (p2 + r));
+    piece = {start_,
+             period_,
+             static_cast<double>(k),
+             {p.value, p1, p2, 10.0 * d0 - 4.0 * d1 + d2, -15.0 * d0 + 7.0 * d1 - 2.0 * d2, 6.0 * d0 - 3.0 * d1 + d2}};
+    return true;
   }
   double peak() const override { return peak_; }
   Motion motion(double t) const override {

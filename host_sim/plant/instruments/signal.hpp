@@ -2,6 +2,7 @@
 #pragma once
 #include <cstdint>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace host_sim {
@@ -11,15 +12,46 @@ struct Motion {
   double value = 0.0, rate = 0.0, acceleration = 0.0;
 };
 
+// A stretch of a signal as a polynomial: between two knots.
+struct SignalPiece {
+  double start_s = 0.0, period_s = 1.0;
+  double number = -1.0;  // of the knot that it begins at; -1: none
+  double c[6] = {};      // c0 + s (c1 + s (c2 + s (c3 + s (c4 + s c5)))), s = (t - start) / period - number
+  // Is the time strictly behind the first knot of all, and within this piece?
+  bool holds(double position) const { return position > 0.0 && position >= number && position < number + 1.0; }
+  double value(double position) const {
+    const double s = position - number;
+    return c[0] + s * (c[1] + s * (c[2] + s * (c[3] + s * (c[4] + s * c[5]))));
+  }
+};
+
 class Signal {
  public:
   virtual ~Signal() = default;
   virtual double value(double t_s) const = 0;
   virtual Motion motion(double t_s) const = 0;
+  // The piece that holds this time, with the same values to the last bit; false: there is none, value() is to be asked.
+  virtual bool piece_at(double /*t_s*/, SignalPiece& /*piece*/) const { return false; }
   virtual double peak()
       const = 0;  // largest magnitude (or a bound near it): sets error scales before anything has moved
 };
 using SignalPtr = std::shared_ptr<const Signal>;
+
+// Reads a signal at times that lie close to each other: a piece is worked out once.
+class SignalReader {
+ public:
+  explicit SignalReader(SignalPtr signal) : signal_(std::move(signal)) {}
+  double value(double t_s) {
+    const double position = (t_s - piece_.start_s) / piece_.period_s;
+    if (piece_.number >= 0.0 && piece_.holds(position)) return piece_.value(position);
+    if (!signal_->piece_at(t_s, piece_)) return piece_.number = -1.0, signal_->value(t_s);
+    return piece_.value((t_s - piece_.start_s) / piece_.period_s);
+  }
+
+ private:
+  SignalPtr signal_;
+  SignalPiece piece_;
+};
 
 // amplitude * cos(2 pi frequency t + phase)
 SignalPtr cosine(double amplitude, double frequency_Hz, double phase_rad = 0.0);

@@ -23,10 +23,21 @@ vocabulary::Point Equations::point(const PlantTerm& term, double t_s, double u, 
 void Equations::net_forces(double t_s, const double* y, const double* force, const Motion& base, const Modes& modes,
                            double* net) const {
   const double* z = y + 2 * masses();
+  const auto law = [&](const PlantTerm& term, double u, double w, int sign) {
+    switch (term.kind) {  // what nearly all links consist of needs no table
+      case vocabulary::EffectKind::kStiffness:
+        return u;
+      case vocabulary::EffectKind::kViscous:
+        return w;
+      case vocabulary::EffectKind::kCoulomb:
+        return static_cast<double>(sign);
+      default:
+        return vocabulary::force_value(term.kind, point(term, t_s, u, w, sign, z, modes), term.shape);
+    }
+  };
   const auto sum = [&](const std::vector<PlantTerm>& terms, double u, double w, int sign) {
     double f = 0.0;
-    for (const PlantTerm& term : terms)
-      f += term.coefficient * vocabulary::force_value(term.kind, point(term, t_s, u, w, sign, z, modes), term.shape);
+    for (const PlantTerm& term : terms) f += term.coefficient * law(term, u, w, sign);
     return f;
   };
   for (size_t i = 0; i < masses(); ++i) {

@@ -12,25 +12,37 @@
 #include "host_sim/plant/plant_error.hpp"
 
 namespace host_sim {
+namespace {
+
+constexpr double kLoose = 1e-8;
+
+}  // namespace
 
 struct Integrator::Working {
   const Equations& equations;
   const Excitation& excitation;
   IntegratorOptions options;
   double t = 0.0, period = 0.0;
-  std::vector<double> y, scale, force;
+  std::vector<double> y, dy, scale, force;
+  std::vector<SignalReader> drive;  // of the DOFs that have a force
+  std::vector<size_t> driven;       // which
   MotionScale root_scale;
   Motion base;
   Modes modes;
   std::string message;
   long steps = 0, events = 0;
   bool restart = true;
+  int task = ARK_NORMAL;
   SUNContext context = nullptr;
   N_Vector vector = nullptr;
   void* arkode = nullptr;
 
   Working(const Equations& eq, const Excitation& ex, const IntegratorOptions& opt)
-      : equations(eq), excitation(ex), options(opt) {}
+      : equations(eq), excitation(ex), options(opt) {
+    // ARKODE interpolates where a call begins, and in one go where it ends too: step by step is less where most samples take
+    // one step. The state is the same: that of the stop time.
+    if (options.relative_tolerance >= kLoose) task = ARK_ONE_STEP;
+  }
   ~Working() {
     if (arkode != nullptr) ERKStepFree(&arkode);
     if (vector != nullptr) N_VDestroy(vector);
@@ -38,8 +50,7 @@ struct Integrator::Working {
   }
 
   void excite(double time_s) {
-    for (size_t i = 0; i < excitation.force_N.size() && i < force.size(); ++i)
-      if (excitation.force_N[i]) force[i] = excitation.force_N[i]->value(time_s);
+    for (size_t k = 0; k < drive.size(); ++k) force[driven[k]] = drive[k].value(time_s);
     if (excitation.base_m) base = excitation.base_m->motion(time_s);
   }
 
@@ -82,12 +93,11 @@ struct Integrator::Working {
 void Integrator::Working::first_scale() {
   const size_t n = equations.masses();
   scale.assign(equations.states(), 1.0);
-  std::vector<double> dy(y.size());
   equations.derivative(t, y.data(), force.data(), base, modes, dy.data());
   double largest_x = 0.0, largest_v = 0.0;
   for (size_t i = 0; i < n; ++i) {
-    const bool driven = i < excitation.force_N.size() && excitation.force_N[i];
-    const double peak = driven ? excitation.force_N[i]->peak() / equations.mass(i) : 0.0;
+    const bool has_force = i < excitation.force_N.size() && excitation.force_N[i];
+    const double peak = has_force ? excitation.force_N[i]->peak() / equations.mass(i) : 0.0;
     const double v = std::max(peak, std::fabs(dy[n + i])) * period;
     largest_x = std::max({largest_x, std::fabs(y[i]), v * period});
     largest_v = std::max({largest_v, std::fabs(y[n + i]), v});
@@ -160,7 +170,10 @@ Integrator::Integrator(const Equations& equations, const Excitation& excitation,
   w_->t = start_s;
   w_->period = sample_period_s;
   w_->y = std::move(start_state);
+  w_->dy.resize(w_->y.size());
   w_->force.assign(equations.masses(), 0.0);
+  for (size_t i = 0; i < excitation.force_N.size() && i < equations.masses(); ++i)
+    if (excitation.force_N[i]) w_->drive.emplace_back(excitation.force_N[i]), w_->driven.push_back(i);
   w_->excite(start_s);
   w_->modes = equations.start_modes(start_s, w_->y.data(), w_->force.data(), w_->base);
   w_->first_scale();
@@ -171,14 +184,18 @@ Integrator::~Integrator() = default;
 
 void Integrator::advance_to(double t_s) {
   Working& w = *w_;
-  while (w.t < t_s) {
+  for (long taken = 0; w.t < t_s; ++taken) {
+    if (taken > w.options.most_steps_per_sample) {
+      w.message = std::to_string(taken) + " steps without reaching t = " + std::to_string(t_s) + " s";
+      w.check(-1, "ERKStepEvolve");
+    }
     if (w.restart) {
       w.check(ERKStepReset(w.arkode, w.t, w.vector), "ERKStepReset");
       w.check(ERKStepSetInitStep(w.arkode, std::min(w.period, t_s - w.t)), "ERKStepSetInitStep");
       w.restart = false;
     }
     w.check(ERKStepSetStopTime(w.arkode, t_s), "ERKStepSetStopTime");
-    const int flag = ERKStepEvolve(w.arkode, t_s, w.vector, &w.t, ARK_NORMAL);
+    const int flag = ERKStepEvolve(w.arkode, t_s, w.vector, &w.t, w.task);
     w.check(flag, "ERKStepEvolve");
     if (flag == ARK_ROOT_RETURN) w.handle_root();
   }
@@ -201,10 +218,9 @@ long Integrator::steps() const {
   return count;
 }
 
-std::vector<double> Integrator::derivative() const {
-  std::vector<double> dy(w_->y.size());
-  w_->equations.derivative(w_->t, w_->y.data(), w_->force.data(), w_->base, w_->modes, dy.data());
-  return dy;
+const std::vector<double>& Integrator::derivative() const {
+  w_->equations.derivative(w_->t, w_->y.data(), w_->force.data(), w_->base, w_->modes, w_->dy.data());
+  return w_->dy;
 }
 
 }  // namespace host_sim

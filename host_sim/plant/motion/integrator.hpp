@@ -33,9 +33,9 @@ class Integrator {
   void advance_to(double t_s);
 
   double time_s() const;
-  const std::vector<double>& state() const;   // stuck links: ends move exactly alike
-  std::vector<double> derivative() const;     // at the present time and modes: accelerations at [masses() + i]
-  const std::vector<double>& forces() const;  // per mass, at the present time
+  const std::vector<double>& state() const;       // stuck links: ends move exactly alike
+  const std::vector<double>& derivative() const;  // at the present time and modes: accelerations at [masses() + i]
+  const std::vector<double>& forces() const;      // per mass, at the present time
   const Motion& base() const;
   const Modes& modes() const;
   long steps() const;  // taken so far

@@ -9,9 +9,20 @@ namespace {
 int linear_combination(int count, realtype* c, N_Vector* x, N_Vector z) {
   const sunindextype n = NV_LENGTH_S(z);
   realtype* const out = NV_DATA_S(z);
-  for (sunindextype i = 0; i < n; ++i) {
-    realtype sum = c[0] * NV_DATA_S(x[0])[i];
-    for (int k = 1; k < count; ++k) sum += c[k] * NV_DATA_S(x[k])[i];
+  constexpr int kMost = 16;  // of the tables that are used here: 13 stages and the state
+  const realtype* from[kMost];
+  if (count > kMost) return -1;
+  for (int k = 0; k < count; ++k) from[k] = NV_DATA_S(x[k]);
+  sunindextype i = 0;
+  for (; i + 1 < n; i += 2) {  // two at a time: each sum is long, and waits for itself
+    realtype first = c[0] * from[0][i], second = c[0] * from[0][i + 1];
+    for (int k = 1; k < count; ++k) first += c[k] * from[k][i], second += c[k] * from[k][i + 1];
+    out[i] = first;
+    out[i + 1] = second;
+  }
+  for (; i < n; ++i) {
+    realtype sum = c[0] * from[0][i];
+    for (int k = 1; k < count; ++k) sum += c[k] * from[k][i];
     out[i] = sum;
   }
   return 0;

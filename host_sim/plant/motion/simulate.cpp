@@ -41,7 +41,7 @@ Record make_record(const rig_file::RigModel& rig, double period_s, double start_
 
 void store(const Integrator& integrator, const Equations& equations, Output output, size_t row, Record& record) {
   const std::vector<double>& y = integrator.state();
-  const std::vector<double> dy = integrator.derivative();
+  const std::vector<double>& dy = integrator.derivative();
   size_t column = 0;
   const auto put = [&](double value) { record.channels[column++].values[row] = value; };
   for (size_t i = 0; i < equations.masses(); ++i) {

@@ -1,6 +1,7 @@
 #include "host_sim/programs/shared/data_options.hpp"
 
 #include <cstdio>
+#include <future>
 #include <set>
 #include <stdexcept>
 
@@ -49,10 +50,15 @@ std::vector<Record> read_data(const std::vector<std::string>& paths, const rig_f
   options.units = choices("--unit", arguments.units);
   options.sensitivities = choices("--sensitivity", arguments.sensitivities);
   options.sample_rate_Hz = arguments.sample_rate_Hz;
+  // Beside each other; what is said of them, and what is wrong with one, comes in their order.
+  std::vector<std::future<std::vector<Record>>> files;
+  for (const std::string& path : paths)
+    files.push_back(std::async(paths.size() > 1 ? std::launch::async : std::launch::deferred,
+                               [&path, &model, &options] { return read_records(path, model, options); }));
   std::vector<Record> records;
   std::set<std::string> said;
-  for (const std::string& path : paths)
-    for (Record& record : read_records(path, model, options)) {
+  for (std::future<std::vector<Record>>& file : files)
+    for (Record& record : file.get()) {
       for (const std::string& note : record.notes)
         if (said.insert(note).second) std::fprintf(stderr, "%s: %s\n", record.file.c_str(), note.c_str());
       records.push_back(std::move(record));
