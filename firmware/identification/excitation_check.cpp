@@ -36,7 +36,7 @@ bool adds_up(const EquationList& list, const BatchTable& table, const Term& term
   for (int l = 0; l < table.level_count; ++l) {
     Scaled sum, magnitude;
     for (int b = 0; b < table.level[l].batch_count; ++b) {
-      report_work(150);
+      report_work(200 + 10 * table.layout.first[table.layout.dof_count]);
       const Scaled work = unit_work(table.layout, table.level[l].batch[b], weight, term.unknown);
       sum = sum + work;
       magnitude = magnitude + abs(work);

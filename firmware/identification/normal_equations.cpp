@@ -1,10 +1,12 @@
 #include "firmware/identification/normal_equations.hpp"
 
+#include "firmware/fixed_point/work_meter.hpp"
+
 namespace firmware {
 
 void NormalEquations::clear(int unknowns) {
   unknowns_ = unknowns;
-  for (int i = 0; i < at(0, unknowns); ++i) factor_[i] = Scaled{};
+  for (int i = 0; i < at(0, unknowns); ++i, report_work(12)) factor_[i] = Scaled{};
   clear_right_side();
 }
 

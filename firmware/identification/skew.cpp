@@ -1,5 +1,6 @@
 #include "firmware/identification/skew.hpp"
 
+#include "firmware/fixed_point/work_meter.hpp"
 #include "firmware/identification/student_quantile.hpp"
 
 namespace firmware {
@@ -154,6 +155,7 @@ bool skew_matters(const EquationList& list, const BatchTable& table, const CoreC
       for (int b = 0; b < table.level[l].batch_count; ++b) {
         const Batch& batch = table.level[l].batch[b];
         motion = motion + unpack(batch.dof[i].velocity_square);
+        report_work(10 * (table.layout.first[i + 1] - table.layout.first[i]));
         for (int n = table.layout.first[i]; n < table.layout.first[i + 1]; ++n)
           if (table.layout.unknown[n] == unknown)
             energy = energy + unpack(batch.column[static_cast<int>(list.equation[i].weight)][n]);
