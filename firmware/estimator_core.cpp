@@ -16,6 +16,14 @@ int weights_needed(const CoreConfiguration& configuration, CoreDetail detail) {
   return 2;
 }
 
+// Is any signal more than a copy of what is measured?
+bool needs_filters(const CoreConfiguration& configuration) {
+  for (const auto& node : configuration.signals)
+    for (const SignalConfiguration& signal : node)
+      if (signal.available && (signal.half_length > 0 || signal.tap[0].raw != 0)) return true;
+  return configuration.filters_sign();
+}
+
 ClearSigns clear_signs(const CoreConfiguration& configuration, const EnergySums& sums) {
   ClearSigns signs;
   for (int l = 0; l < configuration.link_count; ++l) signs.link[l] = sums.takes_clear_sign(l);
@@ -30,7 +38,7 @@ EstimatorCore::EstimatorCore(const CoreConfiguration& configuration, CoreDetail 
     : configuration_(configuration), memory_(), tests_() {
   conditioning_.configure(configuration);
   const int weights = weights_needed(configuration, detail);
-  fits_ = weights <= kWeights && (kDerivesSignals || !configuration.filters_sign());
+  fits_ = weights <= kWeights && (kDerivesSignals || !needs_filters(configuration));
   sums_.configure(configuration, fits_ ? weights : kWeights);
   tests_.configure(configuration, detail == CoreDetail::kFull, sums_.effect_units(), clear_signs(configuration, sums_));
   reset();

@@ -65,13 +65,13 @@ void Conditioning::configure(const CoreConfiguration& configuration) {
   history_samples_ = 2 * reach_;
   if (configuration.high_pass_order > 0)
     history_samples_ += settling_time_constants(configuration.high_pass_order) << configuration.high_pass_shift;
-  link_fused_paths();
+  if (kDerivesSignals) link_fused_paths();
   plain_ = configuration.high_pass_order == 0;
   for (int i = 0; i < path_count_; ++i) {
     const SignalConfiguration& signal = configuration.signals[path_[i].node][path_[i].quantity];
     if (signal.half_length > 0 || signal.tap[0].raw != 0) plain_ = false;
   }
-  share_histories();
+  if (kDerivesSignals) share_histories();
   restart();
 }
 
@@ -188,7 +188,7 @@ bool Conditioning::append(const RawSample& sample, Frame& frame, int at) {
   const int32_t* code = &sample.code[0][0];
   int32_t* column = &frame.raw[0][at];
   saturated_ = alike_ ? copy_codes<true>(code, column) : copy_codes<false>(code, column);
-  return plain_ || filter(frame, at);
+  return !kDerivesSignals || plain_ || filter(frame, at);
 }
 
 bool Conditioning::filter(Frame& frame, int at) {

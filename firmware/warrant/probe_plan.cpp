@@ -4,9 +4,12 @@
 namespace firmware {
 namespace {
 
+// What the vocabulary says of the effect is read when compiling: the table's words stay out of the image.
 struct Candidate {
   Form form;
-  EffectKind effect;
+  Cause cause;
+  CoreTerm core;
+  constexpr Candidate(Form f, EffectKind effect) : form(f), cause(cause_of(effect)), core(row_of(effect).core) {}
 };
 
 // Most telling first: what does not fit is left out from the end.
@@ -28,12 +31,14 @@ constexpr Candidate kOnLink[] = {
     {Form::kSignElongation, EffectKind::kPreslidingHysteresis},
 };
 
+constexpr CoreTerm kMass = row_of(EffectKind::kMassError).core;
+
 // The law by which an estimated term is weighed.
 Form form_of(TermKind kind) {
   if (kind == TermKind::kMass) return Form::kAcceleration;
   if (kind == TermKind::kDriftingViscous) return Form::kRate;
   for (const Candidate& candidate : kOnLink)
-    if (row_of(candidate.effect).core.estimable && row_of(candidate.effect).core.term == kind) return candidate.form;
+    if (candidate.core.estimable && candidate.core.term == kind) return candidate.form;
   return Form::kElongation;
 }
 
@@ -72,8 +77,8 @@ class Planner {
   void candidates() {
     for (const Candidate& candidate : kOnLink)
       for (int p = 0; p < plan_.place_count; ++p)
-        if (plan_.place[p].kind == PlaceKind::kLink && !estimated(candidate.effect, plan_.place[p].link))
-          add(p, candidate.form, cause_of(candidate.effect), kNoQuantity, -1);
+        if (plan_.place[p].kind == PlaceKind::kLink && !estimated(candidate.core, plan_.place[p].link))
+          add(p, candidate.form, candidate.cause, kNoQuantity, -1);
     for (int p = 0; p < plan_.place_count; ++p) {
       const Place& place = plan_.place[p];
       if (place.kind == PlaceKind::kNoLink) {
@@ -87,7 +92,7 @@ class Planner {
       } else if (place.kind == PlaceKind::kDof) {
         // An acceleration that is made from velocities here shares their noise with its neighbours, and has no channel.
         if (c_.signals[place.node_a][static_cast<int>(Quantity::kAcceleration)].available) {
-          if (!estimated(EffectKind::kMassError, place.node_a))
+          if (!estimated(kMass, place.node_a))
             add(p, Form::kAcceleration, cause_of(EffectKind::kMassError), kNoQuantity, -1);
           add(p, Form::kJerk, cause_of(EffectKind::kSensorDelay), static_cast<uint8_t>(Quantity::kAcceleration), -1);
         }
@@ -201,8 +206,7 @@ class Planner {
     return -1;
   }
   // The rig estimates a coefficient of this very force.
-  bool estimated(EffectKind effect, int number) const {
-    const CoreTerm core = row_of(effect).core;
+  bool estimated(const CoreTerm& core, int number) const {
     for (int t = 0; t < c_.term_count && core.estimable; ++t)
       if (c_.terms[t].unknown >= 0 && c_.terms[t].kind == core.term && c_.terms[t].place == number) return true;
     return false;

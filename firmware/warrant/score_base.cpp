@@ -28,7 +28,11 @@ void ScoreTest::read(const Probe& probe) {
     for (int v = 0; v < sums; ++v) noise[slope][v] = sums_->noise_share(probe, slope, v, SharedNoise::Of::kWhole);
   read_doubt(probe);
   for (int s = 0; s < stretches_; ++s) {
-    const auto raw = [&](int v) { return sums_->table().value(s, probe.first_value + v) * unit[v] * time(probe, s); };
+    const Scaled since = time(probe, s);
+    const auto raw = [&](int v) {
+      const Scaled sum = sums_->table().value(s, probe.first_value + v) * unit[v];
+      return probe.drifts ? sum * since : sum;
+    };
     Scaled slopes[2];
     for (int slope = 0; slope < plan.slopes; ++slope) slopes[slope] = raw(sums + 1 + slope);
     const auto value = [&](int v) {
@@ -46,7 +50,7 @@ void ScoreTest::read(const Probe& probe) {
         if (place.column_sign[k][e] < 0) residual_[s][e] = residual_[s][e] + force;
       }
     }
-    own_[s] = raw(sums) * time(probe, s);
+    own_[s] = probe.drifts ? raw(sums) * since : raw(sums);
   }
 }
 

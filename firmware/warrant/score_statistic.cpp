@@ -16,16 +16,18 @@ Scaled quotient(Scaled a, Scaled b) { return b.is_zero() ? Scaled{} : a / b; }
 
 }  // namespace
 
-// G of one stretch: phi g' column of every unknown at the place.
-Scaled ScoreTest::taken(const Probe& probe, int s, int k) const {
+// What the scores of the place take of an unknown's column.
+void ScoreTest::find_weights(const Probe& probe) {
   const Place& place = sums_->plan().place[probe.place];
-  Scaled sum;
-  for (int e = 0; e < place.equations; ++e) {
-    const Scaled g = weight(probe.place, s, e);
-    if (place.column_sign[k][e] > 0) sum = sum + g;
-    if (place.column_sign[k][e] < 0) sum = sum - g;
-  }
-  return sum * column_[s][k];
+  for (int level = 0; level < levels_; ++level)
+    for (int k = 0; k < place.columns; ++k) {
+      Scaled& sum = column_weight_[level][k] = Scaled{};
+      for (int e = 0; e < place.equations; ++e) {
+        const Scaled g = weight_[probe.place][level][e];
+        if (place.column_sign[k][e] > 0) sum = sum + g;
+        if (place.column_sign[k][e] < 0) sum = sum - g;
+      }
+    }
 }
 
 // C and, once the answers are known, how a unit of the probe's effect bends the estimates.
@@ -36,7 +38,7 @@ void ScoreTest::share_out(const Probe& probe) {
   for (int s = 0; s < stretches_; ++s)
     for (int k = 0; k < place.columns; ++k) {
       const int unknown = place.unknown[k];
-      sum[unknown] = sum[unknown] + taken(probe, s, k);
+      sum[unknown] = sum[unknown] + taken(s, k);
       total[unknown] = total[unknown] + answer_[level_of_[s]][k] * column_[s][k];
     }
   for (int k = 0; k < unknowns_; ++k) {
@@ -149,7 +151,10 @@ void ScoreTest::test(int number) {
   for (int s = 0; s < stretches_; ++s, report_work(80)) own_square_[number] = own_square_[number] + own_[s];
   if (probe.unknown >= 0) return;
   find_answers(probe);
+  find_weights(probe);
   share_out(probe);
+  for (int level = 0; level < levels_; ++level)
+    for (int k = 0; k < place.columns; ++k) shared_answer_[level][k] = share_[place.unknown[k]] * answer_[level][k];
   Scaled *psi = psi_, *d = d_;
   bend_base(d);
   Scaled sum_psi, sum_d, sum_p, d_squares;
@@ -165,8 +170,7 @@ void ScoreTest::test(int number) {
       if (!share_[k].is_zero()) psi[s] = psi[s] - share_[k] * base_score_[s][k];
     d[s] = d[s] + own;
     for (int k = 0; k < place.columns; ++k)
-      d[s] = d[s] - share_[place.unknown[k]] * answer_[level_of_[s]][k] * column_[s][k] -
-             bend_[place.unknown[k]] * taken(probe, s, k);
+      d[s] = d[s] - shared_answer_[level_of_[s]][k] * column_[s][k] - bend_[place.unknown[k]] * taken(s, k);
     sum_p = sum_p + own;
     sum_psi = sum_psi + psi[s];
     sum_d = sum_d + d[s];
@@ -192,10 +196,11 @@ void ScoreTest::test(int number) {
     left[s] = left[s] / rest;
   }
   const Scaled variance = variance_of_sum(left, result.freedom);
+  Scaled doubt;  // what of the score may be noise that signals share, beyond what is taken out
   for (int k = 0; k < unknowns_; ++k)
-    if (!share_[k].is_zero()) result.doubt = result.doubt + share_[k] * base_doubt_[k];
-  result.doubt = abs(doubtful_score(probe.place) - result.doubt);
-  const Scaled sure = abs(sum_psi) > result.doubt ? abs(sum_psi) - result.doubt : Scaled{};
+    if (!share_[k].is_zero()) doubt = doubt + share_[k] * base_doubt_[k];
+  doubt = abs(doubtful_score(probe.place) - doubt);
+  const Scaled sure = abs(sum_psi) > doubt ? abs(sum_psi) - doubt : Scaled{};
   result.std = sqrt(variance) / sum_d;
   result.wald = quotient(sum_psi.is_negative() ? -sure : sure, sqrt(variance));
   result.plain = sum_psi / sqrt(result.before);

@@ -29,7 +29,6 @@ struct ProbeScore {
   Scaled before;         // sum of psi^2
   Scaled scatter;        // what is left: sum of (psi - effect d)^2
   Scaled score;          // sum of psi
-  Scaled doubt;          // what of it may be noise that signals share, beyond what is taken out
   Scaled gain;           // of the log-likelihood, twice; comparable between probes
   Scaled rms;            // of the force, SI
 };
@@ -69,7 +68,11 @@ class ScoreTest {
   void compare();
   void test(int number);
   Scaled variance_of_sum(const Scaled* share, Scaled& freedom) const;
-  Scaled taken(const Probe& probe, int stretch, int column) const;
+  // G of one stretch: phi g' column of an unknown at the place.
+  Scaled taken(int stretch, int column) const {
+    return column_weight_[level_of_[stretch]][column] * column_[stretch][column];
+  }
+  void find_weights(const Probe& probe);
   void find_answers(const Probe& probe);
   void share_out(const Probe& probe);
   void bend_base(Scaled* bent) const;
@@ -93,8 +96,9 @@ class ScoreTest {
   Scaled normal_[kMaxUnknowns][kMaxUnknowns], inverse_[kMaxUnknowns][kMaxUnknowns];
   Scaled base_score_[kMostStretches][kMaxUnknowns];
   Scaled base_doubt_[kMaxUnknowns];  // of the sum of its scores
-  // Of the probe that was read last: C, b, and the answers of the estimated terms' scores.
+  // Of the probe that was read last: C, b, the answers of the estimated terms' scores, C times those, and g' column signs.
   Scaled share_[kMaxUnknowns], bend_[kMaxUnknowns], answer_[kMaxLevels][kMaxPlaceColumns];
+  Scaled shared_answer_[kMaxLevels][kMaxPlaceColumns], column_weight_[kMaxLevels][kMaxPlaceColumns];
   Scaled residual_[kMostStretches][kPlaceEquations], column_[kMostStretches][kMaxPlaceColumns], own_[kMostStretches];
   Scaled doubtful_[kMaxLevels][kPlaceEquations];  // noise of a doubtful size in the sums of residual_
   Scaled psi_[kMostStretches], d_[kMostStretches];

@@ -12,6 +12,18 @@ void raise(ParameterEstimate& parameter, EstimateStatus status) {
   if (severity(status) > severity(parameter.status)) parameter.status = status;
 }
 
+// A bit per TermKind, taken from the vocabulary when compiling: the table's words stay out of the image.
+template <typename Is>
+constexpr uint32_t terms_that(Is is) {
+  uint32_t bits = 0;
+  for (int t = 0; t < kTermKinds; ++t)
+    if (is(row_of(static_cast<TermKind>(t)))) bits |= uint32_t{1} << t;
+  return bits;
+}
+constexpr uint32_t kNotNegative = terms_that([](const EffectRow& row) { return row.sign == Sign::kNotNegative; });
+constexpr uint32_t kConservative = terms_that([](const EffectRow& row) { return row.nature.conservative; });
+bool is_in(uint32_t terms, TermKind kind) { return (terms >> static_cast<int>(kind) & 1) != 0; }
+
 const Term* term_of(const CoreConfiguration& configuration, int unknown) {
   for (int t = 0; t < configuration.term_count; ++t)
     if (configuration.terms[t].unknown == unknown) return &configuration.terms[t];
@@ -121,13 +133,13 @@ void tell(const CoreConfiguration& configuration, const ScoreSums& sums, const S
 
 bool impossible(const CoreConfiguration& configuration, int unknown, const ParameterEstimate& parameter) {
   const Term* term = term_of(configuration, unknown);
-  return term != nullptr && row_of(term->kind).sign == Sign::kNotNegative && parameter.ci95_high.is_negative();
+  return term != nullptr && is_in(kNotNegative, term->kind) && parameter.ci95_high.is_negative();
 }
 
 // So far on the impossible side that it is no chance: the model is wrong there, and bends the neighbours too.
 bool contradicts(const CoreConfiguration& configuration, int unknown, const ParameterEstimate& parameter) {
   const Term* term = term_of(configuration, unknown);
-  return term != nullptr && row_of(term->kind).sign == Sign::kNotNegative &&
+  return term != nullptr && is_in(kNotNegative, term->kind) &&
          (parameter.value + parameter.std * Scaled::from_int(kImpossibleDeviations)).is_negative();
 }
 
@@ -167,7 +179,7 @@ bool blind(const CoreConfiguration& configuration, const ScoreTest& test, int un
   return term != nullptr && term->kind != TermKind::kMass && test.blind(term->place);
 }
 
-bool is_damping(TermKind kind) { return kind != TermKind::kMass && !row_of(kind).nature.conservative; }
+bool is_damping(TermKind kind) { return kind != TermKind::kMass && !is_in(kConservative, kind); }
 
 // One amplitude of the rate: other damping laws differ from the estimated ones in their harmonics alone, and those have to be
 // excluded one by one.
