@@ -78,6 +78,7 @@ Diagnosis diagnose(const rig_file::RigModel& rig, const std::vector<host_sim::Re
   runs::name_holds(task, d);
   runs::say_common_lag(task, d);
   runs::say_shared_hum(d);
+  runs::drop_undetermined(d);
   runs::drop_trifles(task, d);
   for (const std::string& advice : advice_for(d)) d.advice.push_back(advice);
   progress(1);

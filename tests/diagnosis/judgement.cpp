@@ -1,5 +1,6 @@
 #include "judgement.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -19,7 +20,16 @@ bool among(const Hidden& truth, const diagnosis::Diagnosis& d, bool rivals_too) 
 
 }  // namespace
 
-diagnosis::Diagnosis answer_to(const Draw& draw) { return diagnosis::diagnose(draw.rig, {draw.record}, {}); }
+// A force that comes in steps is told as such, and is no part of what is hidden.
+diagnosis::Diagnosis answer_to(const Draw& draw) {
+  diagnosis::Diagnosis d = diagnosis::diagnose(draw.rig, {draw.record}, {});
+  const auto held = [](const diagnosis::Cause& c) { return c.effect == "force_hold"; };
+  const auto from = std::remove_if(d.causes.begin(), d.causes.end(), held);
+  if (from == d.causes.end() || d.force_between_samples != "steps") return d;
+  d.causes.erase(from, d.causes.end());
+  if (d.causes.empty() && d.verdict == Verdict::kExplained) d.verdict = Verdict::kNone;
+  return d;
+}
 
 Outcome judge(const Draw& draw, const diagnosis::Diagnosis& d) {
   if (draw.truth.empty()) return d.verdict == Verdict::kNone ? Outcome::kExact : Outcome::kWrong;

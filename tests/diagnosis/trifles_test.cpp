@@ -59,5 +59,30 @@ TEST(Trifles, TakeTheirRivalsWithThem) {
   EXPECT_EQ(d.verdict, Verdict::kExplained);
 }
 
+Cause drag(double value, double std) {
+  Cause c;
+  c.effect = "quadratic_damping", c.where = "link 1-0";
+  c.parameters = {{"quadratic_damping[1-0]", value, "N s^2/m^2", std, true}};
+  return c;
+}
+
+// 1.96 standard deviations of 1 reach from 1.95 beyond nought, from 1.97 not.
+TEST(Undetermined, ACauseWhoseIntervalContainsNoughtIsTakenBack) {
+  for (const Verdict verdict : {Verdict::kExplained, Verdict::kPartly, Verdict::kAmbiguous}) {
+    Diagnosis d;
+    d.verdict = verdict, d.causes = {drag(-1.95, 1)}, d.ambiguous_with = {{"stribeck", "link 1-0"}};
+    drop_undetermined(d);
+    EXPECT_TRUE(d.causes.empty());
+    EXPECT_TRUE(d.ambiguous_with.empty());
+    EXPECT_EQ(d.verdict, verdict == Verdict::kExplained ? Verdict::kNone : Verdict::kUnknown);
+  }
+  Diagnosis d;
+  d.verdict = Verdict::kExplained, d.causes = {drag(-1.97, 1), drag(5, 0)};
+  drop_undetermined(d);
+  ASSERT_EQ(d.causes.size(), 1u) << "the second says what the first has said";
+  EXPECT_EQ(d.causes[0].parameters[0].value, -1.97);
+  EXPECT_EQ(d.verdict, Verdict::kExplained);
+}
+
 }  // namespace
 }  // namespace diagnosis::runs

@@ -10,9 +10,8 @@
 namespace diagnosis::runs {
 namespace {
 
-constexpr double kLikeAHold = 0.1;       // of half a sample
-constexpr double kLeastGain = 1.05;      // on unseen data: a twentieth less missed is not a number that anybody acts on
-constexpr double kAsGoodAsRight = 1e-3;  // of the motion, over a window: no sensor of a rig is better
+constexpr double kLikeAHold = 0.1;   // of half a sample
+constexpr double kLeastGain = 1.05;  // on unseen data: a twentieth less missed is not a number that anybody acts on
 constexpr double kHalfOfVariance = 70.7;  // NRMSE in percent
 // Of the motion, of each link's too, over windows and in free runs of unseen data: calibrations of sensors are not much better,
 // and where nothing in the vocabulary brings it down nobody would act on it. What is left is said.
@@ -142,7 +141,12 @@ Verdict verdict_of(const Task& task, const Choice& choice, bool noise, double wo
 bool immaterial(const Choice& choice, bool noise, double worst_free_run, const Terms& base, const Terms& full,
                 const Diagnosis& d) {
   if (choice.named.empty() || (noise && moved(base, full))) return false;
-  const double windows = std::sqrt(1 / std::max(1e-12, error_over(choice.final.unseen_fit, choice.base.unseen_fit)));
+  const auto gain_of = [](const Fitted& now, const Fitted& before) {
+    return std::sqrt(1 / std::max(1e-12, error_over(now, before)));
+  };
+  double windows = gain_of(choice.final.unseen_fit, choice.base.unseen_fit);
+  for (const Named& n : choice.named)  // what acts at large motion alone does not show in the end of a decay
+    if (!n.shows_unseen) windows = std::max(windows, gain_of(choice.final.fit, choice.base.fit));
   return (windows < kLeastGain || worst_free_run > 100) &&
          std::all_of(d.gain.begin(), d.gain.end(), [](double gain) { return gain < kLeastGain; });
 }

@@ -18,7 +18,43 @@ double given(const System& system, const Cause& c) {
   return 0;
 }
 
+// Without one of its causes: whatever was said beside it in its place goes too. What had only noise left beside it is right
+// without it as far as these data can tell; else something is missing that has no name now.
+void take_back(Diagnosis& d, size_t i) {
+  const std::string where = d.causes[i].where;
+  d.causes.erase(d.causes.begin() + static_cast<std::ptrdiff_t>(i));
+  d.ambiguous_with.erase(std::remove_if(d.ambiguous_with.begin(), d.ambiguous_with.end(),
+                                        [&](const NamedPlace& p) { return p.where == where; }),
+                         d.ambiguous_with.end());
+}
+
+bool may_be_nought(const Cause& c) {
+  return !c.parameters.empty() && c.parameters[0].std > 0 &&
+         std::abs(c.parameters[0].value) <= 1.96 * c.parameters[0].std;
+}
+
 }  // namespace
+
+void drop_undetermined(Diagnosis& d) {
+  const Verdict before = d.verdict;
+  const bool any = !d.causes.empty();
+  for (size_t i = 0; i < d.causes.size();) {
+    const Cause& c = d.causes[i];
+    const auto same = [&](const Cause& o) { return o.effect == c.effect && o.where == c.where; };
+    const auto end = d.causes.begin() + static_cast<std::ptrdiff_t>(i);
+    if (std::any_of(d.causes.begin(), end, same))
+      d.causes.erase(end);  // said already: what drifts within records may drift across them too
+    else if (may_be_nought(c))
+      take_back(d, i);
+    else
+      ++i;
+  }
+  if (any && d.causes.empty()) {
+    d.ambiguous_with.clear();
+    d.verdict = before == Verdict::kExplained ? Verdict::kNone : Verdict::kUnknown;
+  }
+  if (d.verdict == Verdict::kAmbiguous && d.ambiguous_with.empty()) d.verdict = Verdict::kExplained;
+}
 
 void drop_trifles(const Task& task, Diagnosis& d) {
   if (d.verdict == Verdict::kUnknown || d.causes.empty()) return;
@@ -30,11 +66,7 @@ void drop_trifles(const Task& task, Diagnosis& d) {
       ++i;
       continue;
     }
-    const std::string where = c.where;
-    d.causes.erase(d.causes.begin() + static_cast<std::ptrdiff_t>(i));
-    d.ambiguous_with.erase(std::remove_if(d.ambiguous_with.begin(), d.ambiguous_with.end(),
-                                          [&](const NamedPlace& p) { return p.where == where; }),
-                           d.ambiguous_with.end());
+    take_back(d, i);
   }
   for (const Cause& c : d.causes)  // what is named is no alternative to itself
     d.ambiguous_with.erase(

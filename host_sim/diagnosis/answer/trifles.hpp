@@ -10,4 +10,7 @@ constexpr double kTrifle = 2e-4;  // of what is given: no balance, spring tester
 // records without noise show it; neither is what looks like it at its place.
 void drop_trifles(const Task& task, Diagnosis& d);
 
+// Takes back every cause whose 95 % interval contains nought, and what is said twice.
+void drop_undetermined(Diagnosis& d);
+
 }  // namespace diagnosis::runs

@@ -50,8 +50,9 @@ double expected_unseen(const Attempt& a, size_t added_from) {
   return rows > 0 ? sum / rows : 0;
 }
 
+// As share_of(), on unseen windows: where they are quieter noise is more of what is left there.
 double unseen_share_of(const Attempt& a, double noise) {
-  return (1 - a.unseen) / std::max(1e-12, 1 - std::min(noise, a.unseen));
+  return (1 - a.unseen) / std::max(1e-12, 1 - std::min(std::min(1.0, noise * a.quieter), a.unseen));
 }
 
 constexpr double kMuch = 0.5;  // of what the better one leaves beyond noise
@@ -107,17 +108,36 @@ State on_all(const Task& task, const State& whole, const Model& model) {
 }
 
 double paired_z(const Fitted& before, const Fitted& after) {
-  const size_t n = std::min(before.block_ss.size(), after.block_ss.size());
+  const size_t n = std::min(before.block_ss.size(), after.block_ss.size()) / kFiner;
   if (n < 2) return 0;
   double sum = 0, square = 0;
   for (size_t w = 0; w < n; ++w) {
-    const double d = (before.block_ss[w] - after.block_ss[w]).cwiseQuotient(before.mean_square).sum();
+    double d = 0;
+    for (size_t b = kFiner * w; b < kFiner * (w + 1); ++b)
+      d += (before.block_ss[b] - after.block_ss[b]).cwiseQuotient(before.mean_square).sum();
     sum += d, square += d * d;
   }
   const double mean = sum / static_cast<double>(n);
   const double variance = (square / static_cast<double>(n) - mean * mean) / (static_cast<double>(n) - 1);
   return normal_deviate(mean / std::sqrt(variance + 1e-300), static_cast<double>(n) - 1);
 }
+
+namespace {
+
+// What a settled attempt brings, and whether chance could bring it.
+void judge(const Task& task, const State& beside, bool hosted, Attempt& a) {
+  a.error = error_over(a.state.fit, beside.fit), a.unseen = error_over(a.state.unseen_fit, beside.unseen_fit);
+  a.quieter = beside.unseen_fit.ok ? error_over(beside.fit, beside.unseen_fit) : 1;
+  for (size_t i = beside.model.size(); i < a.state.model.size(); ++i)
+    if (!shown(task, a.state.model[i])) a.state.fit.ok = false;
+  if (!a.state.fit.ok) return;
+  a.z = std::min(1e300, least_z(a, beside.model.size()));
+  a.shows_unseen = !a.state.unseen_fit.ok || expected_unseen(a, beside.model.size()) > kShows;
+  // what acts in another's place has no coefficient of its own: what it brings, block by block
+  if (hosted) a.z = std::min(a.z, paired_z(beside.fit, a.state.fit));
+}
+
+}  // namespace
 
 Attempt attempt(const Task& task, const State& beside, const std::vector<Candidate>& candidates,
                 const std::vector<std::vector<double>>& values, int steps, From from) {
@@ -138,15 +158,7 @@ Attempt attempt(const Task& task, const State& beside, const std::vector<Candida
     a.state.fit = fit(task.system, task.records, a.state.model, a.state.seen, kFirstSteps);
   for (size_t i = 0; i < shape_free.size(); ++i) a.state.model[i].shape_free |= shape_free[i];
   settle(task, a.state, steps);
-  a.error = error_over(a.state.fit, beside.fit), a.unseen = error_over(a.state.unseen_fit, beside.unseen_fit);
-  for (size_t i = beside.model.size(); i < a.state.model.size(); ++i)
-    if (!shown(task, a.state.model[i])) a.state.fit.ok = false;
-  if (a.state.fit.ok) {
-    a.z = std::min(1e300, least_z(a, beside.model.size()));
-    a.shows_unseen = !a.state.unseen_fit.ok || expected_unseen(a, beside.model.size()) > kShows;
-    // what acts in another's place has no coefficient of its own: what it brings, block by block
-    if (hosted) a.z = std::min(a.z, paired_z(beside.fit, a.state.fit));
-  }
+  judge(task, beside, hosted, a);
   return a;
 }
 
@@ -173,6 +185,32 @@ Attempt attempt(const Task& task, const State& beside, const std::vector<Candida
   return a;
 }
 
+bool is_bristles(const Attempt& a) {
+  return a.candidates.size() == 1 && a.candidates[0].terms[0].kind == Kind::kPresliding && a.state.fit.ok;
+}
+
+Attempt without_bristles(const Task& task, const State& beside, const Attempt& bristles) {
+  Attempt a;
+  a.state = bristles.state;
+  ModelTerm& term = a.state.model.back();
+  const bool hosted = term.host >= 0;
+  if (hosted) {
+    a.state.model.pop_back();  // the rig's own friction, as it was fitted with them
+  } else {
+    Candidate dry = bristles.candidates[0];
+    dry.terms = {on_link(Kind::kMissingCoulomb, term.term.link)}, dry.complexity = 0;
+    term.term = dry.terms[0], term.shape_free = false;
+    a.candidates = {dry};
+  }
+  for (std::vector<Window>* windows : {&a.state.seen, &a.state.unseen})
+    for (Window& w : *windows)  // the bristles' state lies between those of the motion and the channels' zeros
+      w.state.resize(0);
+  fit(task.system, task.records, a.state.model, a.state.seen, kTrialSteps, true);
+  settle(task, a.state, kTrialSteps);
+  judge(task, beside, false, a);
+  return a;
+}
+
 void keep_shape(const Model& fitted, Candidate& c) {
   for (const ModelTerm& t : fitted)
     if (t.added && t.term.same_place(c.terms[0])) c.terms = {t.term};
@@ -196,7 +234,8 @@ bool passes(const Attempt& a, size_t already, double noise) {
   if (!a.shows_unseen)  // then it has to explain nearly all by itself
     return unseen_agrees(a) && a.z > kSignificant * std::sqrt(n) && share_of(a, noise) > std::max(least, 1 - kShare);
   if (noise < kMostlyNoise && unseen_share_of(a, noise) < least) return false;
-  const bool plain = noise < kMostlyNoise && 1 - a.unseen > 0.5 * (1 - a.error);
+  const bool plain =
+      noise * std::max(1.0, a.quieter) < kMostlyNoise && unseen_share_of(a, noise) > 0.5 * share_of(a, noise);
   return a.z > (plain ? kPlain : kSignificant * std::sqrt(n)) && share_of(a, noise) > least && unseen_agrees(a);
 }
 

@@ -8,6 +8,7 @@ struct Attempt {
   std::vector<Candidate> candidates;
   State state;
   double error = 1e300, unseen = 1e300;  // squared, over that of the model beside which they were put
+  double quieter = 1;                    // squared error of that model on seen windows over that on unseen ones
   double z = 0;                          // of the least significant candidate
   int complexity = 0;                    // numbers beside the coefficients
   // Whether unseen windows can tell: what it would bring there, as a share of their squared residual, is more than
@@ -36,6 +37,12 @@ Attempt attempt(const Task& task, const State& beside, const std::vector<Candida
                 const std::vector<std::vector<double>>& values, int steps, From from = From::kBeside);
 // One that was screened; `all`: where a gentler shape of it is found when the best one does not converge.
 Attempt attempt(const Task& task, const State& beside, const std::vector<Candidate>& all, const Screened& one);
+
+// Whether one fitted cause is friction whose bristles bend; and the same with friction that does not, fitted from there: over
+// long windows the error of dry friction has valleys of its own, which bristles lead around. Where they act in the place
+// of the rig's own friction that is the model beside which they were put, and no cause.
+bool is_bristles(const Attempt& a);
+Attempt without_bristles(const Task& task, const State& beside, const Attempt& bristles);
 
 // Whether unseen windows speak for it, or have nothing to say (a sweep that has left the resonance).
 bool unseen_agrees(const Attempt& a);

@@ -24,6 +24,7 @@ struct Named {
   double z = 0;      // significance
   double share = 0;  // of what was still to be explained
   std::vector<Rival> rivals;
+  bool shows_unseen = true;  // whether unseen windows could show it
 };
 
 // Whether what is left goes with the motion of its own window, or as well with that of any other: with_motion().
@@ -32,6 +33,12 @@ struct WithMotion {
   double share = 0;    // of the squared residual, corrected for chance
   double std = 0;      // of `share`, from its scatter between windows
   double z = 0;        // of its mean over windows, as a normal deviate
+};
+
+// Noise does not know how loud the motion is: how the error of windows goes with their motion.
+struct WithLoudness {
+  double z = 0;            // of the correlation of both logarithms, as a normal deviate
+  double quiet_share = 1;  // of the squared residual, that would be left if all windows were as the quieter quarter
 };
 
 // A channel's line at the mains' frequency.
@@ -51,6 +58,7 @@ struct Left {
   double line = 0, foreign_line = 0;
   std::vector<Hum> hum;
   WithMotion with_motion;
+  WithLoudness with_loudness;
   double worst() const { return in_band.size() ? in_band.maxCoeff() : 0; }
 };
 // Whether more than noise is left: more in the band of the motion than beside it, and not of a colour that noise may
@@ -82,6 +90,7 @@ bool right(const Task& task, const Choice& choice);
 bool near_enough(const Task& task, const Choice& choice);
 constexpr double kFollows =
     0.25;  // of the motion, error: up to it a linearisation is trusted and fitted states help others
+constexpr double kAsGoodAsRight = 1e-3;  // of the motion, over a window: no sensor of a rig is better
 // Error of the windows' runs over the motion, the worst channel's; huge where there is no fit.
 double motion_error(const Task& task, const State& state);
 // Takes causes that another test found and borne_out() confirms.

@@ -181,8 +181,10 @@ bool right(const Task& task, const Choice& choice) {
 }
 
 bool near_enough(const Task& task, const Choice& choice) {
-  return choice.base.fit.ok && noise_share(choice.base_left, choice.base.fit) < kMostlyNoise &&
-         missed_percent(task, choice.base) < kNearEnough_percent;
+  if (!choice.base.fit.ok) return false;
+  return motion_error(task, choice.base) < kAsGoodAsRight ||
+         (noise_share(choice.base_left, choice.base.fit) < kMostlyNoise &&
+          missed_percent(task, choice.base) < kNearEnough_percent);
 }
 
 Choice rig_fitted(const Task& task) {
@@ -245,6 +247,7 @@ void choose(const Task& task, Choice& choice, const std::function<void(double)>&
   State now = choice.final;
   if (!now.fit.ok || now.unseen.empty() || near_enough(task, choice)) return;
   bool warmed = false;
+  size_t freed = 0;
   while (choice.named.size() < kMostCauses) {
     const double left = error_over(now.fit, choice.base.fit);
     if (!choice.named.empty() && left < kFurtherShare * (1 - left)) break;  // no cause could take that much
@@ -252,6 +255,13 @@ void choose(const Task& task, Choice& choice, const std::function<void(double)>&
     const double noise = noise_share(remains, now.fit);
     const State part = part_of(task, now, noise);
     Round round = round_of(task, part, choice.named.size(), remains, noise, choice);
+    if (round.stuck) {
+      now = on_all(task, now, round.unstuck.model);
+      if (choice.named.empty())
+        choice.base = choice.final = now, choice.base_left = left_by(task.system, task.records, now);
+      if (++freed > kMostCauses) break;
+      continue;
+    }
     if (!warmed) {
       const Attempt warm = warming(task, part, noise);
       if (warm.state.fit.ok && (!round.found || whole_error(warm) < kTogether * whole_error(round.best)))
@@ -261,7 +271,7 @@ void choose(const Task& task, Choice& choice, const std::function<void(double)>&
     if (!choice.named.empty() && left * (1 - round.best.error) < kFurtherShare * (1 - left)) break;
     for (Candidate c : round.best.candidates) {
       keep_shape(round.best.state.model, c);
-      choice.named.push_back(Named{c, round.best.z, share_of(round.best, noise), {}});
+      choice.named.push_back(Named{c, round.best.z, share_of(round.best, noise), {}, round.best.shows_unseen});
     }
     now = on_all(task, now, round.best.state.model);
     progress(static_cast<double>(choice.named.size()) / static_cast<double>(kMostCauses));
@@ -277,7 +287,7 @@ void adopt(const Task& task, const std::vector<Candidate>& found, const std::vec
   Attempt t = attempt(task, choice.base, found, values, kBaseSteps);
   if (!t.state.fit.ok) return;
   for (const Candidate& c : found) {
-    choice.named.push_back(Named{c, t.z, share_of(t, noise_share(choice.base_left, choice.base.fit)), {}});
+    choice.named.push_back(Named{c, t.z, share_of(t, noise_share(choice.base_left, choice.base.fit)), {}, true});
   }
   choice.final = t.state;
 }

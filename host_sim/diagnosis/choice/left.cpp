@@ -155,20 +155,22 @@ Left left_by(const System& system, const std::vector<Prepared>& records, const S
     left.hum.push_back(hum_in(p, n, step, driving));
   }
   if (left.worst() > kBeyondNoise && left.line < kLine && !over.massless)
-    left.with_motion = with_motion(system, records, state);
+    left.with_motion = with_motion(system, records, state), left.with_loudness = with_loudness(records, state);
   return left;
 }
 
 bool beyond_noise(const Left& left) {
+  const bool knows_motion = !left.with_motion.known || left.with_motion.z > kGoesWithMotion;
   return left.foreign_line > kLine ||
-         (left.worst() > kBeyondNoise && !(left.with_motion.known && left.with_motion.z < kGoesWithMotion));
+         (left.worst() > kBeyondNoise && (knows_motion || left.with_loudness.z > kGoesWithMotion));
 }
 
 double noise_share(const Left& left, const Fitted& fit) {
   if (left.noise.size() == 0) return 0;
   const double beside = left.noise.cwiseQuotient(fit.mean_square).cwiseMin(1.0).mean();
   if (!left.with_motion.known) return beside;
-  return std::max(beside, std::clamp(1 - left.with_motion.share - 2 * left.with_motion.std, 0.0, 1.0));
+  const double most = left.with_loudness.z > kGoesWithMotion ? left.with_loudness.quiet_share : 1;
+  return std::max(beside, std::clamp(1 - left.with_motion.share - 2 * left.with_motion.std, 0.0, most));
 }
 
 double error_over(const Fitted& now, const Fitted& before) {

@@ -57,6 +57,13 @@ void weigh_rivals(const Task& task, const std::function<void(double)>& progress,
       if (named || one.z < kLeastRival || 1 - one.gain > kMuchWorse * (1 - best_gain) + noise) continue;
       others.push_back(attempt(task, rest, all, one));
     }
+    const auto bristles = std::find_if(others.begin(), others.end(), is_bristles);
+    for (const Attempt* a : {is_bristles(own) ? &own : nullptr, bristles != others.end() ? &*bristles : nullptr}) {
+      const Attempt dry = a ? without_bristles(task, rest, *a) : Attempt();
+      if (!dry.state.fit.ok || dry.candidates.empty()) continue;
+      others.push_back(dry);
+      break;
+    }
     const auto better = std::min_element(others.begin(), others.end(), [](const Attempt& a, const Attempt& b) {
       return whole_error(a) < whole_error(b);
     });

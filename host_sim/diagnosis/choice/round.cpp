@@ -6,9 +6,11 @@ namespace diagnosis::runs {
 namespace {
 
 constexpr double kWorthFitting = 2, kWorthFittingInNoise = 3;  // of a screened deviate
+constexpr double kPlainGain = 0.1;  // of the squared error: worth a fit though it shows in one burst alone
 constexpr double kPlainlyLeft = 2;  // in the band of the motion over beside it: so much is worth a search among pitches
 constexpr size_t kShortList = 5, kPairs = 40, kPairTrials = 8, kPairTrialsInNoise = 2;
 constexpr double kPairRows = 4e4;   // samples that a search among pairs may simulate
+constexpr double kWasStuck = 0.9;   // of the squared error: so much less shows another valley
 constexpr double kAsPromising = 4;  // of what a pair leaves, as the linearisation has it
 
 }  // namespace
@@ -21,13 +23,21 @@ Round round_of(const Task& task, const State& now, size_t already, const Left& l
   std::vector<Attempt> singles;
   for (const Screened& one : s.singles) {
     if (singles.size() >= kShortList) break;
-    if (one.z <
-        (noise < kMostlyNoise ? kWorthFitting : kWorthFittingInNoise) * std::sqrt(static_cast<double>(already + 1)))
-      continue;
+    const double least =
+        (noise < kMostlyNoise ? kWorthFitting : kWorthFittingInNoise) * std::sqrt(static_cast<double>(already + 1));
+    if (one.z < least && one.gain < kPlainGain) continue;
     singles.push_back(attempt(task, now, choice.last_candidates, one));
   }
   std::sort(singles.begin(), singles.end(),
             [](const Attempt& a, const Attempt& b) { return whole_error(a) < whole_error(b); });
+  if (!singles.empty() && is_bristles(singles[0])) {
+    const Attempt dry = without_bristles(task, now, singles[0]);
+    if (dry.state.fit.ok && !clearly_better(singles[0], dry, noise)) {
+      if (dry.candidates.empty()) round.stuck = whole_error(dry) < kWasStuck, round.unstuck = dry.state;
+      singles.insert(singles.begin(), dry);
+    }
+  }
+  if (round.stuck) return round;
   const auto first =
       std::find_if(singles.begin(), singles.end(), [&](const Attempt& t) { return passes(t, already, noise); });
   if (first != singles.end()) round.best = *first, round.found = true;

@@ -7,6 +7,8 @@ namespace diagnosis::runs {
 struct Round {
   Attempt best;
   bool found = false;
+  bool stuck = false;  // the model beside had settled in a valley of its error: `unstuck` is it in a lower one
+  State unstuck;
 };
 // already: causes named before; left: what the model leaves; noise: the share of its squares that looks like it. Leaves
 // the screen in `choice`.

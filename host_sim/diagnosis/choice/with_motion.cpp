@@ -104,4 +104,35 @@ WithMotion with_motion(const System& system, const std::vector<Prepared>& record
   return by_time.z > by_motion.z ? by_time : by_motion;
 }
 
+WithLoudness with_loudness(const std::vector<Prepared>& records, const State& state) {
+  WithLoudness out;
+  const size_t n = state.seen.size(), channels = records[0].traces.size();
+  if (n < kFewestWindows || !state.fit.ok) return out;
+  std::vector<double> all(channels, 0.0);  // mean squares of the channels over all records
+  for (size_t c = 0; c < channels; ++c)
+    for (const Prepared& p : records) all[c] += (p.traces[c].y.array() - p.traces[c].y.mean()).square().mean();
+  Vec motion(static_cast<Index>(n)), error(static_cast<Index>(n));
+  double total = 0;
+  for (size_t i = 0; i < n; ++i) {
+    const Window& w = state.seen[i];
+    double sum = 1e-300, left = 1e-300;
+    for (size_t c = 0; c < channels; ++c) {
+      const auto y = records[w.record].traces[c].y.segment(w.from, w.length);
+      if (all[c] > 0) sum += (y.array() - y.mean()).square().mean() / all[c];
+    }
+    for (size_t b = i * state.fit.parts; b < (i + 1) * state.fit.parts; ++b)
+      left += state.fit.block_ss[b].cwiseQuotient(state.fit.mean_square).sum();
+    left /= static_cast<double>(w.length);
+    motion[static_cast<Index>(i)] = std::log(sum), error[static_cast<Index>(i)] = std::log(left), total += left;
+  }
+  std::vector<double> levels(error.data(), error.data() + error.size());
+  std::nth_element(levels.begin(), levels.begin() + static_cast<std::ptrdiff_t>(n / 4), levels.end());
+  out.quiet_share = std::min(1.0, std::exp(levels[n / 4]) * static_cast<double>(n) / total);
+  motion.array() -= motion.mean(), error.array() -= error.mean();
+  const double size = motion.norm() * error.norm();
+  const double r = size > 0 ? std::min(motion.dot(error) / size, 1 - 1e-12) : 0, dof = static_cast<double>(n) - 2;
+  out.z = normal_deviate(r * std::sqrt(dof / (1 - r * r)), dof);
+  return out;
+}
+
 }  // namespace diagnosis::runs

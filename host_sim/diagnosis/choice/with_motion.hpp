@@ -9,5 +9,7 @@ namespace diagnosis::runs {
 // and cubes, and acceleration, coefficients free in every window) and on those of other windows: what its own take more
 // is no noise.
 WithMotion with_motion(const System& system, const std::vector<Prepared>& records, const State& state);
+// Of a fitted state with masses.
+WithLoudness with_loudness(const std::vector<Prepared>& records, const State& state);
 
 }  // namespace diagnosis::runs

@@ -34,6 +34,19 @@ void report_terms(const System& system, const Rows& rows, const SearchResult& fo
   }
 }
 
+// How forces act between their samples; steps are an effect of the vocabulary, taken out before the rig is judged.
+void report_holds(const rig_file::RigModel& rig, const std::vector<FusedRecord>& records, Diagnosis& d) {
+  for (const FusedRecord& f : records) {
+    if (f.hold != Hold::kSmooth) d.force_between_samples = f.hold == Hold::kLinear ? "linear" : "steps";
+    for (size_t dof : f.held) {
+      Cause c;
+      c.effect = "force_hold", c.where = "channel " + force_channel(rig, dof), c.taken_out = true;
+      const auto same = [&](const Cause& o) { return o.effect == c.effect && o.where == c.where; };
+      if (std::none_of(d.causes.begin(), d.causes.end(), same)) d.causes.push_back(c);
+    }
+  }
+}
+
 void also_ambiguous(const std::vector<NamedPlace>& rivals, Diagnosis& d) {
   d.ambiguous_with.insert(d.ambiguous_with.end(), rivals.begin(), rivals.end());
 }
@@ -54,8 +67,7 @@ RowsSay ask_rows(const System& system, const Asked& asked) {
   try_holds(owner, found);
   const std::vector<NamedPlace> as_well = try_sole_channels(owner, found, alone);
   report_faults({alone}, d);
-  for (const FusedRecord& f : owner->records)
-    if (f.hold != Hold::kSmooth) d.force_between_samples = f.hold == Hold::kLinear ? "linear" : "steps";
+  report_holds(asked.rig, owner->records, d);
   Bench& bench = *owner;
   d.baseline_misfit = found.base_fit.ratio(), d.extended_misfit = found.fit.ratio();
   const Remainder remainder = remainder_of(*bench.rows, *bench.bank, found);

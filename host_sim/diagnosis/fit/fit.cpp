@@ -13,6 +13,8 @@ constexpr double kSettled = 0.02;     // of the cost: a fall that no test can no
 constexpr double kLongestStep = 0.5;  // of a shape's logarithm
 constexpr size_t kLeastWindows = 8;   // from which on the scatter between windows is a measure
 constexpr double kLeastShare = 0.3;   // of a positive number, that one step may leave of it
+constexpr double kIsThere = 4.5;      // standard errors, as for any cause
+constexpr double kForgotten = 10;     // memories of what is left: blocks as long share a tenth of it at most
 
 struct Normal {              // of one window
   Mat states_inverse_cross;  // what a change of the parameters does to the state
@@ -28,7 +30,47 @@ struct Pass {
   bool ok = false;
   std::vector<Normal> windows;
   Vec mean_square;
-  double cost = 0;
+  double cost = 0, memory = 1;
+};
+
+// Correlation of what is left, channel by channel, at lags that double every third step: sums over windows.
+class Resemblance {
+ public:
+  explicit Resemblance(Index channels) : zero_(Vec::Zero(channels)) {
+    for (double lag = 1; lag < 4000; lag *= 1.26)
+      if (lags_.empty() || static_cast<Index>(lag) > lags_.back()) lags_.push_back(static_cast<Index>(lag));
+    products_ = Mat::Zero(channels, static_cast<Index>(lags_.size())), squares_ = products_;
+  }
+  void add(const Vec& residual, Index length) {
+    for (Index c = 0; c < zero_.size(); ++c) {
+      const auto r = residual.segment(c * length, length);
+      for (size_t i = 0; i < lags_.size() && 2 * lags_[i] < length; ++i) {
+        const Index n = length - lags_[i], k = static_cast<Index>(i);
+        products_(c, k) += r.head(n).dot(r.tail(n)),
+            squares_(c, k) += 0.5 * (r.head(n).squaredNorm() + r.tail(n).squaredNorm());
+      }
+    }
+  }
+  // Sum over all lags of the squared correlation, the worst channel's.
+  double memory() const {
+    double worst = 1;
+    for (Index c = 0; c < zero_.size(); ++c) {
+      double sum = 1;
+      for (size_t i = 0; i < lags_.size(); ++i) {
+        const Index k = static_cast<Index>(i);
+        if (!(squares_(c, k) > 0)) break;
+        const double width = static_cast<double>(lags_[i] - (i ? lags_[i - 1] : 0));
+        sum += 2 * width * std::pow(products_(c, k) / squares_(c, k), 2);
+      }
+      worst = std::max(worst, sum);
+    }
+    return worst;
+  }
+
+ private:
+  Vec zero_;
+  std::vector<Index> lags_;
+  Mat products_, squares_;
 };
 
 // What each part of a window says, with the window's state beside; run is weighted.
@@ -63,8 +105,10 @@ Pass pass_over(Evaluator& evaluator, const std::vector<Window>& windows, const V
   Vec sum = Vec::Zero(channels);
   double samples = 0;
   WindowRun run;
+  Resemblance resemblance(channels);
   for (const Window& w : windows) {
     if (!evaluator.run(w, slopes, false, run)) return pass;
+    if (parts > 0) resemblance.add(run.residual, w.length);
     Normal n;
     n.ss.resize(channels);
     for (Index c = 0; c < channels; ++c) n.ss[c] = run.residual.segment(c * w.length, w.length).squaredNorm();
@@ -99,6 +143,7 @@ Pass pass_over(Evaluator& evaluator, const std::vector<Window>& windows, const V
   pass.mean_square = (sum / std::max(1.0, samples)).cwiseMax(1e-300);
   pass.cost = 0.5 * samples * pass.mean_square.array().log().sum();
   pass.ok = std::isfinite(pass.cost);
+  if (parts > 0) pass.memory = resemblance.memory();
   return pass;
 }
 
@@ -194,10 +239,12 @@ Fitted fit(const System& system, const std::vector<Prepared>& records, Model& mo
     }
     if (!better || fall < kSettled) break;
   }
-  out.parts = parts_for(windows.size());
+  out.parts = kFiner * parts_for(windows.size());
   now = pass_over(*evaluator, windows, &weights, true, out.parts);
   if (!now.ok) return out;
-  out.ok = true, out.cost = now.cost, out.mean_square = now.mean_square;
+  out.ok = true, out.cost = now.cost, out.mean_square = now.mean_square, out.memory = now.memory;
+  for (const Window& w : windows) out.block_length += static_cast<double>(w.length);
+  out.block_length /= static_cast<double>(windows.size() * out.parts);
   for (Normal& n : now.windows)
     for (size_t b = 0; b < out.parts; ++b)
       out.block_ss.push_back(n.block_ss[b]), out.gram.push_back(n.block_gram[b]), out.score.push_back(n.block_score[b]);
@@ -224,12 +271,14 @@ Mat inverse_of(const Mat& total, const std::vector<bool>& held) {
 struct Scatter {
   double se = 0, dof = 1;
 };
+// together: blocks of one window that are taken as one.
 Scatter scatter_of(const Fitted& fit, const Mat& inverse, Index i, size_t together) {
   const Vec direction = inverse.col(i) / inverse(i, i);
   double square = 0, leverage = 0;
-  for (size_t b = 0; b < fit.gram.size(); b += together) {
+  for (size_t b = 0, to = 0; b < fit.gram.size(); b = to) {
     double own = 0, influence = 0;
-    for (size_t k = b; k < b + together; ++k)
+    to = std::min(b + together, (b / fit.parts + 1) * fit.parts);
+    for (size_t k = b; k < to; ++k)
       own += direction.dot(fit.gram[k] * direction), influence += inverse.row(i).dot(fit.score[k]);
     const double h = std::clamp(own * inverse(i, i), 0.0, 0.95);
     influence /= 1 - h;
@@ -237,6 +286,9 @@ Scatter scatter_of(const Fitted& fit, const Mat& inverse, Index i, size_t togeth
   }
   return {std::sqrt(square), std::max(1.0, 1 / std::max(1e-12, leverage))};
 }
+
+// So that 1.96 of it reach Student's 97.5 % point.
+double student_std(const Scatter& s) { return s.se * (1 + 1.4 / s.dof + 1.2 / (s.dof * s.dof)); }
 
 }  // namespace
 
@@ -247,22 +299,25 @@ std::vector<Determined> determined(const Fitted& fit, const Model& model) {
   if (p == 0 || fit.gram.empty()) return list;
   Mat total = Mat::Zero(p, p);
   for (const Mat& g : fit.gram) total += g;
+  const size_t forgotten = static_cast<size_t>(
+      std::clamp(kForgotten * fit.memory / fit.block_length + 1, 1.0, static_cast<double>(fit.parts)));
   std::vector<bool> none(parameters.size(), false), shapes = none;
   for (size_t i = 0; i < parameters.size(); ++i) shapes[i] = parameters[i].shape != 0;
   const Mat inverse = inverse_of(total, none), at_this_shape = inverse_of(total, shapes);
   for (Index i = 0; i < p; ++i) {
     const size_t k = static_cast<size_t>(i);
     Determined& d = list[k];
-    for (size_t together : {size_t{1}, fit.parts}) {  // blocks, then windows
-      if (together > 1 && fit.gram.size() / together < kLeastWindows) continue;
+    for (size_t together : {std::min(kFiner, fit.parts), fit.parts}) {  // blocks, then windows
+      if (together > kFiner && fit.gram.size() / together < kLeastWindows) continue;
       const Scatter s = scatter_of(fit, inverse, i, together);
-      // Student's 97.5 % point over 1.96
-      d.std = std::max(d.std, s.se * (1 + 1.4 / s.dof + 1.2 / (s.dof * s.dof)));
+      d.std = std::max(d.std, student_std(s));
     }
     if (shapes[k]) continue;
     // without the effect its shape means nothing: whether it is there is asked at this shape
-    const Scatter s = scatter_of(fit, at_this_shape, i, 1);
+    const Scatter s = scatter_of(fit, at_this_shape, i, forgotten);
     d.z = normal_deviate(model[parameters[k].term].value / std::max(s.se, 1e-300), s.dof);
+    // It is there, and its shape is not determined: what is known of it is its size at this shape.
+    if (std::abs(d.z) > kIsThere && std::abs(model[parameters[k].term].value) < 1.96 * d.std) d.std = student_std(s);
   }
   return list;
 }

@@ -7,20 +7,24 @@ namespace diagnosis::runs {
 
 struct Fitted {
   bool ok = false;
-  double cost = 0;            // sum over channels of N/2 log(mean square)
-  Vec mean_square;            // per channel, over the windows of the fit
-  size_t parts = 1;           // blocks per window: consecutive stretches of it
+  double cost = 0;    // sum over channels of N/2 log(mean square)
+  Vec mean_square;    // per channel, over the windows of the fit
+  size_t parts = 1;   // blocks per window: consecutive stretches of it
+  double memory = 1;  // samples over which what is left resembles itself: sum of squared correlations, worst channel
+  double block_length = 1;    // samples, mean
   std::vector<Vec> block_ss;  // per block: square sum per channel
   std::vector<Mat> gram;      // per block: parameters' normal matrix beside the windows' free states, weighted
   std::vector<Vec> score;     // per block: its right-hand side
 };
 
-constexpr size_t kBlocks = 24;         // that influences are taken over: fewer leave Student's law no way to be sure
+constexpr size_t kBlocks = 24;         // that differences are paired over: fewer leave Student's law no way to be sure
 constexpr size_t kEnoughWindows = 12;  // with free states of their own they are blocks that share nothing
-size_t parts_for(size_t windows);      // blocks per window
+size_t parts_for(size_t windows);      // such blocks per window
+constexpr size_t kFiner = 8;           // blocks of a fit in each of those
 
-// How each parameter is determined: influences of blocks, corrected for leverage; where there are windows enough, those
-// of whole windows too, and the wider counts (neighbouring blocks share what a model lacks).
+// How each parameter is determined: influences of blocks, corrected for leverage. For the interval blocks are a 24th of all, or
+// whole windows, and the wider counts (neighbouring blocks share what a model lacks). For the deviate they are ten times as
+// long as what is left resembles itself, so that an effect that acts in one burst is not judged as one event.
 struct Determined {
   double std = 0;  // of the parameter, so that value +- 1.96 std is its 95 % interval
   double z = 0;    // of a coefficient: value over standard error with all shapes held, as a normal deviate

@@ -59,6 +59,7 @@ struct FusedRecord {
   std::vector<DofMotion> motion;             // per DOF, then the base
   std::vector<Series> force;                 // per DOF; empty where not measured
   Hold hold = Hold::kSmooth;                 // of the forces
+  std::vector<size_t> held;                  // DOFs whose force comes in steps
   double hold_doubt_s = 0;                   // standard deviation of the delay that its correction may have left
   std::vector<Series> force_noise;           // per bin: variance per sample; empty where not measured
   double bin_Hz() const { return 1.0 / (static_cast<double>(samples) * period_s); }

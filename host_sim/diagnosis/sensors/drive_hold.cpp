@@ -70,6 +70,7 @@ void impose_hold(FusedRecord& f, const KnownHold& known) {
   if (f.force[known.dof].size() == 0) return;
   const Spectrum force = windowed_force(f, known.dof);
   f.hold = known.hold;
+  if (known.hold == Hold::kSteps) f.held.push_back(known.dof);
   correct(f, known.dof, force, known.inverse_mass);
   let_act(f, known.dof, force);
 }
@@ -86,6 +87,7 @@ void correct_hold(FusedRecord& f) {
     }
     if (best.gain < kThreshold || best.gain < strongest_fault(f, dof) + kMargin) continue;
     f.hold = hold;
+    if (hold == Hold::kSteps) f.held.push_back(dof);
     // steps come half a sample late on average, and of that so much is not taken out right
     if (hold == Hold::kSteps) f.hold_doubt_s = std::max(f.hold_doubt_s, 0.5 * f.period_s / std::sqrt(best.gain));
     for (int round = 0; round < 3; ++round) {  // what was folded counted as noise before

@@ -201,23 +201,33 @@ double Simulator::level(const Friction& f, double w) const {
 void Simulator::renew_yield() {
   if (!yield_old_) return;
   yield_ = mass_.cwiseInverse().asDiagonal();
-  stuck_ = false;
-  std::vector<const Friction*> held;
+  held_.clear();
   for (const Friction& f : friction_)
-    if (f.sign == 0) held.push_back(&f);
-  if (!held.empty()) {
-    stuck_ = true;
-    Mat b = Mat::Zero(nodes_, static_cast<Index>(held.size()));
-    for (size_t i = 0; i < held.size(); ++i) {
-      if (held[i]->a >= 0) b(held[i]->a, static_cast<Index>(i)) += 1;
-      if (held[i]->b >= 0) b(held[i]->b, static_cast<Index>(i)) -= 1;
+    if (f.sign == 0) held_.push_back(&f);
+  if (!held_.empty()) {
+    Mat b = Mat::Zero(nodes_, static_cast<Index>(held_.size()));
+    for (size_t i = 0; i < held_.size(); ++i) {
+      if (held_[i]->a >= 0) b(held_[i]->a, static_cast<Index>(i)) += 1;
+      if (held_[i]->b >= 0) b(held_[i]->b, static_cast<Index>(i)) -= 1;
     }
     const Mat mb = mass_.cwiseInverse().asDiagonal() * b;
     Mat inner = b.transpose() * mb;
     inner.diagonal().array() *= 1 + 1e-12;
-    yield_ -= mb * inner.ldlt().solve(mb.transpose());
+    const auto solver = inner.ldlt();
+    by_hold_ = solver.solve(mb.transpose());
+    inner_inverse_ = solver.solve(Mat::Identity(inner.rows(), inner.cols()));
+    yield_ -= mb * by_hold_;
   }
   yield_old_ = false;
+}
+
+// How the rates of stuck links would change if their DOFs stayed at rest, per unit of the base's acceleration, turned: what their
+// DOFs must take part in.
+Vec Simulator::with_base() const {
+  Vec c = Vec::Zero(static_cast<Index>(held_.size()));
+  for (size_t i = 0; i < held_.size(); ++i)
+    c[static_cast<Index>(i)] = held_[i]->b == -2 ? 1 : held_[i]->a == -2 ? -1 : 0;
+  return c;
 }
 
 void Simulator::accelerations(const Vec& y, const Outside& o, Vec& acc, bool slopes) {
@@ -278,13 +288,12 @@ void Simulator::accelerations(const Vec& y, const Outside& o, Vec& acc, bool slo
   }
   net_ -= o.carried * mass_;
   renew_yield();
-  if (!stuck_)
+  if (held_.empty())
     acc = net_.cwiseQuotient(mass_);
-  else {
+  else
     acc = yield_ * net_;
-    for (const Friction& f : friction_)  // a link that sticks to the moving base goes with it
-      if (f.sign == 0 && (f.a == -2 || f.b == -2)) acc[f.a >= 0 ? f.a : f.b] += o.a;
-  }
+  if (!held_.empty() && o.a != 0)  // what sticks to the moving base goes with it
+    acc += o.a * (by_hold_.transpose() * with_base());
   if (!slopes) return;
   for (size_t i = 0; i < faults_.size(); ++i)
     if (faults_[i].by_value >= 0) {
@@ -297,10 +306,13 @@ void Simulator::accelerations(const Vec& y, const Outside& o, Vec& acc, bool slo
   if (by_base_delay_ >= 0 && record_.base.ridden) slope_x_.col(states() + by_base_delay_) -= o.jerk * mass_;
   for (Index node = 0; node < nodes_; ++node)
     for (Index p : by_mass_[static_cast<size_t>(node)]) slope_x_(node, states() + p) -= acc[node] + o.carried;
-  if (!stuck_)
+  if (held_.empty()) {
     for (Index i = 0; i < nodes_; ++i) slope_x_.row(i) /= mass_[i];
-  else
-    slope_x_ = yield_ * slope_x_;
+    return;
+  }
+  slope_x_ = yield_ * slope_x_;
+  if (by_base_delay_ >= 0 && !record_.base.ridden)
+    slope_x_.col(states() + by_base_delay_) += o.jerk * (by_hold_.transpose() * with_base());
 }
 
 // Bristles at a later instant of the same step: they relax towards the direction of the way gone since its start.
@@ -361,23 +373,10 @@ void Simulator::step(double from, double length, Vec& y, Mat* s) {
 }
 
 // What holds a stuck link, from the last accelerations(): the force that its ends must exchange.
-double Simulator::hold_force(const Friction& f) const {
-  Mat b = Mat::Zero(nodes_, static_cast<Index>(friction_.size()));
-  std::vector<Index> held;
-  Index own = -1;
-  for (size_t i = 0; i < friction_.size(); ++i) {
-    if (friction_[i].sign != 0) continue;
-    const Index column = static_cast<Index>(held.size());
-    if (friction_[i].a >= 0) b(friction_[i].a, column) += 1;
-    if (friction_[i].b >= 0) b(friction_[i].b, column) -= 1;
-    if (&friction_[i] == &f) own = column;
-    held.push_back(column);
-  }
-  const Mat mine = b.leftCols(static_cast<Index>(held.size()));
-  const Mat mb = mass_.cwiseInverse().asDiagonal() * mine;
-  Mat inner = mine.transpose() * mb;
-  inner.diagonal().array() *= 1 + 1e-12;
-  return inner.ldlt().solve(mb.transpose() * net_)[own];
+double Simulator::hold_force(const Friction& f, const Outside& o) const {
+  const Index own = std::find(held_.begin(), held_.end(), &f) - held_.begin();
+  const double carried = o.a != 0 ? o.a * inner_inverse_.row(own).dot(with_base()) : 0;
+  return by_hold_.row(own).dot(net_) - carried;
 }
 
 // A link's rate has come to zero: it sticks, or slides on in the other direction.
@@ -389,7 +388,7 @@ void Simulator::turn(Friction& f, double at, Vec& y, Mat* s) {
   const int was = f.sign;
   f.sign = 0, yield_old_ = true;
   accelerations(y, o, after, false);
-  const double hold = hold_force(f), most = level(f, 0);
+  const double hold = hold_force(f, o), most = level(f, 0);
   if (std::abs(hold) > most) {
     f.sign = hold > 0 ? 1 : -1, yield_old_ = true;
     if (f.sign == was && std::abs(falling) > 0) f.sign = -was;  // it came here falling
@@ -423,7 +422,7 @@ void Simulator::release(const Vec& y, double at) {
   accelerations(y, o, acc, false);
   for (Friction& f : friction_) {
     if (f.sign != 0) continue;
-    const double hold = hold_force(f);
+    const double hold = hold_force(f, o);
     if (std::abs(hold) <= level(f, 0)) continue;
     f.sign = hold > 0 ? 1 : -1, yield_old_ = true;
     return;  // the others are looked at after the next step

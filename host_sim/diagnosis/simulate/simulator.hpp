@@ -65,7 +65,8 @@ class Simulator {
   void accelerations(const Vec& y, const Outside& o, Vec& acc, bool slopes);
   double level(const Friction& f, double w) const;
   void renew_yield();
-  double hold_force(const Friction& f) const;
+  double hold_force(const Friction& f, const Outside& o) const;
+  Vec with_base() const;
   void bend(const Vec& start, Vec& y, const Outside& o0, const Outside& o1, const Mat* s0, Mat* s) const;
   void step(double from, double length, Vec& y, Mat* s);
   void turn(Friction& f, double at, Vec& y, Mat* s);
@@ -97,7 +98,8 @@ class Simulator {
   Vec net_;
   Mat ka_[4], kv_[4];
   Vec last_hold_;
-  bool stuck_ = false;
+  std::vector<const Friction*> held_;  // links that stick
+  Mat by_hold_, inner_inverse_;  // what holds them per force on each node (links x nodes); inverse of their inertia
   bool yield_old_ = true;
   Vec acc_[4];
 };
