@@ -3,6 +3,7 @@
 
 #include "advice.hpp"
 #include "answer/common_lag.hpp"
+#include "answer/force_hum.hpp"
 #include "answer/hum.hpp"
 #include "answer/rows_borne_out.hpp"
 #include "answer/trifles.hpp"
@@ -76,6 +77,7 @@ Diagnosis diagnose(const rig_file::RigModel& rig, const std::vector<host_sim::Re
     runs::answer(task, choice, d);
   }
   runs::name_holds(task, d);
+  if (d.verdict != Verdict::kUnknown) runs::name_force_hum(task, choice.final, d);
   runs::say_common_lag(task, d);
   runs::say_shared_hum(d);
   runs::drop_undetermined(d);
