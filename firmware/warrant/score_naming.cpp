@@ -23,8 +23,8 @@ constexpr Quantile kLimits[] = {{2, 3836}, {3, 687}, {4, 306}, {5, 194}, {6, 145
                                 {16, 65},  {20, 60}, {24, 57}, {32, 54}, {48, 51}, {64, 49}, {128, 47}};
 // Of that limit, from which on a force may well be there: 4 deviations where the scatter is well known, which 80 right probes
 // reach in one of 200 records. Where one quantity of a DOF is all that is known of its motion, velocities and accelerations have
-// one noise and forces look alike: 2.1 deviations.
-constexpr int kFoundPercent = 88, kFoundInOnePercent = 45;
+// one noise and forces look alike: two deviations, which chance does to one force in 20.
+constexpr int kFoundPercent = 88, kFoundInOnePercent = 42;
 
 // All of the node's motion is made from one channel.
 bool one_quantity(const CoreConfiguration& configuration) {
