@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "run_limits.hpp"
+
 namespace diagnosis::runs {
 namespace {
 
@@ -71,6 +73,7 @@ bool answered_by_rows(const Asked& asked, const Task& task, Choice& choice, Rows
   widen(task, with_them, d.extended.parameters);
   if (say.terms.empty()) d.baseline.parameters = d.extended.parameters;
   for (Cause& c : d.causes) widen(task, with_them, c.parameters);
+  raise_limits(task, choice.base, d.minimum_detectable);
   compare_unseen(task, choice.base, with_them, !d.causes.empty(), choice.base_left.sensor_noise, d);
   return true;
 }

@@ -98,6 +98,7 @@ void adopt(const Task& task, const std::vector<Candidate>& found, const std::vec
            Choice& choice);
 // Goes on from rig_fitted(): names what is missing. progress: called with the share done.
 void choose(const Task& task, Choice& choice, const std::function<void(double)>& progress);
+constexpr double kBorneOut = 3;  // standard errors, of what another test has found
 // Whether every one of these, found by another test, is borne out: it stays significant beside the others, and without
 // it unseen data are simulated worse.
 bool borne_out(const Task& task, const State& base, const std::vector<Candidate>& found,

@@ -18,7 +18,6 @@ constexpr double kPlainlyRight = 0.02;    // of the motion: no other valley is a
 constexpr double kNearEnough_percent =
     0.3;                                 // of the motion, free run on unseen data: sensors are not better calibrated
 constexpr double kRight_percent = 0.05;  // where noise may hide a cause: no sensor tells it from the truth
-constexpr double kBorneOut = 3;          // standard errors, of what another test has found
 
 constexpr double kAll = 1e300;     // samples
 constexpr double kEnough = 20000;  // samples: some hundred periods tell one valley from another

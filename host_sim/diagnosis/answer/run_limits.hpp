@@ -1,0 +1,10 @@
+// Detection limits of the free runs, which have to bear out what the rows name.
+#pragma once
+#include "answer.hpp"
+
+namespace diagnosis::runs {
+
+// Raises the rows' limits to what the runs over the windows of the rig as given would bear out in 95 of 100 such records.
+void raise_limits(const Task& task, const State& base, std::vector<DetectionLimit>& limits);
+
+}  // namespace diagnosis::runs
