@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <random>
+
 namespace diagnosis::runs {
 namespace {
 
@@ -33,6 +36,21 @@ TEST(Trifles, AreNotNamed) {
   EXPECT_EQ(rig.of("mass_error", "dof 1", -0.00039).verdict, Verdict::kNone);
   EXPECT_EQ(rig.of("stiffness_error", "link 1-0", 0.99).verdict, Verdict::kNone);
   EXPECT_EQ(rig.of("sensor_gain", "channel displacement_1_m", 0.00019).verdict, Verdict::kNone);
+}
+
+// A sine of rms 1 with noise of rms 0.05: 0.25 % of its power, so that a gain counts from 0.5 % on.
+TEST(Trifles, AGainWithinWhatNoiseMakesOfItIsNotNamed) {
+  OneMass rig;
+  Prepared p;
+  MotionTrace trace{0, 0, "displacement_1_m", Vec(20000)};
+  std::mt19937_64 random(3);
+  std::normal_distribution<double> normal;
+  for (Index k = 0; k < trace.y.size(); ++k)
+    trace.y[k] = std::sqrt(2.0) * std::sin(0.1 * static_cast<double>(k)) + 0.05 * normal(random);
+  p.traces = {trace};
+  rig.records = {p};
+  EXPECT_EQ(rig.of("sensor_gain", "channel displacement_1_m", -0.0045).verdict, Verdict::kNone);
+  EXPECT_EQ(rig.of("sensor_gain", "channel displacement_1_m", -0.0055).causes.size(), 1u);
 }
 
 TEST(Trifles, WhatIsMoreStays) {

@@ -18,6 +18,23 @@ double given(const System& system, const Cause& c) {
   return 0;
 }
 
+// Share of a motion channel's power that is noise; 0 for others.
+double noise_of_channel(const Task& task, const std::string& where) {
+  for (const Prepared& p : task.records)
+    for (const MotionTrace& t : p.traces)
+      if (where == "channel " + t.channel) {
+        const double power = (t.y.array() - t.y.mean()).square().mean();
+        return power > 0 ? std::pow(noise_level(t.y), 2) / power : 0;
+      }
+  return 0;
+}
+
+// What the cause's first number has to exceed.
+double trifle_of(const Task& task, const Cause& c) {
+  const double least = kTrifle * std::abs(given(task.system, c));
+  return c.effect == "sensor_gain" ? std::max(least, kAttenuation * noise_of_channel(task, c.where)) : least;
+}
+
 // Without one of its causes: whatever was said beside it in its place goes too. What had only noise left beside it is right
 // without it as far as these data can tell; else something is missing that has no name now.
 void take_back(Diagnosis& d, size_t i) {
@@ -60,8 +77,7 @@ void drop_trifles(const Task& task, Diagnosis& d) {
   if (d.verdict == Verdict::kUnknown || d.causes.empty()) return;
   for (size_t i = 0; i < d.causes.size();) {
     const Cause& c = d.causes[i];
-    const bool trifle =
-        !c.parameters.empty() && std::abs(c.parameters[0].value) < kTrifle * std::abs(given(task.system, c));
+    const bool trifle = !c.parameters.empty() && std::abs(c.parameters[0].value) < trifle_of(task, c);
     if (!trifle) {
       ++i;
       continue;

@@ -6,6 +6,10 @@ namespace diagnosis::runs {
 
 constexpr double kTrifle = 2e-4;  // of what is given: no balance, spring tester or calibration of a rig is better
 
+// Of a channel's share of noise power: by so much regression on it makes a gain look smaller, once in itself and once in what it
+// is compared with.
+constexpr double kAttenuation = 2;
+
 // An error of a given mass, of a given spring or of a channel's gain that nobody could put right is none, however plainly
 // records without noise show it; neither is what looks like it at its place.
 void drop_trifles(const Task& task, Diagnosis& d);
