@@ -47,19 +47,25 @@ void take_out(const Wave& wave, double step_s, Vec& force) {
   }
 }
 
-// How far a force's spectrum stands above its level around a nominal frequency. An edge of the drive's band stands there too: whether
-// it is a hum the motion decides.
+// How far a line near a nominal frequency stands above a force's level around; 0 where another bin there comes near it: the edge
+// of a drive's band, or a drive that is loud there anyway.
 double line_near(const Vec& force, double step_s, double nominal_Hz) {
-  constexpr Index kAround = 40;  // bins on either side
+  constexpr Index kAround = 40, kLeakage = 3;  // bins on either side
+  constexpr double kAlone = 9;                 // times the power of any other bin
   const size_t n = fast_length(static_cast<size_t>(force.size()));
   const Vec power = Fourier(n).forward(force.head(static_cast<Index>(n))).cwiseAbs2();
   const double bin_Hz = 1 / (static_cast<double>(n) * step_s);
   const Index from = static_cast<Index>((nominal_Hz - kReach_Hz) / bin_Hz),
               to = static_cast<Index>((nominal_Hz + kReach_Hz) / bin_Hz) + 1;
   if (from < kAround || to + kAround >= power.size()) return 0;
-  const Vec around = power.segment(from - kAround, to - from + 2 * kAround);
-  const double level = median(std::vector<double>(around.data(), around.data() + around.size())) / kMedianOfSpread;
-  return power.segment(from, to - from + 1).maxCoeff() / std::max(1e-300, level);
+  Index peak = from;
+  for (Index i = from; i <= to; ++i)
+    if (power[i] > power[peak]) peak = i;
+  std::vector<double> around;
+  for (Index i = from - kAround; i <= to + kAround; ++i)
+    if (std::abs(i - peak) > kLeakage) around.push_back(power[i]);
+  if (kAlone * *std::max_element(around.begin(), around.end()) > power[peak]) return 0;
+  return power[peak] * kMedianOfSpread / std::max(1e-300, median(around));
 }
 
 double rms_of(const Vec& y) { return std::sqrt((y.array() - y.mean()).square().mean()); }

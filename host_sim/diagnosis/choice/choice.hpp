@@ -92,7 +92,8 @@ constexpr double kFollows =
     0.25;  // of the motion, error: up to it a linearisation is trusted and fitted states help others
 constexpr double kAsGoodAsRight = 1e-3;  // of the motion, over a window: no sensor of a rig is better
 // Error of the windows' runs over the motion, the worst channel's; huge where there is no fit.
-double motion_error(const Task& task, const State& state);
+// links_too: of the motions between two DOFs as well.
+double motion_error(const Task& task, const State& state, bool links_too = true);
 // Takes causes that another test found and borne_out() confirms.
 void adopt(const Task& task, const std::vector<Candidate>& found, const std::vector<std::vector<double>>& values,
            Choice& choice);

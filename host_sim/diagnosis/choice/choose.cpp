@@ -94,9 +94,12 @@ void from_shorter(const Task& task, const Model& start, double periods, State& s
   s = other;
 }
 
-// The longest windows over which the model stays within reach of its linearisation.
+// The longest windows over which the model stays within reach of its linearisation. What no shorter windows follow either of the
+// motions between two DOFs, though the DOFs are followed, is noise of a colour that third differences do not show.
 double horizon(const Task& task, State& s, double from, bool massless) {
   const Model start = s.model;
+  State longest;
+  double followed = 0;
   const double shortest = kShortestHorizon * quickest_share(task);
   double periods = from;
   for (;; periods /= 2) {
@@ -106,7 +109,11 @@ double horizon(const Task& task, State& s, double from, bool massless) {
     const bool follows = s.fit.ok && motion_error(task, s) < kFollows;
     if (!massless && follows && periods == from) from_shorter(task, start, periods, s);
     if (!massless && follows) widen(task, from, periods, s);
-    if (massless || follows || periods / 2 < shortest) return periods;
+    if (massless || follows) return periods;
+    if (s.fit.ok && followed == 0 && motion_error(task, s, false) < kFollows) longest = s, followed = periods;
+    if (periods / 2 >= shortest) continue;
+    if (followed > 0) s = longest, periods = followed;
+    return periods;
   }
 }
 
@@ -140,12 +147,12 @@ std::pair<int, int> channels_across(const rig_file::Link& l, const std::vector<M
 
 }  // namespace
 
-double motion_error(const Task& task, const State& s) {
+double motion_error(const Task& task, const State& s, bool links_too) {
   if (!s.fit.ok) return 1e300;
   Evaluator e(task.system, s.model, task.records);
   const std::vector<MotionTrace>& traces = e.traces(0);
   std::vector<std::pair<int, int>> across;  // links between DOFs: masses that turn together hide what their shaft does
-  for (size_t l = 0; l < task.system.known_links && !e.massless(); ++l)
+  for (size_t l = 0; l < task.system.known_links && !e.massless() && links_too; ++l)
     for (int q = 0; q < 3; ++q) {
       const auto ends = channels_across(task.system.links[l], traces, q);
       if (ends.first >= 0) across.push_back(ends);
@@ -193,7 +200,7 @@ Choice rig_fitted(const Task& task) {
   start_values(task.system, task.records, now.model);
   choice.periods = horizon(task, now, longest_horizon(task.records), massless(now.model));
   choice.base = choice.final = now;
-  choice.base_fits_nothing = !massless(now.model) && !(motion_error(task, now) < kFollows);
+  choice.base_fits_nothing = !massless(now.model) && !(motion_error(task, now, false) < kFollows);
   if (now.fit.ok) choice.base_left = choice.final_left = left_by(task.system, task.records, now);
   return choice;
 }
