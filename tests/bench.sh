@@ -64,6 +64,7 @@ if measured accuracy_report; then "$bin/accuracy_report" docs/accuracy.md; fi
 if measured coverage_report; then "$bin/coverage_report" docs/coverage.md; fi
 if measured warrant_bench; then "$bin/warrant_bench" --page docs/warrant.md --draws 100; fi
 if measured diagnosis_report; then "$bin/diagnosis_report" --jobs "$(nproc)" docs/diagnosis.md; fi
+if measured limit_report; then "$bin/limit_report" --draws 10 --out docs/detection_limits.md; fi
 if measured condition_report; then
   "$bin/condition_report" --draws 20 --table docs/diagnosis_conditions.md --raw docs/conditions_raw.txt
 fi
