@@ -230,7 +230,8 @@ double whole_error(const Attempt& a) {
 bool unseen_agrees(const Attempt& a) { return a.unseen < (a.shows_unseen ? 1 : kNoHarm); }
 
 bool passes(const Attempt& a, size_t already, double noise) {
-  const double n = static_cast<double>(already + a.candidates.size()), least = 1 - std::pow(1 - kShare, n);
+  const double n = static_cast<double>(already + a.candidates.size()),
+               least = 1 - std::pow(1 - kShare, static_cast<double>(a.candidates.size()));
   if (!a.shows_unseen)  // then it has to explain nearly all by itself
     return unseen_agrees(a) && a.z > kSignificant * std::sqrt(n) && share_of(a, noise) > std::max(least, 1 - kShare);
   if (noise < kMostlyNoise && unseen_share_of(a, noise) < least) return false;
