@@ -21,11 +21,6 @@ namespace {
 constexpr double kKeptMoving = 0.7;
 constexpr size_t kLeastDecays = 3;  // two for the fit
 
-bool massless(const rig_file::RigModel& rig) {
-  return std::all_of(rig.dofs.begin(), rig.dofs.end(),
-                     [](const rig_file::Dof& d) { return !d.mass_kg.estimate && d.mass_kg.value == 0; });
-}
-
 bool springs_and_masses_known(const rig_file::RigModel& rig) {
   return std::none_of(rig.dofs.begin(), rig.dofs.end(), [](const rig_file::Dof& d) { return d.mass_kg.estimate; }) &&
          std::none_of(rig.links.begin(), rig.links.end(),
@@ -38,7 +33,7 @@ constexpr double kMostlyNoise = 0.8;  // of the squared residual
 
 // Names what is missing by free runs, from the rig as given with the sensor faults that they bear out.
 void answer_by_runs(const Asked& asked, const runs::Task& task, const RowsSay& say, runs::Choice& choice) {
-  if (!massless(asked.rig) && two_channels_a_dof(task.records[0]))
+  if (!runs::massless(asked.rig) && two_channels_a_dof(task.records[0]))
     runs::adopt_faults(task, say.asked ? say.faults : motion_faults(asked), choice);
   const auto& progress = asked.options.progress;
   runs::choose(task, choice, [&](double share) {
@@ -65,9 +60,10 @@ Diagnosis diagnose(const rig_file::RigModel& rig, const std::vector<host_sim::Re
   progress(0.3);
   Diagnosis d;
   RowsSay say;
-  const bool right = !massless(rig) && runs::right(task, choice);
-  const bool rows_can_tell = runs::forced(records) && kept_moving && !massless(rig) && springs_and_masses_known(rig);
-  if (!right && !massless(rig) && !rows_can_tell)
+  const bool right = !runs::massless(rig) && runs::right(task, choice);
+  const bool rows_can_tell =
+      runs::forced(records) && kept_moving && !runs::massless(rig) && springs_and_masses_known(rig);
+  if (!right && !runs::massless(rig) && !rows_can_tell)
     choice.noise_is_enough = runs::noise_share(choice.base_left, choice.base.fit) > kMostlyNoise;
   const bool answered =
       !right && rows_can_tell && !choice.base_fits_nothing && runs::answered_by_rows(asked, task, choice, say, d);

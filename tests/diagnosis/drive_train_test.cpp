@@ -84,13 +84,6 @@ diagnosis::Diagnosis answer_to(const Train& t) {
   return diagnosis::diagnose(rig, {record_of(t)}, {});
 }
 
-double value_of(const diagnosis::ModelScore& model, const std::string& name) {
-  for (const diagnosis::Parameter& p : model.parameters)
-    if (p.name == name) return p.value;
-  ADD_FAILURE() << name << " is not there";
-  return 0;
-}
-
 TEST(DriveTrain, ARightRigIsRight) {
   const Train t;
   const diagnosis::Diagnosis d = answer_to(t);

@@ -72,13 +72,6 @@ diagnosis::Diagnosis answer_to(const Structure& w, bool friction_listed = false)
                              {});
 }
 
-double value_of(const diagnosis::ModelScore& model, const std::string& name) {
-  for (const diagnosis::Parameter& p : model.parameters)
-    if (p.name == name) return p.value;
-  ADD_FAILURE() << name << " is not there";
-  return 0;
-}
-
 TEST(HammerRecords, ARightRigIsRight) {
   const Structure w;
   const diagnosis::Diagnosis d = answer_to(w);

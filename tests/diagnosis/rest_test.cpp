@@ -9,6 +9,7 @@
 
 namespace {
 
+using two_masses::parameter_of;
 using two_masses::said;
 constexpr double kPi = 3.14159265358979;
 
@@ -58,21 +59,14 @@ diagnosis::Diagnosis of_decay(const Decay& plant, bool friction_listed) {
   return diagnosis::diagnose(one_mass(plant.mass, plant.stiffness, friction_listed), {record_of(1000, x, {})}, {});
 }
 
-// Of the model with causes: value and standard deviation.
-const diagnosis::Parameter& number(const diagnosis::ModelScore& model, const std::string& name) {
-  for (const diagnosis::Parameter& p : model.parameters)
-    if (p.name == name) return p;
-  ADD_FAILURE() << name << " is not there";
-  return model.parameters.at(0);
-}
-
 TEST(Rest, BeforeADecayIsLetGoIsLeftOut) {
   Decay plant;
   plant.coulomb = 0.4, plant.let_go_at_s = 1.2037;
   const diagnosis::Diagnosis d = of_decay(plant, true);
   EXPECT_EQ(said(d), "none");
   for (const auto& [name, truth] : {std::pair("viscous[1-0]", plant.viscous), std::pair("coulomb[1-0]", plant.coulomb)})
-    EXPECT_NEAR(number(d.baseline, name).value, truth, 3 * number(d.baseline, name).std + 0.01 * truth) << name;
+    EXPECT_NEAR(parameter_of(d.baseline, name).value, truth, 3 * parameter_of(d.baseline, name).std + 0.01 * truth)
+        << name;
 }
 
 TEST(Rest, FrictionIsFoundInADecayThatWasHeldFirst) {
@@ -80,8 +74,8 @@ TEST(Rest, FrictionIsFoundInADecayThatWasHeldFirst) {
   plant.coulomb = 1.5, plant.let_go_at_s = 0.9;
   const diagnosis::Diagnosis d = of_decay(plant, false);
   EXPECT_EQ(said(d), "explained, missing_coulomb on link 1-0");
-  EXPECT_NEAR(number(d.extended, "missing_coulomb[1-0]").value, plant.coulomb, 0.03 * plant.coulomb);
-  EXPECT_NEAR(number(d.extended, "viscous[1-0]").value, plant.viscous, 0.05 * plant.viscous);
+  EXPECT_NEAR(parameter_of(d.extended, "missing_coulomb[1-0]").value, plant.coulomb, 0.03 * plant.coulomb);
+  EXPECT_NEAR(parameter_of(d.extended, "viscous[1-0]").value, plant.viscous, 0.05 * plant.viscous);
 }
 
 // A damper moved by 20 mm at 1 Hz: viscous, friction whose bristles bend over 0.5 mm (Dahl: along dx they go from z to

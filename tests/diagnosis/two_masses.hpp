@@ -1,5 +1,7 @@
 // Two masses that a test moves by itself, and what a diagnosis said of them. Shares no code with the plant.
 #pragma once
+#include <gtest/gtest.h>
+
 #include <string>
 
 #include "host_sim/diagnosis/diagnosis.hpp"
@@ -29,6 +31,17 @@ inline std::string said(const diagnosis::Diagnosis& d) {
   std::string text = diagnosis::verdict_word(d.verdict);
   for (const diagnosis::Cause& c : d.causes) text += ", " + c.effect + " on " + c.where;
   return text;
+}
+
+// A number of a model; fails the test where it is not there.
+inline diagnosis::Parameter parameter_of(const diagnosis::ModelScore& model, const std::string& name) {
+  for (const diagnosis::Parameter& p : model.parameters)
+    if (p.name == name) return p;
+  ADD_FAILURE() << name << " is not there";
+  return {};
+}
+inline double value_of(const diagnosis::ModelScore& model, const std::string& name) {
+  return parameter_of(model, name).value;
 }
 
 }  // namespace two_masses

@@ -68,14 +68,12 @@ double line_near(const Vec& force, double step_s, double nominal_Hz) {
   return power[peak] * kMedianOfSpread / std::max(1e-300, median(around));
 }
 
-double rms_of(const Vec& y) { return std::sqrt((y.array() - y.mean()).square().mean()); }
-
 // The largest hum of a motion channel beside a model, over its signal.
 double hum_of_motion(const Task& task, const State& state) {
   const Left left = left_by(task.system, task.records, state);
   double worst = 0;
   for (size_t i = 0; i < left.hum.size() && i < task.records[0].traces.size(); ++i) {
-    const double rms = rms_of(task.records[0].traces[i].y);
+    const double rms = rms_about_mean(task.records[0].traces[i].y);
     if (rms > 0) worst = std::max(worst, left.hum[i].amplitude / rms);
   }
   return worst;
@@ -90,7 +88,7 @@ Wave borne_out_by_motion(const Task& task, const State& fitted, size_t dof, doub
     if (p.force[dof].size() == 0) continue;
     const Wave wave = wave_near(p.force[dof], p.step_s, nominal_Hz);
     if (wave.amplitude() > strongest.amplitude()) strongest = wave;
-    share = std::max(share, wave.amplitude() / std::max(1e-300, rms_of(p.force[dof])));
+    share = std::max(share, wave.amplitude() / std::max(1e-300, rms_about_mean(p.force[dof])));
     take_out(wave, p.step_s, p.force[dof]);
   }
   const Task cleaned{task.system, without, task.training};

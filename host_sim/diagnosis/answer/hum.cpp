@@ -34,7 +34,7 @@ void name_hum(const Task& task, const Left& left, Diagnosis& d) {
   std::vector<double> share(traces.size());  // of the signal
   for (size_t i = 0; i < traces.size(); ++i) {
     const Vec& y = traces[i].y;
-    const double rms = std::sqrt((y.array() - y.mean()).square().mean());
+    const double rms = rms_about_mean(y);
     share[i] = rms > 0 ? left.hum[i].amplitude / rms : 0;
     if (share[i] < kTrifle) share[i] = 0;
     with_hum += share[i] > 0;

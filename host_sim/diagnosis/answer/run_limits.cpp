@@ -2,20 +2,20 @@
 
 #include <cmath>
 
+#include "../sensors/sensor_check.hpp"
 #include "../terms/naming.hpp"
 
 namespace diagnosis::runs {
 
 void raise_limits(const Task& task, const State& base, std::vector<DetectionLimit>& limits) {
   if (!base.fit.ok || limits.empty()) return;
-  constexpr double kOneSided95 = 1.645;
   const std::vector<Candidate> candidates = candidates_beside(task.system, base.model, task.records, false);
   const Screen s = screen(task.system, task.records, base.model, base.seen, base.fit, candidates, 0);
   for (const Screened& one : s.singles) {
     const Candidate& c = candidates[one.candidate];
     if (c.host >= 0 || c.complexity > 0) continue;  // no coefficient of its own, or one of another shape
     if (one.value.empty() || !(std::abs(one.z) > 0)) continue;
-    const double needed = (kBorneOut + kOneSided95) * std::abs(one.value[0] / one.z);
+    const double needed = seen_in_95_of_100(kBorneOut * kBorneOut) * std::abs(one.value[0] / one.z);
     const NamedPlace place{word_of(c.terms[0].kind), place_of(task.system, c.terms[0], FusedRecord())};
     for (DetectionLimit& limit : limits) {
       if (limit.effect != place.effect || limit.where != place.where || !(needed > limit.strength)) continue;

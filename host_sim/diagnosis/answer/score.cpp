@@ -26,12 +26,9 @@ struct Sums {
 };
 
 // Variance of a channel's noise: what a model leaves of it above the motion's band, but no more than there is of white noise
-// in the channel itself (third differences of that have 20 times its variance: 1 + 9 + 9 + 1). A bad model leaves more.
+// in the channel itself. A bad model leaves more.
 double noise_in(const Vec& y, double left) {
-  const Index n = y.size() - 3;
-  if (n < 1) return left;
-  const Vec d = y.tail(n) - 3 * y.segment(2, n) + 3 * y.segment(1, n) - y.head(n);
-  return std::min(left, d.squaredNorm() / (20 * static_cast<double>(n)));
+  return y.size() < 4 ? left : std::min(left, white_noise_sum(y) / static_cast<double>(y.size() - 3));
 }
 
 double capped(double percent) { return std::isfinite(percent) ? std::min(percent, kMostPercent) : kMostPercent; }

@@ -35,8 +35,7 @@ double trifle_of(const Task& task, const Cause& c) {
   return c.effect == "sensor_gain" ? std::max(least, kAttenuation * noise_of_channel(task, c.where)) : least;
 }
 
-// Without one of its causes: whatever was said beside it in its place goes too. What had only noise left beside it is right
-// without it as far as these data can tell; else something is missing that has no name now.
+// Without one of its causes: whatever was said beside it in its place goes too.
 void take_back(Diagnosis& d, size_t i) {
   const std::string where = d.causes[i].where;
   d.causes.erase(d.causes.begin() + static_cast<std::ptrdiff_t>(i));
@@ -66,6 +65,7 @@ void drop_undetermined(Diagnosis& d) {
     else
       ++i;
   }
+  // What had only noise left is right as far as these data can tell; else something is missing.
   if (any && d.causes.empty()) {
     d.ambiguous_with.clear();
     d.verdict = before == Verdict::kExplained ? Verdict::kNone : Verdict::kUnknown;

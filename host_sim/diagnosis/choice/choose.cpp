@@ -64,9 +64,8 @@ double quickest_share(const Task& task) {
       const rig_file::Link& link = task.system.links[l];
       if (link.a < 1 || link.b < 1) continue;
       const Guess &a = p.guess[static_cast<size_t>(link.a - 1)], &b = p.guess[static_cast<size_t>(link.b - 1)];
-      const auto rms = [](const Vec& y) { return std::sqrt((y.array() - y.mean()).square().mean()); };
-      const double rate = rms(a.v - b.v);
-      if (rate > 0 && p.period_s > 0) share = std::min(share, 6.283185307179586 * rms(a.x - b.x) / rate / p.period_s);
+      const double rate = rms_about_mean(a.v - b.v), way = rms_about_mean(a.x - b.x);
+      if (rate > 0 && p.period_s > 0) share = std::min(share, 6.283185307179586 * way / rate / p.period_s);
     }
   return share;
 }
@@ -123,10 +122,8 @@ struct MotionSums {
   void add(const Vec& y, const Vec& residual) {
     error += residual.squaredNorm(), motion += (y.array() - y.mean()).square().sum();
     count += static_cast<double>(y.size());
-    for (Index k = 3; k < residual.size(); ++k) {
-      const double d = residual[k] - 3 * residual[k - 1] + 3 * residual[k - 2] - residual[k - 3];
-      noise += d * d / 20, third_differences += 1;  // of white noise of unit variance: 1 + 9 + 9 + 1
-    }
+    noise += white_noise_sum(residual),
+        third_differences += static_cast<double>(std::max<Index>(0, residual.size() - 3));
   }
   double noise_sum() const { return third_differences > 0 ? noise / third_differences * count : 0; }
 };

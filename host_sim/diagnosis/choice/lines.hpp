@@ -6,8 +6,7 @@
 
 namespace diagnosis::runs {
 
-constexpr double kMedianOfSpread = 0.693;  // of an exponential law, per mean
-constexpr double kLine = 25;               // over the level around: chance makes one in e^25 of a spectrum's bins
+constexpr double kLine = 25;  // over the level around: chance makes one in e^25 of a spectrum's bins
 
 double median(std::vector<double> values);
 

@@ -13,10 +13,7 @@ constexpr double kFinest = 1e-4;  // of a channel's rms: no two sensors agree be
 using State = Eigen::Vector3d;    // displacement, velocity, the accelerometer's zero
 using Spread = Eigen::Matrix3d;
 
-double spread_of(const Vec& y) {
-  const double rms = std::sqrt((y.array() - y.mean()).square().mean());
-  return std::max(noise_level(y), kFinest * rms) + 1e-300;
-}
+double spread_of(const Vec& y) { return std::max(noise_level(y), kFinest * rms_about_mean(y)) + 1e-300; }
 
 // What the acceleration adds to velocity and displacement from one sample to the next: integrals of the cubic through four.
 struct Push {

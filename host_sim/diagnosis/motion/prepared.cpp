@@ -8,6 +8,20 @@
 #include "fused.hpp"
 
 namespace diagnosis::runs {
+
+bool massless(const rig_file::RigModel& rig) {
+  return std::all_of(rig.dofs.begin(), rig.dofs.end(),
+                     [](const rig_file::Dof& d) { return !d.mass_kg.estimate && d.mass_kg.value == 0; });
+}
+
+double rms_about_mean(const Vec& y) { return std::sqrt((y.array() - y.mean()).square().mean()); }
+
+double white_noise_sum(const Vec& y) {
+  const Index n = y.size() - 3;
+  if (n < 1) return 0;
+  return (y.tail(n) - 3 * y.segment(2, n) + 3 * y.segment(1, n) - y.head(n)).squaredNorm() / 20;
+}
+
 namespace {
 
 constexpr double kTwoPi = 6.283185307179586;
@@ -15,13 +29,10 @@ constexpr double kSamplesPerTop = 24;  // of the fastest motion: one Runge-Kutta
 constexpr double kPowerBelowTop = 0.999;
 constexpr double kPowerOfDisplacement = 0.9999;  // its velocity, on which friction acts, is faster
 constexpr Index kLeast = 100;
-constexpr double kMedianOfSpread = 0.693;   // of an exponential law, per mean
 constexpr double kMedianOfNormal = 0.6745;  // of a normal law's magnitude, per standard deviation
 constexpr double kNoiseReaches = 4;         // standard deviations: two neighbours beyond are one in 10^8
 constexpr double kBlowOverNoise = 30;       // a random force reaches 5 times what its median says
 constexpr double kBlowsShare = 0.2;         // of the samples, at most
-
-double rms_about_mean(const Vec& y) { return std::sqrt((y.array() - y.mean()).square().mean()); }
 
 // Frequency below which nearly all power above the noise floor lies.
 double top_frequency(const Vec& y, double step_s, bool displacement) {
@@ -184,12 +195,6 @@ Needs needs_of(const host_sim::Record& record) {
   return needs;
 }
 
-// Without, the force is not what drives the motion but what answers it.
-bool has_mass(const rig_file::RigModel& rig) {
-  return std::any_of(rig.dofs.begin(), rig.dofs.end(),
-                     [](const rig_file::Dof& d) { return d.mass_kg.estimate || d.mass_kg.value != 0; });
-}
-
 // The force window of modal testing: between the blows of a hammer the force is nought, and what its channel shows there is noise,
 // which would drive the simulated rig. Everything farther than a blow's own length from any blow becomes the channel's median.
 Vec windowed(Vec f) {
@@ -244,7 +249,7 @@ Prepared prepare_by(const rig_file::RigModel& rig, const host_sim::Record& recor
   for (const host_sim::Channel& c : record.channels) {
     if (c.quantity == host_sim::Quantity::kForce && c.dof >= 1 && c.dof <= n) {
       Vec f = Vec::Map(c.values.data(), static_cast<Index>(c.values.size()));
-      if (has_mass(rig)) f = windowed(std::move(f));
+      if (!massless(rig)) f = windowed(std::move(f));
       p.force[static_cast<size_t>(c.dof - 1)] = thinned(f, needs.by);
       continue;
     }

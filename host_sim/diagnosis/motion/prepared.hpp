@@ -60,6 +60,15 @@ std::vector<Prepared> prepare_all(const rig_file::RigModel& rig, const std::vect
 // The guess of the base from its readings.
 void renew_base(Prepared& record);
 
+// Without any mass the force is not what drives the motion but what answers it.
+bool massless(const rig_file::RigModel& rig);
+
+double rms_about_mean(const Vec& y);
+// Sum of squares of white noise in `y`, from its third differences: they have 20 times its variance (1 + 9 + 9 + 1). Over
+// size - 3 values.
+double white_noise_sum(const Vec& y);
+constexpr double kMedianOfSpread = 0.693;  // of an exponential law, per mean
+
 // Standard deviation of a drive channel's noise: white at the level of the top of its band (what drives may act above the
 // motion's band, and a thinned record ends early). 0 for a channel of noughts.
 double noise_level(const Vec& drive);

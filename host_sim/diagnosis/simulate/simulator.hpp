@@ -97,7 +97,6 @@ class Simulator {
   Mat yield_, slope_x_;
   Vec net_;
   Mat ka_[4], kv_[4];
-  Vec last_hold_;
   std::vector<const Friction*> held_;  // links that stick
   Mat by_hold_, inner_inverse_;  // what holds them per force on each node (links x nodes); inverse of their inertia
   bool yield_old_ = true;

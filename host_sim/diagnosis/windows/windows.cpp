@@ -49,13 +49,14 @@ Index held_at_first(const Prepared& p, double rest, Index from, Index length) {
   return held > 0 ? held + part : 0;
 }
 
-}  // namespace
-
-Span moving_span(const Prepared& p, bool pushed) {
-  const double rest = rest_of(p);
+Span moving_span(const Prepared& p, double rest, bool pushed) {
   const Index from = pushed ? 0 : held_at_first(p, rest, 0, p.samples);
   return {from, from + until_rest(p, rest, from, p.samples - from)};
 }
+
+}  // namespace
+
+Span moving_span(const Prepared& p, bool pushed) { return moving_span(p, rest_of(p), pushed); }
 
 double moving_share(const std::vector<Prepared>& records) {
   double moving = 0, all = 0;
@@ -95,7 +96,7 @@ std::vector<Window> lay_windows(const std::vector<Prepared>& records, double per
   for (size_t r = 0; r < records.size(); ++r) {
     const Prepared& p = records[r];
     const double rest = rest_of(p);
-    const Span all = moving_span(p, driven);
+    const Span all = moving_span(p, rest, driven);
     const Index seen = all.from + static_cast<Index>((1 - unseen_share) * static_cast<double>(all.to - all.from));
     const auto cover = [&](Index from, Index to, bool unseen) {
       const double wanted = std::max<double>(static_cast<double>(kLeastLength), periods * p.period_s / p.step_s);
