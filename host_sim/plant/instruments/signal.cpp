@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <limits>
 #include <utility>
 
 #include "host_sim/plant/instruments/random_numbers.hpp"
@@ -10,6 +12,24 @@ namespace host_sim {
 namespace {
 
 constexpr double kTwoPi = 6.283185307179586476925;
+constexpr double kForEver = std::numeric_limits<double>::infinity();
+constexpr double kNearKnot = 1e-9;  // of a period: a time this near before a knot is taken for the knot's
+
+// The knot that a time lies behind, and how far: position in periods since the first knot; count knots. -1: before the first.
+double knot_before(double position, size_t count) {
+  return std::clamp(std::floor(position + kNearKnot), -1.0, static_cast<double>(count - 1));
+}
+
+// c[k] theta^k, k below count, of p0 .. p5 s^j with s = from + ratio theta.
+int shifted(const double (&p)[6], double from, double ratio, int count, double* c) {
+  double shift[6];
+  std::copy(std::begin(p), std::end(p), shift);
+  for (int k = 0; k < 5; ++k)
+    for (int j = 4; j >= k; --j) shift[j] += from * shift[j + 1];
+  double power = 1.0;
+  for (int k = 0; k < count; ++k, power *= ratio) c[k] = k < 6 ? shift[k] * power : 0.0;
+  return std::min(count, 6);
+}
 
 class Cosine : public Signal {
  public:
@@ -19,6 +39,14 @@ class Cosine : public Signal {
   Motion motion(double t) const override {
     const double c = amplitude_ * std::cos(omega_ * t + phase_), s = amplitude_ * std::sin(omega_ * t + phase_);
     return {c, -omega_ * s, -omega_ * omega_ * c};
+  }
+  double smooth_until(double) const override { return kForEver; }
+  // a cos(phi + w theta): derivatives cos, -sin, -cos, sin, w = omega step.
+  int expand(double t, double step, int count, double* series) const override {
+    const double c = std::cos(omega_ * t + phase_), s = std::sin(omega_ * t + phase_), turn[4] = {c, -s, -c, s};
+    double factor = amplitude_;
+    for (int k = 0; k < count; factor *= omega_ * step / (k + 1), ++k) series[k] = factor * turn[k % 4];
+    return count;
   }
   double peak() const override { return std::fabs(amplitude_); }
 
@@ -50,6 +78,17 @@ class Quintic : public Signal {
              static_cast<double>(k),
              {p.value, p1, p2, 10.0 * d0 - 4.0 * d1 + d2, -15.0 * d0 + 7.0 * d1 - 2.0 * d2, 6.0 * d0 - 3.0 * d1 + d2}};
     return true;
+  }
+  double smooth_until(double t) const override {
+    const double knot = knot_before((t - start_) / period_, knots_.size());
+    return knot + 1.0 < static_cast<double>(knots_.size()) ? start_ + (knot + 1.0) * period_ : kForEver;
+  }
+  int expand(double t, double step, int count, double* c) const override {
+    const double position = (t - start_) / period_, knot = knot_before(position, knots_.size());
+    SignalPiece piece;
+    if (!piece_at(start_ + (knot + 0.5) * period_, piece))
+      piece.c[0] = knot < 0.0 ? knots_.front().value : knots_.back().value;
+    return shifted(piece.c, position - knot, step / period_, count, c);
   }
   double peak() const override { return peak_; }
   Motion motion(double t) const override {
@@ -93,6 +132,17 @@ class Linear : public Signal {
     if (k + 1 == values_.size()) return {values_[k], 0.0, 0.0};
     const double slope = values_[k + 1] - values_[k];
     return {values_[k] + slope * (position - static_cast<double>(k)), slope / period_, 0.0};
+  }
+  double smooth_until(double t) const override {
+    const double knot = knot_before((t - start_) / period_, values_.size());
+    return knot + 1.0 < static_cast<double>(values_.size()) ? start_ + (knot + 1.0) * period_ : kForEver;
+  }
+  int expand(double t, double step, int count, double* c) const override {
+    const double position = (t - start_) / period_, knot = knot_before(position, values_.size());
+    const size_t k = static_cast<size_t>(std::max(0.0, knot));
+    const double slope = knot < 0.0 || k + 1 == values_.size() ? 0.0 : values_[k + 1] - values_[k];
+    const double piece[6] = {values_[k], slope};
+    return shifted(piece, position - knot, step / period_, count, c);
   }
 
  private:

@@ -32,6 +32,11 @@ class Signal {
   virtual Motion motion(double t_s) const = 0;
   // The piece that holds this time, with the same values to the last bit; false: there is none, value() is to be asked.
   virtual bool piece_at(double /*t_s*/, SignalPiece& /*piece*/) const { return false; }
+  // From this time on the signal is its Taylor series up to the time returned; t_s itself: it has none.
+  virtual double smooth_until(double t_s) const { return t_s; }
+  // The first `count` coefficients of that series: value(t_s + theta step_s) = sum of c[k] theta^k. Returns how many of them may
+  // differ from zero.
+  virtual int expand(double /*t_s*/, double /*step_s*/, int /*count*/, double* /*c*/) const { return 0; }
   virtual double peak()
       const = 0;  // largest magnitude (or a bound near it): sets error scales before anything has moved
 };

@@ -1,5 +1,7 @@
 #include "host_sim/plant/motion/equations.hpp"
 
+#include <algorithm>
+
 #include "host_sim/vocabulary/law_table.hpp"
 
 namespace host_sim {
@@ -100,6 +102,18 @@ void Equations::memory_rates(const std::vector<PlantTerm>& terms, const Node& at
         law.memory_rate(point(term, t_s, at.x, at.v, sign, y + first, modes), term.shape);
     for (int m = 0; m < law.memories; ++m) dy[first + term.memory + static_cast<size_t>(m)] = rate.value[m];
   }
+}
+
+bool Equations::linear_between_events() const {
+  const auto none = [](const std::vector<PlantTerm>& terms) { return terms.empty(); };
+  const auto linear = [](const PlantTerm& term) {
+    return term.kind == vocabulary::EffectKind::kStiffness || term.kind == vocabulary::EffectKind::kViscous ||
+           term.kind == vocabulary::EffectKind::kCoulomb;
+  };
+  return gaps_ == 0 && memory_of_.empty() && std::all_of(on_dof_.begin(), on_dof_.end(), none) &&
+         std::all_of(on_drive_.begin(), on_drive_.end(), none) &&
+         std::all_of(links_.begin(), links_.end(),
+                     [&](const PlantLink& link) { return std::all_of(link.terms.begin(), link.terms.end(), linear); });
 }
 
 double Equations::memory_scale(size_t memory, const MotionScale& scale) const {

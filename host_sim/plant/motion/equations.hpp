@@ -53,6 +53,12 @@ class Equations {
   double mass(size_t i) const { return mass_[i]; }
   const std::vector<PlantLink>& links() const { return links_; }
 
+  // Between events nothing but springs, viscous dampers and constant friction, all of them in links?
+  bool linear_between_events() const;
+  // Masses that stuck links tie together, and to the ground (masses()) or the base (masses() + 1), have the same number; empty
+  // where nothing is stuck.
+  std::vector<size_t> stuck_bodies(const Modes& modes) const;
+
   // What a state beyond the displacements and velocities is measured against: 1, or the scale of what it follows.
   double memory_scale(size_t memory, const MotionScale& scale) const;
 

@@ -23,6 +23,11 @@ std::vector<bool> Equations::stuck_links(const Modes& modes) const {
   return joined;
 }
 
+std::vector<size_t> Equations::stuck_bodies(const Modes& modes) const {
+  const std::vector<bool> joined = stuck_links(modes);
+  return joined.empty() ? std::vector<size_t>() : bodies(joined);
+}
+
 // Masses and fixed nodes that joined links tie together get the same number.
 std::vector<size_t> Equations::bodies(const std::vector<bool>& joined) const {
   std::vector<size_t> body(masses() + 2);

@@ -1,94 +1,12 @@
 #include "host_sim/plant/motion/integrator.hpp"
 
-#include <arkode/arkode_erkstep.h>
-#include <nvector/nvector_serial.h>
-#include <sundials/sundials_context.h>
-
 #include <algorithm>
 #include <cmath>
-#include <string>
 
+#include "host_sim/plant/motion/integrator_working.hpp"
 #include "host_sim/plant/motion/short_vector.hpp"
-#include "host_sim/plant/plant_error.hpp"
 
 namespace host_sim {
-namespace {
-
-constexpr double kLoose = 1e-8;
-
-}  // namespace
-
-struct Integrator::Working {
-  const Equations& equations;
-  const Excitation& excitation;
-  IntegratorOptions options;
-  double t = 0.0, period = 0.0;
-  std::vector<double> y, dy, scale, force;
-  std::vector<SignalReader> drive;  // of the DOFs that have a force
-  std::vector<size_t> driven;       // which
-  MotionScale root_scale;
-  Motion base;
-  Modes modes;
-  std::string message;
-  long steps = 0, events = 0;
-  bool restart = true;
-  int task = ARK_NORMAL;
-  SUNContext context = nullptr;
-  N_Vector vector = nullptr;
-  void* arkode = nullptr;
-
-  Working(const Equations& eq, const Excitation& ex, const IntegratorOptions& opt)
-      : equations(eq), excitation(ex), options(opt) {
-    // ARKODE interpolates where a call begins, and in one go where it ends too: step by step is less where most samples take
-    // one step. The state is the same: that of the stop time.
-    if (options.relative_tolerance >= kLoose) task = ARK_ONE_STEP;
-  }
-  ~Working() {
-    if (arkode != nullptr) ERKStepFree(&arkode);
-    if (vector != nullptr) N_VDestroy(vector);
-    if (context != nullptr) SUNContext_Free(&context);
-  }
-
-  void excite(double time_s) {
-    for (size_t k = 0; k < drive.size(); ++k) force[driven[k]] = drive[k].value(time_s);
-    if (excitation.base_m) base = excitation.base_m->motion(time_s);
-  }
-
-  static int right_hand_side(realtype time_s, N_Vector state, N_Vector derivative, void* user) {
-    Working& w = *static_cast<Working*>(user);
-    w.excite(time_s);
-    w.equations.derivative(time_s, N_VGetArrayPointer(state), w.force.data(), w.base, w.modes,
-                           N_VGetArrayPointer(derivative));
-    return 0;
-  }
-  static int roots(realtype time_s, N_Vector state, realtype* g, void* user) {
-    Working& w = *static_cast<Working*>(user);
-    w.excite(time_s);
-    w.equations.root_functions(time_s, N_VGetArrayPointer(state), w.force.data(), w.base, w.modes, w.root_scale, g);
-    return 0;
-  }
-  static int weights(N_Vector, N_Vector weight, void* user) {
-    const Working& w = *static_cast<Working*>(user);
-    realtype* target = N_VGetArrayPointer(weight);
-    for (size_t i = 0; i < w.scale.size(); ++i) target[i] = 1.0 / (w.options.relative_tolerance * w.scale[i]);
-    return 0;
-  }
-  static void on_error(int, const char*, const char*, char* text, void* user) {
-    static_cast<Working*>(user)->message = text;
-  }
-
-  void create();
-  void first_scale();
-  void grow_scale();
-  void scale_memories();
-  void handle_root();
-  void check(int flag, const char* what) {
-    if (flag >= 0) return;
-    throw PlantError(std::string("simulation stopped at t = ") + std::to_string(t) + " s in " + what + ": " + message +
-                     " (a rig with extreme stiffness, or a motion that grows without bound?)");
-  }
-};
-
 // Before anything has moved: what the present acceleration and the peak force do to each mass within a sample period.
 void Integrator::Working::first_scale() {
   const size_t n = equations.masses();
@@ -143,8 +61,8 @@ void Integrator::Working::create() {
   ERKStepSetErrHandlerFn(arkode, on_error, this);
   ERKStepSetUserData(arkode, this);
   const ARKODE_ERKTableID table = options.method == Method::kBogackiShampine3 ? ARKODE_BOGACKI_SHAMPINE_4_2_3
-                                  : options.method == Method::kDormandPrince5 ? ARKODE_DORMAND_PRINCE_7_4_5
-                                                                              : ARKODE_FEHLBERG_13_7_8;
+                                  : options.method == Method::kFehlberg8      ? ARKODE_FEHLBERG_13_7_8
+                                                                              : ARKODE_DORMAND_PRINCE_7_4_5;
   check(ERKStepSetTableNum(arkode, table), "ERKStepSetTableNum");
   check(ERKStepSetInterpolantDegree(arkode, 5), "ERKStepSetInterpolantDegree");
   check(ERKStepWFtolerances(arkode, weights), "ERKStepWFtolerances");
@@ -177,19 +95,21 @@ Integrator::Integrator(const Equations& equations, const Excitation& excitation,
   w_->excite(start_s);
   w_->modes = equations.start_modes(start_s, w_->y.data(), w_->force.data(), w_->base);
   w_->first_scale();
-  w_->create();
 }
 
 Integrator::~Integrator() = default;
 
 void Integrator::advance_to(double t_s) {
   Working& w = *w_;
+  bool by_series = w.series.has_value();
   for (long taken = 0; w.t < t_s; ++taken) {
     if (taken > w.options.most_steps_per_sample) {
       w.message = std::to_string(taken) + " steps without reaching t = " + std::to_string(t_s) + " s";
       w.check(-1, "ERKStepEvolve");
     }
+    if (by_series && (by_series = w.series_step(t_s))) continue;
     if (w.restart) {
+      if (w.arkode == nullptr) w.create();
       w.check(ERKStepReset(w.arkode, w.t, w.vector), "ERKStepReset");
       w.check(ERKStepSetInitStep(w.arkode, std::min(w.period, t_s - w.t)), "ERKStepSetInitStep");
       w.restart = false;
@@ -214,7 +134,7 @@ const Modes& Integrator::modes() const { return w_->modes; }
 long Integrator::events() const { return w_->events; }
 long Integrator::steps() const {
   long count = 0;
-  ERKStepGetNumSteps(w_->arkode, &count);
+  if (w_->arkode != nullptr) ERKStepGetNumSteps(w_->arkode, &count);
   return count;
 }
 

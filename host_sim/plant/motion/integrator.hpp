@@ -1,4 +1,5 @@
-// Advances the equations of a rig in time with SUNDIALS ARKODE (ERKStep), stopping at every event to change the modes.
+// Advances the equations of a rig in time, stopping at every event to change the modes: by its Taylor series where the rig is
+// linear between events, else with SUNDIALS ARKODE (ERKStep).
 #pragma once
 #include <memory>
 #include <vector>
@@ -8,13 +9,14 @@
 namespace host_sim {
 
 enum class Method {
+  kSeries,  // the Taylor series between events where the rig is linear there (taylor_step.hpp), elsewhere kDormandPrince5
   kFehlberg8,         // 13 stages, order 8 (7): for tolerances below 1e-11
-  kDormandPrince5,    // 7 stages, order 5 (4): the default
+  kDormandPrince5,    // 7 stages, order 5 (4)
   kBogackiShampine3,  // 4 stages, order 3 (2): the pair that the paper cites [17]
 };
 
 struct IntegratorOptions {
-  Method method = Method::kDormandPrince5;
+  Method method = Method::kSeries;
   double relative_tolerance =
       1e-10;  // local error per step, of the largest displacement and velocity of each mass so far
   long most_steps_per_sample = 200000;
@@ -38,7 +40,7 @@ class Integrator {
   const std::vector<double>& forces() const;      // per mass, at the present time
   const Motion& base() const;
   const Modes& modes() const;
-  long steps() const;  // taken so far
+  long steps() const;  // taken by ARKODE so far
   long events() const;
 
  private:

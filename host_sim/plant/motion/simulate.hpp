@@ -29,7 +29,7 @@ Record simulate(const rig_file::RigModel& rig, const InitialState& initial, cons
 
 // Options of free_run: measured forces carry noise, so an error far below theirs is enough.
 struct FreeRunOptions {
-  IntegratorOptions integrator{Method::kDormandPrince5, 1e-6, 200000};
+  IntegratorOptions integrator{Method::kSeries, 1e-6, 200000};
   Interpolation interpolation = Interpolation::kQuintic;  // of the record's force and base motion
 };
 

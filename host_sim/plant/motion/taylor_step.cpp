@@ -1,0 +1,133 @@
+#include "host_sim/plant/motion/taylor_step.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace host_sim {
+namespace {
+
+constexpr double kMostTurn_rad = 2.0;  // terms up to 2^2 / 2!: one bit is lost
+constexpr double kRounding = 5e-17;
+constexpr int kFirstJudged = 8;  // what begins at rest, under a force that is a fifth power at most, shows by then
+
+}  // namespace
+
+TaylorStep::TaylorStep(const Equations& equations, const Excitation& excitation)
+    : equations_(equations),
+      masses_(equations.masses()),
+      nodes_(masses_ + 2),
+      x_(static_cast<size_t>(kMost + 1) * nodes_, 0.0),
+      net_(nodes_),
+      body_sum_(nodes_),
+      body_mass_(nodes_) {
+  std::vector<double> stiffness(nodes_, 0.0), viscous(nodes_, 0.0);
+  for (const PlantLink& from : equations.links()) {
+    Link link{from.a, from.b};
+    for (const PlantTerm& term : from.terms)
+      (term.kind == vocabulary::EffectKind::kStiffness ? link.stiffness
+       : term.kind == vocabulary::EffectKind::kViscous ? link.viscous
+                                                       : link.friction) += term.coefficient;
+    for (const size_t end : {link.a, link.b}) {
+      stiffness[end] += std::fabs(link.stiffness);
+      viscous[end] += std::fabs(link.viscous);
+    }
+    links_.push_back(link);
+  }
+  double fastest = 0.0;  // Gershgorin: no eigenvalue of M^-1 K is above 2 sum of k / m
+  for (size_t i = 0; i < masses_; ++i) {
+    const double mass = equations.mass(i);
+    fastest = std::max({fastest, std::sqrt(2.0 * stiffness[i] / mass), 2.0 * viscous[i] / mass});
+  }
+  longest_step_s_ = fastest > 0.0 ? kMostTurn_rad / fastest : std::numeric_limits<double>::infinity();
+  for (size_t i = 0; i < excitation.force_N.size() && i < masses_; ++i)
+    if (excitation.force_N[i]) drives_.push_back({i, excitation.force_N[i].get(), 0, {}});
+  base_ = {masses_ + 1, excitation.base_m.get(), 0, {}};
+}
+
+double TaylorStep::smooth_until(double t_s) const {
+  double until = std::numeric_limits<double>::infinity();
+  for (const Drive& drive : drives_) until = std::min(until, drive.signal->smooth_until(t_s));
+  return base_.signal == nullptr ? until : std::min(until, base_.signal->smooth_until(t_s));
+}
+
+// Of the k-th coefficients.
+void TaylorStep::net_forces(int k, const Modes& modes) {
+  std::fill(net_.begin(), net_.end(), 0.0);
+  for (const Drive& drive : drives_)
+    if (k < drive.count) net_[drive.node] = drive.c[k];
+  const double *x = row(k), *next = row(k + 1);
+  const double per_s = static_cast<double>(k + 1) / step_s_;
+  for (size_t l = 0; l < links_.size(); ++l) {
+    const Link& link = links_[l];
+    double force = link.stiffness * (x[link.a] - x[link.b]) + link.viscous * per_s * (next[link.a] - next[link.b]);
+    if (k == 0) force += link.friction * static_cast<double>(modes.rate_sign[l]);
+    net_[link.a] -= force;
+    net_[link.b] += force;
+  }
+}
+
+// next = factor M^-1 net; masses that are tied together move alike, and with the ground or the base where these are among them.
+void TaylorStep::accelerate(const double* net, double factor, double* next) {
+  if (body_.empty()) {
+    for (size_t i = 0; i < masses_; ++i) next[i] = factor * net[i] / equations_.mass(i);
+    return;
+  }
+  std::fill(body_sum_.begin(), body_sum_.end(), 0.0);
+  for (size_t i = 0; i < masses_; ++i) body_sum_[body_[i]] += net[i];
+  for (size_t i = 0; i < masses_; ++i) {
+    const bool on_ground = body_[i] == body_[masses_], on_base = body_[i] == body_[masses_ + 1];
+    next[i] = on_ground ? 0.0 : on_base ? next[masses_ + 1] : factor * body_sum_[body_[i]] / body_mass_[body_[i]];
+  }
+}
+
+bool TaylorStep::expand(double t_s, double step_s, const double* y, const Modes& modes, const MotionScale& scale) {
+  step_s_ = step_s;
+  for (Drive& drive : drives_) drive.count = drive.signal->expand(t_s, step_s, kMost, drive.c);
+  if (base_.signal != nullptr) base_.count = base_.signal->expand(t_s, step_s, kMost + 1, base_.c);
+  for (int k = 0; k <= kMost; ++k) row(k)[masses_ + 1] = k < base_.count ? base_.c[k] : 0.0;
+  body_ = equations_.stuck_bodies(modes);
+  if (!body_.empty()) {
+    std::fill(body_mass_.begin(), body_mass_.end(), 0.0);
+    for (size_t i = 0; i < masses_; ++i) body_mass_[body_[i]] += equations_.mass(i);
+  }
+  for (size_t i = 0; i < masses_; ++i) {
+    row(0)[i] = y[i];
+    row(1)[i] = y[masses_ + i] * step_s;
+  }
+  const double rounding = kRounding * std::min(scale.displacement, scale.velocity * step_s);
+  int small = 0;
+  for (int k = 0; k + 2 <= kMost; ++k) {
+    net_forces(k, modes);
+    double* const next = row(k + 2);
+    accelerate(net_.data(), step_s * step_s / static_cast<double>((k + 1) * (k + 2)), next);
+    double largest = 0.0;
+    for (size_t i = 0; i < masses_; ++i) largest = std::max(largest, std::fabs(next[i]));
+    small = largest * static_cast<double>(k + 2) <= rounding ? small + 1 : 0;
+    order_ = k + 2;
+    if (small >= 2 && order_ >= kFirstJudged) return true;
+  }
+  return false;
+}
+
+void TaylorStep::state(double theta, double* y) const {
+  for (size_t i = 0; i < 2 * masses_; ++i) y[i] = 0.0;
+  for (int k = order_; k >= 0; --k) {
+    const double* const x = row(k);
+    for (size_t i = 0; i < masses_; ++i) y[i] = y[i] * theta + x[i];
+    if (k == 0) break;
+    for (size_t i = 0; i < masses_; ++i) y[masses_ + i] = y[masses_ + i] * theta + static_cast<double>(k) * x[i];
+  }
+  for (size_t i = 0; i < masses_; ++i) y[masses_ + i] /= step_s_;
+}
+
+double TaylorStep::nearest_to_rest(size_t link, int sign) const {
+  const Link& at = links_[link];
+  const double begin = 2.0 * sign * (row(2)[at.a] - row(2)[at.b]);  // slopes of the rate
+  if (begin >= 0.0) return 1.0;
+  double end = 0.0;
+  for (int k = 2; k <= order_; ++k) end += k * (k - 1) * sign * (row(k)[at.a] - row(k)[at.b]);
+  return end > 0.0 ? begin / (begin - end) : 1.0;
+}
+
+}  // namespace host_sim
