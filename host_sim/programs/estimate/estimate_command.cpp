@@ -1,6 +1,8 @@
 // host_sim estimate: measured data through the fixed-point core, as the board would.
 #include <fmt/format.h>
 
+#include <future>
+
 #include "hal/rig_file/rig_reader.hpp"
 #include "host_sim/programs/commands.hpp"
 #include "host_sim/programs/estimate/estimate_report_data.hpp"
@@ -51,6 +53,43 @@ void show_more(const EstimateArguments& arguments, const rig_file::RigModel& mod
   }
 }
 
+// The check of the data beside the estimation where the records are short enough to be kept twice, for the estimation counts them
+// from their position of rest; before it where they are long.
+class DataCheck {
+ public:
+  DataCheck(const std::vector<Record>& records, const rig_file::RigModel& model, const DataArguments& arguments)
+      : arguments_(arguments) {
+    size_t values = 0;
+    for (const Record& record : records) values += record.samples() * record.channels.size();
+    if (values > kKeptTwice)
+      report_ = require_sound(records, model, arguments);
+    else
+      running_ = std::async(std::launch::async, [records, &model] { return data_check::check(records, &model); });
+  }
+  // Throws CannotAnswer where the data have faults.
+  const data_check::Report& require() {
+    if (running_.valid()) require_sound(report_ = running_.get(), arguments_);
+    return report_;
+  }
+  // What goes wrong meanwhile goes wrong because of the data's faults, where they have some.
+  template <typename Work>
+  void beside(Work work) {
+    try {
+      work();
+    } catch (...) {
+      require();
+      throw;
+    }
+    require();
+  }
+
+ private:
+  static constexpr size_t kKeptTwice = size_t{1} << 23;  // 64 MB
+  const DataArguments& arguments_;
+  data_check::Report report_;
+  std::future<data_check::Report> running_;
+};
+
 void estimate(const EstimateArguments& arguments) {
   const rig_file::RigModel model = rig_file::read_rig_file(arguments.rig);
   rig_file::require_unknowns(model);
@@ -58,24 +97,25 @@ void estimate(const EstimateArguments& arguments) {
   require_same_channels(records);
   ResultTarget json(arguments.json), log(arguments.log);
   std::FILE* const people = human_stream(json, log);
-  const data_check::Report check = require_sound(records, model, arguments.reading);
-  std::vector<std::string> notes = count_from_rest(records);
-  if (const std::string slow = average_slow_motion(records); !slow.empty()) notes.push_back(slow);
+  DataCheck check(records, model, arguments.reading);
+  std::vector<std::string> notes;
 
   EstimationOptions options;
   options.frames = !arguments.log.empty();
   if (arguments.frequency_Hz > 0.0) options.excitation_Hz = arguments.frequency_Hz;
   Estimation estimation;
-  {
+  check.beside([&] {
+    notes = count_from_rest(records);
+    if (const std::string slow = average_slow_motion(records); !slow.empty()) notes.push_back(slow);
     ProgressBar bar("estimating");
     options.progress = [&bar](double share) { bar.show(share); };
     estimation = estimate_records(model, records, options);
-  }
+  });
   estimation.result.notes.insert(estimation.result.notes.end(), notes.begin(), notes.end());
   print_table(people, model, estimation.result);
   json.deliver(to_text(to_json(estimation.result)));
   log.deliver(estimation.frames);
-  show_more(arguments, model, records, estimation, check, people);
+  show_more(arguments, model, records, estimation, check.require(), people);
   const std::string missing = unanswered(estimation.result);
   if (!missing.empty()) throw CannotAnswer(missing);
 }

@@ -72,15 +72,19 @@ std::string joined_lines(const std::vector<std::string>& lines) {
   return text;
 }
 
-data_check::Report require_sound(const std::vector<Record>& records, const rig_file::RigModel& model,
-                                 const DataArguments& arguments) {
-  data_check::Report report = data_check::check(records, &model);
+void require_sound(const data_check::Report& report, const DataArguments& arguments) {
   const bool stop = report.worst() == data_check::Weight::kFault && !arguments.in_spite_of_faults;
   if (stop)
     throw CannotAnswer("the recordings have faults (host_sim check tells more, --anyway computes all the same)\n  " +
                        joined_lines(data_check::lines_of(report, data_check::Weight::kFault)));
   for (const std::string& line : data_check::lines_of(report, data_check::Weight::kDoubt))
     std::fprintf(stderr, "%s\n", line.c_str());
+}
+
+data_check::Report require_sound(const std::vector<Record>& records, const rig_file::RigModel& model,
+                                 const DataArguments& arguments) {
+  data_check::Report report = data_check::check(records, &model);
+  require_sound(report, arguments);
   return report;
 }
 

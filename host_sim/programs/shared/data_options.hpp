@@ -30,6 +30,8 @@ std::vector<Record> read_data(const std::vector<std::string>& paths, const rig_f
 // too where the user wants the numbers anyway. Returns all that was found.
 data_check::Report require_sound(const std::vector<Record>& records, const rig_file::RigModel& model,
                                  const DataArguments& arguments);
+// The same of a check that has been made.
+void require_sound(const data_check::Report& report, const DataArguments& arguments);
 
 // Lines below each other, indented under the first.
 std::string joined_lines(const std::vector<std::string>& lines);
