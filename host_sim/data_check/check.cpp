@@ -15,6 +15,7 @@
 #include "host_sim/data_check/slow_faults.hpp"
 #include "host_sim/data_check/spikes.hpp"
 #include "host_sim/data_check/statistics.hpp"
+#include "host_sim/data_check/work.hpp"
 
 namespace host_sim::data_check {
 namespace {
@@ -143,6 +144,8 @@ RecordReport check_record(const Record& record, const rig_file::RigModel* model,
     if (dofs.insert(channel.dof).second) attach(check_kinematics(compared, channel.dof, rotates(channel)), report);
   attach(check_exchanged(compared), report);
   if (model != nullptr && !has_fault(report)) attach(check_rig_balance(compared, *model), report);
+  if (!has_fault(report))
+    if (auto work = find_negative_work(compared)) attach({std::move(*work)}, report);
   return report;
 }
 

@@ -1,0 +1,18 @@
+// The work that the forces do on the rig. A rig has no source of its own: over a record its dampers take, never give.
+#pragma once
+#include <optional>
+
+#include "host_sim/data_check/data_check.hpp"
+
+namespace host_sim::data_check {
+
+// Of all forces together, each with the velocity of its DOF, averaged alike over a quarter of the drive's shortest period.
+// A DOF with acceleration alone has it with the force's rate instead: the real part of a driving-point mobility is not
+// negative at any frequency, so no weight over frequency makes it so.
+// polarity, a fault: the power factor is below -0.5. A late channel alone would have to be late by a twelfth of a period.
+// work, a doubt: it is negative, by more.
+// Both only where ten parts of the record agree: chance makes that in one of 1,024. A record whose base moves tells
+// nothing: the base does work too.
+std::optional<Finding> find_negative_work(const Record& record);
+
+}  // namespace host_sim::data_check

@@ -1,0 +1,110 @@
+// The work of the forces tells signs that nothing else does.
+#include "host_sim/data_check/work.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/data_check/made_records.hpp"
+
+namespace {
+
+using host_sim::Channel;
+using host_sim::Quantity;
+using host_sim::Record;
+using host_sim::data_check::find_negative_work;
+using host_sim::data_check::Weight;
+
+constexpr double kPi = 3.14159265358979323846;
+
+// 10 s at 1 kHz of x = 10 mm sin(2 pi 2 Hz t) under the force f = k x(t - delay) + c v; the motion as `of` says.
+Record lone_link(double stiffness, double viscous, double delay_s, Quantity of) {
+  const double w = 2 * kPi * 2;
+  Record record;
+  record.file = "made.csv", record.sample_period_s = 1e-3;
+  Channel force{"force_1_N", Quantity::kForce, 1, {}}, motion{"motion_1", of, 1, {}};
+  for (int i = 0; i < 10000; ++i) {
+    const double t = i * 1e-3, x = 0.01 * std::sin(w * t), v = 0.01 * w * std::cos(w * t);
+    force.values.push_back(stiffness * 0.01 * std::sin(w * (t - delay_s)) + viscous * v);
+    motion.values.push_back(of == Quantity::kDisplacement ? x : of == Quantity::kVelocity ? v : -w * w * x);
+  }
+  record.channels = {force, motion};
+  return record;
+}
+
+TEST(Work, OfADamperTurnedOver) {
+  // k x and c v of one size, a quarter of a period apart: the power factor is cos 45 degrees.
+  const double k = 1000, c = 1000 / (2 * kPi * 2);
+  for (const Quantity of : {Quantity::kDisplacement, Quantity::kVelocity, Quantity::kAcceleration}) {
+    EXPECT_FALSE(find_negative_work(lone_link(k, c, 0, of)));
+    const auto found = find_negative_work(lone_link(-k, -c, 0, of));
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->kind, "polarity");
+    EXPECT_EQ(found->weight, Weight::kFault);
+    EXPECT_EQ(found->channel, "force_1_N");
+    EXPECT_NEAR(*found->value, -std::sqrt(0.5), 0.01);
+  }
+}
+
+TEST(Work, OfASpringWhoseForceIsLate) {
+  // sin(wt - a) cos(wt) has the mean -sin(a) / 2: the power factor is -sin(a). Here a = 2 pi 2 Hz 15.9 ms = 0.2.
+  const auto found = find_negative_work(lone_link(1000, 0, 0.2 / (4 * kPi), Quantity::kDisplacement));
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->kind, "work");
+  EXPECT_EQ(found->weight, Weight::kDoubt);
+  EXPECT_NEAR(*found->value, -std::sin(0.2), 0.01);
+  EXPECT_FALSE(find_negative_work(lone_link(1000, 0, -0.01, Quantity::kDisplacement)));  // early: it only takes more
+  EXPECT_FALSE(find_negative_work(lone_link(1000, 0, 0, Quantity::kDisplacement)));      // neither gives nor takes
+}
+
+TEST(Work, OfTwoShakersIsTheirSum) {
+  // One drives with 3 c v, the other brakes with -c v: together they give.
+  Record record = lone_link(0, 30, 0, Quantity::kVelocity);
+  for (Channel channel : lone_link(0, -10, 0, Quantity::kVelocity).channels) {
+    channel.name[channel.name.find('1')] = '2', channel.dof = 2;
+    record.channels.push_back(channel);
+  }
+  EXPECT_FALSE(find_negative_work(record));
+  for (Channel& channel : record.channels)  // now the strong one brakes
+    if (channel.quantity == Quantity::kForce)
+      for (double& value : channel.values) value = -value;
+  const auto found = find_negative_work(record);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->channel, "");  // which of them is turned over, the sum cannot tell
+}
+
+TEST(Work, TellsNothingBesideAMovingBase) {
+  Record record = lone_link(-1000, -100, 0, Quantity::kVelocity);
+  record.channels.push_back({"displacement_base_m", Quantity::kDisplacement, -1, record.channels[1].values});
+  EXPECT_FALSE(find_negative_work(record));
+}
+
+// A chain of two masses of which no rig file tells anything.
+TEST(Work, OfARigWithoutARigFile) {
+  for (const made::Drive drive : {made::Drive::kRandom, made::Drive::kTwoTones, made::Drive::kSweep})
+    for (const char* sensors : {"xva", "x", "v", "a"})
+      for (const double noise : {0.0, 0.05}) {
+        made::Options options;
+        options.drive = drive, options.sensors = sensors, options.noise = noise, options.seed = 31;
+        Record record = made::record(options);
+        EXPECT_FALSE(find_negative_work(record)) << static_cast<int>(drive) << sensors << noise;
+        if (drive == made::Drive::kSweep) continue;  // a resonance on its way gives back what it took: nothing is said
+        for (double& value : made::values(record, "force_1_N")) value = -value;
+        EXPECT_TRUE(find_negative_work(record)) << static_cast<int>(drive) << sensors << noise;
+      }
+}
+
+// Noise that has nothing to do with the force, in place of the motion: chance alone.
+TEST(Work, OfNoiseIsNothing) {
+  std::mt19937 random(77);
+  std::normal_distribution<double> normal;
+  int found = 0;
+  for (int i = 0; i < 200; ++i) {
+    Record record = lone_link(1000, 10, 0, Quantity::kVelocity);
+    for (double& value : record.channels[1].values) value = normal(random);
+    found += find_negative_work(record).has_value();
+  }
+  EXPECT_LE(found, 2);  // one in 1,024 is promised: more than two of 200 come in one of 1,000 repetitions
+}
+
+}  // namespace
