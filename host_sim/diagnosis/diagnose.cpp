@@ -31,6 +31,15 @@ bool two_channels_a_dof(const runs::Prepared& p) { return p.traces.size() > p.gu
 
 constexpr double kMostlyNoise = 0.8;  // of the squared residual
 
+// Rivals of a cause are those that are still said.
+void state_rivals(Diagnosis& d) {
+  const auto unsaid = [&](const NamedPlace& p) {
+    return std::find(d.ambiguous_with.begin(), d.ambiguous_with.end(), p) == d.ambiguous_with.end();
+  };
+  for (Cause& c : d.causes) c.rivals.erase(std::remove_if(c.rivals.begin(), c.rivals.end(), unsaid), c.rivals.end());
+  if (d.causes.size() == 1) d.causes[0].rivals = d.ambiguous_with;
+}
+
 // Names what is missing by free runs, from the rig as given with the sensor faults that they bear out.
 void answer_by_runs(const Asked& asked, const runs::Task& task, const RowsSay& say, runs::Choice& choice) {
   if (!runs::massless(asked.rig) && two_channels_a_dof(task.records[0]))
@@ -78,6 +87,7 @@ Diagnosis diagnose(const rig_file::RigModel& rig, const std::vector<host_sim::Re
   runs::say_shared_hum(d);
   runs::drop_undetermined(d);
   runs::drop_trifles(task, d);
+  state_rivals(d);
   for (const std::string& advice : advice_for(d)) d.advice.push_back(advice);
   progress(1);
   return d;

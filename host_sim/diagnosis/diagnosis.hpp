@@ -22,17 +22,19 @@ struct Parameter {
   bool estimated = true;
 };
 
+struct NamedPlace {
+  std::string effect, where;
+  bool operator==(const NamedPlace& o) const { return effect == o.effect && where == o.where; }
+};
+
 struct Cause {
   std::string effect;  // the contract's word
   std::string where;   // "link 1-2", "dof 3", "channel displacement_2_m"
   std::vector<Parameter> parameters;
-  double explains_percent = 0;  // share of the residual's excess over noise that it removes; 0 where it is taken out
-  double significance = 0;      // fall of chi-squared per unit of the noise that remains
-  bool taken_out = false;       // of the record, before the rig is judged: a fault of a motion channel
-};
-
-struct NamedPlace {
-  std::string effect, where;
+  double explains_percent = 0;     // share of the residual's excess over noise that it removes; 0 where it is taken out
+  double significance = 0;         // fall of chi-squared per unit of the noise that remains
+  bool taken_out = false;          // of the record, before the rig is judged: a fault of a motion channel
+  std::vector<NamedPlace> rivals;  // that explain as much in its place; of a cause among several only where known
 };
 
 struct DetectionLimit {
@@ -62,8 +64,8 @@ struct Diagnosis {
   bool baseline_fits() const { return verdict == Verdict::kNone; }
   bool extended_fits() const { return verdict != Verdict::kUnknown && verdict != Verdict::kPartly; }
   std::vector<Cause> causes;
-  std::vector<NamedPlace> ambiguous_with;
-  std::vector<Cause> rejected;  // fitted better, simulated worse on held-out data
+  std::vector<NamedPlace> ambiguous_with;  // every cause's rivals
+  std::vector<Cause> rejected;             // fitted better, simulated worse on held-out data
   ModelScore baseline, extended;
   std::vector<double> gain;               // baseline / extended NRMSE per DOF
   std::vector<double> remainder_percent;  // per DOF: of what the rig as given leaves on unseen data

@@ -24,12 +24,19 @@ json to_json(const std::vector<Parameter>& list) {
   return j;
 }
 
+json to_json(const std::vector<NamedPlace>& places) {
+  json j = json::array();
+  for (const NamedPlace& p : places) j.push_back({p.effect, p.where});
+  return j;
+}
+
 json to_json(const Cause& c) {
   return {{"effect", c.effect},
           {"where", c.where},
           {"parameters", to_json(c.parameters)},
           {"explains_percent", c.explains_percent},
-          {"significance", c.significance}};
+          {"significance", c.significance},
+          {"rivals", to_json(c.rivals)}};
 }
 
 json to_json(const ModelScore& s, bool fits) {
@@ -57,10 +64,10 @@ json to_json(const Diagnosis& d) {
          {"unknown_trace", d.unknown_trace},
          {"baseline_misfit", d.baseline_misfit},
          {"extended_misfit", d.extended_misfit}};
-  j["causes"] = j["ambiguous_with"] = j["minimum_detectable"] = j["rejected"] = json::array();
+  j["ambiguous_with"] = to_json(d.ambiguous_with);
+  j["causes"] = j["minimum_detectable"] = j["rejected"] = json::array();
   for (const Cause& c : d.causes) j["causes"].push_back(to_json(c));
   for (const Cause& c : d.rejected) j["rejected"].push_back(to_json(c));
-  for (const NamedPlace& p : d.ambiguous_with) j["ambiguous_with"].push_back({p.effect, p.where});
   for (const DetectionLimit& l : d.minimum_detectable)
     j["minimum_detectable"].push_back({{"effect", l.effect},
                                        {"where", l.where},

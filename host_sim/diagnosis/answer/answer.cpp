@@ -94,13 +94,12 @@ bool is_hold(const Task& task, const Cause& c) {
 
 using Terms = std::vector<ActiveTerm>;
 
-void add_rivals(const Task& task, const Named& named, Diagnosis& d) {
+void add_rivals(const Task& task, const Named& named, Cause& c, Diagnosis& d) {
   for (const Rival& r : named.rivals) {
     const NamedPlace other{word_of(r.candidate.terms[0].kind), place(task, r.candidate.terms[0])};
-    const bool said = std::any_of(d.ambiguous_with.begin(), d.ambiguous_with.end(), [&](const NamedPlace& p) {
-      return p.effect == other.effect && p.where == other.where;
-    });
-    if (!said) d.ambiguous_with.push_back(other);
+    c.rivals.push_back(other);
+    if (std::find(d.ambiguous_with.begin(), d.ambiguous_with.end(), other) == d.ambiguous_with.end())
+      d.ambiguous_with.push_back(other);
   }
 }
 
@@ -112,8 +111,8 @@ void name_causes(const Task& task, const Choice& choice, const Terms& full, Diag
     c.explains_percent = std::clamp(100 * named.share, 0.0, 100.0);
     for (const ActiveTerm& a : full)
       if (a.added && a.term.same_place(named.candidate.terms[0])) c.parameters = parameters_of_cause(task, full, a);
+    add_rivals(task, named, c, d);
     d.causes.push_back(c);
-    add_rivals(task, named, d);
   }
 }
 

@@ -35,6 +35,7 @@ std::string parameter_text(const diagnosis::Parameter& parameter) {
 Cause cause_of(const diagnosis::Cause& from) {
   Cause cause{from.effect, from.where, from.taken_out ? std::nan("") : from.explains_percent, {}};
   for (const diagnosis::Parameter& parameter : from.parameters) cause.parameters.push_back(parameter_text(parameter));
+  for (const diagnosis::NamedPlace& place : from.rivals) cause.rivals.push_back({place.effect, place.where});
   return cause;
 }
 

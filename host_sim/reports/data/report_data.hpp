@@ -58,6 +58,7 @@ struct Cause {
   std::string effect, where;            // the contract's words: "cubic_stiffness", "link 1-2"
   double explains_percent = 0.0;        // not a number: taken out of the record before the rig is judged
   std::vector<std::string> parameters;  // "cubic_stiffness[1-2] = 3.1e7 N/m^3 (95 %: 3.0e7 to 3.2e7)"
+  std::vector<std::pair<std::string, std::string>> rivals = {};  // effect, where; that explain as much in its place
 };
 
 struct Candidate {
@@ -95,7 +96,7 @@ struct DiagnosisReportData {
   double misfit = 1.0;             // of the rig as given: chi-squared per degree of freedom, 1 is noise alone
   std::string cannot_describe;     // a sentence where the rig file is no model of the recording at all; else empty
   std::vector<Cause> causes;
-  std::vector<std::pair<std::string, std::string>> ambiguous_with;  // effect, where
+  std::vector<std::pair<std::string, std::string>> ambiguous_with;  // effect, where; of every cause
   std::vector<DofView> dofs;
   std::vector<LinkView> links;
   std::vector<Candidate> candidates;

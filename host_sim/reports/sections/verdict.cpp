@@ -105,6 +105,25 @@ Possible possible_in(const DiagnosisReportData& data) {
   return out;
 }
 
+// Of several causes those that no other could replace, and of each of the others what it may be.
+struct Told {
+  DiagnosisReportData sure;
+  std::vector<std::string> open;
+};
+Told told_in(const DiagnosisReportData& data) {
+  Told told;
+  for (const Cause& cause : data.causes) {
+    if (cause.rivals.empty()) {
+      told.sure.causes.push_back(cause);
+      continue;
+    }
+    std::vector<std::string> all{cause_text(cause.effect, cause.where)};
+    for (const auto& [effect, where] : cause.rivals) all.push_back(cause_text(effect, where));
+    told.open.push_back("one of these: " + listed(all, "or"));
+  }
+  return told;
+}
+
 std::string joined(std::initializer_list<std::string> sentences) {
   std::string out;
   for (const std::string& sentence : sentences)
@@ -126,8 +145,23 @@ std::string cause_text(const std::string& effect, const std::string& where) {
                              (where.rfind("dof ", 0) == 0 ? "DOF" + where.substr(3) : where);
 }
 
+namespace {
+
+std::string ambiguous_details(const DiagnosisReportData& data) {
+  const Told told = told_in(data);
+  if (data.causes.size() < 2 || told.open.empty())
+    return "It is one of these: " + listed(possible_in(data).all, "or") + ".";
+  const std::string missed = missed_text(data.gains, true);
+  return joined({rest_of_causes(named_in(told.sure)), "There is " + listed(told.open, "and") + ".",
+                 gain_text(data.gains), missed.empty() ? "" : "It still misses " + missed + "."});
+}
+
+}  // namespace
+
 std::string verdict_headline(const DiagnosisReportData& data) {
   if (data.verdict == "none") return "The rig file explains the measurement";
+  if (const Told told = told_in(data); data.verdict == "ambiguous" && !told.sure.causes.empty() && !told.open.empty())
+    return headline_of_causes(named_in(told.sure)) + ", and something that these data cannot tell";
   if (data.verdict == "ambiguous") {
     const Possible possible = possible_in(data);
     if (possible.faults == 0) return "The rig file lacks something, and these data cannot tell which";
@@ -144,7 +178,7 @@ std::string verdict_details(const DiagnosisReportData& data) {
     return data.misfit > kBeyondNoise
                ? "What is left beyond measurement noise neither helps to predict unseen data nor moves a coefficient."
                : "Nothing is left beyond measurement noise that these data could show.";
-  if (data.verdict == "ambiguous") return "It is one of these: " + listed(possible_in(data).all, "or") + ".";
+  if (data.verdict == "ambiguous") return ambiguous_details(data);
   if (!data.cannot_describe.empty()) return data.cannot_describe;
   const std::string missed = missed_text(data.gains, !data.causes.empty());
   if (data.causes.empty())
