@@ -31,10 +31,10 @@ struct Cause {
   std::string effect;  // the contract's word
   std::string where;   // "link 1-2", "dof 3", "channel displacement_2_m"
   std::vector<Parameter> parameters;
-  double explains_percent = 0;     // share of the residual's excess over noise that it removes; 0 where it is taken out
-  double significance = 0;         // fall of chi-squared per unit of the noise that remains
-  bool taken_out = false;          // of the record, before the rig is judged: a fault of a motion channel
-  std::vector<NamedPlace> rivals;  // that explain as much in its place; of a cause among several only where known
+  double explains_percent = 0;  // share of the residual's excess over noise that it removes; 0 where it is taken out
+  double significance = 0;      // fall of chi-squared per unit of the noise that remains
+  bool taken_out = false;       // of the record, before the rig is judged: a fault of a motion channel
+  std::vector<NamedPlace> rivals = {};  // that explain as much in its place; of a cause among several only where known
 };
 
 struct DetectionLimit {
