@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <mutex>
 
 #include "host_sim/data_check/statistics.hpp"
 
@@ -35,6 +36,8 @@ std::vector<double> power_spectrum(const std::vector<double>& values, double mea
   for (size_t i = 0; i < n; ++i)
     input.get()[i] =
         (values[i] - mean) * (0.5 - 0.5 * std::cos(2.0 * kPi * static_cast<double>(i) / static_cast<double>(n)));
+  static std::once_flag shared;  // records are checked beside each other
+  std::call_once(shared, fftw_make_planner_thread_safe);
   const fftw_plan plan = fftw_plan_dft_r2c_1d(static_cast<int>(n), input.get(), output.get(), FFTW_ESTIMATE);
   fftw_execute(plan);
   fftw_destroy_plan(plan);

@@ -94,6 +94,16 @@ TEST(Work, OfARigWithoutARigFile) {
       }
 }
 
+// Records are checked in threads of their own: nothing that they share may break.
+TEST(Work, OfManyRecordsAtOnce) {
+  const Record whole = lone_link(-1000, -100, 0, Quantity::kVelocity);
+  std::vector<Record> records(64, whole);  // each of its own length: a transform of its own
+  for (size_t i = 0; i < records.size(); ++i)
+    for (Channel& channel : records[i].channels) channel.values.resize(whole.samples() - 70 * i);
+  for (const auto& record : host_sim::data_check::check(records, nullptr).records)
+    EXPECT_EQ(record.channels[0].findings.at(0).kind, "polarity");
+}
+
 // Noise that has nothing to do with the force, in place of the motion: chance alone.
 TEST(Work, OfNoiseIsNothing) {
   std::mt19937 random(77);
