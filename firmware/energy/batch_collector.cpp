@@ -1,5 +1,7 @@
 #include "firmware/energy/batch_collector.hpp"
 
+#include "firmware/fixed_point/wide.hpp"
+
 namespace firmware {
 namespace {
 
@@ -82,7 +84,8 @@ void BatchCollector::begin_level() {
 
 uint32_t BatchCollector::unit_end(uint32_t unit) const {
   const uint64_t twice = 2 * static_cast<uint64_t>(unit) * unit_numerator_ + unit_denominator_;
-  return static_cast<uint32_t>(twice / (2 * static_cast<uint64_t>(unit_denominator_)));  // nearest sample
+  return static_cast<uint32_t>(
+      short_quotient(twice, 2 * static_cast<uint64_t>(unit_denominator_), 32));  // nearest sample
 }
 
 // With the table full (or just being merged) batches are twice as long.

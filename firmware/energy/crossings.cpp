@@ -1,6 +1,8 @@
 #include "firmware/energy/crossings.hpp"
 
+#include "firmware/fixed_point/magnitude.hpp"
 #include "firmware/fixed_point/precondition.hpp"
+#include "firmware/fixed_point/wide.hpp"
 
 namespace firmware {
 
@@ -9,7 +11,10 @@ Crossing crossing_correction(Rate w0, Rate w1, Code q0, Code q1) {
   [[maybe_unused]] constexpr Rate kLargestRate = Rate::from_raw(int64_t{1} << 35);
   FIRMWARE_PRECONDITION(sign_of(w0) * sign_of(w1) == -1);
   FIRMWARE_PRECONDITION(!(kLargestRate < size_of(w0)) && !(kLargestRate < size_of(w1)));
-  const int64_t theta = w0.raw * kOne / (w0.raw - w1.raw);  // |w| < 2^35: fits; 0 < theta < 2^16
+  const uint64_t size = magnitude(w0.raw), both = size + magnitude(w1.raw);
+  // |w| < 2^35: fits; 0 <= theta < 2^16
+  const auto theta =
+      static_cast<int64_t>(short_quotient(size << Crossing::kFractionBits, both, Crossing::kFractionBits));
   const int64_t step = static_cast<int64_t>(q1.raw) - q0.raw;
   const int64_t correction = (2 * theta - kOne) * q0.raw + ((theta * theta) / kOne - kOne / 6) * step;
   return Crossing::from_raw(w0.raw > 0 ? correction : -correction);

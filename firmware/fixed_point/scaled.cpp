@@ -95,12 +95,8 @@ Scaled Scaled::ratio(int64_t numerator, int64_t denominator) { return from_int(n
 
 [[gnu::always_inline]] static inline Scaled any_sum(int64_t a, int32_t a_exponent, int64_t b, int32_t b_exponent) {
   const int32_t distance = a_exponent - b_exponent;
-#if UINTPTR_MAX > UINT32_MAX
   const bool swap = distance < 0;
   return aligned_sum(swap ? b : a, swap ? b_exponent : a_exponent, swap ? a : b, swap ? -distance : distance);
-#else
-  return distance >= 0 ? aligned_sum(a, a_exponent, b, distance) : aligned_sum(b, b_exponent, a, -distance);
-#endif
 }
 
 Scaled operator+(const Scaled& a, const Scaled& b) {

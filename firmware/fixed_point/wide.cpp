@@ -42,6 +42,20 @@ uint32_t reciprocal_root(uint32_t z) {
   return y;
 }
 
+#if UINTPTR_MAX <= UINT32_MAX
+uint64_t short_quotient(uint64_t numerator, uint64_t denominator, int bits) {
+  uint64_t quotient = 0;
+  uint64_t part = denominator << (bits - 1);
+  for (int bit = 0; bit < bits; ++bit, part >>= 1) {
+    quotient <<= 1;
+    if (numerator < part) continue;
+    numerator -= part;
+    quotient |= 1u;
+  }
+  return quotient;
+}
+#endif
+
 uint64_t divide_fraction(uint64_t numerator, uint64_t denominator) {
   const int shift = leading_zeros(denominator);
   const uint64_t d = denominator << shift, n = numerator << shift;

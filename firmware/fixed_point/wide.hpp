@@ -25,6 +25,14 @@ inline Wide multiply(uint64_t a, uint64_t b) {
 #endif
 }
 
+// floor(numerator / denominator) of a quotient below 2^bits, numerator and denominator 2^(bits - 1) below 2^64. Bit by bit where
+// there is no instruction for it: as quick as the compiler's own for the few bits that are wanted, in a tenth of its room.
+#if UINTPTR_MAX > UINT32_MAX
+inline uint64_t short_quotient(uint64_t numerator, uint64_t denominator, int) { return numerator / denominator; }
+#else
+uint64_t short_quotient(uint64_t numerator, uint64_t denominator, int bits);
+#endif
+
 // floor(numerator * 2^62 / denominator) for numerator < denominator, 2^61 <= denominator < 2^63.
 uint64_t divide_fraction(uint64_t numerator, uint64_t denominator);
 

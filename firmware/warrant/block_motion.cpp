@@ -195,9 +195,7 @@ void BlockMotion::fill_soft_sign(int l) {
   const int64_t width = rate_noise_[l] + (rate_noise_[l] >> 2);
   for (int n = 0; n < kBlockSamples; ++n) {
     const int64_t w = column_[kRateColumn + l][n];
-    const int64_t soft = width > 0 && w < width && w > -width ? (w * (1 << kSignFraction)) / width
-                                                              : ((w > 0) - (w < 0)) * (1 << kSignFraction);
-    column_[kSoftSignColumn + l][n] = static_cast<int32_t>(soft);
+    column_[kSoftSignColumn + l][n] = soft_sign(w, width, kSignFraction);
   }
 }
 

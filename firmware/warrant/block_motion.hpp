@@ -9,6 +9,8 @@
 #pragma once
 #include "firmware/acquisition/columns.hpp"
 #include "firmware/configuration/configuration.hpp"
+#include "firmware/fixed_point/magnitude.hpp"
+#include "firmware/fixed_point/wide.hpp"
 #include "firmware/warrant/known_force.hpp"
 #include "firmware/warrant/neighbours.hpp"
 
@@ -38,6 +40,14 @@ struct ClearSigns {
   bool dof[kMaxDofs] = {};    // its equation leaves samples out: kClearInstrumentColumn is zero there
   bool filtered = false;      // the column holds 2^20 times the sign
 };
+
+// w 2^bits / width within +-width, towards zero; +-2^bits beyond; width at most 2^43, 0: the sign alone.
+inline int32_t soft_sign(int64_t w, int64_t width, int bits) {
+  if (size_of(w) >= width) return ((w > 0) - (w < 0)) * (1 << bits);
+  const auto size = static_cast<uint64_t>(size_of(w)) << bits;
+  const auto share = static_cast<int32_t>(short_quotient(size, static_cast<uint64_t>(width), bits));
+  return w < 0 ? -share : share;
+}
 
 class BlockMotion {
  public:

@@ -80,10 +80,7 @@ void fill_used(const BlockMotion& block, const Place& place, const PlaceScale& s
 void fill_own_sign(const PlaceScale& scale, PlaceMotion& motion) {
   const int64_t noise = rate_noise(scale), width = noise + noise / 4;
   for (int n = 0; n < kBlockSamples; ++n) {
-    const int64_t w = motion.own[1][n];
-    const int64_t sign =
-        width > 0 && size_of(w) < width ? w * (1 << kSignBits) / width : ((w > 0) - (w < 0)) * (1 << kSignBits);
-    motion.own_sign[n] = static_cast<int32_t>(sign);
+    motion.own_sign[n] = soft_sign(motion.own[1][n], width, kSignBits);
   }
 }
 

@@ -1,0 +1,59 @@
+// What the sums of a rig are, before its first sample.
+#include "firmware/energy/energy_sums.hpp"
+
+namespace firmware {
+namespace {
+
+// Mean differences between a rate and its neighbours beyond which the rate's sign is clear (links/clear_sign.hpp). Half of a
+// derived velocity's noise and more is slower than that.
+constexpr int kClearMeans = 4, kClearMeansDerived = 8;
+
+bool measured_velocity(const CoreConfiguration& configuration, int node) {
+  return node == kGroundNode || !configuration.signals[node][static_cast<int>(Quantity::kVelocity)].derived;
+}
+
+// Of the rate whose sign friction has.
+RateGains sign_gains(const CoreConfiguration& configuration, RateGains gains) {
+  if (!configuration.filters_sign()) return gains;
+  gains.column_a = static_cast<uint16_t>(kSignVelocityColumn + gains.column_a / kQuantities);
+  gains.column_b = static_cast<uint16_t>(kSignVelocityColumn + gains.column_b / kQuantities);
+  return gains;
+}
+
+}  // namespace
+
+void EnergySums::configure(const CoreConfiguration& configuration, int weights) {
+  configuration_ = &configuration;
+  weights_ = weights;
+  make_equation_plan(configuration, weights, plan_, sums_, layout_);
+  effects_.configure(configuration, plan_.column_unit);
+  const Scaled step = configuration.sample_period_s / Scaled::from_int(24);
+  for (int p = 0; p < sums_.count(); ++p)
+    integral_unit_[p] = step * plan_.column_unit[sums_.column_a(p)] * plan_.column_unit[sums_.column_b(p)];
+  for (int l = 0; l < configuration.link_count; ++l) {
+    const LinkConfiguration& link = configuration.links[l];
+    gains_[l] = rate_gains(configuration, link);
+    const bool white = measured_velocity(configuration, link.node_a) && measured_velocity(configuration, link.node_b);
+    clear_sign_[l].configure(sign_gains(configuration, gains_[l]), white ? kClearMeans : kClearMeansDerived,
+                             configuration.high_pass_order > 0 && !white);
+    has_sign_[l] = wants_clear_sign_[l] = wants_all_signs_[l] = false;
+    smooth_is_white_[l] = white;
+  }
+  any_shared_noise_ = false;
+  for (const auto& node : configuration.shared_noise)
+    for (const auto& weight : node)
+      for (const Scaled& noise : weight) any_shared_noise_ = any_shared_noise_ || !noise.is_zero();
+  for (bool& locates : locates_crossings_) locates = false;
+  any_crossings_ = false;
+  for (int n = 0; n < plan_.incidence_count; ++n) {
+    const Term& term = configuration.terms[plan_.incidence[n].term];
+    if (!is_sign_term(term.kind)) continue;
+    has_sign_[term.place] = true;
+    const bool clear = plan_.dof[plan_.incidence[n].dof].clear_signs_only;
+    (clear ? wants_clear_sign_ : wants_all_signs_)[term.place] = true;
+    if (!plan_.dof[plan_.incidence[n].dof].has_acceleration) locates_crossings_[term.place] = any_crossings_ = true;
+  }
+  restart();
+}
+
+}  // namespace firmware

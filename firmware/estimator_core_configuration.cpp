@@ -1,0 +1,59 @@
+// A core for a rig, and its return to the state before the first sample.
+#include "firmware/estimator_core.hpp"
+
+namespace firmware {
+namespace {
+
+// The displacement's sums serve masses, springs and what else is conservative; where all of those are known nothing reads
+// them.
+int weights_needed(const CoreConfiguration& configuration, CoreDetail detail) {
+  if (detail == CoreDetail::kPlain) return 1;
+  for (int t = 0; t < configuration.term_count; ++t)
+    if (configuration.terms[t].unknown >= 0 && is_conservative(configuration.terms[t].kind)) return 3;
+  return 2;
+}
+
+// Is any signal more than a copy of what is measured?
+bool needs_filters(const CoreConfiguration& configuration) {
+  for (const auto& node : configuration.signals)
+    for (const SignalConfiguration& signal : node)
+      if (signal.available && (signal.half_length > 0 || signal.tap[0].raw != 0)) return true;
+  return configuration.filters_sign();
+}
+
+ClearSigns clear_signs(const CoreConfiguration& configuration, const EnergySums& sums) {
+  ClearSigns signs;
+  for (int l = 0; l < configuration.link_count; ++l) signs.link[l] = sums.takes_clear_sign(l);
+  for (int i = 0; i < configuration.dof_count; ++i) signs.dof[i] = sums.leaves_samples_out(i);
+  signs.filtered = configuration.filters_sign();
+  return signs;
+}
+
+}  // namespace
+
+EstimatorCore::EstimatorCore(const CoreConfiguration& configuration, CoreDetail detail)
+    : configuration_(configuration), memory_(), tests_() {
+  conditioning_.configure(configuration);
+  const int weights = weights_needed(configuration, detail);
+  fits_ = weights <= kWeights && (kDerivesSignals || !needs_filters(configuration));
+  sums_.configure(configuration, fits_ ? weights : kWeights);
+  tests_.configure(configuration, detail == CoreDetail::kFull, sums_.effect_units(), clear_signs(configuration, sums_));
+  reset();
+}
+
+void EstimatorCore::reset() {
+  collector_.clear(configuration_, sums_.layout());
+  tests_.clear();
+  estimates_ = Estimates{};
+  estimates_.unknown_count = configuration_.unknown_count;
+  health_ = CoreHealth{};
+  sequence_known_ = false;
+  conditioning_.restart();
+  sums_.restart();
+  filled_ = 0;
+  level_samples_ = units_ = 0;
+  closing_ = false;
+  filled_columns_ = 0;
+}
+
+}  // namespace firmware
