@@ -68,7 +68,7 @@ void Conditioning::configure(const CoreConfiguration& configuration) {
   if (kDerivesSignals) link_fused_paths();
   plain_ = configuration.high_pass_order == 0;
   for (int i = 0; i < path_count_; ++i) {
-    const SignalConfiguration& signal = configuration.signals[path_[i].node][path_[i].quantity];
+    const SignalConfiguration& signal = signal_of(path_[i]);
     if (signal.half_length > 0 || signal.tap[0].raw != 0) plain_ = false;
   }
   if (kDerivesSignals) share_histories();
@@ -91,11 +91,10 @@ void Conditioning::add_channel(int node, int quantity) {
 Conditioning::Path& Conditioning::add_path(int node, int quantity, int column) {
   const SignalConfiguration& signal = configuration_->signals[node][quantity];
   Path& path = path_[path_count_++];
-  path.node = static_cast<uint8_t>(node);
-  path.quantity = static_cast<uint8_t>(quantity);
-  path.channel = 0;
+  path.signal = static_cast<uint8_t>(node * kQuantities + quantity);
+  path.channel_column = channel_[0].column;
   for (int c = 0; c < channel_count_; ++c)
-    if (channel_[c].place == node * kQuantities + signal.source) path.channel = static_cast<uint8_t>(c);
+    if (channel_[c].place == node * kQuantities + signal.source) path.channel_column = channel_[c].column;
   path.column = static_cast<uint16_t>(column * kFrameStride);
   path.sections = configuration_->high_pass_order;
   path.integrations = signal.integrations;
@@ -107,7 +106,6 @@ void Conditioning::add_sign_velocity(int node) {
   const int velocity = static_cast<int>(Quantity::kVelocity);
   if (!configuration_->signals[node][velocity].available) return;
   Path& path = add_path(node, velocity, kSignVelocityColumn + node);
-  path.early = configuration_->sign_half_length;
   if (configuration_->high_pass_order == 0) return;
   path.sections = path.integrations > 0 ? 2 : 0;
   path.shift = static_cast<uint8_t>(path.shift + kLowerSignCorner);
@@ -117,12 +115,12 @@ void Conditioning::link_fused_paths() {
   int settling = 0;
   for (int i = 0; i < path_count_; ++i) {
     Path& path = path_[i];
-    const FusionConfiguration& fusion = configuration_->fusion[path.node];
-    path.fused_with = -1;
-    if (!fusion.used || path.quantity != static_cast<int>(Quantity::kVelocity)) continue;
+    const FusionConfiguration& fusion = configuration_->fusion[node_of(path)];
+    path.partner = kNone;
+    if (!fusion.used || !is(Quantity::kVelocity, path)) continue;
     for (int j = 0; j < path_count_; ++j)
-      if (path_[j].node == path.node && path_[j].quantity == static_cast<int>(Quantity::kAcceleration))
-        path.fused_with = static_cast<int16_t>(j);
+      if (node_of(path_[j]) == node_of(path) && is(Quantity::kAcceleration, path_[j]))
+        path.partner = static_cast<uint8_t>(j);
     const int needed = kFusionTimeConstants << fusion.leak_shift;
     if (needed > settling) settling = needed;
   }
@@ -144,25 +142,66 @@ void Conditioning::share_histories() {
     Path& path = path_[i];
     path.history_of = static_cast<uint8_t>(i);
     for (int j = i - 1; j >= 0 && path.sections == 0; --j)
-      if (path_[j].channel == path.channel && path_[j].sections == 0) path.history_of = static_cast<uint8_t>(j);
-    path.middle = static_cast<uint8_t>(kHistory - (reach_ - path.early));
+      if (path_[j].channel_column == path.channel_column && path_[j].sections == 0)
+        path.history_of = static_cast<uint8_t>(j);
+    path.window = static_cast<uint16_t>(path.history_of * 2 * kHistory + kHistory - (reach_ - early(path)));
     const int parity = parity_of(signal_of(path).tap, signal_of(path).half_length);
     path.parity = static_cast<int8_t>(path.sections == 0 ? parity : 0);  // integrals have no bit left for a sum
-    path.turn = static_cast<uint8_t>(path.fused_with >= 0 ? kFused : kAlone);
+    path.turn = static_cast<uint8_t>(path.partner != kNone ? kFused : kAlone);
     if (path.history_of == i) path.turn = static_cast<uint8_t>(path.turn | kKeepsHistory);
   }
+  for (int i = 0; i < path_count_; ++i) delay_velocity(i);
   for (int i = 0; i + 1 < path_count_; ++i) share_pass(path_[i], path_[i + 1]);
+  for (int i = 0; i + 2 < path_count_; ++i) share_even_pass(i, i + 2);
+  list_turns();
+}
+
+void Conditioning::list_turns() {
+  keep_count_ = work_count_ = 0;
+  for (int i = 0; i < path_count_; ++i) {
+    if (path_[i].turn & kKeepsHistory) keeps_[keep_count_++] = static_cast<uint8_t>(i);
+    if (path_[i].turn & (kAlone | kWithNext | kWithEven | kFused | kDelayed))
+      works_[work_count_++] = static_cast<uint8_t>(i);
+  }
+}
+
+// Where no high-pass stands before them, a velocity and the one that its sign is taken from differ in their time alone.
+void Conditioning::delay_velocity(int number) {
+  Path& path = path_[number];
+  if (!is(Quantity::kVelocity, path) || early(path) > 0 || path.turn & kFused) return;
+  for (int j = 0; j < path_count_; ++j) {
+    Path& sign = path_[j];
+    if (early(sign) == 0 || node_of(sign) != node_of(path) || sign.history_of != path.history_of ||
+        sign.history_of == j)
+      continue;
+    path.turn = static_cast<uint8_t>((path.turn & kKeepsHistory) | kDelayed);
+    path.partner = static_cast<uint8_t>(j);
+    sign.turn = static_cast<uint8_t>(sign.turn | kKeepsOutput);
+  }
 }
 
 void Conditioning::share_pass(Path& velocity, Path& acceleration) const {
-  const bool neighbours = velocity.quantity == static_cast<int>(Quantity::kVelocity) &&
-                          acceleration.node == velocity.node && acceleration.column == velocity.column + kFrameStride;
+  const bool neighbours = is(Quantity::kVelocity, velocity) && node_of(acceleration) == node_of(velocity) &&
+                          acceleration.column == velocity.column + kFrameStride;
   const bool alike = acceleration.history_of == velocity.history_of &&
                      signal_of(acceleration).half_length == signal_of(velocity).half_length &&
-                     velocity.early == acceleration.early;
-  if (!neighbours || !alike || velocity.parity != -1 || acceleration.parity != 1 || velocity.turn & kFused) return;
+                     early(velocity) == early(acceleration);
+  if (!neighbours || !alike || velocity.parity != -1 || acceleration.parity != 1 || !(velocity.turn & kAlone)) return;
   velocity.turn = static_cast<uint8_t>((velocity.turn & kKeepsHistory) | kWithNext);
   acceleration.turn = static_cast<uint8_t>(acceleration.turn & kKeepsHistory);
+}
+
+// Displacement and acceleration, with the velocity of the same channel between them.
+void Conditioning::share_even_pass(int number, int other) {
+  Path &displacement = path_[number], &acceleration = path_[other];
+  const bool same = node_of(displacement) == node_of(acceleration) &&
+                    displacement.history_of == acceleration.history_of && early(displacement) == early(acceleration);
+  const bool even = displacement.parity == 1 && acceleration.parity == 1 &&
+                    signal_of(displacement).half_length <= signal_of(acceleration).half_length;
+  if (!same || !even || !(displacement.turn & kAlone) || !(acceleration.turn & kAlone)) return;
+  displacement.turn = static_cast<uint8_t>(displacement.turn & kKeepsHistory);
+  acceleration.turn = static_cast<uint8_t>((acceleration.turn & kKeepsHistory) | kWithEven);
+  acceleration.partner = static_cast<uint8_t>(number);
 }
 
 template <bool kAlike>
@@ -193,25 +232,31 @@ bool Conditioning::append(const RawSample& sample, Frame& frame, int at) {
 
 bool Conditioning::filter(Frame& frame, int at) {
   int32_t* column = &frame.raw[0][at];
-  for (Path *path = path_, *end = path_ + path_count_; path != end; ++path)
-    if (path->turn & kKeepsHistory) keep(*path, Code::from_raw(column[channel_[path->channel].column]));
-  for (const Path *path = path_, *end = path_ + path_count_; path != end; ++path) {
-    int32_t& place = column[path->column];
-    if (path->turn & kAlone)
-      place = filtered(*path).raw;
-    else if (path->turn & kWithNext)
-      filtered_pair(*path, place, (&place)[kFrameStride]);
-    else if (path->turn & kFused)
-      place = fused(*path).raw;
+  for (const uint8_t *i = keeps_, *end = keeps_ + keep_count_; i != end; ++i) {
+    Path& path = path_[*i];
+    const Code code = Code::from_raw(column[path.channel_column]);
+    keep(*i, path.sections == 0 ? code : high_passed(path, code));
+  }
+  for (const uint8_t *i = works_, *end = works_ + work_count_; i != end; ++i) {
+    const Path& path = path_[*i];
+    int32_t& place = column[path.column];
+    if (path.turn & kAlone) {
+      const Code value = filtered(path);
+      place = value.raw;
+      if (path.turn & kKeepsOutput) keep(*i, value);
+    } else if (path.turn & kDelayed) {
+      place = delayed(path).raw;
+    } else if (path.turn & kWithEven) {
+      filtered_even_pair(path, column);
+    } else if (path.turn & kWithNext) {
+      filtered_pair(path, place, (&place)[kFrameStride]);
+    } else {
+      place = fused(path).raw;
+    }
   }
   if (++history_at_ == kHistory) history_at_ = 0;
   ++received_;
   return received_ > static_cast<uint32_t>(history_samples_);
-}
-
-void Conditioning::keep(Path& path, Code code) {
-  const Code input = path.sections == 0 ? code : high_passed(path, code);
-  path.history[history_at_] = path.history[history_at_ + kHistory] = input;
 }
 
 void Conditioning::move_frame(Frame& frame, int count, int kept) const {
@@ -226,31 +271,32 @@ Code Conditioning::centred(const Channel& channel, int32_t code) {
   return Code::from_raw(between(channel.lowest, code, channel.highest) - channel.offset);
 }
 
-// sum / 2^shift to nearest; |sum| < 2^62. Of shifts over 32 bits, the usual ones, the upper word alone is needed.
+// sum / 2^shift to nearest; |sum| < 2^62.
 int64_t shifted_to_nearest(int64_t sum, int shift) {
-  if (shift > 32) {
-    const auto high = static_cast<int32_t>(sum >> 32);
-    return (high + (int32_t{1} << (shift - 33))) >> (shift - 32);
-  }
   return shift == 32 ? ((sum >> 31) + 1) >> 1 : shift > 0 ? (sum + (int64_t{1} << (shift - 1))) >> shift : sum;
 }
 
-Code Conditioning::rounded(int64_t sum, int shift, bool counts) {
-  const int64_t value = shifted_to_nearest(sum, shift);
-  if (value <= kSignalLimit && value >= -kSignalLimit) return Code::from_raw(static_cast<int32_t>(value));
+[[gnu::noinline]] Code Conditioning::clipped(bool high, bool counts) {
   if (counts && received_ >= static_cast<uint32_t>(history_samples_)) saturated_ = true;  // not while the filters fill
-  return Code::from_raw(value > 0 ? kSignalLimit : -kSignalLimit);
+  return Code::from_raw(high ? kSignalLimit : -kSignalLimit);
 }
 
-const Code* Conditioning::middle_of_window(const Path& path) const {
-  return &path_[path.history_of].history[history_at_ + path.middle];
+// Of shifts over 32 bits, the usual ones, the upper word alone is needed.
+inline Code Conditioning::rounded(int64_t sum, int shift, bool counts) {
+  if (shift > 32) {
+    const auto high = static_cast<int32_t>(sum >> 32);
+    const int32_t value = (high + (int32_t{1} << (shift - 33))) >> (shift - 32);
+    return value <= kSignalLimit && value >= -kSignalLimit ? Code::from_raw(value) : clipped(value > 0, counts);
+  }
+  const int64_t value = shifted_to_nearest(sum, shift);
+  if (value <= kSignalLimit && value >= -kSignalLimit) return Code::from_raw(static_cast<int32_t>(value));
+  return clipped(value > 0, counts);
 }
 
 Code Conditioning::filtered(const Path& path) {
-  const bool for_sign = path.column >= kSignVelocityColumn * kFrameStride;  // of which the limit does not matter
   const SignalConfiguration& signal = signal_of(path);
   return rounded(filter_sum(path.parity, signal.tap, middle_of_window(path), signal.half_length), signal.shift,
-                 !for_sign);
+                 !for_sign(path));  // whose limit does not matter
 }
 
 // The acceleration's filter stands behind the velocity's.
@@ -263,15 +309,31 @@ void Conditioning::filtered_pair(const Path& velocity, int32_t& v, int32_t& a) {
   a = rounded(sum.even, signal[1].shift).raw;
 }
 
+void Conditioning::filtered_even_pair(const Path& acceleration, int32_t* column) {
+  const Path& displacement = path_[acceleration.partner];
+  const SignalConfiguration &x = signal_of(displacement), &a = signal_of(acceleration);
+  const TwoEven sum = two_even_sums(x.tap, x.half_length, a.tap, a.half_length, middle_of_window(acceleration));
+  column[displacement.column] = rounded(sum.shorter, x.shift).raw;
+  column[acceleration.column] = rounded(sum.longer, a.shift).raw;
+}
+
+// The sign's velocity of `early` samples ago; at its limit it is taken for saturated.
+Code Conditioning::delayed(const Path& path) {
+  const Code value = history_[path.partner * 2 * kHistory + kHistory + history_at_ - configuration_->sign_half_length];
+  const bool at_limit = value.raw >= kSignalLimit || value.raw <= -kSignalLimit;
+  if (at_limit && received_ >= static_cast<uint32_t>(history_samples_)) saturated_ = true;
+  return value;
+}
+
 // The first slope is taken to have stood there for ever.
 Code Conditioning::fused(const Path& path) {
   const SignalConfiguration& signal = signal_of(path);
-  const FusionConfiguration& fusion = configuration_->fusion[path.node];
-  FusionState& state = fusion_[kDerivesSignals ? path.node : 0];
+  const FusionConfiguration& fusion = configuration_->fusion[node_of(path)];
+  FusionState& state = fusion_[kDerivesSignals ? node_of(path) : 0];
   const int half = signal.half_length, middle = history_at_ + kHistory - reach_;
-  const Path& acceleration = path_[path_[path.fused_with].history_of];
-  const int64_t slope = filter_sum(0, signal.tap, &path_[path.history_of].history[middle], half);
-  const int64_t step = filter_sum(0, fusion.step_tap, &acceleration.history[middle], half);
+  const int acceleration = path_[path.partner].history_of;
+  const int64_t slope = filter_sum(0, signal.tap, &history_[path.history_of * 2 * kHistory + middle], half);
+  const int64_t step = filter_sum(0, fusion.step_tap, &history_[acceleration * 2 * kHistory + middle], half);
   if (received_ + 1 < static_cast<uint32_t>(2 * reach_ + 1)) return {};
   if (received_ + 1 == static_cast<uint32_t>(2 * reach_ + 1)) state.slope = slope;
   const int leak = starting_leak(received_ - static_cast<uint32_t>(2 * reach_), fusion.leak_shift);
@@ -287,8 +349,7 @@ Code Conditioning::fused(const Path& path) {
 // step.
 Code Conditioning::high_passed(Path& path, Code code) const {
   const int differences = path.sections - path.integrations;
-  const bool for_sign = path.column >= kSignVelocityColumn * kFrameStride;
-  const int shift = for_sign ? starting_leak(received_, path.shift) : path.shift;
+  const int shift = for_sign(path) ? starting_leak(received_, path.shift) : path.shift;
   State value = rescale<State>(code);
   if (received_ == 0) path.previous[0] = value;
   for (int s = 0; s < path.sections; ++s) {

@@ -8,7 +8,8 @@
 // Where signals pass a low-pass, friction's sign passes it too: the velocity it is taken from comes as many samples early as that
 // filter needs (links/low_passed_sign.hpp), all other signals wait for it.
 //
-// Signals made from one channel share its history; velocity and acceleration from one channel are made in one pass over it.
+// Signals made from one channel share its history; two of them whose filters fit each other are made in one pass over it, and a
+// velocity that comes early as well, for friction's sign, is made once and waits.
 //
 // Formats: code 24 bits; section states (State) in int64, below 2^57 for two integrations at the slowest corner (shift 12);
 // FIR: 57 taps of 30 bits times codes of 24 bits, or of 25 bits times 31, stay below 2^62. Signals leave with |value| <= 2^23; a signal at that limit and a code at
@@ -37,20 +38,27 @@ class Conditioning {
   static constexpr int kMaxSections = kDerivesSignals ? 3 : 1;
   static constexpr int kMaxPaths = kMaxNodes * (kQuantities + (kDerivesSignals ? 1 : 0));
   using State = Fixed<int64_t, 16>;
-  enum Turn : uint8_t { kKeepsHistory = 1, kAlone = 2, kWithNext = 4, kFused = 8 };
-  struct Path {  // one signal
-    uint8_t node = 0, quantity = 0;
-    uint8_t channel = 0;  // that it is made from
+  enum Turn : uint8_t {
+    kKeepsHistory = 1,
+    kAlone = 2,
+    kWithNext = 4,  // odd taps, and the next path's are even
+    kWithEven = 8,  // even taps, and those of the path `partner` are too
+    kFused = 16,
+    kDelayed = 32,      // what the path `partner` gave some samples ago
+    kKeepsOutput = 64,  // for such a path, where its history would be
+  };
+  static constexpr uint8_t kNone = UINT8_MAX;
+  struct Path {          // one signal
+    uint8_t signal = 0;  // node * kQuantities + quantity
     // High-pass: differences come first, then integrations, all with the pole 1 - 2^-shift.
     uint8_t sections = 0, integrations = 0, shift = 0;
-    uint8_t early = 0;                // samples by which it comes before the others
-    uint8_t history_of = 0;           // the path that keeps the samples it is made from
-    uint8_t turn = 0;                 // what is done for it with each sample
-    int8_t parity = 0;                // of the filter's taps (filter_sum.hpp)
-    uint8_t middle = 0;               // of its window, from the newest sample's place in the history
-    int16_t fused_with = -1;          // the path of the node's acceleration
-    uint16_t column = 0;              // of the frame, as so many numbers from its start
-    Code history[2 * kHistory] = {};  // every entry twice, so that a window is contiguous
+    uint8_t history_of = 0;       // the path that keeps the samples it is made from
+    uint8_t turn = 0;             // what is done for it with each sample
+    int8_t parity = 0;            // of the filter's taps (filter_sum.hpp)
+    uint8_t partner = kNone;      // of a fused velocity: the node's acceleration
+    uint16_t window = 0;          // middle of its window in history_, behind the newest sample's place there
+    uint16_t column = 0;          // of the frame, as so many numbers from its start
+    uint16_t channel_column = 0;  // that of the channel it is made from
     State section[kMaxSections] = {};
     State previous[kMaxSections] = {};  // last input of a difference section
   };
@@ -73,18 +81,32 @@ class Conditioning {
   template <bool kAlike>
   bool copy_codes(const int32_t* code, int32_t* column) const;
   bool filter(Frame& frame, int at);
-  void keep(Path& path, Code code);
+  void list_turns();
+  void keep(int path, Code code) {
+    Code* const place = &history_[path * 2 * kHistory + history_at_];
+    place[0] = place[kHistory] = code;
+  }
   static Code centred(const Channel& channel, int32_t code);
   void link_fused_paths();
   void share_histories();
+  void delay_velocity(int number);
   void share_pass(Path& velocity, Path& acceleration) const;
-  const SignalConfiguration& signal_of(const Path& path) const {
-    return configuration_->signals[path.node][path.quantity];
+  void share_even_pass(int displacement, int acceleration);
+  const SignalConfiguration& signal_of(const Path& path) const { return (&configuration_->signals[0][0])[path.signal]; }
+  static int node_of(const Path& path) { return path.signal / kQuantities; }
+  static bool is(Quantity quantity, const Path& path) {
+    return path.signal % kQuantities == static_cast<int>(quantity);
   }
-  const Code* middle_of_window(const Path& path) const;
+  static bool for_sign(const Path& path) { return path.column >= kSignVelocityColumn * kFrameStride; }
+  // Samples by which it comes before the others.
+  int early(const Path& path) const { return for_sign(path) ? configuration_->sign_half_length : 0; }
+  const Code* middle_of_window(const Path& path) const { return &history_[path.window + history_at_]; }
   Code filtered(const Path& path);
   void filtered_pair(const Path& velocity, int32_t& v, int32_t& a);
+  void filtered_even_pair(const Path& acceleration, int32_t* column);
+  Code delayed(const Path& path);
   Code fused(const Path& path);
+  Code clipped(bool high, bool counts);
   Code rounded(int64_t sum, int shift, bool counts = true);
   Code high_passed(Path& path, Code code) const;
   Path& add_path(int node, int quantity, int column);
@@ -98,6 +120,11 @@ class Conditioning {
   Channel channel_[kMaxNodes * kQuantities];
   Path path_[kMaxPaths];
   int path_count_ = 0;
+  // In the order of the paths: those that keep a history, and those that work on one.
+  uint8_t keeps_[kDerivesSignals ? kMaxPaths : 1], works_[kDerivesSignals ? kMaxPaths : 1];
+  int keep_count_ = 0, work_count_ = 0;
+  Code history_[kDerivesSignals ? kMaxPaths * 2 * kHistory : 1] =
+      {};  // of each path; every entry twice, so that a window is contiguous
   FusionState fusion_[kDerivesSignals ? kMaxNodes : 1];
   int reach_ = 0;  // longest half_length: the common delay in samples
   int history_samples_ = 0;

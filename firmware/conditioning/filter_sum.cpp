@@ -66,4 +66,22 @@ OddAndEven odd_and_even_sum(const Tap* odd_tap, const Tap* even_tap, const Code*
   return {odd, even};
 }
 
+TwoEven two_even_sums(const Tap* short_tap, int short_half, const Tap* long_tap, int long_half, const Code* middle) {
+  const Tap *first = short_tap + short_half, *second = long_tap + long_half, *last = first + short_half,
+            *end = second + long_half;
+  const Code *newer = middle, *older = middle;
+  int64_t shorter = (first[0] * middle[0]).raw, longer = (second[0] * middle[0]).raw;
+  const auto add = [&](int k) {
+    const Code both = newer[k] + older[-k];
+    shorter += (first[k] * both).raw;
+    longer += (second[k] * both).raw;
+  };
+  for (; last - first >= kAtATime; first += kAtATime, second += kAtATime, newer += kAtATime, older -= kAtATime)
+#pragma GCC unroll 4
+    for (int k = 1; k <= kAtATime; ++k, in_order()) add(k);
+  for (; first != last; ++first, ++second, ++newer, --older) add(1);
+  for (; second != end; ++second) longer += (second[1] * (*++newer + *--older)).raw;
+  return {shorter, longer};
+}
+
 }  // namespace firmware

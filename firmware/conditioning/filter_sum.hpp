@@ -23,4 +23,10 @@ struct OddAndEven {
 // Two filters of one length at once, the first of odd and the second of even taps.
 OddAndEven odd_and_even_sum(const Tap* odd_tap, const Tap* even_tap, const Code* middle, int half_length);
 
+struct TwoEven {
+  int64_t shorter, longer;
+};
+// Two filters of even taps about one sample, the second at least as long as the first.
+TwoEven two_even_sums(const Tap* short_tap, int short_half, const Tap* long_tap, int long_half, const Code* middle);
+
 }  // namespace firmware

@@ -7,6 +7,7 @@
 #include <complex>
 #include <functional>
 #include <memory>
+#include <vector>
 
 #include "hal/rig_file/rig_file_error.hpp"
 #include "hal/rig_file/scaled_double.hpp"
@@ -224,4 +225,42 @@ TEST(Conditioning, RangesOfARecordedMotion) {
   const rig_file::SignalRanges ranges = rig_file::measure_ranges(*c, {record});
   EXPECT_NEAR(ranges.largest[0][2], 0.5 * 62.83, 0.5);
   EXPECT_NEAR(ranges.largest[0][3], 0.5 * 3948, 30.0);
+}
+
+// Displacement alone and friction, so that the velocity comes a second time, early, for friction's sign: every column against
+// its filter written out, whatever passes and outputs they share. Codes by a linear congruence: no motion, every bit matters.
+TEST(Conditioning, SharedPassesGiveWhatEachFilterGives) {
+  auto c = rig({Quantity::kDisplacement});
+  c->terms[2].kind = TermKind::kCoulomb;
+  c->term_count = 3;
+  rig_file::plan_signals(*c);
+  ASSERT_GT(c->sign_half_length, 0);
+  auto conditioning = std::make_unique<Conditioning>();
+  conditioning->configure(*c);
+  auto frame = std::make_unique<Frame>();
+  int reach = c->sign_half_length;
+  for (const SignalConfiguration& s : c->signals[0]) reach = std::max(reach, c->sign_half_length + s.half_length);
+  std::vector<int32_t> code;
+  uint32_t state = 1;
+  const auto expected = [&](Quantity quantity, size_t at) {
+    const SignalConfiguration& s = c->signals[0][static_cast<int>(quantity)];
+    int64_t sum = 0;
+    for (int k = -s.half_length; k <= s.half_length; ++k)
+      sum += int64_t{s.tap[s.half_length + k].raw} * code[static_cast<size_t>(static_cast<int>(at) + k)];
+    return static_cast<int32_t>((sum + (int64_t{1} << (s.shift - 1))) >> s.shift);
+  };
+  int compared = 0;
+  for (size_t n = 0; n < 300; ++n) {
+    state = 1664525u * state + 1013904223u;
+    RawSample sample;
+    code.push_back(static_cast<int32_t>(state >> 13) - (1 << 18));
+    sample.code[0][static_cast<int>(Quantity::kDisplacement)] = code.back();
+    if (!conditioning->append(sample, *frame, 3)) continue;
+    const size_t at = n - static_cast<size_t>(reach);
+    for (Quantity q : {Quantity::kDisplacement, Quantity::kVelocity, Quantity::kAcceleration})
+      EXPECT_EQ(frame->raw[signal_column(0, q)][3], expected(q, at)) << n << " " << static_cast<int>(q);
+    EXPECT_EQ(frame->raw[kSignVelocityColumn][3], expected(Quantity::kVelocity, at + c->sign_half_length)) << n;
+    ++compared;
+  }
+  EXPECT_EQ(compared, 300 - 2 * reach);
 }
