@@ -18,7 +18,12 @@ void EnergySums::restart() {
   for (HighPassedSign& sign : high_passed_sign_) sign.restart();
   for (LowPassedSign& sign : low_passed_sign_) sign.restart();
   started_ = false;
+  begin_counts();
+}
+
+void EnergySums::begin_counts() {
   samples_ = 0;
+  for (uint32_t& counted : counted_) counted = 0;
 }
 
 void EnergySums::fill_instruments(Frame& frame, int from, int to) {
@@ -124,11 +129,17 @@ void EnergySums::add_block(const Frame& frame, int count) {
   if (!started_) {
     sums_.start(frame, kLeadIn);
     start_ = end_point(frame, kLeadIn);
-    samples_ = 0;
+    begin_counts();
     started_ = true;
   }
   sums_.add_block(frame, kLeadIn, to);
   samples_ += static_cast<uint32_t>(count);
+  if (!any_shared_noise_ || weights_ <= kInstrument) return;
+  for (int i = 0; i < configuration_->dof_count; ++i) {
+    if (!plan_.dof[i].clear_signs_only) continue;
+    const int32_t* z = frame.raw[kClearInstrumentColumn + i];
+    for (int n = kLeadIn; n < to; ++n) counted_[i] += static_cast<uint32_t>(z[n] != 0);
+  }
 }
 
 void EnergySums::clear_crossings() {

@@ -55,6 +55,7 @@ class EnergySums {
   void leave_out(Frame& frame, int link, int from, int to, const bool* clear);
   void add_crossings(const Frame& frame, int link, bool smoothed, const Rate* rate, int from, int to);
   EndPoint end_point(const Frame& frame, int at) const;
+  void begin_counts();
   void clear_crossings();
   static constexpr int kProductsAPiece = 8;
   void read_sums(const Frame& frame, int boundary);
@@ -91,8 +92,9 @@ class EnergySums {
   EndPoint start_;
   EndPoint closed_start_, closed_end_;
   uint32_t samples_ = 0, closed_samples_ = 0;
-  int converted_ = 0, closing_dof_ = 0, closing_weight_ = 0;  // what is done of the batch that is closed
-  Scaled kinetic_end_, elastic_end_;                          // of the DOF that is being closed
+  uint32_t counted_[kMaxDofs] = {}, closed_counted_[kMaxDofs] = {};  // of them, in equations that leave samples out
+  int converted_ = 0, closing_dof_ = 0, closing_weight_ = 0;         // what is done of the batch that is closed
+  Scaled kinetic_end_, elastic_end_;                                 // of the DOF that is being closed
   bool any_crossings_ = false, any_shared_noise_ = false;
   bool started_ = false;
 };

@@ -84,10 +84,8 @@ Scaled EnergySums::shared_noise(int dof, int weight, Quantity quantity) const {
   if (!any_shared_noise_) return {};
   const Scaled product = configuration_->shared_noise[dof][weight][static_cast<int>(quantity)];
   if (product.is_zero()) return product;
-  const Scaled all = integral(plan_.dof[dof].velocity_instrument), counted = integral(plan_.dof[dof].weight_square);
-  const Scaled time = configuration_->sample_period_s * Scaled::from_int(closed_samples_);
-  if (weight == kPlain || counted.is_zero() || all.is_zero() || !plan_.dof[dof].clear_signs_only) return product * time;
-  return product * time * counted / all;
+  const bool all = weight == kPlain || !plan_.dof[dof].clear_signs_only;
+  return product * configuration_->sample_period_s * Scaled::from_int(all ? closed_samples_ : closed_counted_[dof]);
 }
 
 void EnergySums::close_weight(int i, int q, Batch& batch) {
@@ -139,8 +137,9 @@ void EnergySums::begin_close(const Frame& frame, int boundary) {
   closed_start_ = start_;
   closed_end_ = start_ = end_point(frame, boundary);
   closed_samples_ = samples_;
+  for (int i = 0; i < configuration_->dof_count; ++i) closed_counted_[i] = counted_[i];
   converted_ = closing_dof_ = closing_weight_ = 0;
-  samples_ = 0;
+  begin_counts();
 }
 
 void EnergySums::convert(int product) {

@@ -20,6 +20,24 @@ RateGains sign_gains(const CoreConfiguration& configuration, RateGains gains) {
   return gains;
 }
 
+// Standard deviation of the link's rate in the unit of the coarser code, where the plan knows it: of velocities that were made from
+// other channels, with the doubt of the reading. The velocity of a high-passed sign is another one.
+Scaled rate_noise(const CoreConfiguration& configuration, const LinkConfiguration& link) {
+  constexpr int kPlain = static_cast<int>(Weight::kPlain), kVelocity = static_cast<int>(Quantity::kVelocity);
+  if (!kDerivesSignals) return {};
+  Scaled variance, coarser;
+  const int ends[] = {link.node_a, link.node_b};
+  for (const int node : ends) {
+    if (node == kGroundNode) continue;
+    const SignalConfiguration& velocity = configuration.signals[node][kVelocity];
+    const Scaled noise = configuration.shared_noise[node][kPlain][kVelocity];
+    if (velocity.derived && Scaled{} < noise)
+      variance = variance + noise * Scaled::ratio(1000 + configuration.motion_noise_doubt[node], 1000);
+    if (coarser < velocity.unit_per_code) coarser = velocity.unit_per_code;
+  }
+  return coarser.is_zero() || configuration.high_pass_order > 0 ? Scaled{} : sqrt(variance) / coarser;
+}
+
 }  // namespace
 
 void EnergySums::configure(const CoreConfiguration& configuration, int weights) {
@@ -35,7 +53,7 @@ void EnergySums::configure(const CoreConfiguration& configuration, int weights) 
     gains_[l] = rate_gains(configuration, link);
     const bool white = measured_velocity(configuration, link.node_a) && measured_velocity(configuration, link.node_b);
     clear_sign_[l].configure(sign_gains(configuration, gains_[l]), white ? kClearMeans : kClearMeansDerived,
-                             configuration.high_pass_order > 0 && !white);
+                             configuration.high_pass_order > 0 && !white, rate_noise(configuration, link));
     has_sign_[l] = wants_clear_sign_[l] = wants_all_signs_[l] = false;
     smooth_is_white_[l] = white;
   }

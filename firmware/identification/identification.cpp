@@ -26,7 +26,7 @@ bool any_batch(const BatchTable& table) {
 bool inseparable(const WeightedFit& fit, const Estimates& estimates, int unknown) {
   const Scaled inflation = fit.identifiability().inflation[unknown];
   return estimates.rows < estimates.unknown_count || inflation.is_zero() ||
-         inflation > Scaled::from_int(kLargestInflation) ||
+         estimates.parameters[unknown].std.is_zero() || inflation > Scaled::from_int(kLargestInflation) ||
          inflation * fit.relative_noise() * Scaled::from_int(kLargestNoiseShare) > Scaled::from_int(1);
 }
 

@@ -99,7 +99,8 @@ void report(const EquationList& list, const WeightedFit& fit, const UncertaintyS
       const Scaled chosen = sums.variance_per_freedom[k] / variance - Scaled::from_int(1) / freedom;
       if (Scaled{} < chosen) of_weights = of_weights + scale_by_power_of_two(chosen, 2);
     }
-    parameter.std = sqrt(variance * factor * of_weights + repeated * repeated);
+    // No variance: no row tells it.
+    parameter.std = variance.is_zero() ? Scaled{} : sqrt(variance * factor * of_weights + repeated * repeated);
     const Scaled half = student_quantile_95(freedom) * parameter.std;
     parameter.ci95_low = parameter.value - half;
     parameter.ci95_high = parameter.value + half;

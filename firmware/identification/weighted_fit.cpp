@@ -71,14 +71,15 @@ void WeightedFit::measure_level(int l) {
 }
 
 // A level too short to show scatter takes it from the others, in proportion to its motion energy (the noise of a sensor
-// that is a fixed share of the signal), else keeps the start weight.
+// that is a fixed share of the signal), else keeps the start weight. An equation that no level shows the scatter of, beside others
+// that do, has no weight to compare with theirs: it is left out.
 void WeightedFit::take_unmeasured(int l) {
   for (int e = 0; e < list_->count; ++e) {
     Whitening& whitening = whitening_[l][e];
     if (whitening.measured) continue;
     const int dof = list_->equation[e].dof;
     whitening.deviation = relative_deviation_[e] * sqrt(motion_of(dof));
-    if (level_.rows_used(dof) > 0) all_measured_ = false;
+    if (level_.rows_used(dof) > 0 && !whitening.deviation.is_zero()) all_measured_ = false;
     add_equation(l, e);
   }
 }
@@ -142,9 +143,12 @@ void WeightedFit::weighted_pass() {
       whitening_[l][e].measured ? add_equation(l, e) : static_cast<void>(missing[l] = true);
   }
   relative_noise_ = noise_count_ ? sqrt(noise_sum_ / Scaled::from_int(noise_count_)) : Scaled{};
-  for (int e = 0; e < list_->count; ++e)
+  for (int e = 0; e < list_->count; ++e) {
     if (deviation_count_[e] > 0)
       relative_deviation_[e] = sqrt(deviation_sum_[e] / Scaled::from_int(deviation_count_[e]));
+    else if (noise_count_ > 0)
+      relative_deviation_[e] = Scaled{};
+  }
   for (int l = 0; l < table_->level_count; ++l) {
     if (!missing[l]) continue;
     load_level(l);

@@ -74,7 +74,9 @@ Whitening measure_whitening(const EquationList& list, const LevelColumns& level,
   Whitening result;
   const int dof = list.equation[e].dof, rows = level.rows_used(dof);
   result.inflation = Scaled::from_int(1);
-  if (rows < kLeastBatches) return result;
+  // Rows that differ are fitted by the equation's own unknowns: what is left of so few more is no scatter.
+  const int fitted = level.periodic() ? 0 : level.behind_terms(e) - level.first_term(e);
+  if (rows < kLeastBatches + fitted) return result;
   int limit = (rows - 1) / kBatchesPerCoefficient;
   if (limit > kMaxPredecessors) limit = kMaxPredecessors;
   uint8_t observable[kSize] = {};

@@ -4,13 +4,21 @@ namespace firmware {
 namespace {
 
 constexpr int kSlowShareLog2 = 3;
+// Noise of deviation s takes s^2 / (2 A^2) from the friction of a rate that is A rms. Mean rates over three deviations are motion:
+// then that is 4 % of what is counted there, and that is the least that counts.
+constexpr int kMovingPercent = 300;
+constexpr int kNearLog2 = 6;
+constexpr int64_t kMostRate = int64_t{1} << 44;
 
 }  // namespace
 
-void ClearSign::configure(const RateGains& gains, int means, bool slow) {
+void ClearSign::configure(const RateGains& gains, int means, bool slow, Scaled noise) {
   gains_ = gains;
   means_ = means;
   slow_ = slow;
+  if (!kDerivesSignals) return;
+  const int64_t least = to_fixed(noise * Scaled::ratio((6 << kNearLog2) * kMovingPercent, 100), Rate::kFractionBits);
+  least_ = Rate::from_raw(least < kMostRate ? least : kMostRate);
 }
 
 void ClearSign::restart() { known_ = Known{}; }
@@ -24,9 +32,14 @@ bool ClearSign::judge(Number own, Number around) {
     known_.magnitudes = known_.magnitudes >> 1;
     known_.count /= 2;
   }
+  if (kDerivesSignals && Rate{} < least_) {
+    known_.near = known_.near + rescale<Rate>(size_of(6 * own)) - (known_.near >> kNearLog2);
+    if (known_.near < least_) return false;
+  }
   if (sign_of(own) != sign_of(around)) return false;
+  const Rate size = rescale<Rate>(size_of(around));
   const Rate doubt = means_ * known_.differences + (slow_ ? known_.magnitudes >> kSlowShareLog2 : Rate{});
-  return doubt < static_cast<int32_t>(known_.count) * rescale<Rate>(size_of(around));
+  return doubt < static_cast<int32_t>(known_.count) * size;
 }
 
 template <typename Number>

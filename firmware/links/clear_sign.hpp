@@ -6,6 +6,10 @@
 // noise passes on the wrong side in 1 of 10^5 samples. The sample's own sign has to agree, which settles samples beside a kink
 // of clean signals. While a link sticks, nothing is clear.
 //
+// Where the rate is derived its neighbours share most of its noise and show little of it: of a low-passed slope a twentieth. There
+// the noise is known that the channels and the filters give the rate, and a link whose rate is no more than that is at rest: nothing
+// is clear. A fading mean of the last 64 samples decides, not the sample: what its own noise has chosen would be biased by it.
+//
 // Formats: rate below 2^35 (link_motion.hpp), times 6 below 2^38; sum of at most 2^11 of them below 2^50.
 #pragma once
 #include "firmware/links/link_motion.hpp"
@@ -16,7 +20,8 @@ class ClearSign {
  public:
   // means: how many mean differences are beyond doubt; 4 where the rate's noise is white, more where a part of it is too slow
   // for neighbours to show. slow: the rate has passed a high-pass, which shifts it by up to an eighth of its mean magnitude.
-  void configure(const RateGains& gains, int means, bool slow);
+  // noise: standard deviation of the rate, in its common unit; 0: not known.
+  void configure(const RateGains& gains, int means, bool slow, Scaled noise);
   void restart();  // a new level: its noise is measured anew
   // For positions [from, to): clear[i]: is it; sign[i] is that of the rate itself. What is known of the
   // noise goes on from position from + advance at the next call. Rates are read two positions further on either side.
@@ -27,6 +32,7 @@ class ClearSign {
 
   struct Known {
     Rate differences, magnitudes;  // sums of 6 |rate - interpolated| and 6 |rate|
+    Rate near;                     // fading sum of 6 |rate|, 64 times its mean
     uint32_t count = 0;
   };
   // around: six times the interpolated rate. Number: Code where a unit of both is one of the common unit, else Rate.
@@ -37,6 +43,7 @@ class ClearSign {
 
   RateGains gains_;
   int32_t means_ = 4;
+  Rate least_;  // what near is at rest, at the most; 0: not known
   bool slow_ = false;
   Known known_;
 };

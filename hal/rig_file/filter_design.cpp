@@ -27,9 +27,20 @@ Impulse windowed_sinc(int half, double cutoff, double beta) {
   return h;
 }
 
+// Central differences of the highest order that 2 half + 1 samples give: weight of the sample k away is, without its sign,
+// (half!)^2 / ((half - k)! (half + k)!) times 1 / k for the first derivative, times 2 / k^2 for the second.
+double central_weight(int half, int k) {
+  double weight = k % 2 == 0 ? -1.0 : 1.0;
+  for (int j = 1; j <= k; ++j) weight *= static_cast<double>(half - j + 1) / (half + j);
+  return weight;
+}
+int difference_half(Band band) { return band == Band::kWide ? 7 : 4; }
+
 }  // namespace
 
-Impulse low_pass(double advance) { return convolve(windowed_sinc(kLowPassHalf, 0.15, 3.8), shifted_all_pass(advance)); }
+Impulse low_pass(double advance, Band band) {
+  return convolve(windowed_sinc(kLowPassHalf, band == Band::kWide ? 0.28 : 0.15, 3.8), shifted_all_pass(advance));
+}
 
 Impulse shifted_all_pass(double advance) {
   if (advance == 0.0) return {1.0};
@@ -48,12 +59,25 @@ Impulse shifted_all_pass(double advance) {
   return h;
 }
 
-Impulse first_difference() {
-  return {1.0 / 280, -4.0 / 105, 1.0 / 5, -4.0 / 5, 0.0, 4.0 / 5, -1.0 / 5, 4.0 / 105, -1.0 / 280};
+Impulse first_difference(Band band) {
+  const int half = difference_half(band);
+  Impulse h(static_cast<size_t>(2 * half + 1), 0.0);
+  for (int k = 1; k <= half; ++k) {
+    h[static_cast<size_t>(half + k)] = central_weight(half, k) / k;
+    h[static_cast<size_t>(half - k)] = -h[static_cast<size_t>(half + k)];
+  }
+  return h;
 }
 
-Impulse second_difference() {
-  return {-1.0 / 560, 8.0 / 315, -1.0 / 5, 8.0 / 5, -205.0 / 72, 8.0 / 5, -1.0 / 5, 8.0 / 315, -1.0 / 560};
+Impulse second_difference(Band band) {
+  const int half = difference_half(band);
+  Impulse h(static_cast<size_t>(2 * half + 1), 0.0);
+  for (int k = 1; k <= half; ++k) {
+    const double weight = 2.0 * central_weight(half, k) / (static_cast<double>(k) * k);
+    h[static_cast<size_t>(half + k)] = h[static_cast<size_t>(half - k)] = weight;
+    h[static_cast<size_t>(half)] -= 2.0 * weight;
+  }
+  return h;
 }
 
 Impulse sum_to_integral() {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "hal/rig_file/filter_design.hpp"
+#include "hal/rig_file/motion_band.hpp"
 #include "hal/rig_file/rig_file_error.hpp"
 #include "hal/rig_file/scaled_double.hpp"
 #include "hal/rig_file/shared_noise.hpp"
@@ -73,6 +74,8 @@ class Plan {
   bool fuses() const {
     return any([&](int node, int) { return c_.fusion[node].used; });
   }
+  // A delayed channel's filter has no room for more.
+  Band band() const { return ranges_.wide_band && differentiates() && !delayed() ? Band::kWide : Band::kTenth; }
   bool filtered() const { return differentiates() || delayed() || fuses() || c_.high_pass_order > 0; }
 
   Design design(int node, int q) const {
@@ -83,12 +86,12 @@ class Plan {
       throw RigFileError("rig", 0, "delay of a channel of " + node_name(node),
                          std::to_string(channel.delay_ns / 1000) + " us, expected at most 3 sample periods");
     Design result;
-    result.impulse = differentiates() ? low_pass(advance) : shifted_all_pass(advance);
+    result.impulse = differentiates() ? low_pass(advance, band()) : shifted_all_pass(advance);
     const double unit = to_double(channel.unit_per_code);
     double gain = unit;
     result.largest_bound = unit * 0.5 * (static_cast<double>(channel.highest_code) - channel.lowest_code);
     const int d = fused(node, q) ? 1 : derivatives(node, q);
-    if (d > 0) result.impulse = convolve(result.impulse, d == 1 ? first_difference() : second_difference());
+    if (d > 0) result.impulse = convolve(result.impulse, d == 1 ? first_difference(band()) : second_difference(band()));
     for (int i = 0; i < d; ++i) {
       gain /= period_s_;
       result.largest_bound *= 0.63 / period_s_;
@@ -147,7 +150,7 @@ class Plan {
                                       [](const firmware::Term& term) { return firmware::is_sign_term(term.kind); });
     if (!friction || !differentiates() || 2 * longest + kLowPassHalf > 2 * firmware::kFilterHalf) return;
     static_assert(kLowPassHalf == firmware::kSignFilterHalf, "the same filter");
-    const Impulse taps = low_pass(0.0);
+    const Impulse taps = low_pass(0.0, band());
     c_.sign_half_length = kLowPassHalf;
     for (size_t k = 0; k < taps.size(); ++k)
       c_.sign_tap[k].raw = static_cast<int32_t>(std::lround(std::ldexp(taps[k], firmware::PassedSign::kFractionBits)));
@@ -317,13 +320,20 @@ void plan_signals(CoreConfiguration& configuration, const SignalRanges& ranges) 
   find_shared_noise(configuration, ranges);
 }
 
-SignalRanges measure_ranges(const CoreConfiguration& planned,
+SignalRanges measure_ranges(const CoreConfiguration& configuration,
                             const std::vector<std::vector<firmware::RawSample>>& records) {
   SignalRanges ranges;
   for (int node = 0; node < firmware::kMaxNodes; ++node)
     for (int q = 0; q < kQuantities; ++q)
-      if (planned.channels[node][q].present)
-        ranges.noise[node][q] = read_noise(records, node, q, 1.0 / to_double(planned.sample_period_s));
+      if (configuration.channels[node][q].present)
+        ranges.noise[node][q] = read_noise(records, node, q, 1.0 / to_double(configuration.sample_period_s));
+  CoreConfiguration planned = configuration;
+  if (Plan(planned, ranges).differentiates()) {
+    for (int node = 0; node < firmware::kMaxNodes; ++node)
+      ranges.wide_band = ranges.wide_band || (planned.channels[node][kX].present &&
+                                              moves_beyond_a_tenth(records, node, ranges.noise[node][kX]));
+    if (ranges.wide_band) plan_signals(planned, ranges);
+  }
   for (int node = 0; node < firmware::kMaxNodes; ++node)
     for (int q = 0; q < kQuantities; ++q) {
       const SignalConfiguration& signal = planned.signals[node][q];

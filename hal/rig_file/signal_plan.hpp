@@ -2,7 +2,8 @@
 //
 //   all of x, v (and a) measured, no delays   codes as they are
 //   x and a                                   v fused of both, nothing else filtered (configuration.hpp)
-//   only x                                    v and a by differences, every channel through the same low-pass
+//   only x                                    v and a by differences, every channel through the same low-pass (to a tenth of the sample
+//                                             rate; to 0.23 where a recording shows that the motion reaches beyond that)
 //   v without x                               x by integration, every channel through the same high-pass (0.16 Hz at 1 kHz)
 //   only a                                    v and x by integration, likewise (1.2 Hz at 1 kHz)
 //   delays (rig file's [[channel]] delay_us)  fractional shift of the late channel
@@ -22,6 +23,8 @@ namespace rig_file {
 struct SignalRanges {
   double largest[firmware::kMaxNodes][firmware::kQuantities] = {};
   ChannelNoise noise[firmware::kMaxNodes][firmware::kQuantities] = {};  // in codes
+  bool wide_band =
+      false;  // a displacement moves beyond a tenth of the sample rate: where it is differentiated, pass more of it
 };
 
 // Fills configuration.signals and the high-pass from configuration.channels, links and terms.

@@ -96,8 +96,9 @@ std::string describe(const RecordOutcome& o) {
                 o.named.empty() ? "-" : o.named.c_str(), o.named_where.c_str());
   std::string all = text;
   for (const CoefficientOutcome& c : o.coefficients) {
-    std::snprintf(text, sizeof text, "   %-16s truth %10.5g value %10.5g +- %8.3g z %7.2f status %d%s\n",
+    std::snprintf(text, sizeof text, "   %-16s truth %10.5g value %10.5g +- %8.3g z %7.2f status %d%s%s%s\n",
                   c.name.c_str(), c.truth, c.value, c.std, (c.value - c.truth) / c.std, static_cast<int>(c.status),
+                  c.held ? "" : " missed", c.measurable ? " measurable" : "",
                   c.wrong ? (c.valid() ? " WRONG" : " wrong") : "");
     all += text;
   }

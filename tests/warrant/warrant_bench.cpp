@@ -169,7 +169,7 @@ int main(int argc, char** argv) try {
       settings.sensors = set;
       for (int d = 0; d < draws; ++d) {
         const RecordOutcome o = warrant_test::outcome_of(first + static_cast<uint64_t>(d), settings, budget);
-        if (tell) std::printf("%s", warrant_test::describe(o).c_str());
+        if (tell) std::printf("%s %s %s", set.c_str(), name.c_str(), warrant_test::describe(o).c_str());
         count.add(o);
         all.add(o);
         of_effect[o.hidden].add(o);

@@ -1,0 +1,51 @@
+#include "hal/rig_file/motion_band.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "firmware/configuration/configuration.hpp"
+#include "hal/rig_file/filter_design.hpp"
+
+namespace rig_file {
+namespace {
+
+using Records = std::vector<std::vector<firmware::RawSample>>;
+
+constexpr double kMostBeyond = 0.01;  // friction 0.5 % too small
+
+double mean_square(const Records& records, int node, const Impulse& h) {
+  constexpr int kDisplacement = static_cast<int>(firmware::Quantity::kDisplacement);
+  double squares = 0.0;
+  size_t count = 0;
+  for (const auto& record : records)
+    for (size_t n = 0; n + h.size() <= record.size(); ++n, ++count) {
+      double sum = 0.0;
+      for (size_t k = 0; k < h.size(); ++k) sum += h[k] * record[n + k].code[node][kDisplacement];
+      squares += sum * sum;
+    }
+  return count == 0 ? 0.0 : squares / static_cast<double>(count);
+}
+
+// Power of the filter's output for first-order noise.
+double noise_power(const Impulse& h, const ChannelNoise& noise) {
+  double sum = 0.0;
+  for (size_t i = 0; i < h.size(); ++i)
+    for (size_t k = 0; k < h.size(); ++k)
+      sum += h[i] * h[k] * std::pow(noise.pole, std::fabs(static_cast<double>(i) - static_cast<double>(k)));
+  return noise.deviation * noise.deviation * sum;
+}
+
+}  // namespace
+
+bool moves_beyond_a_tenth(const Records& records, int node, const ChannelNoise& noise) {
+  const Impulse slope = first_difference(), passed = convolve(low_pass(0.0), slope);
+  Impulse left(passed.size(), 0.0);
+  std::copy(slope.begin(), slope.end(), left.begin() + kLowPassHalf);
+  for (size_t k = 0; k < left.size(); ++k) left[k] -= passed[k];
+  const double beyond =
+      mean_square(records, node, left) - (1.0 + std::min(noise.doubt, 1.0)) * noise_power(left, noise);
+  const double within = mean_square(records, node, passed) - noise_power(passed, noise);
+  return within > 0.0 && beyond > kMostBeyond * within;
+}
+
+}  // namespace rig_file
