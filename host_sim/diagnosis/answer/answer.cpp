@@ -16,6 +16,7 @@ constexpr double kHalfOfVariance = 70.7;  // NRMSE in percent
 // Of the motion, of each link's too, over windows and in free runs of unseen data: calibrations of sensors are not much better,
 // and where nothing in the vocabulary brings it down nobody would act on it. What is left is said.
 constexpr double kSmall = 0.02;
+constexpr double kContradicts = 2;  // standard errors of a difference: one of twenty that mean the same is as far
 
 // As the words and units of terms are kept. A backlash and what acts in another's place have that one's coefficient.
 std::vector<ActiveTerm> active(const Model& model, const std::vector<Determined>& found) {
@@ -124,13 +125,22 @@ rig_file::RigModel written_rig(const Task& task, const Terms& full) {
   return extended_rig(task.system, writable);
 }
 
+}  // namespace
+
+rig_file::RigModel written_rig(const Task& task, const State& fitted) {
+  return written_rig(task, active(fitted.model, determined(fitted.fit, fitted.model)));
+}
+
+namespace {
+
 Verdict verdict_of(const Task& task, const Choice& choice, bool noise, double worst_free_run, const Diagnosis& d) {
   if (!choice.named.empty())
     return !d.ambiguous_with.empty() ? Verdict::kAmbiguous : noise ? Verdict::kExplained : Verdict::kPartly;
   if (choice.base_fits_nothing && !right(task, choice)) return Verdict::kUnknown;
-  const bool nothing_missing = noise || right(task, choice) || near_enough(task, choice) ||
-                               (choice.noise_is_enough && worst_free_run < kHalfOfVariance) ||
-                               (worst_free_run < 100 * kSmall && motion_error(task, choice.final) < kSmall);
+  const bool nothing_missing =
+      noise || right(task, choice) || near_enough(task, choice) ||
+      (choice.noise_is_enough && worst_free_run < kHalfOfVariance && motion_error(task, choice.final) < kFollows) ||
+      (worst_free_run < 100 * kSmall && motion_error(task, choice.final) < kSmall);
   return nothing_missing ? Verdict::kNone : Verdict::kUnknown;
 }
 
@@ -199,12 +209,29 @@ double compare_unseen(const Task& task, const State& base, const State& with_cau
   return after.worst_percent;
 }
 
-void widen(const Task& task, const State& fitted, std::vector<diagnosis::Parameter>& parameters) {
-  if (!fitted.fit.ok) return;
-  for (const diagnosis::Parameter& other :
-       all_parameters(task, active(fitted.model, determined(fitted.fit, fitted.model))))
-    for (diagnosis::Parameter& p : parameters)
-      if (p.name == other.name && p.std > 0) p.std = std::max(p.std, other.std);
+bool contradicts(const diagnosis::Parameter& rows, const diagnosis::Parameter& runs) {
+  return rows.std > 0 && std::abs(rows.value - runs.value) > kContradicts * std::hypot(rows.std, runs.std);
+}
+
+std::vector<diagnosis::Parameter> numbers_of(const Task& task, const State& fitted) {
+  if (!fitted.fit.ok) return {};
+  return all_parameters(task, active(fitted.model, determined(fitted.fit, fitted.model)));
+}
+
+void take_numbers(const std::vector<diagnosis::Parameter>& runs, bool values_too,
+                  std::vector<diagnosis::Parameter>& parameters) {
+  bool theirs = false;  // a shape goes with the coefficient before it
+  for (diagnosis::Parameter& p : parameters) {
+    const auto other =
+        std::find_if(runs.begin(), runs.end(), [&](const diagnosis::Parameter& o) { return o.name == p.name; });
+    if (other == runs.end() || !p.estimated) continue;
+    const bool of_sensor = p.name.rfind("sensor_", 0) == 0;  // rows see a delay all over the band, runs beside friction
+    if (p.std > 0) theirs = values_too && !of_sensor && contradicts(p, *other);
+    if (theirs)
+      p.value = other->value, p.std = p.std > 0 ? other->std : 0;
+    else if (p.std > 0)
+      p.std = std::max(p.std, other->std);
+  }
 }
 
 void name_holds(const Task& task, Diagnosis& d) {

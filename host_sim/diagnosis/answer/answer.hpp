@@ -9,9 +9,16 @@ namespace diagnosis::runs {
 // verdict.
 void answer(const Task& task, const Choice& choice, Diagnosis& d);
 
-// Widens intervals to those that a fit of free runs gives the same coefficients: its standard deviations come from the
-// scatter of what is left, window by window, and know of what a model of the noise leaves out.
-void widen(const Task& task, const State& fitted, std::vector<diagnosis::Parameter>& parameters);
+// The coefficients of a fit of free runs: its standard deviations come from the scatter of what is left, window by window.
+std::vector<diagnosis::Parameter> numbers_of(const Task& task, const State& fitted);
+// Two estimates of one number that differ by more than both allow. That of the rows then carries the noise of the motion.
+bool contradicts(const diagnosis::Parameter& rows, const diagnosis::Parameter& runs);
+// Widens the rows' intervals to those of the runs; where they contradict, and values_too, the runs' number stands.
+void take_numbers(const std::vector<diagnosis::Parameter>& runs, bool values_too,
+                  std::vector<diagnosis::Parameter>& parameters);
+
+// The rig file with the causes of a model that it can state.
+rig_file::RigModel written_rig(const Task& task, const State& fitted);
 
 // A delay of the force that is half a sample early is named as what it is: the force is held between its samples.
 void name_holds(const Task& task, Diagnosis& d);

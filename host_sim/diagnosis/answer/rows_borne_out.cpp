@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "../choice/attempt.hpp"
+#include "../terms/naming.hpp"
 #include "run_limits.hpp"
 
 namespace diagnosis::runs {
@@ -53,6 +55,23 @@ bool stands(const Task& task, const Choice& fitted, const RowsSay& say, State& w
   return found.list.empty() || borne_out(task, fitted.base, found.list, found.values, &with_them);
 }
 
+bool any_contradicts(const std::vector<diagnosis::Parameter>& rows, const std::vector<diagnosis::Parameter>& runs) {
+  for (const diagnosis::Parameter& p : rows)
+    for (const diagnosis::Parameter& o : runs)
+      if (p.name == o.name && contradicts(p, o)) return true;
+  return false;
+}
+
+// The runs' error has valleys beside the lowest: fitted from the rows' numbers, where that leaves less.
+void from_rows(const Task& task, const RowsSay& say, State& fitted) {
+  State other = fitted;
+  for (ModelTerm& t : other.model)
+    for (const Valued& a : say.model)
+      if (!t.known && t.host < 0 && a.term.same_place(t.term)) t.value = a.value, t.term.shape = a.term.shape;
+  settle(task, other, kBaseSteps);
+  if (other.fit.ok && (!fitted.fit.ok || other.fit.cost < fitted.fit.cost)) fitted = other;
+}
+
 }  // namespace
 
 bool answered_by_rows(const Asked& asked, const Task& task, Choice& choice, RowsSay& say, Diagnosis& d) {
@@ -61,7 +80,7 @@ bool answered_by_rows(const Asked& asked, const Task& task, Choice& choice, Rows
   } catch (const CannotAnswer&) {  // too few rows: the free runs alone
   }
   say.asked = true;
-  choice.noise_is_enough = say.noise_only;
+  choice.noise_is_enough = say.noise_only && say.terms.empty();  // with its terms is not without them
   d.unknown_trace = say.d.unknown_trace;
   State with_them;
   if (!stands(task, choice, say, with_them)) {
@@ -70,9 +89,17 @@ bool answered_by_rows(const Asked& asked, const Task& task, Choice& choice, Rows
     return false;
   }
   d = say.d;
-  widen(task, with_them, d.extended.parameters);
+  // a force that is held between its samples is none of the free runs' terms
+  const bool held = d.force_between_samples == "steps";
+  if (any_contradicts(d.extended.parameters, numbers_of(task, with_them))) from_rows(task, say, with_them);
+  const std::vector<diagnosis::Parameter> numbers = numbers_of(task, with_them);
+  if (!held && any_contradicts(d.extended.parameters, numbers)) {
+    d.extended_rig = written_rig(task, with_them);
+    state_delays(d.causes, d.extended_rig);
+  }
+  take_numbers(numbers, !held, d.extended.parameters);
   if (say.terms.empty()) d.baseline.parameters = d.extended.parameters;
-  for (Cause& c : d.causes) widen(task, with_them, c.parameters);
+  for (Cause& c : d.causes) take_numbers(numbers, !held, c.parameters);
   raise_limits(task, choice.base, d.minimum_detectable);
   compare_unseen(task, choice.base, with_them, !d.causes.empty(), choice.base_left.sensor_noise, d);
   return true;

@@ -107,19 +107,34 @@ State on_all(const Task& task, const State& whole, const Model& model) {
   return measured.fit.ok && (!s.fit.ok || error_over(measured.fit, s.fit) < 1) ? measured : s;
 }
 
-double paired_z(const Fitted& before, const Fitted& after) {
+namespace {
+
+// Mean over blocks of what `of(before, after)` makes of their square sums, as a normal deviate.
+template <typename Of>
+double deviate_over_blocks(const Fitted& before, const Fitted& after, Of of) {
   const size_t n = std::min(before.block_ss.size(), after.block_ss.size()) / kFiner;
   if (n < 2) return 0;
   double sum = 0, square = 0;
   for (size_t w = 0; w < n; ++w) {
-    double d = 0;
-    for (size_t b = kFiner * w; b < kFiner * (w + 1); ++b)
-      d += (before.block_ss[b] - after.block_ss[b]).cwiseQuotient(before.mean_square).sum();
+    Vec old = Vec::Zero(before.mean_square.size()), now = old;
+    for (size_t b = kFiner * w; b < kFiner * (w + 1); ++b) old += before.block_ss[b], now += after.block_ss[b];
+    const double d = of(old.cwiseQuotient(before.mean_square).sum(), now.cwiseQuotient(before.mean_square).sum());
     sum += d, square += d * d;
   }
   const double mean = sum / static_cast<double>(n);
   const double variance = (square / static_cast<double>(n) - mean * mean) / (static_cast<double>(n) - 1);
   return normal_deviate(mean / std::sqrt(variance + 1e-300), static_cast<double>(n) - 1);
+}
+
+}  // namespace
+
+double paired_z(const Fitted& before, const Fitted& after) {
+  return deviate_over_blocks(before, after, [](double old, double now) { return old - now; });
+}
+
+double paired_share_z(const Fitted& before, const Fitted& after) {
+  return deviate_over_blocks(before, after,
+                             [](double old, double now) { return std::log((old + 1e-300) / (now + 1e-300)); });
 }
 
 namespace {
@@ -132,9 +147,10 @@ void judge(const Task& task, const State& beside, bool hosted, Attempt& a) {
     if (!shown(task, a.state.model[i])) a.state.fit.ok = false;
   if (!a.state.fit.ok) return;
   a.z = std::min(1e300, least_z(a, beside.model.size()));
-  a.shows_unseen = !a.state.unseen_fit.ok || expected_unseen(a, beside.model.size()) > kShows;
+  a.shows_unseen = !a.state.unseen_fit.ok || 1 - a.unseen > kShows || expected_unseen(a, beside.model.size()) > kShows;
   // what acts in another's place has no coefficient of its own: what it brings, block by block
-  if (hosted) a.z = std::min(a.z, paired_z(beside.fit, a.state.fit));
+  // (of a sweep two or three are by far the loudest: as a share of their own)
+  if (hosted) a.z = std::min(a.z, std::max(paired_z(beside.fit, a.state.fit), paired_share_z(beside.fit, a.state.fit)));
 }
 
 }  // namespace

@@ -56,6 +56,8 @@ double share_of(const Attempt& a, double noise);
 bool passes(const Attempt& a, size_t already, double noise);
 // How much less the second leaves than the first, paired over blocks, as a normal deviate.
 double paired_z(const Fitted& first, const Fitted& second);
+// The same of each block's own share, so that a loud one counts as a quiet one.
+double paired_share_z(const Fitted& first, const Fitted& second);
 // Whether one is better than the other by more than chance, and by much of what is not noise.
 bool clearly_better(const Attempt& a, const Attempt& b, double noise);
 

@@ -76,6 +76,7 @@ RowsSay ask_rows(const System& system, const Asked& asked) {
   if (!say.noise_only) return say;
   Rows& rows = *bench.rows;
   report_terms(system, rows, found, d);
+  for (const ActiveTerm& a : found.model) say.model.push_back({a.term, a.value});
   for (const Found& f : found.added) say.terms.push_back(f.candidate.term()), say.values.push_back(f.gain.coefficient);
   if (!found.added.empty()) also_ambiguous(as_well, d), also_ambiguous(equivalents(bench, found), d);
   d.ranked = ranking(system, rows, *bench.bank, found, 12);

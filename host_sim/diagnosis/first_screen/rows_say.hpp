@@ -14,6 +14,12 @@ struct Asked {
   const Options& options;
 };
 
+// A term with its coefficient.
+struct Valued {
+  Term term;
+  double value = 0;
+};
+
 // What the equations' rows say, weighted by noise: right where their assumptions hold (a force, masses that are known, noise
 // that is white or first order), and fast. noise_only: they do hold as far as what is left can tell.
 struct RowsSay {
@@ -23,6 +29,7 @@ struct RowsSay {
   std::vector<SensorFault> faults;  // of motion channels, already taken out
   std::vector<Term> terms;          // that it names beside the rig's own
   std::vector<double> values;
+  std::vector<Valued> model;  // with them, beside the rig's own
 };
 
 // Throws CannotAnswer where the records make too few rows.

@@ -34,6 +34,11 @@ double rest_of(const Prepared& p) {
 // Of a period: a reversal of regular motion is no rest of that length.
 constexpr Index kFine = 16;
 
+// Of the record's motion: a last part that moves less shows little of what acts at the motion before. Then every third window
+// is kept apart instead.
+constexpr double kQuiet = 0.5;
+constexpr Index kEvery = 3;
+
 // The length without the rest at its end.
 Index until_rest(const Prepared& p, double rest, Index from, Index length) {
   for (const Index part : {a_period(p), std::max<Index>(2, a_period(p) / kFine)})
@@ -97,7 +102,9 @@ std::vector<Window> lay_windows(const std::vector<Prepared>& records, double per
     const Prepared& p = records[r];
     const double rest = rest_of(p);
     const Span all = moving_span(p, rest, driven);
-    const Index seen = all.from + static_cast<Index>((1 - unseen_share) * static_cast<double>(all.to - all.from));
+    Index seen = all.from + static_cast<Index>((1 - unseen_share) * static_cast<double>(all.to - all.from));
+    const bool spread = driven && unseen_share > 0 && seen < all.to && motion_of(p, seen, all.to - seen) < kQuiet;
+    if (spread) seen = all.to;
     const auto cover = [&](Index from, Index to, bool unseen) {
       const double wanted = std::max<double>(static_cast<double>(kLeastLength), periods * p.period_s / p.step_s);
       const Index count = std::max<Index>(1, static_cast<Index>(static_cast<double>(to - from) / wanted + 0.5));
@@ -105,7 +112,7 @@ std::vector<Window> lay_windows(const std::vector<Prepared>& records, double per
         Window w;
         w.record = r, w.from = from + i * (to - from) / count;
         w.length = from + (i + 1) * (to - from) / count - w.from;
-        w.unseen = unseen;
+        w.unseen = unseen || (spread && i % kEvery == kEvery - 1);
         if (!driven) {
           const Index held = held_at_first(p, rest, w.from, w.length);
           w.from += held, w.length = until_rest(p, rest, w.from, w.length - held);
@@ -114,7 +121,7 @@ std::vector<Window> lay_windows(const std::vector<Prepared>& records, double per
       }
     };
     cover(all.from, seen, false);
-    if (unseen_share > 0) cover(seen, all.to, true);
+    if (unseen_share > 0 && !spread) cover(seen, all.to, true);
   }
   return list;
 }
