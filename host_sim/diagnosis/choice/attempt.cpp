@@ -144,8 +144,10 @@ void judge(const Task& task, const State& beside, bool hosted, Attempt& a) {
   a.error = error_over(a.state.fit, beside.fit), a.unseen = error_over(a.state.unseen_fit, beside.unseen_fit);
   a.quieter = beside.unseen_fit.ok ? error_over(beside.fit, beside.unseen_fit) : 1;
   for (size_t i = beside.model.size(); i < a.state.model.size(); ++i)
-    if (!shown(task, a.state.model[i])) a.state.fit.ok = false;
-  if (!a.state.fit.ok) return;
+    if (!shown(task, a.state.model[i]))
+      (a.state.model[i].term.kind == Kind::kPresliding ? a.rounds : a.state.fit.ok) =
+          a.state.model[i].term.kind == Kind::kPresliding;
+  if (!a.state.fit.ok || a.rounds) return;
   a.z = std::min(1e300, least_z(a, beside.model.size()));
   a.shows_unseen = !a.state.unseen_fit.ok || 1 - a.unseen > kShows || expected_unseen(a, beside.model.size()) > kShows;
   // what acts in another's place has no coefficient of its own: what it brings, block by block
@@ -190,7 +192,8 @@ Attempt attempt(const Task& task, const State& beside, const std::vector<Candida
   // Stuck on the way: from where the linearisation points, and from the measured motion.
   const auto try_again = [&](const Candidate& other, const std::vector<double>& value) {
     Attempt again = attempt(task, beside, {other}, {value}, kTrialSteps, From::kMeasured);
-    if (again.state.fit.ok && (!a.state.fit.ok || whole_error(again) < whole_error(a))) a = std::move(again);
+    const bool usable = a.state.fit.ok && !a.rounds;
+    if (again.state.fit.ok && (!usable || whole_error(again) < whole_error(a))) a = std::move(again);
   };
   if (c.host < 0) {
     try_again(c, one.value);
@@ -202,7 +205,18 @@ Attempt attempt(const Task& task, const State& beside, const std::vector<Candida
 }
 
 bool is_bristles(const Attempt& a) {
-  return a.candidates.size() == 1 && a.candidates[0].terms[0].kind == Kind::kPresliding && a.state.fit.ok;
+  return a.candidates.size() == 1 && a.candidates[0].terms[0].kind == Kind::kPresliding && a.state.fit.ok && !a.rounds;
+}
+
+State rounded(const Task& task, const State& beside, const std::vector<Attempt>& tried) {
+  std::vector<Candidate> list;
+  std::vector<std::vector<double>> start;
+  for (const Attempt& a : tried)
+    if (a.rounds && a.state.fit.ok && a.candidates.size() == 1 && paired_z(beside.fit, a.state.fit) > kSignificant) {
+      list.push_back(a.candidates[0]), start.push_back({0.0});
+      keep_shape(a.state.model, list.back());
+    }
+  return list.empty() ? State{} : attempt(task, beside, list, start, kTrialSteps).state;
 }
 
 Attempt without_bristles(const Task& task, const State& beside, const Attempt& bristles) {
@@ -246,6 +260,7 @@ double whole_error(const Attempt& a) {
 bool unseen_agrees(const Attempt& a) { return a.unseen < (a.shows_unseen ? 1 : kNoHarm); }
 
 bool passes(const Attempt& a, size_t already, double noise) {
+  if (!a.state.fit.ok || a.rounds) return false;
   const double n = static_cast<double>(already + a.candidates.size()),
                least = 1 - std::pow(1 - kShare, static_cast<double>(a.candidates.size()));
   if (!a.shows_unseen)  // then it has to explain nearly all by itself

@@ -14,6 +14,8 @@ struct Attempt {
   // Whether unseen windows can tell: what it would bring there, as a share of their squared residual, is more than
   // chance.
   bool shows_unseen = true;
+  // Its friction bends within a sample, as a filter rounds a jump: no cause, but what causes have to stand beside.
+  bool rounds = false;
 };
 
 constexpr double kMostlyNoise =
@@ -52,6 +54,8 @@ void keep_shape(const Model& fitted, Candidate& candidate);
 double whole_error(const Attempt& a);
 // Share of what is not noise that it takes, on the windows fitted.
 double share_of(const Attempt& a, double noise);
+// Beside the rounding of frictions that is significant among those tried, all of it together; no fit where there is none.
+State rounded(const Task& task, const State& beside, const std::vector<Attempt>& tried);
 // Whether it may be named; already: causes named before it.
 bool passes(const Attempt& a, size_t already, double noise);
 // How much less the second leaves than the first, paired over blocks, as a normal deviate.

@@ -288,7 +288,7 @@ void choose(const Task& task, Choice& choice, const std::function<void(double)>&
 void adopt(const Task& task, const std::vector<Candidate>& found, const std::vector<std::vector<double>>& values,
            Choice& choice) {
   Attempt t = attempt(task, choice.base, found, values, kBaseSteps);
-  if (!t.state.fit.ok) return;
+  if (!t.state.fit.ok || t.rounds) return;
   for (const Candidate& c : found) {
     choice.named.push_back(Named{c, t.z, share_of(t, noise_share(choice.base_left, choice.base.fit)), {}, true});
   }
@@ -299,7 +299,7 @@ bool borne_out(const Task& task, const State& base, const std::vector<Candidate>
                const std::vector<std::vector<double>>& values, State* fitted) {
   const Attempt all = attempt(task, base, found, values, kTrialSteps);
   if (fitted) *fitted = all.state;
-  if (!all.state.fit.ok || !(all.z > kBorneOut) || !unseen_agrees(all)) return false;
+  if (!all.state.fit.ok || all.rounds || !(all.z > kBorneOut) || !unseen_agrees(all)) return false;
   for (size_t i = 0; found.size() > 1 && i < found.size(); ++i) {
     std::vector<Candidate> fewer = found;
     std::vector<std::vector<double>> start = values;

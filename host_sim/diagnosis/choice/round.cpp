@@ -38,8 +38,17 @@ Round round_of(const Task& task, const State& now, size_t already, const Left& l
     }
   }
   if (round.stuck) return round;
-  const auto first =
-      std::find_if(singles.begin(), singles.end(), [&](const Attempt& t) { return passes(t, already, noise); });
+  const State beside = rounded(task, now, singles);
+  // Where filters round the jumps of friction, damping laws that change with the rate look like that: they have to be there
+  // beside it too.
+  const auto stands = [&](const Attempt& t) {
+    if (!passes(t, already, noise)) return false;
+    if (!beside.fit.ok || whole_error(t) < error_over(beside.fit, now.fit)) return true;
+    const std::vector<std::vector<double>> start(t.candidates.size(), {0.0});
+    const double left_noise = std::min(1.0, noise / error_over(beside.fit, now.fit));
+    return passes(attempt(task, beside, t.candidates, start, kTrialSteps), already, left_noise);
+  };
+  const auto first = std::find_if(singles.begin(), singles.end(), stands);
   if (first != singles.end()) round.best = *first, round.found = true;
   // two that help only together: where no single does, or where they leave half of what the best single with its best
   // partner does
@@ -76,7 +85,7 @@ Round round_of(const Task& task, const State& now, size_t already, const Left& l
   }
   const Attempt* best = nullptr;
   for (const Attempt& t : pairs) {
-    if (!passes(t, already, noise)) continue;
+    if (!stands(t)) continue;
     const bool better = best && (t.complexity == best->complexity ? whole_error(t) < whole_error(*best)
                                                                   : clearly_better(t, *best, noise));
     if (!best || better) best = &t;
