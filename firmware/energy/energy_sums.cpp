@@ -23,6 +23,7 @@ void EnergySums::restart() {
 
 void EnergySums::begin_counts() {
   samples_ = 0;
+  if (!kDerivesSignals) return;
   for (uint32_t& counted : counted_) counted = 0;
 }
 
@@ -134,7 +135,7 @@ void EnergySums::add_block(const Frame& frame, int count) {
   }
   sums_.add_block(frame, kLeadIn, to);
   samples_ += static_cast<uint32_t>(count);
-  if (!any_shared_noise_ || weights_ <= kInstrument) return;
+  if (!kDerivesSignals || !any_shared_noise_ || weights_ <= kInstrument) return;
   for (int i = 0; i < configuration_->dof_count; ++i) {
     if (!plan_.dof[i].clear_signs_only) continue;
     const int32_t* z = frame.raw[kClearInstrumentColumn + i];

@@ -92,9 +92,11 @@ class EnergySums {
   EndPoint start_;
   EndPoint closed_start_, closed_end_;
   uint32_t samples_ = 0, closed_samples_ = 0;
-  uint32_t counted_[kMaxDofs] = {}, closed_counted_[kMaxDofs] = {};  // of them, in equations that leave samples out
-  int converted_ = 0, closing_dof_ = 0, closing_weight_ = 0;         // what is done of the batch that is closed
-  Scaled kinetic_end_, elastic_end_;                                 // of the DOF that is being closed
+  // Of them, in equations that leave samples out; where nothing is derived no noise is shared that it would matter for.
+  static constexpr int kCounted = kDerivesSignals ? kMaxDofs : 1;
+  uint32_t counted_[kCounted] = {}, closed_counted_[kCounted] = {};
+  int converted_ = 0, closing_dof_ = 0, closing_weight_ = 0;  // what is done of the batch that is closed
+  Scaled kinetic_end_, elastic_end_;                          // of the DOF that is being closed
   bool any_crossings_ = false, any_shared_noise_ = false;
   bool started_ = false;
 };

@@ -84,7 +84,7 @@ Scaled EnergySums::shared_noise(int dof, int weight, Quantity quantity) const {
   if (!any_shared_noise_) return {};
   const Scaled product = configuration_->shared_noise[dof][weight][static_cast<int>(quantity)];
   if (product.is_zero()) return product;
-  const bool all = weight == kPlain || !plan_.dof[dof].clear_signs_only;
+  const bool all = !kDerivesSignals || weight == kPlain || !plan_.dof[dof].clear_signs_only;
   return product * configuration_->sample_period_s * Scaled::from_int(all ? closed_samples_ : closed_counted_[dof]);
 }
 
@@ -137,7 +137,7 @@ void EnergySums::begin_close(const Frame& frame, int boundary) {
   closed_start_ = start_;
   closed_end_ = start_ = end_point(frame, boundary);
   closed_samples_ = samples_;
-  for (int i = 0; i < configuration_->dof_count; ++i) closed_counted_[i] = counted_[i];
+  for (int i = 0; kDerivesSignals && i < configuration_->dof_count; ++i) closed_counted_[i] = counted_[i];
   converted_ = closing_dof_ = closing_weight_ = 0;
   begin_counts();
 }
