@@ -1,7 +1,7 @@
 # Sourced by host_sim/run.sh and tests/run.sh: Debian packages and the host build.
 
 # What the host programs are built with.
-build_packages=(g++ cmake ninja-build pkg-config libsundials-dev libeigen3-dev libtomlplusplus-dev libcli11-dev
+build_packages=(g++ cmake ninja-build pkg-config libsundials-dev libeigen3-dev libboost-dev libtomlplusplus-dev libcli11-dev
   nlohmann-json3-dev libfmt-dev libmatio-dev libfftw3-dev libncurses-dev libjs-dygraphs)
 # What the tests need on top: test and benchmark libraries, peers for the logs, cross compilers and emulators.
 test_packages=(libgtest-dev libbenchmark-dev can-utils tshark python3 python3-pyte chromium python3-scipy libiio-dev libgpiod-dev

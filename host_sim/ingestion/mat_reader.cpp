@@ -152,7 +152,8 @@ void set_time(const Group& group, const std::vector<double>& time_s, const Sourc
            std::to_string(time_s.size()) + " values, expected " + std::to_string(record.samples()) + " as in " +
                record.channels.front().name);
     try {
-      set_time_base(
+      const auto set = source.options.resample_Hz > 0.0 ? keep_times : set_time_base;
+      set(
           time_s, [](size_t sample) { return sample; }, record);
     } catch (const DataFileError& error) {  // its line is the element of t_s
       throw DataFileError(source.file, 0, "element " + std::to_string(error.line + 1) + " of " + error.problem);

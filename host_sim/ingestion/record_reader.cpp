@@ -7,6 +7,7 @@
 #include "host_sim/records/data_file_error.hpp"
 #include "host_sim/records/file_content.hpp"
 #include "host_sim/records/record_checks.hpp"
+#include "host_sim/records/resample.hpp"
 
 namespace host_sim {
 namespace {
@@ -40,6 +41,13 @@ constexpr RecordFormat kFormats[] = {
         const ReadingOptions& options) { return one(parse_csv(content, path, model, options)); }},
 };
 
+std::vector<Record> at_even_steps(const std::vector<Record>& records, double rate_Hz) {
+  std::vector<Record> all;
+  for (const Record& record : records)
+    for (Record& part : resampled(record, rate_Hz)) all.push_back(std::move(part));
+  return all;
+}
+
 }  // namespace
 
 std::vector<Record> read_records(const std::string& path, const rig_file::RigModel& model,
@@ -49,7 +57,7 @@ std::vector<Record> read_records(const std::string& path, const rig_file::RigMod
     if (!format.recognises(path, content.text())) continue;
     std::vector<Record> records = format.read(content.text(), path, model, options);
     for (const Record& record : records) require_motion_channels(record, model);
-    return records;
+    return options.resample_Hz > 0.0 ? at_even_steps(records, options.resample_Hz) : records;
   }
   throw DataFileError(path, 0, "is of no known format, expected CSV, MAT, Universal File 58 or a CAN log");
 }

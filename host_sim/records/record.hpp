@@ -20,6 +20,7 @@ struct Record {
   double sample_period_s = 0.0;
   double start_s = 0.0;
   std::vector<Channel> channels;   // all of one length
+  std::vector<double> time_s;      // of samples at uneven times, to be resampled; else empty
   double time_jitter_s = 0.0;      // rms of the file's sample times about even steps; 0 where it has none
   std::vector<std::string> notes;  // what the reader made of the file: factors, ignored columns
   size_t samples() const { return channels.empty() ? 0 : channels.front().values.size(); }

@@ -103,11 +103,20 @@ void set_time_base(const std::vector<double>& time_s, const std::function<size_t
   if (uneven < time_s.size() && !take_rounded_times(time_s, record))
     throw DataFileError(record.file, line_of(uneven),
                         "t_s steps by " + seconds(time_s[uneven] - time_s[uneven - 1]) + ", expected a constant step" +
-                            (usual > 0.0 ? " of " + seconds(usual) + " within 1 %" : " above 0"));
+                            (usual > 0.0 ? " of " + seconds(usual) + " within 1 %" : " above 0") +
+                            (usual > 0.0 ? fmt::format("; --resample {:.0f} interpolates", 1.0 / usual) : ""));
   record.start_s = time_s.front();
   if (uneven == time_s.size())
     record.sample_period_s = (time_s.back() - time_s.front()) / static_cast<double>(time_s.size() - 1);
   record.time_jitter_s = line_through(time_s).rms;
+}
+
+void keep_times(const std::vector<double>& time_s, const std::function<size_t(size_t)>& line_of, Record& record) {
+  for (size_t i = 1; i < time_s.size(); ++i)
+    if (!(time_s[i] > time_s[i - 1]))
+      throw DataFileError(record.file, line_of(i),
+                          "t_s steps by " + seconds(time_s[i] - time_s[i - 1]) + ", expected times that rise");
+  record.time_s = time_s;
 }
 
 void require_motion_channels(const Record& record, const rig_file::RigModel& model) {

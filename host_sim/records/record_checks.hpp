@@ -18,6 +18,9 @@ Channel channel_of_name(const std::string& name, const rig_file::RigModel& model
 // steps rounded to their last decimal, as milliseconds are at 1024 Hz.
 void set_time_base(const std::vector<double>& time_s, const std::function<size_t(size_t)>& line_of, Record& record);
 
+// Keeps the times as they are, for a record that is to be resampled. Throws DataFileError where they do not rise.
+void keep_times(const std::vector<double>& time_s, const std::function<size_t(size_t)>& line_of, Record& record);
+
 // Every DOF of the rig (none where there is no rig file) must have a displacement, velocity or acceleration (and so must a moving base): else
 // DataFileError.
 void require_motion_channels(const Record& record, const rig_file::RigModel& model);

@@ -46,6 +46,29 @@ TEST_F(Estimate, FindsTheDamperAndSaysHowWell) {
   EXPECT_LT(out["mse_percent"][0].get<double>(), 1e-3);  // its simulation runs as the rig did
 }
 
+// A logger that comes late at times, and pauses: samples at uneven times, and 40 that are missing.
+TEST_F(Estimate, TakesUnevenTimesWhereAskedTo) {
+  const double d = 1.5 / 4.0, w = std::sqrt(400.0 - d * d);
+  std::mt19937 random(3);
+  std::string text = "t_s,displacement_1_m,velocity_1_m_s\n";
+  for (int i = 0; i < 4000; ++i) {
+    const double late_s = random() % 100 == 0 ? 4e-4 : 0.0, t = i * 1e-3 + late_s, e = 0.01 * std::exp(-d * t);
+    char row[96];
+    std::snprintf(row, sizeof row, "%.4f,%.12g,%.12g\n", t, e * std::cos(w * t),
+                  -e * (d * std::cos(w * t) + w * std::sin(w * t)));
+    if (i < 2000 || i >= 2040) text += row;
+  }
+  workspace_.write("late.csv", text);
+  const auto refused = host_sim({"estimate", "--rig", "rig.toml", "--data", "late.csv"});
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_NE(refused.errors.find("--resample 1000"), std::string::npos) << refused.errors;
+  const auto result =
+      host_sim({"estimate", "--rig", "rig.toml", "--data", "late.csv", "--resample", "1000", "--json", "out.json"});
+  ASSERT_EQ(result.status, 0) << result.errors;
+  EXPECT_NE(result.errors.find("in 2 parts between gaps"), std::string::npos) << result.errors;
+  EXPECT_NEAR(value(json("out.json"), "viscous[1-0]"), 1.5, 1.5e-3);
+}
+
 TEST_F(Estimate, TableStandsOnStdoutAndNothingOnStderr) {
   const auto result = host_sim({"estimate", "--rig", "rig.toml", "--data", "data.csv"});
   EXPECT_EQ(result.status, 0);

@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 
 namespace diagnosis::runs {
@@ -288,7 +289,7 @@ Scatter scatter_of(const Fitted& fit, const Mat& inverse, Index i, size_t togeth
 }
 
 // So that 1.96 of it reach Student's 97.5 % point.
-double student_std(const Scatter& s) { return s.se * (1 + 1.4 / s.dof + 1.2 / (s.dof * s.dof)); }
+double student_std(const Scatter& s) { return s.se * quantile(boost::math::students_t(s.dof), 0.975) / 1.96; }
 
 }  // namespace
 

@@ -2,6 +2,7 @@
 #include "scoring.hpp"
 
 #include <algorithm>
+#include <boost/math/tools/minima.hpp>
 #include <cmath>
 
 namespace diagnosis {
@@ -28,7 +29,6 @@ Found Scorer::scored(const Candidate& c, const Gain& gain) const {
 
 Found Scorer::along(const Found& start, Axis axis, double factor, int steps) const {
   const Term t = start.candidate.term();
-  const double golden = 0.6180339887498949;
   double low = -std::log(factor), high = -low;  // logarithm of what the shapes are multiplied by
   const auto keep_within = [&](double shape, const CandidateBank::Range& range) {
     low = std::max(low, std::log(range.low / shape)), high = std::min(high, std::log(range.high / shape));
@@ -36,23 +36,16 @@ Found Scorer::along(const Found& start, Axis axis, double factor, int steps) con
   if (axis != Axis::kSecond) keep_within(t.shape, bank.range(t));
   if (axis != Axis::kFirst) keep_within(t.shape2, bank.second_range(t));
   if (low >= high) return start;
-  const auto at = [&](double p) {
+  Found best = start;
+  const auto left_at = [&](double p) {
     const Term to = moved(t, axis, p);
-    return of(bank.reshaped(start.candidate, to.shape, to.shape2));
+    const Found f = of(bank.reshaped(start.candidate, to.shape, to.shape2));
+    if (f.gain.chi2 > best.gain.chi2) best = f;
+    return -f.gain.chi2;
   };
-  double a = high - golden * (high - low), b = low + golden * (high - low);
-  Found fa = at(a), fb = at(b), best = start;
-  for (int i = 0; i < steps; ++i) {
-    for (const Found& f : {fa, fb})
-      if (f.gain.chi2 > best.gain.chi2) best = f;
-    if (fa.gain.chi2 > fb.gain.chi2) {
-      high = b, b = a, fb = fa;
-      a = high - golden * (high - low), fa = at(a);
-    } else {
-      low = a, a = b, fa = fb;
-      b = low + golden * (high - low), fb = at(b);
-    }
-  }
+  constexpr int kBits = 10;  // of the logarithm's range: a thousandth
+  auto most = static_cast<std::uintmax_t>(steps);
+  boost::math::tools::brent_find_minima(left_at, low, high, kBits, most);
   return best;
 }
 

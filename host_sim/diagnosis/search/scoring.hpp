@@ -28,7 +28,7 @@ struct Scorer {
   Found refined(const Found& found) const;   // from a shape on the grid to the best nearby
   Found polished(const Found& found) const;  // a closer look around a shape that is nearly right
 
-  // Golden section on the logarithm of shape parameters within a factor of their present value.
+  // Brent's minimum on the logarithm of shape parameters within a factor of their present value.
   Found along(const Found& start, Axis axis, double factor, int steps) const;
 
  private:

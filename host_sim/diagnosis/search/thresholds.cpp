@@ -1,5 +1,6 @@
 // What an effect must gain to be named.
 #include <algorithm>
+#include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
 #include <set>
 
@@ -11,14 +12,7 @@ namespace {
 constexpr double kFalseAlarm = 0.002;  // of records in which nothing is hidden
 
 // Chi-squared of one degree of freedom that chance passes with this probability.
-double passed_by_chance(double probability) {
-  double low = 0, high = 100;
-  while (high - low > 1e-6) {
-    const double mid = 0.5 * (low + high);
-    (std::erfc(std::sqrt(0.5 * mid)) > probability ? low : high) = mid;
-  }
-  return high;
-}
+double passed_by_chance(double probability) { return quantile(complement(boost::math::chi_squared(1), probability)); }
 
 // Friction that is smoothed a little wrong looks like any of these.
 bool law_of_rate(Kind kind) {

@@ -36,6 +36,10 @@ void add_data_options(CLI::App& command, DataArguments& arguments) {
       .add_option("--sample-rate", arguments.sample_rate_Hz,
                   "samples per second, for files without a column of time (or with one that is not to be believed)")
       ->check(CLI::PositiveNumber);
+  command
+      .add_option("--resample", arguments.resample_Hz,
+                  "samples per second onto which records of uneven times are interpolated; gaps part a record")
+      ->check(CLI::PositiveNumber);
 }
 
 void add_anyway_option(CLI::App& command, DataArguments& arguments) {
@@ -50,6 +54,7 @@ std::vector<Record> read_data(const std::vector<std::string>& paths, const rig_f
   options.units = choices("--unit", arguments.units);
   options.sensitivities = choices("--sensitivity", arguments.sensitivities);
   options.sample_rate_Hz = arguments.sample_rate_Hz;
+  options.resample_Hz = arguments.resample_Hz;
   // Beside each other; what is said of them, and what is wrong with one, comes in their order.
   std::vector<std::future<std::vector<Record>>> files;
   for (const std::string& path : paths)

@@ -12,11 +12,11 @@ namespace host_sim {
 
 struct DataArguments {
   std::vector<std::string> columns, units, sensitivities;  // "acceleration_1=Chan 3"
-  double sample_rate_Hz = 0.0;
+  double sample_rate_Hz = 0.0, resample_Hz = 0.0;
   bool in_spite_of_faults = false;  // --anyway
 };
 
-// --column, --unit, --sensitivity, --sample-rate
+// --column, --unit, --sensitivity, --sample-rate, --resample
 void add_data_options(CLI::App& command, DataArguments& arguments);
 // --anyway, of the commands that compute with the data.
 void add_anyway_option(CLI::App& command, DataArguments& arguments);

@@ -14,6 +14,7 @@ struct ReadingOptions {
   Choices units;                // the unit it is in: "g"
   Choices sensitivities;        // of a sensor whose column is a voltage: "100 mV/g"
   double sample_rate_Hz = 0.0;  // 0: the file says
+  double resample_Hz = 0.0;     // onto even steps (resample.hpp); 0: uneven times are refused
 };
 
 // "acceleration_1=Chan 3" as given on the command line. Throws std::invalid_argument where there is no "=".

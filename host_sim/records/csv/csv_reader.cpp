@@ -234,7 +234,8 @@ class CsvParser {
       if (samples_ < 2) refuse(0, "holds " + std::to_string(samples_) + " samples, expected at least 2");
       record_.sample_period_s = 1.0 / options_.sample_rate_Hz;
     } else {
-      set_time_base(
+      const auto set = options_.resample_Hz > 0.0 ? keep_times : set_time_base;
+      set(
           time_s_, [this](size_t sample) { return line_of(sample); }, record_);
     }
   }

@@ -1,0 +1,110 @@
+#include "host_sim/records/resample.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "host_sim/records/data_file_error.hpp"
+
+namespace host_sim {
+namespace {
+
+constexpr size_t kPoints = 6;
+constexpr double kSameRate = 0.9;  // a rate this far below the record's own is meant as a lower one
+
+std::vector<double> times_of(const Record& record) {
+  if (!record.time_s.empty()) return record.time_s;
+  std::vector<double> time_s(record.samples());
+  for (size_t i = 0; i < time_s.size(); ++i)
+    time_s[i] = record.start_s + static_cast<double>(i) * record.sample_period_s;
+  return time_s;
+}
+
+double usual_step(const std::vector<double>& time_s) {
+  std::vector<double> steps(time_s.size() - 1);
+  for (size_t i = 0; i < steps.size(); ++i) steps[i] = time_s[i + 1] - time_s[i];
+  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+  std::nth_element(steps.begin(), middle, steps.end());
+  return *middle;
+}
+
+// Samples `first` to `end`, without a gap.
+struct Part {
+  size_t first = 0, end = 0;
+};
+
+std::vector<Part> parts_of(const std::vector<double>& time_s, double step) {
+  std::vector<Part> parts;
+  for (size_t first = 0, i = 1; i <= time_s.size(); ++i) {
+    if (i < time_s.size() && time_s[i] - time_s[i - 1] <= kLongestGap * step) continue;
+    if (i - first >= kFewestSamples) parts.push_back({first, i});
+    first = i;
+  }
+  return parts;
+}
+
+// Weights of the six samples from `first` on at the instant t.
+void weights_at(const double* time_s, double t, double* weight) {
+  for (size_t j = 0; j < kPoints; ++j) {
+    weight[j] = 1.0;
+    for (size_t k = 0; k < kPoints; ++k)
+      if (k != j) weight[j] *= (t - time_s[k]) / (time_s[j] - time_s[k]);
+  }
+}
+
+Record part_at(const Record& record, const std::vector<double>& time_s, const Part& part, double rate_Hz) {
+  Record out;
+  out.file = record.file;
+  out.start_s = time_s[part.first];
+  out.sample_period_s = 1.0 / rate_Hz;
+  const auto count = static_cast<size_t>((time_s[part.end - 1] - out.start_s) * rate_Hz * (1.0 + 1e-12)) + 1;
+  for (const Channel& channel : record.channels)
+    out.channels.push_back({channel.name, channel.quantity, channel.dof, std::vector<double>(count)});
+  size_t before = part.first;  // the last sample that is not after t
+  double weight[kPoints];
+  for (size_t i = 0; i < count; ++i) {
+    const double t = out.start_s + static_cast<double>(i) / rate_Hz;
+    while (before + 1 < part.end && time_s[before + 1] <= t) ++before;
+    const size_t wanted = before < part.first + kPoints / 2 - 1 ? part.first : before - (kPoints / 2 - 1);
+    const size_t first = std::min(wanted, part.end - kPoints);
+    weights_at(&time_s[first], t, weight);
+    for (size_t c = 0; c < out.channels.size(); ++c) {
+      double value = 0.0;
+      for (size_t j = 0; j < kPoints; ++j) value += weight[j] * record.channels[c].values[first + j];
+      out.channels[c].values[i] = value;
+    }
+  }
+  return out;
+}
+
+}  // namespace
+
+std::vector<Record> resampled(const Record& record, double rate_Hz) {
+  const std::vector<double> time_s = times_of(record);
+  if (time_s.size() < kFewestSamples)
+    throw DataFileError(record.file, 0,
+                        fmt::format("holds {} samples, expected at least {}", time_s.size(), kFewestSamples));
+  const double step = usual_step(time_s);
+  if (rate_Hz < kSameRate / step)
+    throw DataFileError(
+        record.file, 0,
+        fmt::format("has {:.4g} samples a second; at {:.4g} what lies between would fold into the band, "
+                    "expected a filter and fewer samples in the file, or --resample {:.4g}",
+                    1.0 / step, rate_Hz, 1.0 / step));
+  std::vector<Record> records;
+  for (const Part& part : parts_of(time_s, step)) records.push_back(part_at(record, time_s, part, rate_Hz));
+  if (records.empty())
+    throw DataFileError(record.file, 0, fmt::format("has no {} samples without a gap", kFewestSamples));
+  size_t kept = 0;
+  for (const Record& part : records) kept += part.samples();
+  records.front().notes = record.notes;
+  records.front().notes.push_back(
+      fmt::format("interpolated onto {:.6g} samples a second", rate_Hz) +
+      (records.size() > 1 ? fmt::format(", in {} parts between gaps", records.size()) : "") +
+      fmt::format(": {} samples of {}", kept, time_s.size()));
+  for (size_t i = 1; i < records.size(); ++i) records[i].file += fmt::format(", part {}", i + 1);
+  return records;
+}
+
+}  // namespace host_sim

@@ -1,0 +1,19 @@
+// Records whose samples came at uneven times, as loggers of PCs and buses write them, onto even steps.
+#pragma once
+#include <vector>
+
+#include "host_sim/records/record.hpp"
+
+namespace host_sim {
+
+// The record at rate_Hz, by the polynomial through the six samples around each instant (Lagrange): of a motion of eight
+// samples a period it misses 0.1 %, of one of twenty 5e-6. A gap of more than kLongestGap usual steps ends the
+// record; what follows is one of its own, and parts of fewer than kFewestSamples are left out. What was done stands in
+// the notes of the first. A record without times of its own has even steps already. Throws DataFileError where the rate is
+// below the record's own (what lies between would fold into the band), or nothing long enough is left.
+std::vector<Record> resampled(const Record& record, double rate_Hz);
+
+constexpr double kLongestGap = 3.5;  // of the usual step: two lost samples, and a late one
+constexpr size_t kFewestSamples = 64;
+
+}  // namespace host_sim

@@ -1,0 +1,107 @@
+// Samples at uneven times onto even steps.
+#include "host_sim/records/resample.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "host_sim/records/csv/csv_reader.hpp"
+#include "host_sim/records/data_file_error.hpp"
+
+namespace {
+
+using host_sim::DataFileError;
+using host_sim::Record;
+using host_sim::resampled;
+
+Record made(const std::vector<double>& time_s, double (*of)(double)) {
+  Record record;
+  record.file = "made.csv";
+  record.time_s = time_s;
+  record.channels.push_back({"displacement_1_m", host_sim::Quantity::kDisplacement, 1, {}});
+  for (const double t : time_s) record.channels[0].values.push_back(of(t));
+  return record;
+}
+
+// Every 10 ms, each up to 3 ms early or late.
+std::vector<double> uneven_times(size_t count) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> late(-0.003, 0.003);
+  std::vector<double> time_s(count);
+  for (size_t i = 0; i < count; ++i) time_s[i] = 0.01 * static_cast<double>(i) + late(random);
+  return time_s;
+}
+
+TEST(Resample, APolynomialOfFifthDegreeIsExact) {
+  const auto of = [](double t) { return 1 - t + t * t * (2 - t * (1 - t * (3 - t))); };
+  const auto records = resampled(made(uneven_times(200), of), 100.0);
+  ASSERT_EQ(records.size(), 1u);
+  EXPECT_EQ(records[0].sample_period_s, 0.01);
+  ASSERT_GE(records[0].samples(), 198u);
+  for (size_t i = 0; i < records[0].samples(); ++i)
+    EXPECT_NEAR(records[0].channels[0].values[i], of(records[0].start_s + 0.01 * static_cast<double>(i)), 1e-10) << i;
+}
+
+TEST(Resample, ASineOfEightSamplesAPeriodIsRightToATenthOfAPercent) {
+  // Error of six points at steps h, in the middle: (0.5 1.5 2.5)^2 / 6! (w h)^6 = 0.00488 * 0.785^6 = 0.0011.
+  const auto of = [](double t) { return std::sin(2 * M_PI * 12.5 * t); };
+  std::vector<double> time_s(400);
+  for (size_t i = 0; i < time_s.size(); ++i) time_s[i] = 0.01 * static_cast<double>(i);
+  const Record record = resampled(made(time_s, of), 250.0).at(0);
+  double worst = 0;
+  for (size_t i = 10; i + 10 < record.samples(); ++i)  // inside, where there are three samples on both sides
+    worst = std::max(worst, std::abs(record.channels[0].values[i] - of(0.004 * static_cast<double>(i))));
+  EXPECT_LT(worst, 0.00115);
+  EXPECT_GT(worst, 0.0005);  // it is this formula's error and no other's
+}
+
+TEST(Resample, AGapPartsTheRecord) {
+  std::vector<double> time_s;
+  for (int i = 0; i < 400; ++i) {
+    const bool two_lost = i == 50 || i == 51, ten_lost = i >= 200 && i < 210, alone = i >= 240 && i < 250;
+    if (!two_lost && !ten_lost && !alone) time_s.push_back(0.01 * i);
+  }
+  const auto of = [](double t) { return std::sin(6 * t); };
+  const auto records = resampled(made(time_s, of), 100.0);  // 0 to 1.99 s; 2.10 to 2.39, too short; 2.50 to 3.99 s
+  ASSERT_EQ(records.size(), 2u);
+  EXPECT_EQ(records[0].samples(), 200u);
+  EXPECT_EQ(records[1].samples(), 150u);
+  EXPECT_DOUBLE_EQ(records[1].start_s, 2.5);
+  EXPECT_EQ(records[1].file, "made.csv, part 2");
+  for (size_t i = 0; i < 200; ++i)
+    EXPECT_NEAR(records[0].channels[0].values[i], of(0.01 * static_cast<double>(i)), 1e-6) << i;
+  ASSERT_EQ(records[0].notes.size(), 1u);
+  EXPECT_NE(records[0].notes[0].find("in 2 parts between gaps: 350 samples of 378"), std::string::npos)
+      << records[0].notes[0];
+}
+
+TEST(Resample, ALowerRateIsRefused) {
+  const Record record = made(uneven_times(200), [](double t) { return t; });
+  EXPECT_THROW(resampled(record, 50.0), DataFileError);
+  EXPECT_NO_THROW(resampled(record, 97.0));  // the usual step is not known to a percent
+  EXPECT_THROW(resampled(made(uneven_times(20), [](double t) { return t; }), 100.0), DataFileError);  // too short
+}
+
+TEST(Resample, TheReaderKeepsTheTimesOnlyWhereAsked) {
+  const std::string text = "t_s,displacement_1_m\n0,1\n0.01,2\n0.025,3\n0.03,4\n";
+  try {
+    host_sim::parse_csv(text, "d.csv", {});
+    ADD_FAILURE() << "taken";
+  } catch (const DataFileError& error) {
+    EXPECT_EQ(error.line, 4u);
+    EXPECT_NE(error.problem.find("--resample 100 interpolates"), std::string::npos) << error.problem;
+  }
+  host_sim::ReadingOptions options;
+  options.resample_Hz = 100.0;
+  EXPECT_EQ(host_sim::parse_csv(text, "d.csv", {}, options).time_s, (std::vector<double>{0, 0.01, 0.025, 0.03}));
+  try {
+    host_sim::parse_csv("t_s,displacement_1_m\n0,1\n0.01,2\n0.01,3\n", "d.csv", {}, options);
+    ADD_FAILURE() << "taken";
+  } catch (const DataFileError& error) {
+    EXPECT_EQ(error.line, 4u);
+    EXPECT_NE(error.problem.find("expected times that rise"), std::string::npos) << error.problem;
+  }
+}
+
+}  // namespace
