@@ -62,9 +62,10 @@ Impulse shifted_all_pass(double advance) {
 Impulse first_difference(Band band) {
   const int half = difference_half(band);
   Impulse h(static_cast<size_t>(2 * half + 1), 0.0);
+  double* const middle = h.data() + half;
   for (int k = 1; k <= half; ++k) {
-    h[static_cast<size_t>(half + k)] = central_weight(half, k) / k;
-    h[static_cast<size_t>(half - k)] = -h[static_cast<size_t>(half + k)];
+    middle[k] = central_weight(half, k) / k;
+    middle[-k] = -middle[k];
   }
   return h;
 }
@@ -72,10 +73,11 @@ Impulse first_difference(Band band) {
 Impulse second_difference(Band band) {
   const int half = difference_half(band);
   Impulse h(static_cast<size_t>(2 * half + 1), 0.0);
+  double* const middle = h.data() + half;
   for (int k = 1; k <= half; ++k) {
     const double weight = 2.0 * central_weight(half, k) / (static_cast<double>(k) * k);
-    h[static_cast<size_t>(half + k)] = h[static_cast<size_t>(half - k)] = weight;
-    h[static_cast<size_t>(half)] -= 2.0 * weight;
+    middle[k] = middle[-k] = weight;
+    middle[0] -= 2.0 * weight;
   }
   return h;
 }
