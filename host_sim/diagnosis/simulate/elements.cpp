@@ -1,0 +1,95 @@
+#include <algorithm>
+#include <cmath>
+
+#include "simulator.hpp"
+
+// A model as lists of masses, elements and frictions between nodes.
+namespace diagnosis::runs {
+namespace {
+
+constexpr double kTurnPerStep = 0.3;  // rad of the fastest mode: order 4 is then right to 1e-4 of a radian per radian
+constexpr int kMostSubsteps = 8;
+
+int node_of(int end) { return end > 0 ? end - 1 : end == rig_file::kBase ? -2 : -1; }
+
+}  // namespace
+
+Simulator::Simulator(const System& system, const Model& model, const Prepared& record) : record_(record) {
+  compile(system, model);
+  double fastest = 0;
+  if (!massless_) {
+    for (Index i = 0; i < nodes_; ++i) sound_ = sound_ && mass_[i] > 0 && std::isfinite(mass_[i]);
+    Vec stiff = Vec::Zero(nodes_), drag = Vec::Zero(nodes_);
+    for (const Element& e : elements_) {
+      double k = 0, c = 0;
+      if (e.kind == Kind::kStiffness || e.kind == Kind::kStiffnessError || e.kind == Kind::kGravity ||
+          e.kind == Kind::kEndStop)
+        k = std::abs(e.value);
+      if (e.kind == Kind::kPresliding) k = std::abs(e.value) / e.shape;
+      if (e.kind == Kind::kViscous || e.kind == Kind::kMissingViscous) c = std::abs(e.value);
+      for (int end : {e.a, e.b})
+        if (end >= 0) stiff[end] += k, drag[end] += c;
+    }
+    if (sound_)
+      for (Index i = 0; i < nodes_; ++i)
+        fastest = std::max({fastest, std::sqrt(stiff[i] / mass_[i]) * (nodes_ > 1 ? 1.2 : 1.0), drag[i] / mass_[i]});
+  }
+  substeps_ = std::clamp(static_cast<int>(std::ceil(fastest * record.step_s / kTurnPerStep)), 1, kMostSubsteps);
+  if (!massless_) upsample(model);
+}
+
+void Simulator::compile(const System& system, const Model& model) {
+  const Index dofs = static_cast<Index>(system.dofs());
+  nodes_ = dofs;
+  for (const ModelTerm& t : model) nodes_ += t.term.kind == Kind::kResonance;
+  mass_ = Vec::Zero(nodes_);
+  by_mass_.resize(static_cast<size_t>(nodes_));
+  for (const rig_file::Link& l : system.links) link_ends_.push_back({node_of(l.a), node_of(l.b)});
+  const std::vector<Parameter> parameters = parameters_of(model);
+  parameters_ = static_cast<Index>(parameters.size());
+  const auto index_of = [&](size_t term, int shape) {
+    for (size_t i = 0; i < parameters.size(); ++i)
+      if (parameters[i].term == term && parameters[i].shape == shape) return static_cast<Index>(i);
+    return Index{-1};
+  };
+  std::vector<bool> replaced(model.size(), false);
+  for (const ModelTerm& t : model)
+    if (t.host >= 0 && t.term.kind == Kind::kPresliding) replaced[static_cast<size_t>(t.host)] = true;
+  Index hidden = dofs;
+  for (size_t i = 0; i < model.size(); ++i) {
+    const ModelTerm& t = model[i];
+    const Kind kind = t.term.kind;
+    const size_t coefficient = t.host >= 0 ? static_cast<size_t>(t.host) : i;
+    const double value = model[coefficient].value;
+    const Index by_value = index_of(coefficient, 0), by_shape = index_of(i, 1);
+    if (kind == Kind::kMass || kind == Kind::kMassError) {
+      mass_[t.term.dof] += value;
+      if (by_value >= 0) by_mass_[static_cast<size_t>(t.term.dof)].push_back(by_value);
+    } else if (kind == Kind::kResonance) {
+      const int h = static_cast<int>(hidden++);
+      mass_[h] = value;
+      if (by_value >= 0) by_mass_[static_cast<size_t>(h)].push_back(by_value);
+      elements_.push_back({kind, t.term.dof, h, value, t.term.shape, t.term.shape2, by_value, by_shape, -1});
+    } else if (t.term.link >= 0 && !replaced[i]) {
+      const auto [a, b] = link_ends_[static_cast<size_t>(t.term.link)];
+      Element e{kind, a, b, value, t.term.shape, t.term.shape2, by_value, by_shape, -1};
+      e.by_phase = index_of(i, 2);
+      e.linear = is_linear(kind);
+      if (e.linear) e.by_u = law(kind, 0, 0, 0, 1, 0).by_u, e.by_w = law(kind, 0, 0, 0, 1, 0).by_w;
+      if (kind == Kind::kPresliding) e.z = hysteresis_++;
+      elements_.push_back(e);
+      if (kind != Kind::kCoulomb && kind != Kind::kMissingCoulomb && kind != Kind::kStribeck) continue;
+      auto f =
+          std::find_if(friction_.begin(), friction_.end(), [&](const Friction& g) { return g.a == a && g.b == b; });
+      if (f == friction_.end()) friction_.push_back({a, b, 1, {}}), f = friction_.end() - 1;
+      f->levels.push_back(elements_.size() - 1);
+    } else if (kind == Kind::kBaseDelay) {
+      by_base_delay_ = by_value;
+    } else if (of_force_sensor(kind)) {
+      faults_.push_back({kind, static_cast<size_t>(t.term.dof), t.term.shape, by_value});
+    }
+  }
+  massless_ = runs::massless(model);
+}
+
+}  // namespace diagnosis::runs
