@@ -60,7 +60,7 @@ Scaled regress(Scaled (*sums)[kSize], int predecessors, Scaled* coefficient) {
   }
   for (int k = predecessors - 1; k >= 0; --k) {
     coefficient[k] = Scaled{};
-    if (!kept[k]) continue;
+    if (!kept[k]) continue;  // NOLINT(clang-analyzer-core.uninitialized.Branch): written above for every row
     Scaled sum = sums[predecessors][k];
     for (int j = k + 1; j < predecessors; ++j) sum = sum - sums[j][k] * coefficient[j];
     coefficient[k] = sum / sums[k][k];
