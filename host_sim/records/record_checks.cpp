@@ -15,14 +15,6 @@ constexpr double kStepTolerance = 0.01;
 
 std::string seconds(double value) { return fmt::format("{:.6g} s", value); }
 
-double median_step(const std::vector<double>& time_s) {
-  std::vector<double> steps(time_s.size() - 1);
-  for (size_t i = 0; i < steps.size(); ++i) steps[i] = time_s[i + 1] - time_s[i];
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::nth_element(steps.begin(), middle, steps.end());
-  return *middle;
-}
-
 // Least squares of t[i] = start + i step, and what is left.
 struct TimeLine {
   double start = 0.0, step = 0.0, rms = 0.0, largest = 0.0;
@@ -78,6 +70,14 @@ bool take_rounded_times(const std::vector<double>& time_s, Record& record) {
 }
 
 }  // namespace
+
+double median_step(const std::vector<double>& time_s) {
+  std::vector<double> steps(time_s.size() - 1);
+  for (size_t i = 0; i < steps.size(); ++i) steps[i] = time_s[i + 1] - time_s[i];
+  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+  std::nth_element(steps.begin(), middle, steps.end());
+  return *middle;
+}
 
 Channel channel_of_name(const std::string& name, const rig_file::RigModel& model, const std::string& file,
                         size_t line) {

@@ -18,6 +18,9 @@ Channel channel_of_name(const std::string& name, const rig_file::RigModel& model
 // steps rounded to their last decimal, as milliseconds are at 1024 Hz.
 void set_time_base(const std::vector<double>& time_s, const std::function<size_t(size_t)>& line_of, Record& record);
 
+// The usual step between times, the median; at least two of them.
+double median_step(const std::vector<double>& time_s);
+
 // Keeps the times as they are, for a record that is to be resampled. Throws DataFileError where they do not rise.
 void keep_times(const std::vector<double>& time_s, const std::function<size_t(size_t)>& line_of, Record& record);
 

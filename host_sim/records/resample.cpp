@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "host_sim/records/data_file_error.hpp"
+#include "host_sim/records/record_checks.hpp"
 
 namespace host_sim {
 namespace {
@@ -19,14 +20,6 @@ std::vector<double> times_of(const Record& record) {
   for (size_t i = 0; i < time_s.size(); ++i)
     time_s[i] = record.start_s + static_cast<double>(i) * record.sample_period_s;
   return time_s;
-}
-
-double usual_step(const std::vector<double>& time_s) {
-  std::vector<double> steps(time_s.size() - 1);
-  for (size_t i = 0; i < steps.size(); ++i) steps[i] = time_s[i + 1] - time_s[i];
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::nth_element(steps.begin(), middle, steps.end());
-  return *middle;
 }
 
 // Samples `first` to `end`, without a gap.
@@ -85,7 +78,7 @@ std::vector<Record> resampled(const Record& record, double rate_Hz) {
   if (time_s.size() < kFewestSamples)
     throw DataFileError(record.file, 0,
                         fmt::format("holds {} samples, expected at least {}", time_s.size(), kFewestSamples));
-  const double step = usual_step(time_s);
+  const double step = median_step(time_s);
   if (rate_Hz < kSameRate / step)
     throw DataFileError(
         record.file, 0,

@@ -143,10 +143,13 @@ namespace {
 void judge(const Task& task, const State& beside, bool hosted, Attempt& a) {
   a.error = error_over(a.state.fit, beside.fit), a.unseen = error_over(a.state.unseen_fit, beside.unseen_fit);
   a.quieter = beside.unseen_fit.ok ? error_over(beside.fit, beside.unseen_fit) : 1;
-  for (size_t i = beside.model.size(); i < a.state.model.size(); ++i)
-    if (!shown(task, a.state.model[i]))
-      (a.state.model[i].term.kind == Kind::kPresliding ? a.rounds : a.state.fit.ok) =
-          a.state.model[i].term.kind == Kind::kPresliding;
+  for (size_t i = beside.model.size(); i < a.state.model.size(); ++i) {
+    if (shown(task, a.state.model[i])) continue;
+    if (a.state.model[i].term.kind == Kind::kPresliding)
+      a.rounds = true;
+    else
+      a.state.fit.ok = false;
+  }
   if (!a.state.fit.ok || a.rounds) return;
   a.z = std::min(1e300, least_z(a, beside.model.size()));
   a.shows_unseen = !a.state.unseen_fit.ok || 1 - a.unseen > kShows || expected_unseen(a, beside.model.size()) > kShows;

@@ -56,9 +56,9 @@ std::string missed_text(const std::vector<DofGain>& gains, bool extended) {
 struct Named {
   std::vector<std::string> effects, faults;  // of the rig file, of sensors
 };
-Named named_in(const DiagnosisReportData& data) {
+Named named_in(const std::vector<Cause>& causes) {
   Named named;
-  for (const Cause& cause : data.causes)
+  for (const Cause& cause : causes)
     (of_sensor(cause.effect, cause.where) ? named.faults : named.effects)
         .push_back(cause_text(cause.effect, cause.where));
   return named;
@@ -107,14 +107,14 @@ Possible possible_in(const DiagnosisReportData& data) {
 
 // Of several causes those that no other could replace, and of each of the others what it may be.
 struct Told {
-  DiagnosisReportData sure;
+  std::vector<Cause> sure;
   std::vector<std::string> open;
 };
 Told told_in(const DiagnosisReportData& data) {
   Told told;
   for (const Cause& cause : data.causes) {
     if (cause.rivals.empty()) {
-      told.sure.causes.push_back(cause);
+      told.sure.push_back(cause);
       continue;
     }
     std::vector<std::string> all{cause_text(cause.effect, cause.where)};
@@ -160,9 +160,10 @@ std::string ambiguous_details(const DiagnosisReportData& data) {
 
 std::string verdict_headline(const DiagnosisReportData& data) {
   if (data.verdict == "none") return "The rig file explains the measurement";
-  if (const Told told = told_in(data); data.verdict == "ambiguous" && !told.sure.causes.empty() && !told.open.empty())
-    return headline_of_causes(named_in(told.sure)) + ", and something that these data cannot tell";
   if (data.verdict == "ambiguous") {
+    const Told told = told_in(data);
+    if (!told.sure.empty() && !told.open.empty())
+      return headline_of_causes(named_in(told.sure)) + ", and something that these data cannot tell";
     const Possible possible = possible_in(data);
     if (possible.faults == 0) return "The rig file lacks something, and these data cannot tell which";
     if (possible.faults == possible.all.size()) return "A sensor is at fault, and these data cannot tell which";
@@ -170,7 +171,7 @@ std::string verdict_headline(const DiagnosisReportData& data) {
   }
   if (!data.cannot_describe.empty()) return "The rig file cannot describe this recording";
   if (data.causes.empty()) return "The rig file does not explain the measurement";
-  return headline_of_causes(named_in(data));
+  return headline_of_causes(named_in(data.causes));
 }
 
 std::string verdict_details(const DiagnosisReportData& data) {
@@ -189,7 +190,7 @@ std::string verdict_details(const DiagnosisReportData& data) {
                                 : data.verdict == "unknown"
                                     ? remains + " is beyond noise, and no effect in the vocabulary explains it."
                                     : "";
-  return joined({rest_of_causes(named_in(data)), gain_text(data.gains), remainder});
+  return joined({rest_of_causes(named_in(data.causes)), gain_text(data.gains), remainder});
 }
 
 std::string verdict_sentence(const DiagnosisReportData& data) {
