@@ -43,7 +43,10 @@
 #ifndef FIRMWARE_MAX_WAITING  // samples that come during one solve; a board without a worker needs no more than 64
 #define FIRMWARE_MAX_WAITING 1024
 #endif
-#ifndef FIRMWARE_WARRANT_NUMBERS  // sums of the score tests, 8 bytes each; 0: no score tests, and no memory for them
+#ifndef FIRMWARE_CAN_FD  // 0: frames of up to 8 bytes alone wait to be sent
+#define FIRMWARE_CAN_FD 1
+#endif
+#ifndef FIRMWARE_WARRANT_NUMBERS  // sums of the score tests, 5 bytes each; 0: no score tests, and no memory for them
 #define FIRMWARE_WARRANT_NUMBERS 65536
 #endif
 #ifndef FIRMWARE_WARRANT_PROBES
@@ -71,6 +74,7 @@ constexpr int kMaxLevels = FIRMWARE_MAX_LEVELS;
 constexpr int kMaxBatches = FIRMWARE_MAX_BATCHES;
 constexpr int kMaxProducts = FIRMWARE_MAX_PRODUCTS;
 constexpr int kMaxWaiting = FIRMWARE_MAX_WAITING;
+constexpr bool kSendsFd = FIRMWARE_CAN_FD != 0;
 constexpr bool kDerivesSignals = FIRMWARE_FILTER_HALF > 0;
 constexpr int kWarrantNumbers = FIRMWARE_WARRANT_NUMBERS;
 constexpr int kMaxProbes = FIRMWARE_WARRANT_PROBES;

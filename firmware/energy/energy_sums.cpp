@@ -41,17 +41,17 @@ void EnergySums::fill_instruments(Frame& frame, int from, int to) {
 }
 
 void EnergySums::fill_signs(Frame& frame, int link, int from, int to) {
-  const bool smooth_too = weights_ > kInstrument && wants_all_signs_[link];
+  const bool smooth_too = weights_ > kInstrument && use_[link].wants_all_signs;
   for (int stream = 0; stream < (smooth_too ? 2 : 1); ++stream) {
     const Column<Code> sign = frame.codes((stream == 0 ? kSignColumn : kSmoothSignColumn) + link);
-    if (!locates_crossings_[link] && equal_units(gains_[link])) {
+    if (!use_[link].locates_crossings && equal_units(gains_[link])) {
       signs_of_difference(gains_[link], frame, stream == 1, from, to, sign);
       continue;
     }
     Rate rate[kFrameStride];
     link_rate(gains_[link], frame, stream == 1, from, to, rate);
     signs(rate, from, to, sign);
-    if (locates_crossings_[link]) add_crossings(frame, link, stream == 1, rate, from + 1, to - 2);
+    if (use_[link].locates_crossings) add_crossings(frame, link, stream == 1, rate, from + 1, to - 2);
   }
 }
 
@@ -64,7 +64,7 @@ void EnergySums::fill_clear_signs(Frame& frame, int from, int to, int advance) {
       copy(frame, kClearDisplacementColumn + i, kDisplacementInstrumentColumn + i, from, to);
   }
   for (int l = 0; l < configuration_->link_count; ++l) {
-    if (!wants_clear_sign_[l]) continue;
+    if (!use_[l].wants_clear_sign) continue;
     bool clear[kFrameStride];
     const Column<Code> sign = frame.codes(kClearSignColumn + l);
     clear_sign_[l].fill(frame, from, to, advance, clear, sign);
@@ -110,7 +110,7 @@ void EnergySums::fill_columns(Frame& frame, int count) {
   if (!started_) clear_crossings();
   if (weights_ > kInstrument) fill_instruments(frame, from, to);
   for (int l = 0; l < configuration_->link_count; ++l)
-    if (has_sign_[l]) fill_signs(frame, l, from, to);
+    if (use_[l].has_sign) fill_signs(frame, l, from, to);
   if (weights_ > kInstrument) fill_clear_signs(frame, from, to, count);
   effects_.fill(frame, from, to, count);
 }

@@ -23,7 +23,7 @@ class EnergySums {
 
   void restart();  // a new level
   // Friction counts in samples of clear sign: at which links, and whose equations leave the others out.
-  bool takes_clear_sign(int link) const { return wants_clear_sign_[link]; }
+  bool takes_clear_sign(int link) const { return use_[link].wants_clear_sign; }
   bool leaves_samples_out(int dof) const { return plan_.dof[dof].clear_signs_only; }
   // Works on positions [kLeadIn, kLeadIn + count) of the frame; position kLeadIn + count is the boundary to what follows.
   // First what the signals give (instruments, signs, effects), then the sums of products.
@@ -75,16 +75,18 @@ class EnergySums {
   RowLayout layout_;
   ProductSums sums_;
   RateGains gains_[kMaxLinks];
-  bool has_sign_[kMaxLinks];
-  bool wants_clear_sign_[kMaxLinks];  // friction of a DOF whose equation is taken only where signs are clear
-  bool wants_all_signs_[kMaxLinks];   // friction of a DOF whose equation is taken everywhere
+  struct LinkUse {
+    bool has_sign : 1;
+    bool wants_clear_sign : 1;   // friction of a DOF whose equation is taken only where signs are clear
+    bool wants_all_signs : 1;    // friction of a DOF whose equation is taken everywhere
+    bool locates_crossings : 1;  // a DOF at the link has no measured acceleration
+    bool smooth_is_white : 1;    // both velocities are measured: the noise of the two sign streams is known to scale
+  };
+  LinkUse use_[kMaxLinks];
   ClearSign clear_sign_[kMaxLinks];
   static constexpr int kSignFilters = kDerivesSignals ? kMaxLinks : 1;
   HighPassedSign high_passed_sign_[kSignFilters];
   LowPassedSign low_passed_sign_[kSignFilters];
-  bool locates_crossings_[kMaxLinks];  // a DOF at the link has no measured acceleration
-  bool
-      smooth_is_white_[kMaxLinks];  // both velocities are measured: the noise of the two sign streams is known to scale
   Crossing crossing_[kMaxTermIncidences][kWeights];
   // Of the batch that is closed: 24 times the sum with its ends, piece by piece turned into the integral in SI units.
   Scaled integral_[kMaxProducts];

@@ -40,7 +40,7 @@ Scaled EnergySums::friction_energy(const Incidence& incidence, int weight) const
   const Scaled own = integral(incidence.product_a[weight]) + crossing;
   if (weight != kInstrument) return own;
   const Scaled smooth = integral(incidence.product_smooth) + crossing;
-  if (!smooth_is_white_[link]) return smooth;
+  if (!use_[link].smooth_is_white) return smooth;
   return (smooth * Scaled::from_int(200) - own * Scaled::from_int(67)) / Scaled::from_int(133);
 }
 

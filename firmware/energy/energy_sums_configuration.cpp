@@ -54,22 +54,25 @@ void EnergySums::configure(const CoreConfiguration& configuration, int weights) 
     const bool white = measured_velocity(configuration, link.node_a) && measured_velocity(configuration, link.node_b);
     clear_sign_[l].configure(sign_gains(configuration, gains_[l]), white ? kClearMeans : kClearMeansDerived,
                              configuration.high_pass_order > 0 && !white, rate_noise(configuration, link));
-    has_sign_[l] = wants_clear_sign_[l] = wants_all_signs_[l] = false;
-    smooth_is_white_[l] = white;
+    use_[l] = LinkUse{};
+    use_[l].smooth_is_white = white;
   }
   any_shared_noise_ = false;
   for (const auto& node : configuration.shared_noise)
     for (const auto& weight : node)
       for (const Scaled& noise : weight) any_shared_noise_ = any_shared_noise_ || !noise.is_zero();
-  for (bool& locates : locates_crossings_) locates = false;
   any_crossings_ = false;
   for (int n = 0; n < plan_.incidence_count; ++n) {
     const Term& term = configuration.terms[plan_.incidence[n].term];
     if (!is_sign_term(term.kind)) continue;
-    has_sign_[term.place] = true;
-    const bool clear = plan_.dof[plan_.incidence[n].dof].clear_signs_only;
-    (clear ? wants_clear_sign_ : wants_all_signs_)[term.place] = true;
-    if (!plan_.dof[plan_.incidence[n].dof].has_acceleration) locates_crossings_[term.place] = any_crossings_ = true;
+    const DofProducts& dof = plan_.dof[plan_.incidence[n].dof];
+    LinkUse& use = use_[term.place];
+    use.has_sign = true;
+    if (dof.clear_signs_only)
+      use.wants_clear_sign = true;
+    else
+      use.wants_all_signs = true;
+    if (!dof.has_acceleration) use.locates_crossings = any_crossings_ = true;
   }
   restart();
 }

@@ -14,19 +14,24 @@ constexpr int64_t kMostRate = int64_t{1} << 44;
 
 void ClearSign::configure(const RateGains& gains, int means, bool slow, Scaled noise) {
   gains_ = gains;
-  means_ = means;
-  slow_ = slow;
+  known_.means = static_cast<uint8_t>(means);
+  known_.slow = slow;
   if (!kDerivesSignals) return;
   const int64_t least = to_fixed(noise * Scaled::ratio((6 << kNearLog2) * kMovingPercent, 100), Rate::kFractionBits);
   least_ = Rate::from_raw(least < kMostRate ? least : kMostRate);
 }
 
-void ClearSign::restart() { known_ = Known{}; }
+void ClearSign::restart() {
+  Known fresh;
+  fresh.means = known_.means;
+  fresh.slow = known_.slow;
+  known_ = fresh;
+}
 
 template <typename Number>
 bool ClearSign::judge(Number own, Number around) {
   known_.differences = known_.differences + rescale<Rate>(size_of(6 * own - around));
-  if (slow_) known_.magnitudes = known_.magnitudes + rescale<Rate>(size_of(6 * own));
+  if (known_.slow) known_.magnitudes = known_.magnitudes + rescale<Rate>(size_of(6 * own));
   if (++known_.count == kLongMemory) {
     known_.differences = known_.differences >> 1;
     known_.magnitudes = known_.magnitudes >> 1;
@@ -38,7 +43,7 @@ bool ClearSign::judge(Number own, Number around) {
   }
   if (sign_of(own) != sign_of(around)) return false;
   const Rate size = rescale<Rate>(size_of(around));
-  const Rate doubt = means_ * known_.differences + (slow_ ? known_.magnitudes >> kSlowShareLog2 : Rate{});
+  const Rate doubt = known_.means * known_.differences + (known_.slow ? known_.magnitudes >> kSlowShareLog2 : Rate{});
   return doubt < static_cast<int32_t>(known_.count) * size;
 }
 

@@ -34,6 +34,9 @@ class ClearSign {
     Rate differences, magnitudes;  // sums of 6 |rate - interpolated| and 6 |rate|
     Rate near;                     // fading sum of 6 |rate|, 64 times its mean
     uint32_t count = 0;
+    // Of the link, beside the count that leaves room for them.
+    uint8_t means = 4;
+    bool slow = false;
   };
   // around: six times the interpolated rate. Number: Code where a unit of both is one of the common unit, else Rate.
   template <typename Number>
@@ -42,9 +45,7 @@ class ClearSign {
   void judge_block(const Number* w, int from, int to, int advance, bool* clear, Column<Code> sign);
 
   RateGains gains_;
-  int32_t means_ = 4;
   Rate least_;  // what near is at rest, at the most; 0: not known
-  bool slow_ = false;
   Known known_;
 };
 

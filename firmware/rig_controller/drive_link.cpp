@@ -30,9 +30,8 @@ bool DriveLink::command(Drive drive, uint32_t sequence, uint64_t now_ns) {
 bool DriveLink::stop(uint64_t now_ns) {
   commanded_ = Drive{};
   taken_ = output_.write(0);
-  const CanFrame* waiting = on_can_ ? queue_.find(frame_id_) : nullptr;
   const CanFrame stopped = pack_drive(node_, {0, 0, DriveState::kStopped});
-  const bool waits_already = waiting != nullptr && waiting->data[6] == stopped.data[6];
+  const bool waits_already = on_can_ && queue_.byte_of(frame_id_, 6) == stopped.data[6];
   if (on_can_ && !waits_already) send(0, DriveState::kStopped, now_ns);
   if (delivered()) delivered_command_ = commanded_;
   return taken_;

@@ -69,7 +69,8 @@ void RigController::boot() {
   if (fault != ProgrammeFault::kNone) {
     judge({AlarmCause::kConfiguration, static_cast<uint32_t>(fault) << 8 | level});
   }
-  if (!core().fits()) judge({AlarmCause::kConfiguration, static_cast<uint32_t>(ProgrammeFault::kCapacity) << 8});
+  if (!core().fits() || (configuration_.node.can_fd && !kSendsFd))
+    judge({AlarmCause::kConfiguration, static_cast<uint32_t>(ProgrammeFault::kCapacity) << 8});
   objects_.apply();
   schedule_.start(now_ns_);
   start_waits_ = configuration_.programme.start_at_boot;

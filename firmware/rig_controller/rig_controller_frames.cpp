@@ -95,9 +95,7 @@ void RigController::send_waiting() {
 void RigController::send_heartbeat() {
   const HeartbeatState state = safe_.tripped() ? HeartbeatState::kStopped : HeartbeatState::kOperational;
   const CanFrame heartbeat = pack_heartbeat(configuration_.node.node, state);
-  const CanFrame* waiting = queue_.find(heartbeat.id);
-  const bool boot_up_waits = waiting != nullptr && waiting->data[0] == static_cast<uint8_t>(HeartbeatState::kBootUp);
-  if (!boot_up_waits) queue_.push(heartbeat);
+  if (queue_.byte_of(heartbeat.id, 0) != static_cast<int>(HeartbeatState::kBootUp)) queue_.push(heartbeat);
 }
 
 uint16_t RigController::fault_bits() const {
@@ -158,8 +156,7 @@ void RigController::send_alarms() {
   const uint8_t node = configuration_.node.node;
   const uint64_t inhibit_ns = configuration_.node.emergency_inhibit_ms * kMillisecond_ns;
   Emergency emergency;
-  while (queue_.find(can::frame_id(can::kEmergency.ids, node)) == nullptr &&
-         alarms_.pop(now_ns_, inhibit_ns, emergency)) {
+  while (!queue_.has(can::frame_id(can::kEmergency.ids, node)) && alarms_.pop(now_ns_, inhibit_ns, emergency)) {
     queue_.push(pack_emergency(node, emergency), false);
   }
 }

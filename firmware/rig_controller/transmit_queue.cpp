@@ -6,16 +6,46 @@ TransmitQueue::TransmitQueue() {
   for (int i = 0; i < kCapacity; ++i) order_[i] = static_cast<uint8_t>(i);
 }
 
+void TransmitQueue::put(Waiting& place, const CanFrame& message) const {
+  place.id = message.id;
+  place.pushed_at = flushes_;
+  place.extended = message.extended;
+  place.remote = message.remote;
+  place.error = message.error;
+  place.fd = message.fd;
+  place.flags = message.flags;
+  place.length = message.length;
+  for (int i = 0; i < message.length; ++i) place.data[i] = message.data[i];
+}
+
+CanFrame TransmitQueue::frame_of(const Waiting& place) {
+  CanFrame message;
+  message.id = place.id;
+  message.extended = place.extended;
+  message.remote = place.remote;
+  message.error = place.error;
+  message.fd = place.fd;
+  message.flags = place.flags;
+  message.length = place.length;
+  for (int i = 0; i < place.length; ++i) message.data[i] = place.data[i];
+  return message;
+}
+
+int TransmitQueue::rank_of(uint32_t id) const {
+  int rank = 0;
+  while (rank < count_ && waiting_[order_[rank]].id != id) ++rank;
+  return rank;
+}
+
 void TransmitQueue::push(const CanFrame& message, bool replace) {
-  if (replace) {
-    for (int rank = 0; rank < count_; ++rank) {
-      if (waiting_at(rank).id != message.id) continue;
-      uint32_t& pushed_at = pushed_at_[order_[rank]];
-      waiting_at(rank) = message;
-      given_up_ += pushed_at == flushes_ ? 0 : 1;
-      pushed_at = flushes_;
-      return;
-    }
+  if (message.length > kMostData) {
+    ++given_up_;
+    return;
+  }
+  const int same = replace ? rank_of(message.id) : count_;
+  if (same < count_) {
+    given_up_ += waiting_at(same).pushed_at == flushes_ ? 0 : 1;
+    return put(waiting_at(same), message);
   }
   if (count_ == kCapacity) {
     ++given_up_;
@@ -23,8 +53,7 @@ void TransmitQueue::push(const CanFrame& message, bool replace) {
     --count_;
   }
   const uint8_t place = order_[count_];
-  frames_[place] = message;
-  pushed_at_[place] = flushes_;
+  put(waiting_[place], message);
   int rank = count_++;
   for (; rank > 0 && waiting_at(rank - 1).id > message.id; --rank) order_[rank] = order_[rank - 1];
   order_[rank] = place;
@@ -41,7 +70,7 @@ hal::CanResult TransmitQueue::flush(hal::CanBus& bus) {
   hal::CanResult result = hal::CanResult::kEmpty;
   ++flushes_;
   while (count_ > 0) {
-    result = bus.send(waiting_at(0));
+    result = bus.send(frame_of(waiting_at(0)));
     if (result == hal::CanResult::kDone) {
       ++sent_;
       watched_sent_ = watched_sent_ || waiting_at(0).id == watched_id_;
@@ -61,10 +90,9 @@ bool TransmitQueue::take_watched_sent() {
   return sent;
 }
 
-const CanFrame* TransmitQueue::find(uint32_t id) const {
-  for (int rank = 0; rank < count_; ++rank)
-    if (frames_[order_[rank]].id == id) return &frames_[order_[rank]];
-  return nullptr;
+int TransmitQueue::byte_of(uint32_t id, int number) const {
+  const int rank = rank_of(id);
+  return rank < count_ ? waiting_[order_[rank]].data[number] : -1;
 }
 
 }  // namespace firmware

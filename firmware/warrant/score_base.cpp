@@ -1,4 +1,5 @@
-// The scores of the estimated terms: residuals, weights of the places, the normal matrix and its inverse.
+// The scores of the estimated terms: weights of the places, the normal matrix and its inverse.
+#include "firmware/fixed_point/work_meter.hpp"
 #include "firmware/warrant/score_test.hpp"
 
 namespace firmware {
@@ -10,86 +11,6 @@ Scaled square(Scaled value) { return value * value; }
 
 }  // namespace
 
-// Mean time of a stretch since its level's start, where the probe's force grows with it; else 1.
-Scaled ScoreTest::time(const Probe& probe, int s) const {
-  if (!probe.drifts) return Scaled::from_int(1);
-  const Stretch& stretch = sums_->table().stretch(s);
-  return configuration_->sample_period_s * Scaled::ratio(static_cast<int64_t>(stretch.time), stretch.blocks);
-}
-
-// The sums of one probe in SI units, its residuals at the estimates.
-void ScoreTest::read(const Probe& probe) {
-  const ProbePlan& plan = sums_->plan();
-  const Place& place = plan.place[probe.place];
-  const int sums = place.equations + place.columns, values = plan.values(probe);
-  Scaled unit[kPlaceEquations + kMaxPlaceColumns + 3], noise[2][kPlaceEquations + kMaxPlaceColumns];
-  for (int v = 0; v < values; ++v) unit[v] = sums_->unit(probe, v);
-  for (int slope = 0; slope < plan.slopes; ++slope)
-    for (int v = 0; v < sums; ++v) noise[slope][v] = sums_->noise_share(probe, slope, v, SharedNoise::Of::kWhole);
-  read_doubt(probe);
-  for (int s = 0; s < stretches_; ++s) {
-    const Scaled since = time(probe, s);
-    const auto raw = [&](int v) {
-      const Scaled sum = sums_->table().value(s, probe.first_value + v) * unit[v];
-      return probe.drifts ? sum * since : sum;
-    };
-    Scaled slopes[2];
-    for (int slope = 0; slope < plan.slopes; ++slope) slopes[slope] = raw(sums + 1 + slope);
-    const auto value = [&](int v) {
-      Scaled sum = raw(v);
-      for (int slope = 0; slope < plan.slopes; ++slope)
-        if (!noise[slope][v].is_zero()) sum = sum - slopes[slope] * noise[slope][v];
-      return sum;
-    };
-    for (int e = 0; e < place.equations; ++e) residual_[s][e] = value(e);
-    for (int k = 0; k < place.columns; ++k) {
-      column_[s][k] = value(place.equations + k);
-      const Scaled force = column_[s][k] * parameter_[place.unknown[k]];
-      for (int e = 0; e < place.equations; ++e) {
-        if (place.column_sign[k][e] > 0) residual_[s][e] = residual_[s][e] - force;
-        if (place.column_sign[k][e] < 0) residual_[s][e] = residual_[s][e] + force;
-      }
-    }
-    own_[s] = probe.drifts ? raw(sums) * since : raw(sums);
-  }
-}
-
-// What of the probe's residuals is noise of a doubtful size: the sums of its slopes over a level, times the covariances.
-void ScoreTest::read_doubt(const Probe& probe) {
-  const ProbePlan& plan = sums_->plan();
-  const Place& place = plan.place[probe.place];
-  const int sums = place.equations + place.columns;
-  for (auto& level : doubtful_)
-    for (Scaled& equation : level) equation = Scaled{};
-  for (int slope = 0; slope < plan.slopes; ++slope) {
-    Scaled total[kMaxLevels], share[kPlaceEquations];
-    const int value = probe.first_value + sums + 1 + slope;
-    for (int s = 0; s < stretches_; ++s)
-      total[level_of_[s]] = total[level_of_[s]] + sums_->table().value(s, value) * time(probe, s);
-    for (int e = 0; e < place.equations; ++e) {
-      share[e] = sums_->noise_share(probe, slope, e, SharedNoise::Of::kDoubtful);
-      for (int k = 0; k < place.columns; ++k) {
-        if (place.column_sign[k][e] == 0) continue;
-        const Scaled part = parameter_[place.unknown[k]] *
-                            sums_->noise_share(probe, slope, place.equations + k, SharedNoise::Of::kDoubtful);
-        share[e] = place.column_sign[k][e] > 0 ? share[e] - part : share[e] + part;
-      }
-      share[e] = share[e] * sums_->unit(probe, sums + 1 + slope);
-    }
-    for (int level = 0; level < levels_; ++level)
-      for (int e = 0; e < place.equations; ++e) doubtful_[level][e] = doubtful_[level][e] + total[level] * share[e];
-  }
-}
-
-// The same in the whole score.
-Scaled ScoreTest::doubtful_score(int place) const {
-  Scaled sum;
-  for (int level = 0; level < levels_; ++level)
-    for (int e = 0; e < sums_->plan().place[place].equations; ++e)
-      sum = sum + weight_[place][level][e] * doubtful_[level][e];
-  return sum;
-}
-
 // From the scores of the place's rate (on a DOF, of its acceleration).
 void ScoreTest::weigh(int number) {
   const ProbePlan& plan = sums_->plan();
@@ -99,67 +20,65 @@ void ScoreTest::weigh(int number) {
   for (int j = plan.summed_count - 1; j >= 0; --j)
     if (plan.probe[j].place == number && (found < 0 || plan.probe[j].form == wanted)) found = j;
   if (found < 0) return;
-  read(plan.probe[found]);
+  open(plan.probe[found]);
+  Scaled* const residual[] = {psi_, d_};
+  for (int e = 0; e < place.equations; ++e) {
+    Scaled one[kPlaceEquations];
+    one[e] = Scaled::from_int(1);
+    score_sum_.clear();
+    add_scores(score_sum_, one);
+    for (int s = 0; s < stretches_; ++s) residual[e][s] = score_sum_.of(sums_->table(), s);
+  }
   for (int level = 0; level < levels_; ++level) weigh_level(place, level, number);
 }
 
 void ScoreTest::weigh_level(const Place& place, int level, int number) {
-  Scaled covariance[kPlaceEquations][kPlaceEquations], own;
-  int counted = 0;
-  for (int pass = 0; pass < 2 && counted < kLeastForWeights; ++pass) {  // all levels where one alone is too short
-    own = Scaled{};
-    counted = 0;
-    for (auto& row : covariance)
-      for (Scaled& entry : row) entry = Scaled{};
-    for (int s = 0; s < stretches_; ++s) {
-      if (pass == 0 && level_of_[s] != level) continue;
-      ++counted;
-      own = own + abs(own_[s]);
-      for (int e = 0; e < place.equations; ++e)
-        for (int f = 0; f < place.equations; ++f)
-          covariance[e][f] = covariance[e][f] + residual_[s][e] * residual_[s][f];
-    }
+  Scaled a, b, c;  // covariance of the equations' residuals
+  int from = level_begin_[level], to = level_begin_[level + 1];
+  if (to - from < kLeastForWeights) from = 0, to = stretches_;  // all levels where one alone is too short
+  Scaled own;
+  for (int s = from; s < to; ++s, report_work(100)) {
+    own = own + abs(sums_->table().value(s, sums_->plan().own_value(*probe_)));
+    a = a + square(psi_[s]);
+    if (place.equations == 1) continue;
+    b = b + psi_[s] * d_[s];
+    c = c + square(d_[s]);
   }
+  own = own * unit_[sums_->plan().own_value(*probe_) - probe_->first_value];
+  a = a + scale_by_power_of_two(a, -6);
+  c = c + scale_by_power_of_two(c, -6);
   Scaled* g = weight_[number][level];
-  for (int e = 0; e < place.equations; ++e)
-    covariance[e][e] = covariance[e][e] + scale_by_power_of_two(covariance[e][e], -6);
-  const Scaled& a = covariance[0][0];
-  const Scaled& b = covariance[0][1];
-  const Scaled& c = covariance[1][1];
+  const Scaled covariance[] = {a, c};
   if (place.equations == 1 || b.is_zero() || a.is_zero() || c.is_zero()) {
     for (int e = 0; e < place.equations; ++e) {
-      g[e] = covariance[e][e].is_zero() ? Scaled::from_int(1) : own / covariance[e][e];
+      g[e] = covariance[e].is_zero() ? Scaled::from_int(1) : own / covariance[e];
       if (place.sign[e] < 0) g[e] = -g[e];
     }
     return;
   }
-  const Scaled determinant = a * c - b * b, scale = own / determinant;
-  const Scaled first = place.sign[0] < 0 ? Scaled::from_int(-1) : Scaled::from_int(1);
-  const Scaled second = place.sign[1] < 0 ? Scaled::from_int(-1) : Scaled::from_int(1);
-  g[0] = (c * first - b * second) * scale;
-  g[1] = (a * second - b * first) * scale;
+  const Scaled scale = own / (a * c - b * b);
+  const Scaled first = place.sign[0] < 0 ? -c : c, second = place.sign[1] < 0 ? -a : a;
+  g[0] = (first - (place.sign[1] < 0 ? -b : b)) * scale;
+  g[1] = (second - (place.sign[0] < 0 ? -b : b)) * scale;
 }
 
 void ScoreTest::add_base(const Probe& probe) {
-  const Place& place = sums_->plan().place[probe.place];
   const int row = probe.unknown;
   place_of_unknown_[row] = probe.place;
   determined_[row] = true;
-  read(probe);
-  for (int s = 0; s < stretches_; ++s) {
-    Scaled score;
-    for (int e = 0; e < place.equations; ++e) {
-      const Scaled g = weight(probe.place, s, e);
-      score = score + g * residual_[s][e];
-      for (int k = 0; k < place.columns; ++k) {
-        Scaled& entry = normal_[row][place.unknown[k]];
-        if (place.column_sign[k][e] > 0) entry = entry + g * column_[s][k];
-        if (place.column_sign[k][e] < 0) entry = entry - g * column_[s][k];
-      }
+  open(probe);
+  for (int level = 0; level < levels_; ++level) {
+    take_level(level);
+    score_sum_.clear();
+    add_scores(score_sum_, weight_[probe.place][level]);
+    for (int s = level_begin_[level]; s < level_begin_[level + 1]; ++s)
+      base_score_[s][row] = short_scaled(score_sum_.of(sums_->table(), s));
+    for (int k = 0; k < place_->columns; ++k) {
+      Scaled& entry = normal_[row][place_->unknown[k]];
+      if (!column_weight_[k].is_zero()) entry = entry + column_weight_[k] * column_total(level, k);
     }
-    base_score_[s][row] = score;
   }
-  base_doubt_[row] = doubtful_score(probe.place);
+  base_doubt_[row] = doubtful_score();
 }
 
 // Gauss-Jordan with the largest pivot of what is left, rows and columns scaled; a term that is a combination of others is
@@ -213,10 +132,13 @@ void ScoreTest::compare() {
   for (int k = 0; k < unknowns_; ++k) {
     difference_[k] = difference_std_[k] = difference_doubt_[k] = Scaled{};
     if (!determined_[k]) continue;
-    Scaled share[kMostStretches], squares;
-    for (int s = 0; s < stretches_; ++s) {
-      for (int j = 0; j < unknowns_; ++j)
-        if (!inverse_[k][j].is_zero()) share[s] = share[s] + inverse_[k][j] * base_score_[s][j];
+    Scaled* const share = left_;
+    Scaled squares;
+    ShortScaled inverse[kMaxUnknowns];
+    for (int j = 0; j < unknowns_; ++j) inverse[j] = short_scaled(inverse_[k][j]);
+    for (int s = 0; s < stretches_; ++s, report_work(60 * unknowns_)) {
+      share[s] = sum_of_products(
+          unknowns_, [&](int j) { return inverse[j]; }, [&](int j) { return base_score_[s][j]; });
       difference_[k] = difference_[k] + share[s];
     }
     for (int j = 0; j < unknowns_; ++j) difference_doubt_[k] = difference_doubt_[k] + inverse_[k][j] * base_doubt_[j];

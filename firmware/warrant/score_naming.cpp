@@ -151,13 +151,13 @@ void ScoreTest::judge_size(int number) {
   if (pushes(*configuration_, sums_->plan(), probe, score, parameter_)) score.tested = false;
   if (!score.tested) return;
   const Scaled force = square(score.effect) * abs(own_square_[number]);
-  score.rms = sqrt(quotient(force, samples_));
   if (sums_->plan().place[probe.place].kind == PlaceKind::kChannels)
     score.matters = abs(score.effect) > percent(kGainPercent);
   else
     score.matters = force > square(percent(kDampingPercent)) * damping_square(probe.place);
-  score.flagged =
-      score.matters && abs(score.wald) > limit(score.freedom) && abs(score.plain) > plain_limit(score.freedom);
+  // The same with the scatter that the effect itself is in: the score over its root.
+  const auto plain = [&] { return abs(score.effect * score.information) / sqrt(score.before); };
+  score.flagged = score.matters && abs(score.wald) > limit(score.freedom) && plain() > plain_limit(score.freedom);
 }
 
 // The scatter of a place's scores per information is noise alone for the right probe; the smallest one stands for it.
@@ -174,7 +174,7 @@ void ScoreTest::name() {
     }
     for (int j = 0; j < plan.probe_count; ++j)
       if (plan.probe[j].place == p && score_[j].tested)
-        score_[j].gain = quotient(square(score_[j].score), score_[j].information * least);
+        score_[j].gain = quotient(square(score_[j].effect) * score_[j].information, least);
   }
   bool any = false;
   for (int j = 0; j < plan.probe_count; ++j) any = any || score_[j].flagged;

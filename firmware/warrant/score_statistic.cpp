@@ -16,83 +16,104 @@ Scaled quotient(Scaled a, Scaled b) { return b.is_zero() ? Scaled{} : a / b; }
 
 }  // namespace
 
-// What the scores of the place take of an unknown's column.
-void ScoreTest::find_weights(const Probe& probe) {
-  const Place& place = sums_->plan().place[probe.place];
-  for (int level = 0; level < levels_; ++level)
-    for (int k = 0; k < place.columns; ++k) {
-      Scaled& sum = column_weight_[level][k] = Scaled{};
-      for (int e = 0; e < place.equations; ++e) {
-        const Scaled g = weight_[probe.place][level][e];
-        if (place.column_sign[k][e] > 0) sum = sum + g;
-        if (place.column_sign[k][e] < 0) sum = sum - g;
-      }
-    }
+// How the score of each estimated term answers to the probe's force at a level: only equations that both stand in.
+void ScoreTest::find_answers(int level) {
+  const ProbePlan& plan = sums_->plan();
+  for (int k = 0; k < place_->columns; ++k) {
+    Scaled& answer = answer_[k] = Scaled{};
+    if (!determined_[place_->unknown[k]]) continue;
+    const int base = place_of_unknown_[place_->unknown[k]];
+    for (int f = 0; f < plan.place[base].equations; ++f)
+      for (int e = 0; e < place_->equations; ++e)
+        if (plan.place[base].dof[f] == place_->dof[e]) {
+          const Scaled& g = weight_[base][level][f];
+          answer = place_->sign[e] < 0 ? answer - g : answer + g;
+        }
+  }
 }
 
-// C and, once the answers are known, how a unit of the probe's effect bends the estimates.
-void ScoreTest::share_out(const Probe& probe) {
-  const ProbePlan& plan = sums_->plan();
-  const Place& place = plan.place[probe.place];
-  Scaled sum[kMaxUnknowns], total[kMaxUnknowns];
-  for (int s = 0; s < stretches_; ++s)
-    for (int k = 0; k < place.columns; ++k) {
-      const int unknown = place.unknown[k];
-      sum[unknown] = sum[unknown] + taken(s, k);
-      total[unknown] = total[unknown] + answer_[level_of_[s]][k] * column_[s][k];
+// C and b.
+void ScoreTest::share_out() {
+  Scaled taken[kMaxUnknowns], answered[kMaxUnknowns];
+  for (int level = 0; level < levels_; ++level) {
+    take_level(level);
+    find_answers(level);
+    for (int k = 0; k < place_->columns; ++k) {
+      const int unknown = place_->unknown[k];
+      const Scaled column = column_total(level, k);
+      taken[unknown] = taken[unknown] + column_weight_[k] * column;
+      answered[unknown] = answered[unknown] + answer_[k] * column;
     }
+  }
   for (int k = 0; k < unknowns_; ++k) {
     share_[k] = bend_[k] = Scaled{};
     for (int j = 0; j < unknowns_; ++j) {
-      if (!sum[j].is_zero() && !inverse_[j][k].is_zero()) share_[k] = share_[k] + sum[j] * inverse_[j][k];
-      if (!total[j].is_zero() && !inverse_[k][j].is_zero()) bend_[k] = bend_[k] + inverse_[k][j] * total[j];
+      if (!taken[j].is_zero() && !inverse_[j][k].is_zero()) share_[k] = share_[k] + taken[j] * inverse_[j][k];
+      if (!answered[j].is_zero() && !inverse_[k][j].is_zero()) bend_[k] = bend_[k] + inverse_[k][j] * answered[j];
     }
   }
 }
 
-// How the score of each estimated term answers to the probe's force: only equations that both stand in.
-void ScoreTest::find_answers(const Probe& probe) {
+// C N_s b: what the bent estimates do to the scores of the estimated terms.
+void ScoreTest::add_bent_base(int level) {
   const ProbePlan& plan = sums_->plan();
-  const Place& place = plan.place[probe.place];
-  for (int level = 0; level < levels_; ++level)
-    for (int k = 0; k < place.columns; ++k) {
-      Scaled& answer = answer_[level][k] = Scaled{};
-      if (!determined_[place.unknown[k]]) continue;
-      const int base = place_of_unknown_[place.unknown[k]];
-      for (int f = 0; f < plan.place[base].equations; ++f)
-        for (int e = 0; e < place.equations; ++e)
-          if (plan.place[base].dof[f] == place.dof[e]) {
-            const Scaled g = weight_[base][level][f];
-            answer = answer + (place.sign[e] < 0 ? -g : g);
-          }
-    }
-}
-
-// C N_s b: what the bent estimates do to the scores of the estimated terms, stretch by stretch.
-void ScoreTest::bend_base(Scaled* bent) const {
-  const ProbePlan& plan = sums_->plan();
-  for (int s = 0; s < stretches_; ++s, report_work(60)) bent[s] = Scaled{};
+  base_sum_.clear();
   for (int j = 0; j < plan.base_count; ++j) {
     const Probe& base = plan.probe[j];
     const Place& place = plan.place[base.place];
-    const Scaled share = share_[base.unknown];
+    const Scaled& share = share_[base.unknown];
     if (share.is_zero()) continue;
     for (int k = 0; k < place.columns; ++k) {
-      const Scaled bend = share * bend_[place.unknown[k]];
+      const Scaled& bend = bend_[place.unknown[k]];
       if (bend.is_zero()) continue;
+      Scaled taken;
+      for (int e = 0; e < place.equations; ++e) {
+        const Scaled& g = weight_[base.place][level][e];
+        if (place.column_sign[k][e] > 0) taken = taken + g;
+        if (place.column_sign[k][e] < 0) taken = taken - g;
+      }
       const int value = place.equations + k;
-      const Scaled scale = bend * sums_->unit(base, value);
-      Scaled factor[kMaxLevels];
-      for (int level = 0; level < levels_; ++level)
-        for (int e = 0; e < place.equations; ++e) {
-          const Scaled g = weight_[base.place][level][e];
-          if (place.column_sign[k][e] > 0) factor[level] = factor[level] + g * scale;
-          if (place.column_sign[k][e] < 0) factor[level] = factor[level] - g * scale;
-        }
-      for (int s = 0; s < stretches_; ++s)
-        bent[s] = bent[s] + factor[level_of_[s]] * sums_->table().value(s, base.first_value + value);
+      base_sum_.add(base.first_value + value, share * bend * taken * sums_->unit(base, value));
     }
   }
+}
+
+// psi and d of the level's stretches.
+void ScoreTest::score_level(int level) {
+  const ScoreTable& table = sums_->table();
+  const int own = place_->equations + place_->columns;
+  const Scaled* g = weight_[probe_->place][level];
+  take_level(level);
+  find_answers(level);
+  score_sum_.clear();
+  column_sum_.clear();
+  add_scores(score_sum_, g);
+  Scaled factor[kPlaceEquations + kMaxPlaceColumns], own_weight;
+  for (int k = 0; k < place_->columns; ++k) {
+    const int unknown = place_->unknown[k];
+    factor[place_->equations + k] = -(share_[unknown] * answer_[k] + bend_[unknown] * column_weight_[k]);
+  }
+  add_sums(column_sum_, factor);
+  for (int e = 0; e < place_->equations; ++e) own_weight = place_->sign[e] < 0 ? own_weight - g[e] : own_weight + g[e];
+  own_weight = own_weight * unit_[own];
+  if (!probe_->drifts) column_sum_.add(probe_->first_value + own, own_weight);
+  add_bent_base(level);
+  ShortScaled share[kMaxUnknowns];
+  for (int k = 0; k < unknowns_; ++k) share[k] = short_scaled(share_[k]);
+  for (int s = level_begin_[level]; s < level_begin_[level + 1]; ++s, report_work(60 * unknowns_)) {
+    const Scaled base = sum_of_products(
+        unknowns_, [&](int k) { return share[k]; }, [&](int k) { return base_score_[s][k]; });
+    psi_[s] = score_sum_.of(table, s);
+    d_[s] = column_sum_.of(table, s);
+    if (probe_->drifts) {
+      const Scaled since = time(s);
+      psi_[s] = psi_[s] * since;
+      d_[s] = (d_[s] + own_weight * table.value(s, probe_->first_value + own) * since) * since;
+    }
+    psi_[s] = psi_[s] - base;
+    d_[s] = d_[s] + base_sum_.of(table, s);
+  }
+  sum_own_ = sum_own_ + own_weight * total(level, own, 2);
 }
 
 void ScoreTest::keep_bend_of_shape(int number) {
@@ -145,67 +166,61 @@ Scaled ScoreTest::variance_of_sum(const Scaled* share, Scaled& freedom) const {
 
 void ScoreTest::test(int number) {
   const Probe& probe = sums_->plan().probe[number];
-  const Place& place = sums_->plan().place[probe.place];
   ProbeScore& result = score_[number] = ProbeScore{};
-  read(probe);
-  for (int s = 0; s < stretches_; ++s, report_work(80)) own_square_[number] = own_square_[number] + own_[s];
+  open(probe);
+  const int own = place_->equations + place_->columns;
+  for (int level = 0; level < levels_; ++level) own_square_[number] = own_square_[number] + total(level, own, 2);
+  own_square_[number] = own_square_[number] * unit_[own];
   if (probe.unknown >= 0) return;
-  find_answers(probe);
-  find_weights(probe);
-  share_out(probe);
-  for (int level = 0; level < levels_; ++level)
-    for (int k = 0; k < place.columns; ++k) shared_answer_[level][k] = share_[place.unknown[k]] * answer_[level][k];
-  Scaled *psi = psi_, *d = d_;
-  bend_base(d);
-  Scaled sum_psi, sum_d, sum_p, d_squares;
-  for (int s = 0; s < stretches_; ++s) {
-    psi[s] = Scaled{};
-    Scaled own;
-    for (int e = 0; e < place.equations; ++e) {
-      const Scaled g = weight(probe.place, s, e);
-      psi[s] = psi[s] + g * residual_[s][e];
-      own = own + (place.sign[e] < 0 ? -g : g) * own_[s];
-    }
-    for (int k = 0; k < unknowns_; ++k)
-      if (!share_[k].is_zero()) psi[s] = psi[s] - share_[k] * base_score_[s][k];
-    d[s] = d[s] + own;
-    for (int k = 0; k < place.columns; ++k)
-      d[s] = d[s] - shared_answer_[level_of_[s]][k] * column_[s][k] - bend_[place.unknown[k]] * taken(s, k);
-    sum_p = sum_p + own;
-    sum_psi = sum_psi + psi[s];
-    sum_d = sum_d + d[s];
-    result.before = result.before + square(psi[s]);
-    d_squares = d_squares + square(d[s]);
+  share_out();
+  sum_own_ = Scaled{};
+  for (int level = 0; level < levels_; ++level) score_level(level);
+  if (!conclude(result)) return;
+  judge_by_scatter(result);
+  keep_bends(number);
+  keep_bend_of_shape(number);
+}
+
+// The effect. False: the record cannot tell it from the estimated coefficients.
+bool ScoreTest::conclude(ProbeScore& result) {
+  Scaled sum_psi, d_squares;
+  for (int s = 0; s < stretches_; ++s, report_work(200)) {
+    sum_psi = sum_psi + psi_[s];
+    result.information = result.information + d_[s];
+    result.before = result.before + square(psi_[s]);
+    d_squares = d_squares + square(d_[s]);
   }
-  result.score = sum_psi;
-  result.information = sum_d;
-  result.share = quotient(sum_d, sum_p);
-  if (result.before.is_zero()) return;
-  if (sum_d.is_zero() || result.share < Scaled::from_int(1, kLeastShareLog2)) return keep_blind(probe);
-  result.freedom = square(sum_d) / d_squares - Scaled::from_int(1);
-  if (result.freedom < Scaled::from_int(kLeastFreedom)) return;
+  if (result.before.is_zero()) return false;
+  const Scaled share = quotient(result.information, sum_own_);
+  if (result.information.is_zero() || share < Scaled::from_int(1, kLeastShareLog2)) {
+    keep_blind(*probe_);
+    return false;
+  }
+  result.freedom = square(result.information) / d_squares - Scaled::from_int(1);
+  if (result.freedom < Scaled::from_int(kLeastFreedom)) return false;
   result.tested = true;
-  result.effect = sum_psi / sum_d;
-  Scaled* left = own_;  // read no more
-  for (int s = 0; s < stretches_; ++s) {
-    left[s] = psi[s] - result.effect * d[s];
-    result.scatter = result.scatter + square(left[s]);
-    Scaled rest = Scaled::from_int(1) - d[s] / sum_d;
-    if (rest < Scaled::ratio(1, 4)) rest = Scaled::ratio(1, 4);
-    if (rest > Scaled::from_int(1)) rest = Scaled::from_int(1);
-    left[s] = left[s] / rest;
+  result.effect = sum_psi / result.information;
+  return true;
+}
+
+void ScoreTest::judge_by_scatter(ProbeScore& result) {
+  const Scaled one = Scaled::from_int(1), least = Scaled::from_int(1, -2), part = one / result.information;
+  Scaled sum_psi;
+  for (int s = 0; s < stretches_; ++s, report_work(200)) {
+    sum_psi = sum_psi + psi_[s];
+    left_[s] = psi_[s] - result.effect * d_[s];
+    result.scatter = result.scatter + square(left_[s]);
+    const Scaled rest = one - d_[s] * part;
+    if (rest < one) left_[s] = left_[s] / (rest < least ? least : rest);
   }
-  const Scaled variance = variance_of_sum(left, result.freedom);
+  const Scaled deviation = sqrt(variance_of_sum(left_, result.freedom));
   Scaled doubt;  // what of the score may be noise that signals share, beyond what is taken out
   for (int k = 0; k < unknowns_; ++k)
     if (!share_[k].is_zero()) doubt = doubt + share_[k] * base_doubt_[k];
-  doubt = abs(doubtful_score(probe.place) - doubt);
+  doubt = abs(doubtful_score() - doubt);
   const Scaled sure = abs(sum_psi) > doubt ? abs(sum_psi) - doubt : Scaled{};
-  result.std = sqrt(variance) / sum_d;
-  result.wald = quotient(sum_psi.is_negative() ? -sure : sure, sqrt(variance));
-  result.plain = sum_psi / sqrt(result.before);
-  keep_bends(number);
-  keep_bend_of_shape(number);
+  result.std = deviation / result.information;
+  result.wald = quotient(sum_psi.is_negative() ? -sure : sure, deviation);
 }
 
 }  // namespace firmware

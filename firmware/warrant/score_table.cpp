@@ -49,7 +49,7 @@ void ScoreTable::flush() {
     if (merging_) {
       held_[v] = current_[v];
     } else if (current_[v] != 0) {
-      add_to(count_ - 1, v, Scaled::from_int(current_[v]));
+      add_to((count_ - 1) * values_ + v, current_[v]);
     }
     current_[v] = 0;
   }
@@ -72,7 +72,7 @@ void ScoreTable::drop() {
 }
 
 void ScoreTable::append_row() {
-  for (int v = 0; v < values_; ++v) number_[(count_ - 1) * values_ + v] = PackedScaled{};
+  for (int v = 0; v < values_; ++v) put((count_ - 1) * values_ + v, {});
 }
 
 // Neighbours of the same level; one that is left over at a level's end stays as it is, the last one goes on.
@@ -106,11 +106,11 @@ void ScoreTable::begin_merge() {
 void ScoreTable::merge_some(int numbers) {
   while (merging_ && numbers > 0) {
     const Row& row = merged_[row_];
-    PackedScaled* to = &number_[row_ * values_];
-    const PackedScaled* from = &number_[row.from * values_];
+    const int to = row_ * values_, from = row.from * values_;
     const int end = next_value_ + numbers < values_ ? next_value_ + numbers : values_;
     for (int v = next_value_; v < end; ++v)
-      to[v] = row.pair ? pack(unpack(from[v]) + unpack(from[values_ + v])) : from[v];
+      put(to + v, row.pair ? number_at(from + v) + number_at(from + values_ + v) : number_at(from + v));
+    report_work(100 * (end - next_value_));
     numbers -= end - next_value_;
     next_value_ = end;
     if (end < values_) return;
@@ -123,7 +123,25 @@ void ScoreTable::end_merge() {
   merging_ = false;
   if (held_in_new_row_) append_row();
   for (int v = 0; v < values_; ++v)
-    if (held_[v] != 0) add_to(count_ - 1, v, Scaled::from_int(held_[v]));
+    if (held_[v] != 0) add_to((count_ - 1) * values_ + v, held_[v]);
+}
+
+Scaled ScoreTable::sum(int from, int to, int value) const {
+  static_assert(kMostStretches <= 256, "2^31 2^22 of each");
+  constexpr int kGuard = 22;
+  int largest = INT8_MIN;
+  for (int s = from; s < to; ++s) {
+    const ShortScaled one = number(s, value);
+    if (one.mantissa != 0 && one.exponent > largest) largest = one.exponent;
+  }
+  int64_t sum = 0;
+  for (int s = from; s < to; ++s) {
+    const ShortScaled one = number(s, value);
+    const int distance = largest - one.exponent;
+    if (one.mantissa != 0 && distance < 62) sum += (one.mantissa * (int64_t{1} << kGuard)) >> distance;
+  }
+  report_work(100 + 30 * (to - from));
+  return Scaled::from_int(sum, largest - kGuard);
 }
 
 }  // namespace firmware

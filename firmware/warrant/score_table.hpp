@@ -9,7 +9,8 @@
 // full, neighbouring stretches of each level merge and the length of a stretch doubles: nothing is lost. That is up to 32768
 // additions, so a slice of them is done with each sample; the sums of the blocks that filled the table are held meanwhile.
 #pragma once
-#include "firmware/energy/batch_table.hpp"
+#include "firmware/configuration/capacity.hpp"
+#include "firmware/fixed_point/short_scaled.hpp"
 
 namespace firmware {
 
@@ -41,7 +42,10 @@ class ScoreTable {
   int stretches() const { return count_; }
   int levels() const { return level_; }
   const Stretch& stretch(int s) const { return stretch_[s]; }
-  Scaled value(int s, int value) const { return unpack(number_[s * values_ + value]); }
+  ShortScaled number(int s, int value) const { return number_at(s * values_ + value); }
+  Scaled value(int s, int value) const { return long_scaled(number(s, value)); }
+  // Over stretches [from, to), exact to 2^-53 of the largest of them.
+  Scaled sum(int from, int to, int value) const;
 
  private:
   struct Row {  // of the merged table: made of one stretch, or of it and the next one
@@ -54,10 +58,12 @@ class ScoreTable {
   void merge_some(int numbers);
   void end_merge();
   void append_row();
-  void add_to(int s, int value, Scaled sum) {
-    PackedScaled& place = number_[s * values_ + value];
-    place = pack(unpack(place) + sum);
+  ShortScaled number_at(int place) const { return {mantissa_[place], exponent_[place]}; }
+  void put(int place, ShortScaled number) {
+    mantissa_[place] = number.mantissa;
+    exponent_[place] = static_cast<int8_t>(number.exponent);  // sums of whole numbers below 2^75
   }
+  void add_to(int place, int64_t sum) { put(place, number_at(place) + short_scaled(sum)); }
 
   int values_ = 0, room_ = 0, count_ = 0, level_ = 0;
   bool open_ = false;     // the last stretch is of this level and not yet full
@@ -66,9 +72,10 @@ class ScoreTable {
   uint64_t pending_time_ = 0;
   int64_t current_[kMostProbeValues];
   Stretch stretch_[kMostStretches];
-  PackedScaled number_[kWarrantNumbers];
+  int32_t mantissa_[kWarrantNumbers];
+  int8_t exponent_[kWarrantNumbers];
 
-  // A merge: stretch_ and count_ are those of the merged table from its beginning, number_ only at its end.
+  // A merge: stretch_ and count_ are those of the merged table from its beginning, its numbers only at its end.
   bool merging_ = false;
   int numbers_per_sample_ = 0;
   int rows_ = 0, row_ = 0, next_value_ = 0;  // rows to merge, the one at hand, and how far it is

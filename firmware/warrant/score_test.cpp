@@ -25,8 +25,9 @@ bool ScoreTest::judge(const CoreConfiguration& configuration, const ScoreSums& s
   samples_ = Scaled{};
   for (int s = 0; s < stretches_; ++s) {
     const Stretch& stretch = table.stretch(s);
-    if (stretch.level != last && levels_ < kMaxLevels) ++levels_;
+    if (stretch.level != last && levels_ < kMaxLevels) level_begin_[levels_++] = static_cast<uint16_t>(s);
     last = stretch.level;
+    level_begin_[levels_] = static_cast<uint16_t>(s + 1);
     level_of_[s] = static_cast<uint8_t>(levels_ - 1);
     report_work(150);
     samples_ = samples_ + Scaled::from_int(static_cast<int64_t>(stretch.blocks) * kBlockSamples);
@@ -38,7 +39,7 @@ bool ScoreTest::judge(const CoreConfiguration& configuration, const ScoreSums& s
     determined_[k] = false;
     possible_bend_[k] = bend_of_shape_[k] = base_doubt_[k] = Scaled{};
     for (int j = 0; j < unknowns_; ++j) normal_[k][j] = Scaled{};
-    for (int s = 0; s < stretches_; ++s, report_work(15)) base_score_[s][k] = Scaled{};
+    for (int s = 0; s < stretches_; ++s, report_work(15)) base_score_[s][k] = {};
   }
   for (int p = 0; p < plan.place_count; ++p) weigh(p);
   for (int j = 0; j < plan.base_count; ++j) add_base(plan.probe[j]);

@@ -6,13 +6,15 @@
 //   m_s = sum of phi g' r,   G_s = sum of phi g' columns,   P_s = sum of phi g' b own force
 // and, with the scores z of the estimated terms themselves and C = (sum G) (sum N)^-1, N the z's own matrix,
 //   psi_s = m_s - C z_s,   d_s = P_s - C G'_s - G_s b + C N_s b,   b = (sum N)^-1 (sum G'):
-// what the estimated coefficients cannot take up; b is how far a unit of the force bends them. Then
+// what the estimated coefficients cannot take up; b is how far a unit of the force bends them. For given estimates both are
+// linear combinations of the stretch's sums, the same for all stretches of a level. Then
 //   effect = sum psi / sum d,    Wald = sum psi / sqrt( sum of ((psi_s - effect d_s) / (1 - h_s))^2 ),  h_s = d_s / sum d.
 // The scatter is what is left with the effect included (the plain one holds the effect itself); 1 - h_s is the
 // leave-one-out correction for the share of the information that one stretch holds. Limits are Student's for the
 // effective number of stretches, at the chance of 4.5 deviations of the normal distribution (7e-6).
 #pragma once
 #include "firmware/identification/estimate.hpp"
+#include "firmware/warrant/combination.hpp"
 #include "firmware/warrant/score_sums.hpp"
 
 namespace firmware {
@@ -22,16 +24,17 @@ struct ProbeScore {
   bool matters = false;  // large enough beside the damping forces
   bool flagged = false;  // and beyond chance
   Scaled effect, std;    // SI units of the probe's coefficient
-  Scaled wald, plain;    // effect over its deviation; the same with the plain scatter
+  Scaled wald;           // effect over its deviation
   Scaled freedom;        // effective number of stretches
   Scaled information;    // sum of d
-  Scaled share;          // d / P: what of the force the estimated coefficients do not take up
   Scaled before;         // sum of psi^2
   Scaled scatter;        // what is left: sum of (psi - effect d)^2
-  Scaled score;          // sum of psi
   Scaled gain;           // of the log-likelihood, twice; comparable between probes
-  Scaled rms;            // of the force, SI
 };
+
+// Sums of a probe, and pairs of an estimated term's scores with the columns there.
+constexpr int kMostProbeSums = kPlaceEquations + kMaxPlaceColumns + 3;
+constexpr int kMostBaseSums = kMaxUnknowns * kMaxPlaceColumns;
 
 class ScoreTest {
  public:
@@ -57,25 +60,29 @@ class ScoreTest {
   Scaled difference_doubt(int unknown) const { return difference_doubt_[unknown]; }  // from noise of a doubtful size
 
  private:
-  Scaled time(const Probe& probe, int stretch) const;
-  void read(const Probe& probe);
-  void read_doubt(const Probe& probe);
-  Scaled doubtful_score(int place) const;
+  void open(const Probe& probe);
+  void read_noise();
+  void take_level(int level);
+  void add_scores(Combination<kMostProbeSums>& combination, const Scaled* equation) const;
+  void add_sums(Combination<kMostProbeSums>& combination, const Scaled* factor) const;
+  Scaled time(int stretch) const;
+  Scaled total(int level, int value, int power) const;
+  Scaled column_total(int level, int column) const;
+  Scaled doubtful_score();
   void weigh(int place);
   void weigh_level(const Place& place, int level, int place_number);
   void add_base(const Probe& probe);
+  void add_base_level(int row, int level);
   void invert();
   void compare();
   void test(int number);
+  void score_level(int level);
+  bool conclude(ProbeScore& result);
+  void judge_by_scatter(ProbeScore& result);
   Scaled variance_of_sum(const Scaled* share, Scaled& freedom) const;
-  // G of one stretch: phi g' column of an unknown at the place.
-  Scaled taken(int stretch, int column) const {
-    return column_weight_[level_of_[stretch]][column] * column_[stretch][column];
-  }
-  void find_weights(const Probe& probe);
-  void find_answers(const Probe& probe);
-  void share_out(const Probe& probe);
-  void bend_base(Scaled* bent) const;
+  void find_answers(int level);
+  void share_out();
+  void add_bent_base(int level);
   void keep_bends(int probe);
   void keep_bend_of_shape(int probe);
   void keep_blind(const Probe& probe);
@@ -83,25 +90,29 @@ class ScoreTest {
   void name();
   Scaled damping_square(int place) const;
   Scaled terms_square(int place, bool own) const;
-  Scaled weight(int place, int stretch, int equation) const { return weight_[place][level_of_[stretch]][equation]; }
 
   const CoreConfiguration* configuration_ = nullptr;
   const ScoreSums* sums_ = nullptr;
   Scaled parameter_[kMaxUnknowns];
   int unknowns_ = 0, stretches_ = 0, levels_ = 0;
   uint8_t level_of_[kMostStretches];
+  uint16_t level_begin_[kMaxLevels + 1];  // stretches of a level stand together
   uint8_t place_of_unknown_[kMaxUnknowns];
   bool determined_[kMaxUnknowns];
   Scaled weight_[kMaxPlaces][kMaxLevels][kPlaceEquations];
   Scaled normal_[kMaxUnknowns][kMaxUnknowns], inverse_[kMaxUnknowns][kMaxUnknowns];
-  Scaled base_score_[kMostStretches][kMaxUnknowns];
+  ShortScaled base_score_[kMostStretches][kMaxUnknowns];
   Scaled base_doubt_[kMaxUnknowns];  // of the sum of its scores
-  // Of the probe that was read last: C, b, the answers of the estimated terms' scores, C times those, and g' column signs.
-  Scaled share_[kMaxUnknowns], bend_[kMaxUnknowns], answer_[kMaxLevels][kMaxPlaceColumns];
-  Scaled shared_answer_[kMaxLevels][kMaxPlaceColumns], column_weight_[kMaxLevels][kMaxPlaceColumns];
-  Scaled residual_[kMostStretches][kPlaceEquations], column_[kMostStretches][kMaxPlaceColumns], own_[kMostStretches];
-  Scaled doubtful_[kMaxLevels][kPlaceEquations];  // noise of a doubtful size in the sums of residual_
-  Scaled psi_[kMostStretches], d_[kMostStretches];
+  // The probe at hand: SI units of its sums; what of a sum's noise stands in one of an equation or column (SI, per sum of a
+  // slope); at the level at hand g' column signs and the answers of the estimated terms' scores; C and b.
+  const Probe* probe_ = nullptr;
+  const Place* place_ = nullptr;
+  Scaled unit_[kMostProbeSums], noise_[2][kPlaceEquations + kMaxPlaceColumns];
+  Scaled column_weight_[kMaxPlaceColumns], answer_[kMaxPlaceColumns];
+  Scaled share_[kMaxUnknowns], bend_[kMaxUnknowns], sum_own_;
+  Combination<kMostProbeSums> score_sum_, column_sum_;
+  Combination<kMostBaseSums> base_sum_;
+  Scaled psi_[kMostStretches], d_[kMostStretches], left_[kMostStretches];
   ProbeScore score_[kMaxProbes];
   Scaled own_square_[kMaxProbes];  // sum of own forces squared, SI
   Scaled difference_[kMaxUnknowns], difference_std_[kMaxUnknowns], difference_doubt_[kMaxUnknowns];

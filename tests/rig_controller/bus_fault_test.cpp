@@ -210,7 +210,7 @@ TEST(TransmitQueue, OnlyFramesThatTheBusRefusedCountAsGivenUp) {
   message.id = 0x081;  // the most urgent: 0x200 + 94 goes
   queue.push(message);
   EXPECT_EQ(queue.given_up(), 3u);
-  EXPECT_EQ(queue.find(0x200 + 94), nullptr);
+  EXPECT_FALSE(queue.has(0x200 + 94));
   bus.fail(hal::BusFailure::kNone);
   EXPECT_EQ(queue.flush(bus), hal::CanResult::kDone);
   ASSERT_EQ(bus.sent().size(), 96u);

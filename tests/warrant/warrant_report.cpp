@@ -68,13 +68,13 @@ int main(int argc, char** argv) {
       const auto& q = plan.probe[j];
       const auto& pl = plan.place[q.place];
       const auto& r = test.score(j);
-      std::printf("    %s%d-%d %s: wald %.2f t0 %.2f nu %.1f share %.3f effect %.4g +- %.3g gain %.0f rms %.3g%s\n",
+      std::printf("    %s%d-%d %s: wald %.2f nu %.1f effect %.4g +- %.3g gain %.0f%s\n",
                   pl.kind == firmware::PlaceKind::kDof    ? "dof "
                   : pl.kind == firmware::PlaceKind::kLink ? "link "
                                                           : "nolink ",
                   pl.node_a + 1, pl.node_b == 17 ? 0 : pl.node_b + 1, kForms[(int)q.form], to_double(r.wald),
-                  to_double(r.plain), to_double(r.freedom), to_double(r.share), to_double(r.effect), to_double(r.std),
-                  to_double(r.gain), to_double(r.rms), r.flagged ? " FLAG" : "");
+                  to_double(r.freedom), to_double(r.effect), to_double(r.std), to_double(r.gain),
+                  r.flagged ? " FLAG" : "");
     };
     if (verbose)
       for (int j = plan.base_count; j < plan.probe_count; ++j) show(j);
