@@ -1,5 +1,5 @@
-// What blocks of a record say together: significance, gains paired over them, noise that knows how loud the motion is, windows
-// that are kept apart; and two estimates of one number. Answers are worked out by hand beside each.
+// What blocks of a record say together: significance, gains paired over them, noise that knows how loud the motion
+// is, windows that are kept apart; and two estimates of one number. Answers are worked out by hand beside each.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,14 +13,14 @@ namespace {
 using namespace diagnosis::runs;
 using diagnosis::Kind;
 
-// 8 windows of 8 blocks; one coefficient of 2 with the normal matrix 1 in each block, and what is left pulls by +3 over one
-// window, by -3 over the next.
-Fitted pulled_window_by_window(double memory) {
+// 8 windows of 8 blocks; one coefficient of 2 with the normal matrix 1 in each block, and what is left pulls by +3
+// over so many blocks, by -3 over the next.
+Fitted pulled(int blocks, double memory) {
   Fitted f;
   f.ok = true, f.parts = 8, f.block_length = 100, f.memory = memory;
   for (int b = 0; b < 64; ++b) {
     f.gram.push_back(Mat::Ones(1, 1));
-    f.score.push_back(Vec::Constant(1, (b / 8) % 2 ? -3.0 : 3.0));
+    f.score.push_back(Vec::Constant(1, (b / blocks) % 2 ? -3.0 : 3.0));
     f.block_ss.push_back(Vec::Ones(1));
   }
   return f;
@@ -32,14 +32,17 @@ Model one_damper(double value) {
   return {t};
 }
 
-// One by one each block's influence is 3 / 64 / (1 - 1 / 64) = 0.0476, of 64 blocks together 0.381: t = 5.25. What is left
-// resembles itself over 70 samples: blocks of 100 are taken 8 by 8, 24 / 64 / (1 - 1 / 8) = 0.429, of 8 together 1.212: t = 1.65.
+// One by one each block's influence is 3 / 64 / (1 - 1 / 64) = 0.0476, of 64 blocks together 0.381: t = 5.25. What is
+// left resembles itself over 70 samples: blocks of 100 are taken 8 by 8, 24 / 64 / (1 - 1 / 8) = 0.429, of 8 together
+// 1.212: t = 1.65. The same where all of it hardly resembles itself, and what pulls goes through whole windows (a
+// resonance in much noise).
 TEST(Blocks, AreAsLongAsWhatIsLeftIsRemembered) {
   const Model model = one_damper(2);
-  const double white = determined(pulled_window_by_window(1), model)[0].z;
-  const double coloured = determined(pulled_window_by_window(70), model)[0].z;
+  const double white = determined(pulled(1, 1), model)[0].z;
+  const double coloured = determined(pulled(8, 70), model)[0].z;
   EXPECT_NEAR(white, normal_deviate(2 / 0.381, 64), 0.02);
   EXPECT_NEAR(coloured, normal_deviate(2 / 1.212, 8), 0.02);
+  EXPECT_NEAR(determined(pulled(8, 1), model)[0].z, normal_deviate(2 / 1.212, 8), 0.02);
   EXPECT_GT(white, 4.5);
   EXPECT_LT(coloured, 2);
 }
@@ -90,8 +93,8 @@ TEST(Blocks, WindowsThatAreKeptApartMoveAsTheOthersDo) {
   EXPECT_GT(kept_early(shaken(4000, 0.7, 0.1)), 3u);
 }
 
-// 24 windows, loud and quiet in turn. An error that is a hundredth of the motion's square is none of a sensor; one that is the
-// same in all may be.
+// 24 windows, loud and quiet in turn. An error that is a hundredth of the motion's square is none of a sensor; one
+// that is the same in all may be.
 WithLoudness told_of(bool grows) {
   const Index length = 100;
   const Prepared p = shaken(24 * length, 1, 1);
@@ -117,8 +120,8 @@ TEST(Blocks, AnErrorThatGrowsWithTheMotionIsNoNoise) {
   EXPECT_NEAR(told_of(false).quiet_share, 1, 0.12);
 }
 
-// Of 10 +- 0.1 and 10.2 +- 0.2 the first stands with the wider interval: 0.2 apart where 0.22 is one standard error. 12 +- 0.2
-// contradicts. A shape goes with its coefficient; a sensor's delay stays.
+// Of 10 +- 0.1 and 10.2 +- 0.2 the first stands with the wider interval: 0.2 apart where 0.22 is one standard error.
+// 12 +- 0.2 contradicts. A shape goes with its coefficient; a sensor's delay stays.
 TEST(Numbers, OfTheRunsStandWhereTheyContradictTheRows) {
   const auto number = [](const char* name, double value, double std) {
     return diagnosis::Parameter{name, value, "1", std, true};

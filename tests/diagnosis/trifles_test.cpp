@@ -6,6 +6,8 @@
 #include <cmath>
 #include <random>
 
+#include "host_sim/diagnosis/answer/laws_apart.hpp"
+
 namespace diagnosis::runs {
 namespace {
 
@@ -100,6 +102,44 @@ TEST(Undetermined, ACauseWhoseIntervalContainsNoughtIsTakenBack) {
   ASSERT_EQ(d.causes.size(), 1u) << "the second says what the first has said";
   EXPECT_EQ(d.causes[0].parameters[0].value, -1.97);
   EXPECT_EQ(d.verdict, Verdict::kExplained);
+}
+
+// One mass whose rate is a square wave of 2 m/s at an elongation of 0.01 m.
+Prepared square_wave() {
+  Prepared p;
+  p.step_s = 0.01, p.samples = 400, p.guess.resize(2);
+  p.guess[0] = {true, Vec::Constant(400, 0.01), Vec(400), Vec::Zero(400)};
+  for (Index k = 0; k < 400; ++k) p.guess[0].v[k] = (k / 20) % 2 ? 2 : -2;
+  return p;
+}
+
+Model forces(double mass, double stiffness, double viscous, double coulomb, double quadratic) {
+  const std::pair<Term, double> terms[] = {{on_dof(Kind::kMass, 0), mass},
+                                           {on_link(Kind::kStiffness, 0), stiffness},
+                                           {on_link(Kind::kViscous, 0), viscous},
+                                           {on_link(Kind::kCoulomb, 0), coulomb},
+                                           {on_link(Kind::kQuadraticDamping, 0), quadratic}};
+  Model m;
+  for (const auto& [term, value] : terms) {
+    ModelTerm t;
+    t.term = term, t.value = value;
+    m.push_back(t);
+  }
+  return m;
+}
+
+// At 2 m/s: 10 w = 8 w + 4 sgn w = 8 w + w |w|, all 20 N: laws that share a force in another way are no other force.
+// 5000 + 100 N/m is 2 % more, 2 + 0.08 kg 4 %, 10 w + 1.5 sgn w is 21.5 N for 20: 7.5 %.
+TEST(LawsApart, CountTheForceAndNotItsShares) {
+  OneMass rig;
+  rig.records = {square_wave()};
+  const Task task{rig.system, rig.records, 1};
+  const Model plain = forces(2, 5000, 10, 0, 0);
+  EXPECT_NEAR(laws_apart(task, plain, forces(2, 5000, 8, 4, 0)), 0, 1e-12);
+  EXPECT_NEAR(laws_apart(task, plain, forces(2, 5000, 8, 0, 1)), 0, 1e-12);
+  EXPECT_NEAR(laws_apart(task, plain, forces(2, 5100, 10, 0, 0)), 0.02, 1e-9);
+  EXPECT_NEAR(laws_apart(task, plain, forces(2.08, 5000, 10, 0, 0)), 0.04, 1e-9);
+  EXPECT_NEAR(laws_apart(task, plain, forces(2, 5100, 10, 1.5, 0)), 0.075, 1e-9);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "../terms/naming.hpp"
 #include "hum.hpp"
+#include "laws_apart.hpp"
 
 namespace diagnosis::runs {
 namespace {
@@ -13,8 +14,8 @@ namespace {
 constexpr double kLikeAHold = 0.1;   // of half a sample
 constexpr double kLeastGain = 1.05;  // on unseen data: a twentieth less missed is not a number that anybody acts on
 constexpr double kHalfOfVariance = 70.7;  // NRMSE in percent
-// Of the motion, of each link's too, over windows and in free runs of unseen data: calibrations of sensors are not much better,
-// and where nothing in the vocabulary brings it down nobody would act on it. What is left is said.
+// Of the motion, of each link's too, over windows and in free runs of unseen data: calibrations of sensors are not
+// much better, and where nothing in the vocabulary brings it down nobody would act on it. What is left is said.
 constexpr double kSmall = 0.02;
 constexpr double kContradicts = 2;  // standard errors of a difference: one of twenty that mean the same is as far
 
@@ -145,11 +146,13 @@ Verdict verdict_of(const Task& task, const Choice& choice, bool noise, double wo
 }
 
 // A cause beside which as much remains as before explains nothing: of what acts here it is not the name. Where only
-// noise remains it is a cause still if the rig's own numbers are others beside it. Where the free run misses the whole motion
-// with it as without, no window speaks for it.
-bool immaterial(const Choice& choice, bool noise, double worst_free_run, const Terms& base, const Terms& full,
-                const Diagnosis& d) {
-  if (choice.named.empty() || (noise && moved(base, full))) return false;
+// noise remains it is a cause still if the rig's own numbers are others beside it, and the forces they make are. Where the free run misses the
+// whole motion with it as without, no window speaks for it.
+bool immaterial(const Task& task, const Choice& choice, bool noise, double worst_free_run, const Terms& base,
+                const Terms& full, const Diagnosis& d) {
+  if (choice.named.empty()) return false;
+  if (noise && moved(base, full) && laws_apart(task, choice.base.model, choice.final.model) > kLeastGain - 1)
+    return false;
   const auto gain_of = [](const Fitted& now, const Fitted& before) {
     return std::sqrt(1 / std::max(1e-12, error_over(now, before)));
   };
@@ -193,6 +196,21 @@ void say_cannot_describe(const Task& task, const Choice& choice, Diagnosis& d) {
   d.advice.push_back(text);
 }
 
+constexpr double kMuchOfIt = 0.5;  // of what a free run misses: then nothing else needs to be wrong
+
+// Noise of a force that is simulated drives the rig: what the run misses by that no model can mend.
+void say_noise_of_drives(const Score& score, Diagnosis& d) {
+  if (score.worst_percent < kHalfOfVariance || score.by_drives_percent < kMuchOfIt * score.worst_percent) return;
+  char text[320];
+  std::snprintf(
+      text, sizeof text,
+      "noise or ripple of the channel that drives the rig alone makes such a run miss %.0f %%: the intervals "
+      "allow for it, but not for a lasting error of that channel; use the commanded force, or average repeated "
+      "runs",
+      score.by_drives_percent);
+  d.advice.push_back(text);
+}
+
 }  // namespace
 
 double compare_unseen(const Task& task, const State& base, const State& with_causes, bool any_cause, const Vec& noise,
@@ -200,6 +218,7 @@ double compare_unseen(const Task& task, const State& base, const State& with_cau
   const Score before = score_unseen(task, base, &noise),
               after = any_cause ? score_unseen(task, with_causes, &noise) : before;
   take(before, d.baseline), take(after, d.extended);
+  say_noise_of_drives(after, d);
   d.gain.clear();
   for (size_t i = 0; i < before.nrmse_percent.size(); ++i) {
     const double old = before.nrmse_percent[i], now = after.nrmse_percent[i];
@@ -251,7 +270,7 @@ void answer(const Task& task, const Choice& choice, Diagnosis& d) {
   d.baseline_misfit = choice.base_left.worst(), d.extended_misfit = choice.final_left.worst();
   const bool noise = choice.final.fit.ok && !beyond_noise(choice.final_left) && worst_free_run < kHalfOfVariance;
   d.verdict = verdict_of(task, choice, noise, worst_free_run, d);
-  if (immaterial(choice, noise, worst_free_run, base, full, d)) {
+  if (immaterial(task, choice, noise, worst_free_run, base, full, d)) {
     withdraw_causes(task, base, d);
     d.verdict = noise || motion_error(task, choice.base) < kAsGoodAsRight ? Verdict::kNone : Verdict::kUnknown;
   }

@@ -9,9 +9,11 @@ namespace diagnosis::runs {
 // verdict.
 void answer(const Task& task, const Choice& choice, Diagnosis& d);
 
-// The coefficients of a fit of free runs: its standard deviations come from the scatter of what is left, window by window.
+// The coefficients of a fit of free runs: its standard deviations come from the scatter of what is left, window by
+// window.
 std::vector<diagnosis::Parameter> numbers_of(const Task& task, const State& fitted);
-// Two estimates of one number that differ by more than both allow. That of the rows then carries the noise of the motion.
+// Two estimates of one number that differ by more than both allow. That of the rows then carries the noise of the
+// motion.
 bool contradicts(const diagnosis::Parameter& rows, const diagnosis::Parameter& runs);
 // Widens the rows' intervals to those of the runs; where they contradict, and values_too, the runs' number stands.
 void take_numbers(const std::vector<diagnosis::Parameter>& runs, bool values_too,
@@ -23,8 +25,8 @@ rig_file::RigModel written_rig(const Task& task, const State& fitted);
 // A delay of the force that is half a sample early is named as what it is: the force is held between its samples.
 void name_holds(const Task& task, Diagnosis& d);
 
-// Scores two models on unseen data: the rig as given and that with the causes. `noise`: mean square of each channel's. Returns
-// the second's worst NRMSE in percent where a channel shows motion beyond it.
+// Scores two models on unseen data: the rig as given and that with the causes. `noise`: mean square of each
+// channel's. Returns the second's worst NRMSE in percent where a channel shows motion beyond it.
 double compare_unseen(const Task& task, const State& base, const State& with_causes, bool any_cause, const Vec& noise,
                       Diagnosis& d);
 
@@ -32,6 +34,8 @@ double compare_unseen(const Task& task, const State& base, const State& with_cau
 struct Score {
   std::vector<double> nrmse_percent, velocity_percent, mse_percent;  // per DOF
   double worst_percent = 0;                                          // of DOFs whose unseen motion its channel shows
+  double by_drives_percent =
+      0;  // of that DOF: what another noise of the channels that drive the rig would make of its run
 };
 Score score_unseen(const Task& task, const State& state, const Vec* noise = nullptr);
 

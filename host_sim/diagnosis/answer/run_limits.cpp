@@ -1,5 +1,6 @@
 #include "run_limits.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "../sensors/sensor_check.hpp"
@@ -9,11 +10,13 @@ namespace diagnosis::runs {
 
 void raise_limits(const Task& task, const State& base, std::vector<DetectionLimit>& limits) {
   if (!base.fit.ok || limits.empty()) return;
-  const std::vector<Candidate> candidates = candidates_beside(task.system, base.model, task.records, false);
+  std::vector<Candidate> candidates = candidates_beside(task.system, base.model, task.records, false);
+  candidates.erase(std::remove_if(candidates.begin(), candidates.end(),
+                                  [](const Candidate& c) { return c.host >= 0 || c.complexity > 0; }),
+                   candidates.end());  // no coefficient of its own, or one of another shape
   const Screen s = screen(task.system, task.records, base.model, base.seen, base.fit, candidates, 0);
   for (const Screened& one : s.singles) {
     const Candidate& c = candidates[one.candidate];
-    if (c.host >= 0 || c.complexity > 0) continue;  // no coefficient of its own, or one of another shape
     if (one.value.empty() || !(std::abs(one.z) > 0)) continue;
     const double needed = seen_in_95_of_100(kBorneOut * kBorneOut) * std::abs(one.value[0] / one.z);
     const NamedPlace place{word_of(c.terms[0].kind), place_of(task.system, c.terms[0], FusedRecord())};

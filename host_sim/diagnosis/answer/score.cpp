@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../motion/drive_noise.hpp"
 #include "answer.hpp"
 #include "host_sim/vocabulary/held_in_place.hpp"
 
@@ -20,15 +21,20 @@ struct Sums {
     error += (simulated - measured).squaredNorm(), square += measured.squaredNorm(), sum += measured.sum();
     count += static_cast<double>(measured.size());
   }
+  double mean_error() const { return count > 0 ? error / count : 0; }
   double variance() const { return square / count - std::pow(sum / count, 2); }
   double ratio() const { return variance() > 0 ? error / count / variance() : 0; }  // mean square over variance
   bool shows(double noise) const { return variance() > kShown * noise; }
 };
 
-// Variance of a channel's noise: what a model leaves of it above the motion's band, but no more than there is of white noise
-// in the channel itself. A bad model leaves more.
+// Variance of a channel's noise: what a model leaves of it above the motion's band, but no more than there is of
+// white noise in the channel itself. A bad model leaves more.
 double noise_in(const Vec& y, double left) {
   return y.size() < 4 ? left : std::min(left, white_noise_sum(y) / static_cast<double>(y.size() - 3));
+}
+
+const Mat& of_quantity(const WindowRun& run, int quantity) {
+  return quantity == 0 ? run.x : quantity == 1 ? run.v : run.a;
 }
 
 double capped(double percent) { return std::isfinite(percent) ? std::min(percent, kMostPercent) : kMostPercent; }
@@ -38,7 +44,9 @@ double capped(double percent) { return std::isfinite(percent) ? std::min(percent
 Score score_unseen(const Task& task, const State& state, const Vec* noise) {
   const size_t n = task.system.dofs();
   Evaluator evaluator(task.system, state.model, task.records);
-  std::vector<Sums> x(n), v(n), a(n);
+  std::vector<Sums> x(n), v(n), a(n), driven(n);  // driven: what noise of the drives makes of x
+  DriveNoise drive_noise;
+  const bool noisy_drives = noise && !evaluator.massless() && drives_have_noise(task.records);
   std::vector<double> noise_of(n, 0.0);  // of what stands in x
   bool finite = evaluator.sound();
   const bool held = vocabulary::held_in_place(task.system.rig);
@@ -47,6 +55,9 @@ Score score_unseen(const Task& task, const State& state, const Vec* noise) {
   for (size_t r = apart ? task.training : 0; r < task.records.size() && finite; ++r) {
     const Prepared& p = task.records[r];
     const Span span = moving_span(p, pushed);
+    const std::vector<Prepared> noisy_record(noisy_drives ? 1 : 0, noisy_drives ? drive_noise.added_to(p) : Prepared{});
+    Evaluator noisy(task.system, state.model, noisy_record);
+    WindowRun other;
     const Index all = span.to;
     const Index first = span.from + (apart ? 0 : static_cast<Index>(0.7 * static_cast<double>(all - span.from)));
     const Index part =
@@ -62,6 +73,9 @@ Score score_unseen(const Task& task, const State& state, const Vec* noise) {
         finite = false;
         break;
       }
+      Window again = w;
+      again.record = 0;
+      const bool compared = noisy_drives && noisy.run(again, false, false, other);
       for (size_t d = 0; d < n; ++d) {
         const Index i = static_cast<Index>(d);
         if (evaluator.massless()) {
@@ -83,7 +97,8 @@ Score score_unseen(const Task& task, const State& state, const Vec* noise) {
             measured = &t;
             if (noise && noise->size()) noise_of[d] = noise_in(t.y, (*noise)[static_cast<Index>(&t - p.traces.data())]);
           }
-        const Mat& simulated = measured->quantity == 0 ? run.x : measured->quantity == 1 ? run.v : run.a;
+        const Mat& simulated = of_quantity(run, measured->quantity);
+        if (compared) driven[d].add(of_quantity(other, measured->quantity).row(i), simulated.row(i));
         Vec alike = simulated.row(i), reading = measured->y.segment(w.from, w.length);
         if (measured->quantity == 2)
           alike.array() -= alike.mean(), reading.array() -= reading.mean();  // its zero is free
@@ -100,7 +115,9 @@ Score score_unseen(const Task& task, const State& state, const Vec* noise) {
     score.velocity_percent.push_back(any ? capped(100 * std::sqrt(v[d].ratio())) : kMostPercent);
     score.mse_percent.push_back(any ? capped(100 * a[d].ratio()) : kMostPercent);
     const double worst = !any ? kMostPercent : x[d].shows(noise_of[d]) ? score.nrmse_percent.back() : 0;
-    score.worst_percent = std::max(score.worst_percent, worst);
+    if (worst > score.worst_percent)
+      score.worst_percent = worst,
+      score.by_drives_percent = capped(100 * std::sqrt(driven[d].mean_error() / std::max(x[d].variance(), 1e-300)));
   }
   return score;
 }

@@ -137,8 +137,7 @@ std::vector<Candidate> candidates_beside(const System& s, const Model& model, co
         if (model[i].term.kind == Kind::kMass && model[i].term.dof == dof) return static_cast<int>(i);
       return -1;
     }();
-    if (mass >= 0 && model[static_cast<size_t>(mass)].known && (any_force || s.dofs() > 1 || based))
-      add({on_dof(Kind::kMassError, dof)}, 0);
+    if (mass >= 0 && model[static_cast<size_t>(mass)].known) add({on_dof(Kind::kMassError, dof)}, 0);
     if (mass >= 0) {
       const double low = 0.7 / slowest_s, high = 1.4 * fastest_Hz;
       for (int i = 0; i < 24 && high > low; ++i) {

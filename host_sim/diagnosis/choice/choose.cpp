@@ -28,7 +28,8 @@ void thin_out(std::vector<Window>& windows, size_t every) {
   windows.resize(kept);
 }
 
-// Lays windows of so many periods over the records; every second, third ... of them where they hold more samples than `most`.
+// Lays windows of so many periods over the records; every second, third ... of them where they hold more samples than
+// `most`.
 void lay(const Task& task, double periods, State& s, double most = kAll) {
   const bool apart = task.training < task.records.size();
   s.seen.clear(), s.unseen.clear();
@@ -41,6 +42,13 @@ void lay(const Task& task, double periods, State& s, double most = kAll) {
   if (every > 1) thin_out(s.seen, every), thin_out(s.unseen, every);
 }
 
+// The fitted windows alone; the unseen ones are asked once the windows have their length.
+void settle_seen(const Task& task, State& s) { s.fit = fit(task.system, task.records, s.model, s.seen, kBaseSteps); }
+void settle_unseen(const Task& task, State& s) {
+  Model frozen = s.model;
+  if (s.fit.ok) s.unseen_fit = fit(task.system, task.records, frozen, s.unseen, kBaseSteps, true);
+}
+
 // Windows twice as long, up to `longest` periods, as long as the fitted model follows them: what was fitted over short
 // ones starts nearer than first values do. True where any were longer.
 bool widen(const Task& task, double longest, double& periods, State& s, double most = kAll) {
@@ -49,14 +57,15 @@ bool widen(const Task& task, double longest, double& periods, State& s, double m
     State longer = s;
     lay(task, std::min(longest, 2 * periods), longer, most);
     if (longer.unseen.empty() != s.unseen.empty()) return any;
-    settle(task, longer, kBaseSteps);
+    settle_seen(task, longer);
     if (!longer.fit.ok || !(motion_error(task, longer) < kFollows)) return any;
     s = longer, periods = std::min(longest, 2 * periods), any = true;
   }
   return any;
 }
 
-// Of the fastest of the motions between two DOFs, over that of the slowest DOF: what turns freely is slow, its shafts are not.
+// Of the fastest of the motions between two DOFs, over that of the slowest DOF: what turns freely is slow, its shafts
+// are not.
 double quickest_share(const Task& task) {
   double share = 1;
   for (const Prepared& p : task.records)
@@ -70,31 +79,32 @@ double quickest_share(const Task& task) {
   return share;
 }
 
-// A long window's error has valleys beside the lowest, friction's most of all. A fit over shorter windows, carried on to the long
-// ones, finds the lower one more often; nothing is lost where it does not.
+// A long window's error has valleys beside the lowest, friction's most of all. A fit over shorter windows, carried on
+// to the long ones, finds the lower one more often; nothing is lost where it does not.
 void from_shorter(const Task& task, const Model& start, double periods, State& s) {
   if (motion_error(task, s) < kPlainlyRight) return;
   State other = s, same = s;
   other.model = start;
   double reached = periods / kShorter;
   lay(task, reached, other, kEnough);
-  settle(task, other, kBaseSteps);
+  settle_seen(task, other);
   if (!other.fit.ok || !(motion_error(task, other) < kFollows)) return;
   widen(task, periods, reached, other, kEnough);
   if (reached != periods || !other.fit.ok) return;
   const bool some = other.seen.size() < s.seen.size();
-  if (some) same.seen = other.seen, same.unseen = other.unseen, settle(task, same, kBaseSteps);
+  if (some) same.seen = other.seen, same.unseen = other.unseen, settle_seen(task, same);
   if (same.fit.ok && error_over(other.fit, same.fit) >= 1) return;
   if (some) {
     lay(task, periods, other);
-    settle(task, other, kBaseSteps);
+    settle_seen(task, other);
     if (!other.fit.ok || error_over(other.fit, s.fit) >= 1) return;
   }
   s = other;
 }
 
-// The longest windows over which the model stays within reach of its linearisation. What no shorter windows follow either of the
-// motions between two DOFs, though the DOFs are followed, is noise of a colour that third differences do not show.
+// The longest windows over which the model stays within reach of its linearisation. What no shorter windows follow
+// either of the motions between two DOFs, though the DOFs are followed, is noise of a colour that third differences
+// do not show.
 double horizon(const Task& task, State& s, double from, bool massless) {
   const Model start = s.model;
   State longest;
@@ -104,7 +114,7 @@ double horizon(const Task& task, State& s, double from, bool massless) {
   for (;; periods /= 2) {
     s.model = start;
     lay(task, periods, s);
-    settle(task, s, kBaseSteps);
+    settle_seen(task, s);
     const bool follows = s.fit.ok && motion_error(task, s) < kFollows;
     if (!massless && follows && periods == from) from_shorter(task, start, periods, s);
     if (!massless && follows) widen(task, from, periods, s);
@@ -196,6 +206,7 @@ Choice rig_fitted(const Task& task) {
   now.model = rig_as_given(task.system, task.records);
   start_values(task.system, task.records, now.model);
   choice.periods = horizon(task, now, longest_horizon(task.records), massless(now.model));
+  settle_unseen(task, now);
   choice.base = choice.final = now;
   choice.base_fits_nothing = !massless(now.model) && !(motion_error(task, now, false) < kFollows);
   if (now.fit.ok) choice.base_left = choice.final_left = left_by(task.system, task.records, now);
@@ -227,7 +238,8 @@ State without(const Task& task, const State& now, const Named& n) {
   return s;
 }
 
-// Causes that the later ones have made needless: without them the windows are followed as well, as far as chance can tell.
+// Causes that the later ones have made needless: without them the windows are followed as well, as far as chance can
+// tell.
 void drop_needless(const Task& task, State& now, std::vector<Named>& named) {
   for (size_t i = 0; named.size() > 1 && now.fit.ok && i < named.size();) {
     if (!stands_alone(now, named[i])) {

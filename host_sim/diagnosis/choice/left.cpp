@@ -2,8 +2,8 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <random>
 
+#include "../motion/drive_noise.hpp"
 #include "../record/fourier.hpp"
 #include "lines.hpp"
 #include "with_motion.hpp"
@@ -14,34 +14,6 @@ namespace {
 constexpr double kAboveMotion = 1.4;   // times its highest frequency: the band that shows noise alone
 constexpr double kBeyondNoise = 3;     // in the band of the motion over beside it: 0.95 to 1.05 on complete drawn rigs
 constexpr double kGoesWithMotion = 3;  // standard errors
-
-// A record whose forces and bases carry another white noise of the same level beside their own.
-class DriveNoise {
- public:
-  std::vector<Prepared> added_to(const Prepared& record) {
-    std::vector<Prepared> list(1, record);
-    for (Vec& f : list[0].force) disturb(f);
-    for (Vec& b : list[0].base.reading) disturb(b);
-    renew_base(list[0]);
-    return list;
-  }
-
- private:
-  void disturb(Vec& y) {
-    const double sigma = noise_level(y);
-    for (double& value : y) value += sigma * normal_(random_);
-  }
-  std::mt19937_64 random_{1};
-  std::normal_distribution<double> normal_;
-};
-
-bool drives_have_noise(const std::vector<Prepared>& records) {
-  const auto noisy = [](const Vec& y) { return noise_level(y) > 0; };
-  return std::any_of(records.begin(), records.end(), [&](const Prepared& p) {
-    return std::any_of(p.force.begin(), p.force.end(), noisy) ||
-           std::any_of(p.base.reading.begin(), p.base.reading.end(), noisy);
-  });
-}
 
 // What such noise makes of a window's run beside its free state.
 Vec response(Evaluator& noisy, Window w, const WindowRun& run) {
@@ -100,7 +72,7 @@ bool run_all(const System& system, const std::vector<Prepared>& records, const S
   DriveNoise noise;
   WindowRun run;
   for (size_t r = 0; r < records.size(); ++r) {
-    const std::vector<Prepared> noisy_record = pushes ? noise.added_to(records[r]) : std::vector<Prepared>{};
+    const std::vector<Prepared> noisy_record(pushes ? 1 : 0, pushes ? noise.added_to(records[r]) : Prepared{});
     Evaluator noisy(system, state.model, noisy_record);
     for (const Window& w : state.seen) {
       if (w.record != r) continue;

@@ -125,8 +125,10 @@ bool Evaluator::simulate(const Window& w, bool slopes, bool keep, WindowRun& out
   for (const MotionTrace& t : channel_list) acceleration = acceleration || t.quantity == 2, offsets += has_offset(t);
   out.nuisances = ns + offsets;
   Vec y = w.state.head(ns), acc;
-  Mat one, sensitivity = Mat::Zero(ns, ns + parameters_), acc_slopes;
-  sensitivity.leftCols(ns).setIdentity();
+  Sensitivity one, start = Sensitivity::Zero(ns, ns + parameters_), acc_rows;
+  start.leftCols(ns).setIdentity();
+  Sensitivity sensitivity = start;
+  Mat acc_slopes;
   Mat h(channels, len);
   if (slopes) out.slopes.setZero(channels * len, out.nuisances + parameters_);
   out.x.resize(n, len), out.v.resize(n, len), out.a.resize(n, len);
@@ -139,10 +141,10 @@ bool Evaluator::simulate(const Window& w, bool slopes, bool keep, WindowRun& out
     out.x.col(k) = y.head(n), out.v.col(k) = y.segment(n, n), out.a.col(k) = acc;
     if (keep) out.acc[static_cast<size_t>(k)] = acc_slopes.leftCols(ns), out.yield[static_cast<size_t>(k)] = s.yield();
     Index offset = ns;
-    Mat acc_rows;
     if (slopes && acceleration) {
-      acc_rows.noalias() = acc_slopes.leftCols(ns) * sensitivity;
-      acc_rows.rightCols(parameters_) += acc_slopes.rightCols(parameters_);
+      acc_rows.setZero(n, ns + parameters_);
+      acc_rows.rightCols(parameters_) = acc_slopes.rightCols(parameters_);
+      add_product(acc_slopes, sensitivity, acc_rows);
     }
     for (Index c = 0; c < channels; ++c) {
       const MotionTrace& t = channel_list[static_cast<size_t>(c)];
@@ -156,14 +158,20 @@ bool Evaluator::simulate(const Window& w, bool slopes, bool keep, WindowRun& out
       if (has_offset(t)) row[own] = 1;
     }
     if (k + 1 == len) break;
-    if (!s.advance(w.from + k, y, slopes ? &one : nullptr)) return false;
-    if (slopes) {
-      if (keep) out.step[static_cast<size_t>(k)] = one.leftCols(ns);
-      Mat next = one.leftCols(ns) * sensitivity;
-      next.rightCols(parameters_) += one.rightCols(parameters_);
-      sensitivity.swap(next);
+    if (!keep) {
+      if (!s.advance(w.from + k, y, slopes ? &sensitivity : nullptr)) return false;
+      continue;
     }
+    one = start;
+    if (!s.advance(w.from + k, y, &one)) return false;
+    out.step[static_cast<size_t>(k)] = one.leftCols(ns);
+    Sensitivity next = one.leftCols(ns) * sensitivity;
+    next.rightCols(parameters_) += one.rightCols(parameters_);
+    sensitivity.swap(next);
   }
+  out.end.resize(0);
+  if (!slopes && w.from + len < records_[w.record].samples && s.advance(w.from + len - 1, y, nullptr))
+    out.end = w.state, out.end.head(ns) = y;
   faults(w, slopes, h, out);
   return out.residual.allFinite() && (!slopes || out.slopes.allFinite());
 }

@@ -20,6 +20,7 @@ struct WindowRun {
   Vec residual;            // measured less simulated
   Mat slopes;              // of the simulated: rows x (states, offsets, parameters)
   Mat x, v, a;             // nodes x samples
+  Vec end;                 // state one sample after the last, where the record goes on and no slopes are asked for
   std::vector<Mat> step;   // per sample: states x states, where kept
   std::vector<Mat> acc;    // per sample: nodes x states
   std::vector<Mat> yield;  // per sample: nodes x nodes

@@ -34,13 +34,8 @@ void Simulator::start(Index sample, const Vec& y) {
   yield_old_ = true;
 }
 
-bool Simulator::advance(Index sample, Vec& y, Mat* s) {
-  const Index columns = states() + parameters_;
-  if (s) {
-    s->setZero(states(), columns);
-    s->leftCols(states()).setIdentity();
-  }
-  static thread_local Mat kept;
+bool Simulator::advance(Index sample, Vec& y, Sensitivity* s) {
+  static thread_local Sensitivity kept;
   for (int sub = 0; sub < substeps_; ++sub) {
     at_ = (sample * substeps_ + sub) * 2;
     double from = 0;

@@ -11,6 +11,16 @@
 
 namespace diagnosis::runs {
 
+// How states answer to states and parameters at the start, a row per state: rows are what a step combines.
+using Sensitivity = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+// to.row(r) += sum over c of from(r, c) of.row(c), of the first columns of `from`. What links do not couple is nought.
+template <typename To, typename From>
+void add_product(const From& from, const Sensitivity& of, To& to) {
+  for (Index r = 0; r < from.rows(); ++r)
+    for (Index c = 0; c < of.rows(); ++c)
+      if (const double value = from(r, c); value != 0) to.row(r) += value * of.row(c);
+}
+
 class Simulator {
  public:
   Simulator(const System& system, const Model& model, const Prepared& record);
@@ -23,9 +33,11 @@ class Simulator {
   // The state at a sample from the record's guess.
   Vec guessed_state(Index sample) const;
   void start(Index sample, const Vec& y);  // sets modes
-  // From a sample to the next; `sensitivity` (states x (states + parameters)), where given, is that of this step alone.
-  bool advance(Index sample, Vec& y, Mat* sensitivity);
-  // Accelerations against the ground at the present state, and their sensitivity (nodes x (states + parameters)) where wanted.
+  // From a sample to the next; `sensitivity` (states x (states + parameters)), where given, is carried on from what
+  // it is.
+  bool advance(Index sample, Vec& y, Sensitivity* sensitivity);
+  // Accelerations against the ground at the present state, and their sensitivity (nodes x (states + parameters))
+  // where wanted.
   void accelerations(Index sample, const Vec& y, Vec& a, Mat* slopes);
   const Mat& yield() const { return yield_; }  // accelerations per force on each node, at the last accelerations()
 
@@ -67,9 +79,10 @@ class Simulator {
   void renew_yield();
   double hold_force(const Friction& f, const Outside& o) const;
   Vec with_base() const;
-  void bend(const Vec& start, Vec& y, const Outside& o0, const Outside& o1, const Mat* s0, Mat* s) const;
-  void step(double from, double length, Vec& y, Mat* s);
-  void turn(Friction& f, double at, Vec& y, Mat* s);
+  void bend(const Vec& start, Vec& y, const Outside& o0, const Outside& o1, const Sensitivity* s0,
+            Sensitivity* s) const;
+  void step(double from, double length, Vec& y, Sensitivity* s);
+  void turn(Friction& f, double at, Vec& y, Sensitivity* s);
   void release(const Vec& y, double at);
 
   const Prepared& record_;
@@ -96,7 +109,7 @@ class Simulator {
   Index at_ = 0;  // first fine instant of the present substep
   Mat yield_, slope_x_;
   Vec net_;
-  Mat ka_[4], kv_[4];
+  Sensitivity ka_[4], kv_[4];
   std::vector<const Friction*> held_;  // links that stick
   Mat by_hold_, inner_inverse_;  // what holds them per force on each node (links x nodes); inverse of their inertia
   bool yield_old_ = true;

@@ -7,7 +7,8 @@
 namespace diagnosis::runs {
 
 // Bristles at a later instant of the same step: they relax towards the direction of the way gone since its start.
-void Simulator::bend(const Vec& start, Vec& y, const Outside& o0, const Outside& o1, const Mat* s0, Mat* s) const {
+void Simulator::bend(const Vec& start, Vec& y, const Outside& o0, const Outside& o1, const Sensitivity* s0,
+                     Sensitivity* s) const {
   for (const Element& e : elements_) {
     if (e.kind != Kind::kPresliding) continue;
     const Index z = 2 * nodes_ + e.z;
@@ -26,13 +27,13 @@ void Simulator::bend(const Vec& start, Vec& y, const Outside& o0, const Outside&
 }
 
 // One Runge-Kutta step over a part of the present substep, modes held.
-void Simulator::step(double from, double length, Vec& y, Mat* s) {
+void Simulator::step(double from, double length, Vec& y, Sensitivity* s) {
   const double h = length * record_.step_s / substeps_;
   const Outside o0 = outside(from), o1 = outside(from + 0.5 * length), o2 = outside(from + length);
   static thread_local Vec y0, yn;
   y0 = y, yn = y;
-  static thread_local Mat s0, sn;
-  const Index n = nodes_, c = states() + parameters_;
+  static thread_local Sensitivity s0, sn;
+  const Index n = nodes_;
   if (s) s0 = *s, sn = *s;
   static thread_local Vec kx[4];
   const auto slope = [&](int i, const Outside& o) {
@@ -40,8 +41,9 @@ void Simulator::step(double from, double length, Vec& y, Mat* s) {
     kx[i] = yn.segment(n, n);
     if (!s) return;
     kv_[i] = sn.middleRows(n, n);
-    ka_[i].noalias() = slope_x_.leftCols(states()).lazyProduct(sn);
-    ka_[i].rightCols(parameters_) += slope_x_.rightCols(parameters_);
+    ka_[i].setZero(n, sn.cols());
+    ka_[i].rightCols(parameters_) = slope_x_.rightCols(parameters_);
+    add_product(slope_x_, sn, ka_[i]);
   };
   const auto move = [&](int i, double part, const Outside& o) {
     yn.head(n) = y0.head(n) + part * h * kx[i];
@@ -52,7 +54,6 @@ void Simulator::step(double from, double length, Vec& y, Mat* s) {
     }
     if (hysteresis_) bend(y0, yn, o0, o, s ? &s0 : nullptr, s ? &sn : nullptr);
   };
-  (void)c;
   slope(0, o0), move(0, 0.5, o1), slope(1, o1), move(1, 0.5, o1), slope(2, o1), move(2, 1, o2), slope(3, o2);
   y.head(n) = y0.head(n) + h / 6 * (kx[0] + 2 * kx[1] + 2 * kx[2] + kx[3]);
   y.segment(n, n) = y0.segment(n, n) + h / 6 * (acc_[0] + 2 * acc_[1] + 2 * acc_[2] + acc_[3]);

@@ -15,7 +15,7 @@ double Simulator::hold_force(const Friction& f, const Outside& o) const {
 }
 
 // A link's rate has come to zero: it sticks, or slides on in the other direction.
-void Simulator::turn(Friction& f, double at, Vec& y, Mat* s) {
+void Simulator::turn(Friction& f, double at, Vec& y, Sensitivity* s) {
   const Outside o = outside(at);
   Vec before, after;
   accelerations(y, o, before, false);

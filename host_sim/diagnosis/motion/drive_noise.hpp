@@ -1,0 +1,22 @@
+// What noise of the channels that drive a rig makes of its simulated motion.
+#pragma once
+#include <random>
+
+#include "prepared.hpp"
+
+namespace diagnosis::runs {
+
+// Copies of records whose forces and bases carry another white noise of the same level beside their own.
+class DriveNoise {
+ public:
+  Prepared added_to(const Prepared& record);
+
+ private:
+  void disturb(Vec& y);
+  std::mt19937_64 random_{1};
+  std::normal_distribution<double> normal_;
+};
+
+bool drives_have_noise(const std::vector<Prepared>& records);
+
+}  // namespace diagnosis::runs
