@@ -15,29 +15,36 @@ constexpr double kStepTolerance = 0.01;
 
 std::string seconds(double value) { return fmt::format("{:.6g} s", value); }
 
-// Least squares of t[i] = start + i step, and what is left.
+// Least squares of t[i] = start + index[i] step, and what is left.
 struct TimeLine {
   double start = 0.0, step = 0.0, rms = 0.0, largest = 0.0;
 };
 
-TimeLine line_through(const std::vector<double>& time_s) {
+TimeLine line_through(const std::vector<double>& time_s, const std::vector<double>& index) {
   const auto n = static_cast<double>(time_s.size());
-  const double middle = 0.5 * (n - 1.0);
-  double mean = 0.0, moment = 0.0;
-  for (size_t i = 0; i < time_s.size(); ++i) mean += (time_s[i] - time_s[0]) / n;
-  for (size_t i = 0; i < time_s.size(); ++i)
-    moment += (static_cast<double>(i) - middle) * (time_s[i] - time_s[0] - mean);
+  double middle = 0.0, mean = 0.0, moment = 0.0, spread = 0.0;
+  for (size_t i = 0; i < time_s.size(); ++i) middle += index[i] / n, mean += (time_s[i] - time_s[0]) / n;
+  for (size_t i = 0; i < time_s.size(); ++i) {
+    moment += (index[i] - middle) * (time_s[i] - time_s[0] - mean);
+    spread += (index[i] - middle) * (index[i] - middle);
+  }
   TimeLine line;
-  line.step = moment / (n * (n * n - 1.0) / 12.0);
+  line.step = moment / spread;
   line.start = time_s[0] + mean - middle * line.step;
   double squares = 0.0;
   for (size_t i = 0; i < time_s.size(); ++i) {
-    const double off = time_s[i] - line.start - static_cast<double>(i) * line.step;
+    const double off = time_s[i] - line.start - index[i] * line.step;
     squares += off * off;
     line.largest = std::max(line.largest, std::abs(off));
   }
   line.rms = std::sqrt(squares / n);
   return line;
+}
+
+std::vector<double> counted(size_t samples) {
+  std::vector<double> index(samples);
+  for (size_t i = 0; i < samples; ++i) index[i] = static_cast<double>(i);
+  return index;
 }
 
 // The place of the last decimal that any of the times has: 0.001 for 0.977 and 1.95. 0 where there is none.
@@ -54,18 +61,41 @@ double last_decimal(const std::vector<double>& time_s) {
   return 0.0;
 }
 
-// Times that were even before they were rounded lie within half of the last decimal of a line; the line through rounded
-// times may miss the true one by a little, so 0.6 is allowed. A sample that is missing throws them off by half a step.
+// How far from even steps times may lie, in units of their last decimal. Even times that were rounded lie within half a
+// unit of a line (the line through rounded times may miss the true one by a little, so 0.6). Those of a clock that is
+// read beside an even sampling, in whole ticks, lie within one. A sample that is missing throws them off by half a step.
+constexpr double kRounded = 0.6, kTick = 1.0, kTicksOfAStep = 4.0;
+
+}  // namespace
+
+EvenTimes even_times(const std::vector<double>& time_s) {
+  EvenTimes even;
+  const double place = last_decimal(time_s), usual = median_step(time_s);
+  if (place == 0.0 || time_s.size() < 16) return even;
+  std::vector<double> index = counted(time_s.size());
+  const bool shows_lost = usual >= kTicksOfAStep * place;
+  for (size_t i = 1; shows_lost && i < index.size(); ++i)
+    index[i] = index[i - 1] + std::round((time_s[i] - time_s[i - 1]) / usual);
+  const TimeLine line = line_through(time_s, index);
+  if (!(line.step > 0.0) || line.largest > (shows_lost ? kTick : kRounded) * place) return even;
+  even.step_s = line.step, even.place_s = place;
+  even.lost = index.back() + 1 > static_cast<double>(index.size());
+  for (const double i : index) even.time_s.push_back(line.start + i * line.step);
+  return even;
+}
+
+namespace {
+
 bool take_rounded_times(const std::vector<double>& time_s, Record& record) {
-  const double place = last_decimal(time_s);
-  const TimeLine line = line_through(time_s);
-  if (place == 0.0 || !(line.step > 0.0) || time_s.size() < 16 || line.largest > 0.6 * place) return false;
-  if (place > 5.0 * line.step)  // half a step, by which a lost sample moves the line, is then within the 0.6
-    record.notes.push_back("times are rounded to " + seconds(place) + ", more than a step of " + seconds(line.step) +
+  const EvenTimes even = even_times(time_s);
+  const double step = even.step_s, place = even.place_s;
+  if (!(step > 0.0) || even.lost) return false;
+  if (place > 5.0 * step)  // half a step, by which a lost sample moves the line, is then within the 0.6
+    record.notes.push_back("times are rounded to " + seconds(place) + ", more than a step of " + seconds(step) +
                            ": a lost sample would not show");
   else
-    record.notes.push_back("times are rounded to " + seconds(place) + ": the step is " + seconds(line.step));
-  record.sample_period_s = line.step;
+    record.notes.push_back("times are rounded to " + seconds(place) + ": the step is " + seconds(step));
+  record.sample_period_s = step;
   return true;
 }
 
@@ -108,7 +138,7 @@ void set_time_base(const std::vector<double>& time_s, const std::function<size_t
   record.start_s = time_s.front();
   if (uneven == time_s.size())
     record.sample_period_s = (time_s.back() - time_s.front()) / static_cast<double>(time_s.size() - 1);
-  record.time_jitter_s = line_through(time_s).rms;
+  record.time_jitter_s = line_through(time_s, counted(time_s.size())).rms;
 }
 
 void keep_times(const std::vector<double>& time_s, const std::function<size_t(size_t)>& line_of, Record& record) {

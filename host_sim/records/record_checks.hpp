@@ -15,8 +15,17 @@ Channel channel_of_name(const std::string& name, const rig_file::RigModel& model
 
 // Sets start, sample period and jitter from the sample times; line_of(i) is where sample i stands. A step that is off by
 // more than 1 % from the usual (median) step throws DataFileError with its line, unless all times are those of even
-// steps rounded to their last decimal, as milliseconds are at 1024 Hz.
+// steps rounded to their last decimal, as milliseconds are at 1024 Hz (even_times).
 void set_time_base(const std::vector<double>& time_s, const std::function<size_t(size_t)>& line_of, Record& record);
+
+// Times that are even but for their last decimal (rounded, or read from a clock of whole ticks), made even. Where the
+// last decimal is a quarter of a step or less, samples may be lost between them.
+struct EvenTimes {
+  double step_s = 0.0, place_s = 0.0;  // 0: they are not even; place: of the last decimal
+  bool lost = false;
+  std::vector<double> time_s;
+};
+EvenTimes even_times(const std::vector<double>& time_s);
 
 // The usual step between times, the median; at least two of them.
 double median_step(const std::vector<double>& time_s);

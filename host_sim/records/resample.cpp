@@ -37,6 +37,13 @@ std::vector<Part> parts_of(const std::vector<double>& time_s, double step) {
   return parts;
 }
 
+// Between gaps, times that are even but for their last decimal are made so: motion times half a decimal would be noise.
+void make_even(std::vector<double>& time_s, const Part& part) {
+  const auto first = time_s.begin() + static_cast<std::ptrdiff_t>(part.first);
+  const EvenTimes even = even_times({first, time_s.begin() + static_cast<std::ptrdiff_t>(part.end)});
+  std::copy(even.time_s.begin(), even.time_s.end(), first);
+}
+
 // Weights of the six samples from `first` on at the instant t.
 void weights_at(const double* time_s, double t, double* weight) {
   for (size_t j = 0; j < kPoints; ++j) {
@@ -74,7 +81,7 @@ Record part_at(const Record& record, const std::vector<double>& time_s, const Pa
 }  // namespace
 
 std::vector<Record> resampled(const Record& record, double rate_Hz) {
-  const std::vector<double> time_s = times_of(record);
+  std::vector<double> time_s = times_of(record);
   if (time_s.size() < kFewestSamples)
     throw DataFileError(record.file, 0,
                         fmt::format("holds {} samples, expected at least {}", time_s.size(), kFewestSamples));
@@ -86,7 +93,10 @@ std::vector<Record> resampled(const Record& record, double rate_Hz) {
                     "expected a filter and fewer samples in the file, or --resample {:.4g}",
                     1.0 / step, rate_Hz, 1.0 / step));
   std::vector<Record> records;
-  for (const Part& part : parts_of(time_s, step)) records.push_back(part_at(record, time_s, part, rate_Hz));
+  for (const Part& part : parts_of(time_s, step)) {
+    make_even(time_s, part);
+    records.push_back(part_at(record, time_s, part, rate_Hz));
+  }
   if (records.empty())
     throw DataFileError(record.file, 0, fmt::format("has no {} samples without a gap", kFewestSamples));
   size_t kept = 0;

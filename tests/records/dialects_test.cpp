@@ -268,6 +268,26 @@ TEST(Dialects, RoundedTimesAreEven) {
   EXPECT_NEAR(coarse.sample_period_s, 1.0 / 2048.0, 1e-9);
 }
 
+// A board that samples every 10.04 ms stamps what its millisecond counter shows, and every seventh time it reads it 0.4 ms
+// late: the stamps lie up to 0.56 ms before and 0.84 ms after even times.
+TEST(Dialects, TimesInTicksOfAnotherClockAreEven) {
+  std::string text = "t_s,force_1_N\n";
+  for (int i = 0; i < 5000; ++i) {
+    char row[60];
+    const double late_ms = i % 7 == 3 ? 0.4 : 0.0;
+    std::snprintf(row, sizeof row, "%.3f,1\n", 1e-3 * std::floor(10.04 * i + late_ms));
+    text += row;
+  }
+  const auto record = host_sim::parse_csv(text, "d.csv", rig());
+  EXPECT_NEAR(record.sample_period_s, 0.01004, 1e-8);
+  // a lost sample is ten ticks, and a jitter of two ticks is none of the counter's
+  const size_t row = text.find("\n", text.size() / 2), next = text.find("\n", row + 1);
+  EXPECT_THROW(host_sim::parse_csv(text.substr(0, row) + text.substr(next), "d.csv", rig()), host_sim::DataFileError);
+  std::string uneven = "t_s,force_1_N\n";
+  for (int i = 0; i < 500; ++i) uneven += std::to_string(0.01 * i + (i % 3 == 1 ? 0.002 : 0.0)).substr(0, 5) + ",1\n";
+  EXPECT_THROW(host_sim::parse_csv(uneven, "d.csv", rig()), host_sim::DataFileError);
+}
+
 TEST(Dialects, ALostSampleShowsInRoundedTimes) {
   EXPECT_THROW(host_sim::parse_csv(rounded_times(1024.0, "%.3f", 5000, 2500), "d.csv", rig()), host_sim::DataFileError);
   EXPECT_THROW(host_sim::parse_csv(rounded_times(1024.0, "%.3f", 5000, 40), "d.csv", rig()), host_sim::DataFileError);
