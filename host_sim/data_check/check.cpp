@@ -10,6 +10,7 @@
 #include "host_sim/data_check/dead.hpp"
 #include "host_sim/data_check/exchanged.hpp"
 #include "host_sim/data_check/excitation.hpp"
+#include "host_sim/data_check/growth.hpp"
 #include "host_sim/data_check/kinematics.hpp"
 #include "host_sim/data_check/rig_balance.hpp"
 #include "host_sim/data_check/slow_faults.hpp"
@@ -146,6 +147,8 @@ RecordReport check_record(const Record& record, const rig_file::RigModel* model,
   if (model != nullptr && !has_fault(report)) attach(check_rig_balance(compared, *model), report);
   if (!has_fault(report))
     if (auto work = find_negative_work(compared)) attach({std::move(*work)}, report);
+  if (!has_fault(report))
+    if (auto growth = find_growth(record)) attach({std::move(*growth)}, report);
   return report;
 }
 
@@ -206,6 +209,7 @@ Report check(const std::vector<Record>& records, const rig_file::RigModel* model
   }
   for (std::future<RecordReport>& done : checks) report.records.push_back(done.get());
   keep_what_all_records_say("exchanged", report);
+  if (!records.empty()) require_one_sign(report);
   report.findings = describe_excitation(records);
   return report;
 }

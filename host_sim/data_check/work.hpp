@@ -9,10 +9,17 @@ namespace host_sim::data_check {
 // Of all forces together, each with the velocity of its DOF, averaged alike over a quarter of the drive's shortest period.
 // A DOF with acceleration alone has it with the force's rate instead: the real part of a driving-point mobility is not
 // negative at any frequency, so no weight over frequency makes it so.
-// polarity, a fault: the power factor is below -0.5. A late channel alone would have to be late by a twelfth of a period.
+// polarity: the power factor is below -0.5. A late channel alone would have to be late by a twelfth of a period. A fault
+// of several forces; of a single one a doubt, for its sign against the motions is all there is to change.
 // work, a doubt: it is negative, by more.
 // Both only where ten parts of the record agree: chance makes that in one of 1,024. A record whose base moves tells
 // nothing: the base does work too.
 std::optional<Finding> find_negative_work(const Record& record);
+
+// A single force that is turned over in some records and not in others is a fault: a sign is of the cable, not of a record.
+void require_one_sign(Report& report);
+
+// Changes the sign of a single force that is turned over, in all records. True where there is one.
+bool turn_over(Report report, std::vector<Record>& records);
 
 }  // namespace host_sim::data_check

@@ -40,7 +40,7 @@ TEST(Work, OfADamperTurnedOver) {
     const auto found = find_negative_work(lone_link(-k, -c, 0, of));
     ASSERT_TRUE(found);
     EXPECT_EQ(found->kind, "polarity");
-    EXPECT_EQ(found->weight, Weight::kFault);
+    EXPECT_EQ(found->weight, Weight::kDoubt);  // its sign is all there is to change
     EXPECT_EQ(found->channel, "force_1_N");
     EXPECT_NEAR(*found->value, -std::sqrt(0.5), 0.01);
   }
@@ -55,6 +55,27 @@ TEST(Work, OfASpringWhoseForceIsLate) {
   EXPECT_NEAR(*found->value, -std::sin(0.2), 0.01);
   EXPECT_FALSE(find_negative_work(lone_link(1000, 0, -0.01, Quantity::kDisplacement)));  // early: it only takes more
   EXPECT_FALSE(find_negative_work(lone_link(1000, 0, 0, Quantity::kDisplacement)));      // neither gives nor takes
+}
+
+TEST(Work, TurnsAForceOverThatAllRecordsSay) {
+  using host_sim::data_check::check;
+  using host_sim::data_check::turn_over;
+  const Record over = lone_link(-1000, -100, 0, Quantity::kVelocity),
+               right = lone_link(1000, 100, 0, Quantity::kVelocity);
+  std::vector<Record> records = {over, over};
+  ASSERT_TRUE(turn_over(check(records, nullptr), records));
+  for (const Record& record : records) {
+    EXPECT_EQ(record.channels[0].values, right.channels[0].values);
+    EXPECT_EQ(record.channels[1].values, over.channels[1].values);
+  }
+  EXPECT_FALSE(turn_over(check(records, nullptr), records));
+  // A sign is of the cable: in one record of two it is a fault, and nothing is changed.
+  records = {over, right};
+  const auto report = check(records, nullptr);
+  EXPECT_EQ(report.worst(), Weight::kFault);
+  EXPECT_EQ(report.records[0].channels[0].findings.at(0).weight, Weight::kFault);
+  EXPECT_FALSE(turn_over(report, records));
+  EXPECT_EQ(records[0].channels[0].values, over.channels[0].values);
 }
 
 TEST(Work, OfTwoShakersIsTheirSum) {

@@ -4,6 +4,7 @@
 
 #include "hal/rig_file/rig_reader.hpp"
 #include "hal/rig_file/rig_writer.hpp"
+#include "host_sim/data_check/work.hpp"
 #include "host_sim/diagnosis/diagnosis.hpp"
 #include "host_sim/programs/commands.hpp"
 #include "host_sim/programs/diagnose/diagnosis_text.hpp"
@@ -36,12 +37,13 @@ void diagnose(const DiagnoseArguments& arguments) {
   {
     StageLine line("diagnosing");
     line.begin("reading the recordings");
-    const std::vector<Record> training = read_data(arguments.data, model, arguments.reading),
-                              holdout = read_data(arguments.holdout, model, arguments.reading);
+    std::vector<Record> training = read_data(arguments.data, model, arguments.reading),
+                        holdout = read_data(arguments.holdout, model, arguments.reading);
     require_same_channels(training);
     if (!holdout.empty()) require_same_channels(training.front(), holdout);
     const data_check::Report check = require_sound(training, model, arguments.reading);
-    require_sound(holdout, model, arguments.reading);
+    const data_check::Report holdout_check = require_sound(holdout, model, arguments.reading);
+    data_check::turn_over(check, training), data_check::turn_over(holdout_check, holdout);
     line.begin("searching for what the rig file lacks");
     found = diagnosis::diagnose(model, training, holdout, options);
     line.begin("simulating what was found");

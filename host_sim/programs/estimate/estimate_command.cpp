@@ -4,6 +4,7 @@
 #include <future>
 
 #include "hal/rig_file/rig_reader.hpp"
+#include "host_sim/data_check/work.hpp"
 #include "host_sim/programs/commands.hpp"
 #include "host_sim/programs/estimate/estimate_report_data.hpp"
 #include "host_sim/programs/estimate/estimation.hpp"
@@ -104,13 +105,17 @@ void estimate(const EstimateArguments& arguments) {
   options.frames = !arguments.log.empty();
   if (arguments.frequency_Hz > 0.0) options.excitation_Hz = arguments.frequency_Hz;
   Estimation estimation;
-  check.beside([&] {
-    notes = count_from_rest(records);
-    if (const std::string slow = average_slow_motion(records); !slow.empty()) notes.push_back(slow);
+  const auto estimate_all = [&] {
     ProgressBar bar("estimating");
     options.progress = [&bar](double share) { bar.show(share); };
     estimation = estimate_records(model, records, options);
+  };
+  check.beside([&] {
+    notes = count_from_rest(records);
+    if (const std::string slow = average_slow_motion(records); !slow.empty()) notes.push_back(slow);
+    estimate_all();
   });
+  if (data_check::turn_over(check.require(), records)) estimate_all();
   estimation.result.notes.insert(estimation.result.notes.end(), notes.begin(), notes.end());
   print_table(people, model, estimation.result);
   json.deliver(to_text(to_json(estimation.result)));

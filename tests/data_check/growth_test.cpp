@@ -1,0 +1,68 @@
+// Motion that grows though nothing drives it.
+#include "host_sim/data_check/growth.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace {
+
+using host_sim::Quantity;
+using host_sim::Record;
+using host_sim::data_check::find_growth;
+
+constexpr double kPi = 3.14159265358979323846;
+
+// 20 s at 100 Hz of envelope(t) sin(2 pi 1.5 Hz t) about `zero`, with noise of 1 %.
+template <typename Envelope>
+Record swings(Envelope envelope, double zero = 0.0) {
+  std::mt19937 random(3);
+  std::normal_distribution<double> noise(0.0, 0.01);
+  Record record;
+  record.file = "made.csv", record.sample_period_s = 0.01;
+  record.channels.push_back({"displacement_1_m", Quantity::kDisplacement, 1, {}});
+  for (int i = 0; i < 2000; ++i) {
+    const double t = 0.01 * i;
+    record.channels[0].values.push_back(zero + envelope(t) * std::sin(2 * kPi * 1.5 * t) + noise(random));
+  }
+  return record;
+}
+
+TEST(Growth, OfASwingThatAnUnrecordedCoilDrives) {
+  // It settles as 1 - exp(-t / 5 s). The mean squares of the first two tenths: 0.038 and 0.20 of the last; the growth
+  // counts from the second on (the first is under 5 %), and the last is 1 / 0.2 = 4.9 times as much.
+  const auto found = find_growth(swings([](double t) { return 1 - std::exp(-t / 5); }));
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->kind, "work");
+  EXPECT_EQ(found->channel, "displacement_1_m");
+  EXPECT_NEAR(*found->value, 4.5, 0.8);
+  EXPECT_NE(found->detail.find("no force is recorded"), std::string::npos);
+}
+
+TEST(Growth, IsNotARelease) {
+  for (const double released_s : {0.0, 0.5, 1.9, 3.3, 5.99})
+    for (const double zero : {0.0, 7.0})
+      EXPECT_FALSE(
+          find_growth(swings([=](double t) { return t < released_s ? 0.0 : std::exp(-(t - released_s) / 30); }, zero)))
+          << released_s;
+}
+
+TEST(Growth, IsNotASecondBlowNorAnEvenMotion) {
+  EXPECT_FALSE(find_growth(swings([](double t) { return std::exp(-std::fmod(t, 7.0) / 2); })));
+  EXPECT_FALSE(find_growth(swings([](double t) { return t < 7 ? 0.3 * std::exp(-t / 2) : std::exp(-(t - 7) / 2); })));
+  EXPECT_FALSE(find_growth(swings([](double) { return 1.0; })));
+}
+
+TEST(Growth, TellsNothingBesideAForceABaseOrAnotherMass) {
+  const Record grows = swings([](double t) { return 1 - std::exp(-t / 5); });
+  Record forced = grows, carried = grows, two = grows;
+  forced.channels.push_back({"force_1_N", Quantity::kForce, 1, grows.channels[0].values});
+  carried.channels.push_back({"displacement_base_m", Quantity::kDisplacement, -1, grows.channels[0].values});
+  two.channels.push_back({"displacement_2_m", Quantity::kDisplacement, 2, grows.channels[0].values});
+  for (const Record& record : {forced, carried, two}) EXPECT_FALSE(find_growth(record));
+  forced.channels[1].values.assign(forced.channels[1].values.size(), 0.0);  // a force that was never switched on
+  EXPECT_TRUE(find_growth(forced));
+}
+
+}  // namespace
