@@ -86,21 +86,24 @@ constexpr int count_causes() {
   for (const EffectRow& row : kEffectTable) count += row.can.number != 0 ? 1 : 0;
   return count;
 }
-constexpr NamedValues<count_causes() + 3> causes() {
-  NamedValues<count_causes() + 3> names;
+constexpr int kOtherCauses = 5;  // of firmware::Cause
+constexpr NamedValues<count_causes() + kOtherCauses> causes() {
+  NamedValues<count_causes() + kOtherCauses> names;
   names.at[0] = {0, "NONE"};
   int next = 1;
-  for (int number = 1; number < 254; ++number)
+  for (int number = 1; number < 252; ++number)
     for (const EffectRow& row : kEffectTable)
       if (row.can.number == number) names.at[next++] = {number, row.word.text};
+  names.at[next++] = {252, "polarity"};
+  names.at[next++] = {253, "unit"};
   names.at[next++] = {254, "AMBIGUOUS"};
   names.at[next++] = {255, "UNKNOWN"};
   return names;
 }
 inline constexpr NamedValues<kTermKinds> kParameterKindNames = parameter_kinds();
-inline constexpr NamedValues<count_causes() + 3> kCauseNames = causes();
+inline constexpr NamedValues<count_causes() + kOtherCauses> kCauseNames = causes();
 inline constexpr const NamedValue (&kParameterKinds)[kTermKinds] = kParameterKindNames.at;
-inline constexpr const NamedValue (&kCauses)[count_causes() + 3] = kCauseNames.at;
+inline constexpr const NamedValue (&kCauses)[count_causes() + kOtherCauses] = kCauseNames.at;
 
 inline constexpr NamedValue kDriveStates[] = {{0, "OFF"}, {1, "ENABLED"}, {2, "STOPPED"}};
 

@@ -8,6 +8,8 @@ namespace firmware {
 
 enum class Cause : uint8_t {
   kNone = 0,
+  kPolarity = 252,  // a channel is turned over
+  kUnit = 253,      // a channel is in another unit: 9.81 or 1000 times what it should say, or as little
   kAmbiguous = 254,
   kUnknown = 255,
 };

@@ -8,6 +8,7 @@ namespace {
 
 constexpr int kSignFraction = PassedSign::kFractionBits;
 constexpr int kSignalBits = 23, kDerivedBits = 27;
+constexpr int kSlopeRestShift = 10;     // room for a channel whose unit is 1000 times another
 constexpr int kSlopeMantissaBits = 26;  // times 24 bits of code and 11 of the eight points: 61
 
 // Eight points, times 840: the slope per sample.
@@ -18,11 +19,11 @@ int64_t slope_840(const int32_t* x) {
 
 }  // namespace
 
-bool measures_slope(const CoreConfiguration& configuration, int dof) {
+bool measures_slope(const CoreConfiguration& configuration, Slope slope, int dof) {
   if (configuration.high_pass_order > 0 || configuration.fusion[dof].used) return false;
-  const SignalConfiguration& x = configuration.signals[dof][static_cast<int>(Quantity::kDisplacement)];
-  const SignalConfiguration& v = configuration.signals[dof][static_cast<int>(Quantity::kVelocity)];
-  return x.available && v.available && !x.derived && !v.derived;
+  const SignalConfiguration* const flat =
+      &configuration.signals[dof][static_cast<int>(Quantity::kDisplacement) + static_cast<int>(slope)];
+  return flat[0].available && flat[1].available && !flat[0].derived && !flat[1].derived;
 }
 
 NodeDifference BlockMotion::difference(Quantity quantity, int node_a, int node_b) const {
@@ -64,24 +65,27 @@ void BlockMotion::configure(const CoreConfiguration& configuration, const Scaled
     unit_[kRateColumn + l] = unit_of(rate_[l]);
     unit_[kSoftSignColumn + l] = Scaled::from_int(1, -kSignFraction);
   }
-  configure_slopes();
+  for (int i = 0; i < configuration.dof_count; ++i) {
+    configure_slope(Slope::kOfDisplacement, i);
+    configure_slope(Slope::kOfVelocity, i);
+  }
   configure_effects(effect_unit);
   share_known_terms();
 }
 
-void BlockMotion::configure_slopes() {
-  for (int i = 0; i < configuration_->dof_count; ++i) {
-    slope_mantissa_[i] = 0;
-    if (!measures_slope(*configuration_, i)) continue;
-    velocity_[i] = difference(Quantity::kVelocity, i, kGroundNode);
-    unit_[kSlopeRestColumn + i] = Scaled::from_int(1, velocity_[i].range_exponent - kDifferenceFraction);
-    const Scaled ratio = signal_unit_[signal_column(i, Quantity::kDisplacement)] /
-                         (Scaled::from_int(840) * configuration_->sample_period_s * unit_[kSlopeRestColumn + i]);
-    const int shift = kSlopeMantissaBits - 1 - log2_floor(ratio);
-    if (shift < 1 || shift > 62) continue;  // units of no use: not compared
-    slope_shift_[i] = static_cast<int8_t>(shift);
-    slope_mantissa_[i] = static_cast<int32_t>(to_fixed(ratio, shift));
-  }
+void BlockMotion::configure_slope(Slope slope, int dof) {
+  SlopeUnit& unit = slope_[static_cast<int>(slope)][dof] = SlopeUnit{};
+  if (!measures_slope(*configuration_, slope, dof)) return;
+  const bool of_velocity = slope == Slope::kOfVelocity;
+  unit.steeper = difference(of_velocity ? Quantity::kAcceleration : Quantity::kVelocity, dof, kGroundNode);
+  Scaled& column_unit = unit_[slope_rest_column(slope, dof)];
+  column_unit = Scaled::from_int(1, unit.steeper.range_exponent - kDifferenceFraction + kSlopeRestShift);
+  const int row = signal_column(dof, of_velocity ? Quantity::kVelocity : Quantity::kDisplacement);
+  const Scaled ratio = signal_unit_[row] / (Scaled::from_int(840) * configuration_->sample_period_s * column_unit);
+  const int shift = kSlopeMantissaBits - 1 - log2_floor(ratio);
+  if (shift < 1 || shift > 62) return;  // units of no use: not compared
+  unit.shift = static_cast<int8_t>(shift);
+  unit.mantissa = static_cast<int32_t>(to_fixed(ratio, shift));
 }
 
 void BlockMotion::configure_effects(const Scaled* effect_unit) {
@@ -216,13 +220,17 @@ void BlockMotion::fill_known(int i) {
         static_cast<int32_t>(known[n] > kMost ? kMost : (known[n] < -kMost ? -kMost : known[n]));
 }
 
-void BlockMotion::fill_slope_rest(int i) {
-  const int32_t *x = signal(signal_column(i, Quantity::kDisplacement)), *v = signal(velocity_[i].column_a);
+void BlockMotion::fill_slope_rest(Slope slope, int dof) {
+  const SlopeUnit& unit = slope_[static_cast<int>(slope)][dof];
+  if (unit.mantissa == 0) return;
+  const int32_t* steeper = signal(unit.steeper.column_a);
+  const int32_t* flat = signal(unit.steeper.column_a - 1);  // quantities stand in the order of their slopes
+  int32_t* rest = column_[slope_rest_column(slope, dof)];
   constexpr int64_t kMost = int64_t{1} << kKnownFraction;
   for (int n = 0; n < kBlockSamples; ++n) {
-    const int64_t slope = (slope_840(x + n) * slope_mantissa_[i]) >> slope_shift_[i];
-    column_[kSlopeRestColumn + i][n] =
-        static_cast<int32_t>(limited(difference_at(velocity_[i], v, v, n) - slope, kMost));
+    const int64_t of_flat = (slope_840(flat + n) * unit.mantissa) >> unit.shift;
+    const int64_t of_steeper = difference_at(unit.steeper, steeper, steeper, n) >> kSlopeRestShift;
+    rest[n] = static_cast<int32_t>(limited(of_steeper - of_flat, kMost));
   }
 }
 
@@ -239,8 +247,10 @@ void BlockMotion::fill_columns() {
   }
   for (int l = 0; l < configuration_->link_count; ++l) fill_link(l);
   for (int i = 0; i < configuration_->dof_count; ++i) fill_known(i);
-  for (int i = 0; i < configuration_->dof_count; ++i)
-    if (slope_mantissa_[i] != 0) fill_slope_rest(i);
+  for (int i = 0; i < configuration_->dof_count; ++i) {
+    fill_slope_rest(Slope::kOfDisplacement, i);
+    fill_slope_rest(Slope::kOfVelocity, i);
+  }
 }
 
 }  // namespace firmware

@@ -27,12 +27,16 @@ constexpr int kRateColumn = kElongationColumn + kMaxLinks;        // + link
 constexpr int kSoftSignColumn = kRateColumn + kMaxLinks;          // + link
 constexpr int kAccelerationColumn = kSoftSignColumn + kMaxLinks;  // + DOF
 constexpr int kForceLawColumn = kAccelerationColumn + kMaxDofs;   // + effect
-constexpr int kSlopeRestColumn =
-    kForceLawColumn + kMaxEffectColumns;  // + DOF: its velocity less its displacement's slope
-constexpr int kMotionColumns = kSlopeRestColumn + kMaxDofs;
+// What a DOF's velocity has beyond the slope of its displacement, its acceleration beyond that of its velocity.
+enum class Slope : uint8_t { kOfDisplacement, kOfVelocity };
+constexpr int kSlopes = 2;
+constexpr int slope_rest_column(Slope slope, int dof) {
+  return kForceLawColumn + kMaxEffectColumns + static_cast<int>(slope) * kMaxDofs + dof;
+}
+constexpr int kMotionColumns = slope_rest_column(Slope::kOfVelocity, kMaxDofs);
 
-// The DOF's displacement and velocity are both as measured: one is the slope of the other.
-bool measures_slope(const CoreConfiguration& configuration, int dof);
+// The DOF's quantity and its slope are both as measured.
+bool measures_slope(const CoreConfiguration& configuration, Slope slope, int dof);
 
 // Where the energy rows take friction's sign, and which samples their equations leave out.
 struct ClearSigns {
@@ -89,8 +93,8 @@ class BlockMotion {
   void fill_link(int link);
   void fill_soft_sign(int link);
   void fill_known(int dof);
-  void configure_slopes();
-  void fill_slope_rest(int dof);
+  void configure_slope(Slope slope, int dof);
+  void fill_slope_rest(Slope slope, int dof);
 
   const CoreConfiguration* configuration_ = nullptr;
   ClearSigns signs_;
@@ -101,10 +105,12 @@ class BlockMotion {
   uint8_t effect_of_term_[kMaxTerms] = {};
   int effects_ = 0;
   KnownForce known_;
-  NodeDifference velocity_[kMaxDofs];
-  int32_t slope_mantissa_[kMaxDofs] =
-      {};  // 840 slopes of displacement codes to the velocity's Q26; 0: not both are measured
-  int8_t slope_shift_[kMaxDofs] = {};
+  struct SlopeUnit {
+    NodeDifference steeper;  // the quantity that is the other's slope
+    int32_t mantissa = 0;    // 840 slopes of the other's codes to its Q16; 0: not both are measured
+    int8_t shift = 0;
+  };
+  SlopeUnit slope_[kSlopes][kMaxDofs];
   int filled_ = 0;
   alignas(16) int32_t signal_[kMaxNodes * kQuantities][kProbeSamples];
   alignas(16) int32_t near_[kMaxNodes * kQuantities][kBlockSamples];

@@ -37,6 +37,7 @@ inline int64_t force_law(int64_t u, int64_t w, int64_t sign) {
   if constexpr (form == Form::kElongationCube) return (probe_square(u) * u) >> 23;
   if constexpr (form == Form::kWithinGap) return limited(u, kGap);
   if constexpr (form == Form::kBeyondStop) return u - limited(u, kStop);
+  if constexpr (form == Form::kForceWithinGap) return limited(w, kGap);
   if constexpr (form == Form::kConstant) return 1 << kSignBits;
   if constexpr (form == Form::kRate || form == Form::kForce) return w;
   if constexpr (form == Form::kRateSquare) return w < 0 ? -probe_square(w) : probe_square(w);
@@ -104,6 +105,8 @@ void with_form(Form form, Call call) {
       return call(KnownForm<Form::kAcceleration>{});
     case Form::kForce:
       return call(KnownForm<Form::kForce>{});
+    case Form::kForceWithinGap:
+      return call(KnownForm<Form::kForceWithinGap>{});
     case Form::kJerk:
       return call(KnownForm<Form::kJerk>{});
     case Form::kForceRate:

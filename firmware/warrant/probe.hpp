@@ -33,18 +33,25 @@ enum class Form : uint8_t {
   kAcceleration,          // a
   kJerk,                  // da/dt, per sample
   kForce,                 // f
+  kForceWithinGap,        // f, at most an eighth of its unit, in units of that: its sign but for small forces
   kForceRate,             // df/dt, per sample
 };
 constexpr bool needs_rate(Form form) { return form >= Form::kRate && form <= Form::kSignElongation; }
 
-constexpr int kMaxPlaces = 2 * kMaxLinks + kMaxDofs;  // what does not fit is not tested
+constexpr int kMaxPlaces = 2 * kMaxLinks + 2 * kMaxDofs;  // what does not fit is not tested
 constexpr int kPlaceEquations = 2;
 constexpr int kMaxPlaceColumns =
     kMaxUnknowns < 24 ? kMaxUnknowns : 24;  // unknowns in a place's equations; a place with more is not probed
 
 // kBaseEnd: the base's end of a link, where its channels alone are the motion: late or with another gain than the DOFs'.
-// kChannels: a DOF's velocity against the slope of its displacement, in place of an equation of motion.
-enum class PlaceKind : uint8_t { kLink, kNoLink, kDof, kBaseEnd, kChannels };
+// In place of an equation of motion: kVelocityChannels, a DOF's velocity against the slope of its displacement;
+// kAccelerationChannels, its acceleration against the slope of its velocity.
+enum class PlaceKind : uint8_t { kLink, kNoLink, kDof, kBaseEnd, kVelocityChannels, kAccelerationChannels };
+constexpr bool compares_channels(PlaceKind kind) { return kind >= PlaceKind::kVelocityChannels; }
+// Its quantities are the DOF's acceleration and force, not elongation and rate.
+constexpr bool moves_by_acceleration(PlaceKind kind) {
+  return kind == PlaceKind::kDof || kind == PlaceKind::kAccelerationChannels;
+}
 
 struct Place {
   PlaceKind kind = PlaceKind::kLink;

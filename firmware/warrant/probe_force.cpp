@@ -160,6 +160,8 @@ int32_t force_exponent(Form form, const PlaceScale& scale) {
       return 3 * w + 45;
     case Form::kElongationSquareRate:
       return 2 * u + w + 45;
+    case Form::kForceWithinGap:
+      return 3 - kProbeFraction;
     case Form::kConstant:
     case Form::kSign:
     case Form::kSignNarrow:

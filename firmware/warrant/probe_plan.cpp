@@ -55,8 +55,8 @@ class Planner {
     for (int l = 0; l < c_.link_count; ++l) add_place(PlaceKind::kLink, l, c_.links[l].node_a, c_.links[l].node_b);
     for (int i = 0; i < c_.dof_count; ++i) add_place(PlaceKind::kDof, 0, i, kGroundNode);
     for (int l = 0; l < c_.link_count; ++l) add_base_end(l);
-    for (int i = 0; i < c_.dof_count; ++i)
-      if (plan_.place_count < kMaxPlaces && measures_slope(c_, i)) add_place(PlaceKind::kChannels, 0, i, kGroundNode);
+    for (int i = 0; i < c_.dof_count; ++i) add_channels(PlaceKind::kVelocityChannels, Slope::kOfDisplacement, i);
+    for (int i = 0; i < c_.dof_count; ++i) add_channels(PlaceKind::kAccelerationChannels, Slope::kOfVelocity, i);
     for (int i = 0; i < c_.dof_count; ++i) add_missing(i, kGroundNode);
     for (int i = 0; i < c_.dof_count; ++i)
       for (int j = i + 1; j < c_.dof_count; ++j)
@@ -84,8 +84,11 @@ class Planner {
       if (place.kind == PlaceKind::kNoLink) {
         add(p, Form::kRate, cause_of(EffectKind::kMissingViscous), kNoQuantity, -1);
         add(p, Form::kSign, cause_of(EffectKind::kMissingCoulomb), kNoQuantity, -1);
-      } else if (place.kind == PlaceKind::kChannels) {
+      } else if (place.kind == PlaceKind::kVelocityChannels) {
         add(p, Form::kRate, cause_of(EffectKind::kSensorGain), static_cast<uint8_t>(Quantity::kVelocity), -1);
+      } else if (place.kind == PlaceKind::kAccelerationChannels) {
+        add(p, Form::kAcceleration, cause_of(EffectKind::kSensorGain), static_cast<uint8_t>(Quantity::kAcceleration),
+            -1);
       } else if (place.kind == PlaceKind::kBaseEnd) {
         add(p, Form::kRate, cause_of(EffectKind::kSensorDelay), measured_quantity(kBaseNode), -1);
         add(p, Form::kElongation, cause_of(EffectKind::kSensorGain), measured_quantity(kBaseNode), -1);
@@ -99,6 +102,7 @@ class Planner {
         if (!c_.signals[place.node_a][0].available) continue;
         if (known_term_in(place.dof[0]))
           add(p, Form::kForce, cause_of(EffectKind::kSensorGain), static_cast<uint8_t>(Quantity::kForce), -1);
+        add(p, Form::kForceWithinGap, cause_of(EffectKind::kDriveDeadBand), static_cast<uint8_t>(Quantity::kForce), -1);
         add(p, Form::kForceRate, cause_of(EffectKind::kSensorDelay), static_cast<uint8_t>(Quantity::kForce), -1);
       }
     }
@@ -141,6 +145,9 @@ class Planner {
       if (joined(a, n) && joined(b, n)) return true;
     return false;
   }
+  void add_channels(PlaceKind kind, Slope slope, int dof) {
+    if (plan_.place_count < kMaxPlaces && measures_slope(c_, slope, dof)) add_place(kind, 0, dof, kGroundNode);
+  }
   void add_missing(int a, int b) {
     if (plan_.place_count < kMaxPlaces && !joined(a, b)) add_place(PlaceKind::kNoLink, 0, a, b);
   }
@@ -178,7 +185,7 @@ class Planner {
   }
 
   bool add_columns(Place& place) const {
-    if (place.kind == PlaceKind::kChannels) return true;
+    if (compares_channels(place.kind)) return true;
     for (int t = 0; t < c_.term_count; ++t) {
       const Term& term = c_.terms[t];
       if (term.unknown < 0) continue;
@@ -220,7 +227,7 @@ class Planner {
 
   void add(int place, Form form, Cause cause, uint8_t quantity, int unknown) {
     const Place& where = plan_.place[place];
-    const bool on_dof = where.kind == PlaceKind::kDof;
+    const bool on_dof = moves_by_acceleration(where.kind);
     if (!on_dof) {
       if (!has(c_, where.node_a, Quantity::kVelocity) || !has(c_, where.node_b, Quantity::kVelocity)) return;
       const bool far = form == Form::kSignElongation || form == Form::kElongationSquareRate || !needs_rate(form);

@@ -6,7 +6,8 @@ namespace firmware {
 namespace {
 
 constexpr int kDampingPercent = 3;
-constexpr int kGainPercent = 2;  // bends a damper by as much
+constexpr int kGainPercent = 2;       // bends a damper by as much
+constexpr int kNamedGainPercent = 1;  // explains what something else shows
 // The plain statistic cannot pass the root of the number of stretches that hold the information: it has to be most of
 // that, or 3.
 constexpr int kPlainLimit = 3, kPlainPercent = 80;
@@ -65,12 +66,14 @@ bool pushes(const CoreConfiguration& configuration, const ProbePlan& plan, const
   return false;
 }
 
-// A damper or friction that no link has and that would push, or a mass below nothing: what is seen there is another cause.
+// A damper or friction that no link has and that would push, a mass below nothing, a dead band that adds to the force: what is
+// seen there is another cause.
 bool impossible(const CoreConfiguration& configuration, const ProbePlan& plan, const Probe& probe,
                 const ProbeScore& score, const Scaled* parameter) {
   const Place& place = plan.place[probe.place];
   const Scaled most = score.effect + scale_by_power_of_two(score.std, 1);
   if (place.kind == PlaceKind::kNoLink) return most.is_negative();
+  if (probe.form == Form::kForceWithinGap) return most.is_negative();
   if (place.kind != PlaceKind::kDof || probe.form != Form::kAcceleration) return false;
   for (int t = 0; t < configuration.term_count; ++t) {
     const Term& term = configuration.terms[t];
@@ -139,8 +142,7 @@ Scaled ScoreTest::rate_kurtosis(int link) const {
 
 Scaled ScoreTest::force_ratio(int number) const {
   const Place& place = sums_->plan().place[sums_->plan().probe[number].place];
-  const Scaled damping =
-      place.kind == PlaceKind::kChannels ? Scaled{} : damping_square(sums_->plan().probe[number].place);
+  const Scaled damping = compares_channels(place.kind) ? Scaled{} : damping_square(sums_->plan().probe[number].place);
   const Scaled force = square(score_[number].effect) * abs(own_square_[number]);
   return damping.is_zero() ? Scaled::from_int(1) : sqrt(force / damping);
 }
@@ -151,7 +153,7 @@ void ScoreTest::judge_size(int number) {
   if (pushes(*configuration_, sums_->plan(), probe, score, parameter_)) score.tested = false;
   if (!score.tested) return;
   const Scaled force = square(score.effect) * abs(own_square_[number]);
-  if (sums_->plan().place[probe.place].kind == PlaceKind::kChannels)
+  if (compares_channels(sums_->plan().place[probe.place].kind))
     score.matters = abs(score.effect) > percent(kGainPercent);
   else
     score.matters = force > square(percent(kDampingPercent)) * damping_square(probe.place);
@@ -183,13 +185,15 @@ void ScoreTest::name() {
   for (int j = 0; j < plan.probe_count; ++j)
     any_possible =
         any_possible || (score_[j].flagged && !impossible(*configuration_, plan, plan.probe[j], score_[j], parameter_));
-  const auto sees = [&](int j) {
-    if (any_possible && impossible(*configuration_, plan, plan.probe[j], score_[j], parameter_)) return false;
-    return score_[j].flagged || (score_[j].matters && abs(score_[j].wald) > Scaled::from_int(kNamingLimit));
-  };
   // Channels that contradict each other need no model of the rig to be named.
   const auto of_channels = [&](int j) {
-    return score_[j].flagged && plan.place[plan.probe[j].place].kind == PlaceKind::kChannels;
+    return compares_channels(plan.place[plan.probe[j].place].kind) && score_[j].tested &&
+           abs(score_[j].wald) > limit(score_[j].freedom) && abs(score_[j].effect) > percent(kNamedGainPercent);
+  };
+  const auto sees = [&](int j) {
+    if (of_channels(j)) return true;
+    if (any_possible && impossible(*configuration_, plan, plan.probe[j], score_[j], parameter_)) return false;
+    return score_[j].flagged || (score_[j].matters && abs(score_[j].wald) > Scaled::from_int(kNamingLimit));
   };
   const auto better = [&](int j, int than) {
     if (than >= 0 && of_channels(j) != of_channels(than)) return of_channels(j);

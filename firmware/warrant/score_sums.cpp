@@ -15,7 +15,9 @@ constexpr int kNormalBits = 18, kHeadroomBits = 5;
 
 // Of one of the place's equations: what is left of it without the unknown terms.
 int known_column(const Place& place, int equation) {
-  return (place.kind == PlaceKind::kChannels ? kSlopeRestColumn : kKnownColumn) + place.dof[equation];
+  if (!compares_channels(place.kind)) return kKnownColumn + place.dof[equation];
+  const Slope slope = place.kind == PlaceKind::kVelocityChannels ? Slope::kOfDisplacement : Slope::kOfVelocity;
+  return slope_rest_column(slope, place.dof[equation]);
 }
 
 bool has_friction(const CoreConfiguration& configuration, int link) {
@@ -55,7 +57,7 @@ void ScoreSums::configure(const CoreConfiguration& configuration, const Scaled* 
           static_cast<uint8_t>(block_.column_of(configuration.terms[t], t));
   for (int p = 0; p < plan_.place_count; ++p) {
     const Place& place = plan_.place[p];
-    const bool on_dof = place.kind == PlaceKind::kDof;
+    const bool on_dof = moves_by_acceleration(place.kind);
     PlaceScale& scale = scale_[p] = PlaceScale{};
     for (int q = 0; q < 2; ++q) {
       const Quantity quantity = on_dof ? (q == 0 ? Quantity::kAcceleration : Quantity::kForce)
@@ -167,7 +169,7 @@ void ScoreSums::set_scales() {
     const int nodes[2] = {scale.present[1] && rate.gain_a != 0 ? plan_.place[p].node_a : kGroundNode,
                           scale.present[1] && rate.gain_b != 0 ? plan_.place[p].node_b : kGroundNode};
     for (int e = 0; e < 2; ++e)
-      if (nodes[e] < kMaxNodes && plan_.place[p].kind != PlaceKind::kDof) {
+      if (nodes[e] < kMaxNodes && !moves_by_acceleration(plan_.place[p].kind)) {
         const Scaled gain = Scaled::from_int(gains[e], -25);
         const Scaled measured = gain * gain * Scaled::ratio(noise_square_[nodes[e]], kSamples) * Scaled::ratio(64, 70);
         const Scaled slow = slow_rate_noise(*configuration_, nodes[e], rate.range_exponent);

@@ -5,7 +5,7 @@ namespace {
 
 // Of a form's first and second quantity; kNone: it has no such quantity with noise of its own.
 ProbeWeight weight_of(const Place& place, Form form, int quantity) {
-  if (place.kind == PlaceKind::kChannels) return ProbeWeight::kNone;  // both as measured
+  if (compares_channels(place.kind)) return ProbeWeight::kNone;  // both as measured
   if (form == Form::kJerk) return quantity == 0 ? ProbeWeight::kAccelerationSlope : ProbeWeight::kNone;
   if (form == Form::kForceRate) return ProbeWeight::kNone;  // a slope and its own sample share none
   if (place.kind == PlaceKind::kDof) return quantity == 0 ? ProbeWeight::kAcceleration : ProbeWeight::kForce;

@@ -6,6 +6,7 @@ namespace {
 constexpr int kImpossibleDeviations = 4;
 // What a wrong value is: over 4 deviations and over 1/20 of it off.
 constexpr int kWrongDeviations = 4, kWrongShare = 20;
+constexpr int kSlipPercent = 10, kSmallSlipPercent = 50;
 constexpr int kOneTonePercent = 156;  // of the squared mean of w^2: mean of w^4
 
 void raise(ParameterEstimate& parameter, EstimateStatus status) {
@@ -56,7 +57,6 @@ Scaled fault_unit(const CoreConfiguration& configuration, const Estimates& estim
 bool gain_shows_in_springs(const CoreConfiguration& configuration, const Estimates& estimates, const ProbePlan& plan,
                            const ScoreTest& test, int probe) {
   const Place& place = plan.place[plan.probe[probe].place];
-  if (place.kind != PlaceKind::kChannels) return false;
   for (int j = plan.base_count; j < plan.summed_count; ++j) {
     const Place& at = plan.place[plan.probe[j].place];
     if (plan.probe[j].form != Form::kElongation || at.kind != PlaceKind::kLink || !test.score(j).flagged) continue;
@@ -66,6 +66,59 @@ bool gain_shows_in_springs(const CoreConfiguration& configuration, const Estimat
     if (abs(test.score(j).effect) > least) return true;
   }
   return false;
+}
+
+// The DOF's other pair of channels: acceleration and velocity beside velocity and displacement. -1: none that tells as small a gain.
+int other_pair(const ProbePlan& plan, const ScoreTest& test, int probe) {
+  const Place& place = plan.place[plan.probe[probe].place];
+  const Scaled gain = abs(test.score(probe).effect);
+  for (int j = plan.base_count; j < plan.summed_count; ++j) {
+    const Place& at = plan.place[plan.probe[j].place];
+    if (j == probe || !compares_channels(at.kind) || at.node_a != place.node_a) continue;
+    return test.score(j).tested && scale_by_power_of_two(test.score(j).std, 2) < gain ? j : -1;
+  }
+  return -1;
+}
+
+Scaled up_to_one(Scaled gain) {
+  const Scaled one = Scaled::from_int(1), size = abs(gain);
+  return one < size ? one : size;
+}
+
+// Of two channels that contradict each other, steeper and flatter by one derivative, which is off? A velocity contradicts both
+// its neighbours. Without a third channel a displacement shows in the springs beside it.
+Quantity channel_off(const CoreConfiguration& configuration, const Estimates& estimates, const ProbePlan& plan,
+                     const ScoreTest& test, int probe) {
+  const bool of_acceleration = plan.place[plan.probe[probe].place].kind == PlaceKind::kAccelerationChannels;
+  const int other = other_pair(plan, test, probe);
+  if (other >= 0) {
+    const Scaled gain = up_to_one(test.score(probe).effect), beside = up_to_one(test.score(other).effect);
+    if (scale_by_power_of_two(beside, 1) > gain) return Quantity::kVelocity;
+    return of_acceleration ? Quantity::kAcceleration : Quantity::kDisplacement;
+  }
+  if (of_acceleration) return Quantity::kAcceleration;
+  return gain_shows_in_springs(configuration, estimates, plan, test, probe) ? Quantity::kDisplacement
+                                                                            : Quantity::kVelocity;
+}
+
+// What holds its value from sample to sample acts half a sample later than what is measured.
+bool is_half_a_sample(const CoreConfiguration& configuration, Scaled late_s) {
+  const Scaled off = abs(scale_by_power_of_two(late_s, 1) + configuration.sample_period_s);
+  return off * Scaled::from_int(100) < configuration.sample_period_s * Scaled::from_int(kSlipPercent);
+}
+
+// A gain that is none: a channel turned over, or in another unit.
+Cause slip_of(Scaled gain, Cause otherwise) {
+  const auto near = [&](Scaled value, int percent) {
+    return abs(gain - value) * Scaled::from_int(100) < abs(value) * Scaled::from_int(percent);
+  };
+  const Scaled gravity = Scaled::ratio(980665, 100000), thousand = Scaled::from_int(1000);
+  if (near(Scaled::from_int(-1), kSlipPercent)) return Cause::kPolarity;
+  const bool large = near(gravity, kSlipPercent) || near(thousand, kSlipPercent);
+  // A thousandth stands beside noise.
+  const bool small =
+      near(Scaled::from_int(1) / gravity, kSlipPercent) || near(Scaled::from_int(1) / thousand, kSmallSlipPercent);
+  return large || small ? Cause::kUnit : otherwise;
 }
 
 Finding finding_of(const CoreConfiguration& configuration, const Estimates& estimates, const ProbePlan& plan,
@@ -81,38 +134,80 @@ Finding finding_of(const CoreConfiguration& configuration, const Estimates& esti
   const Scaled unit = fault_unit(configuration, estimates, p, place);
   finding.size = test.score(probe).effect * unit;
   finding.std = test.score(probe).std * abs(unit);
+  if (p.form == Form::kForceRate && is_half_a_sample(configuration, finding.size))
+    finding.cause = cause_of(EffectKind::kForceHold);
   if (p.cause != cause_of(EffectKind::kSensorGain)) return finding;
-  if (gain_shows_in_springs(configuration, estimates, plan, test, probe)) {
-    finding.quantity = static_cast<uint8_t>(Quantity::kDisplacement);
-    finding.size = -finding.size;
-    return finding;
+  if (compares_channels(place.kind)) {
+    const Quantity off = channel_off(configuration, estimates, plan, test, probe);
+    finding.quantity = static_cast<uint8_t>(off);
+    if (off != static_cast<Quantity>(p.quantity)) {  // the flatter of the two
+      finding.size = -finding.size;
+      finding.cause = slip_of(Scaled::from_int(1) + finding.size, finding.cause);
+      return finding;
+    }
   }
   // The channel says 1 + e times the truth: e / (1 + e) of what it says is not so.
   const Scaled true_share = Scaled::from_int(1) - finding.size;
   if (true_share.is_zero()) return finding;
   finding.size = finding.size / true_share;
   finding.std = finding.std / (true_share * true_share);
+  finding.cause = slip_of(Scaled::from_int(1) + finding.size, finding.cause);
+  return finding;
+}
+
+bool measures_velocity(const CoreConfiguration& configuration, int dof) {
+  return !configuration.fusion[dof].used && !configuration.signals[dof][static_cast<int>(Quantity::kVelocity)].derived;
+}
+
+// Of one DOF. A velocity that is early makes displacement and acceleration late alike.
+Finding late_channel_of(const CoreConfiguration& configuration, const Estimates& estimates, int dof) {
+  const SkewEstimate &x = estimates.displacement_skew[dof], &a = estimates.acceleration_skew[dof];
+  Finding finding;
+  if (!x.significant && !a.significant) return finding;
+  const bool of_acceleration = a.significant && (!x.significant || abs(a.late_s) > abs(x.late_s));
+  const SkewEstimate &late = of_acceleration ? a : x, &other = of_acceleration ? x : a;
+  const bool alike = other.measured && measures_velocity(configuration, dof) &&
+                     late.late_s.is_negative() == other.late_s.is_negative() &&
+                     scale_by_power_of_two(abs(other.late_s), 1) > abs(late.late_s);
+  finding.cause = cause_of(EffectKind::kSensorDelay);
+  finding.node_a = static_cast<int8_t>(dof);
+  finding.quantity = static_cast<uint8_t>(of_acceleration ? Quantity::kAcceleration : Quantity::kDisplacement);
+  finding.size = late.late_s;
+  finding.std = late.std_s;
+  if (!alike) return finding;
+  const SkewEstimate& sure = x.std_s < a.std_s ? x : a;
+  finding.quantity = static_cast<uint8_t>(Quantity::kVelocity);
+  finding.size = -sure.late_s;
+  finding.std = sure.std_s;
   return finding;
 }
 
 // The channel that the kinematic identities find late: no rig model is needed to name it.
-bool late_channel(const Estimates& estimates, Finding& finding) {
-  const SkewEstimate* worst = nullptr;
-  for (int dof = 0; dof < kMaxDofs; ++dof) {
-    const SkewEstimate* const skews[] = {&estimates.displacement_skew[dof], &estimates.acceleration_skew[dof]};
-    for (int which = 0; which < 2; ++which) {
-      const SkewEstimate& skew = *skews[which];
-      if (!skew.significant || (worst != nullptr && abs(skew.late_s) <= abs(worst->late_s))) continue;
-      worst = &skew;
-      finding = Finding{};
-      finding.cause = cause_of(EffectKind::kSensorDelay);
-      finding.node_a = static_cast<int8_t>(dof);
-      finding.quantity = static_cast<uint8_t>(which == 0 ? Quantity::kDisplacement : Quantity::kAcceleration);
-      finding.size = skew.late_s;
-      finding.std = skew.std_s;
-    }
+bool late_channel(const CoreConfiguration& configuration, const Estimates& estimates, Finding& worst) {
+  worst = Finding{};
+  for (int dof = 0; dof < configuration.dof_count; ++dof) {
+    const Finding finding = late_channel_of(configuration, estimates, dof);
+    if (finding.cause != Cause::kNone && abs(finding.size) > abs(worst.size)) worst = finding;
   }
-  return worst != nullptr;
+  return worst.cause != Cause::kNone;
+}
+
+// A force that is held from sample to sample makes the acceleration of its DOF jump with every sample: against the velocity it comes
+// early, and the equation of motion, where it stands beside that very force, knows nothing of it.
+bool is_held_force(const CoreConfiguration& configuration, const Estimates& estimates, const ProbePlan& plan,
+                   const ScoreTest& test, const Finding& late) {
+  const int dof = late.node_a;
+  if (late.quantity != static_cast<uint8_t>(Quantity::kAcceleration) || !late.size.is_negative() ||
+      !configuration.channels[dof][static_cast<int>(Quantity::kForce)].present)
+    return false;
+  for (int j = plan.base_count; j < plan.summed_count; ++j) {
+    const Place& at = plan.place[plan.probe[j].place];
+    if (plan.probe[j].form != Form::kJerk || at.node_a != dof || !test.score(j).tested) continue;
+    const Scaled unit = fault_unit(configuration, estimates, plan.probe[j], at);
+    const Scaled most = abs(test.score(j).effect) + scale_by_power_of_two(test.score(j).std, 2);
+    return scale_by_power_of_two(most * abs(unit), 1) < abs(late.size);
+  }
+  return false;
 }
 
 // The scatter that the effect takes away, as amplitudes.
@@ -201,7 +296,12 @@ void give_verdict(const CoreConfiguration& configuration, const ScoreSums& sums,
   warrant.tested = state.judged;
   if (warrant.tested) tell(configuration, sums, test, estimates);
   Finding late;
-  if (late_channel(estimates, late)) {
+  if (late_channel(configuration, estimates, late)) {
+    if (state.judged && is_held_force(configuration, estimates, sums.plan(), test, late)) {
+      late.cause = cause_of(EffectKind::kForceHold);
+      late.quantity = static_cast<uint8_t>(Quantity::kForce);
+      late.size = scale_by_power_of_two(-configuration.sample_period_s, -1);
+    }
     warrant.rival = warrant.named;
     warrant.named = late;
   }

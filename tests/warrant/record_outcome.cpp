@@ -23,7 +23,8 @@ std::string node_text(int node) {
 std::string cause_text(firmware::Cause cause) {
   for (const firmware::EffectRow& row : firmware::kEffectTable)
     if (static_cast<int>(cause) == row.can.number) return row.word.text;
-  return "unknown";
+  if (cause == firmware::Cause::kPolarity) return "polarity";
+  return cause == firmware::Cause::kUnit ? "unit" : "unknown";
 }
 
 std::string place_text(const firmware::Finding& f, bool rotating) {

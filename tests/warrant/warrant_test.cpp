@@ -186,24 +186,46 @@ TEST(Warrant, AForcesGainIsNoCandidateWhereNothingIsKnown) {
 }
 
 // A gain of 1.05 in one of a DOF's motion channels: a slope of 1.05 where 1 belongs. With one damper and one mass the equations alone
-// say nothing: the damper's coefficient is c / 1.05.
+// say nothing: the damper's coefficient is c / 1.05. Turned over and in another unit: gains of -1, 9.81 and 1000.
 TEST(Warrant, AMotionChannelOfAnotherGainIsNamed) {
-  for (const host_sim::Quantity quantity : {host_sim::Quantity::kVelocity, host_sim::Quantity::kDisplacement})
-    for (const int masses : {1, 2}) {
+  for (const host_sim::Quantity quantity :
+       {host_sim::Quantity::kVelocity, host_sim::Quantity::kDisplacement, host_sim::Quantity::kAcceleration})
+    for (const double gain : {1.05, -1.0, 9.80665, 1000.0}) {
+      const int masses = gain == 1.05 ? 2 : 1;
       Settings settings;
       settings.masses = masses;
       hidden_rig::Draw draw = hidden_rig::make_draw(9200, settings);
       for (host_sim::Channel& channel : draw.records.front().channels)
         if (channel.dof == 1 && channel.quantity == quantity)
-          for (double& value : channel.values) value *= 1.05;
+          for (double& value : channel.values) value *= gain;
       const CoreRun run = run_core(draw);
       const firmware::Finding& named = run.core->estimates().warrant.named;
-      EXPECT_EQ(named.cause, firmware::cause_of(firmware::EffectKind::kSensorGain)) << masses;
+      const firmware::Cause slip = gain < 0 ? firmware::Cause::kPolarity : firmware::Cause::kUnit;
+      EXPECT_EQ(named.cause, gain == 1.05 ? firmware::cause_of(firmware::EffectKind::kSensorGain) : slip) << gain;
       EXPECT_EQ(named.node_a, 0);
-      EXPECT_EQ(static_cast<int>(named.quantity), static_cast<int>(quantity)) << masses;
-      EXPECT_NEAR(to_double(named.size), 0.05, 0.003) << masses;
+      EXPECT_EQ(static_cast<int>(named.quantity), static_cast<int>(quantity)) << gain;
+      EXPECT_NEAR(to_double(named.size), gain - 1, 0.003 + 0.01 * std::abs(gain - 1)) << gain;
       EXPECT_EQ(valid_and_wrong(draw, run.core->estimates()), 0);
     }
+}
+
+// One sample late: a velocity makes its neighbours look early, both.
+TEST(Warrant, ALateChannelIsNamed) {
+  for (const host_sim::Quantity quantity :
+       {host_sim::Quantity::kVelocity, host_sim::Quantity::kDisplacement, host_sim::Quantity::kAcceleration}) {
+    Settings settings;
+    settings.masses = 2;
+    hidden_rig::Draw draw = hidden_rig::make_draw(9210, settings);
+    for (host_sim::Channel& channel : draw.records.front().channels)
+      if (channel.dof == 2 && channel.quantity == quantity)
+        std::copy_backward(channel.values.begin(), channel.values.end() - 1, channel.values.end());
+    const CoreRun run = run_core(draw);
+    const firmware::Finding& named = run.core->estimates().warrant.named;
+    EXPECT_EQ(named.cause, firmware::cause_of(firmware::EffectKind::kSensorDelay));
+    EXPECT_EQ(named.node_a, 1);
+    EXPECT_EQ(static_cast<int>(named.quantity), static_cast<int>(quantity));
+    EXPECT_NEAR(to_double(named.size), 1e-3, 1e-4);
+  }
 }
 
 // Every channel of the base two samples late, 2 ms: the channels agree with each other, and not with the rig.

@@ -6,7 +6,7 @@
 
 #include "hal/rig_file/signal_plan.hpp"
 #include "host_sim/can_log/log_writer.hpp"
-#include "host_sim/programs/estimate/delay_correction.hpp"
+#include "host_sim/programs/estimate/channel_correction.hpp"
 #include "host_sim/programs/results/fit_quality.hpp"
 #include "host_sim/programs/results/level_ratio.hpp"
 #include "host_sim/programs/shared/failures.hpp"
@@ -152,21 +152,40 @@ Estimation estimate_as_told(const rig_file::RigModel& model, const std::vector<R
   return estimation;
 }
 
+// Several channels may be off, one showing where another has been corrected.
+constexpr int kMostRounds = 3;
+
+// The same with channels corrected that the estimation finds late or with another gain; nothing where the corrected records do
+// not say that this was it.
+std::optional<Estimation> correct_channels(const rig_file::RigModel& model, const std::vector<Record>& records,
+                                           const EstimationOptions& options, const EstimateResult& first) {
+  const double period_s = records.front().sample_period_s;
+  std::vector<ChannelCorrection> corrections = corrections_to_make(first, period_s, true);
+  for (int round = 0; round < kMostRounds && !corrections.empty(); ++round) {
+    const rig_file::RigModel corrected_model = with_delays(model, corrections);
+    std::vector<Record> scaled;
+    if (any_gain(corrections)) scaled = without_gains(corrections, records);
+    const std::vector<Record>& corrected_records = scaled.empty() ? records : scaled;
+    Estimation corrected = estimate_as_told(corrected_model, corrected_records, options);
+    if (corrections_hold(corrected.result, corrections, period_s)) {
+      tell_corrections(corrections, first.warrant, corrected.result);
+      corrected.simulated = judge_fit(model, corrected_records, corrected.result);
+      return corrected;
+    }
+    const auto more = corrections_to_make(corrected.result, period_s, false);
+    if (more.empty()) break;
+    corrections.insert(corrections.end(), more.begin(), more.end());
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 Estimation estimate_records(const rig_file::RigModel& model, const std::vector<Record>& records,
                             const EstimationOptions& options) {
   check_records(records);
   Estimation estimation = estimate_as_told(model, records, options);
-  const auto corrections = delays_to_correct(estimation.result.skews, records.front().sample_period_s);
-  if (!corrections.empty()) {
-    Estimation corrected = estimate_as_told(with_delays(model, corrections), records, options);
-    if (delays_to_correct(corrected.result.skews, records.front().sample_period_s).empty()) {
-      estimation = std::move(corrected);
-      for (const DelayCorrection& correction : corrections)
-        estimation.result.notes.push_back(correction_note(correction));
-    }
-  }
+  if (auto corrected = correct_channels(model, records, options, estimation.result)) return std::move(*corrected);
   estimation.simulated = judge_fit(model, records, estimation.result);
   return estimation;
 }

@@ -27,6 +27,7 @@ ordered_json to_json(const FindingResult& finding) {
 
 ordered_json to_json(const WarrantResult& warrant) {
   ordered_json json = {{"tested", warrant.tested}};
+  for (const FindingResult& finding : warrant.corrected) json["corrected"].push_back(to_json(finding));
   if (warrant.named.effect.empty()) return json;
   json["suspect"] = to_json(warrant.named);
   if (warrant.rival.effect.empty()) return json;

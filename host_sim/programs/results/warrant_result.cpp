@@ -11,6 +11,12 @@
 namespace host_sim {
 namespace {
 
+// A fault of a channel that is no row of the vocabulary; nullptr: it is one.
+const char* fault_word(firmware::Cause cause) {
+  if (cause == firmware::Cause::kPolarity) return "polarity";
+  return cause == firmware::Cause::kUnit ? "unit" : nullptr;
+}
+
 const firmware::EffectRow* row_of_cause(firmware::Cause cause) {
   for (const firmware::EffectRow& row : firmware::kEffectTable)
     if (row.can.number != 0 && row.can.number == static_cast<uint8_t>(cause)) return &row;
@@ -29,10 +35,11 @@ std::string place(int node) {
 FindingResult finding_of(const rig_file::RigModel& model, const firmware::Finding& finding) {
   FindingResult result;
   const firmware::EffectRow* row = row_of_cause(finding.cause);
-  if (row == nullptr || finding.node_a < 0) return result;
+  const char* const fault = fault_word(finding.cause);
+  if ((row == nullptr && fault == nullptr) || finding.node_a < 0) return result;
   const int dof = dof_of(finding.node_a);
   const bool rotating = dof > 0 && model.dofs[static_cast<size_t>(dof - 1)].rotating;
-  result.effect = row->word.text;
+  result.effect = fault != nullptr ? fault : row->word.text;
   if (finding.quantity != firmware::kNoQuantity)
     result.where =
         "channel " + rig_file::format_channel_name({static_cast<firmware::Quantity>(finding.quantity), dof, rotating});
@@ -42,14 +49,14 @@ FindingResult finding_of(const rig_file::RigModel& model, const firmware::Findin
     result.where = "dof " + place(finding.node_a);
   result.size = rig_file::to_double(finding.size);
   result.std = rig_file::to_double(finding.std);
-  const char* unit = row->unit.of(rotating);
-  result.unit = unit == nullptr ? "" : unit;
+  const char* unit = fault != nullptr ? nullptr : row->unit.of(rotating);
+  result.unit = unit == nullptr || std::string(unit) == "1" ? "" : unit;
   return result;
 }
 
 // A gain that is no gain: what such a factor usually is.
 std::string slip_text(const FindingResult& named) {
-  if (named.effect != "sensor_gain") return "";
+  if (named.effect != "polarity" && named.effect != "unit") return "";
   struct Slip {
     double gain;
     const char* text;
@@ -58,7 +65,7 @@ std::string slip_text(const FindingResult& named) {
        {Slip{-1, "its sign is reversed"}, Slip{1e3, "a unit slip, a factor of 1000"},
         Slip{1e-3, "a unit slip, a factor of 1/1000"}, Slip{9.80665, "a unit slip, a factor of 9.81"},
         Slip{1 / 9.80665, "a unit slip, a factor of 1/9.81"}})
-    if (std::abs(1 + named.size - slip.gain) < 0.1 * std::abs(slip.gain))
+    if (std::abs(1 + named.size - slip.gain) < 0.5 * std::abs(slip.gain))
       return std::string("; it looks like ") + slip.text;
   return "";
 }
@@ -78,9 +85,10 @@ std::string warrant_text(const WarrantResult& warrant) {
   if (warrant.named.effect.empty())
     return warrant.tested ? "the board finds nothing that the rig file lacks"
                           : "the board cannot test the rig file with these data";
-  std::string size = fmt::format(", {:.4g} +- {:.2g} ", warrant.named.size, warrant.named.std);
+  std::string size = fmt::format(", {:.4g} +- {:.2g}", warrant.named.size, warrant.named.std);
   std::string text = "the board suspects " + warrant.named.effect + " on " + warrant.named.where + size +
-                     warrant.named.unit + slip_text(warrant.named);
+                     (warrant.named.unit.empty() ? "" : " ") + warrant.named.unit + slip_text(warrant.named);
+  if (warrant.explained) return text + ": corrected, and nothing else is found";
   if (warrant.rival.effect.empty()) return text;
   std::string share = fmt::format(" ({:.0f} % of its likelihood)", warrant.rival_percent);
   return text + "; next best " + warrant.rival.effect + " on " + warrant.rival.where + share;

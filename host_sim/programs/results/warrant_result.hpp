@@ -1,6 +1,7 @@
 // What the board says of the rig's model beside its numbers: cause, place, size and the nearest rival, in words.
 #pragma once
 #include <string>
+#include <vector>
 
 #include "firmware/identification/estimate.hpp"
 #include "hal/rig_file/rig_model.hpp"
@@ -17,6 +18,10 @@ struct WarrantResult {
   bool tested = false;
   FindingResult named, rival;
   double rival_percent = 0.0;  // gain in log-likelihood, of the named cause's
+  // Delays and gains of channels that have been taken out of these estimates. Where that explains everything, named is what the
+  // data showed before.
+  std::vector<FindingResult> corrected;
+  bool explained = false;  // by what has been corrected
 };
 
 WarrantResult warrant_of(const rig_file::RigModel& model, const firmware::Warrant& warrant);
