@@ -55,7 +55,7 @@ double unseen_share_of(const Attempt& a, double noise) {
   return (1 - a.unseen) / std::max(1e-12, 1 - std::min(std::min(1.0, noise * a.quieter), a.unseen));
 }
 
-constexpr double kMuch = 0.5;  // of what the better one leaves beyond noise
+constexpr double kMuch = 0.5;  // of what the better one leaves beyond noise, for each number that it has more
 
 // Seen and unseen blocks together.
 Fitted all_blocks(const State& s) {
@@ -276,7 +276,8 @@ bool passes(const Attempt& a, size_t already, double noise) {
 
 bool clearly_better(const Attempt& a, const Attempt& b, double noise) {
   const double left = whole_error(a) - std::min(noise, whole_error(a));
-  return whole_error(b) - whole_error(a) > kMuch * left && paired_z(all_blocks(b.state), all_blocks(a.state)) > kClear;
+  const double much = std::pow(1 + kMuch, std::max(1, a.complexity - b.complexity)) - 1;
+  return whole_error(b) - whole_error(a) > much * left && paired_z(all_blocks(b.state), all_blocks(a.state)) > kClear;
 }
 
 }  // namespace diagnosis::runs

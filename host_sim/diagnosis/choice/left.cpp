@@ -123,7 +123,7 @@ Left left_by(const System& system, const std::vector<Prepared>& records, const S
     left.sensor_noise[static_cast<Index>(c)] = level;
     left.noise[static_cast<Index>(c)] = level + pushed_level / static_cast<double>(pushed[c].size());
     left.in_band[static_cast<Index>(c)] = inside.empty() || allowed <= 0 ? 1 : sum / allowed;
-    highest_lines(p, static_cast<Index>(low_Hz / bin), static_cast<Index>(top_Hz / bin), bin, driving, left);
+    highest_lines(p, by_force, static_cast<Index>(low_Hz / bin), static_cast<Index>(top_Hz / bin), bin, driving, left);
     left.hum.push_back(hum_in(p, n, step, driving));
   }
   if (left.worst() > kBeyondNoise && left.line < kLine && !over.massless)

@@ -7,6 +7,7 @@ namespace diagnosis::runs {
 namespace {
 
 constexpr Index kAround = 40;           // bins on either side
+constexpr Index kNear = 4;              // bins on either side that one realisation of a noise is averaged over
 constexpr double kMainsWidth_Hz = 0.2;  // of the mains' frequency and its multiples
 constexpr double kAlone = 9;   // times the power of any other line: harmonics of a drive may fall on the mains too
 constexpr Index kLeakage = 2;  // bins that a line between two of them spreads over, on either side
@@ -19,11 +20,17 @@ bool of_mains(double hertz, double bin_Hz) {
   return false;
 }
 
-double over_level_around(const Vec& power, Index i) {
+// made: what else is known to be there, on average; empty: nothing.
+double over_level_around(const Vec& power, Index i, const Vec& made = {}) {
   std::vector<double> around;
   for (Index k = std::max<Index>(1, i - kAround); k <= std::min(power.size() - 1, i + kAround); ++k)
     if (std::abs(k - i) > 2) around.push_back(power[k]);
-  return power[i] * kMedianOfSpread / std::max(1e-300, median(around));
+  double level = median(around) / kMedianOfSpread;
+  if (made.size() > 0) {
+    const Index from = std::max<Index>(1, i - kNear), to = std::min(made.size() - 1, i + kNear);
+    level = std::max(level, made.segment(from, to - from + 1).mean());
+  }
+  return power[i] / std::max(1e-300, level);
 }
 
 bool any_drives(const std::vector<Vec>& driving, Index i) {
@@ -49,12 +56,12 @@ double median(std::vector<double> v) {
   return v[v.size() / 2];
 }
 
-// Highest lines between two bins over the median level around them.
-void highest_lines(const Vec& power, Index from, Index to, double bin_Hz, const std::vector<Vec>& driving, Left& left) {
+void highest_lines(const Vec& power, const Vec& by_drives, Index from, Index to, double bin_Hz,
+                   const std::vector<Vec>& driving, Left& left) {
   for (Index i = std::max<Index>(from, 3); i < std::min(to, power.size()); ++i) {
     if (power[i] < power[i - 1] || (i + 1 < power.size() && power[i] < power[i + 1])) continue;
     if (of_mains(static_cast<double>(i) * bin_Hz, bin_Hz)) continue;
-    const double line = over_level_around(power, i);
+    const double line = over_level_around(power, i, by_drives);
     left.line = std::max(left.line, line);
     if (!any_drives(driving, i)) left.foreign_line = std::max(left.foreign_line, line);
   }

@@ -10,9 +10,10 @@ constexpr double kLine = 25;  // over the level around: chance makes one in e^25
 
 double median(std::vector<double> values);
 
-// Highest lines between two bins over the median level around them, mains left out; `driving`: spectra of what drives the
-// rig.
-void highest_lines(const Vec& power, Index from, Index to, double bin_Hz, const std::vector<Vec>& driving, Left& left);
+// Highest lines between two bins over the median level around them, or over what the drives' noise makes there if that is
+// more; mains left out. `driving`: spectra of what drives the rig.
+void highest_lines(const Vec& power, const Vec& by_drives, Index from, Index to, double bin_Hz,
+                   const std::vector<Vec>& driving, Left& left);
 
 // The line at 50 or 60 Hz, where there is one. power: of `samples` values, per sample.
 Hum hum_in(const Vec& power, size_t samples, double step_s, const std::vector<Vec>& driving);

@@ -49,7 +49,12 @@ Round round_of(const Task& task, const State& now, size_t already, const Left& l
     return passes(attempt(task, beside, t.candidates, start, kTrialSteps), already, left_noise);
   };
   const auto first = std::find_if(singles.begin(), singles.end(), stands);
-  if (first != singles.end()) round.best = *first, round.found = true;
+  if (first != singles.end()) {
+    round.best = *first, round.found = true;
+    // a simpler one that is not clearly worse comes first: the other is its rival
+    for (auto t = first + 1; t < singles.end(); ++t)
+      if (t->complexity < round.best.complexity && !clearly_better(*first, *t, noise) && stands(*t)) round.best = *t;
+  }
   // two that help only together: where no single does, or where they leave half of what the best single with its best
   // partner does
   double with_best = 0;

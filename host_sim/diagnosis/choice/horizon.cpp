@@ -1,0 +1,183 @@
+#include "horizon.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "attempt.hpp"
+
+namespace diagnosis::runs {
+namespace {
+
+constexpr double kShortestHorizon = 0.2;  // periods
+constexpr double kPlainlyRight = 0.02;    // of the motion: no other valley is as low
+constexpr double kEnough = 20000;         // samples: some hundred periods tell one valley from another
+
+void thin_out(std::vector<Window>& windows, size_t every) {
+  size_t kept = 0;
+  for (size_t i = 0; i < windows.size(); i += every) windows[kept++] = windows[i];
+  windows.resize(kept);
+}
+
+}  // namespace
+
+void lay(const Task& task, double periods, State& s, double most) {
+  const bool apart = task.training < task.records.size();
+  s.seen.clear(), s.unseen.clear();
+  double rows = 0;
+  for (Window& w : lay_windows(task.records, periods, apart ? 0 : 0.3, massless(s.model))) {
+    const bool unseen = apart ? w.record >= task.training : w.unseen;
+    (unseen ? s.unseen : s.seen).push_back(w), rows += unseen ? 0 : static_cast<double>(w.length);
+  }
+  const size_t every = std::min(static_cast<size_t>(1 + rows / most), s.seen.size() / (2 * kEnoughWindows));
+  if (every > 1) thin_out(s.seen, every), thin_out(s.unseen, every);
+}
+
+namespace {
+
+// The fitted windows alone; the unseen ones are asked once the windows have their length.
+void settle_seen(const Task& task, State& s) { s.fit = fit(task.system, task.records, s.model, s.seen, kBaseSteps); }
+
+}  // namespace
+
+void settle_unseen(const Task& task, State& s) {
+  Model frozen = s.model;
+  if (s.fit.ok) s.unseen_fit = fit(task.system, task.records, frozen, s.unseen, kBaseSteps, true);
+}
+
+bool widen(const Task& task, double longest, double& periods, State& s, double most) {
+  bool any = false;
+  while (periods < 0.75 * longest) {
+    State longer = s;
+    lay(task, std::min(longest, 2 * periods), longer, most);
+    if (longer.unseen.empty() != s.unseen.empty()) return any;
+    settle_seen(task, longer);
+    if (!longer.fit.ok || !(motion_error(task, longer) < kFollows)) return any;
+    s = longer, periods = std::min(longest, 2 * periods), any = true;
+  }
+  return any;
+}
+
+namespace {
+
+// Of the fastest of the motions between two DOFs, over that of the slowest DOF: what turns freely is slow, its shafts are not.
+double quickest_share(const Task& task) {
+  double share = 1;
+  for (const Prepared& p : task.records)
+    for (size_t l = 0; l < task.system.known_links; ++l) {
+      const rig_file::Link& link = task.system.links[l];
+      if (link.a < 1 || link.b < 1) continue;
+      const Guess &a = p.guess[static_cast<size_t>(link.a - 1)], &b = p.guess[static_cast<size_t>(link.b - 1)];
+      const double rate = rms_about_mean(a.v - b.v), way = rms_about_mean(a.x - b.x);
+      if (rate > 0 && p.period_s > 0) share = std::min(share, 6.283185307179586 * way / rate / p.period_s);
+    }
+  return share;
+}
+
+// A long window's error has valleys beside the lowest, friction's most of all. A fit over shorter windows, carried on to the long
+// ones, finds the lower one more often; nothing is lost where it does not.
+void from_shorter(const Task& task, const Model& start, double periods, State& s) {
+  if (motion_error(task, s) < kPlainlyRight) return;
+  State other = s, same = s;
+  other.model = start;
+  double reached = periods / kShorter;
+  lay(task, reached, other, kEnough);
+  settle_seen(task, other);
+  if (!other.fit.ok || !(motion_error(task, other) < kFollows)) return;
+  widen(task, periods, reached, other, kEnough);
+  if (reached != periods || !other.fit.ok) return;
+  const bool some = other.seen.size() < s.seen.size();
+  if (some) same.seen = other.seen, same.unseen = other.unseen, settle_seen(task, same);
+  if (same.fit.ok && error_over(other.fit, same.fit) >= 1) return;
+  if (some) {
+    lay(task, periods, other);
+    settle_seen(task, other);
+    if (!other.fit.ok || error_over(other.fit, s.fit) >= 1) return;
+  }
+  s = other;
+}
+
+}  // namespace
+
+// The longest windows over which the model stays within reach of its linearisation. What no shorter windows follow either of the
+// motions between two DOFs, though the DOFs are followed, is noise of a colour that third differences do not show.
+double horizon(const Task& task, State& s, double from, bool massless) {
+  const Model start = s.model;
+  State longest;
+  double followed = 0;
+  const double shortest = kShortestHorizon * quickest_share(task);
+  double periods = from;
+  for (;; periods /= 2) {
+    s.model = start;
+    lay(task, periods, s);
+    settle_seen(task, s);
+    const bool follows = s.fit.ok && motion_error(task, s) < kFollows;
+    if (!massless && follows && periods == from) from_shorter(task, start, periods, s);
+    if (!massless && follows) widen(task, from, periods, s);
+    if (massless || follows) return periods;
+    if (s.fit.ok && followed == 0 && motion_error(task, s, false) < kFollows) longest = s, followed = periods;
+    if (periods / 2 >= shortest) continue;
+    if (followed > 0) s = longest, periods = followed;
+    return periods;
+  }
+}
+
+namespace {
+
+// What windows add up to: of a channel, or of the difference of two.
+struct MotionSums {
+  double error = 0, motion = 0, noise = 0, count = 0, third_differences = 0;
+  void add(const Vec& y, const Vec& residual) {
+    error += residual.squaredNorm(), motion += (y.array() - y.mean()).square().sum();
+    count += static_cast<double>(y.size());
+    noise += white_noise_sum(residual),
+        third_differences += static_cast<double>(std::max<Index>(0, residual.size() - 3));
+  }
+  double noise_sum() const { return third_differences > 0 ? noise / third_differences * count : 0; }
+};
+
+// Motion of a link that a sensor shows: twice its noise.
+constexpr double kShown = 4;
+
+// The two channels of one quantity at the ends of a link, -1 where there are none.
+std::pair<int, int> channels_across(const rig_file::Link& l, const std::vector<MotionTrace>& traces, int quantity) {
+  std::pair<int, int> found{-1, -1};
+  for (size_t c = 0; c < traces.size(); ++c) {
+    if (traces[c].quantity != quantity) continue;
+    if (traces[c].dof + 1 == l.a) found.first = static_cast<int>(c);
+    if (traces[c].dof + 1 == l.b) found.second = static_cast<int>(c);
+  }
+  return found.first < 0 || found.second < 0 ? std::make_pair(-1, -1) : found;
+}
+
+}  // namespace
+
+double motion_error(const Task& task, const State& s, bool links_too) {
+  if (!s.fit.ok) return 1e300;
+  Evaluator e(task.system, s.model, task.records);
+  const std::vector<MotionTrace>& traces = e.traces(0);
+  std::vector<std::pair<int, int>> across;  // links between DOFs: masses that turn together hide what their shaft does
+  for (size_t l = 0; l < task.system.known_links && !e.massless() && links_too; ++l)
+    for (int q = 0; q < 3; ++q) {
+      const auto ends = channels_across(task.system.links[l], traces, q);
+      if (ends.first >= 0) across.push_back(ends);
+    }
+  std::vector<MotionSums> own(traces.size()), relative(across.size());
+  WindowRun run;
+  for (const Window& w : s.seen) {
+    if (!e.run(w, false, false, run)) return 1e300;
+    const auto y = [&](int c) { return e.traces(w.record)[static_cast<size_t>(c)].y.segment(w.from, w.length); };
+    const auto r = [&](int c) { return run.residual.segment(c * w.length, w.length); };
+    for (size_t c = 0; c < traces.size(); ++c) own[c].add(y(static_cast<int>(c)), r(static_cast<int>(c)));
+    for (size_t i = 0; i < across.size(); ++i)
+      relative[i].add(y(across[i].first) - y(across[i].second), r(across[i].first) - r(across[i].second));
+  }
+  double worst = 0;
+  for (const MotionSums& m : own) worst = std::max(worst, std::sqrt(m.error / std::max(1e-300, m.motion)));
+  for (const MotionSums& m : relative) {
+    const double noise = m.noise_sum(), motion = m.motion - noise;
+    if (motion > kShown * noise) worst = std::max(worst, std::sqrt(std::max(0.0, m.error - noise) / motion));
+  }
+  return worst;
+}
+
+}  // namespace diagnosis::runs
