@@ -12,8 +12,11 @@ namespace {
 
 constexpr size_t kMostCauses = 4;
 constexpr double kFurtherShare = 2e-3;  // of what the causes named before have brought, that a further one must
-constexpr double kLeastPeriods = 1;     // of a window: its start and what damps it are one less
-constexpr double kTogether = 0.5;       // of what one cause leaves, that dampers which drift together may
+// Of a further number of a cause: a tenth of the squared error, which unseen windows hardly tell; over windows so short that
+// what is flexible follows anything, half as much again.
+constexpr double kWorth = 1.1, kWorthOverShort = 1.5;
+constexpr double kLeastPeriods = 1;  // of a window: its start and what damps it are one less
+constexpr double kTogether = 0.5;    // of what one cause leaves, that dampers which drift together may
 constexpr double kNearEnough_percent =
     0.3;                                 // of the motion, free run on unseen data: sensors are not better calibrated
 constexpr double kRight_percent = 0.05;  // where noise may hide a cause: no sensor tells it from the truth
@@ -94,8 +97,8 @@ void drop_needless(const Task& task, State& now, std::vector<Named>& named) {
   }
 }
 
-// Names causes one after the other, over the windows of choice.final.
-void search(const Task& task, Choice& choice, const std::function<void(double)>& progress) {
+// Names causes one after the other, over the windows of choice.final; worth: as in round_of().
+void search(const Task& task, double worth, Choice& choice, const std::function<void(double)>& progress) {
   State now = choice.final;
   bool warmed = false;
   size_t freed = 0;
@@ -105,7 +108,7 @@ void search(const Task& task, Choice& choice, const std::function<void(double)>&
     const Left remains = left_by(task.system, task.records, now);
     const double noise = noise_share(remains, now.fit);
     const State part = part_of(task, now, noise);
-    Round round = round_of(task, part, choice.named.size(), remains, noise, choice);
+    Round round = round_of(task, part, choice.named.size(), remains, noise, worth, choice);
     if (round.stuck) {
       now = on_all(task, now, round.unstuck.model);
       if (choice.named.empty())
@@ -148,7 +151,7 @@ void search_shorter(const Task& task, Choice& choice, const std::function<void(d
     if (shorter.base.unseen.empty() || !(motion_error(task, shorter.base) < kFollows)) continue;
     shorter.final = shorter.base;
     shorter.base_left = left_by(task.system, task.records, shorter.base);
-    search(task, shorter, progress);
+    search(task, kWorthOverShort, shorter, progress);
     if (shorter.named.empty()) continue;
     State whole = shorter.final;
     double reached = periods;
@@ -164,7 +167,7 @@ void search_shorter(const Task& task, Choice& choice, const std::function<void(d
 void choose(const Task& task, Choice& choice, const std::function<void(double)>& progress) {
   const State& start = choice.final;
   if (!start.fit.ok || start.unseen.empty() || near_enough(task, choice)) return;
-  search(task, choice, progress);
+  search(task, kWorth, choice, progress);
   if (choice.named.empty() && noise_share(choice.base_left, choice.base.fit) < kMostlyNoise)
     search_shorter(task, choice, progress);
   weigh_rivals(task, progress, choice);

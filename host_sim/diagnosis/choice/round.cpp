@@ -1,6 +1,7 @@
 #include "round.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace diagnosis::runs {
 namespace {
@@ -13,9 +14,15 @@ constexpr double kPairRows = 4e4;   // samples that a search among pairs may sim
 constexpr double kWasStuck = 0.9;   // of the squared error: so much less shows another valley
 constexpr double kAsPromising = 4;  // of what a pair leaves, as the linearisation has it
 
+// Whether a simpler cause leaves no more than what each of its fewer numbers is worth.
+bool as_good(const Attempt& simpler, const Attempt& best, double worth) {
+  return whole_error(simpler) < whole_error(best) * std::pow(worth, best.complexity - simpler.complexity);
+}
+
 }  // namespace
 
-Round round_of(const Task& task, const State& now, size_t already, const Left& left, double noise, Choice& choice) {
+Round round_of(const Task& task, const State& now, size_t already, const Left& left, double noise, double worth,
+               Choice& choice) {
   Round round;
   choice.last_candidates = candidates_beside(task.system, now.model, task.records, left.worst() > kPlainlyLeft);
   choice.last_screen = screen(task.system, task.records, now.model, now.seen, now.fit, choice.last_candidates, kPairs);
@@ -51,9 +58,8 @@ Round round_of(const Task& task, const State& now, size_t already, const Left& l
   const auto first = std::find_if(singles.begin(), singles.end(), stands);
   if (first != singles.end()) {
     round.best = *first, round.found = true;
-    // a simpler one that is not clearly worse comes first: the other is its rival
-    for (auto t = first + 1; t < singles.end(); ++t)
-      if (t->complexity < round.best.complexity && !clearly_better(*first, *t, noise) && stands(*t)) round.best = *t;
+    for (auto t = first + 1; t < singles.end(); ++t)  // the other is its rival
+      if (t->complexity < round.best.complexity && as_good(*t, *first, worth) && stands(*t)) round.best = *t;
   }
   // two that help only together: where no single does, or where they leave half of what the best single with its best
   // partner does

@@ -11,8 +11,10 @@ struct Round {
   State unstuck;
 };
 // already: causes named before; left: what the model leaves; noise: the share of its squares that looks like it. Leaves
-// the screen in `choice`.
-Round round_of(const Task& task, const State& now, size_t already, const Left& left, double noise, Choice& choice);
+// the screen in `choice`. worth: of each number that a cause has more than a simpler one, as a factor of the squared error
+// that it has to save.
+Round round_of(const Task& task, const State& now, size_t already, const Left& left, double noise, double worth,
+               Choice& choice);
 
 // The named causes again, each against every other candidate in its place beside the rest: drops one that is not needed
 // any more, puts a better one in its place, and lists those that do as well.
