@@ -20,6 +20,7 @@ constexpr double kNoHarm = 1.01;      // of their squared residual, where they c
 constexpr double kSmallStart = 0.3;   // of the value that the linearisation gives
 constexpr double kPromised = 0.8;     // of the linearisation's gain, that a fit should reach
 constexpr int kFirstSteps = 3;        // with shapes held
+constexpr double kAsFound = 1.3;      // of the error over a part of the windows, that over all of them may be
 constexpr double kClear = 2;          // of a difference, paired over blocks, in standard errors
 
 double least_z(const Attempt& a, size_t added_from) {
@@ -93,13 +94,15 @@ State part_of(const Task& task, const State& whole, double noise) {
   return part.fit.ok && part.unseen_fit.ok ? part : whole;
 }
 
-State on_all(const Task& task, const State& whole, const Model& model) {
+State on_all(const Task& task, const State& whole, const State& found) {
   State s = whole;
-  s.model = model;
+  s.model = found.model;
+  if (found.seen.size() == whole.seen.size() && found.unseen.size() == whole.unseen.size())
+    s.seen = found.seen, s.unseen = found.unseen;
   settle(task, s, kBaseSteps);
-  if (motion_error(task, whole) < kFollows) return s;
+  if (s.fit.ok && motion_error(task, s) < kAsFound * motion_error(task, found)) return s;
   State measured = whole;
-  measured.model = model;
+  measured.model = found.model;
   forget_states(measured);
   fit(task.system, task.records, measured.model, measured.seen, kBaseSteps,
       true);  // states first: one that is far off holds all back

@@ -28,9 +28,10 @@ constexpr double kShare = 0.3;
 void settle(const Task& task, State& s, int steps);
 
 // Every so many windows of a state, fitted: where most of what is left is not noise a part of a long record tells
-// causes apart as well as all of it. And a model found on one state, fitted to the windows of another.
+// causes apart as well as all of it. And what was found on one state, fitted to the windows of another; where they are the
+// same it goes on from the states found.
 State part_of(const Task& task, const State& whole, double noise);
-State on_all(const Task& task, const State& whole, const Model& model);
+State on_all(const Task& task, const State& whole, const State& found);
 
 constexpr int kBaseSteps = 12, kTrialSteps = 6;  // of Gauss-Newton: to rest, and near enough to compare
 // Where windows' states start: as fitted for the model beside, or (where that was far off) as measured.

@@ -110,7 +110,7 @@ void search(const Task& task, double worth, Choice& choice, const std::function<
     const State part = part_of(task, now, noise);
     Round round = round_of(task, part, choice.named.size(), remains, noise, worth, choice);
     if (round.stuck) {
-      now = on_all(task, now, round.unstuck.model);
+      now = on_all(task, now, round.unstuck);
       if (choice.named.empty())
         choice.base = choice.final = now, choice.base_left = left_by(task.system, task.records, now);
       if (++freed > kMostCauses) break;
@@ -127,7 +127,7 @@ void search(const Task& task, double worth, Choice& choice, const std::function<
       keep_shape(round.best.state.model, c);
       choice.named.push_back(Named{c, round.best.z, share_of(round.best, noise), {}, round.best.shows_unseen});
     }
-    now = on_all(task, now, round.best.state.model);
+    now = on_all(task, now, round.best.state);
     progress(static_cast<double>(choice.named.size()) / static_cast<double>(kMostCauses));
   }
   drop_needless(task, now, choice.named);

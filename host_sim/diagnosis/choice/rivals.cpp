@@ -43,7 +43,7 @@ void weigh_rivals(const Task& task, const std::function<void(double)>& progress,
     Attempt own;
     own.candidates = {mine.candidate}, own.state = choice.final, own.complexity = mine.candidate.complexity;
     own.z = mine.z;
-    if (rest.seen.size() != choice.final.seen.size()) own.state = on_all(task, rest, choice.final.model);
+    if (rest.seen.size() != choice.final.seen.size()) own.state = on_all(task, rest, choice.final);
     own.error = error_over(own.state.fit, rest.fit), own.unseen = error_over(own.state.unseen_fit, rest.unseen_fit);
     const std::vector<Candidate> all = candidates_beside(task.system, rest.model, task.records, false);
     const Screen s = screen(task.system, task.records, rest.model, rest.seen, rest.fit, all, 0);
@@ -78,7 +78,7 @@ void weigh_rivals(const Task& task, const std::function<void(double)>& progress,
       if (t.complexity < own.complexity || (t.complexity == own.complexity && whole_error(t) < whole_error(own)))
         std::swap(t, own);
     if (!own.candidates[0].same_place(mine.candidate)) {
-      mine.candidate = own.candidates[0], mine.z = own.z, choice.final = on_all(task, choice.final, own.state.model);
+      mine.candidate = own.candidates[0], mine.z = own.z, choice.final = on_all(task, choice.final, own.state);
       keep_shape(choice.final.model, mine.candidate);
     }
     mine.share = share_of(own, noise);
