@@ -83,6 +83,7 @@ void BatchCollector::begin_level() {
 }
 
 uint32_t BatchCollector::unit_end(uint32_t unit) const {
+  if (unit_denominator_ == 1) return unit * unit_numerator_;
   const uint64_t twice = 2 * static_cast<uint64_t>(unit) * unit_numerator_ + unit_denominator_;
   return static_cast<uint32_t>(
       short_quotient(twice, 2 * static_cast<uint64_t>(unit_denominator_), 32));  // nearest sample

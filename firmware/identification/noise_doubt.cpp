@@ -63,7 +63,7 @@ void add_equation(const EquationList& list, const LevelColumns& level, const Whi
 
 void add_noise_doubt(const CoreConfiguration& configuration, const EquationList& list, const BatchTable& table,
                      WeightedFit& fit, Estimates& estimates) {
-  if (!any_doubt(configuration)) return;
+  if (!kDerivesSignals || !any_doubt(configuration)) return;
   Scaled power[kMaxEquations], moment[kMaxUnknowns], shift[kMaxUnknowns];
   for (int e = 0; e < list.count; ++e)
     power[e] =

@@ -40,7 +40,7 @@ void add_equation(const EquationList& list, const LevelColumns& level, const Whi
 
 void take_out_regressor_noise(const EquationList& list, const BatchTable& table, WeightedFit& fit,
                               Estimates& estimates) {
-  if (!list.displacement) return;
+  if (kWeights < 3 || !list.displacement) return;
   Scaled pull[kMaxUnknowns], shift[kMaxUnknowns];
   for (int l = 0; l < table.level_count; ++l) {
     const LevelColumns& level = fit.load_level(l);

@@ -89,7 +89,7 @@ bool impossible(const CoreConfiguration& configuration, const ProbePlan& plan, c
 // by the root of the share that was looked at.
 void ScoreTest::keep_bends(int number) {
   const ProbeScore& score = score_[number];
-  const Scaled share = percent(one_quantity(*configuration_) ? kFoundInOnePercent : kFoundPercent);
+  const Scaled share = percent(kDerivesSignals && one_quantity(*configuration_) ? kFoundInOnePercent : kFoundPercent);
   if (abs(score.wald) < limit(score.freedom) * share * seen_root_) return;
   for (int k = 0; k < unknowns_; ++k) {
     const Scaled possible = (abs(score.effect) + score.std) * abs(bend_[k]);

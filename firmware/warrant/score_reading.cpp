@@ -11,7 +11,7 @@ void ScoreTest::open(const Probe& probe) {
   place_ = &plan.place[probe.place];
   for (int v = 0; v < plan.values(probe); ++v) unit_[v] = sums_->unit(probe, v);
   const int sums = place_->equations + place_->columns;
-  for (int slope = 0; slope < plan.slopes; ++slope)
+  for (int slope = 0; slope < shared_slopes(); ++slope)
     for (int v = 0; v < sums; ++v) noise_[slope][v] = sums_->noise_share(probe, slope, v, SharedNoise::Of::kWhole);
 }
 
@@ -32,7 +32,7 @@ void ScoreTest::add_sums(Combination<kMostProbeSums>& combination, const Scaled*
   const int sums = place_->equations + place_->columns;
   for (int v = 0; v < sums; ++v)
     if (!factor[v].is_zero()) combination.add(probe_->first_value + v, factor[v] * unit_[v]);
-  for (int slope = 0; slope < sums_->plan().slopes; ++slope) {
+  for (int slope = 0; slope < shared_slopes(); ++slope) {
     Scaled noise;
     for (int v = 0; v < sums; ++v)
       if (!factor[v].is_zero() && !noise_[slope][v].is_zero()) noise = noise - factor[v] * noise_[slope][v];
@@ -77,7 +77,7 @@ Scaled ScoreTest::total(int level, int value, int power) const {
 Scaled ScoreTest::column_total(int level, int column) const {
   const int value = place_->equations + column;
   Scaled sum = total(level, value, 1) * unit_[value];
-  for (int slope = 0; slope < sums_->plan().slopes; ++slope) {
+  for (int slope = 0; slope < shared_slopes(); ++slope) {
     if (noise_[slope][value].is_zero()) continue;
     const int at = place_->equations + place_->columns + 1 + slope;
     sum = sum - total(level, at, 1) * unit_[at] * noise_[slope][value];
@@ -90,7 +90,7 @@ Scaled ScoreTest::doubtful_score() {
   const Place& place = *place_;
   const int sums = place.equations + place.columns;
   Scaled doubt;
-  for (int slope = 0; slope < sums_->plan().slopes; ++slope) {
+  for (int slope = 0; slope < shared_slopes(); ++slope) {
     const int at = sums + 1 + slope;
     Scaled share[kPlaceEquations];
     for (int v = 0; v < sums; ++v) {

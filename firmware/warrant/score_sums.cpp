@@ -202,7 +202,7 @@ bool ScoreSums::outgrown() const {
 uint32_t ScoreSums::cost(const Probe& probe) const {
   uint32_t products = static_cast<uint32_t>(plan_.values(probe)) + kForceCost;
   if (motion_place_ != probe.place) products += kMotionCost;
-  if (plan_.slopes > 0) products += kSlopeCost;
+  if (kKeepsProbeNoise && plan_.slopes > 0) products += kSlopeCost;
   return products * kBlockSamples;
 }
 
@@ -229,7 +229,8 @@ void ScoreSums::work_on(const Probe& probe) {
   with[values++] = own;
   add_dots(phi, with, values, &table_.current(probe.first_value));
   const int value = probe.first_value + values - 1;
-  if (plan_.slopes > 0) sum_slopes(probe.form, scale, motion_, &table_.current(value + 1), &table_.current(value + 2));
+  if (kKeepsProbeNoise && plan_.slopes > 0)
+    sum_slopes(probe.form, scale, motion_, &table_.current(value + 1), &table_.current(value + 2));
 }
 
 void ScoreSums::end_block() {
@@ -264,6 +265,7 @@ Scaled ScoreSums::unit(const Probe& probe, int value) const {
 }
 
 Scaled ScoreSums::noise_share(const Probe& probe, int slope, int value, SharedNoise::Of of) const {
+  if (!kKeepsProbeNoise) return {};
   const Place& place = plan_.place[probe.place];
   if (value < place.equations) return noise_.with_known(place, probe.form, slope, place.dof[value], of);
   return noise_.with_column(place, probe.form, slope, unknown_column_[place.unknown[value - place.equations]], of);

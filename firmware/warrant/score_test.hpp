@@ -61,7 +61,7 @@ class ScoreTest {
 
  private:
   void open(const Probe& probe);
-  void read_noise();
+  int shared_slopes() const { return kKeepsProbeNoise ? sums_->plan().slopes : 0; }
   void take_level(int level);
   void add_scores(Combination<kMostProbeSums>& combination, const Scaled* equation) const;
   void add_sums(Combination<kMostProbeSums>& combination, const Scaled* factor) const;

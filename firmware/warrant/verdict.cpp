@@ -305,8 +305,8 @@ void give_verdict(const CoreConfiguration& configuration, const ScoreSums& sums,
     warrant.rival = warrant.named;
     warrant.named = late;
   }
-  const bool derived = one_channel(configuration, Quantity::kForce);
-  const bool twice_derived = one_channel(configuration, Quantity::kDisplacement);
+  const bool derived = kDerivesSignals && one_channel(configuration, Quantity::kForce);
+  const bool twice_derived = kDerivesSignals && one_channel(configuration, Quantity::kDisplacement);
   bool contradicted = false;
   for (int k = 0; k < estimates.unknown_count; ++k)
     contradicted = contradicted || contradicts(configuration, k, estimates.parameters[k]);
