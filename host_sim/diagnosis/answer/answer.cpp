@@ -14,10 +14,6 @@ namespace {
 constexpr double kLikeAHold = 0.1;   // of half a sample
 constexpr double kLeastGain = 1.05;  // on unseen data: a twentieth less missed is not a number that anybody acts on
 constexpr double kHalfOfVariance = 70.7;  // NRMSE in percent
-// Of the motion, of each link's too, over windows and in free runs of unseen data: calibrations of sensors are not
-// much better, and where nothing in the vocabulary brings it down nobody would act on it. What is left is said.
-constexpr double kSmall = 0.02;
-constexpr double kContradicts = 2;  // standard errors of a difference: one of twenty that mean the same is as far
 
 // As the words and units of terms are kept. A backlash and what acts in another's place have that one's coefficient.
 std::vector<ActiveTerm> active(const Model& model, const std::vector<Determined>& found) {
@@ -229,7 +225,7 @@ double compare_unseen(const Task& task, const State& base, const State& with_cau
 }
 
 bool contradicts(const diagnosis::Parameter& rows, const diagnosis::Parameter& runs) {
-  return rows.std > 0 && std::abs(rows.value - runs.value) > kContradicts * std::hypot(rows.std, runs.std);
+  return rows.std > 0 && std::abs(rows.value - runs.value) > kByChance * std::hypot(rows.std, runs.std);
 }
 
 std::vector<diagnosis::Parameter> numbers_of(const Task& task, const State& fitted) {

@@ -13,10 +13,7 @@
 namespace diagnosis::runs {
 namespace {
 
-constexpr double kTwoPi = 6.283185307179586;
-constexpr double kHelps = 4.5;                          // standard errors, as for any cause
-constexpr double kOneOfThem = 3;                        // times the hum of any motion channel, each over its own signal
-constexpr double kReach_Hz = 0.2, kFineness_Hz = 0.01;  // of the mains' frequency about its nominal one
+constexpr double kFineness_Hz = 0.01;  // of the mains' frequency about its nominal one
 
 struct Wave {
   double hertz = 0, cosine = 0, sine = 0;
@@ -27,7 +24,7 @@ struct Wave {
 Wave wave_near(const Vec& force, double step_s, double nominal_Hz) {
   Wave best;
   double most = 0;
-  for (double hertz = nominal_Hz - kReach_Hz; hertz <= nominal_Hz + kReach_Hz; hertz += kFineness_Hz) {
+  for (double hertz = nominal_Hz - kMainsWidth_Hz; hertz <= nominal_Hz + kMainsWidth_Hz; hertz += kFineness_Hz) {
     Mat c(force.size(), 2);
     for (Index k = 0; k < force.size(); ++k) {
       const double angle = kTwoPi * hertz * static_cast<double>(k) * step_s;
@@ -50,13 +47,12 @@ void take_out(const Wave& wave, double step_s, Vec& force) {
 // How far a line near a nominal frequency stands above a force's level around; 0 where another bin there comes near it: the edge
 // of a drive's band, or a drive that is loud there anyway.
 double line_near(const Vec& force, double step_s, double nominal_Hz) {
-  constexpr Index kAround = 40, kLeakage = 3;  // bins on either side
-  constexpr double kAlone = 9;                 // times the power of any other bin
+  constexpr Index kLeakage = 3;  // bins on either side
   const size_t n = fast_length(static_cast<size_t>(force.size()));
   const Vec power = Fourier(n).forward(force.head(static_cast<Index>(n))).cwiseAbs2();
   const double bin_Hz = 1 / (static_cast<double>(n) * step_s);
-  const Index from = static_cast<Index>((nominal_Hz - kReach_Hz) / bin_Hz),
-              to = static_cast<Index>((nominal_Hz + kReach_Hz) / bin_Hz) + 1;
+  const Index from = static_cast<Index>((nominal_Hz - kMainsWidth_Hz) / bin_Hz),
+              to = static_cast<Index>((nominal_Hz + kMainsWidth_Hz) / bin_Hz) + 1;
   if (from < kAround || to + kAround >= power.size()) return 0;
   Index peak = from;
   for (Index i = from; i <= to; ++i)
@@ -94,7 +90,7 @@ Wave borne_out_by_motion(const Task& task, const State& fitted, size_t dof, doub
   const Task cleaned{task.system, without, task.training};
   State clean = fitted;
   settle(cleaned, clean, kTrialSteps);
-  const bool named = share > kTrifle && clean.fit.ok && paired_z(fitted.fit, clean.fit) > kHelps &&
+  const bool named = share > kTrifle && clean.fit.ok && paired_z(fitted.fit, clean.fit) > kNamed &&
                      share > kOneOfThem * hum_of_motion(cleaned, clean);
   return named ? strongest : Wave{};
 }

@@ -4,12 +4,11 @@
 #include <cmath>
 #include <cstdio>
 
+#include "../choice/lines.hpp"
 #include "trifles.hpp"
 
 namespace diagnosis::runs {
 namespace {
-
-constexpr double kOneOfThem = 3;  // times the hum of any other channel, each over its own signal: then it is this one's
 
 std::string unit_of(const MotionTrace& t) {
   constexpr const char *kUnits[] = {"m", "m/s", "m/s^2"}, *kAngles[] = {"rad", "rad/s", "rad/s^2"};

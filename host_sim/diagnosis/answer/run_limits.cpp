@@ -18,7 +18,7 @@ void raise_limits(const Task& task, const State& base, std::vector<DetectionLimi
   for (const Screened& one : s.singles) {
     const Candidate& c = candidates[one.candidate];
     if (one.value.empty() || !(std::abs(one.z) > 0)) continue;
-    const double needed = seen_in_95_of_100(kBorneOut * kBorneOut) * std::abs(one.value[0] / one.z);
+    const double needed = seen_in_95_of_100(kSure * kSure) * std::abs(one.value[0] / one.z);
     const NamedPlace place{word_of(c.terms[0].kind), place_of(task.system, c.terms[0], FusedRecord())};
     for (DetectionLimit& limit : limits) {
       if (limit.effect != place.effect || limit.where != place.where || !(needed > limit.strength)) continue;

@@ -12,9 +12,6 @@ namespace {
 constexpr double kMostPercent = 1000;  // more says no more
 constexpr double kRestart_s = 1;       // where no spring holds a DOF in its place the run starts anew that often
 
-// Twice its noise: less motion than that a channel does not show, and what is simulated for it cannot be judged.
-constexpr double kShown = 4;
-
 struct Sums {
   double error = 0, square = 0, sum = 0, count = 0;
   void add(const Vec& simulated, const Vec& measured) {

@@ -6,8 +6,6 @@
 namespace diagnosis::runs {
 namespace {
 
-constexpr double kTwoPi = 6.283185307179586;
-
 int node_of(int end) { return end > 0 ? end - 1 : -1; }
 
 Vec slope_of(const Vec& h, double step_s) {

@@ -13,8 +13,6 @@ constexpr double kLargeAngle = 0.2;     // rad: below it a pendulum is a spring
 constexpr double kPitchesOfASwing = 8;  // of a cogging, on the way from the middle to the farthest point
 constexpr double kPitchesOfAWay = 40;   // where no spring holds the link in place
 constexpr double kPitchStep = 0.3;      // pitches nearer than that look alike
-constexpr double kNoiseReaches = 4;  // standard deviations: a narrower dead band takes noise off, and that alone helps
-constexpr double kQuarterTurn = 1.5707963267948966;
 
 struct Extent {
   double u_peak = 0, u_rms = 0, w_rms = 0;
@@ -123,7 +121,7 @@ std::vector<Candidate> candidates_beside(const System& s, const Model& model, co
       const double most = held ? kPitchesOfASwing : kPitchesOfAWay;
       for (double pitches = 1; pitches < most; pitches += kPitchStep) {
         Term sine = on_link(Kind::kCogging, l, 0.5 * e.way / pitches), cosine = sine;
-        cosine.shape2 = kQuarterTurn;
+        cosine.shape2 = 0.25 * kTwoPi;
         add({sine, cosine}, 2);
       }
     }

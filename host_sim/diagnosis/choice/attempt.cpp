@@ -8,12 +8,7 @@
 namespace diagnosis::runs {
 namespace {
 
-// A normal deviate that chance passes on one of 200 candidates once in 500 records, with a margin for what is not
-// normal.
-constexpr double kSignificant = 4.5;
-// The same where most of the residual is not noise: there the share of it and unseen data decide, and chance is no
-// rival.
-constexpr double kPlain = 3;
+// Where most of the residual is not noise the share of it and unseen data decide: chance is no rival, kSure is enough.
 constexpr double kEnoughRows = 3000;  // samples of a part: some 60 periods
 constexpr double kShows = 0.02;       // of unseen windows' squared residual: less is lost in its scatter
 constexpr double kNoHarm = 1.01;      // of their squared residual, where they cannot show it
@@ -21,7 +16,6 @@ constexpr double kSmallStart = 0.3;   // of the value that the linearisation giv
 constexpr double kPromised = 0.8;     // of the linearisation's gain, that a fit should reach
 constexpr int kFirstSteps = 3;        // with shapes held
 constexpr double kAsFound = 1.3;      // of the error over a part of the windows, that over all of them may be
-constexpr double kClear = 2;          // of a difference, paired over blocks, in standard errors
 
 double least_z(const Attempt& a, size_t added_from) {
   const std::vector<Determined> d = determined(a.state.fit, a.state.model);
@@ -218,7 +212,7 @@ State rounded(const Task& task, const State& beside, const std::vector<Attempt>&
   std::vector<Candidate> list;
   std::vector<std::vector<double>> start;
   for (const Attempt& a : tried)
-    if (a.rounds && a.state.fit.ok && a.candidates.size() == 1 && paired_z(beside.fit, a.state.fit) > kSignificant) {
+    if (a.rounds && a.state.fit.ok && a.candidates.size() == 1 && paired_z(beside.fit, a.state.fit) > kNamed) {
       list.push_back(a.candidates[0]), start.push_back({0.0});
       keep_shape(a.state.model, list.back());
     }
@@ -270,17 +264,18 @@ bool passes(const Attempt& a, size_t already, double noise) {
   const double n = static_cast<double>(already + a.candidates.size()),
                least = 1 - std::pow(1 - kShare, static_cast<double>(a.candidates.size()));
   if (!a.shows_unseen)  // then it has to explain nearly all by itself
-    return unseen_agrees(a) && a.z > kSignificant * std::sqrt(n) && share_of(a, noise) > std::max(least, 1 - kShare);
+    return unseen_agrees(a) && a.z > kNamed * std::sqrt(n) && share_of(a, noise) > std::max(least, 1 - kShare);
   if (noise < kMostlyNoise && unseen_share_of(a, noise) < least) return false;
   const bool plain =
       noise * std::max(1.0, a.quieter) < kMostlyNoise && unseen_share_of(a, noise) > 0.5 * share_of(a, noise);
-  return a.z > (plain ? kPlain : kSignificant * std::sqrt(n)) && share_of(a, noise) > least && unseen_agrees(a);
+  return a.z > (plain ? kSure : kNamed * std::sqrt(n)) && share_of(a, noise) > least && unseen_agrees(a);
 }
 
 bool clearly_better(const Attempt& a, const Attempt& b, double noise) {
   const double left = whole_error(a) - std::min(noise, whole_error(a));
   const double much = std::pow(1 + kMuch, std::max(1, a.complexity - b.complexity)) - 1;
-  return whole_error(b) - whole_error(a) > much * left && paired_z(all_blocks(b.state), all_blocks(a.state)) > kClear;
+  return whole_error(b) - whole_error(a) > much * left &&
+         paired_z(all_blocks(b.state), all_blocks(a.state)) > kByChance;
 }
 
 }  // namespace diagnosis::runs

@@ -90,6 +90,11 @@ bool right(const Task& task, const Choice& choice);
 bool near_enough(const Task& task, const Choice& choice);
 constexpr double kFollows =
     0.25;  // of the motion, error: up to it a linearisation is trusted and fitted states help others
+// Times the variance of its noise: less motion than that a sensor does not show, and what is simulated for it cannot be judged.
+constexpr double kShown = 4;
+// Of the motion, of each link's too, over windows and in free runs of unseen data: calibrations of sensors are not much
+// better, and where nothing in the vocabulary brings it down nobody would act on it. No other valley of the error is as low.
+constexpr double kSmall = 0.02;
 constexpr double kAsGoodAsRight = 1e-3;  // of the motion, over a window: no sensor of a rig is better
 // Error of the windows' runs over the motion, the worst channel's; huge where there is no fit.
 // links_too: of the motions between two DOFs as well.
@@ -99,7 +104,6 @@ void adopt(const Task& task, const std::vector<Candidate>& found, const std::vec
            Choice& choice);
 // Goes on from rig_fitted(): names what is missing. progress: called with the share done.
 void choose(const Task& task, Choice& choice, const std::function<void(double)>& progress);
-constexpr double kBorneOut = 3;  // standard errors, of what another test has found
 // Whether every one of these, found by another test, is borne out: it stays significant beside the others, and without
 // it unseen data are simulated worse.
 bool borne_out(const Task& task, const State& base, const std::vector<Candidate>& found,

@@ -57,8 +57,6 @@ Choice rig_fitted(const Task& task) {
 
 namespace {
 
-constexpr double kByChance = 2;  // of a difference, paired over blocks, in standard errors
-
 bool stands_alone(const State& s, const Named& n) {
   const int at = static_cast<int>(
       std::find_if(s.model.begin(), s.model.end(),
@@ -188,7 +186,7 @@ bool borne_out(const Task& task, const State& base, const std::vector<Candidate>
                const std::vector<std::vector<double>>& values, State* fitted) {
   const Attempt all = attempt(task, base, found, values, kTrialSteps);
   if (fitted) *fitted = all.state;
-  if (!all.state.fit.ok || all.rounds || !(all.z > kBorneOut) || !unseen_agrees(all)) return false;
+  if (!all.state.fit.ok || all.rounds || !(all.z > kSure) || !unseen_agrees(all)) return false;
   for (size_t i = 0; found.size() > 1 && i < found.size(); ++i) {
     std::vector<Candidate> fewer = found;
     std::vector<std::vector<double>> start = values;

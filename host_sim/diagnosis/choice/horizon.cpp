@@ -9,7 +9,6 @@ namespace diagnosis::runs {
 namespace {
 
 constexpr double kShortestHorizon = 0.2;  // periods
-constexpr double kPlainlyRight = 0.02;    // of the motion: no other valley is as low
 constexpr double kEnough = 20000;         // samples: some hundred periods tell one valley from another
 
 void thin_out(std::vector<Window>& windows, size_t every) {
@@ -76,7 +75,7 @@ double quickest_share(const Task& task) {
 // A long window's error has valleys beside the lowest, friction's most of all. A fit over shorter windows, carried on to the long
 // ones, finds the lower one more often; nothing is lost where it does not.
 void from_shorter(const Task& task, const Model& start, double periods, State& s) {
-  if (motion_error(task, s) < kPlainlyRight) return;
+  if (motion_error(task, s) < kSmall) return;
   State other = s, same = s;
   other.model = start;
   double reached = periods / kShorter;
@@ -134,9 +133,6 @@ struct MotionSums {
   }
   double noise_sum() const { return third_differences > 0 ? noise / third_differences * count : 0; }
 };
-
-// Motion of a link that a sensor shows: twice its noise.
-constexpr double kShown = 4;
 
 // The two channels of one quantity at the ends of a link, -1 where there are none.
 std::pair<int, int> channels_across(const rig_file::Link& l, const std::vector<MotionTrace>& traces, int quantity) {

@@ -11,9 +11,8 @@
 namespace diagnosis::runs {
 namespace {
 
-constexpr double kAboveMotion = 1.4;   // times its highest frequency: the band that shows noise alone
-constexpr double kBeyondNoise = 3;     // in the band of the motion over beside it: 0.95 to 1.05 on complete drawn rigs
-constexpr double kGoesWithMotion = 3;  // standard errors
+constexpr double kAboveMotion = 1.4;  // times its highest frequency: the band that shows noise alone
+constexpr double kBeyondNoise = 3;    // in the band of the motion over beside it: 0.95 to 1.05 on complete drawn rigs
 
 // What such noise makes of a window's run beside its free state.
 Vec response(Evaluator& noisy, Window w, const WindowRun& run) {
@@ -132,16 +131,15 @@ Left left_by(const System& system, const std::vector<Prepared>& records, const S
 }
 
 bool beyond_noise(const Left& left) {
-  const bool knows_motion = !left.with_motion.known || left.with_motion.z > kGoesWithMotion;
-  return left.foreign_line > kLine ||
-         (left.worst() > kBeyondNoise && (knows_motion || left.with_loudness.z > kGoesWithMotion));
+  const bool knows_motion = !left.with_motion.known || left.with_motion.z > kSure;
+  return left.foreign_line > kLine || (left.worst() > kBeyondNoise && (knows_motion || left.with_loudness.z > kSure));
 }
 
 double noise_share(const Left& left, const Fitted& fit) {
   if (left.noise.size() == 0) return 0;
   const double beside = left.noise.cwiseQuotient(fit.mean_square).cwiseMin(1.0).mean();
   if (!left.with_motion.known) return beside;
-  const double most = left.with_loudness.z > kGoesWithMotion ? left.with_loudness.quiet_share : 1;
+  const double most = left.with_loudness.z > kSure ? left.with_loudness.quiet_share : 1;
   return std::max(beside, std::clamp(1 - left.with_motion.share - 2 * left.with_motion.std, 0.0, most));
 }
 

@@ -6,10 +6,7 @@
 namespace diagnosis::runs {
 namespace {
 
-constexpr Index kAround = 40;           // bins on either side
-constexpr Index kNear = 4;              // bins on either side that one realisation of a noise is averaged over
-constexpr double kMainsWidth_Hz = 0.2;  // of the mains' frequency and its multiples
-constexpr double kAlone = 9;   // times the power of any other line: harmonics of a drive may fall on the mains too
+constexpr Index kNear = 4;     // bins on either side that one realisation of a noise is averaged over
 constexpr Index kLeakage = 2;  // bins that a line between two of them spreads over, on either side
 
 bool of_mains(double hertz, double bin_Hz) {

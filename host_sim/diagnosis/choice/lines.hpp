@@ -6,7 +6,11 @@
 
 namespace diagnosis::runs {
 
-constexpr double kLine = 25;  // over the level around: chance makes one in e^25 of a spectrum's bins
+constexpr double kLine = 25;            // over the level around: chance makes one in e^25 of a spectrum's bins
+constexpr Index kAround = 40;           // bins on either side of a line: the level around it
+constexpr double kMainsWidth_Hz = 0.2;  // of the mains' frequency and its multiples
+constexpr double kAlone = 9;      // times the power of any other line: harmonics of a drive may fall on the mains too
+constexpr double kOneOfThem = 3;  // times the hum of any other channel, each over its own signal: then it is this one's
 
 double median(std::vector<double> values);
 

@@ -6,8 +6,7 @@ namespace diagnosis::runs {
 namespace {
 
 constexpr size_t kRivalsTried = 6;
-constexpr double kMuchWorse = 4;   // of a screened gain's rest, against the best: not tried
-constexpr double kLeastRival = 2;  // its own deviate
+constexpr double kMuchWorse = 4;  // of a screened gain's rest, against the best: not tried
 
 // The rig as given (`base`) with every named cause but one; false where another one rests on it.
 bool without(const Task& task, const Choice& choice, const State& base, size_t one, State& rest) {
@@ -54,7 +53,7 @@ void weigh_rivals(const Task& task, const std::function<void(double)>& progress,
       if (others.size() >= kRivalsTried) break;
       const bool named = std::any_of(choice.named.begin(), choice.named.end(),
                                      [&](const Named& n) { return n.candidate.same_place(all[one.candidate]); });
-      if (named || one.z < kLeastRival || 1 - one.gain > kMuchWorse * (1 - best_gain) + noise) continue;
+      if (named || one.z < kByChance || 1 - one.gain > kMuchWorse * (1 - best_gain) + noise) continue;
       others.push_back(attempt(task, rest, all, one));
     }
     const auto bristles = std::find_if(others.begin(), others.end(), is_bristles);
@@ -67,12 +66,12 @@ void weigh_rivals(const Task& task, const std::function<void(double)>& progress,
     const auto better = std::min_element(others.begin(), others.end(), [](const Attempt& a, const Attempt& b) {
       return whole_error(a) < whole_error(b);
     });
-    if (better != others.end() && better->z > kLeastRival && whole_error(*better) < whole_error(own)) {
+    if (better != others.end() && better->z > kByChance && whole_error(*better) < whole_error(own)) {
       std::swap(own, *better);
     }
     std::vector<Attempt> as_good;
     for (const Attempt& t : others)
-      if (t.z > kLeastRival && unseen_agrees(t) && !clearly_better(own, t, noise)) as_good.push_back(t);
+      if (t.z > kByChance && unseen_agrees(t) && !clearly_better(own, t, noise)) as_good.push_back(t);
     // the simplest of those that do as well is named
     for (Attempt& t : as_good)
       if (t.complexity < own.complexity || (t.complexity == own.complexity && whole_error(t) < whole_error(own)))

@@ -6,12 +6,10 @@
 namespace diagnosis::runs {
 namespace {
 
-constexpr double kWorthFitting = 2, kWorthFittingInNoise = 3;  // of a screened deviate
 constexpr double kPlainGain = 0.1;  // of the squared error: worth a fit though it shows in one burst alone
 constexpr double kPlainlyLeft = 2;  // in the band of the motion over beside it: so much is worth a search among pitches
 constexpr size_t kShortList = 5, kPairs = 40, kPairTrials = 8, kPairTrialsInNoise = 2;
 constexpr double kPairRows = 4e4;   // samples that a search among pairs may simulate
-constexpr double kWasStuck = 0.9;   // of the squared error: so much less shows another valley
 constexpr double kAsPromising = 4;  // of what a pair leaves, as the linearisation has it
 
 // Whether a simpler cause leaves no more than what each of its fewer numbers is worth.
@@ -30,8 +28,7 @@ Round round_of(const Task& task, const State& now, size_t already, const Left& l
   std::vector<Attempt> singles;
   for (const Screened& one : s.singles) {
     if (singles.size() >= kShortList) break;
-    const double least =
-        (noise < kMostlyNoise ? kWorthFitting : kWorthFittingInNoise) * std::sqrt(static_cast<double>(already + 1));
+    const double least = (noise < kMostlyNoise ? kByChance : kSure) * std::sqrt(static_cast<double>(already + 1));
     if (one.z < least && one.gain < kPlainGain) continue;
     singles.push_back(attempt(task, now, choice.last_candidates, one));
   }
@@ -40,7 +37,7 @@ Round round_of(const Task& task, const State& now, size_t already, const Left& l
   if (!singles.empty() && is_bristles(singles[0])) {
     const Attempt dry = without_bristles(task, now, singles[0]);
     if (dry.state.fit.ok && !clearly_better(singles[0], dry, noise)) {
-      if (dry.candidates.empty()) round.stuck = whole_error(dry) < kWasStuck, round.unstuck = dry.state;
+      if (dry.candidates.empty()) round.stuck = whole_error(dry) < kPays, round.unstuck = dry.state;
       singles.insert(singles.begin(), dry);
     }
   }

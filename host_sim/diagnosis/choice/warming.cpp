@@ -7,8 +7,6 @@ namespace diagnosis::runs {
 namespace {
 
 constexpr size_t kFewestRecords = 3;  // with two a coefficient that follows the level looks the same
-constexpr double kPays = 0.9;    // of the squared residual, that may remain of unseen windows: a twentieth of the error
-constexpr double kDrifts = 4.5;  // standard errors, as for any other cause
 
 // The candidates whose coefficients chance does not give.
 std::vector<Candidate> that_drift(const Attempt& a, size_t own_terms) {
@@ -16,7 +14,7 @@ std::vector<Candidate> that_drift(const Attempt& a, size_t own_terms) {
   const std::vector<Determined> found = determined(a.state.fit, a.state.model);
   const std::vector<Parameter> parameters = parameters_of(a.state.model);
   for (size_t i = 0; i < parameters.size(); ++i)
-    if (parameters[i].term >= own_terms && std::abs(found[i].z) > kDrifts)
+    if (parameters[i].term >= own_terms && std::abs(found[i].z) > kNamed)
       list.push_back(a.candidates[parameters[i].term - own_terms]);
   return list;
 }

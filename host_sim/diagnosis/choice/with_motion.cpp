@@ -9,7 +9,6 @@
 namespace diagnosis::runs {
 namespace {
 
-constexpr double kQuarterTurn = 1.5707963267948966;
 constexpr size_t kFewestWindows = 10;  // from which on a mean over windows has a scatter
 constexpr size_t kOthers = 4;          // windows that stand for chance
 constexpr Index kRowsPerColumn = 12;   // fewer and columns take noise and motion alike
@@ -35,7 +34,7 @@ Terms of_motion(const System& system, const Model& model) {
 Terms of_time(const System& system, double window_s) {
   Terms list;
   for (double waves : {1.0, 2.0, 3.0})
-    for (double phase : {0.0, kQuarterTurn}) {
+    for (double phase : {0.0, 0.25 * kTwoPi}) {
       const size_t from = list.size();
       on_links(system, Kind::kStiffnessError, list), on_links(system, Kind::kMissingViscous, list);
       for (size_t i = from; i < list.size(); ++i) list[i].shape = waves / window_s, list[i].shape2 = phase;

@@ -5,7 +5,6 @@
 namespace diagnosis::runs {
 namespace {
 
-constexpr double kTwoPi = 6.283185307179586;
 constexpr int kForceTrace = 3;
 
 bool of_channel(const ModelTerm& t, const MotionTrace& trace) {

@@ -14,7 +14,6 @@ constexpr double kSettled = 0.02;     // of the cost: a fall that no test can no
 constexpr double kLongestStep = 0.5;  // of a shape's logarithm
 constexpr size_t kLeastWindows = 8;   // from which on the scatter between windows is a measure
 constexpr double kLeastShare = 0.3;   // of a positive number, that one step may leave of it
-constexpr double kIsThere = 4.5;      // standard errors, as for any cause
 constexpr double kForgotten = 10;     // memories of what is left: blocks as long share a tenth of it at most
 // Scatter between windows over that between shorter blocks: the 1 % point for a dozen windows. Beyond it what drives
 // the rig has noise that a resonance stretches all over a window, small as its share of the whole residual may be.
@@ -191,7 +190,6 @@ bool has_friction(const Model& model) {
 // The run from where the window before ended, or from rest where none is before it, may lie in the right one. True
 // where any window took such a state.
 bool carried_on(Evaluator& evaluator, const Vec& weights, std::vector<Window>& windows) {
-  constexpr double kOtherValley = 0.9;  // of the squared error: so much less is no matter of rounding
   const auto error_of = [&](const Window& w, WindowRun& run) {
     double sum = 0;
     if (!evaluator.run(w, false, false, run)) return 1e300;
@@ -210,7 +208,7 @@ bool carried_on(Evaluator& evaluator, const Vec& weights, std::vector<Window>& w
       w.state.setZero();
     else if (before.end.size())
       w.state = before.end;
-    if (error_of(w, other) < kOtherValley * error) windows[i] = w, std::swap(own, other), any = true;
+    if (error_of(w, other) < kPays * error) windows[i] = w, std::swap(own, other), any = true;
     std::swap(before, own);
   }
   return any;
@@ -368,7 +366,7 @@ std::vector<Determined> determined(const Fitted& fit, const Model& model) {
     }
     d.z = normal_deviate(model[parameters[k].term].value / std::max(s.se, 1e-300), s.dof);
     // It is there, and its shape is not determined: what is known of it is its size at this shape.
-    if (std::abs(d.z) > kIsThere && std::abs(model[parameters[k].term].value) < 1.96 * d.std) d.std = student_std(s);
+    if (std::abs(d.z) > kNamed && std::abs(model[parameters[k].term].value) < 1.96 * d.std) d.std = student_std(s);
   }
   return list;
 }

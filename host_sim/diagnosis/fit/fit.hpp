@@ -1,6 +1,7 @@
 // Output error over windows with free states: Gauss-Newton on the sum over channels of the logarithm of the mean
 // square.
 #pragma once
+#include "error_rates.hpp"
 #include "evaluator.hpp"
 
 namespace diagnosis::runs {

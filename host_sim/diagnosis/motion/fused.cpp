@@ -9,8 +9,7 @@
 namespace diagnosis::runs {
 namespace {
 
-constexpr double kFinest = 1e-4;  // of a channel's rms: no two sensors agree better
-using State = Eigen::Vector3d;    // displacement, velocity, the accelerometer's zero
+using State = Eigen::Vector3d;  // displacement, velocity, the accelerometer's zero
 using Spread = Eigen::Matrix3d;
 
 double spread_of(const Vec& y) { return std::max(noise_level(y), kFinest * rms_about_mean(y)) + 1e-300; }

@@ -24,13 +24,11 @@ double white_noise_sum(const Vec& y) {
 
 namespace {
 
-constexpr double kTwoPi = 6.283185307179586;
 constexpr double kSamplesPerTop = 24;  // of the fastest motion: one Runge-Kutta step each is right to 1e-4
 constexpr double kPowerBelowTop = 0.999;
 constexpr double kPowerOfDisplacement = 0.9999;  // its velocity, on which friction acts, is faster
 constexpr Index kLeast = 100;
 constexpr double kMedianOfNormal = 0.6745;  // of a normal law's magnitude, per standard deviation
-constexpr double kNoiseReaches = 4;         // standard deviations: two neighbours beyond are one in 10^8
 constexpr double kBlowOverNoise = 30;       // a random force reaches 5 times what its median says
 constexpr double kBlowsShare = 0.2;         // of the samples, at most
 
@@ -328,6 +326,9 @@ std::vector<Prepared> prepare_all(const rig_file::RigModel& rig, const std::vect
     list[i].middle_s = begins_s + 0.5 * list[i].time_s(list[i].samples);
     begins_s += list[i].time_s(list[i].samples);
   }
+  double mean_s = 0;
+  for (const Prepared& p : list) mean_s += p.middle_s / static_cast<double>(list.size());
+  for (Prepared& p : list) p.middle_s -= mean_s;
   return list;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "../record/fourier.hpp"
 #include "hal/rig_file/rig_model.hpp"
 #include "host_sim/records/record.hpp"
 
@@ -39,7 +40,9 @@ struct Prepared {
   std::string file;
   double step_s = 0;
   double read_every_s = 0;  // of the record, before it was thinned out
-  double middle_s = 0;      // of this record, from the beginning of the first, as if no time had passed between them
+  // Of this record, counted from the mean of all, as if no time had passed between them: what changes from record to
+  // record has its mean as the coefficient, which is what a rig file can state.
+  double middle_s = 0;
   Index samples = 0;
   double period_s = 0;  // of the motion: 2 pi rms(x) / rms(v)
   double top_Hz = 0;    // highest frequency of the motion
@@ -67,7 +70,8 @@ double rms_about_mean(const Vec& y);
 // Sum of squares of white noise in `y`, from its third differences: they have 20 times its variance (1 + 9 + 9 + 1). Over
 // size - 3 values.
 double white_noise_sum(const Vec& y);
-constexpr double kMedianOfSpread = 0.693;  // of an exponential law, per mean
+
+constexpr double kNoiseReaches = 4;  // standard deviations: two neighbours beyond are one in 10^8
 
 // Standard deviation of a drive channel's noise: white at the level of the top of its band (what drives may act above the
 // motion's band, and a thinned record ends early). 0 for a channel of noughts.

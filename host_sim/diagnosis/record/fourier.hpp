@@ -7,6 +7,11 @@
 
 namespace diagnosis {
 
+constexpr double kTwoPi = 6.283185307179586;
+// Of a channel's rms: to that no two sensors agree, nor a simulation's samples with its motion.
+constexpr double kFinest = 1e-4;
+constexpr double kMedianOfSpread = 0.6931471805599453;  // of an exponential law, as the power of noise has it, per mean
+
 using Complex = std::complex<double>;
 using Series = Eigen::VectorXd;     // one value per sample
 using Spectrum = Eigen::VectorXcd;  // bins 0 .. N/2

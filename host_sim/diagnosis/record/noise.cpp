@@ -14,11 +14,6 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-constexpr double kTwoPi = 6.283185307179586;
-constexpr double kMedianOfExponential = 0.6931471805599453;
-// Of a channel's rms: to that no two sensors agree, nor a simulation's samples with its motion.
-constexpr double kFinest = 1e-4;
-
 // Spectrum over frequency of first-order noise with this corner, one far above it; without a corner white.
 struct Colour {
   double keep = 0;  // exp(-2 pi corner period); 0: white
@@ -32,7 +27,7 @@ double band_variance(const Spectrum& z, double low, double high, double energy, 
   const double bins = static_cast<double>(2 * (z.size() - 1));
   for (Eigen::Index i = static_cast<Eigen::Index>(low * bins); i < static_cast<Eigen::Index>(high * bins); ++i)
     power.push_back(std::norm(z[i]) / colour(kTwoPi * static_cast<double>(i) / bins));
-  return median(power) / kMedianOfExponential / energy;
+  return median(power) / kMedianOfSpread / energy;
 }
 
 // White noise is as strong everywhere; first-order noise seven times weaker at the end of the free band than at its start;

@@ -13,7 +13,6 @@
 namespace diagnosis {
 namespace {
 
-constexpr double kTwoPi = 6.283185307179586;
 constexpr double kThreshold = 25;  // fall of chi-squared that names a fault
 constexpr int kMostFaults = 3;
 

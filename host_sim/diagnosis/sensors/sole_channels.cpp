@@ -8,8 +8,6 @@
 namespace diagnosis {
 namespace {
 
-constexpr double kTwoPi = 6.283185307179586;
-
 // Forces of a linear model on every DOF (samples x DOFs).
 using Forces = Eigen::MatrixXd;
 

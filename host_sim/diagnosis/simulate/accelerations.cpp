@@ -6,11 +6,7 @@
 
 // The equations of motion and their slopes.
 namespace diagnosis::runs {
-namespace {
-
-constexpr double kTwoPi = 6.283185307179586;
-
-}  // namespace
+namespace {}  // namespace
 
 double Simulator::relative(const Vec& y, Index offset, int a, int b, double base) const {
   const auto end = [&](int i) { return i >= 0 ? y[offset + i] : i == -2 ? base : 0.0; };

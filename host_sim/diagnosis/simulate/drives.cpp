@@ -5,11 +5,7 @@
 
 // What acts from outside, between the samples too: forces and the base.
 namespace diagnosis::runs {
-namespace {
-
-constexpr double kTwoPi = 6.283185307179586;
-
-}  // namespace
+namespace {}  // namespace
 
 // Between samples, two instants to a substep.
 Vec Simulator::finer(const Vec& y) const {

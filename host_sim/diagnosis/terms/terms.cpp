@@ -8,8 +8,6 @@
 namespace diagnosis {
 namespace {
 
-constexpr double kTwoPi = 6.283185307179586;
-
 // Friction of unit level from bristles that bend over a length, between samples with the mean rate.
 Series bristles(const Series& w, double length, double time_s, double period_s) {
   constexpr firmware::EffectKind kBristles = firmware::EffectKind::kPreslidingHysteresis;
