@@ -27,7 +27,7 @@ void ScoreTest::weigh(int number) {
     one[e] = Scaled::from_int(1);
     score_sum_.clear();
     add_scores(score_sum_, one);
-    for (int s = 0; s < stretches_; ++s) residual[e][s] = score_sum_.of(sums_->table(), s);
+    for (int s = 0; s < stretches_; ++s, report_work(300)) residual[e][s] = score_sum_.of(sums_->table(), s);
   }
   for (int level = 0; level < levels_; ++level) weigh_level(place, level, number);
 }
@@ -71,7 +71,7 @@ void ScoreTest::add_base(const Probe& probe) {
     take_level(level);
     score_sum_.clear();
     add_scores(score_sum_, weight_[probe.place][level]);
-    for (int s = level_begin_[level]; s < level_begin_[level + 1]; ++s)
+    for (int s = level_begin_[level]; s < level_begin_[level + 1]; ++s, report_work(350))
       base_score_[s][row] = short_scaled(score_sum_.of(sums_->table(), s));
     for (int k = 0; k < place_->columns; ++k) {
       Scaled& entry = normal_[row][place_->unknown[k]];
@@ -136,7 +136,7 @@ void ScoreTest::compare() {
     Scaled squares;
     ShortScaled inverse[kMaxUnknowns];
     for (int j = 0; j < unknowns_; ++j) inverse[j] = short_scaled(inverse_[k][j]);
-    for (int s = 0; s < stretches_; ++s, report_work(60 * unknowns_)) {
+    for (int s = 0; s < stretches_; ++s, report_work(200 + 100 * unknowns_)) {
       share[s] = sum_of_products(
           unknowns_, [&](int j) { return inverse[j]; }, [&](int j) { return base_score_[s][j]; });
       difference_[k] = difference_[k] + share[s];

@@ -167,6 +167,7 @@ void ScoreTest::name() {
   const ProbePlan& plan = sums_->plan();
   best_ = rival_ = -1;
   for (int p = 0; p < plan.place_count; ++p) {
+    report_work(30 * plan.probe_count);
     Scaled least;
     for (int j = 0; j < plan.probe_count; ++j) {
       const ProbeScore& score = score_[j];

@@ -1,6 +1,7 @@
 // What a probe's sums are, in SI units and with the noise that signals share taken out:
 //   value = unit raw - sum over the slopes of noise (unit raw) of the slope,
 // for its equations' known parts and its columns. A force that grows with time has the sums of the one before it, times the time.
+#include "firmware/fixed_point/work_meter.hpp"
 #include "firmware/warrant/score_test.hpp"
 
 namespace firmware {
@@ -17,7 +18,7 @@ void ScoreTest::open(const Probe& probe) {
 
 // Weights g of the place's equations: what they take of an unknown's column.
 void ScoreTest::take_level(int level) {
-  for (int k = 0; k < place_->columns; ++k) {
+  for (int k = 0; k < place_->columns; ++k, report_work(200)) {
     Scaled& sum = column_weight_[k] = Scaled{};
     for (int e = 0; e < place_->equations; ++e) {
       const Scaled& g = weight_[probe_->place][level][e];
@@ -44,7 +45,7 @@ void ScoreTest::add_sums(Combination<kMostProbeSums>& combination, const Scaled*
 void ScoreTest::add_scores(Combination<kMostProbeSums>& combination, const Scaled* g) const {
   Scaled factor[kPlaceEquations + kMaxPlaceColumns];
   for (int e = 0; e < place_->equations; ++e) factor[e] = g[e];
-  for (int k = 0; k < place_->columns; ++k) {
+  for (int k = 0; k < place_->columns; ++k, report_work(250)) {
     Scaled taken;
     for (int e = 0; e < place_->equations; ++e) {
       if (place_->column_sign[k][e] > 0) taken = taken - g[e];

@@ -19,7 +19,7 @@ Scaled quotient(Scaled a, Scaled b) { return b.is_zero() ? Scaled{} : a / b; }
 // How the score of each estimated term answers to the probe's force at a level: only equations that both stand in.
 void ScoreTest::find_answers(int level) {
   const ProbePlan& plan = sums_->plan();
-  for (int k = 0; k < place_->columns; ++k) {
+  for (int k = 0; k < place_->columns; ++k, report_work(200)) {
     Scaled& answer = answer_[k] = Scaled{};
     if (!determined_[place_->unknown[k]]) continue;
     const int base = place_of_unknown_[place_->unknown[k]];
@@ -66,6 +66,7 @@ void ScoreTest::add_bent_base(int level) {
     for (int k = 0; k < place.columns; ++k) {
       const Scaled& bend = bend_[place.unknown[k]];
       if (bend.is_zero()) continue;
+      report_work(250);
       Scaled taken;
       for (int e = 0; e < place.equations; ++e) {
         const Scaled& g = weight_[base.place][level][e];
@@ -100,7 +101,7 @@ void ScoreTest::score_level(int level) {
   add_bent_base(level);
   ShortScaled share[kMaxUnknowns];
   for (int k = 0; k < unknowns_; ++k) share[k] = short_scaled(share_[k]);
-  for (int s = level_begin_[level]; s < level_begin_[level + 1]; ++s, report_work(60 * unknowns_)) {
+  for (int s = level_begin_[level]; s < level_begin_[level + 1]; ++s, report_work(600 + 100 * unknowns_)) {
     const Scaled base = sum_of_products(
         unknowns_, [&](int k) { return share[k]; }, [&](int k) { return base_score_[s][k]; });
     psi_[s] = score_sum_.of(table, s);

@@ -140,7 +140,7 @@ Scaled ScoreTable::sum(int from, int to, int value) const {
     const int distance = largest - one.exponent;
     if (one.mantissa != 0 && distance < 62) sum += (one.mantissa * (int64_t{1} << kGuard)) >> distance;
   }
-  report_work(100 + 30 * (to - from));
+  report_work(150 + 60 * (to - from));
   return Scaled::from_int(sum, largest - kGuard);
 }
 
