@@ -31,6 +31,13 @@ bool two_channels_a_dof(const runs::Prepared& p) { return p.traces.size() > p.gu
 
 constexpr double kMostlyNoise = 0.8;  // of the squared residual
 
+// Where nothing is named nothing is gained: what was compared was with causes that were taken back since.
+void compare_nothing(Diagnosis& d) {
+  if (!d.causes.empty()) return;
+  std::fill(d.gain.begin(), d.gain.end(), 1.0);
+  std::fill(d.remainder_percent.begin(), d.remainder_percent.end(), 100.0);
+}
+
 // Rivals of a cause are those that are still said.
 void state_rivals(Diagnosis& d) {
   const auto unsaid = [&](const NamedPlace& p) {
@@ -87,6 +94,7 @@ Diagnosis diagnose(const rig_file::RigModel& rig, const std::vector<host_sim::Re
   runs::say_shared_hum(d);
   runs::drop_undetermined(d);
   runs::drop_trifles(task, d);
+  compare_nothing(d);
   state_rivals(d);
   for (const std::string& advice : advice_for(d)) d.advice.push_back(advice);
   progress(1);

@@ -96,6 +96,8 @@ TEST(ChannelFaults, ALagOfAllMotionChannelsIsNoCause) {
     const Draw draw = make_draw(43, fault("sensor_delay", "force_1_N", sensors, -0.12, 2));
     const diagnosis::Diagnosis answer = answer_to(draw);
     EXPECT_EQ(answer.verdict, diagnosis::Verdict::kNone) << told(draw, answer);
+    for (double gain : answer.gain) EXPECT_EQ(gain, 1) << "nothing is named, so that nothing gains";
+    for (double percent : answer.remainder_percent) EXPECT_EQ(percent, 100);
     ASSERT_EQ(answer.extended_rig.channels.size(), 1u) << told(draw, answer);
     EXPECT_NEAR(answer.extended_rig.channels[0].delay_us, -1200, 24);
     EXPECT_TRUE(std::any_of(answer.advice.begin(), answer.advice.end(), [](const std::string& text) {
