@@ -3,8 +3,9 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
+
+#include "host_sim/records/value_step.hpp"
 
 namespace host_sim::data_check {
 namespace {
@@ -33,30 +34,6 @@ std::pair<double, double> noise_of(const std::vector<double>& values) {
   const double fourth = noise_by_differences(differences, 4);
   for (int i = 0; i < 2; ++i) difference(differences);
   return {fourth, noise_by_differences(differences, 6)};
-}
-
-// The smallest step, where all others are whole multiples of it within a hundredth (99 of 100 of them).
-double resolution_of(const std::vector<double>& values) {
-  double smallest = std::numeric_limits<double>::infinity();
-  for (size_t i = 1; i < values.size(); ++i) {
-    const double step = std::abs(values[i] - values[i - 1]);
-    if (step > 1e-12 * std::abs(values[i])) smallest = std::min(smallest, step);
-  }
-  if (!std::isfinite(smallest)) return 0.0;
-  size_t steps = 0, whole = 0;
-  double sum = 0.0, count = 0.0;
-  for (size_t i = 1; i < values.size(); ++i) {
-    const double multiple = std::abs(values[i] - values[i - 1]) / smallest, nearest = std::nearbyint(multiple);
-    if (nearest < 1.0 || nearest > 50.0) continue;  // beyond, the smallest step's own rounding adds up
-    ++steps;
-    if (std::abs(multiple - nearest) < 0.01 * nearest + 0.01) {
-      ++whole;
-      sum += multiple;
-      count += nearest;
-    }
-  }
-  const bool quantised = steps >= 20 && static_cast<double>(whole) >= 0.99 * static_cast<double>(steps);
-  return quantised ? smallest * sum / count : 0.0;
 }
 
 }  // namespace
@@ -108,7 +85,7 @@ Statistics statistics_of(const std::vector<double>& values) {
   if (s.lowest == s.highest) return s;
   const auto [bottom, top] = quantiles(values, 0.001, 0.999);
   s.range = top - bottom;
-  s.resolution = resolution_of(values);
+  s.resolution = value_step(values);
   const auto [fourth, sixth] = noise_of(values);
   s.noise = std::max(fourth, s.resolution / std::sqrt(12.0));
   s.noisy = sixth > 0.5 * fourth && fourth > 0.3 * s.resolution;  // a smooth signal's sixth differences vanish

@@ -88,6 +88,14 @@ bool run_all(const System& system, const std::vector<Prepared>& records, const S
   return true;
 }
 
+// Mean square of what values in steps miss of the motion. Where it moves slowly over them that is no white noise: it may lie
+// in the band of the motion altogether.
+double of_steps(const std::vector<Prepared>& records, size_t channel) {
+  double largest = 0;
+  for (const Prepared& p : records) largest = std::max(largest, p.traces[channel].step);
+  return largest * largest / 12;
+}
+
 }  // namespace
 
 Left left_by(const System& system, const std::vector<Prepared>& records, const State& state) {
@@ -118,7 +126,7 @@ Left left_by(const System& system, const std::vector<Prepared>& records, const S
     const double level = median(beside) / kMedianOfSpread;
     double pushed_level = 0;
     for (double value : pushed[c]) pushed_level += value * value;
-    allowed += level * static_cast<double>(inside.size());
+    allowed += std::max(level * static_cast<double>(inside.size()), of_steps(records, c) * static_cast<double>(n) / 2);
     left.sensor_noise[static_cast<Index>(c)] = level;
     left.noise[static_cast<Index>(c)] = level + pushed_level / static_cast<double>(pushed[c].size());
     left.in_band[static_cast<Index>(c)] = inside.empty() || allowed <= 0 ? 1 : sum / allowed;

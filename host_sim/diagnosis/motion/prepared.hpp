@@ -20,7 +20,8 @@ struct MotionTrace {
   int dof = 0;       // from 0
   int quantity = 0;  // 0 displacement, 1 velocity, 2 acceleration
   std::string channel;
-  Vec y;  // SI units
+  Vec y;            // SI units
+  double step = 0;  // in which its values change, an encoder's; 0: none shows
 };
 
 struct Guess {  // of one DOF; base: after the last DOF
