@@ -15,6 +15,7 @@ constexpr double kFurtherShare = 2e-3;  // of what the causes named before have 
 // Of a further number of a cause: a tenth of the squared error, which unseen windows hardly tell; over windows so short that
 // what is flexible follows anything, half as much again.
 constexpr double kWorth = 1.1, kWorthOverShort = 1.5;
+constexpr double kLongDecay = 16;    // periods: an error of 1 % in a frequency is one radian at its end
 constexpr double kLeastPeriods = 1;  // of a window: its start and what damps it are one less
 constexpr double kTogether = 0.5;    // of what one cause leaves, that dampers which drift together may
 constexpr double kNearEnough_percent =
@@ -132,10 +133,13 @@ void search(const Task& task, double worth, Choice& choice, const std::function<
   choice.final = now;
 }
 
-// Of the long windows' squared error, seen and unseen, what a cause found over shorter ones has to take.
-bool holds_over_long(const State& with, const State& base) {
-  const double least = 1 - kShare;
-  return with.fit.ok && error_over(with.fit, base.fit) < least && error_over(with.unseen_fit, base.unseen_fit) < least;
+// Of the long windows' squared error, seen and unseen, what a cause found over shorter ones has to take; and it has to leave less
+// than what was found over the long ones.
+bool holds_over_long(const State& with, const Choice& choice) {
+  const auto leaves = [&](const State& beside) {
+    return std::max(error_over(with.fit, beside.fit), error_over(with.unseen_fit, beside.unseen_fit));
+  };
+  return with.fit.ok && leaves(choice.base) < 1 - kShare && (choice.named.empty() || leaves(choice.final) < 1);
 }
 
 // A model that lacks something may follow a long window in a valley beside the right one, where no cause helps. Windows
@@ -144,6 +148,7 @@ bool holds_over_long(const State& with, const State& base) {
 void search_shorter(const Task& task, Choice& choice, const std::function<void(double)>& progress) {
   for (double periods = choice.periods / kShorter; periods >= kLeastPeriods; periods /= kShorter) {
     Choice shorter = choice;
+    shorter.named.clear();
     lay(task, periods, shorter.base);
     settle(task, shorter.base, kBaseSteps);
     if (shorter.base.unseen.empty() || !(motion_error(task, shorter.base) < kFollows)) continue;
@@ -155,7 +160,7 @@ void search_shorter(const Task& task, Choice& choice, const std::function<void(d
     double reached = periods;
     if (widen(task, choice.periods, reached, whole)) settle_unseen(task, whole);
     if (reached < choice.periods) lay(task, choice.periods, whole), settle(task, whole, kBaseSteps);
-    if (holds_over_long(whole, choice.base)) choice = shorter, choice.periods = periods;
+    if (holds_over_long(whole, choice)) choice = shorter, choice.periods = periods;
     return;
   }
 }
@@ -166,7 +171,9 @@ void choose(const Task& task, Choice& choice, const std::function<void(double)>&
   const State& start = choice.final;
   if (!start.fit.ok || start.unseen.empty() || near_enough(task, choice)) return;
   search(task, kWorth, choice, progress);
-  if (choice.named.empty() && noise_share(choice.base_left, choice.base.fit) < kMostlyNoise)
+  const bool more_left = choice.named.empty() || (choice.periods > kLongDecay &&
+                                                  beyond_noise(left_by(task.system, task.records, choice.final)));
+  if (more_left && noise_share(choice.base_left, choice.base.fit) < kMostlyNoise)
     search_shorter(task, choice, progress);
   weigh_rivals(task, progress, choice);
   choice.final_left = left_by(task.system, task.records, choice.final);
