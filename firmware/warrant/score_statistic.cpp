@@ -129,13 +129,20 @@ void ScoreTest::keep_bend_of_shape(int number) {
   }
 }
 
-// A damping law that the estimated coefficients take up altogether. What a narrow Stribeck force is the wide one shows too.
+// A damping law that the estimated coefficients take up altogether. What a narrow Stribeck force is the wide one shows too. A damper
+// between DOFs that no link joins: whose coefficient takes a good part of it up.
 void ScoreTest::keep_blind(const Probe& probe) {
   const Place& place = sums_->plan().place[probe.place];
   const Form form = probe.form;
   if (place.kind == PlaceKind::kLink &&
       (form == Form::kRateSquare || form == Form::kRateCube || form == Form::kSignWide))
     blind_[place.link] = true;
+  if (place.kind != PlaceKind::kNoLink || form != Form::kRate) return;
+  const ProbePlan& plan = sums_->plan();
+  for (int j = 0; j < plan.base_count; ++j) {
+    const Probe& base = plan.probe[j];
+    if (base.form == form && abs(bend_[base.unknown]) > Scaled::ratio(1, 4)) mimics_[base.unknown] = true;
+  }
 }
 
 // Variance of the sum of the stretches' shares. Neighbours that err alike (slow noise in derived signals) show it in the sums of

@@ -21,6 +21,7 @@ bool ScoreTest::judge(const CoreConfiguration& configuration, const ScoreSums& s
   unknowns_ = configuration.unknown_count;
   levels_ = 0;
   for (bool& blind : blind_) blind = false;
+  for (bool& mimics : mimics_) mimics = false;
   int last = -1;
   samples_ = Scaled{};
   for (int s = 0; s < stretches_; ++s) {

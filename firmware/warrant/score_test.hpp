@@ -54,6 +54,8 @@ class ScoreTest {
   Scaled bend_of_shape(int unknown) const { return bend_of_shape_[unknown]; }
   // The record cannot tell a damping law of the link from its estimated coefficients.
   bool blind(int link) const { return blind_[link]; }
+  // A damper where the rig file has no link at all would not show, and the unknown would hold over a quarter of it.
+  bool mimics(int unknown) const { return mimics_[unknown]; }
   // What the instrument of the score tests says of an unknown, less the estimate; 0 where it cannot say.
   Scaled difference(int unknown) const { return difference_[unknown]; }
   Scaled difference_std(int unknown) const { return difference_std_[unknown]; }
@@ -118,6 +120,7 @@ class ScoreTest {
   Scaled difference_[kMaxUnknowns], difference_std_[kMaxUnknowns], difference_doubt_[kMaxUnknowns];
   Scaled possible_bend_[kMaxUnknowns], bend_of_shape_[kMaxUnknowns];
   bool blind_[kMaxLinks];
+  bool mimics_[kMaxUnknowns];
   Scaled samples_;    // looked at
   Scaled seen_root_;  // root of their share of all
   int best_ = -1, rival_ = -1;

@@ -307,9 +307,11 @@ void give_verdict(const CoreConfiguration& configuration, const ScoreSums& sums,
   }
   const bool derived = kDerivesSignals && one_channel(configuration, Quantity::kForce);
   const bool twice_derived = kDerivesSignals && one_channel(configuration, Quantity::kDisplacement);
-  bool contradicted = false;
+  bool contradicted = false, inseparable = false;  // the record cannot tell the rig's own terms apart
   for (int k = 0; k < estimates.unknown_count; ++k)
     contradicted = contradicted || contradicts(configuration, k, estimates.parameters[k]);
+  for (int k = 0; k < estimates.unknown_count; ++k)
+    inseparable = inseparable || estimates.parameters[k].status == EstimateStatus::kIllConditioned;
   for (int k = 0; k < estimates.unknown_count; ++k) {
     ParameterEstimate& parameter = estimates.parameters[k];
     if (contradicted || impossible(configuration, k, parameter)) raise(parameter, EstimateStatus::kModelSuspect);
@@ -320,7 +322,7 @@ void give_verdict(const CoreConfiguration& configuration, const ScoreSums& sums,
     }
     if (test.best() >= 0) raise(parameter, EstimateStatus::kModelSuspect);
     if (is_wrong_by(test.possible_bend(k), parameter) || (derived && fits_differ(test, k, parameter)) ||
-        (twice_derived && blind(configuration, test, k)))
+        (twice_derived && blind(configuration, test, k)) || (inseparable && test.mimics(k)))
       raise(parameter, EstimateStatus::kUntested);
     if (instruments_differ(test, k, parameter)) raise(parameter, EstimateStatus::kBiasSuspect);
     // A second level asks the model another question.
