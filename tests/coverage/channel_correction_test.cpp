@@ -90,6 +90,28 @@ TEST(ChannelCorrection, TakesAGainOut) {
     }
 }
 
+// Without velocities displacement and acceleration disagree, and the equations of motion say whose fault it is.
+TEST(ChannelCorrection, OfDisplacementAndAccelerationTheRightOneIsCorrected) {
+  for (const char* name : {"displacement_2_m", "acceleration_2_m_s2"})
+    for (const bool late : {true, false}) {
+      hidden_rig::Settings settings;
+      settings.sensors = "xa";
+      settings.masses = 2;
+      hidden_rig::Draw draw = hidden_rig::make_draw(6020, settings);
+      late ? delay_by_one_sample(draw.records[0], name) : static_cast<void>(scale(draw.records[0], name, 1.05));
+      const host_sim::Estimation estimation = host_sim::estimate_records(draw.rig, draw.records, {});
+      const host_sim::WarrantResult& warrant = estimation.result.warrant;
+      ASSERT_EQ(warrant.corrected.size(), 1u) << name << late;
+      EXPECT_EQ(warrant.corrected[0].where, std::string("channel ") + name) << late;
+      EXPECT_NEAR(warrant.corrected[0].size, late ? 1e-3 : 0.05, late ? 3e-5 : 0.002) << name;
+      for (size_t k = 0; k < draw.coefficients.size(); ++k) {
+        const host_sim::ParameterResult& p = estimation.result.parameters[k];
+        EXPECT_NEAR(p.value, draw.coefficients[k].value, 0.02 * draw.coefficients[k].value + 3 * p.std)
+            << name << late << " " << p.info.name;
+      }
+    }
+}
+
 // A force that is one sample, 1000 us, late: no other channel of its DOF is, so the equations of motion are the witness.
 TEST(ChannelCorrection, TakesALateForceOut) {
   for (uint64_t seed = 6000; seed < 6003; ++seed) {

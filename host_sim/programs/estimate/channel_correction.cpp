@@ -70,11 +70,14 @@ std::optional<ChannelCorrection> of_warrant(const WarrantResult& warrant, double
 
 }  // namespace
 
-std::vector<ChannelCorrection> delays_to_correct(const std::vector<SkewResult>& skews, double sample_period_s) {
+std::vector<ChannelCorrection> delays_to_correct(const std::vector<SkewResult>& skews,
+                                                 const std::vector<Record>& records) {
   std::map<int, OfDof> dofs;
   for (const SkewResult& skew : skews) {
     const auto name = rig_file::parse_channel_name(skew.channel);
     if (!skew.significant || !name) continue;
+    // A velocity that is made of displacement and acceleration is no witness against either.
+    if (records.front().find(Quantity::kVelocity, name->dof) == nullptr) continue;
     OfDof& dof = dofs[name->dof];
     (name->quantity == firmware::Quantity::kDisplacement ? dof.displacement : dof.acceleration) = &skew;
   }
@@ -82,17 +85,18 @@ std::vector<ChannelCorrection> delays_to_correct(const std::vector<SkewResult>& 
   for (const auto& [number, dof] : dofs) {
     const std::optional<ChannelCorrection> correction = choose(dof);
     if (!correction || std::fabs(correction->late_us) < kWellMeasured * correction->std) continue;
-    if (std::fabs(correction->late_us) * 1e-6 > kMostPeriods * sample_period_s) continue;
+    if (std::fabs(correction->late_us) * 1e-6 > kMostPeriods * records.front().sample_period_s) continue;
     corrections.push_back(*correction);
   }
   return corrections;
 }
 
-std::vector<ChannelCorrection> corrections_to_make(const EstimateResult& result, double sample_period_s, bool first) {
+std::vector<ChannelCorrection> corrections_to_make(const EstimateResult& result, const std::vector<Record>& records,
+                                                   bool first) {
   if (result.warrant.named.effect == "force_hold") return {};  // what looks late there is the force's steps
-  std::vector<ChannelCorrection> corrections = delays_to_correct(result.skews, sample_period_s);
+  std::vector<ChannelCorrection> corrections = delays_to_correct(result.skews, records);
   if (!corrections.empty()) return corrections;
-  const auto named = of_warrant(result.warrant, sample_period_s);
+  const auto named = of_warrant(result.warrant, records.front().sample_period_s);
   if (named && (first || named->by_channels)) corrections.push_back(*named);
   return corrections;
 }
@@ -129,23 +133,22 @@ std::vector<Record> without_gains(const std::vector<ChannelCorrection>& correcti
 }
 
 bool corrections_hold(const EstimateResult& corrected, const std::vector<ChannelCorrection>& corrections,
-                      double sample_period_s) {
-  if (!corrections_to_make(corrected, sample_period_s, false).empty()) return false;
+                      const std::vector<Record>& records) {
+  if (!corrections_to_make(corrected, records, false).empty()) return false;
   return corrected.warrant.named.effect.empty() ||
          std::all_of(corrections.begin(), corrections.end(), [](const auto& c) { return c.by_channels; });
 }
 
-void tell_corrections(const std::vector<ChannelCorrection>& corrections, const WarrantResult& before,
-                      EstimateResult& corrected) {
+void tell_corrections(const std::vector<ChannelCorrection>& corrections, EstimateResult& corrected) {
   WarrantResult& warrant = corrected.warrant;
-  warrant.explained = warrant.named.effect.empty() && !before.named.effect.empty();
-  if (warrant.explained) warrant.named = before.named;
   for (const ChannelCorrection& c : corrections) {
     corrected.notes.push_back(correction_note(c));
     const bool gain = c.gain != 0.0;
     warrant.corrected.push_back({gain ? "sensor_gain" : "sensor_delay", std::string(kOfChannel) + c.channel,
                                  gain ? c.gain : c.late_us * 1e-6, gain ? c.std : c.std * 1e-6, gain ? "" : "s"});
   }
+  warrant.explained = warrant.named.effect.empty();
+  if (warrant.explained) warrant.named = warrant.corrected.front();
 }
 
 std::string correction_note(const ChannelCorrection& c) {

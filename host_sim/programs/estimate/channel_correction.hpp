@@ -19,17 +19,19 @@ struct ChannelCorrection {
   bool by_channels = true;
 };
 
-// Delays between the channels of a DOF, one channel per DOF: where displacement and acceleration are late against the velocity
+// Delays between the channels of a DOF whose velocity is measured, one channel per DOF: where displacement and acceleration are late against the velocity
 // alike, the velocity is early. Only delays of over eight standard deviations and at most three sample periods (the reach of
 // the core's filter).
-std::vector<ChannelCorrection> delays_to_correct(const std::vector<SkewResult>& skews, double sample_period_s);
+std::vector<ChannelCorrection> delays_to_correct(const std::vector<SkewResult>& skews,
+                                                 const std::vector<Record>& records);
 
 // The delays; where there are none the gain, or the force's delay, that the board names, if it is as well measured, small enough to be a
 // calibration (a fifth; more is a slip for a person to look at), and no other cause can stand in its place: what the rival
 // would leave of the named force is over 5.5 deviations.
 // first: nothing has been corrected yet. After that the equations of motion are no witness: what they show may be what the
 // correction leaves.
-std::vector<ChannelCorrection> corrections_to_make(const EstimateResult& result, double sample_period_s, bool first);
+std::vector<ChannelCorrection> corrections_to_make(const EstimateResult& result, const std::vector<Record>& records,
+                                                   bool first);
 
 // The rig whose file says these delays, on top of those that it says already.
 rig_file::RigModel with_delays(const rig_file::RigModel& model, const std::vector<ChannelCorrection>& corrections);
@@ -40,11 +42,10 @@ std::vector<Record> without_gains(const std::vector<ChannelCorrection>& correcti
 // The corrected records say what they should: nothing is left to correct, and where the equations were what showed it, nothing
 // is suspected.
 bool corrections_hold(const EstimateResult& corrected, const std::vector<ChannelCorrection>& corrections,
-                      double sample_period_s);
+                      const std::vector<Record>& records);
 
-// Says in the corrected result what has been corrected, and what the data as they are showed where that was all.
-void tell_corrections(const std::vector<ChannelCorrection>& corrections, const WarrantResult& before,
-                      EstimateResult& corrected);
+// Says in the corrected result what has been corrected.
+void tell_corrections(const std::vector<ChannelCorrection>& corrections, EstimateResult& corrected);
 // "displacement_1_m was 399 us late (+- 2): corrected"
 std::string correction_note(const ChannelCorrection& correction);
 

@@ -7,6 +7,7 @@
 #include "hal/rig_file/signal_plan.hpp"
 #include "host_sim/can_log/log_writer.hpp"
 #include "host_sim/programs/estimate/channel_correction.hpp"
+#include "host_sim/programs/estimate/channel_pairs.hpp"
 #include "host_sim/programs/results/fit_quality.hpp"
 #include "host_sim/programs/results/level_ratio.hpp"
 #include "host_sim/programs/shared/failures.hpp"
@@ -155,28 +156,46 @@ Estimation estimate_as_told(const rig_file::RigModel& model, const std::vector<R
 // Several channels may be off, one showing where another has been corrected.
 constexpr int kMostRounds = 3;
 
-// The same with channels corrected that the estimation finds late or with another gain; nothing where the corrected records do
-// not say that this was it.
+// The same with these corrections; what it says of them stands in its result.
+Estimation estimate_corrected(const rig_file::RigModel& model, const std::vector<Record>& records,
+                              const EstimationOptions& options, const std::vector<ChannelCorrection>& corrections) {
+  std::vector<Record> scaled;
+  if (any_gain(corrections)) scaled = without_gains(corrections, records);
+  const std::vector<Record>& corrected_records = scaled.empty() ? records : scaled;
+  Estimation corrected = estimate_as_told(with_delays(model, corrections), corrected_records, options);
+  if (!corrections_hold(corrected.result, corrections, records)) return corrected;
+  tell_corrections(corrections, corrected.result);
+  corrected.simulated = judge_fit(model, corrected_records, corrected.result);
+  return corrected;
+}
+
+// With the channels corrected that the estimation finds late or with another gain; nothing where the corrected records do not say
+// that this was it.
 std::optional<Estimation> correct_channels(const rig_file::RigModel& model, const std::vector<Record>& records,
                                            const EstimationOptions& options, const EstimateResult& first) {
-  const double period_s = records.front().sample_period_s;
-  std::vector<ChannelCorrection> corrections = corrections_to_make(first, period_s, true);
+  std::vector<ChannelCorrection> corrections = corrections_to_make(first, records, true);
   for (int round = 0; round < kMostRounds && !corrections.empty(); ++round) {
-    const rig_file::RigModel corrected_model = with_delays(model, corrections);
-    std::vector<Record> scaled;
-    if (any_gain(corrections)) scaled = without_gains(corrections, records);
-    const std::vector<Record>& corrected_records = scaled.empty() ? records : scaled;
-    Estimation corrected = estimate_as_told(corrected_model, corrected_records, options);
-    if (corrections_hold(corrected.result, corrections, period_s)) {
-      tell_corrections(corrections, first.warrant, corrected.result);
-      corrected.simulated = judge_fit(model, corrected_records, corrected.result);
-      return corrected;
-    }
-    const auto more = corrections_to_make(corrected.result, period_s, false);
+    Estimation corrected = estimate_corrected(model, records, options, corrections);
+    if (!corrected.result.warrant.corrected.empty()) return corrected;
+    const auto more = corrections_to_make(corrected.result, records, false);
     if (more.empty()) break;
     corrections.insert(corrections.end(), more.begin(), more.end());
   }
   return std::nullopt;
+}
+
+// Displacement and acceleration disagree, and the equations of motion bear one of them out alone.
+std::optional<Estimation> correct_pair(const rig_file::RigModel& model, const std::vector<Record>& records,
+                                       const EstimationOptions& options, const EstimateResult& first) {
+  if (first.warrant.named.effect.empty()) return std::nullopt;
+  std::optional<Estimation> borne_out;
+  for (const ChannelCorrection& correction : pair_corrections(records)) {
+    Estimation corrected = estimate_corrected(model, records, options, {correction});
+    if (corrected.result.warrant.corrected.empty()) continue;
+    if (borne_out) return std::nullopt;
+    borne_out = std::move(corrected);
+  }
+  return borne_out;
 }
 
 }  // namespace
@@ -186,6 +205,7 @@ Estimation estimate_records(const rig_file::RigModel& model, const std::vector<R
   check_records(records);
   Estimation estimation = estimate_as_told(model, records, options);
   if (auto corrected = correct_channels(model, records, options, estimation.result)) return std::move(*corrected);
+  if (auto corrected = correct_pair(model, records, options, estimation.result)) return std::move(*corrected);
   estimation.simulated = judge_fit(model, records, estimation.result);
   return estimation;
 }

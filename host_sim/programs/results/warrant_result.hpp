@@ -18,8 +18,8 @@ struct WarrantResult {
   bool tested = false;
   FindingResult named, rival;
   double rival_percent = 0.0;  // gain in log-likelihood, of the named cause's
-  // Delays and gains of channels that have been taken out of these estimates. Where that explains everything, named is what the
-  // data showed before.
+  // Delays and gains of channels that have been taken out of these estimates. Where that explains everything, named is the
+  // first of them.
   std::vector<FindingResult> corrected;
   bool explained = false;  // by what has been corrected
 };
