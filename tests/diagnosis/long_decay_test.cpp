@@ -69,7 +69,8 @@ TEST(LongDecay, NamesDryFrictionBesideWhatNoEffectIs) {
     for (const diagnosis::Cause& c : d.causes)
       if (c.effect == "missing_coulomb") {
         named = true;
-        for (const diagnosis::NamedPlace& r : c.rivals) EXPECT_EQ(r.effect, "stribeck") << third_N_m;  // dry friction too
+        for (const diagnosis::NamedPlace& r : c.rivals)
+          EXPECT_EQ(r.effect, "stribeck") << third_N_m;  // dry friction too
         EXPECT_NEAR(c.parameters.at(0).value, kCoulomb, 0.15 * kCoulomb) << third_N_m;
       }
     EXPECT_TRUE(named) << third_N_m;
