@@ -366,7 +366,7 @@ std::vector<Determined> determined(const Fitted& fit, const Model& model) {
     }
     d.z = normal_deviate(model[parameters[k].term].value / std::max(s.se, 1e-300), s.dof);
     // It is there, and its shape is not determined: what is known of it is its size at this shape.
-    if (std::abs(d.z) > kNamed && std::abs(model[parameters[k].term].value) < 1.96 * d.std) d.std = student_std(s);
+    if (std::abs(d.z) > kSure && std::abs(model[parameters[k].term].value) < 1.96 * d.std) d.std = student_std(s);
   }
   return list;
 }
