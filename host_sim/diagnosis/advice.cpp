@@ -28,9 +28,7 @@ std::vector<std::string> advice_for(const Diagnosis& d) {
   }
   if (d.verdict == Verdict::kUnknown && !d.unknown_trace.empty())
     say("the residual looks like " + d.unknown_trace + ", which is none of the named effects");
-  constexpr double kNoiseHides = 3;  // of the misfit, as in the verdict's sentence
-  if (d.verdict == Verdict::kUnknown && d.causes.empty() && d.cannot_describe.empty() &&
-      d.baseline_misfit < kNoiseHides)
+  if (d.noise_hides())
     say("noise hides what may be missing: measure the force with less noise, at a higher level or for longer");
   else if (d.verdict == Verdict::kUnknown || d.verdict == Verdict::kPartly)
     say("a force remains that no effect of the vocabulary explains: look at the residual against elongation, rate and "

@@ -59,10 +59,17 @@ struct ModelScore {
   std::vector<double> holdout_mse_percent;  // acceleration, Eq. 13, per DOF
 };
 
+// Misfit up to which a sentence may call what is left noise: it is 0.95 to 1.05 on complete drawn rigs.
+constexpr double kStillNoise = 2;
+
 struct Diagnosis {
   Verdict verdict = Verdict::kNone;
   bool baseline_fits() const { return verdict == Verdict::kNone; }
   bool extended_fits() const { return verdict != Verdict::kUnknown && verdict != Verdict::kPartly; }
+  // The free run misses much, and what is left over the fitted stretches is noise: a force that is mostly noise does that.
+  bool noise_hides() const {
+    return verdict == Verdict::kUnknown && causes.empty() && cannot_describe.empty() && baseline_misfit < kStillNoise;
+  }
   std::vector<Cause> causes;
   std::vector<NamedPlace> ambiguous_with;  // every cause's rivals
   std::vector<Cause> rejected;             // fitted better, simulated worse on held-out data

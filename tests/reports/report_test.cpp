@@ -118,7 +118,6 @@ TEST(DiagnosisPage, AnEmptyDiagnosisIsStillAPage) {
   DiagnosisReportData data;
   data.rig_name = "rig";
   data.verdict = "unknown";
-  data.misfit = 10.0;
   EXPECT_TRUE(contains(diagnosis_page(data), "No effect in the vocabulary explains"));
 }
 
@@ -220,7 +219,7 @@ TEST(Verdict, AShortHeadlineThenTheRest) {
   data.verdict = "partly", data.causes.resize(1);
   data.verdict = "unknown";
   EXPECT_TRUE(contains(verdict_details(data), "is beyond noise, and no effect in the vocabulary explains it"));
-  data.causes.clear(), data.misfit = 40.0;
+  data.causes.clear();
   EXPECT_EQ(verdict_headline(data), "The rig file does not explain the measurement");
 }
 
@@ -246,12 +245,12 @@ TEST(Verdict, SaysWhereNoiseHidesAll) {
   DiagnosisReportData data;
   data.verdict = "unknown";
   data.gains = {{1, 89.0, 89.0, 0.0, 0.0}};
-  data.misfit = 1.3;
+  data.noise_hides = true;
   EXPECT_EQ(
       verdict_sentence(data),
       "The data are too noisy to tell whether the rig file is right. Its simulation misses 89 % of the signal of DOF "
       "1 on unseen data. What is left is no more than the noise of the channels makes of it.");
-  data.misfit = 5.0;
+  data.noise_hides = false;
   EXPECT_EQ(verdict_headline(data), "The rig file does not explain the measurement");
 }
 

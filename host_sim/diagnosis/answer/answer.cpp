@@ -142,8 +142,8 @@ Verdict verdict_of(const Task& task, const Choice& choice, bool noise, double wo
 }
 
 // A cause beside which as much remains as before explains nothing: of what acts here it is not the name. Where only
-// noise remains it is a cause still if the rig's own numbers are others beside it, and the forces they make are. Where the free run misses the
-// whole motion with it as without, no window speaks for it.
+// noise remains it is a cause still if the rig's own numbers are others beside it, and the forces they make are. Where the
+// free run misses the whole motion with it as without, no window speaks for it.
 bool immaterial(const Task& task, const Choice& choice, bool noise, double worst_free_run, const Terms& base,
                 const Terms& full, const Diagnosis& d) {
   if (choice.named.empty()) return false;

@@ -133,7 +133,6 @@ std::string joined(std::initializer_list<std::string> sentences) {
 
 // Chi-squared of twice the noise: more than an estimate of the noise is ever off by.
 constexpr double kBeyondNoise = 2.0;
-constexpr double kNoiseHides = 3.0;  // above it the diagnosis takes what is left for more than noise
 
 }  // namespace
 
@@ -157,11 +156,6 @@ std::string ambiguous_details(const DiagnosisReportData& data) {
                  gain_text(data.gains), missed.empty() ? "" : "It still misses " + missed + "."});
 }
 
-// The free run misses much, and what is left over the fitted stretches is noise: a force that is mostly noise does that.
-bool noise_hides(const DiagnosisReportData& data) {
-  return data.verdict == "unknown" && data.causes.empty() && data.cannot_describe.empty() && data.misfit < kBeyondNoise;
-}
-
 }  // namespace
 
 std::string verdict_headline(const DiagnosisReportData& data) {
@@ -176,7 +170,7 @@ std::string verdict_headline(const DiagnosisReportData& data) {
     return "The rig file lacks something or a sensor is at fault";
   }
   if (!data.cannot_describe.empty()) return "The rig file cannot describe this recording";
-  if (noise_hides(data)) return "The data are too noisy to tell whether the rig file is right";
+  if (data.noise_hides) return "The data are too noisy to tell whether the rig file is right";
   if (data.causes.empty()) return "The rig file does not explain the measurement";
   return headline_of_causes(named_in(data.causes));
 }
@@ -191,8 +185,8 @@ std::string verdict_details(const DiagnosisReportData& data) {
   const std::string missed = missed_text(data.gains, !data.causes.empty());
   if (data.causes.empty())
     return joined({missed.empty() ? "" : "Its simulation misses " + missed + " on unseen data.",
-                   noise_hides(data) ? "What is left is no more than the noise of the channels makes of it."
-                                     : "No effect in the vocabulary explains what is left."});
+                   data.noise_hides ? "What is left is no more than the noise of the channels makes of it."
+                                    : "No effect in the vocabulary explains what is left."});
   const std::string remains = missed.empty() ? "What remains" : "What remains, " + missed + ",";
   const std::string remainder = data.verdict == "partly" ? remains + " is beyond noise; its cause is not known."
                                 : data.verdict == "unknown"
