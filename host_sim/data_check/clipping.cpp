@@ -15,11 +15,8 @@ constexpr double kFaultShare = 0.002;   // of all samples; below it estimates su
 
 struct Tops {
   size_t samples = 0, runs = 0, longest = 0;
-  double slope = 0.0;    // mean of the last step before and the first behind the flat part, towards it
-  double turning = 0.0;  // by how much that slope shrinks from step to step
-  double missing = 0.0;  // height of the parabola through the run's ends
-  double turn =
-      0.0;  // height over the longest run of a parabola through the values that lie its length before and behind it
+  double missing =
+      0.0;  // mean height that is cut off the longer runs, by the slopes with which they are entered and left
 };
 
 // Stretches of two and more samples within `band` of the level. sign +1: the level is the highest value; -1: the lowest.
@@ -33,38 +30,34 @@ std::vector<Run> runs_at(const std::vector<double>& values, double level, double
   return runs;
 }
 
-// A parabola that is L samples wide at its level is 8 times as far below it another L to either side as its top is above it.
-double turn_over(const std::vector<double>& values, const Run& run, double sign) {
-  double fall = 0.0, sides = 0.0;
-  const double level = values[run.first];
-  if (run.first >= run.length) fall += sign * (level - values[run.first - run.length]), sides += 1.0;
-  const size_t behind = run.first + 2 * run.length - 1;
-  if (behind < values.size()) fall += sign * (level - values[behind]), sides += 1.0;
-  return sides > 0.0 ? fall / sides / 8.0 : 0.0;
+// Slope at the very end of a run, towards its level, from the two spans before (side -1) or behind it (+1): what comes to rest
+// or turns smoothly has shed its speed there, what is cut off has not. Nothing where the record ends.
+std::optional<double> slope_at_end(const std::vector<double>& values, const Run& run, double sign, int side) {
+  const auto span = static_cast<std::ptrdiff_t>(std::max<size_t>(1, run.length / 4));
+  const auto next = static_cast<std::ptrdiff_t>(side < 0 ? run.first - 1 : run.first + run.length);
+  if (next + 2 * side * span < 0 || next + 2 * side * span >= static_cast<std::ptrdiff_t>(values.size())) return {};
+  const auto at = [&](std::ptrdiff_t spans) { return values[static_cast<size_t>(next + side * span * spans)]; };
+  const double width = static_cast<double>(span), near = sign * (at(0) - at(1)) / width,
+               far = sign * (at(1) - at(2)) / width;
+  return near - (far - near) * (0.5 + 0.5 * width) / width;
 }
 
 Tops tops_at(const std::vector<double>& values, const std::vector<Run>& runs, double sign) {
   Tops tops;
-  double steps[3] = {};
-  double sides = 0.0;
   for (const Run& run : runs) {
     ++tops.runs;
     tops.samples += run.length;
-    if (run.length > tops.longest) tops.longest = run.length, tops.turn = turn_over(values, run, sign);
-    const size_t behind = run.first + run.length;
-    if (run.first >= 4) {
-      for (size_t k = 0; k < 3; ++k) steps[k] += sign * (values[run.first - k - 1] - values[run.first - k - 2]);
-      sides += 1.0;
-    }
-    if (behind + 4 < values.size()) {
-      for (size_t k = 0; k < 3; ++k) steps[k] += sign * (values[behind + k] - values[behind + k + 1]);
-      sides += 1.0;
-    }
+    tops.longest = std::max(tops.longest, run.length);
   }
-  if (sides == 0.0) return tops;
-  tops.slope = steps[0] / sides;
-  tops.turning = 0.5 * (steps[2] - steps[0]) / sides;
-  tops.missing = tops.slope * static_cast<double>(tops.samples) / static_cast<double>(tops.runs) / 4.0;
+  double counted = 0.0;
+  for (const Run& run : runs) {
+    if (2 * run.length < tops.longest) continue;
+    const auto entered = slope_at_end(values, run, sign, -1), left = slope_at_end(values, run, sign, 1);
+    if (!entered || !left) continue;
+    // a parabola that rises with that slope over half the run turns at a quarter of their product
+    tops.missing += std::min(*entered, *left) * static_cast<double>(run.length) / 4.0, counted += 1.0;
+  }
+  if (counted > 0.0) tops.missing /= counted;
   return tops;
 }
 
@@ -72,18 +65,17 @@ Tops tops_at(const std::vector<double>& values, const std::vector<Run>& runs, do
 // more than the noise, a smooth turn stays on its last step for as long as it is within it, and a stop in friction longer.
 bool beyond_chance(const Tops& tops, const Statistics& statistics, size_t count) {
   if (!statistics.noisy || tops.longest < 4) return false;
-  if (statistics.resolution > statistics.noise && (tops.runs < kFewestRuns || tops.turn < 1.5 * statistics.resolution))
+  if (statistics.resolution > statistics.noise &&
+      (tops.runs < kFewestRuns || tops.missing < 1.5 * statistics.resolution))
     return false;
   const double p = std::clamp(statistics.repeats, 1e-3, 1.0);
   return static_cast<double>(count) * std::pow(p, static_cast<double>(tops.longest - 1)) < kChance;
 }
 
-// A stop has shed its speed when it comes to rest: its last step is at most twice by what steps shrink. A smooth turn
-// is no higher than the band that it is looked at in.
+// A smooth turn is no higher than the band that it is looked at in; in a band of noise, two samples are no flat stretch.
 bool cut_off(const Tops& tops, const Statistics& statistics, double band) {
-  if (tops.runs < kFewestRuns || !(tops.slope > 0.0)) return false;
-  return tops.slope > 4.0 * std::max(0.0, tops.turning) &&
-         tops.missing > std::max(1.5 * band, 3.0 * std::max(statistics.resolution, statistics.noise));
+  if (tops.runs < kFewestRuns || (band > 0.0 && tops.samples < 3 * tops.runs)) return false;
+  return tops.missing > std::max(1.5 * band, 3.0 * std::max(statistics.resolution, statistics.noise));
 }
 
 // Ramps and squares, as commanded signals are: most second differences inside the range vanish.

@@ -72,10 +72,12 @@ double usual_near(const std::vector<double>& misfit, size_t i, size_t width) {
   return quantile(std::move(around), 0.5) / 0.6745;
 }
 
-// Does the stretch stand off what either side leads to, and are the sides closer to each other? An edge is no spike.
+// Does the stretch stand off what either side leads to, are the sides closer to each other, and is each side smooth by
+// itself? An edge is no spike, and neither is the crest of a swing that only a few samples show.
 bool stands_alone(const std::vector<double>& x, size_t first, size_t width, double size) {
   return std::abs(x[first + width] - x[first - 1]) < 0.5 * size && off_left(x, first) > 0.5 * size &&
-         off_right(x, first + width - 1) > 0.5 * size;
+         off_right(x, first + width - 1) > 0.5 * size && off_left(x, first - 1) < 0.5 * size &&
+         off_right(x, first + width) < 0.5 * size;
 }
 
 // How far a stretch stands off the cubic across it.

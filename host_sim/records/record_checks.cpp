@@ -47,18 +47,25 @@ std::vector<double> counted(size_t samples) {
   return index;
 }
 
-// The place of the last decimal that any of the times has: 0.001 for 0.977 and 1.95. 0 where there is none.
+// The place of the last decimal that any of the times has: 0.001 for 0.977 and 1.95. Times of so many significant digits
+// have fewer decimals the later they are, so those of the last decade count. Numbers of single precision without a last
+// decimal: their spacing there. 0 where there is none.
 double last_decimal(const std::vector<double>& time_s) {
+  double latest = 0.0;
+  for (const double t : time_s) latest = std::max(latest, std::abs(t));
+  const double decade = std::pow(10.0, std::floor(std::log10(std::max(latest, 1e-9))));
   double place = 1.0;
   for (int decimals = 0; decimals <= 9; ++decimals, place *= 0.1) {
     bool whole = true;
     for (size_t i = 0; whole && i < time_s.size(); ++i) {
       const double units = time_s[i] / place;
-      whole = std::abs(units - std::nearbyint(units)) < 1e-3;
+      whole = std::abs(time_s[i]) < decade || std::abs(units - std::nearbyint(units)) < 1e-3;
     }
     if (whole) return place;
   }
-  return 0.0;
+  const auto single = [](double t) { return static_cast<double>(static_cast<float>(t)) == t; };
+  const auto upper = static_cast<float>(latest);
+  return std::all_of(time_s.begin(), time_s.end(), single) ? std::nextafterf(upper, 2.0F * upper) - upper : 0.0;
 }
 
 // How far from even steps times may lie, in units of their last decimal. Even times that were rounded lie within half a

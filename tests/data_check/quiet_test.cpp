@@ -79,6 +79,67 @@ TEST(Quiet, ACoarseEncoderStandsStillAtItsFarthest) {
   }
 }
 
+// A table that is driven to its farthest place again and again, stops there by friction, rests and goes back, on an encoder of
+// 1 um under noise of a fifth of that: flat for a quarter of the time, and its range does not end there.
+TEST(Quiet, AStopInFrictionAtItsFarthest) {
+  for (unsigned seed = 1; seed <= 6; ++seed) {
+    Record record = made::record({});
+    std::mt19937 random(seed);
+    std::normal_distribution<double> noise(0.0, 2e-7);
+    std::vector<double>& place = made::values(record, "displacement_1_m");
+    for (size_t k = 0; k < place.size(); ++k) {
+      // Of 2 s: 0.5 s there, 0.5 s of rest, 0.5 s back, 0.5 s of rest; full speed at first, evenly slower until it stops.
+      const double t = 1e-3 * static_cast<double>(k % 2000), s = std::min(1.0, std::fmod(t, 1.0) / 0.5);
+      const double way = 2.0 * s - s * s;
+      place[k] = 1e-6 * std::nearbyint((1e-3 * (t < 1.0 ? way : 1.0 - way) + noise(random)) / 1e-6);
+    }
+    record.channels = {*record.find(host_sim::Quantity::kForce, 1), *record.find(host_sim::Quantity::kDisplacement, 1)};
+    const std::string said = doubts(check({record}, nullptr));
+    EXPECT_EQ(said.find("clipped"), std::string::npos) << "seed " << seed << ": " << said;
+  }
+}
+
+// Two tones of 13 and 29 samples a period, a converter of 12 bits, noise of 1.4 %: tops of two samples are no flat stretch.
+TEST(Quiet, TopsOfTwoSamplesAreNotFlat) {
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    Record record = made::record({});
+    std::mt19937 random(seed);
+    std::normal_distribution<double> noise(0.0, 0.014);
+    std::vector<double>& tones = made::values(record, "velocity_1_m_s");
+    for (size_t k = 0; k < tones.size(); ++k) {
+      const auto t = static_cast<double>(k);
+      const double value =
+          std::sin(2.0 * M_PI * t / 13.1 + seed) + 0.4 * std::sin(2.0 * M_PI * t / 29.3) + noise(random);
+      tones[k] = 7e-4 * std::nearbyint(value / 7e-4);
+    }
+    tones.resize(2500);
+    record.channels = {{"velocity_1_m_s", host_sim::Quantity::kVelocity, 1, tones}};
+    const std::string said = doubts(check({record}, nullptr));
+    EXPECT_EQ(said.find("clipped"), std::string::npos) << "seed " << seed << ": " << said;
+  }
+}
+
+// A swing of eight samples a period that dies within two periods, then noise: its first crests are only three samples wide.
+TEST(Quiet, ACrestOfFewSamplesIsNoSpike) {
+  for (unsigned seed = 1; seed <= 12; ++seed) {
+    Record record = made::record({});
+    std::mt19937 random(seed);
+    std::normal_distribution<double> noise(0.0, 2e-3);
+    for (const char* name : {"displacement_1_m", "velocity_1_m_s"}) {
+      std::vector<double>& swing = made::values(record, name);
+      for (size_t k = 0; k < swing.size(); ++k) {
+        const double t = static_cast<double>(k) / 8.0;
+        swing[k] = std::exp(-1.2 * t) * (1.0 - std::cos(2.0 * M_PI * t + 0.1 * seed)) +
+                   0.3 * std::exp(-0.004 * t) * std::sin(0.7 * t) + noise(random);
+      }
+    }
+    record.channels = {*record.find(host_sim::Quantity::kForce, 1), *record.find(host_sim::Quantity::kDisplacement, 1),
+                       *record.find(host_sim::Quantity::kVelocity, 1)};
+    const std::string said = doubts(check({record}, nullptr));
+    EXPECT_EQ(said.find("spike"), std::string::npos) << "seed " << seed << ": " << said;
+  }
+}
+
 // A rig file whose masses and springs are a third off is for the diagnosis to say, not for the check.
 TEST(Quiet, AWrongRigFileIsNoFaultOfTheData) {
   for (const char* sensors : {"xva", "x", "a"})

@@ -1,4 +1,5 @@
 // Every way in which people's programs write a table of numbers: each row makes its file and says what comes out of it.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -266,6 +267,19 @@ TEST(Dialects, RoundedTimesAreEven) {
   EXPECT_NE(record.notes[0].find("times are rounded to 0.001 s"), std::string::npos);
   const auto coarse = host_sim::parse_csv(rounded_times(2048.0, "%.3f", 5000), "d.csv", rig());
   EXPECT_NEAR(coarse.sample_period_s, 1.0 / 2048.0, 1e-9);
+}
+
+// Seven significant digits at 2048 Hz: 9.999512 is followed by 10.00000 and 10.00049, steps of 0.00048 and 0.00049; single
+// precision at 10 kHz: from 64 s on its numbers lie 7.6 us apart.
+TEST(Dialects, TimesOfSoManyDigitsAreEven) {
+  const auto digits = host_sim::parse_csv(rounded_times(2048.0, "%.7g", 50000), "d.csv", rig());
+  EXPECT_NEAR(digits.sample_period_s, 1.0 / 2048.0, 1e-9);
+  EXPECT_THROW(host_sim::parse_csv(rounded_times(2048.0, "%.7g", 50000, 40000), "d.csv", rig()),
+               host_sim::DataFileError);
+  std::string text = "t_s,force_1_N\n";
+  for (int i = 0; i < 50000; ++i)
+    text += fmt::format("{:.17g},1\n", static_cast<double>(static_cast<float>(64.0 + 1e-4 * i)));
+  EXPECT_NEAR(host_sim::parse_csv(text, "d.csv", rig()).sample_period_s, 1e-4, 1e-9);
 }
 
 // A board that samples every 10.04 ms stamps what its millisecond counter shows, and every seventh time it reads it 0.4 ms
