@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <iterator>
 #include <limits>
 #include <utility>
 
+#include "host_sim/plant/instruments/line_sum.hpp"
 #include "host_sim/plant/instruments/random_numbers.hpp"
 
 namespace host_sim {
@@ -183,38 +185,6 @@ std::vector<Motion> with_derivatives(const std::vector<double>& f, double h) {
   return knots;
 }
 
-// Cosines that are rotated from knot to knot side by side, so that the compiler can keep them in vector registers.
-struct LineGroup {
-  static constexpr size_t kLines = 8;
-  double omega[kLines] = {}, c[kLines] = {}, s[kLines] = {}, turn_c[kLines] = {}, turn_s[kLines] = {};
-
-  void set(size_t k, double omega_rad_s, double amplitude, double phase, double step_s) {
-    omega[k] = omega_rad_s;
-    c[k] = amplitude * std::cos(phase);
-    s[k] = amplitude * std::sin(phase);
-    turn_c[k] = std::cos(omega_rad_s * step_s);
-    turn_s[k] = std::sin(omega_rad_s * step_s);
-  }
-  void add_to(std::vector<Motion>& knots) {
-    for (Motion& knot : knots) {
-      double value[kLines], rate[kLines], acceleration[kLines];
-      for (size_t k = 0; k < kLines; ++k) {
-        value[k] = c[k];
-        rate[k] = omega[k] * s[k];
-        acceleration[k] = omega[k] * omega[k] * c[k];
-        const double next = c[k] * turn_c[k] - s[k] * turn_s[k];
-        s[k] = s[k] * turn_c[k] + c[k] * turn_s[k];
-        c[k] = next;
-      }
-      for (size_t k = 0; k < kLines; ++k) {
-        knot.value += value[k];
-        knot.rate -= rate[k];
-        knot.acceleration -= acceleration[k];
-      }
-    }
-  }
-};
-
 }  // namespace
 
 SignalPtr cosine(double amplitude, double frequency_Hz, double phase_rad) {
@@ -229,14 +199,18 @@ SignalPtr random_band(const RandomBand& band, double start_s, double end_s, doub
   const double spacing_Hz = (band.high_Hz - band.low_Hz) / static_cast<double>(lines);
   const double amplitude = band.rms * std::sqrt(2.0 / static_cast<double>(lines));
   RandomNumbers random(seed, stream);
+  const auto line_frequency_Hz = [&](size_t k) { return band.low_Hz + (static_cast<double>(k) + 0.5) * spacing_Hz; };
+  std::vector<std::complex<double>> line(lines);
+  for (std::complex<double>& phasor : line) phasor = std::polar(amplitude, kTwoPi * random.uniform());
+  const LineSum sum(lines, count, line_frequency_Hz(0) * table_step_s, spacing_Hz * table_step_s);
   std::vector<Motion> knots(count);
-  for (size_t line = 0; line < lines; line += LineGroup::kLines) {
-    LineGroup group;
-    for (size_t k = 0; k < LineGroup::kLines && line + k < lines; ++k) {
-      const double omega = kTwoPi * (band.low_Hz + (static_cast<double>(line + k) + 0.5) * spacing_Hz);
-      group.set(k, omega, amplitude, kTwoPi * random.uniform(), table_step_s);
-    }
-    group.add_to(knots);
+  const auto next_derivative = [&] {
+    for (size_t k = 0; k < lines; ++k) line[k] *= std::complex<double>(0.0, kTwoPi * line_frequency_Hz(k));
+  };
+  for (double Motion::*derivative : {&Motion::value, &Motion::rate, &Motion::acceleration}) {
+    const std::vector<std::complex<double>> at_knots = sum.of(line);
+    for (size_t n = 0; n < count; ++n) knots[n].*derivative = at_knots[n].real();
+    next_derivative();
   }
   return std::make_shared<Quintic>(std::move(knots), start_s, table_step_s);
 }

@@ -42,6 +42,7 @@ double Integrator::Working::event_between(double step_s, double begin, double en
     else
       end = probe, at_end = at_probe;
   }
+  int moved = 0;  // the end that the last probe moved: 1 the begin, -1 the end
   while (end - begin > kSameTime) {
     const double secant = begin + (end - begin) * at_begin / (at_begin - at_end);
     const double middle = secant > begin && secant < end ? secant : 0.5 * (begin + end);
@@ -50,10 +51,12 @@ double Integrator::Working::event_between(double step_s, double begin, double en
     if (at_middle == 0.0) return middle;
     if (at_middle > 0.0) {
       begin = middle, at_begin = at_middle;
-      at_end *= 0.5;
+      if (moved > 0) at_end *= 0.5;  // it has stayed twice
+      moved = 1;
     } else {
       end = middle, at_end = at_middle;
-      at_begin *= 0.5;
+      if (moved < 0) at_begin *= 0.5;
+      moved = -1;
     }
   }
   return end;

@@ -111,14 +111,16 @@ bool TaylorStep::expand(double t_s, double step_s, const double* y, const Modes&
 }
 
 void TaylorStep::state(double theta, double* y) const {
-  for (size_t i = 0; i < 2 * masses_; ++i) y[i] = 0.0;
-  for (int k = order_; k >= 0; --k) {
-    const double* const x = row(k);
-    for (size_t i = 0; i < masses_; ++i) y[i] = y[i] * theta + x[i];
-    if (k == 0) break;
-    for (size_t i = 0; i < masses_; ++i) y[masses_ + i] = y[masses_ + i] * theta + static_cast<double>(k) * x[i];
+  for (size_t i = 0; i < masses_; ++i) {
+    const double* x = row(order_) + i;
+    double value = 0.0, rate = 0.0, k = order_;
+    for (int left = order_; left > 0; --left, k -= 1.0, x -= nodes_) {
+      value = value * theta + *x;
+      rate = rate * theta + k * *x;
+    }
+    y[i] = value * theta + *x;
+    y[masses_ + i] = rate / step_s_;
   }
-  for (size_t i = 0; i < masses_; ++i) y[masses_ + i] /= step_s_;
 }
 
 double TaylorStep::nearest_to_rest(size_t link, int sign) const {
