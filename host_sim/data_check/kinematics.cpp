@@ -16,67 +16,75 @@ constexpr double kTurnedCorrelation = -0.6;  // of 30 spans: less than one in 10
 constexpr double kGainCorrelation = 0.95;    // then noise bends the gain by less than 5 %
 constexpr double kPlainGain = 3.0;           // no calibration is off by more
 constexpr double kUnitTolerance = 0.05;
+constexpr double kGoldenRatio = 0.6180339887498949;
 constexpr int kDelays = 3;  // samples that a channel may be late without its sign being in question
 
 using Values = Eigen::Map<const Eigen::ArrayXd>;
 Values view(const double* values, size_t count) { return {values, static_cast<Eigen::Index>(count)}; }
 
-// Running sums: sums[i] of the first i values, `mean` taken off each.
+// Running integrals by trapezoids, in steps: sums[i] from the first value to the i-th, `mean` taken off each.
 void sum_up(const std::vector<double>& values, double mean, std::vector<double>& sums) {
-  sums.resize(values.size() + 1);
-  sums[0] = 0.0;
-  for (size_t i = 0; i < values.size(); ++i) sums[i + 1] = sums[i] + (values[i] - mean);
+  sums.resize(values.size());
+  double sum = 0.0;
+  for (size_t i = 0; i < values.size(); ++i) {
+    const double half = 0.5 * (values[i] - mean);
+    sums[i] = sum += half;
+    sum += half;
+  }
 }
 
 // Both sides of one pair of channels, over one span after the other. What the spans have in common is summed once.
 class Sides {
  public:
-  std::vector<double> from_lower, of_upper;  // centred at sample h + i
+  std::vector<double> from_lower, of_upper;  // centred at sample h + i, for every i or some
 
   Sides(const Channel& lower, const Channel& upper, double sample_period_s)
       : lower_(lower.values),
-        upper_(upper.values),
         twice_(static_cast<int>(upper.quantity) - static_cast<int>(lower.quantity) == 2),
-        T_(sample_period_s),
-        mean_(view(upper_.data(), upper_.size()).mean()) {
-    sum_up(upper_, mean_, once_);
+        T_(sample_period_s) {
+    const auto mean = [](const std::vector<double>& values) { return view(values.data(), values.size()).mean(); };
+    sum_up(upper.values, mean(upper.values), integral_);
+    if (!twice_) return;
+    const std::vector<double> once = std::move(integral_);
+    sum_up(once, mean(once), integral_);
   }
 
   size_t samples() const { return lower_.size(); }
 
-  // Sums by trapezoids, so that ends count half.
-  void over(size_t h) {
-    const size_t n = samples(), count = n - 2 * h;
-    const double span = static_cast<double>(h) * T_, steps = static_cast<double>(h);
-    half_.resize(n);
-    const double *lower = lower_.data(), *upper = upper_.data(), *once = once_.data();
-    double* half = half_.data();
-    for (size_t i = 0; i + h < n; ++i)  // mean over h steps from i on
-      half[i] = (once[i + h + 1] - once[i] - 0.5 * (upper[i] + upper[i + h] - 2.0 * mean_)) / steps;
-    std::fill(half_.end() - static_cast<std::ptrdiff_t>(h), half_.end(), 0.0);
-    from_lower.resize(count);
-    of_upper.resize(count);
-    double *from = from_lower.data(), *of = of_upper.data();
-    if (twice_) {  // a triangle is a mean of means
-      sum_up(half_, 0.0, again_);
-      const double* again = again_.data();
-      for (size_t i = 0; i < count; ++i) {
-        from[i] = (lower[i + 2 * h] - 2.0 * lower[i + h] + lower[i]) / (span * span);
-        of[i] = (again[i + h + 1] - again[i] - 0.5 * (half[i] + half[i + h])) / steps;
-      }
-    } else {
-      for (size_t i = 0; i < count; ++i) {
-        from[i] = (lower[i + 2 * h] - lower[i]) / (2.0 * span);
-        of[i] = 0.5 * (half[i] + half[i + h]);
-      }
-    }
+  void over(size_t h) { compare(h, samples() - 2 * h, 1.0); }
+  // Some of them: each shares over nine tenths of its span with the next. The step is no whole number, so that no period of the
+  // motion keeps time with it.
+  void here_and_there(size_t h) {
+    const double step = std::max(1.0, kGoldenRatio * static_cast<double>(h) / 4.0);
+    compare(h, static_cast<size_t>(static_cast<double>(samples() - 2 * h - 1) / step) + 1, step);
   }
 
  private:
-  const std::vector<double>&lower_, &upper_;
+  // The mean of a mean over h steps is a second difference of the integral's integral.
+  void compare(size_t h, size_t count, double step) {
+    from_lower.resize(count);
+    of_upper.resize(count);
+    const double steps = static_cast<double>(h), part = twice_ ? 1.0 / (steps * steps) : 0.5 / steps;
+    const double per_span = part / (twice_ ? T_ * T_ : T_);
+    const double *lower = lower_.data(), *integral = integral_.data();
+    double *from = from_lower.data(), *of = of_upper.data();
+    const auto each = [&](auto difference) {
+      for (size_t k = 0; k < count; ++k) {
+        const size_t i = step == 1.0 ? k : static_cast<size_t>(static_cast<double>(k) * step);
+        from[k] = difference(lower + i) * per_span;
+        of[k] = difference(integral + i) * part;
+      }
+    };
+    if (twice_)
+      each([h](const double* at) { return at[2 * h] - 2.0 * at[h] + at[0]; });
+    else
+      each([h](const double* at) { return at[2 * h] - at[0]; });
+  }
+
+  const std::vector<double>& lower_;
   bool twice_;
-  double T_, mean_;
-  std::vector<double> once_, half_, again_;
+  double T_;
+  std::vector<double> integral_;  // of the upper channel's, once or twice
 };
 
 struct Moments {
@@ -107,7 +115,7 @@ BestSpan best_span(Sides& sides) {
   BestSpan best;
   const double n = static_cast<double>(sides.samples());
   for (size_t h = 1; n / static_cast<double>(2 * h) >= kFewestSpans; h *= 2) {
-    sides.over(h);
+    sides.here_and_there(h);
     const double r = moments(sides, 0).correlation();
     if (std::abs(r) > std::abs(best.correlation)) best = {h, r};
   }
@@ -160,9 +168,9 @@ std::optional<Comparison> compare(const Channel& lower, const Channel& upper, do
   Comparison best;
   best.lower = lower.quantity;
   best.upper = upper.quantity;
-  best.correlation = span.correlation;
   sides.over(span.h);
   const Moments at_once = moments(sides, 0);
+  best.correlation = at_once.correlation();
   best.independent = static_cast<double>(sides.samples()) / static_cast<double>(2 * span.h);
   best.gain = std::copysign(std::sqrt(at_once.qq / at_once.pp), at_once.pq);
   best.turned = best.correlation < kTurnedCorrelation;
