@@ -21,12 +21,13 @@ int main(int argc, char** argv) try {
   int draws = 3;
   uint64_t first_seed = 1;
   std::vector<std::string> only;
-  std::string table, raw, sensors, hidden = "both";
+  std::string table, raw, sensors, effect, hidden = "both";
   app.add_option("--draws", draws, "with nothing hidden and as many with one effect, per condition");
   app.add_option("--first-seed", first_seed, "of the first draw");
   app.add_option("--conditions", only, "only these, comma between")->delimiter(',');
   app.add_option("--sensors", sensors, "only these: xva, xa, x, a, v or mixed");
   app.add_option("--hidden", hidden, "both, nothing or one");
+  app.add_option("--effect", effect, "only this word is hidden");
   app.add_option("--table", table, "file for the table; left out: the terminal");
   app.add_option("--raw", raw, "file for every draw");
   CLI11_PARSE(app, argc, argv);
@@ -40,7 +41,7 @@ int main(int argc, char** argv) try {
         const size_t turn = (static_cast<size_t>(i) + place) % std::size(kSensors);
         const uint64_t seed = first_seed + static_cast<uint64_t>(i) + 100000 * place;
         try {
-          all.push_back(hidden_rig::ask(c.name, sensors.empty() ? kSensors[turn] : sensors, hides, seed));
+          all.push_back(hidden_rig::ask(c.name, sensors.empty() ? kSensors[turn] : sensors, hides, seed, effect));
         } catch (const std::runtime_error& e) {
           std::cerr << c.name << " seed " << seed << ": " << e.what() << "\n";
           continue;

@@ -28,14 +28,22 @@ std::vector<std::string> that_can_hide() {
   return words;
 }
 
-// Coefficients that the rig file leaves open: how many intervals hold the truth.
-void count_intervals(const Draw& draw, const diagnosis::Diagnosis& d, Said& said) {
+// Coefficients that the rig file leaves open: how many intervals hold the truth. Those that do not are told, with their error in
+// standard deviations.
+std::string count_intervals(const Draw& draw, const diagnosis::Diagnosis& d, Said& said) {
+  std::string outside;
+  char text[128];
   for (const TrueCoefficient& c : draw.coefficients)
     for (const diagnosis::Parameter& p : d.extended.parameters)
       if (p.name == c.name && p.std > 0) {
-        ++said.intervals;
-        said.holding += std::abs(p.value - c.value) <= 1.96 * p.std;
+        const bool holds = std::abs(p.value - c.value) <= 1.96 * p.std;
+        ++said.intervals, said.holding += holds;
+        if (holds) continue;
+        std::snprintf(text, sizeof text, "; outside: %s = %.6g for %.6g (%+.1f sd)", p.name.c_str(), p.value, c.value,
+                      (p.value - c.value) / p.std);
+        outside += text;
       }
+  return outside;
 }
 
 std::string told(const Draw& draw, const diagnosis::Diagnosis& d) {
@@ -103,6 +111,16 @@ void print_rows(std::ostream& out, const std::string& first, const std::vector<S
   print(out, "all", total);
 }
 
+// Springs that are straight lines and dry friction do not know where their middle is: only a displacement shows a constant force.
+bool hides_from_sensors(const Draw& draw) {
+  const auto shows_place = [](const host_sim::Record& r) {
+    return std::any_of(r.channels.begin(), r.channels.end(), [](const host_sim::Channel& c) {
+      return c.quantity == host_sim::Quantity::kDisplacement && c.dof != rig_file::kBase;
+    });
+  };
+  return !draw.hidden.empty() && draw.hidden[0].effect == "force_offset" && !shows_place(draw.records[0]);
+}
+
 }  // namespace
 
 const char* outcome_word(Outcome outcome) {
@@ -123,11 +141,20 @@ bool warms(const Draw& draw, const diagnosis::Cause& c) {
   return false;
 }
 
+// What holds its value between the samples holds it for every force: no wrong name where the draw's word is of another channel.
+bool held_too(const Draw& draw, const diagnosis::Cause& c) {
+  return c.effect == "force_hold" && !draw.drive.empty() && draw.drive[0].held &&
+         std::none_of(draw.hidden.begin(), draw.hidden.end(), [&](const Hidden& h) { return h.where == c.where; });
+}
+
 }  // namespace
 
 Outcome judge(const Draw& draw, diagnosis::Diagnosis d) {
   using diagnosis::Verdict;
   const size_t said = d.causes.size();
+  d.causes.erase(
+      std::remove_if(d.causes.begin(), d.causes.end(), [&](const diagnosis::Cause& c) { return held_too(draw, c); }),
+      d.causes.end());
   if (std::none_of(draw.hidden.begin(), draw.hidden.end(),
                    [](const Hidden& h) { return h.effect == "drifting_viscous"; }))
     d.causes.erase(
@@ -153,20 +180,25 @@ Outcome judge(const Draw& draw, diagnosis::Diagnosis d) {
   return d.ambiguous_with.size() + 1 <= kLargestSet ? Outcome::kInSet : Outcome::kMissed;
 }
 
-Said ask(const std::string& condition, const std::string& sensors, bool hides, uint64_t seed) {
+Said ask(const std::string& condition, const std::string& sensors, bool hides, uint64_t seed,
+         const std::string& effect) {
   Said said;
   said.condition = condition, said.sensors = sensors, said.hides = hides, said.seed = seed;
   Settings settings;
   settings.condition = condition, settings.sensors = sensors;
   settings.rho_low = 0.1;  // rms of the hidden force over that of its link's damping
   Draw draw;
-  // an effect that this condition cannot show at all (a dead band without a drive) is drawn again
+  // an effect that this condition cannot show at all (a dead band without a drive, a constant force without one displacement)
+  // is drawn again
   Dice dice(seed ^ 0x5DEECE66DULL);
   const std::vector<std::string> words = that_can_hide();
   for (int attempt = 0;; ++attempt) {
-    if (hides) settings.hidden = words[static_cast<size_t>(dice.below(static_cast<int>(words.size())))];
+    if (hides)
+      settings.hidden =
+          !effect.empty() ? effect : words[static_cast<size_t>(dice.below(static_cast<int>(words.size())))];
     try {
       draw = make_draw(seed, settings);
+      if (effect.empty() && hides_from_sensors(draw)) continue;
       break;
     } catch (const std::runtime_error&) {
       if (attempt > 20) throw;
@@ -176,8 +208,8 @@ Said ask(const std::string& condition, const std::string& sensors, bool hides, u
   try {
     const diagnosis::Diagnosis answer = diagnosis::diagnose(draw.rig, draw.records, {});
     said.outcome = judge(draw, answer);
-    if (said.outcome == Outcome::kRight) count_intervals(draw, answer, said);
     said.text = told(draw, answer);
+    if (said.outcome == Outcome::kRight) said.text += count_intervals(draw, answer, said);
   } catch (const std::exception& e) {
     said.outcome = Outcome::kRefused;
     said.text = std::string("refused: ") + e.what();

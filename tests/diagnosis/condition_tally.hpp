@@ -31,7 +31,9 @@ struct Said {
 
 Outcome judge(const Draw& draw, diagnosis::Diagnosis answer);
 // One draw, diagnosed. What can hide: every word of effects() but faults of the data themselves (dead, clipped, ...).
-Said ask(const std::string& condition, const std::string& sensors, bool hides, uint64_t seed);
+// effect: the word that is hidden; empty: any.
+Said ask(const std::string& condition, const std::string& sensors, bool hides, uint64_t seed,
+         const std::string& effect = "");
 
 void write_raw(std::ostream& out, const std::vector<Said>& all);
 void write_table(std::ostream& out, const std::vector<Said>& all, int draws, uint64_t first_seed);

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "draw_rig.hpp"
+#include "effect_force.hpp"
 #include "excitation.hpp"
 #include "sensors.hpp"
 
@@ -178,6 +179,15 @@ class Attempt {
         if (!row.empty()) row.resize(std::min(end, count));
   }
 
+  // A rig file's drift counts from the start of the record, the drawn one from the mean over it.
+  static double drift_at_start(const TrueRig& rig, size_t link) {
+    double sum = 0;
+    for (const TrueEffect& e : rig.effects)
+      if (e.kind == "drifting_viscous" && e.link == static_cast<int>(link))
+        sum += law_force(Law::kDriftingViscous, e, 0, 0, 1, 0);
+    return sum;
+  }
+
   void tell_truth(Draw& draw) const {
     const TrueRig& rig = draw.true_rig;
     const auto add = [&](const std::string& name, double value, bool viscous) {
@@ -189,12 +199,13 @@ class Attempt {
     for (size_t i = 0; i < rig.mass_kg.size(); ++i)
       if (draw.rig.dofs[i].mass_kg.estimate) add("mass[" + std::to_string(i + 1) + "]", rig.mass_kg[i], false);
     size_t believed = 0;
-    for (const TrueLink& link : rig.links) {
+    for (size_t l = 0; l < rig.links.size(); ++l) {
+      const TrueLink& link = rig.links[l];
       if (link.absent) continue;
       const rig_file::Link& told = draw.rig.links[believed++];
       const std::string label = "[" + rig_file::link_label(told) + "]";
       if (told.stiffness_N_m.estimate) add("stiffness" + label, link.k, false);
-      add("viscous" + label, link.c, true);
+      add("viscous" + label, link.c + drift_at_start(rig, l), true);
       if (told.coulomb_N.estimate) add("coulomb" + label, link.F, false);
     }
     for (size_t e = 0; e < rig.effects.size(); ++e) {

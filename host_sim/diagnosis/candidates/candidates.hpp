@@ -20,6 +20,8 @@ std::vector<Candidate> candidates_beside(const System& system, const Model& mode
 
 // From the lowest to the highest elongation of a link, over all records.
 double way_of(const System& system, const std::vector<Prepared>& records, int link);
+// Its rate, rms, of the fastest record.
+double rate_of(const System& system, const std::vector<Prepared>& records, int link);
 
 struct Screened {
   size_t candidate = 0;

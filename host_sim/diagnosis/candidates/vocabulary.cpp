@@ -62,6 +62,10 @@ double way_of(const System& s, const std::vector<Prepared>& records, int link) {
   return extent_of(s, records, static_cast<size_t>(link)).way;
 }
 
+double rate_of(const System& s, const std::vector<Prepared>& records, int link) {
+  return extent_of(s, records, static_cast<size_t>(link)).w_rms;
+}
+
 std::vector<Candidate> candidates_beside(const System& s, const Model& model, const std::vector<Prepared>& records,
                                          bool periodic_too) {
   std::vector<Candidate> list;
@@ -183,6 +187,7 @@ Model joined(const Model& model, const Candidate& c, const std::vector<double>& 
     const Kind k = t.term.kind;
     t.shape_free = k == Kind::kBacklash || k == Kind::kEndStop || k == Kind::kStribeck || k == Kind::kPresliding ||
                    k == Kind::kResonance || k == Kind::kCogging || (k == Kind::kDriftingViscous && t.term.shape > 0);
+    t.shape2_free = k == Kind::kCogging || (k == Kind::kPresliding && t.term.shape2 > 0);
     if (t.host >= 0) t.value = out[static_cast<size_t>(t.host)].value;
     out.push_back(t);
   }

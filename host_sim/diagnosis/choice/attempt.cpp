@@ -170,17 +170,21 @@ Attempt attempt(const Task& task, const State& beside, const std::vector<Candida
   }
   if (from == From::kMeasured) fit(task.system, task.records, a.state.model, a.state.seen, steps, true);
   // shapes wait until their coefficients have a size
-  std::vector<bool> shape_free;
-  for (ModelTerm& m : a.state.model) shape_free.push_back(m.shape_free && m.added), m.shape_free &= !m.added;
-  if (std::any_of(shape_free.begin(), shape_free.end(), [](bool f) { return f; }))
-    a.state.fit = fit(task.system, task.records, a.state.model, a.state.seen, kFirstSteps);
-  for (size_t i = 0; i < shape_free.size(); ++i) a.state.model[i].shape_free |= shape_free[i];
+  const Model shapes = a.state.model;
+  bool any_free = false;
+  for (ModelTerm& m : a.state.model)
+    if (m.added) any_free = any_free || m.shape_free || m.shape2_free, m.shape_free = m.shape2_free = false;
+  if (any_free) a.state.fit = fit(task.system, task.records, a.state.model, a.state.seen, kFirstSteps);
+  for (size_t i = 0; i < shapes.size(); ++i)
+    a.state.model[i].shape_free = shapes[i].shape_free, a.state.model[i].shape2_free = shapes[i].shape2_free;
   settle(task, a.state, steps);
   judge(task, beside, hosted, a);
   return a;
 }
 
-Attempt attempt(const Task& task, const State& beside, const std::vector<Candidate>& all, const Screened& one) {
+namespace {
+
+Attempt undamped(const Task& task, const State& beside, const std::vector<Candidate>& all, const Screened& one) {
   const Candidate& c = all[one.candidate];
   // From a coefficient of nought the first step brings all numbers into balance; what has states of its own starts
   // small.
@@ -202,6 +206,26 @@ Attempt attempt(const Task& task, const State& beside, const std::vector<Candida
   for (const Candidate& o : all)  // what acts in another's place has its full size at once: not every shape leads home
     if (o.same_place(c)) try_again(o, start);
   return a;
+}
+
+// Bristles that were fitted, with a damping of their own (LuGre) that starts where it takes as long as they take to bend. One
+// question is asked: does it leave less than chance would?
+Attempt damped(const Task& task, const State& beside, Attempt bristles) {
+  Candidate c = bristles.candidates[0];
+  keep_shape(bristles.state.model, c);
+  Term& t = c.terms[0];
+  t.shape2 = t.shape / rate_of(task.system, task.records, t.link), ++c.complexity;
+  const Attempt a = attempt(task, beside, {c}, {{bristles.state.model.back().value}}, 2 * kTrialSteps);
+  const bool better = a.state.fit.ok && !a.rounds && whole_error(a) < whole_error(bristles) &&
+                      paired_z(all_blocks(bristles.state), all_blocks(a.state)) > kSure;
+  return better ? a : bristles;
+}
+
+}  // namespace
+
+Attempt attempt(const Task& task, const State& beside, const std::vector<Candidate>& all, const Screened& one) {
+  const Attempt a = undamped(task, beside, all, one);
+  return is_bristles(a) ? damped(task, beside, a) : a;
 }
 
 bool is_bristles(const Attempt& a) {
@@ -229,7 +253,7 @@ Attempt without_bristles(const Task& task, const State& beside, const Attempt& b
   } else {
     Candidate dry = bristles.candidates[0];
     dry.terms = {on_link(Kind::kMissingCoulomb, term.term.link)}, dry.complexity = 0;
-    term.term = dry.terms[0], term.shape_free = false;
+    term.term = dry.terms[0], term.shape_free = term.shape2_free = false;
     a.candidates = {dry};
   }
   for (std::vector<Window>* windows : {&a.state.seen, &a.state.unseen})

@@ -156,7 +156,8 @@ void step_parameters(Model& model, const Vec& change) {
     ModelTerm& t = model[parameters[i].term];
     const double d = change[static_cast<Index>(i)];
     if (parameters[i].shape == 2) {
-      t.term.shape2 += std::clamp(d, -kLongestStep, kLongestStep);
+      const double step = std::clamp(d, -kLongestStep, kLongestStep);
+      t.term.kind == Kind::kCogging ? t.term.shape2 += step : t.term.shape2 *= std::exp(step);
     } else if (parameters[i].shape) {
       t.term.shape *= std::exp(std::clamp(d, -kLongestStep, kLongestStep));
     } else {

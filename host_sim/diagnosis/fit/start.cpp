@@ -60,7 +60,8 @@ Model rig_as_given(const System& s, const std::vector<Prepared>& records) {
       if (!kind_of_word(e.kind, &term.kind)) continue;
       term.given = true;
       term.shape = rig_file::shape_of(e, 0, rig_file::link_rotates(s.rig, link));
-      if (term.kind == Kind::kCogging) term.shape2 = rig_file::shape_of(e, 1, rig_file::link_rotates(s.rig, link));
+      if (term.kind == Kind::kCogging || term.kind == Kind::kPresliding)
+        term.shape2 = rig_file::shape_of(e, 1, rig_file::link_rotates(s.rig, link));
       add(term, e.coefficient);
     }
   }

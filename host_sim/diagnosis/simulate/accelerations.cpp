@@ -80,16 +80,17 @@ void Simulator::accelerations(const Vec& y, const Outside& o, Vec& acc, bool slo
     if (e.by_shape >= 0)
       add(e.a, states() + e.by_shape, -e.value * f.by_log_shape),
           add(e.b, states() + e.by_shape, e.value * f.by_log_shape);
-    if (e.by_phase >= 0)
-      add(e.a, states() + e.by_phase, -e.value * f.by_phase), add(e.b, states() + e.by_phase, e.value * f.by_phase);
+    if (e.by_shape2 >= 0)
+      add(e.a, states() + e.by_shape2, -e.value * f.by_shape2), add(e.b, states() + e.by_shape2, e.value * f.by_shape2);
   };
   for (const Element& e : elements_) {
     if (e.kind == Kind::kCoulomb || e.kind == Kind::kMissingCoulomb || e.kind == Kind::kStribeck) continue;
     const double u = relative(y, 0, e.a, e.b, o.x), w = relative(y, nodes_, e.a, e.b, o.v);
     if (e.kind == Kind::kPresliding) {
       const Index z = 2 * nodes_ + e.z;
-      pull(e, {y[z], 0, 0, 0});
-      if (slopes) add(e.a, z, -e.value), add(e.b, z, e.value);
+      double by_z = 1;
+      pull(e, bristles(w, y[z], e.shape, e.shape2, by_z));
+      if (slopes) add(e.a, z, -e.value * by_z), add(e.b, z, e.value * by_z);
       continue;
     }
     if (e.kind == Kind::kResonance) {

@@ -25,7 +25,7 @@ Simulator::Simulator(const System& system, const Model& model, const Prepared& r
       if (e.kind == Kind::kStiffness || e.kind == Kind::kStiffnessError || e.kind == Kind::kGravity ||
           e.kind == Kind::kEndStop)
         k = std::abs(e.value);
-      if (e.kind == Kind::kPresliding) k = std::abs(e.value) / e.shape;
+      if (e.kind == Kind::kPresliding) k = std::abs(e.value) / e.shape, c = 2 * k * e.shape2;  // as they turn over
       if (e.kind == Kind::kViscous || e.kind == Kind::kMissingViscous) c = std::abs(e.value);
       for (int end : {e.a, e.b})
         if (end >= 0) stiff[end] += k, drag[end] += c;
@@ -73,7 +73,7 @@ void Simulator::compile(const System& system, const Model& model) {
     } else if (t.term.link >= 0 && !replaced[i]) {
       const auto [a, b] = link_ends_[static_cast<size_t>(t.term.link)];
       Element e{kind, a, b, value, t.term.shape, t.term.shape2, by_value, by_shape, -1};
-      e.by_phase = index_of(i, 2);
+      e.by_shape2 = index_of(i, 2);
       e.linear = is_linear(kind);
       if (e.linear) e.by_u = law(kind, 0, 0, 0, 1, 0).by_u, e.by_w = law(kind, 0, 0, 0, 1, 0).by_w;
       if (kind == Kind::kPresliding) e.z = hysteresis_++;

@@ -24,7 +24,9 @@ void Simulator::forces_of_motion(const Mat& x, const Mat& v, const Mat& a, Mat& 
         const double way = u - before, sign = way < 0 ? -1 : 1, fade = std::exp(-std::abs(way) / e.shape);
         z_slope = z_slope * fade + (z - sign) * fade * std::abs(way) / e.shape;
         z = sign + (z - sign) * fade, before = u;
-        f.force = z, f.by_log_shape = z_slope;
+        double by_z = 1;
+        f = bristles(w, z, e.shape, e.shape2, by_z);
+        f.by_log_shape += by_z * z_slope;
       } else if (e.kind == Kind::kCoulomb || e.kind == Kind::kMissingCoulomb || e.kind == Kind::kStribeck) {
         const double spread =
             k + 1 < count && k > 0
@@ -43,7 +45,7 @@ void Simulator::forces_of_motion(const Mat& x, const Mat& v, const Mat& a, Mat& 
         force(node, k) += turn * e.value * f.force;
         if (e.by_value >= 0) slopes[static_cast<size_t>(e.by_value)](node, k) += turn * f.force;
         if (e.by_shape >= 0) slopes[static_cast<size_t>(e.by_shape)](node, k) += turn * e.value * f.by_log_shape;
-        if (e.by_phase >= 0) slopes[static_cast<size_t>(e.by_phase)](node, k) += turn * e.value * f.by_phase;
+        if (e.by_shape2 >= 0) slopes[static_cast<size_t>(e.by_shape2)](node, k) += turn * e.value * f.by_shape2;
       }
     }
   }

@@ -12,7 +12,7 @@ std::vector<Parameter> parameters_of(const Model& model) {
   for (size_t i = 0; i < model.size(); ++i) {
     if (!model[i].known && model[i].host < 0) list.push_back({i, 0});
     if (model[i].shape_free) list.push_back({i, 1});
-    if (model[i].shape_free && model[i].term.kind == Kind::kCogging) list.push_back({i, 2});
+    if (model[i].shape2_free) list.push_back({i, 2});
   }
   return list;
 }
@@ -44,6 +44,16 @@ bool positive(Kind kind) {
 bool is_linear(Kind kind) {
   const auto force = vocabulary::law_of(effect_of(kind)).force;
   return force == vocabulary::laws::elongation || force == vocabulary::laws::rate;
+}
+
+LawValue bristles(double w, double z, double length, double time_s, double& by_z) {
+  constexpr firmware::EffectKind kBristles = firmware::EffectKind::kPreslidingHysteresis;
+  const vocabulary::Shape shapes{{length, time_s}};
+  vocabulary::Point at = vocabulary::point(kBristles, 0, w, 0, shapes);
+  at.z[0] = z;
+  const vocabulary::Force f = vocabulary::force(kBristles, at, shapes);
+  by_z = f.slope.z[0];
+  return {f.value, 0, f.slope.w, length * f.slope.shape[0], time_s * f.slope.shape[1]};
 }
 
 LawValue law(Kind kind, double u, double w, double t_s, double shape, double shape2) {

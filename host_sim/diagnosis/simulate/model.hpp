@@ -12,15 +12,16 @@ struct ModelTerm {
   double value = 0;  // SI units
   double std = 0;    // 0: not fitted
   bool known = true;
-  bool added = false;       // not of the rig file
-  bool shape_free = false;  // term.shape is fitted too, in its logarithm
-  int host = -1;            // acts in place of this term's force, with its coefficient
+  bool added = false;        // not of the rig file
+  bool shape_free = false;   // term.shape is fitted too, in its logarithm
+  bool shape2_free = false;  // term.shape2 too: a phase as it is, a time constant in its logarithm
+  int host = -1;             // acts in place of this term's force, with its coefficient
 };
 using Model = std::vector<ModelTerm>;
 
 struct Parameter {
   size_t term = 0;
-  int shape = 0;  // 0: the coefficient; 1: the logarithm of term.shape; 2: term.shape2 (a phase)
+  int shape = 0;  // 0: the coefficient; 1: the logarithm of term.shape; 2: term.shape2, see ModelTerm
 };
 std::vector<Parameter> parameters_of(const Model& model);
 
@@ -39,9 +40,11 @@ inline double law_time(double t_s, double shape, const Prepared& record) {
 
 // Force of a law with coefficient one (positive against the motion) and its slopes. t_s: time since the record's start.
 struct LawValue {
-  double force = 0, by_u = 0, by_w = 0, by_log_shape = 0, by_phase = 0;
+  double force = 0, by_u = 0, by_w = 0, by_log_shape = 0, by_shape2 = 0;
 };
 bool is_linear(Kind kind);  // in elongation and rate, without shapes
+// Of bristles bent by z, and its slope in z. by_shape2: per unit of the logarithm of their time constant.
+LawValue bristles(double w, double z, double length, double time_s, double& by_z);
 LawValue law(Kind kind, double u, double w, double t_s, double shape, double shape2);
 
 }  // namespace diagnosis::runs

@@ -52,7 +52,7 @@ class Simulator {
     double value, shape, shape2;
     Index by_value = -1, by_shape = -1;
     Index z = -1;  // presliding: its state
-    Index by_phase = -1;
+    Index by_shape2 = -1;
     bool linear = false;  // then its law's slopes are these everywhere
     double by_u = 0, by_w = 0;
   };
