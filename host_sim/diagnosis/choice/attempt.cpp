@@ -216,9 +216,8 @@ Attempt damped(const Task& task, const State& beside, Attempt bristles) {
   Term& t = c.terms[0];
   t.shape2 = t.shape / rate_of(task.system, task.records, t.link), ++c.complexity;
   const Attempt a = attempt(task, beside, {c}, {{bristles.state.model.back().value}}, 2 * kTrialSteps);
-  const bool better = a.state.fit.ok && !a.rounds && whole_error(a) < whole_error(bristles) &&
-                      paired_z(all_blocks(bristles.state), all_blocks(a.state)) > kSure;
-  return better ? a : bristles;
+  if (!a.state.fit.ok || a.rounds || whole_error(a) >= whole_error(bristles)) return bristles;
+  return paired_z(all_blocks(bristles.state), all_blocks(a.state)) > kSure ? a : bristles;
 }
 
 }  // namespace
