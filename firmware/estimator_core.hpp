@@ -37,7 +37,7 @@ class EstimatorCore {
   // A table's batches, or the stretches of the score tests, are being merged, a few with each sample: ending the level now
   // would merge the rest at once, which takes about as long as a hundred batches.
   bool merges_with(const RawSample& next) const {
-    return merges_at_end() && sequence_known_ && next.sequence != next_sequence_;
+    return next.sequence != next_sequence_ && sequence_known_ && merges_at_end();
   }
   bool merges_at_end() const { return collector_.merging() || tests_.merging(); }
   const Estimates& solve();                                  // from everything since reset(); may be called at any time

@@ -3,10 +3,9 @@
 namespace firmware {
 
 hal::SampleResult CanSampleSource::read(RawSample& sample) {
-  hal::CanFrame frame;
-  for (int i = 0; i < kFramesPerRead && bus_.receive(frame) == hal::CanResult::kDone; ++i) {
-    if (frame.error || frame.remote) continue;
-    if (assembler_.push(frame, frame.time_ns, sample)) return hal::SampleResult::kSample;
+  for (int i = 0; i < kFramesPerRead && bus_.receive(frame_) == hal::CanResult::kDone; ++i) {
+    if (frame_.error || frame_.remote) continue;
+    if (assembler_.push(frame_, frame_.time_ns, sample)) return hal::SampleResult::kSample;
   }
   return hal::SampleResult::kNone;
 }

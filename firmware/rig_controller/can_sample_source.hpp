@@ -23,6 +23,7 @@ class CanSampleSource final : public hal::SampleSource {
   static constexpr int kFramesPerRead = 64;  // of other frames, before the caller gets its turn again
   hal::CanBus& bus_;
   SensorAssembler assembler_;
+  hal::CanFrame frame_;  // the last one
 };
 
 // The identifiers that the plan's sensors send; returns their number, at most kMaxSensorFrames.

@@ -45,12 +45,9 @@ class Estimation {
   // judge: tell the diagnosis as well.
   void solve(bool judge);
 
-  // First in a step: goes on with what waits.
-  void advance(uint64_t now_ns) {
-    now_ns_ = now_ns;
-    if (!idle()) return go_on();
-    came_ = 0;
-  }
+  void begin_step(uint64_t now_ns) { now_ns_ = now_ns; }
+  uint64_t now_ns() const { return now_ns_; }
+  void go_on();  // once in a step where it is not idle: with what waits
   bool has_result() const { return fresh_; }
   bool working() const { return working_; }
   bool take_result();  // true: results() are of a solve that has ended since the last call
@@ -79,7 +76,6 @@ class Estimation {
 
   void ask(Kind kind);
   void wait(const RawSample& sample);
-  void go_on();
   Entry& append(Kind kind);
   void perform(const Entry& entry);  // here or on the worker
   bool takes_long(const Entry& entry) const;
@@ -95,7 +91,7 @@ class Estimation {
   bool solve_owed_ = false, judge_owed_ = false;
   bool level_left_out_ = false;  // its samples are dropped
   int first_ = 0, count_ = 0;
-  int came_ = 0;          // entries of the ring since the last advance()
+  int came_ = 0;          // entries of the ring since the last go_on()
   int before_solve_ = 0;  // entries of the ring that come before it
   uint32_t dropped_samples_ = 0;
   uint64_t now_ns_ = 0, begun_ns_ = 0;

@@ -44,8 +44,8 @@ void Measurement::close_begun_window() {
 
 void Measurement::close_window() {
   samples_in_window_ = 0;
-  const bool judge = now_ns_ >= next_judgement_ns_ || !running_;
-  if (judge) next_judgement_ns_ = now_ns_ + kJudgement_ns;
+  const bool judge = estimation_.now_ns() >= next_judgement_ns_ || !running_;
+  if (judge) next_judgement_ns_ = estimation_.now_ns() + kJudgement_ns;
   estimation_.solve(judge);
 }
 

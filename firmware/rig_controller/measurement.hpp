@@ -15,13 +15,13 @@ class Measurement {
   Measurement(const ControllerConfiguration& configuration, hal::Worker* worker)
       : configuration_(configuration), estimation_(configuration.core, worker) {}
 
-  void begin_step(uint64_t now_ns) { now_ns_ = now_ns; }  // first thing in a step
-  void go_on() { estimation_.advance(now_ns_); }          // once in a step: with what waited for the worker
+  void begin_step(uint64_t now_ns) { estimation_.begin_step(now_ns); }  // first thing in a step
+  // Something waits for the worker or has not been told; then, once in a step:
+  bool waits() const { return !estimation_.idle() || estimation_.dropped_samples() != told_dropped_; }
+  void go_on() { estimation_.go_on(); }
   // What go_on() found out; kNone where there is nothing to tell.
-  Alarm worker_alarm();                                                       // the worker does not come back; once
-  Alarm loss_alarm();                                                         // samples that found no room
-  bool may_be_late() const { return worker_late_ || estimation_.working(); }  // else worker_alarm() has none
-  bool has_losses() const { return estimation_.dropped_samples() != told_dropped_; }  // else loss_alarm() has none
+  Alarm worker_alarm();  // the worker does not come back; once
+  Alarm loss_alarm();    // samples that found no room
 
   void forget() { estimation_.reset(); }  // everything that was measured
   void begin_level();
@@ -53,7 +53,6 @@ class Measurement {
   bool worker_late_ = false;
   uint32_t samples_in_window_ = 0;
   uint32_t told_dropped_ = 0;
-  uint64_t now_ns_ = 0;
   uint64_t next_judgement_ns_ = 0;
   Estimation estimation_;
 };

@@ -34,12 +34,7 @@ void RigController::step() {
   judge(supervisor_.check_time(now_ns_, safe_.live()));
   receive_frames();
   if (objects_.has_news()) check_save();
-  measurement_.go_on();
-  if (measurement_.may_be_late()) {
-    const Alarm worker = measurement_.worker_alarm();
-    safe_.live() ? judge(worker) : handle(worker);
-  }
-  if (measurement_.has_losses()) handle(measurement_.loss_alarm());
+  if (measurement_.waits()) go_on_measuring();
   if (measurement_.has_result()) take_results();
   const bool all_taken = take_samples();
   if (ports_.sync_edge != nullptr) check_sync_edge();
@@ -52,6 +47,13 @@ void RigController::step() {
   if (safe_.awaits_delivery()) handle(safe_.check_delivery());
   lamp_.show(!safe_.tripped());
   if (!safe_.output_refuses() && !measurement_.worker_late()) ports_.watchdog.feed();
+}
+
+void RigController::go_on_measuring() {
+  measurement_.go_on();
+  const Alarm worker = measurement_.worker_alarm();
+  safe_.live() ? judge(worker) : handle(worker);
+  handle(measurement_.loss_alarm());
 }
 
 void RigController::boot() {

@@ -88,6 +88,7 @@ class RigController final {
 
   // rig_controller.cpp: the course of a step
   void boot();
+  void go_on_measuring();
   bool start_listening();
   void forget_estimates();
   bool take_samples();
@@ -137,7 +138,8 @@ class RigController final {
   uint16_t passing_faults_ = 0;  // seen since the last status frame
   uint32_t reported_drops_ = 0;
   uint32_t reported_overflows_ = 0;
-  RawSample sample_;  // the last one; channels that are not there stay 0
+  RawSample sample_;     // the last one; channels that are not there stay 0
+  hal::CanFrame frame_;  // the last one received
   DriveLink drive_;
   SafeState safe_;
   ReadyLamp lamp_;

@@ -11,14 +11,13 @@ constexpr uint64_t kMillisecond_ns = 1000000;
 }  // namespace
 
 void RigController::receive_frames() {
-  hal::CanFrame frame;
   for (int taken = 0; taken < kFramesPerStep; ++taken) {
-    const hal::CanResult result = ports_.can.receive(frame);
+    const hal::CanResult result = ports_.can.receive(frame_);
     if (result != hal::CanResult::kDone) {
       if (result == hal::CanResult::kBusDown) follow(bus_.answer(result, now_ns_));
       return;
     }
-    receive(frame);
+    receive(frame_);
   }
 }
 
