@@ -7,6 +7,7 @@
 #include "answer/hum.hpp"
 #include "answer/rows_borne_out.hpp"
 #include "answer/trifles.hpp"
+#include "choice/held_force.hpp"
 
 namespace diagnosis {
 
@@ -67,12 +68,14 @@ Diagnosis diagnose(const rig_file::RigModel& rig, const std::vector<host_sim::Re
   };
   const Asked asked{rig, training, holdout, options};
   const System system = make_system(rig);
-  const std::vector<runs::Prepared> records = runs::prepare_all(rig, training, holdout);
+  std::vector<runs::Prepared> records = runs::prepare_all(rig, training, holdout);
   const bool kept_moving = runs::moving_share(records) > kKeptMoving;
   // The last swings of a decay are too small to bear anything out: of several decays the last is the unseen one.
   const bool last_unseen = holdout.empty() && !kept_moving && training.size() >= kLeastDecays;
   const runs::Task task{system, records, training.size() - (last_unseen ? 1 : 0)};
   runs::Choice choice = runs::rig_fitted(task);
+  if (!runs::massless(rig) && !runs::right(task, choice) && runs::held_force(task, records, choice))
+    choice = runs::rig_fitted(task);
   progress(0.3);
   Diagnosis d;
   RowsSay say;

@@ -252,6 +252,16 @@ void take_numbers(const std::vector<diagnosis::Parameter>& runs, bool values_too
 void name_holds(const Task& task, Diagnosis& d) {
   for (Cause& c : d.causes)
     if (is_hold(task, c)) c.effect = "force_hold", c.parameters.clear(), d.force_between_samples = "steps";
+  for (size_t dof = 0; task.records[0].held && dof < task.records[0].force.size(); ++dof) {
+    if (task.records[0].force[dof].size() == 0) continue;
+    Cause c;
+    c.effect = "force_hold", c.where = "channel " + force_channel(task.system.rig, dof), c.taken_out = true;
+    const auto same = [&](const Cause& o) { return o.effect == c.effect && o.where == c.where; };
+    if (std::none_of(d.causes.begin(), d.causes.end(), same)) d.causes.push_back(c);
+    d.force_between_samples = "steps";
+  }
+  if (task.records[0].held && d.verdict == Verdict::kNone) d.verdict = Verdict::kExplained;
+  if (task.records[0].held && d.verdict == Verdict::kUnknown) d.verdict = Verdict::kPartly;
 }
 
 void answer(const Task& task, const Choice& choice, Diagnosis& d) {

@@ -22,7 +22,7 @@ void take_numbers(const std::vector<diagnosis::Parameter>& runs, bool values_too
 // The rig file with the causes of a model that it can state.
 rig_file::RigModel written_rig(const Task& task, const State& fitted);
 
-// A delay of the force that is half a sample early is named as what it is: the force is held between its samples.
+// A force that is held between its samples is named: found as such, or as a delay of half a sample early.
 void name_holds(const Task& task, Diagnosis& d);
 
 // Scores two models on unseen data: the rig as given and that with the causes. `noise`: mean square of each

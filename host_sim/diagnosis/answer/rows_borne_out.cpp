@@ -90,7 +90,7 @@ bool answered_by_rows(const Asked& asked, const Task& task, Choice& choice, Rows
   }
   d = say.d;
   // a force that is held between its samples is none of the free runs' terms
-  const bool held = d.force_between_samples == "steps";
+  const bool held = d.force_between_samples == "steps" && !task.records[0].held;
   if (any_contradicts(d.extended.parameters, numbers_of(task, with_them))) from_rows(task, say, with_them);
   const std::vector<diagnosis::Parameter> numbers = numbers_of(task, with_them);
   if (!held && any_contradicts(d.extended.parameters, numbers)) {

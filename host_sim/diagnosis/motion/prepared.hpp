@@ -51,6 +51,7 @@ struct Prepared {
   std::vector<Vec> force;  // per DOF; empty: none
   std::vector<Guess> guess;
   Base base;
+  bool held = false;                     // its forces stay at their samples until the next ones
   Index smooth_half = 0, slow_half = 0;  // samples that the guesses are smoothed over, and their drift taken off
   double time_s(Index sample) const { return static_cast<double>(sample) * step_s; }
 };

@@ -6,8 +6,6 @@
 
 // The equations of motion and their slopes.
 namespace diagnosis::runs {
-namespace {}  // namespace
-
 double Simulator::relative(const Vec& y, Index offset, int a, int b, double base) const {
   const auto end = [&](int i) { return i >= 0 ? y[offset + i] : i == -2 ? base : 0.0; };
   return end(a) - end(b);
@@ -124,10 +122,7 @@ void Simulator::accelerations(const Vec& y, const Outside& o, Vec& acc, bool slo
   for (size_t i = 0; i < faults_.size(); ++i)
     if (faults_[i].by_value >= 0) {
       const double r = (o.t_s * substeps_ / record_.step_s - static_cast<double>(at_) / 2);
-      const Vec& s = fine_slope_[i];
-      slope_x_(fine_node_[faults_[i].fine], states() + faults_[i].by_value) +=
-          s[at_] + r * (-3 * s[at_] + 4 * s[at_ + 1] - s[at_ + 2]) +
-          r * r * (2 * s[at_] - 4 * s[at_ + 1] + 2 * s[at_ + 2]);
+      slope_x_(fine_node_[faults_[i].fine], states() + faults_[i].by_value) += drive_at(fine_slope_[i], r);
     }
   if (by_base_delay_ >= 0 && record_.base.ridden) slope_x_.col(states() + by_base_delay_) -= o.jerk * mass_;
   for (Index node = 0; node < nodes_; ++node)

@@ -5,7 +5,12 @@
 
 // What acts from outside, between the samples too: forces and the base.
 namespace diagnosis::runs {
-namespace {}  // namespace
+
+double Simulator::drive_at(const Vec& fine, double r) const {
+  if (steps_) return fine[at_ / (2 * substeps_) * 2 * substeps_];
+  const double f0 = fine[at_], f1 = fine[at_ + 1], f2 = fine[at_ + 2];
+  return f0 + r * (-3 * f0 + 4 * f1 - f2) + r * r * (2 * f0 - 4 * f1 + 2 * f2);
+}
 
 // Between samples, two instants to a substep.
 Vec Simulator::finer(const Vec& y) const {
@@ -46,7 +51,7 @@ void Simulator::upsample(const Model& model) {
     if (record_.force[d].size() == 0) continue;
     where[d] = fine_.size();
     fine_node_.push_back(static_cast<int>(d));
-    double late = 0;
+    double late = late_ ? -0.5 * record_.read_every_s : 0;
     for (const ModelTerm& t : model)
       if (t.term.kind == Kind::kForceDelay && t.term.dof == static_cast<int>(d)) late += t.value;
     // a channel that reads late: the true force came earlier
@@ -88,7 +93,7 @@ Simulator::Outside Simulator::outside(double r) const {
     const double f0 = y[at_], f1 = y[at_ + 1], f2 = y[at_ + 2];
     return f0 + r * (-3 * f0 + 4 * f1 - f2) + r * r * (2 * f0 - 4 * f1 + 2 * f2);
   };
-  for (size_t i = 0; i < fine_.size(); ++i) o.force[fine_node_[i]] += at(fine_[i]);
+  for (size_t i = 0; i < fine_.size(); ++i) o.force[fine_node_[i]] += drive_at(fine_[i], r);
   if (base_x_.size()) o.x = at(base_x_), o.v = at(base_v_), o.a = at(base_a_);
   if (record_.base.ridden) o.carried = at(base_a_);
   if (base_jerk_.size()) o.jerk = at(base_jerk_);

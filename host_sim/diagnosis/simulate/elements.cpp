@@ -35,6 +35,7 @@ Simulator::Simulator(const System& system, const Model& model, const Prepared& r
         fastest = std::max({fastest, std::sqrt(stiff[i] / mass_[i]) * (nodes_ > 1 ? 1.2 : 1.0), drag[i] / mass_[i]});
   }
   substeps_ = std::clamp(static_cast<int>(std::ceil(fastest * record.step_s / kTurnPerStep)), 1, kMostSubsteps);
+  late_ = record.held && record.step_s > 1.5 * record.read_every_s, steps_ = record.held && !late_;
   if (!massless_) upsample(model);
 }
 

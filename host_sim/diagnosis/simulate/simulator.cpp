@@ -91,7 +91,15 @@ void Simulator::accelerations(Index sample, const Vec& y, Vec& a, Mat* slopes) {
   const bool last = sample + 1 >= record_.samples;
   at_ = (last ? sample - 1 : sample) * 2 * substeps_;
   if (last) at_ += 2 * (substeps_ - 1);
-  const Outside o = outside(last ? 1 : 0);
+  Outside o = outside(last ? 1 : 0);
+  for (size_t i = 0; i < fine_.size() && (late_ || (steps_ && last));
+       ++i) {  // what is read at this instant acts at once
+    const Vec& f = fine_[i];
+    const double behind = late_ ? 0.5 * record_.read_every_s / record_.step_s : 0;
+    const double share = static_cast<double>(2 * substeps_), now = static_cast<double>(sample) * share;
+    o.force[fine_node_[i]] += between(f, static_cast<Index>(now + behind * share), std::fmod(behind * share, 1)) -
+                              (steps_ ? drive_at(f, 1) : f[sample * 2 * substeps_]);
+  }
   accelerations(y, o, a, slopes != nullptr);
   a.array() += o.carried;
   if (!slopes) return;

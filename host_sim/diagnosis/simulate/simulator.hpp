@@ -73,6 +73,8 @@ class Simulator {
   void upsample_base(const Model& model);
   Vec finer(const Vec& y) const;
   Outside outside(double share) const;  // of the present substep
+  // Of what drives the rig, on the fine instants: held from sample to sample, or the parabola through the present substep.
+  double drive_at(const Vec& fine, double share) const;
   double relative(const Vec& y, Index offset, int a, int b, double base) const;
   void accelerations(const Vec& y, const Outside& o, Vec& acc, bool slopes);
   double level(const Friction& f, double w) const;
@@ -107,6 +109,9 @@ class Simulator {
   Vec base_x_, base_v_, base_a_, base_jerk_;  // jerk: where the base's delay is fitted
   Index by_base_delay_ = -1;
   Index at_ = 0;  // first fine instant of the present substep
+  // A force that is held over the samples of the record acts, over those of a record that was thinned out, as one that is late
+  // by half of one of them; but an acceleration shows it at once.
+  bool steps_ = false, late_ = false;
   Mat yield_, slope_x_;
   Vec net_;
   Sensitivity ka_[4], kv_[4];

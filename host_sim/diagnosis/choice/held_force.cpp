@@ -1,0 +1,53 @@
+#include "held_force.hpp"
+
+#include "attempt.hpp"
+
+namespace diagnosis::runs {
+namespace {
+
+// What could be taken for a hold: delays of the forces, and of the accelerometers where they act.
+std::vector<Candidate> delays_of(const std::vector<Prepared>& records) {
+  std::vector<Candidate> list;
+  const auto add = [&](Term t) {
+    Candidate c;
+    c.terms = {t};
+    list.push_back(c);
+  };
+  for (const MotionTrace& t : records[0].traces) {
+    if (t.quantity != 2 || records[0].force[static_cast<size_t>(t.dof)].size() == 0) continue;
+    add(on_dof(Kind::kForceDelay, t.dof));
+    Term channel = on_dof(Kind::kChannelDelay, t.dof);
+    channel.quantity = 2;
+    add(channel);
+  }
+  return list;
+}
+
+}  // namespace
+
+bool held_force(const Task& task, std::vector<Prepared>& records, const Choice& choice) {
+  const std::vector<Candidate> delays = delays_of(records);
+  const double noise = noise_share(choice.base_left, choice.base.fit);
+  if (delays.empty() || !choice.base.fit.ok) return false;
+  const auto hold = [&](bool held) {
+    for (Prepared& p : records) p.held = held;
+  };
+  Attempt with;
+  with.state = choice.base;
+  hold(true);
+  settle(task, with.state, kTrialSteps);
+  hold(false);
+  if (!with.state.fit.ok) return false;
+  with.error = error_over(with.state.fit, choice.base.fit);
+  with.unseen = error_over(with.state.unseen_fit, choice.base.unseen_fit);
+  if (!(paired_z(choice.base.fit, with.state.fit) > kNamed) || !unseen_agrees(with) || share_of(with, noise) < kShare)
+    return false;
+  for (const Candidate& c : delays) {
+    const Attempt late = attempt(task, choice.base, {c}, {{0.0}}, kTrialSteps);
+    if (late.state.fit.ok && !(paired_z(late.state.fit, with.state.fit) > kByChance)) return false;
+  }
+  hold(true);
+  return true;
+}
+
+}  // namespace diagnosis::runs
