@@ -62,8 +62,10 @@ TEST(DriveHold, ADelayThatTheHoldWouldExplainIsNotNamed) {
     const diagnosis::Diagnosis held = answer_to(make_draw(seed, none));
     for (const diagnosis::Cause& c : held.causes) EXPECT_NE(c.effect, "sensor_delay") << "seed " << seed;
     if (held.verdict != diagnosis::Verdict::kNone || seed > 3) continue;
+    // the free runs simulate the steps and have no such doubt: the limit is theirs where it is the larger one
     none.drive = Drive::kSmooth;
-    EXPECT_GT(least_delay_of_force_s(held), 1.5 * least_delay_of_force_s(answer_to(make_draw(seed, none))))
+    EXPECT_GT(least_delay_of_force_s(held), 2.5e-6) << "seed " << seed;
+    EXPECT_GT(least_delay_of_force_s(held), least_delay_of_force_s(answer_to(make_draw(seed, none))))
         << "seed " << seed;
   }
 }

@@ -5,7 +5,7 @@
 namespace diagnosis::runs {
 namespace {
 
-// What could be taken for a hold: delays of the forces, and of the accelerometers where they act.
+// What could be taken for a hold: delays of the forces, and of the channels where they act.
 std::vector<Candidate> delays_of(const std::vector<Prepared>& records) {
   std::vector<Candidate> list;
   const auto add = [&](Term t) {
@@ -13,11 +13,13 @@ std::vector<Candidate> delays_of(const std::vector<Prepared>& records) {
     c.terms = {t};
     list.push_back(c);
   };
+  const std::vector<Vec>& force = records[0].force;
+  for (size_t dof = 0; dof < force.size(); ++dof)
+    if (force[dof].size() > 0) add(on_dof(Kind::kForceDelay, static_cast<int>(dof)));
   for (const MotionTrace& t : records[0].traces) {
-    if (t.quantity != 2 || records[0].force[static_cast<size_t>(t.dof)].size() == 0) continue;
-    add(on_dof(Kind::kForceDelay, t.dof));
+    if (force[static_cast<size_t>(t.dof)].size() == 0) continue;
     Term channel = on_dof(Kind::kChannelDelay, t.dof);
-    channel.quantity = 2;
+    channel.quantity = t.quantity;
     add(channel);
   }
   return list;

@@ -1,13 +1,13 @@
-// A force that is held between its samples, where accelerometers show it.
+// A force that is held between its samples, where the motion shows more of it than a delay.
 #pragma once
 #include "choice.hpp"
 
 namespace diagnosis::runs {
 
 // Whether the rig as given follows its records clearly better with forces that stay at their samples until the next ones, and better
-// than with any delay of a force or of an accelerometer that the forces drive directly. Then the records say so from here on
-// (Prepared::held). Displacements and velocities show no more of it than a force that is late by half a sample: that is
-// name_holds()'s.
+// than with any delay of a force or of a channel where one acts. Then the records say so from here on (Prepared::held). An
+// accelerometer shows the steps themselves; noisy displacements and velocities show no more than a force that is late by half a
+// sample: that is name_holds()'s.
 bool held_force(const Task& task, std::vector<Prepared>& records, const Choice& choice);
 
 }  // namespace diagnosis::runs
