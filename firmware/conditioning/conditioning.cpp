@@ -144,6 +144,7 @@ void Conditioning::share_histories() {
     for (int j = i - 1; j >= 0 && path.sections == 0; --j)
       if (path_[j].channel_column == path.channel_column && path_[j].sections == 0)
         path.history_of = static_cast<uint8_t>(j);
+    path.history = static_cast<uint16_t>(i * 2 * kHistory);
     path.window = static_cast<uint16_t>(path.history_of * 2 * kHistory + kHistory - (reach_ - early(path)));
     const int parity = parity_of(signal_of(path).tap, signal_of(path).half_length);
     path.parity = static_cast<int8_t>(path.sections == 0 ? parity : 0);  // integrals have no bit left for a sum
@@ -175,7 +176,7 @@ void Conditioning::delay_velocity(int number) {
         sign.history_of == j)
       continue;
     path.turn = static_cast<uint8_t>((path.turn & kKeepsHistory) | kDelayed);
-    path.partner = static_cast<uint8_t>(j);
+    path.window = static_cast<uint16_t>(sign.history + kHistory - configuration_->sign_half_length);
     sign.turn = static_cast<uint8_t>(sign.turn | kKeepsOutput);
   }
 }
@@ -208,6 +209,7 @@ template <bool kAlike>
 bool Conditioning::copy_codes(const int32_t* code, int32_t* column) const {
   bool saturated = false;
   const uint32_t inside = static_cast<uint32_t>(channel_->inside), count = channel_->count;
+#pragma GCC unroll 2
   for (const Channel *c = channel_, *end = channel_ + channel_count_; c != end; ++c) {
     const int32_t value = code[c->place];
     const uint32_t above = static_cast<uint32_t>(value) - (kAlike ? inside : static_cast<uint32_t>(c->inside));
@@ -230,35 +232,6 @@ bool Conditioning::append(const RawSample& sample, Frame& frame, int at) {
   return !kDerivesSignals || plain_ || filter(frame, at);
 }
 
-bool Conditioning::filter(Frame& frame, int at) {
-  int32_t* column = &frame.raw[0][at];
-  for (const uint8_t *i = keeps_, *end = keeps_ + keep_count_; i != end; ++i) {
-    Path& path = path_[*i];
-    const Code code = Code::from_raw(column[path.channel_column]);
-    keep(*i, path.sections == 0 ? code : high_passed(path, code));
-  }
-  for (const uint8_t *i = works_, *end = works_ + work_count_; i != end; ++i) {
-    const Path& path = path_[*i];
-    int32_t& place = column[path.column];
-    if (path.turn & kAlone) {
-      const Code value = filtered(path);
-      place = value.raw;
-      if (path.turn & kKeepsOutput) keep(*i, value);
-    } else if (path.turn & kDelayed) {
-      place = delayed(path).raw;
-    } else if (path.turn & kWithEven) {
-      filtered_even_pair(path, column);
-    } else if (path.turn & kWithNext) {
-      filtered_pair(path, place, (&place)[kFrameStride]);
-    } else {
-      place = fused(path).raw;
-    }
-  }
-  if (++history_at_ == kHistory) history_at_ = 0;
-  ++received_;
-  return received_ > static_cast<uint32_t>(history_samples_);
-}
-
 void Conditioning::move_frame(Frame& frame, int count, int kept) const {
   for (const Path *path = path_, *end = path_ + path_count_; path != end; ++path) {
     int32_t* to = &frame.raw[0][0] + path->column;
@@ -273,56 +246,84 @@ Code Conditioning::centred(const Channel& channel, int32_t code) {
 
 // sum / 2^shift to nearest; |sum| < 2^62.
 int64_t shifted_to_nearest(int64_t sum, int shift) {
-  return shift == 32 ? ((sum >> 31) + 1) >> 1 : shift > 0 ? (sum + (int64_t{1} << (shift - 1))) >> shift : sum;
+  return shift > 0 ? (sum + (int64_t{1} << (shift - 1))) >> shift : sum;
 }
 
-[[gnu::noinline]] Code Conditioning::clipped(bool high, bool counts) {
-  if (counts && received_ >= static_cast<uint32_t>(history_samples_)) saturated_ = true;  // not while the filters fill
+// What a filter gives while it fills is not saturated, nor is the velocity that only friction's sign is taken from.
+[[gnu::noinline]] Code Conditioning::clipped(bool high, const Path& path) {
+  if (!for_sign(path) && received_ >= static_cast<uint32_t>(history_samples_)) saturated_ = true;
   return Code::from_raw(high ? kSignalLimit : -kSignalLimit);
 }
 
-// Of shifts over 32 bits, the usual ones, the upper word alone is needed.
-inline Code Conditioning::rounded(int64_t sum, int shift, bool counts) {
-  if (shift > 32) {
+// Of shifts from 32 bits on, the usual ones, the upper word and at most a bit of the lower one are needed.
+inline Code Conditioning::rounded(int64_t sum, int shift, const Path& path) {
+  int64_t value;
+  if (shift >= 32) {
     const auto high = static_cast<int32_t>(sum >> 32);
-    const int32_t value = (high + (int32_t{1} << (shift - 33))) >> (shift - 32);
-    return value <= kSignalLimit && value >= -kSignalLimit ? Code::from_raw(value) : clipped(value > 0, counts);
+    const auto bit = static_cast<int32_t>(static_cast<uint32_t>(sum) >> 31);
+    const int32_t nearest = shift == 32 ? high + bit : (high + (int32_t{1} << (shift - 33))) >> (shift - 32);
+    if (nearest <= kSignalLimit && nearest >= -kSignalLimit) return Code::from_raw(nearest);
+    value = nearest;
+  } else {
+    value = shifted_to_nearest(sum, shift);
+    if (value <= kSignalLimit && value >= -kSignalLimit) return Code::from_raw(static_cast<int32_t>(value));
   }
-  const int64_t value = shifted_to_nearest(sum, shift);
-  if (value <= kSignalLimit && value >= -kSignalLimit) return Code::from_raw(static_cast<int32_t>(value));
-  return clipped(value > 0, counts);
+  return clipped(value > 0, path);
 }
 
-Code Conditioning::filtered(const Path& path) {
-  const SignalConfiguration& signal = signal_of(path);
-  return rounded(filter_sum(path.parity, signal.tap, middle_of_window(path), signal.half_length), signal.shift,
-                 !for_sign(path));  // whose limit does not matter
-}
-
-// The acceleration's filter stands behind the velocity's.
-void Conditioning::filtered_pair(const Path& velocity, int32_t& v, int32_t& a) {
-  static_assert(static_cast<int>(Quantity::kAcceleration) == static_cast<int>(Quantity::kVelocity) + 1, "neighbours");
-  const SignalConfiguration* signal = &signal_of(velocity);
-  const OddAndEven sum =
-      odd_and_even_sum(signal[0].tap, signal[1].tap, middle_of_window(velocity), signal->half_length);
-  v = rounded(sum.odd, signal[0].shift).raw;
-  a = rounded(sum.even, signal[1].shift).raw;
-}
-
-void Conditioning::filtered_even_pair(const Path& acceleration, int32_t* column) {
-  const Path& displacement = path_[acceleration.partner];
-  const SignalConfiguration &x = signal_of(displacement), &a = signal_of(acceleration);
-  const TwoEven sum = two_even_sums(x.tap, x.half_length, a.tap, a.half_length, middle_of_window(acceleration));
-  column[displacement.column] = rounded(sum.shorter, x.shift).raw;
-  column[acceleration.column] = rounded(sum.longer, a.shift).raw;
-}
-
-// The sign's velocity of `early` samples ago; at its limit it is taken for saturated.
-Code Conditioning::delayed(const Path& path) {
-  const Code value = history_[path.partner * 2 * kHistory + kHistory + history_at_ - configuration_->sign_half_length];
+// The sign's velocity of some samples ago; at its limit it is taken for saturated.
+inline Code Conditioning::delayed(Code value) {
   const bool at_limit = value.raw >= kSignalLimit || value.raw <= -kSignalLimit;
   if (at_limit && received_ >= static_cast<uint32_t>(history_samples_)) saturated_ = true;
   return value;
+}
+
+// What a filter or two give: signals, those of the configuration; column, the frame's at the sample.
+[[gnu::always_inline]] inline void Conditioning::work_on(const Path& path, const SignalConfiguration* signals,
+                                                         const Code* middle, int32_t* column) {
+  const SignalConfiguration& signal = signals[path.signal];
+  int32_t& place = column[path.column];
+  if (path.turn & kAlone) {
+    const Code value = rounded(filter_sum(path.parity, signal.tap, middle, signal.half_length), signal.shift, path);
+    place = value.raw;
+    if (path.turn & kKeepsOutput) keep(&history_[path.history + history_at_], value);
+  } else if (path.turn & kWithEven) {  // and the displacement's
+    const Path& displacement = path_[path.partner];
+    const SignalConfiguration& x = signals[displacement.signal];
+    const TwoEven sum = two_even_sums(x.tap, x.half_length, signal.tap, signal.half_length, middle);
+    column[displacement.column] = rounded(sum.shorter, x.shift, displacement).raw;
+    place = rounded(sum.longer, signal.shift, path).raw;
+  } else {  // the acceleration's filter stands behind the velocity's
+    const SignalConfiguration& a = (&signal)[1];
+    const OddAndEven sum = odd_and_even_sum(signal.tap, a.tap, middle, signal.half_length);
+    place = rounded(sum.odd, signal.shift, path).raw;
+    (&place)[kFrameStride] = rounded(sum.even, a.shift, path).raw;
+  }
+}
+
+bool Conditioning::filter(Frame& frame, int at) {
+  int32_t* const column = &frame.raw[0][at];
+  Code* const newest = &history_[history_at_];
+  const SignalConfiguration* const signals = &configuration_->signals[0][0];
+  for (const uint8_t *i = keeps_, *end = keeps_ + keep_count_; i != end; ++i) {
+    Path& path = path_[*i];
+    const Code code = Code::from_raw(column[path.channel_column]);
+    keep(newest + path.history, path.sections == 0 ? code : high_passed(path, code));
+  }
+  for (const uint8_t *i = works_, *end = works_ + work_count_; i != end; ++i) {
+    const Path& path = path_[*i];
+    const Code* const middle = newest + path.window;
+    int32_t& place = column[path.column];
+    if (path.turn & kDelayed)
+      place = delayed(*middle).raw;
+    else if (path.turn & kFused)
+      place = fused(path).raw;
+    else
+      work_on(path, signals, middle, column);
+  }
+  if (++history_at_ == kHistory) history_at_ = 0;
+  ++received_;
+  return received_ > static_cast<uint32_t>(history_samples_);
 }
 
 // The first slope is taken to have stood there for ever.
@@ -341,7 +342,7 @@ Code Conditioning::fused(const Path& path) {
   state.once += step - (slope - state.slope) - (state.once >> leak);
   state.twice += state.once - before - (state.twice >> leak);
   state.slope = slope;
-  return rounded(slope + state.twice, signal.shift);
+  return rounded(slope + state.twice, signal.shift, path);
 }
 
 // First-order sections with the pole 1 - 2^-shift. The differences come first, they take the offset away before the

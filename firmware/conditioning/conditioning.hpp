@@ -52,11 +52,13 @@ class Conditioning {
     uint8_t signal = 0;  // node * kQuantities + quantity
     // High-pass: differences come first, then integrations, all with the pole 1 - 2^-shift.
     uint8_t sections = 0, integrations = 0, shift = 0;
-    uint8_t history_of = 0;       // the path that keeps the samples it is made from
-    uint8_t turn = 0;             // what is done for it with each sample
-    int8_t parity = 0;            // of the filter's taps (filter_sum.hpp)
-    uint8_t partner = kNone;      // of a fused velocity: the node's acceleration
-    uint16_t window = 0;          // middle of its window in history_, behind the newest sample's place there
+    uint8_t history_of = 0;   // the path that keeps the samples it is made from
+    uint8_t turn = 0;         // what is done for it with each sample
+    int8_t parity = 0;        // of the filter's taps (filter_sum.hpp)
+    uint8_t partner = kNone;  // of a fused velocity: the node's acceleration
+    uint16_t history = 0;     // its place in history_
+    uint16_t window =
+        0;  // middle of its window in history_, behind the newest sample's place there; delayed: the value
     uint16_t column = 0;          // of the frame, as so many numbers from its start
     uint16_t channel_column = 0;  // that of the channel it is made from
     State section[kMaxSections] = {};
@@ -82,10 +84,7 @@ class Conditioning {
   bool copy_codes(const int32_t* code, int32_t* column) const;
   bool filter(Frame& frame, int at);
   void list_turns();
-  void keep(int path, Code code) {
-    Code* const place = &history_[path * 2 * kHistory + history_at_];
-    place[0] = place[kHistory] = code;
-  }
+  static void keep(Code* place, Code code) { place[0] = place[kHistory] = code; }
   static Code centred(const Channel& channel, int32_t code);
   void link_fused_paths();
   void share_histories();
@@ -100,14 +99,11 @@ class Conditioning {
   static bool for_sign(const Path& path) { return path.column >= kSignVelocityColumn * kFrameStride; }
   // Samples by which it comes before the others.
   int early(const Path& path) const { return for_sign(path) ? configuration_->sign_half_length : 0; }
-  const Code* middle_of_window(const Path& path) const { return &history_[path.window + history_at_]; }
-  Code filtered(const Path& path);
-  void filtered_pair(const Path& velocity, int32_t& v, int32_t& a);
-  void filtered_even_pair(const Path& acceleration, int32_t* column);
-  Code delayed(const Path& path);
+  void work_on(const Path& path, const SignalConfiguration* signals, const Code* middle, int32_t* column);
+  Code delayed(Code value);
   Code fused(const Path& path);
-  Code clipped(bool high, bool counts);
-  Code rounded(int64_t sum, int shift, bool counts = true);
+  Code clipped(bool high, const Path& path);
+  Code rounded(int64_t sum, int shift, const Path& path);
   Code high_passed(Path& path, Code code) const;
   Path& add_path(int node, int quantity, int column);
   void add_sign_velocity(int node);

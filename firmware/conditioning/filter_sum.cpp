@@ -80,6 +80,9 @@ TwoEven two_even_sums(const Tap* short_tap, int short_half, const Tap* long_tap,
 #pragma GCC unroll 4
     for (int k = 1; k <= kAtATime; ++k, in_order()) add(k);
   for (; first != last; ++first, ++second, ++newer, --older) add(1);
+  for (; end - second >= kAtATime; second += kAtATime, newer += kAtATime, older -= kAtATime)
+#pragma GCC unroll 4
+    for (int k = 1; k <= kAtATime; ++k, in_order()) longer += (second[k] * (newer[k] + older[-k])).raw;
   for (; second != end; ++second) longer += (second[1] * (*++newer + *--older)).raw;
   return {shorter, longer};
 }

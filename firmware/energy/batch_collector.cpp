@@ -18,9 +18,13 @@ Part part_of(Batch& batch, const RowLayout& layout, int part) {
   return {batch.dof[part - layout.weight_count].rhs, kDofNumbers};  // the first of its numbers, which are alike
 }
 
-void accumulate_part(Batch& a, Batch& b, const RowLayout& layout, int part) {
-  const Part sum = part_of(a, layout, part), more = part_of(b, layout, part);
-  for (int i = 0; i < sum.count; ++i) sum.number[i] = sum.number[i] + more.number[i];
+// sum = a + b; sum may be one of them. What nobody asks for is 0.
+void add_part(Batch& sum, Batch& a, Batch& b, const RowLayout& layout, int part) {
+  const Part to = part_of(sum, layout, part), one = part_of(a, layout, part), other = part_of(b, layout, part);
+  for (int i = 0; i < to.count; ++i) {
+    const PackedScaled left = one.number[i], right = other.number[i];
+    to.number[i] = right.bits == 0 ? left : left.bits == 0 ? right : left + right;
+  }
 }
 
 void copy_part(Batch& to, Batch& from, const RowLayout& layout, int part) {
@@ -32,7 +36,7 @@ void copy_part(Batch& to, Batch& from, const RowLayout& layout, int part) {
 
 void accumulate(Batch& a, const Batch& b, const RowLayout& layout) {
   a.samples += b.samples;
-  for (int part = 0; part < part_count(layout); ++part) accumulate_part(a, const_cast<Batch&>(b), layout, part);
+  for (int part = 0; part < part_count(layout); ++part) add_part(a, a, const_cast<Batch&>(b), layout, part);
 }
 
 void copy_used(Batch& to, const Batch& from, const RowLayout& layout) {
@@ -125,8 +129,7 @@ void BatchCollector::append(const Batch& batch) {
 void BatchCollector::merge_part() {
   Batch& pair = level().batch[merged_];
   Batch &first = level().batch[2 * merged_], &second = level().batch[2 * merged_ + 1];
-  if (merged_ > 0) copy_part(pair, first, table_.layout, part_);
-  accumulate_part(pair, second, table_.layout, part_);
+  add_part(pair, first, second, table_.layout, part_);
   if (++part_ < part_count(table_.layout)) return;
   part_ = 0;
   pair.samples = first.samples + second.samples;

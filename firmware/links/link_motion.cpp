@@ -4,9 +4,8 @@ namespace firmware {
 namespace {
 
 // 20 times the smoothed velocity fits 32 bits: 20 * 2^23 < 2^28.
-Code velocity(ConstColumn<Code> v, bool smoothed, int i) {
-  return smoothed ? 10 * v[i] + 4 * (v[i - 2] + v[i + 2]) + v[i - 1] + v[i + 1] : v[i];
-}
+Code smooth(ConstColumn<Code> v, int i) { return 10 * v[i] + 4 * (v[i - 2] + v[i + 2]) + v[i - 1] + v[i + 1]; }
+Code velocity(ConstColumn<Code> v, bool smoothed, int i) { return smoothed ? smooth(v, i) : v[i]; }
 
 }  // namespace
 
@@ -25,11 +24,17 @@ void rate_of_difference(const RateGains& gains, const Frame& frame, int from, in
 
 void signs_of_difference(const RateGains& gains, const Frame& frame, bool smoothed, int from, int to,
                          Column<Code> sign) {
+  if (!smoothed) {
+    Code rate[kFrameStride];
+    rate_of_difference(gains, frame, from, to, rate);
+    for (int i = from; i < to; ++i) sign.put(i, Code::from_raw(sign_of(rate[i])));
+    return;
+  }
   static const int32_t kRest[kFrameStride] = {};
   const ConstColumn<Code> a = gains.has_a ? frame.codes(gains.column_a) : ConstColumn<Code>(kRest);
   const ConstColumn<Code> b = gains.has_b ? frame.codes(gains.column_b) : ConstColumn<Code>(kRest);
   for (int i = from; i < to; ++i) {
-    const Code left = velocity(a, smoothed, i), right = velocity(b, smoothed, i);
+    const Code left = smooth(a, i), right = smooth(b, i);
     sign.put(i, Code::from_raw(static_cast<int32_t>(right < left) - static_cast<int32_t>(left < right)));
   }
 }

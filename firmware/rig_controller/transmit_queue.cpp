@@ -2,32 +2,35 @@
 #include "firmware/rig_controller/transmit_queue.hpp"
 
 namespace firmware {
+namespace {
+
+// What is sent of a frame.
+template <typename From, typename To>
+void copy(const From& from, To& to) {
+  to.id = from.id;
+  to.extended = from.extended;
+  to.remote = from.remote;
+  to.error = from.error;
+  to.fd = from.fd;
+  to.flags = from.flags;
+  to.length = from.length;
+  for (int i = 0; i < from.length; ++i) to.data[i] = from.data[i];
+}
+
+}  // namespace
+
 TransmitQueue::TransmitQueue() {
   for (int i = 0; i < kCapacity; ++i) order_[i] = static_cast<uint8_t>(i);
 }
 
 void TransmitQueue::put(Waiting& place, const CanFrame& message) const {
-  place.id = message.id;
+  copy(message, place);
   place.pushed_at = flushes_;
-  place.extended = message.extended;
-  place.remote = message.remote;
-  place.error = message.error;
-  place.fd = message.fd;
-  place.flags = message.flags;
-  place.length = message.length;
-  for (int i = 0; i < message.length; ++i) place.data[i] = message.data[i];
 }
 
 CanFrame TransmitQueue::frame_of(const Waiting& place) {
   CanFrame message;
-  message.id = place.id;
-  message.extended = place.extended;
-  message.remote = place.remote;
-  message.error = place.error;
-  message.fd = place.fd;
-  message.flags = place.flags;
-  message.length = place.length;
-  for (int i = 0; i < place.length; ++i) message.data[i] = place.data[i];
+  copy(place, message);
   return message;
 }
 
