@@ -68,14 +68,24 @@ void EnergySums::fill_clear_signs(Frame& frame, int from, int to, int advance) {
     bool clear[kFrameStride];
     const Column<Code> sign = frame.codes(kClearSignColumn + l);
     clear_sign_[l].fill(frame, from, to, advance, clear, sign);
-    const int filter = kDerivesSignals ? l : 0;
-    if (kDerivesSignals && configuration_->high_pass_order > 0)
-      high_passed_sign_[filter].fill(configuration_->high_pass_order, configuration_->high_pass_shift, from, to,
-                                     advance, sign, frame.passed_sign(l));
-    if (kDerivesSignals && configuration_->sign_half_length > 0)
-      low_passed_sign_[filter].fill(*configuration_, from, to, advance, sign, frame.passed_sign(l), clear);
+    if (kDerivesSignals && configuration_->filters_sign()) filter_sign(frame, l, from, to, advance, clear);
     leave_out(frame, l, from, to, clear);
   }
+}
+
+// Through all filters that the other signals pass: the low-pass of derivatives, the high-pass of integrals, or both where the
+// DOFs' sensors differ.
+void EnergySums::filter_sign(Frame& frame, int link, int from, int to, int advance, bool* clear) {
+  const int filter = kDerivesSignals ? link : 0;
+  const Column<Code> sign = frame.codes(kClearSignColumn + link);
+  Column<PassedSign> passed = frame.passed_sign(link);
+  if (configuration_->sign_half_length > 0)
+    low_passed_sign_[filter].fill(*configuration_, from, to, advance, sign, passed, clear);
+  else
+    for (int n = from; n < to; ++n) passed.put(n, rescale<PassedSign>(sign[n]));
+  if (configuration_->high_pass_order > 0)
+    high_passed_sign_[filter].fill(configuration_->high_pass_order, configuration_->high_pass_shift, from, to, advance,
+                                   passed);
 }
 
 void EnergySums::leave_out(Frame& frame, int link, int from, int to, const bool* clear) {

@@ -52,6 +52,7 @@ class EnergySums {
   void fill_instruments(Frame& frame, int from, int to);
   void fill_signs(Frame& frame, int link, int from, int to);
   void fill_clear_signs(Frame& frame, int from, int to, int advance);
+  void filter_sign(Frame& frame, int link, int from, int to, int advance, bool* clear);
   void leave_out(Frame& frame, int link, int from, int to, const bool* clear);
   void add_crossings(const Frame& frame, int link, bool smoothed, const Rate* rate, int from, int to);
   EndPoint end_point(const Frame& frame, int at) const;

@@ -2,8 +2,7 @@
 
 namespace firmware {
 
-void HighPassedSign::fill(int order, int shift, int from, int to, int advance, Column<Code> sign,
-                          Column<PassedSign> passed) {
+void HighPassedSign::fill(int order, int shift, int from, int to, int advance, Column<PassedSign> sign) {
   State at_next = state_;
   for (int i = from; i < to; ++i) {
     if (i == from + advance) at_next = state_;
@@ -15,7 +14,7 @@ void HighPassedSign::fill(int order, int shift, int from, int to, int advance, C
       state_.previous[s] = value;
       value = state_.section[s];
     }
-    passed.put(i, rescale<PassedSign>(value));
+    sign.put(i, rescale<PassedSign>(value));
   }
   state_ = at_next;
 }

@@ -9,9 +9,9 @@ namespace firmware {
 class HighPassedSign {
  public:
   void restart() { state_ = State{}; }
-  // sign: -1, 0, 1; passed may be the same column. Positions [from, to); goes on from from + advance at the next call.
-  // Sections as in conditioning: pole 1 - 2^-shift; states below 2^38.
-  void fill(int order, int shift, int from, int to, int advance, Column<Code> sign, Column<PassedSign> passed);
+  // The column in place: -1, 0, 1, or what has come through the low-pass. Positions [from, to); goes on from from + advance at
+  // the next call. Sections as in conditioning: pole 1 - 2^-shift; states below 2^39.
+  void fill(int order, int shift, int from, int to, int advance, Column<PassedSign> sign);
 
  private:
   using Section = Fixed<int64_t, PassedSign::kFractionBits + 16>;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace rig_file {
 namespace {
@@ -82,9 +83,17 @@ Impulse second_difference(Band band) {
   return h;
 }
 
-Impulse sum_to_integral() {
-  // Adams' centred six-point rule over [n - 1, n]: weights of samples n - 3 .. n + 2; the sum runs over such steps.
-  return {11.0 / 1440, -93.0 / 1440, 802.0 / 1440, 802.0 / 1440, -93.0 / 1440, 11.0 / 1440, 0.0};
+Impulse sum_to_integral(Band band) {
+  // Adams' centred rule over [n - 1, n], the integral of the polynomial through that many samples around it; the sum runs over
+  // such steps. Weights of the samples on one side, nearest first; the other side has the same.
+  constexpr double kSix[] = {802.0 / 1440, -93.0 / 1440, 11.0 / 1440};
+  constexpr double kTwelve[] = {91473331.0 / 159667200, -15228847.0 / 159667200, 600503.0 / 21288960,
+                                -6409423.0 / 958003200, 331823.0 / 319334400,    -14797.0 / 191600640};
+  const double* const weight = band == Band::kWide ? kTwelve : kSix;
+  const size_t side = band == Band::kWide ? std::size(kTwelve) : std::size(kSix);
+  Impulse rule(2 * side + 1, 0.0);  // the last is no sample of the rule: lengths are odd
+  for (size_t k = 0; k < side; ++k) rule[side + k] = rule[side - 1 - k] = weight[k];
+  return rule;
 }
 
 Impulse convolve(const Impulse& a, const Impulse& b) {

@@ -2,8 +2,9 @@
 //
 // Every filter is a product of: a low-pass (Kaiser-windowed sinc, pass band to a tenth of the sample rate, wide to 0.23); a shift by a
 // fraction of a sample (Lagrange through 12 samples: error below 2e-6 up to an eighth of the sample rate); central differences
-// of eighth order (wide band: of order 14); six-point integration (error 3e-6 at a twentieth of the sample rate). Because derivative and low-pass are separate factors, a signal and its derivative are
-// filtered by exactly the same low-pass, whatever the order of the difference formula.
+// of eighth order (wide band: of order 14); integration over six points (error 3e-6 at a twentieth of the sample rate, 2e-4 at a
+// tenth), wide over twelve (2e-6 at an eighth, 3e-4 at a fifth). Because derivative and low-pass are separate factors, a signal and
+// its derivative are filtered by exactly the same low-pass, whatever the order of the difference formula.
 #pragma once
 #include <vector>
 
@@ -22,7 +23,7 @@ Impulse shifted_all_pass(double advance);
 Impulse first_difference(Band band = Band::kTenth);   // per sample: divide by the sample period
 Impulse second_difference(Band band = Band::kTenth);  // per sample squared
 // Turns the running sum of a signal into its integral, in units of the sample period.
-Impulse sum_to_integral();
+Impulse sum_to_integral(Band band = Band::kTenth);
 Impulse convolve(const Impulse& a, const Impulse& b);
 
 }  // namespace rig_file

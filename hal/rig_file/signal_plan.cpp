@@ -96,8 +96,10 @@ class Plan {
       gain /= period_s_;
       result.largest_bound *= 0.63 / period_s_;
     }
+    // The rule over more samples wherever the history holds it and leaves room for the filter of friction's sign.
+    const Band rule = differentiates() && signal.integrations > 1 ? Band::kTenth : Band::kWide;
     for (int i = 0; i < signal.integrations; ++i) {
-      result.impulse = convolve(result.impulse, sum_to_integral());
+      result.impulse = convolve(result.impulse, sum_to_integral(rule));
       gain *= period_s_ * std::ldexp(1.0, c_.high_pass_shift - firmware::kIntegrationExtraBits);
       result.largest_bound /= 2.0 * M_PI;
     }

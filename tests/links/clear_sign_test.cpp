@@ -84,21 +84,31 @@ TEST(ClearSign, OnAStraightLineEverySampleButTheCrossingIsClear) {
 // One section with the pole 1 - 1/4 on a step from 0 to 1: 1, 3/4, 9/16, ... times 2^20.
 TEST(HighPassedSign, AStepDecaysWithTheFiltersPole) {
   HighPassedSign filter;
-  int32_t sign[kFrameStride] = {0, 1, 1, 1, 1};
-  filter.fill(1, 2, 0, 5, 5, Column<Code>(sign), Column<PassedSign>(sign));
+  int32_t sign[kFrameStride] = {0, 1 << 20, 1 << 20, 1 << 20, 1 << 20};
+  filter.fill(1, 2, 0, 5, 5, Column<PassedSign>(sign));
   const int32_t expected[] = {0, 1 << 20, 3 << 18, 9 << 16, 27 << 14};
   for (int i = 0; i < 5; ++i) EXPECT_EQ(sign[i], expected[i]);
+}
+
+// Behind a low-pass, half a step: 0, 1/2, 3/8, 9/32, ...; read and written in one column.
+TEST(HighPassedSign, TakesWhatHasPassedALowPass) {
+  HighPassedSign filter;
+  int32_t sign[kFrameStride] = {0, 1 << 19, 1 << 19, 1 << 19};
+  filter.fill(1, 2, 0, 4, 4, Column<PassedSign>(sign));
+  const int32_t expected[] = {0, 1 << 19, 3 << 17, 9 << 15};
+  for (int i = 0; i < 4; ++i) EXPECT_EQ(sign[i], expected[i]);
 }
 
 // A block that overlaps the next one by two samples gives the same column as one block.
 TEST(HighPassedSign, GoesOnFromWhereTheNextBlockBegins) {
   int32_t whole[12] = {1, 1, -1, -1, 1, 1, 1, -1, 1, 1, -1, 1}, first[8], second[6];
+  for (int32_t& sign : whole) sign *= 1 << 20;
   for (int i = 0; i < 8; ++i) first[i] = whole[i];
   for (int i = 0; i < 6; ++i) second[i] = whole[6 + i];
   HighPassedSign one, two;
-  one.fill(3, 3, 0, 12, 12, Column<Code>(whole), Column<PassedSign>(whole));
-  two.fill(3, 3, 0, 8, 6, Column<Code>(first), Column<PassedSign>(first));
-  two.fill(3, 3, 0, 6, 6, Column<Code>(second), Column<PassedSign>(second));
+  one.fill(3, 3, 0, 12, 12, Column<PassedSign>(whole));
+  two.fill(3, 3, 0, 8, 6, Column<PassedSign>(first));
+  two.fill(3, 3, 0, 6, 6, Column<PassedSign>(second));
   for (int i = 0; i < 8; ++i) EXPECT_EQ(first[i], whole[i]);
   for (int i = 0; i < 6; ++i) EXPECT_EQ(second[i], whole[6 + i]);
 }

@@ -144,6 +144,34 @@ TEST(Warrant, RightModelsWithoutAccelerometersKeepTheirNumbers) {
     }
 }
 
+// Where one DOF has a displacement alone and another an accelerometer or a velocity alone, all signals pass a low-pass and a
+// high-pass, and friction's sign has to pass both: its force is found within its interval, whichever DOF has which.
+TEST(Warrant, SensorsThatDifferFromDofToDof) {
+  int friction = 0, missed = 0, valid = 0, wrong = 0;
+  for (uint64_t seed = 8100; seed < 8124; ++seed) {
+    Settings settings;
+    settings.condition = "random_clean";
+    settings.sensors = "mixed";
+    settings.masses = 2 + seed % 2;
+    const hidden_rig::Draw draw = hidden_rig::make_draw(seed, settings);
+    const CoreRun run = run_core(draw);
+    if (run.configuration.high_pass_order == 0 || run.configuration.sign_half_length == 0) continue;
+    wrong += valid_and_wrong(draw, run.core->estimates());
+    for (int k = 0; k < run.core->estimates().unknown_count; ++k) {
+      const auto& truth = draw.coefficients[static_cast<size_t>(k)];
+      if (truth.name.find("coulomb") == std::string::npos) continue;
+      const firmware::ParameterEstimate& p = run.core->estimates().parameters[k];
+      ++friction;
+      missed += std::abs(to_double(p.value) - truth.value) > 4.0 * to_double(p.std);
+      valid += p.status == EstimateStatus::kValid;
+    }
+  }
+  EXPECT_GE(friction, 6);
+  EXPECT_GE(3 * valid, friction) << "of " << friction;
+  EXPECT_EQ(missed, 0);
+  EXPECT_EQ(wrong, 0);
+}
+
 TEST(Warrant, TheCauseIsNamedWithItsSize) {
   struct Case {
     const char* hidden;
