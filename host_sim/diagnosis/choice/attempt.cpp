@@ -209,12 +209,12 @@ Attempt undamped(const Task& task, const State& beside, const std::vector<Candid
 }
 
 // Bristles that were fitted, with a damping of their own (LuGre) that starts where it takes as long as they take to bend. One
-// question is asked: does it leave less than chance would?
+// question is asked: does it leave less than chance would? Beside its rivals it is the same cause: none is simpler for that.
 Attempt damped(const Task& task, const State& beside, Attempt bristles) {
   Candidate c = bristles.candidates[0];
   keep_shape(bristles.state.model, c);
   Term& t = c.terms[0];
-  t.shape2 = t.shape / rate_of(task.system, task.records, t.link), ++c.complexity;
+  t.shape2 = t.shape / rate_of(task.system, task.records, t.link);
   const Attempt a = attempt(task, beside, {c}, {{bristles.state.model.back().value}}, 2 * kTrialSteps);
   if (!a.state.fit.ok || a.rounds || whole_error(a) >= whole_error(bristles)) return bristles;
   return paired_z(all_blocks(bristles.state), all_blocks(a.state)) > kSure ? a : bristles;
