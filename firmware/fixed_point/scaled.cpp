@@ -191,7 +191,12 @@ Scaled scale_by_power_of_two(const Scaled& a, int32_t power) {
   return a.mantissa == 0 ? a : normalised(magnitude(a.mantissa), a.exponent + power, a.mantissa < 0);
 }
 
-bool operator<(const Scaled& a, const Scaled& b) { return (a - b).mantissa < 0; }
+// Of two normal numbers of one sign the larger exponent is farther from 0.
+bool operator<(const Scaled& a, const Scaled& b) {
+  const bool one_sign = a.mantissa != 0 && b.mantissa != 0 && (a.mantissa < 0) == (b.mantissa < 0);
+  if (one_sign && a.exponent != b.exponent) return (a.exponent < b.exponent) != (a.mantissa < 0);
+  return a.mantissa < b.mantissa;
+}
 bool operator>(const Scaled& a, const Scaled& b) { return b < a; }
 bool operator<=(const Scaled& a, const Scaled& b) { return !(b < a); }
 bool operator>=(const Scaled& a, const Scaled& b) { return !(a < b); }

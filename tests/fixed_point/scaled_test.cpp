@@ -35,6 +35,19 @@ TEST(Scaled, TimesAWholeNumberHasTheBitsOfTheProduct) {
   EXPECT_TRUE(times(firmware::Scaled::from_int(3), 0).is_zero());
 }
 
+// From the smallest to the largest, each before all that follow: signs, exponents, mantissas, and the two neighbours 2^62 - 1
+// and 2^62, whose difference is one part in 2^62.
+TEST(Scaled, ComparesExactly) {
+  constexpr int64_t kSmallest = int64_t{1} << 61, kLargest = (int64_t{1} << 62) - 1;
+  const Scaled rising[] = {{-kSmallest, 1}, {-kLargest, 0}, {-kSmallest - 1, 0}, {-kSmallest, 0}, {-kLargest, -90}, {},
+                           {kLargest, -90}, {kSmallest, 0}, {kSmallest + 1, 0},  {kLargest, 0},   {kSmallest, 1}};
+  for (const Scaled& a : rising)
+    for (const Scaled& b : rising) {
+      EXPECT_EQ(a < b, &a < &b);
+      EXPECT_EQ(a >= b, &a >= &b);
+    }
+}
+
 }  // namespace
 
 TEST(Scaled, ByHand) {
