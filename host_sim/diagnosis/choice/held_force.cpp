@@ -1,5 +1,7 @@
 #include "held_force.hpp"
 
+#include <algorithm>
+
 #include "attempt.hpp"
 
 namespace diagnosis::runs {
@@ -42,11 +44,15 @@ bool held_force(const Task& task, std::vector<Prepared>& records, const Choice& 
   if (!with.state.fit.ok) return false;
   with.error = error_over(with.state.fit, choice.base.fit);
   with.unseen = error_over(with.state.unseen_fit, choice.base.unseen_fit);
-  if (!(paired_z(choice.base.fit, with.state.fit) > kNamed) || !unseen_agrees(with) || share_of(with, noise) < kShare)
+  // of a short record a window or two are by far the loudest: as a share of their own, as attempts in another's place are judged
+  const double z = std::max(paired_z(choice.base.fit, with.state.fit), paired_share_z(choice.base.fit, with.state.fit));
+  if (!(z > (noise < kMostlyNoise ? kSure : kNamed)) || !unseen_agrees(with) || share_of(with, noise) < kShare)
     return false;
   for (const Candidate& c : delays) {
     const Attempt late = attempt(task, choice.base, {c}, {{0.0}}, kTrialSteps);
-    if (late.state.fit.ok && !(paired_z(late.state.fit, with.state.fit) > kByChance)) return false;
+    const double better =
+        std::max(paired_z(late.state.fit, with.state.fit), paired_share_z(late.state.fit, with.state.fit));
+    if (late.state.fit.ok && !(better > kByChance)) return false;
   }
   hold(true);
   return true;
