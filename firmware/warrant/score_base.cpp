@@ -5,6 +5,7 @@
 namespace firmware {
 namespace {
 
+constexpr int kLeastCertain = 8;     // deviations of the tests' fit, in those of the estimates
 constexpr int kLeastForWeights = 8;  // stretches of a level that show its own scatter
 
 Scaled square(Scaled value) { return value * value; }
@@ -127,26 +128,60 @@ void ScoreTest::invert() {
       if (!inverse_[i][j].is_zero()) inverse_[i][j] = inverse_[i][j] / (scale[i] * scale[j]);
 }
 
-// One step of the fit with the score tests' own instrument, its deviation from the stretches' shares.
-void ScoreTest::compare() {
+// Scores of the estimated terms at parameter_, and the inverse of their matrix.
+void ScoreTest::find_base() {
+  const ProbePlan& plan = sums_->plan();
   for (int k = 0; k < unknowns_; ++k) {
-    difference_[k] = difference_std_[k] = difference_doubt_[k] = Scaled{};
+    determined_[k] = false;
+    base_doubt_[k] = Scaled{};
+    for (int j = 0; j < unknowns_; ++j) normal_[k][j] = Scaled{};
+    for (int s = 0; s < stretches_; ++s, report_work(15)) base_score_[s][k] = {};
+  }
+  for (int p = 0; p < plan.place_count; ++p) weigh(p);
+  for (int j = 0; j < plan.base_count; ++j) add_base(plan.probe[j]);
+  invert();
+}
+
+// What each stretch adds to the step of an unknown; returns the step.
+Scaled ScoreTest::step_of(int unknown, Scaled* share) const {
+  Scaled step;
+  ShortScaled inverse[kMaxUnknowns];
+  for (int j = 0; j < unknowns_; ++j) inverse[j] = short_scaled(inverse_[unknown][j]);
+  for (int s = 0; s < stretches_; ++s, report_work(200 + 100 * unknowns_)) {
+    share[s] = sum_of_products(
+        unknowns_, [&](int j) { return inverse[j]; }, [&](int j) { return base_score_[s][j]; });
+    step = step + share[s];
+  }
+  return step;
+}
+
+// Step of every unknown, its deviation from the stretches' shares, and what of it noise of a doubtful size may be.
+void ScoreTest::measure_step(Scaled* step) {
+  for (int k = 0; k < unknowns_; ++k) {
+    step[k] = difference_std_[k] = difference_doubt_[k] = Scaled{};
     if (!determined_[k]) continue;
-    Scaled* const share = left_;
+    step[k] = step_of(k, left_);
+    const Scaled mean = step[k] / Scaled::from_int(stretches_);
     Scaled squares;
-    ShortScaled inverse[kMaxUnknowns];
-    for (int j = 0; j < unknowns_; ++j) inverse[j] = short_scaled(inverse_[k][j]);
-    for (int s = 0; s < stretches_; ++s, report_work(200 + 100 * unknowns_)) {
-      share[s] = sum_of_products(
-          unknowns_, [&](int j) { return inverse[j]; }, [&](int j) { return base_score_[s][j]; });
-      difference_[k] = difference_[k] + share[s];
-    }
+    for (int s = 0; s < stretches_; ++s) squares = squares + square(left_[s] - mean);
+    difference_std_[k] = sqrt(squares);
     for (int j = 0; j < unknowns_; ++j) difference_doubt_[k] = difference_doubt_[k] + inverse_[k][j] * base_doubt_[j];
     difference_doubt_[k] = abs(difference_doubt_[k]);
-    const Scaled mean = difference_[k] / Scaled::from_int(stretches_);
-    for (int s = 0; s < stretches_; ++s) squares = squares + square(share[s] - mean);
-    difference_std_[k] = sqrt(squares);
   }
+}
+
+// Goes to the coefficients that the score tests' own instrument and blocks give, for the scatter of the stretches is to be taken
+// there: at others it holds what they are off by, times how unlike the stretches are, and hides a force behind it. The scores'
+// sums do not depend on it. Where the tests' own fit is hardly determined the estimates stay: they are nearer to any truth.
+void ScoreTest::settle(const Estimates& estimates) {
+  Scaled none[kMaxUnknowns];
+  find_base();
+  measure_step(difference_);
+  for (int k = 0; k < unknowns_; ++k)
+    if (difference_std_[k] > estimates.parameters[k].std * Scaled::from_int(kLeastCertain)) return;
+  for (int k = 0; k < unknowns_; ++k) parameter_[k] = parameter_[k] + difference_[k];
+  find_base();
+  measure_step(none);
 }
 
 }  // namespace firmware

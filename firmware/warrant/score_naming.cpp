@@ -15,17 +15,20 @@ constexpr int kPlainLimit = 3, kPlainPercent = 80;
 // information in fewer stretches than its neighbours.
 constexpr int kNamingLimit = 4;
 
-// Student's quantiles at the chance of 4.5 deviations of the normal distribution (7e-6: with 80
-// probes one false finding in 2000 records), in tenths, over degrees of freedom.
-struct Quantile {
-  int freedom, tenths;
+// Student's quantiles, in tenths, over degrees of freedom, at the chance of 4.5, 3 and 2 deviations of the normal distribution.
+enum class Chance : uint8_t {
+  kOfFinding,  // 7e-6: with 80 probes one false finding in 2000 records
+  kOfDoubt,    // 3e-3: one of 80 right probes reaches it in every fifth record. The force may well be there
+  kOfOne       // 5e-2
 };
-constexpr Quantile kLimits[] = {{2, 3836}, {3, 687}, {4, 306}, {5, 194}, {6, 145}, {8, 103}, {10, 85}, {12, 75},
-                                {16, 65},  {20, 60}, {24, 57}, {32, 54}, {48, 51}, {64, 49}, {128, 47}};
-// Of that limit, from which on a force may well be there: 4 deviations where the scatter is well known, which 80 right probes
-// reach in one of 200 records. Where one quantity of a DOF is all that is known of its motion, velocities and accelerations have
-// one noise and forces look alike: two deviations, which chance does to one force in 20.
-constexpr int kFoundPercent = 88, kFoundInOnePercent = 42;
+struct Quantile {
+  int freedom;
+  uint16_t tenths[3];
+};
+constexpr Quantile kLimits[] = {{2, {3836, 192, 45}}, {3, {687, 92, 33}}, {4, {306, 66, 29}}, {5, {194, 55, 27}},
+                                {6, {145, 49, 25}},   {8, {103, 43, 24}}, {10, {85, 40, 23}}, {12, {75, 38, 22}},
+                                {16, {65, 35, 22}},   {20, {60, 34, 21}}, {24, {57, 33, 21}}, {32, {54, 33, 21}},
+                                {48, {51, 32, 21}},   {64, {49, 31, 20}}, {128, {47, 31, 20}}};
 
 // All of the node's motion is made from one channel.
 bool one_quantity(const CoreConfiguration& configuration) {
@@ -36,12 +39,23 @@ bool one_quantity(const CoreConfiguration& configuration) {
   return false;
 }
 
-Scaled limit(Scaled freedom) {
-  int tenths = kLimits[0].tenths;
+Scaled limit(Scaled freedom, Chance chance) {
+  const int column = static_cast<int>(chance);
+  int tenths = kLimits[0].tenths[column];
   for (const Quantile& q : kLimits)
-    if (freedom >= Scaled::from_int(q.freedom)) tenths = q.tenths;
+    if (freedom >= Scaled::from_int(q.freedom)) tenths = q.tenths[column];
   return Scaled::ratio(tenths, 10);
 }
+
+// Few stretches may hold most of the information (a sweep that passes a resonance, a blow): their own scatter is hardly known then,
+// and its limits are wide. Noise that is alike in all stretches is known from all of them. Where it makes a force that rare,
+// the few need to bear it out at the next chance only for a finding, and for a doubt not at all.
+bool beyond(const ProbeScore& score, Chance chance, Scaled share) {
+  if (abs(score.wald) > limit(score.freedom, chance) * share) return true;
+  if (abs(score.even_wald) <= limit(score.even_freedom, chance) * share) return false;
+  return chance != Chance::kOfFinding || abs(score.wald) > limit(score.freedom, Chance::kOfDoubt) * share;
+}
+
 Scaled square(Scaled value) { return value * value; }
 Scaled quotient(Scaled a, Scaled b) { return b.is_zero() ? Scaled{} : a / b; }
 Scaled plain_limit(Scaled freedom) {
@@ -89,8 +103,8 @@ bool impossible(const CoreConfiguration& configuration, const ProbePlan& plan, c
 // by the root of the share that was looked at.
 void ScoreTest::keep_bends(int number) {
   const ProbeScore& score = score_[number];
-  const Scaled share = percent(kDerivesSignals && one_quantity(*configuration_) ? kFoundInOnePercent : kFoundPercent);
-  if (abs(score.wald) < limit(score.freedom) * share * seen_root_) return;
+  const bool one = kDerivesSignals && one_quantity(*configuration_);
+  if (!beyond(score, one ? Chance::kOfOne : Chance::kOfDoubt, seen_root_)) return;
   for (int k = 0; k < unknowns_; ++k) {
     const Scaled possible = (abs(score.effect) + score.std) * abs(bend_[k]);
     if (possible > possible_bend_[k]) possible_bend_[k] = possible;
@@ -159,7 +173,8 @@ void ScoreTest::judge_size(int number) {
     score.matters = force > square(percent(kDampingPercent)) * damping_square(probe.place);
   // The same with the scatter that the effect itself is in: the score over its root.
   const auto plain = [&] { return abs(score.effect * score.information) / sqrt(score.before); };
-  score.flagged = score.matters && abs(score.wald) > limit(score.freedom) && plain() > plain_limit(score.freedom);
+  score.flagged =
+      score.matters && beyond(score, Chance::kOfFinding, Scaled::from_int(1)) && plain() > plain_limit(score.freedom);
 }
 
 // The scatter of a place's scores per information is noise alone for the right probe; the smallest one stands for it.
@@ -189,7 +204,8 @@ void ScoreTest::name() {
   // Channels that contradict each other need no model of the rig to be named.
   const auto of_channels = [&](int j) {
     return compares_channels(plan.place[plan.probe[j].place].kind) && score_[j].tested &&
-           abs(score_[j].wald) > limit(score_[j].freedom) && abs(score_[j].effect) > percent(kNamedGainPercent);
+           beyond(score_[j], Chance::kOfFinding, Scaled::from_int(1)) &&
+           abs(score_[j].effect) > percent(kNamedGainPercent);
   };
   const auto sees = [&](int j) {
     if (of_channels(j)) return true;

@@ -9,6 +9,8 @@ constexpr int kLeastFreedom = 2;
 constexpr int kFoundDeviations = 2;  // chance finds as much of one force in 20
 constexpr int kLeastShareLog2 = -6;  // of a force, not taken up by the estimated terms
 
+// Stretches that show what noise does, each with at least 2^-10 of the mean information: below, rounding and products of noise.
+constexpr int kFewestForEven = 16, kLeastInformationLog2 = -10;
 constexpr int kMostInGroup = 8, kLeastGroups = 5;
 
 Scaled square(Scaled value) { return value * value; }
@@ -172,6 +174,21 @@ Scaled ScoreTest::variance_of_sum(const Scaled* share, Scaled& freedom) const {
   return variance;
 }
 
+// Of the sum of the scores, were a stretch's in proportion to its information: the noise alike in all of them. From left_, what
+// the effect leaves.
+Scaled ScoreTest::even_variance(ProbeScore& result) const {
+  const Scaled least = scale_by_power_of_two(result.information / Scaled::from_int(stretches_), kLeastInformationLog2);
+  Scaled noise;
+  int counted = 0;
+  for (int s = 0; s < stretches_; ++s, report_work(350)) {
+    if (d_[s] <= least) continue;
+    noise = noise + square(left_[s]) / d_[s];
+    ++counted;
+  }
+  result.even_freedom = Scaled::from_int(counted - 1);
+  return counted < kFewestForEven ? Scaled{} : noise * result.information / Scaled::from_int(counted - 1);
+}
+
 void ScoreTest::test(int number) {
   const Probe& probe = sums_->plan().probe[number];
   ProbeScore& result = score_[number] = ProbeScore{};
@@ -221,6 +238,7 @@ void ScoreTest::judge_by_scatter(ProbeScore& result) {
     const Scaled rest = one - d_[s] * part;
     if (rest < one) left_[s] = left_[s] / (rest < least ? least : rest);
   }
+  const Scaled even = even_variance(result), single = result.freedom;
   const Scaled deviation = sqrt(variance_of_sum(left_, result.freedom));
   Scaled doubt;  // what of the score may be noise that signals share, beyond what is taken out
   for (int k = 0; k < unknowns_; ++k)
@@ -229,6 +247,8 @@ void ScoreTest::judge_by_scatter(ProbeScore& result) {
   const Scaled sure = abs(sum_psi) > doubt ? abs(sum_psi) - doubt : Scaled{};
   result.std = deviation / result.information;
   result.wald = quotient(sum_psi.is_negative() ? -sure : sure, deviation);
+  // Where neighbours err alike nothing is alike in all.
+  if (result.freedom == single && !even.is_zero()) result.even_wald = result.wald * deviation / sqrt(even);
 }
 
 }  // namespace firmware

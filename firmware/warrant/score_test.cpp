@@ -37,15 +37,9 @@ bool ScoreTest::judge(const CoreConfiguration& configuration, const ScoreSums& s
   seen_root_ = samples_ < offered ? sqrt(samples_ / offered) : Scaled::from_int(1);
   for (int k = 0; k < unknowns_; ++k) {
     parameter_[k] = estimates.parameters[k].value;
-    determined_[k] = false;
-    possible_bend_[k] = bend_of_shape_[k] = base_doubt_[k] = Scaled{};
-    for (int j = 0; j < unknowns_; ++j) normal_[k][j] = Scaled{};
-    for (int s = 0; s < stretches_; ++s, report_work(15)) base_score_[s][k] = {};
+    possible_bend_[k] = bend_of_shape_[k] = difference_[k] = Scaled{};
   }
-  for (int p = 0; p < plan.place_count; ++p) weigh(p);
-  for (int j = 0; j < plan.base_count; ++j) add_base(plan.probe[j]);
-  invert();
-  compare();
+  settle(estimates);
   for (int j = 0; j < plan.probe_count; ++j) {
     own_square_[j] = Scaled{};
     test(j);

@@ -11,7 +11,9 @@
 //   effect = sum psi / sum d,    Wald = sum psi / sqrt( sum of ((psi_s - effect d_s) / (1 - h_s))^2 ),  h_s = d_s / sum d.
 // The scatter is what is left with the effect included (the plain one holds the effect itself); 1 - h_s is the
 // leave-one-out correction for the share of the information that one stretch holds. Limits are Student's for the
-// effective number of stretches, at the chance of 4.5 deviations of the normal distribution (7e-6).
+// effective number of stretches, at the chance of 4.5 deviations of the normal distribution (7e-6). The even Wald has
+//   mean of left_s^2 / d_s, times sum d
+// in place of the scatter: the noise alike in all stretches, so that those that hold little information tell it too.
 #pragma once
 #include "firmware/identification/estimate.hpp"
 #include "firmware/warrant/combination.hpp"
@@ -26,6 +28,8 @@ struct ProbeScore {
   Scaled effect, std;    // SI units of the probe's coefficient
   Scaled wald;           // effect over its deviation
   Scaled freedom;        // effective number of stretches
+  Scaled even_wald;      // the same, were the noise alike in all stretches
+  Scaled even_freedom;   // and their number then
   Scaled information;    // sum of d
   Scaled before;         // sum of psi^2
   Scaled scatter;        // what is left: sum of (psi - effect d)^2
@@ -76,12 +80,16 @@ class ScoreTest {
   void add_base(const Probe& probe);
   void add_base_level(int row, int level);
   void invert();
-  void compare();
+  void find_base();
+  Scaled step_of(int unknown, Scaled* share) const;
+  void measure_step(Scaled* step);
+  void settle(const Estimates& estimates);
   void test(int number);
   void score_level(int level);
   bool conclude(ProbeScore& result);
   void judge_by_scatter(ProbeScore& result);
   Scaled variance_of_sum(const Scaled* share, Scaled& freedom) const;
+  Scaled even_variance(ProbeScore& result) const;
   void find_answers(int level);
   void share_out();
   void add_bent_base(int level);

@@ -155,6 +155,17 @@ Finding finding_of(const CoreConfiguration& configuration, const Estimates& esti
   return finding;
 }
 
+// What a late channel takes from an equation its estimated masses and springs pass on: they stand beside everything else.
+bool spreads_skew(const CoreConfiguration& configuration, const Estimates& estimates) {
+  bool skewed = false, passes_on = false;
+  for (int k = 0; k < estimates.unknown_count; ++k) {
+    const Term* term = term_of(configuration, k);
+    skewed = skewed || estimates.parameters[k].status == EstimateStatus::kSkewed;
+    passes_on = passes_on || (term != nullptr && is_in(kConservative, term->kind));
+  }
+  return skewed && passes_on;
+}
+
 bool measures_velocity(const CoreConfiguration& configuration, int dof) {
   return !configuration.fusion[dof].used && !configuration.signals[dof][static_cast<int>(Quantity::kVelocity)].derived;
 }
@@ -308,6 +319,8 @@ void give_verdict(const CoreConfiguration& configuration, const ScoreSums& sums,
   const bool derived = kDerivesSignals && one_channel(configuration, Quantity::kForce);
   const bool twice_derived = kDerivesSignals && one_channel(configuration, Quantity::kDisplacement);
   bool contradicted = false, inseparable = false;  // the record cannot tell the rig's own terms apart
+  if (spreads_skew(configuration, estimates))
+    for (int k = 0; k < estimates.unknown_count; ++k) raise(estimates.parameters[k], EstimateStatus::kSkewed);
   for (int k = 0; k < estimates.unknown_count; ++k)
     contradicted = contradicted || contradicts(configuration, k, estimates.parameters[k]);
   for (int k = 0; k < estimates.unknown_count; ++k)
