@@ -40,6 +40,8 @@ class EstimatorCore {
     return next.sequence != next_sequence_ && sequence_known_ && merges_at_end();
   }
   bool merges_at_end() const { return collector_.merging() || tests_.merging(); }
+  // The last sample has completed a block: its columns and score tests are done, its sums come with the next one.
+  bool owes_sums() const { return filled_columns_ != 0; }
   const Estimates& solve();                                  // from everything since reset(); may be called at any time
   const Estimates& estimates() const { return estimates_; }  // of the last solve
   const CoreHealth& health() const { return health_; }

@@ -59,9 +59,11 @@ Estimation::Entry& Estimation::append(Kind kind) {
 
 void Estimation::go_on() {
   if (working_ && worker_->done()) finish();
-  const int most = came_ + kCatchUp;
+  const int came = came_, most = came + kCatchUp;
   came_ = 0;
   for (int taken = 0; taken < most && !working_; ++taken) {
+    // A block's two halves are for two steps, in catching up too.
+    if (taken >= came && taken > 0 && core_.owes_sums()) return;
     if (solve_owed_ && before_solve_ == 0) {
       solve_owed_ = false;
       Entry solve;

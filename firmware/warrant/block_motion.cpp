@@ -183,6 +183,32 @@ void BlockMotion::fill_neighbours() {
   }
 }
 
+// The friction's direction is not that of the sample before or after.
+bool BlockMotion::turns(int link, int sample) const {
+  const int32_t* sign = clear_sign_[link] + kProbeLead + sample;
+  return (sign[-1] > 0) != (sign[0] > 0) || (sign[1] > 0) != (sign[0] > 0);
+}
+
+// Electronics and an anti-alias filter smear friction's jump in the acceleration over the samples beside it, which looks like a
+// Stribeck force. Signs that have passed a filter with their equation jump as it does.
+void BlockMotion::fill_settled() {
+  for (int i = 0; i < configuration_->dof_count; ++i) {
+    if (!signs_.dof[i]) continue;
+    const int32_t* counted = counted_[i] + kProbeLead;
+    for (int n = 0; n < kBlockSamples; ++n)
+      settled_[i][n] = counted[n] != 0 && (signs_.filtered || (counted[n - 1] != 0 && counted[n + 1] != 0));
+  }
+  for (int l = 0; l < configuration_->link_count && !signs_.filtered; ++l) {
+    if (!signs_.link[l]) continue;
+    const int nodes[] = {configuration_->links[l].node_a, configuration_->links[l].node_b};
+    for (const int i : nodes) {
+      if (i >= configuration_->dof_count || !signs_.dof[i]) continue;
+      for (int n = 0; n < kBlockSamples; ++n)
+        if (turns(l, n)) settled_[i][n] = false;
+    }
+  }
+}
+
 void BlockMotion::fill_link(int l) {
   const NodeDifference &u = elongation_[l], &w = rate_[l];
   for (int n = 0; n < kBlockSamples; ++n)
@@ -238,6 +264,7 @@ void BlockMotion::fill_columns() {
   for (int i = 0; i < configuration_->dof_count; ++i)
     if (derives_acceleration_[i]) fill_acceleration(i);
   fill_neighbours();
+  fill_settled();
   for (int e = 0; e < effects_; ++e)
     for (int n = 0; n < kBlockSamples; ++n) column_[kForceLawColumn + e][n] = force_law_[e][kProbeLead + n];
   for (int i = 0; i < configuration_->dof_count; ++i) {

@@ -71,11 +71,9 @@ class BlockMotion {
   const int32_t* signal(int row) const { return &signal_[row][kProbeLead]; }  // [-4, kBlockSamples + 4)
   // The same from the four samples on either side of each (neighbours.hpp): codes in Q3.
   const int32_t* between_neighbours(int row) const { return near_[row]; }
-  // Does the equation of the DOF count this sample of the block?
+  // Does the equation of the DOF leave samples out? Which it counts, and beside no reversal of friction at the DOF.
   bool leaves_out(int dof) const { return signs_.dof[dof]; }
-  bool counts(int dof, int sample) const {
-    return counted_[dof][kProbeLead + sample] != 0;
-  }  // where it leaves some out
+  bool counts(int dof, int sample) const { return settled_[dof][sample]; }
   bool has_clear_sign(int link) const { return signs_.link[link]; }
   // From the slope of velocities: what jumps in the acceleration is then smeared over kNeighbours samples on either side.
   bool derives_acceleration(int dof) const { return derives_acceleration_[dof]; }
@@ -90,6 +88,8 @@ class BlockMotion {
   void share_known_terms();
   void fill_acceleration(int dof);
   void fill_neighbours();
+  void fill_settled();
+  bool turns(int link, int sample) const;
   void fill_link(int link);
   void fill_soft_sign(int link);
   void fill_known(int dof);
@@ -117,6 +117,7 @@ class BlockMotion {
   alignas(16) int32_t force_law_[kMaxEffectColumns][kProbeSamples];
   alignas(16) int32_t clear_sign_[kMaxLinks][kProbeSamples];
   alignas(16) int32_t counted_[kMaxDofs][kProbeSamples];  // zero: left out
+  bool settled_[kMaxDofs][kBlockSamples];
   alignas(16) int32_t column_[kMotionColumns][kBlockSamples];
   Scaled unit_[kMotionColumns];
 };

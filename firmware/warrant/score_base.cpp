@@ -5,7 +5,6 @@
 namespace firmware {
 namespace {
 
-constexpr int kLeastCertain = 8;     // deviations of the tests' fit, in those of the estimates
 constexpr int kLeastForWeights = 8;  // stretches of a level that show its own scatter
 
 Scaled square(Scaled value) { return value * value; }

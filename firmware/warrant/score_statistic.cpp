@@ -206,6 +206,15 @@ void ScoreTest::test(int number) {
   keep_bend_of_shape(number);
 }
 
+// An instrument that moves against what it stands for says the same with the other sign.
+void ScoreTest::turn_round(ProbeScore& result) {
+  for (int s = 0; s < stretches_; ++s, report_work(30)) {
+    psi_[s] = -psi_[s];
+    d_[s] = -d_[s];
+  }
+  result.information = -result.information;
+}
+
 // The effect. False: the record cannot tell it from the estimated coefficients.
 bool ScoreTest::conclude(ProbeScore& result) {
   Scaled sum_psi, d_squares;
@@ -217,14 +226,18 @@ bool ScoreTest::conclude(ProbeScore& result) {
   }
   if (result.before.is_zero()) return false;
   const Scaled share = quotient(result.information, sum_own_);
-  if (result.information.is_zero() || share < Scaled::from_int(1, kLeastShareLog2)) {
+  // Neighbours of so few samples a period that they move against the sample: no slope is taken from them either.
+  const bool against = result.information.is_negative();
+  if (result.information.is_zero() || (against && compares_channels(place_->kind)) ||
+      share < Scaled::from_int(1, kLeastShareLog2)) {
     keep_blind(*probe_);
     return false;
   }
+  if (against) turn_round(result);
   result.freedom = square(result.information) / d_squares - Scaled::from_int(1);
   if (result.freedom < Scaled::from_int(kLeastFreedom)) return false;
   result.tested = true;
-  result.effect = sum_psi / result.information;
+  result.effect = (against ? -sum_psi : sum_psi) / result.information;
   return true;
 }
 

@@ -21,6 +21,9 @@
 
 namespace firmware {
 
+constexpr int kLeastCertain =
+    8;  // deviations of the tests' own fit, in those of the estimates: beyond, it is hardly determined
+
 struct ProbeScore {
   bool tested = false;   // the record can tell this force from the estimated ones
   bool matters = false;  // large enough beside the damping forces
@@ -86,6 +89,7 @@ class ScoreTest {
   void settle(const Estimates& estimates);
   void test(int number);
   void score_level(int level);
+  void turn_round(ProbeScore& result);
   bool conclude(ProbeScore& result);
   void judge_by_scatter(ProbeScore& result);
   Scaled variance_of_sum(const Scaled* share, Scaled& freedom) const;

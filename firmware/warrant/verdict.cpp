@@ -269,6 +269,14 @@ bool fits_differ(const ScoreTest& test, int unknown, const ParameterEstimate& pa
   return difference > std * Scaled::ratio(5, 2) && is_wrong_by(difference + std, parameter);
 }
 
+// The score tests' own fit hardly determines the coefficient: their instrument does not follow a motion of so few samples a period, and
+// no force that would bend it shows.
+bool hardly_tested(const ScoreTest& test, int unknown, const ParameterEstimate& parameter) {
+  const Scaled std = test.difference_std(unknown);
+  return std > parameter.std * Scaled::from_int(kLeastCertain) &&
+         std * Scaled::from_int(kWrongShare) > abs(parameter.value);
+}
+
 // A node's velocity is made from one channel alone, from that of the source or (kForce) of any.
 bool one_channel(const CoreConfiguration& configuration, Quantity source) {
   for (int node = 0; node < configuration.dof_count; ++node) {
@@ -334,8 +342,9 @@ void give_verdict(const CoreConfiguration& configuration, const ScoreSums& sums,
       continue;
     }
     if (test.best() >= 0) raise(parameter, EstimateStatus::kModelSuspect);
-    if (is_wrong_by(test.possible_bend(k), parameter) || (derived && fits_differ(test, k, parameter)) ||
-        (twice_derived && blind(configuration, test, k)) || (inseparable && test.mimics(k)))
+    if (is_wrong_by(test.possible_bend(k), parameter) || hardly_tested(test, k, parameter) ||
+        (derived && fits_differ(test, k, parameter)) || (twice_derived && blind(configuration, test, k)) ||
+        (inseparable && test.mimics(k)))
       raise(parameter, EstimateStatus::kUntested);
     if (instruments_differ(test, k, parameter)) raise(parameter, EstimateStatus::kBiasSuspect);
     // A second level asks the model another question.

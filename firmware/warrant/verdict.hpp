@@ -11,7 +11,8 @@
 // One level, and the rate of a coefficient's link has one amplitude, as with one tone (mean of w^4 over the squared mean of w^2
 // below 1.56; 1.5 for one tone, 2.25 for two, 3 for a random band): other damping laws differ in their harmonics alone, and have
 // to be excluded with two deviations whatever is found of them. With displacements alone also where a damping law of the link
-// cannot be told from its coefficients. Also where the record is too short to test anything.
+// cannot be told from its coefficients. Also where the tests' own fit hardly determines the coefficient, and where the record is too
+// short to test anything.
 // Where signals pass filters and nobody has said how much noise their channels have, the score tests are not calibrated:
 // they say nothing, warrant.tested is false, and only impossible coefficients and late channels are told.
 #pragma once

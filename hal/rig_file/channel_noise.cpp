@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "firmware/configuration/configuration.hpp"
+#include "hal/rig_file/filtered_noise.hpp"
 
 namespace rig_file {
 namespace {
@@ -172,7 +173,12 @@ ChannelNoise read_noise(const Records& records, int node, int quantity, double r
   if (bands.fits(0.0) || std::fabs(pole) < kWhitePole) {
     noise.doubt = kWhiteDoubt;
   } else if (quantity == kDisplacement) {
-    if (bands.fits(pole)) noise.pole = pole, noise.doubt = kColouredDoubt;
+    if (bands.fits(pole)) {
+      noise.pole = pole, noise.doubt = kColouredDoubt;
+    } else if (const FilteredNoise filtered = read_filtered_noise(records, node, quantity); filtered.variance > 0.0) {
+      noise.correlation = filtered.correlation, noise.doubt = filtered.doubt;
+      white = filtered.variance;
+    }
   } else if (const double low = low_level(records, node, quantity, rate_Hz); low > 0.0) {
     if (low > kColouredLevel * white) noise.pole = pole_between(bands.filter[0], bands.power[0], low);
     white = std::min(white, low);

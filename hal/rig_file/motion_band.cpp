@@ -26,12 +26,11 @@ double mean_square(const Records& records, int node, const Impulse& h) {
   return count == 0 ? 0.0 : squares / static_cast<double>(count);
 }
 
-// Power of the filter's output for first-order noise.
+// Power of the filter's output for the noise.
 double noise_power(const Impulse& h, const ChannelNoise& noise) {
   double sum = 0.0;
   for (size_t i = 0; i < h.size(); ++i)
-    for (size_t k = 0; k < h.size(); ++k)
-      sum += h[i] * h[k] * std::pow(noise.pole, std::fabs(static_cast<double>(i) - static_cast<double>(k)));
+    for (size_t k = 0; k < h.size(); ++k) sum += h[i] * h[k] * noise.correlated(i < k ? k - i : i - k);
   return noise.deviation * noise.deviation * sum;
 }
 

@@ -110,14 +110,22 @@ void add_to_probes(double variance, const Responses& of, const Responses& with,
   }
 }
 
-// The response to first-order noise of unit variance instead of to one code: sum of pole^|lag| times the response.
-std::vector<double> coloured(const std::vector<double>& response, double pole) {
-  if (pole == 0.0) return response;
+// The response to noise of unit variance instead of to one code: sum of its correlation over lags times the response.
+std::vector<double> coloured(const std::vector<double>& response, const ChannelNoise& noise) {
+  if (noise.white()) return response;
   std::vector<double> out = response;
-  for (size_t n = 1; n < out.size(); ++n) out[n] += pole * out[n - 1];
+  if (!noise.correlation.empty()) {
+    for (size_t n = 0; n < out.size(); ++n)
+      for (size_t lag = 1; lag < noise.correlation.size(); ++lag) {
+        if (n >= lag) out[n] += noise.correlation[lag] * response[n - lag];
+        if (n + lag < out.size()) out[n] += noise.correlation[lag] * response[n + lag];
+      }
+    return out;
+  }
+  for (size_t n = 1; n < out.size(); ++n) out[n] += noise.pole * out[n - 1];
   double after = 0.0;
   for (size_t n = out.size(); n-- > 0;) {
-    const double next = pole * (after + (n + 1 < out.size() ? response[n + 1] : 0.0));
+    const double next = noise.pole * (after + (n + 1 < out.size() ? response[n + 1] : 0.0));
     out[n] += next;
     after = next;
   }
@@ -136,7 +144,7 @@ struct Products {
     Responses of, with;
     for (int q = kX; q <= kA; ++q) {
       of[q] = c.signals[node][q].available ? response(c, node, q, channel, count) : std::vector<double>(count, 0.0);
-      with[q] = coloured(of[q], noise.pole);
+      with[q] = coloured(of[q], noise);
     }
     const double variance = noise.deviation * noise.deviation;
     add_to_energies(c, node, variance, of, with, energies);
@@ -149,7 +157,7 @@ struct Products {
 };
 
 void add_force(CoreConfiguration& c, int node, const ChannelNoise& noise, size_t count) {
-  const std::vector<double> force = response(c, node, kF, kF, count), with = coloured(force, noise.pole);
+  const std::vector<double> force = response(c, node, kF, kF, count), with = coloured(force, noise);
   double sum = 0.0;
   for (size_t n = 4; n + 4 < count; ++n) sum += between_neighbours(force, n) * with[n];
   c.probe_noise[node].force = to_scaled(noise.deviation * noise.deviation * sum);

@@ -294,7 +294,7 @@ double largest_value(const CoreConfiguration& c, int node, int q, const std::vec
 // of the spectrum.
 bool coloured_displacement(const CoreConfiguration& c, const SignalRanges& ranges) {
   for (int node = 0; node < c.dof_count; ++node)
-    if (c.channels[node][kX].present && ranges.noise[node][kX].pole != 0.0) return true;
+    if (c.channels[node][kX].present && !ranges.noise[node][kX].white()) return true;
   return false;
 }
 

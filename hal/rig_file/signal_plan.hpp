@@ -22,7 +22,7 @@ namespace rig_file {
 // costs resolution). A signal has 22 bits for it and one to spare.
 struct SignalRanges {
   double largest[firmware::kMaxNodes][firmware::kQuantities] = {};
-  ChannelNoise noise[firmware::kMaxNodes][firmware::kQuantities] = {};  // in codes
+  ChannelNoise noise[firmware::kMaxNodes][firmware::kQuantities];  // in codes
   bool wide_band =
       false;  // a displacement moves beyond a tenth of the sample rate: where it is differentiated, pass more of it
 };

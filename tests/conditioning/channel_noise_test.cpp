@@ -56,11 +56,64 @@ TEST(ChannelNoise, ColouredNoiseOfAnAccelerationIsReadBelowTheMotion) {
   EXPECT_NEAR(noise.deviation, 1e4, 3e3);
 }
 
+// One pole pair of a low-pass by the bilinear transform, corner 0.22 per sample.
+std::vector<double> passed(const std::vector<double>& in, double quality) {
+  const double w = std::tan(M_PI * 0.22), a0 = 1 + w / quality + w * w;
+  std::vector<double> out(in.size());
+  for (size_t n = 2; n < in.size(); ++n)
+    out[n] = (w * w * (in[n] + 2 * in[n - 1] + in[n - 2]) - 2 * (w * w - 1) * out[n - 1] -
+              (1 - w / quality + w * w) * out[n - 2]) /
+             a0;
+  return out;
+}
+// Fourth order, Butterworth.
+std::vector<double> behind_filter(const std::vector<double>& in) { return passed(passed(in, 0.5412), 1.3066); }
+
+std::vector<firmware::RawSample> displacement(const std::vector<double>& values) {
+  std::vector<firmware::RawSample> samples(values.size());
+  for (size_t n = 0; n < values.size(); ++n)
+    samples[n].code[0][static_cast<int>(Quantity::kDisplacement)] = static_cast<int32_t>(std::lround(values[n]));
+  return samples;
+}
+
+// White noise of 2e4 codes through a filter of impulse response h: autocovariance 4e8 sum of h[n] h[n + lag].
+TEST(ChannelNoise, NoiseBehindAnAntiAliasFilterHasTheFiltersCorrelation) {
+  std::mt19937 random(8);
+  std::normal_distribution<double> normal(0.0, 2e4);
+  std::vector<double> noise_in(20000), impulse(64, 0.0);
+  for (double& value : noise_in) value = normal(random);
+  impulse[2] = 1;
+  const std::vector<double> h = behind_filter(impulse);
+  std::vector<double> values = behind_filter(noise_in);
+  for (size_t n = 0; n < values.size(); ++n)
+    values[n] += 1e6 * std::sin(2 * M_PI * 10.0 * static_cast<double>(n) / kRate_Hz);
+  double covariance[4] = {};
+  for (size_t lag = 0; lag < 4; ++lag)
+    for (size_t n = 0; n + lag < h.size(); ++n) covariance[lag] += 4e8 * h[n] * h[n + lag];
+  const auto noise = read({displacement(values)}, Quantity::kDisplacement);
+  EXPECT_FALSE(noise.white());
+  EXPECT_NEAR(noise.deviation * noise.deviation, covariance[0], 0.1 * covariance[0]);
+  for (size_t lag = 0; lag < 4; ++lag) EXPECT_NEAR(noise.correlated(lag), covariance[lag] / covariance[0], 0.03) << lag;
+  EXPECT_LT(noise.doubt, 0.45);
+}
+
+// The same spectrum, but a motion's: level up to a corner, with white noise of 1 % below it.
+TEST(ChannelNoise, AMotionUpToACornerIsNoNoise) {
+  std::mt19937 random(9);
+  std::normal_distribution<double> normal;
+  std::vector<double> motion(20000);
+  for (double& value : motion) value = 1e6 * normal(random);
+  motion = behind_filter(motion);
+  for (double& value : motion) value += 1e4 * normal(random);
+  EXPECT_TRUE(read({displacement(motion)}, Quantity::kDisplacement).correlation.empty());
+}
+
 // At 0.35 of the sample rate a motion stands in every band that noise is read in.
 TEST(ChannelNoise, AMotionThatFillsTheBandLeavesABound) {
   const auto noise = read({record(Quantity::kDisplacement, 350.0, 1e4, 0.0, 4)}, Quantity::kDisplacement);
   EXPECT_GE(noise.doubt, 1.0);
   EXPECT_GT(noise.deviation, 1e4);
+  EXPECT_TRUE(noise.correlation.empty());
 }
 
 // 1e4 codes in one record and twice that in the other: 2.5 times the mean square of the first, so off by 60 % in each.

@@ -57,7 +57,7 @@ bool noise_alone(const std::vector<Record>& records, size_t channel, size_t size
     codes.push_back(std::move(made));
   }
   const rig_file::ChannelNoise noise = rig_file::read_noise({codes.front()}, 0, kDisplacement, 1.0);
-  return noise.deviation > 0 && noise.pole == 0.0 && noise.doubt < kReadable;
+  return noise.deviation > 0 && noise.white() && noise.doubt < kReadable;
 }
 
 size_t largest_mean(const std::vector<Record>& records) {
