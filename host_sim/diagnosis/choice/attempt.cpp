@@ -14,6 +14,7 @@ constexpr double kShows = 0.02;       // of unseen windows' squared residual: le
 constexpr double kNoHarm = 1.01;      // of their squared residual, where they cannot show it
 constexpr double kSmallStart = 0.3;   // of the value that the linearisation gives
 constexpr double kPromised = 0.8;     // of the linearisation's gain, that a fit should reach
+constexpr double kThird = 1.0 / 3;    // of the share that a cause has to take
 constexpr int kFirstSteps = 3;        // with shapes held
 constexpr double kAsFound = 1.3;      // of the error over a part of the windows, that over all of them may be
 
@@ -184,7 +185,8 @@ Attempt attempt(const Task& task, const State& beside, const std::vector<Candida
 
 namespace {
 
-Attempt undamped(const Task& task, const State& beside, const std::vector<Candidate>& all, const Screened& one) {
+Attempt undamped(const Task& task, const State& beside, const std::vector<Candidate>& all, const Screened& one,
+                 double noise) {
   const Candidate& c = all[one.candidate];
   // From a coefficient of nought the first step brings all numbers into balance; what has states of its own starts
   // small.
@@ -192,7 +194,7 @@ Attempt undamped(const Task& task, const State& beside, const std::vector<Candid
   if (c.terms[0].kind == Kind::kResonance) start[0] = kSmallStart * one.value[0];
   if (c.terms[0].kind == Kind::kCogging) start = one.value;  // its phase too
   Attempt a = attempt(task, beside, {c}, {start}, kTrialSteps);
-  if (1 - a.error >= kPromised * one.gain) return a;
+  if (1 - a.error >= kPromised * one.gain || hopeless(one.gain, 1, noise)) return a;
   // Stuck on the way: from where the linearisation points, and from the measured motion.
   const auto try_again = [&](const Candidate& other, const std::vector<double>& value) {
     Attempt again = attempt(task, beside, {other}, {value}, kTrialSteps, From::kMeasured);
@@ -222,8 +224,9 @@ Attempt damped(const Task& task, const State& beside, Attempt bristles) {
 
 }  // namespace
 
-Attempt attempt(const Task& task, const State& beside, const std::vector<Candidate>& all, const Screened& one) {
-  const Attempt a = undamped(task, beside, all, one);
+Attempt attempt(const Task& task, const State& beside, const std::vector<Candidate>& all, const Screened& one,
+                double noise) {
+  const Attempt a = undamped(task, beside, all, one, noise);
   return is_bristles(a) ? damped(task, beside, a) : a;
 }
 
@@ -269,6 +272,12 @@ void keep_shape(const Model& fitted, Candidate& c) {
     if (t.added && t.term.same_place(c.terms[0])) c.terms = {t.term};
 }
 
+double least_share(size_t causes) { return 1 - std::pow(1 - kShare, static_cast<double>(causes)); }
+
+bool hopeless(double gain, size_t causes, double noise) {
+  return gain < kThird * least_share(causes) * (1 - std::min(1.0, noise));
+}
+
 double share_of(const Attempt& a, double noise) {
   return (1 - a.error) / std::max(1e-12, 1 - std::min(noise, a.error));
 }
@@ -284,8 +293,7 @@ bool unseen_agrees(const Attempt& a) { return a.unseen < (a.shows_unseen ? 1 : k
 
 bool passes(const Attempt& a, size_t already, double noise) {
   if (!a.state.fit.ok || a.rounds) return false;
-  const double n = static_cast<double>(already + a.candidates.size()),
-               least = 1 - std::pow(1 - kShare, static_cast<double>(a.candidates.size()));
+  const double n = static_cast<double>(already + a.candidates.size()), least = least_share(a.candidates.size());
   if (!a.shows_unseen)  // then it has to explain nearly all by itself
     return unseen_agrees(a) && a.z > kNamed * std::sqrt(n) && share_of(a, noise) > std::max(least, 1 - kShare);
   if (noise < kMostlyNoise && unseen_share_of(a, noise) < least) return false;

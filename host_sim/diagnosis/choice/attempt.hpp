@@ -38,8 +38,10 @@ constexpr int kBaseSteps = 12, kTrialSteps = 6;  // of Gauss-Newton: to rest, an
 enum class From { kBeside, kMeasured };
 Attempt attempt(const Task& task, const State& beside, const std::vector<Candidate>& candidates,
                 const std::vector<std::vector<double>>& values, int steps, From from = From::kBeside);
-// One that was screened; `all`: where a gentler shape of it is found when the best one does not converge.
-Attempt attempt(const Task& task, const State& beside, const std::vector<Candidate>& all, const Screened& one);
+// One that was screened; `all`: where a gentler shape of it is found when the best one does not converge; noise: its share of
+// the squared residual.
+Attempt attempt(const Task& task, const State& beside, const std::vector<Candidate>& all, const Screened& one,
+                double noise);
 
 // Whether one fitted cause is friction whose bristles bend; and the same with friction that does not, fitted from there: over
 // long windows the error of dry friction has valleys of its own, which bristles lead around. Where they act in the place
@@ -47,6 +49,10 @@ Attempt attempt(const Task& task, const State& beside, const std::vector<Candida
 bool is_bristles(const Attempt& a);
 Attempt without_bristles(const Task& task, const State& beside, const Attempt& bristles);
 
+// What so many causes together have to take of what is not noise; and whether the linearisation promises so little of it
+// (a share of the squared residual) that even thrice as much would not do.
+double least_share(size_t causes);
+bool hopeless(double gain, size_t causes, double noise);
 // Whether unseen windows speak for it, or have nothing to say (a sweep that has left the resonance).
 bool unseen_agrees(const Attempt& a);
 // A candidate as it was fitted: with its shape, one term.

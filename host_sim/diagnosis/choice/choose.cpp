@@ -79,15 +79,22 @@ State without(const Task& task, const State& now, const Named& n) {
   return s;
 }
 
-// Causes that the later ones have made needless: without them the windows are followed as well, as far as chance can tell.
-void drop_needless(const Task& task, State& now, std::vector<Named>& named) {
+// What a further cause takes of the rig's error as given is less than a share of what the others take.
+bool takes_little(double error_before, double error_with) {
+  return error_before - error_with < kFurtherShare * (1 - error_before);
+}
+
+// Causes that the later ones have made needless: without them the windows are followed as well, as far as chance can tell, or so
+// nearly that as further causes they would not have been named.
+void drop_needless(const Task& task, const Fitted& base, State& now, std::vector<Named>& named) {
   for (size_t i = 0; named.size() > 1 && now.fit.ok && i < named.size();) {
     if (!stands_alone(now, named[i])) {
       ++i;
       continue;
     }
     const State fewer = without(task, now, named[i]);
-    if (!fewer.fit.ok || paired_z(fewer.fit, now.fit) > kByChance) {
+    if (!fewer.fit.ok || (paired_z(fewer.fit, now.fit) > kByChance &&
+                          !takes_little(error_over(fewer.fit, base), error_over(now.fit, base)))) {
       ++i;
       continue;
     }
@@ -103,7 +110,7 @@ void search(const Task& task, double worth, Choice& choice, const std::function<
   size_t freed = 0;
   while (choice.named.size() < kMostCauses) {
     const double left = error_over(now.fit, choice.base.fit);
-    if (!choice.named.empty() && left < kFurtherShare * (1 - left)) break;  // no cause could take that much
+    if (!choice.named.empty() && takes_little(left, 0)) break;  // no cause could take that much
     const Left remains = left_by(task.system, task.records, now);
     const double noise = noise_share(remains, now.fit);
     const State part = part_of(task, now, noise);
@@ -121,7 +128,7 @@ void search(const Task& task, double worth, Choice& choice, const std::function<
         round.best = warm, round.found = warmed = true;
     }
     if (!round.found) break;
-    if (!choice.named.empty() && left * (1 - round.best.error) < kFurtherShare * (1 - left)) break;
+    if (!choice.named.empty() && takes_little(left, left * round.best.error)) break;
     for (Candidate c : round.best.candidates) {
       keep_shape(round.best.state.model, c);
       choice.named.push_back(Named{c, round.best.z, share_of(round.best, noise), {}, round.best.shows_unseen});
@@ -129,7 +136,7 @@ void search(const Task& task, double worth, Choice& choice, const std::function<
     now = on_all(task, now, round.best.state);
     progress(static_cast<double>(choice.named.size()) / static_cast<double>(kMostCauses));
   }
-  drop_needless(task, now, choice.named);
+  drop_needless(task, choice.base.fit, now, choice.named);
   choice.final = now;
 }
 

@@ -54,7 +54,7 @@ void weigh_rivals(const Task& task, const std::function<void(double)>& progress,
       const bool named = std::any_of(choice.named.begin(), choice.named.end(),
                                      [&](const Named& n) { return n.candidate.same_place(all[one.candidate]); });
       if (named || one.z < kByChance || 1 - one.gain > kMuchWorse * (1 - best_gain) + noise) continue;
-      others.push_back(attempt(task, rest, all, one));
+      others.push_back(attempt(task, rest, all, one, noise));
     }
     const auto bristles = std::find_if(others.begin(), others.end(), is_bristles);
     for (const Attempt* a : {is_bristles(own) ? &own : nullptr, bristles != others.end() ? &*bristles : nullptr}) {

@@ -30,7 +30,7 @@ Round round_of(const Task& task, const State& now, size_t already, const Left& l
     if (singles.size() >= kShortList) break;
     const double least = (noise < kMostlyNoise ? kByChance : kSure) * std::sqrt(static_cast<double>(already + 1));
     if (one.z < least && one.gain < kPlainGain) continue;
-    singles.push_back(attempt(task, now, choice.last_candidates, one));
+    singles.push_back(attempt(task, now, choice.last_candidates, one, noise));
   }
   std::sort(singles.begin(), singles.end(),
             [](const Attempt& a, const Attempt& b) { return whole_error(a) < whole_error(b); });
@@ -74,7 +74,7 @@ Round round_of(const Task& task, const State& now, size_t already, const Left& l
   // of those that promise as much the simpler ones come first
   std::vector<ScreenedPair> promising;
   for (const ScreenedPair& p : s.pairs)
-    if (1 - p.gain <= kAsPromising * (1 - s.pairs[0].gain)) promising.push_back(p);
+    if (1 - p.gain <= kAsPromising * (1 - s.pairs[0].gain) && !hopeless(p.gain, 2, noise)) promising.push_back(p);
   const auto complexity = [&](const ScreenedPair& p) {
     return choice.last_candidates[p.first].complexity + choice.last_candidates[p.second].complexity;
   };
