@@ -8,8 +8,9 @@ namespace {
 
 constexpr int32_t kSignalLimit = 1 << 23;
 // Of the high-pass, until what a level started with is forgotten. A double integration turns a start in mid-motion into
-// metres: t^2 exp(-t / tau) must fall below 1e-5 of it, which takes 16 time constants.
-constexpr int settling_time_constants(int order) { return order > 2 ? 16 : 4; }
+// metres: t^2 exp(-t / tau) must fall below 1e-5 of it, which takes 16 time constants. What is integrated once has no such start
+// (high_passed()).
+constexpr int settling_time_constants(int order) { return order > 2 ? 16 : 1; }
 
 // log2 of how much lower the corner of the velocity is whose sign friction has.
 constexpr int kLowerSignCorner = 3;
@@ -348,20 +349,29 @@ Code Conditioning::fused(const Path& path) {
 // First-order sections with the pole 1 - 2^-shift. The differences come first, they take the offset away before the
 // integrations sum anything; the very first sample is taken to have stood there for ever, so there is no switch-on
 // step.
+//
+// A leaking integral of the velocity from the first sample on is exactly the first difference section of the displacement:
+// x[n] - x[n - 1] is what it adds. So where a displacement comes from a measured velocity the integration is first, and all
+// signals' sections start alike. (Differences first would take v[0] for rest: v[0] t exp(-t / tau) in the displacement, at
+// 10 Hz and after four time constants of 0.8 s still three times the motion.) The integral begins at the first sample: half of it.
 Code Conditioning::high_passed(Path& path, Code code) const {
-  const int differences = path.sections - path.integrations;
   const int shift = for_sign(path) ? starting_leak(received_, path.shift) : path.shift;
+  const bool first = integrates_first(path);
+  const int integrate_from = first ? 0 : path.sections - path.integrations;
   State value = rescale<State>(code);
-  if (received_ == 0) path.previous[0] = value;
+  if (received_ == 0) {
+    path.previous[0] = value;
+    if (first) value = value >> 1;
+  }
   for (int s = 0; s < path.sections; ++s) {
     State& state = path.section[s];
-    if (s < differences) {
+    if (s >= integrate_from && s < integrate_from + path.integrations) {
+      state = state + (value - (state >> shift));
+      value = state >> (configuration_->high_pass_shift - kIntegrationExtraBits);
+    } else {
       state = state + (value - path.previous[s] - (state >> shift));
       path.previous[s] = value;
       value = state;
-    } else {
-      state = state + (value - (state >> shift));
-      value = state >> (configuration_->high_pass_shift - kIntegrationExtraBits);
     }
   }
   return Code::from_raw(clamp32(rescale<Fixed<int64_t, 0>>(value).raw));

@@ -50,7 +50,8 @@ class Conditioning {
   static constexpr uint8_t kNone = UINT8_MAX;
   struct Path {          // one signal
     uint8_t signal = 0;  // node * kQuantities + quantity
-    // High-pass: differences come first, then integrations, all with the pole 1 - 2^-shift.
+    // High-pass: differences come first, then integrations, all with the pole 1 - 2^-shift; but a displacement from a measured
+    // velocity is integrated first (high_passed()).
     uint8_t sections = 0, integrations = 0, shift = 0;
     uint8_t history_of = 0;   // the path that keeps the samples it is made from
     uint8_t turn = 0;         // what is done for it with each sample
@@ -96,6 +97,7 @@ class Conditioning {
   static bool is(Quantity quantity, const Path& path) {
     return path.signal % kQuantities == static_cast<int>(quantity);
   }
+  static bool integrates_first(const Path& path) { return path.integrations == 1 && is(Quantity::kDisplacement, path); }
   static bool for_sign(const Path& path) { return path.column >= kSignVelocityColumn * kFrameStride; }
   // Samples by which it comes before the others.
   int early(const Path& path) const { return for_sign(path) ? configuration_->sign_half_length : 0; }

@@ -12,15 +12,19 @@ using firmware::CoreConfiguration;
 using firmware::kQuantities;
 using firmware::SignalConfiguration;
 
-void high_pass(const CoreConfiguration& c, int integrations, std::vector<double>& input) {
+void high_pass(const CoreConfiguration& c, int node, int q, std::vector<double>& input) {
+  const int integrations = c.signals[node][q].integrations;
+  const bool integrates_first = integrations == 1 && q == static_cast<int>(firmware::Quantity::kDisplacement);
   const double leak = std::ldexp(1.0, -c.high_pass_shift);
+  const int from = integrates_first ? 0 : c.high_pass_order - integrations;
   for (int s = 0; s < c.high_pass_order; ++s) {
-    const bool difference = s < c.high_pass_order - integrations;
+    const bool integrates = s >= from && s < from + integrations;
     double state = 0.0, previous = s == 0 && !input.empty() ? input[0] : 0.0;
+    if (integrates && s == 0 && !input.empty()) input[0] *= 0.5;
     for (double& value : input) {
-      state += value - (difference ? previous : 0.0) - state * leak;
+      state += value - (integrates ? 0.0 : previous) - state * leak;
       previous = value;
-      value = difference ? state : state * std::ldexp(1.0, firmware::kIntegrationExtraBits - c.high_pass_shift);
+      value = integrates ? state * std::ldexp(1.0, firmware::kIntegrationExtraBits - c.high_pass_shift) : state;
     }
   }
 }
@@ -45,7 +49,7 @@ std::vector<double> response(const CoreConfiguration& c, int node, int q, int ch
   const bool fused = q == kV && c.fusion[node].used;
   if (!fused) {
     if (channel != signal.source) return out;
-    high_pass(c, signal.integrations, code);
+    high_pass(c, node, q, code);
     const bool plain = half == 0 && signal.tap[0].raw == 0;
     for (long n = 0; n < length; ++n)
       out[static_cast<size_t>(n)] =

@@ -8,9 +8,9 @@ namespace rig_file {
 
 struct SignalRanges;
 
-// As firmware/conditioning makes a signal of `integrations` from its codes, without its rounding: sections of the high-pass, the
-// last of them integrations.
-void high_pass(const firmware::CoreConfiguration& c, int integrations, std::vector<double>& input);
+// As firmware/conditioning makes the signal q of a node from its codes, without its rounding: sections of the high-pass, the
+// last of them integrations (a displacement from a velocity: the first).
+void high_pass(const firmware::CoreConfiguration& c, int node, int q, std::vector<double>& input);
 
 // Fills the mean products and how far they may be off, of a configuration whose signals are planned.
 void find_shared_noise(firmware::CoreConfiguration& c, const SignalRanges& ranges);

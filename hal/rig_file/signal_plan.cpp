@@ -279,7 +279,7 @@ double largest_value(const CoreConfiguration& c, int node, int q, const std::vec
   const int offset = c.channels[node][signal.source].offset_code;
   std::vector<double> input(record.size());
   for (size_t n = 0; n < record.size(); ++n) input[n] = record[n].code[node][signal.source] - offset;
-  high_pass(c, signal.integrations, input);
+  high_pass(c, node, q, input);
   double largest = 0.0;
   const size_t length = 2u * signal.half_length + 1u;
   for (size_t n = 0; n + length <= input.size(); ++n) {

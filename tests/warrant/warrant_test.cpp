@@ -165,6 +165,31 @@ TEST(Warrant, RightModelsWithoutAccelerometersKeepTheirNumbers) {
     }
 }
 
+// Velocities, with and without accelerations, of a rig that moves when the record begins: the displacement that is integrated
+// from them starts as all other signals do. (As long as the first velocity was taken for rest, three times the motion was left of
+// that when the estimation began, and nothing was VALID.)
+TEST(Warrant, VelocitiesOfARigThatAlreadyMoves) {
+  for (const char* sensors : {"va", "v"})
+    for (const char* condition : {"random_clean", "random_1pct"}) {
+      int valid = 0, all = 0, wrong = 0;
+      for (uint64_t seed = 8140; seed < 8148; ++seed) {
+        Settings settings;
+        settings.condition = condition;
+        settings.sensors = sensors;
+        settings.masses = 2;
+        const hidden_rig::Draw draw = hidden_rig::make_draw(seed, settings);
+        const CoreRun run = run_core(draw);
+        wrong += valid_and_wrong(draw, run.core->estimates());
+        for (int k = 0; k < run.core->estimates().unknown_count; ++k, ++all)
+          valid += run.core->estimates().parameters[k].status == EstimateStatus::kValid;
+      }
+      // a lone velocity shows kinetic energy at a stretch's two ends alone
+      const double least = std::string(sensors) == "va" ? 0.75 : 0.5;
+      EXPECT_GE(valid, least * all) << sensors << " " << condition << ": " << valid << " of " << all;
+      EXPECT_EQ(wrong, 0) << sensors << " " << condition;
+    }
+}
+
 // Where one DOF has a displacement alone and another an accelerometer or a velocity alone, all signals pass a low-pass and a
 // high-pass, and friction's sign has to pass both: its force is found within its interval, whichever DOF has which.
 TEST(Warrant, SensorsThatDifferFromDofToDof) {
