@@ -18,18 +18,6 @@ Channel channel_of_name(const std::string& name, const rig_file::RigModel& model
 // steps rounded to their last decimal, as milliseconds are at 1024 Hz (even_times).
 void set_time_base(const std::vector<double>& time_s, const std::function<size_t(size_t)>& line_of, Record& record);
 
-// Times that are even but for their last decimal (rounded, or read from a clock of whole ticks), made even. Where the
-// last decimal is a quarter of a step or less, samples may be lost between them.
-struct EvenTimes {
-  double step_s = 0.0, place_s = 0.0;  // 0: they are not even; place: of the last decimal
-  bool lost = false;
-  std::vector<double> time_s;
-};
-EvenTimes even_times(const std::vector<double>& time_s);
-
-// The usual step between times, the median; at least two of them.
-double median_step(const std::vector<double>& time_s);
-
 // Keeps the times as they are, for a record that is to be resampled. Throws DataFileError where they do not rise.
 void keep_times(const std::vector<double>& time_s, const std::function<size_t(size_t)>& line_of, Record& record);
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "host_sim/records/data_file_error.hpp"
+#include "host_sim/records/even_times.hpp"
 #include "host_sim/records/record_checks.hpp"
 
 namespace host_sim {

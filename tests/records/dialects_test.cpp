@@ -282,6 +282,20 @@ TEST(Dialects, TimesOfSoManyDigitsAreEven) {
   EXPECT_NEAR(host_sim::parse_csv(text, "d.csv", rig()).sample_period_s, 1e-4, 1e-9);
 }
 
+// Five digits of times up to 1.999 s would allow 199.02 ms as a place of its own decade, but there a time is late by two
+// of its last decimals, where rounding gives half of one.
+TEST(Dialects, ATimeAmidEvenOnesIsOffByMoreThanItsLastDecimal) {
+  const auto text = [](const char* two_hundredth) {
+    std::string lines = "t_s,force_1_N\n";
+    for (int i = 0; i < 2000; ++i)
+      lines += (i == 199 ? std::string(two_hundredth) : fmt::format("{:.3f}", 1e-3 * i)) + ",1\n";
+    return lines;
+  };
+  EXPECT_NEAR(host_sim::parse_csv(text("0.199"), "d.csv", rig()).sample_period_s, 1e-3, 1e-9);
+  EXPECT_THROW(host_sim::parse_csv(text("0.19902"), "d.csv", rig()), host_sim::DataFileError);
+  EXPECT_THROW(host_sim::parse_csv(text("0.1993"), "d.csv", rig()), host_sim::DataFileError);
+}
+
 // A board that samples every 10.04 ms stamps what its millisecond counter shows, and every seventh time it reads it 0.4 ms
 // late: the stamps lie up to 0.56 ms before and 0.84 ms after even times.
 TEST(Dialects, TimesInTicksOfAnotherClockAreEven) {

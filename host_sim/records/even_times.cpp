@@ -1,0 +1,119 @@
+#include "host_sim/records/even_times.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace host_sim {
+
+TimeLine line_through(const std::vector<double>& time_s, const std::vector<double>& index) {
+  const auto n = static_cast<double>(time_s.size());
+  double middle = 0.0, mean = 0.0, moment = 0.0, spread = 0.0;
+  for (size_t i = 0; i < time_s.size(); ++i) middle += index[i] / n, mean += (time_s[i] - time_s[0]) / n;
+  for (size_t i = 0; i < time_s.size(); ++i) {
+    moment += (index[i] - middle) * (time_s[i] - time_s[0] - mean);
+    spread += (index[i] - middle) * (index[i] - middle);
+  }
+  TimeLine line;
+  line.step = moment / spread;
+  line.start = time_s[0] + mean - middle * line.step;
+  double squares = 0.0;
+  for (size_t i = 0; i < time_s.size(); ++i) {
+    const double off = time_s[i] - line.start - index[i] * line.step;
+    squares += off * off;
+  }
+  line.rms = std::sqrt(squares / n);
+  return line;
+}
+
+std::vector<double> counted(size_t samples) {
+  std::vector<double> index(samples);
+  for (size_t i = 0; i < samples; ++i) index[i] = static_cast<double>(i);
+  return index;
+}
+
+double median_step(const std::vector<double>& time_s) {
+  std::vector<double> steps(time_s.size() - 1);
+  for (size_t i = 0; i < steps.size(); ++i) steps[i] = time_s[i + 1] - time_s[i];
+  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+  std::nth_element(steps.begin(), middle, steps.end());
+  return *middle;
+}
+
+namespace {
+
+// How times were written: `place_s` is the place of the last decimal of the latest of them (0: not so written). Numbers
+// of so many significant digits have a place ten times finer a decade earlier.
+struct Written {
+  double place_s = 0.0, latest_s = 0.0;
+  bool significant = false;
+  double place_of(double t) const {
+    const auto decade = [](double x) { return std::floor(std::log10(x)); };
+    return significant && t != 0.0 ? place_s * std::pow(10.0, decade(std::abs(t)) - decade(latest_s)) : place_s;
+  }
+};
+
+// 0.001 s for 0.977 and 1.950. Whole to 1e-3 of a unit: decimals are read to double precision.
+Written in_decimals(const std::vector<double>& time_s, double latest_s, bool significant) {
+  Written written{1.0, latest_s, significant};
+  const auto whole = [&](double t) {
+    const double units = t / written.place_of(t);
+    return std::abs(units - std::nearbyint(units)) < 1e-3;
+  };
+  for (int decimals = 0; decimals <= 9; ++decimals, written.place_s *= 0.1)
+    if (std::all_of(time_s.begin(), time_s.end(), whole)) return written;
+  return {};
+}
+
+// Numbers of single precision: their spacing at the latest time.
+Written in_single_precision(const std::vector<double>& time_s, double latest_s) {
+  const auto single = [](double t) { return static_cast<double>(static_cast<float>(t)) == t; };
+  const auto upper = static_cast<float>(latest_s);
+  if (!std::all_of(time_s.begin(), time_s.end(), single)) return {};
+  return {std::nextafterf(upper, 2.0F * upper) - upper, latest_s, false};
+}
+
+// How far from even steps times may lie, in units of their last decimal. Even times that were rounded lie within half a
+// unit of a line (the line through rounded times may miss the true one by a little, so 0.6). Those of a clock that is
+// read beside an even sampling, in whole ticks, lie within one. A sample that is missing throws them off by half a step.
+constexpr double kRounded = 0.6, kTick = 1.0, kTicksOfAStep = 4.0;
+// Where early times are finer than late ones, the line through n of them misses by what the late ones were rounded by:
+// 1 / sqrt(12) of a unit each, at the line's end twice that over sqrt(n), and four standard deviations of it.
+constexpr double kLineError = 4.0 * 2.0 * 0.2887;
+
+EvenTimes even_if_written(const std::vector<double>& time_s, const Written& written) {
+  EvenTimes even;
+  const double usual = median_step(time_s);
+  if (!(written.place_s > 0.0)) return even;
+  std::vector<double> index = counted(time_s.size());
+  const bool shows_lost = usual >= kTicksOfAStep * written.place_s;
+  for (size_t i = 1; shows_lost && i < index.size(); ++i)
+    index[i] = index[i - 1] + std::round((time_s[i] - time_s[i - 1]) / usual);
+  const TimeLine line = line_through(time_s, index);
+  if (!(line.step > 0.0)) return even;
+  const double units = shows_lost ? kTick : kRounded;
+  const double of_line_s =
+      written.significant ? kLineError * written.place_s / std::sqrt(static_cast<double>(time_s.size())) : 0.0;
+  for (size_t i = 0; i < time_s.size(); ++i) {
+    const double on_line_s = line.start + index[i] * line.step;
+    if (std::abs(time_s[i] - on_line_s) > units * written.place_of(time_s[i]) + of_line_s) return {};
+    even.time_s.push_back(on_line_s);
+  }
+  even.step_s = line.step, even.place_s = written.place_s;
+  even.lost = index.back() + 1 > static_cast<double>(index.size());
+  return even;
+}
+
+}  // namespace
+
+EvenTimes even_times(const std::vector<double>& time_s) {
+  if (time_s.size() < 16) return {};
+  double latest_s = 0.0;
+  for (const double t : time_s) latest_s = std::max(latest_s, std::abs(t));
+  if (!(latest_s > 0.0)) return {};
+  EvenTimes even = even_if_written(time_s, in_decimals(time_s, latest_s, false));
+  if (!(even.step_s > 0.0)) even = even_if_written(time_s, in_decimals(time_s, latest_s, true));
+  if (!(even.step_s > 0.0)) even = even_if_written(time_s, in_single_precision(time_s, latest_s));
+  return even;
+}
+
+}  // namespace host_sim
