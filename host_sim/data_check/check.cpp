@@ -12,6 +12,7 @@
 #include "host_sim/data_check/excitation.hpp"
 #include "host_sim/data_check/growth.hpp"
 #include "host_sim/data_check/kinematics.hpp"
+#include "host_sim/data_check/quantile.hpp"
 #include "host_sim/data_check/rig_balance.hpp"
 #include "host_sim/data_check/slow_faults.hpp"
 #include "host_sim/data_check/spikes.hpp"
@@ -115,11 +116,11 @@ bool has_fault(const RecordReport& report, const char* kind = nullptr) {
 
 // Channels are compared over at most that many samples from the middle of a record: enough to say, and no time lost.
 constexpr size_t kMostCompared = 1 << 17;
-Record middle_of(const Record& record) {
-  Record part;
+const Record& middle_of(const Record& record, Record& part) {
+  if (record.samples() <= kMostCompared) return record;
   part.file = record.file;
   part.sample_period_s = record.sample_period_s;
-  const size_t count = std::min(record.samples(), kMostCompared), first = (record.samples() - count) / 2;
+  const size_t count = kMostCompared, first = (record.samples() - count) / 2;
   for (const Channel& channel : record.channels) {
     const auto begin = channel.values.begin() + static_cast<std::ptrdiff_t>(first);
     part.channels.push_back({channel.name, channel.quantity, channel.dof,
@@ -128,7 +129,8 @@ Record middle_of(const Record& record) {
   return part;
 }
 
-RecordReport check_record(const Record& record, const rig_file::RigModel* model, const std::vector<bool>& elsewhere) {
+RecordReport check_record(const Record& record, const rig_file::RigModel* model, const std::vector<bool>& elsewhere,
+                          const Drive& drive) {
   RecordReport report{record.file, record.samples(), 1.0 / record.sample_period_s, {}, {}};
   std::vector<std::optional<Finding>> dead = find_dead(record, elsewhere);
   std::vector<Statistics> statistics;
@@ -139,14 +141,15 @@ RecordReport check_record(const Record& record, const rig_file::RigModel* model,
   }
   if (auto jitter = find_jitter(record)) report.findings.push_back(std::move(*jitter));
   if (has_fault(report)) return report;  // what follows compares channels: one that is broken would be blamed on others
-  const Record compared = middle_of(record);
+  Record middle;
+  const Record& compared = middle_of(record, middle);
   std::set<int> dofs;
   for (const Channel& channel : compared.channels)
     if (dofs.insert(channel.dof).second) attach(check_kinematics(compared, channel.dof, rotates(channel)), report);
   attach(check_exchanged(compared), report);
   if (model != nullptr && !has_fault(report)) attach(check_rig_balance(compared, *model), report);
   if (!has_fault(report))
-    if (auto work = find_negative_work(compared)) attach({std::move(*work)}, report);
+    if (auto work = find_negative_work(compared, drive)) attach({std::move(*work)}, report);
   if (!has_fault(report))
     if (auto growth = find_growth(record)) attach({std::move(*growth)}, report);
   return report;
@@ -195,6 +198,7 @@ const char* Report::verdict() const {
 
 Report check(const std::vector<Record>& records, const rig_file::RigModel* model) {
   Report report;
+  std::vector<Drive> drives(records.size());
   std::vector<std::future<RecordReport>> checks;  // beside each other; the order of the answers is that of the records
   for (const Record& record : records) {
     std::vector<bool> elsewhere;
@@ -204,13 +208,15 @@ Report check(const std::vector<Record>& records, const rig_file::RigModel* model
         return same != nullptr && changes(*same);
       }));
     const auto policy = records.size() > 1 ? std::launch::async : std::launch::deferred;
-    checks.push_back(std::async(
-        policy, [&record, model, moves = std::move(elsewhere)] { return check_record(record, model, moves); }));
+    checks.push_back(std::async(policy, [&record, &drive = drives[checks.size()], model, moves = std::move(elsewhere)] {
+      drive = drive_of(record);
+      return check_record(record, model, moves, drive);
+    }));
   }
   for (std::future<RecordReport>& done : checks) report.records.push_back(done.get());
   keep_what_all_records_say("exchanged", report);
   if (!records.empty()) require_one_sign(report);
-  report.findings = describe_excitation(records);
+  report.findings = describe_excitation(records, drives);
   return report;
 }
 

@@ -122,14 +122,11 @@ Drive drive_of(const Record& record) {
   return drive;
 }
 
-std::vector<Finding> describe_excitation(const std::vector<Record>& records) {
+std::vector<Finding> describe_excitation(const std::vector<Record>& records, const std::vector<Drive>& drives) {
   std::vector<Finding> findings;
-  std::vector<Drive> drives;
-  for (const Record& record : records) {
-    drives.push_back(drive_of(record));
+  for (size_t r = 0; r < records.size(); ++r)
     findings.push_back(
-        {"excitation", Weight::kInforms, "", record.file + ": " + text_of(drives.back()), drives.back().rms});
-  }
+        {"excitation", Weight::kInforms, "", records[r].file + ": " + text_of(drives[r]), drives[r].rms});
   double low = 0.0, high = 0.0, tone = 0.0;
   bool one_tone = true;
   for (const Drive& drive : drives) {

@@ -14,7 +14,7 @@ struct Drive {
 };
 Drive drive_of(const Record& record);
 
-// One finding for each record and, where there is one tone at one level, what to add. All inform.
-std::vector<Finding> describe_excitation(const std::vector<Record>& records);
+// One finding for each record and, where there is one tone at one level, what to add. All inform. drives: one a record.
+std::vector<Finding> describe_excitation(const std::vector<Record>& records, const std::vector<Drive>& drives);
 
 }  // namespace host_sim::data_check

@@ -17,7 +17,8 @@ constexpr double kGainCorrelation = 0.95;    // then noise bends the gain by les
 constexpr double kPlainGain = 3.0;           // no calibration is off by more
 constexpr double kUnitTolerance = 0.05;
 constexpr double kGoldenRatio = 0.6180339887498949;
-constexpr int kDelays = 3;  // samples that a channel may be late without its sign being in question
+constexpr size_t kMostPoints = 1024;  // of a span's length: a correlation of 0.95 is then known to 0.003
+constexpr int kDelays = 3;            // samples that a channel may be late without its sign being in question
 
 using Values = Eigen::Map<const Eigen::ArrayXd>;
 Values view(const double* values, size_t count) { return {values, static_cast<Eigen::Index>(count)}; }
@@ -52,11 +53,13 @@ class Sides {
   size_t samples() const { return lower_.size(); }
 
   void over(size_t h) { compare(h, samples() - 2 * h, 1.0); }
-  // Some of them: each shares over nine tenths of its span with the next. The step is no whole number, so that no period of the
-  // motion keeps time with it.
+  // Some of them: each shares over nine tenths of its span with the next, or they are enough anyway. The step is no whole number,
+  // so that no period of the motion keeps time with it.
   void here_and_there(size_t h) {
-    const double step = std::max(1.0, kGoldenRatio * static_cast<double>(h) / 4.0);
-    compare(h, static_cast<size_t>(static_cast<double>(samples() - 2 * h - 1) / step) + 1, step);
+    const size_t count = samples() - 2 * h;
+    const double enough = kGoldenRatio * static_cast<double>(count / kMostPoints);
+    const double step = std::max({1.0, kGoldenRatio * static_cast<double>(h) / 4.0, enough});
+    compare(h, static_cast<size_t>(static_cast<double>(count - 1) / step) + 1, step);
   }
 
  private:

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "host_sim/data_check/quantile.hpp"
+
 namespace host_sim::data_check {
 namespace {
 
@@ -69,7 +71,7 @@ double usual_near(const std::vector<double>& misfit, size_t i, size_t width) {
   std::vector<double> around;
   for (size_t k = i > kNear ? i - kNear : 0; k < std::min(misfit.size(), i + width + kNear); ++k)
     if (k + 4 < i || k > i + width + 4) around.push_back(misfit[k]);
-  return quantile(std::move(around), 0.5) / 0.6745;
+  return quantile(around, 0.5) / 0.6745;
 }
 
 // Does the stretch stand off what either side leads to, are the sides closer to each other, and is each side smooth by
@@ -93,7 +95,7 @@ double tail_of(const std::vector<double>& x, const Across& across) {
   std::vector<double> sizes;
   sizes.reserve(x.size() / kStride + 1);
   for (size_t i = 4; i + 8 < x.size(); i += kStride) sizes.push_back(size_of(x, i, across));
-  return quantile(std::move(sizes), 0.95);
+  return quantile(sizes, 0.95);
 }
 
 std::vector<Gap> spikes_in(const std::vector<double>& x, const Statistics& statistics) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "host_sim/data_check/quantile.hpp"
 #include "host_sim/records/value_step.hpp"
 
 namespace host_sim::data_check {
@@ -24,7 +25,7 @@ double noise_by_differences(const std::vector<double>& differences, int order) {
   for (size_t k = 0; k < sizes.size(); ++k) sizes[k] = std::abs(differences[k]);
   double binomial = 1.0;
   for (int i = 1; i <= order; ++i) binomial *= static_cast<double>(order + i) / static_cast<double>(i);
-  return quantile(std::move(sizes), 0.5) / kNormalMedian / std::sqrt(binomial);
+  return quantile(sizes, 0.5) / kNormalMedian / std::sqrt(binomial);
 }
 
 // Of the fourth and the sixth differences.
@@ -37,23 +38,6 @@ std::pair<double, double> noise_of(const std::vector<double>& values) {
 }
 
 }  // namespace
-
-double quantile(std::vector<double> values, double q) {
-  if (values.empty()) return 0.0;
-  const auto place = values.begin() + static_cast<std::ptrdiff_t>(q * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), place, values.end());
-  return *place;
-}
-
-std::pair<double, double> quantiles(std::vector<double> values, double low, double high) {
-  if (values.empty()) return {0.0, 0.0};
-  const auto place = [&](double q) {
-    return values.begin() + static_cast<std::ptrdiff_t>(q * static_cast<double>(values.size() - 1));
-  };
-  std::nth_element(values.begin(), place(low), values.end());
-  if (place(high) != place(low)) std::nth_element(place(low) + 1, place(high), values.end());
-  return {*place(low), *place(high)};
-}
 
 std::vector<Run> equal_runs(const std::vector<double>& values, size_t shortest) {
   std::vector<Run> runs;

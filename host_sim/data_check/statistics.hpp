@@ -23,11 +23,6 @@ MeanAndRms mean_and_rms(const std::vector<double>& values);  // 0 of nothing
 
 Statistics statistics_of(const std::vector<double>& values);
 
-// The q-quantile (0 to 1), by partial sorting of a copy; 0 of nothing.
-double quantile(std::vector<double> values, double q);
-// Two of them, low <= high.
-std::pair<double, double> quantiles(std::vector<double> values, double low, double high);
-
 // Runs of at least `shortest` equal values.
 struct Run {
   size_t first = 0, length = 0;

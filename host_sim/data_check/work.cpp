@@ -76,7 +76,7 @@ Work work_of(std::vector<Pair>& pairs) {
 
 }  // namespace
 
-std::optional<Finding> find_negative_work(const Record& record) {
+std::optional<Finding> find_negative_work(const Record& record, const Drive& drive) {
   std::vector<const Channel*> forces;
   for (const Channel& channel : record.channels) {
     const bool moves = mean_and_rms(channel.values).rms > 0.0;
@@ -84,7 +84,7 @@ std::optional<Finding> find_negative_work(const Record& record) {
     if (channel.quantity == Quantity::kForce && moves) forces.push_back(&channel);
   }
   if (forces.empty() || record.samples() < kFewest) return std::nullopt;
-  const double quarter = 0.25 / (drive_of(record).to_Hz * record.sample_period_s + 1e-300);
+  const double quarter = 0.25 / (drive.to_Hz * record.sample_period_s + 1e-300);
   const auto width = static_cast<size_t>(std::clamp(quarter, 1.0, static_cast<double>(record.samples()) / 64.0));
   std::vector<Pair> pairs;
   for (const Channel* force : forces) {

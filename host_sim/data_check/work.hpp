@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "host_sim/data_check/data_check.hpp"
+#include "host_sim/data_check/excitation.hpp"
 
 namespace host_sim::data_check {
 
@@ -13,8 +14,8 @@ namespace host_sim::data_check {
 // of several forces; of a single one a doubt, for its sign against the motions is all there is to change.
 // work, a doubt: it is negative, by more.
 // Both only where ten parts of the record agree: chance makes that in one of 1,024. A record whose base moves tells
-// nothing: the base does work too.
-std::optional<Finding> find_negative_work(const Record& record);
+// nothing: the base does work too. drive: what drives the record.
+std::optional<Finding> find_negative_work(const Record& record, const Drive& drive);
 
 // A single force that is turned over in some records and not in others is a fault: a sign is of the cable, not of a record.
 void require_one_sign(Report& report);

@@ -57,7 +57,8 @@ std::vector<Record> read_records(const std::string& path, const rig_file::RigMod
     if (!format.recognises(path, content.text())) continue;
     std::vector<Record> records = format.read(content.text(), path, model, options);
     for (const Record& record : records) require_motion_channels(record, model);
-    return options.resample_Hz > 0.0 ? at_even_steps(records, options.resample_Hz) : records;
+    if (options.resample_Hz > 0.0) return at_even_steps(records, options.resample_Hz);
+    return records;
   }
   throw DataFileError(path, 0, "is of no known format, expected CSV, MAT, Universal File 58 or a CAN log");
 }

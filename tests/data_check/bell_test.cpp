@@ -1,4 +1,4 @@
-// Bells made from narrower ones, and order statistics, against the plain way.
+// Bells made from narrower ones against the plain way.
 #include "host_sim/data_check/bell.hpp"
 
 #include <gtest/gtest.h>
@@ -7,12 +7,9 @@
 #include <cmath>
 #include <random>
 
-#include "host_sim/data_check/statistics.hpp"
-
 namespace {
 
 using host_sim::data_check::bell;
-using host_sim::data_check::quantiles;
 using host_sim::data_check::twice_as_wide;
 
 std::vector<double> noise(size_t count, unsigned seed) {
@@ -55,17 +52,5 @@ TEST(Bell, AWiderOneFromANarrowerOne) {
 }
 
 TEST(Bell, NothingFromTooFew) { EXPECT_TRUE(twice_as_wide(std::vector<double>(6, 1.0)).empty()); }
-
-TEST(Quantiles, TwoAtOnceAreThoseOfTheSortedValues) {
-  const std::vector<double> values = noise(1001, 3);
-  std::vector<double> sorted = values;
-  std::sort(sorted.begin(), sorted.end());
-  for (const auto& [low, high] : {std::pair{0.05, 0.95}, {0.0, 1.0}, {0.5, 0.5}, {0.25, 0.251}}) {
-    const auto [bottom, top] = quantiles(values, low, high);
-    EXPECT_EQ(bottom, sorted[static_cast<size_t>(low * 1000.0)]);
-    EXPECT_EQ(top, sorted[static_cast<size_t>(high * 1000.0)]);
-  }
-  EXPECT_EQ(quantiles({}, 0.1, 0.9), (std::pair{0.0, 0.0}));
-}
 
 }  // namespace

@@ -12,7 +12,6 @@ namespace {
 using host_sim::Channel;
 using host_sim::Quantity;
 using host_sim::Record;
-using host_sim::data_check::find_negative_work;
 using host_sim::data_check::Weight;
 
 constexpr double kPi = 3.14159265358979323846;
@@ -30,6 +29,10 @@ Record lone_link(double stiffness, double viscous, double delay_s, Quantity of) 
   }
   record.channels = {force, motion};
   return record;
+}
+
+auto find_negative_work(const Record& record) {
+  return host_sim::data_check::find_negative_work(record, host_sim::data_check::drive_of(record));
 }
 
 TEST(Work, OfADamperTurnedOver) {

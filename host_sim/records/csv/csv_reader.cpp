@@ -1,7 +1,6 @@
 #include "host_sim/records/csv/csv_reader.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <optional>
@@ -9,6 +8,7 @@
 #include "host_sim/records/columns/column_name.hpp"
 #include "host_sim/records/csv/clock_time.hpp"
 #include "host_sim/records/csv/csv_layout.hpp"
+#include "host_sim/records/csv/decimal_number.hpp"
 #include "host_sim/records/csv/text_encoding.hpp"
 #include "host_sim/records/data_file_error.hpp"
 #include "host_sim/records/record_checks.hpp"
@@ -184,7 +184,7 @@ class CsvParser {
     if (layout_.decimal_comma) {
       good = number_with_comma(position, end, value);
     } else {
-      const auto [stop, error] = std::from_chars(position, end, value);
+      const auto [stop, error] = read_decimal(position, end, value);
       good = error == std::errc();
       position = stop;
     }
@@ -203,7 +203,7 @@ class CsvParser {
     const char* at = position;
     for (; at != end && length < sizeof digits && std::strchr("+-0123456789eE,", *at) != nullptr; ++at)
       digits[length++] = *at == ',' ? '.' : *at;
-    const auto [stop, error] = std::from_chars(digits, digits + length, value);
+    const auto [stop, error] = read_decimal(digits, digits + length, value);
     position += stop - digits;
     return error == std::errc();
   }

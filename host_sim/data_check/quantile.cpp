@@ -1,0 +1,56 @@
+#include "host_sim/data_check/quantile.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace host_sim::data_check {
+namespace {
+
+constexpr size_t kSampled = 256;
+constexpr size_t kMargin = 32;  // places in the sample: four standard deviations of a median's, sqrt(kSampled) / 2 each
+
+double nth(std::vector<double>& values, size_t rank) {
+  const auto place = values.begin() + static_cast<std::ptrdiff_t>(rank);
+  std::nth_element(values.begin(), place, values.end());
+  return *place;
+}
+
+struct Bracket {
+  double low = 0.0, high = 0.0;
+};
+Bracket bracket_of(const std::vector<double>& values, size_t rank) {
+  std::vector<double> sample(kSampled);
+  for (size_t i = 0; i < kSampled; ++i) sample[i] = values[i * values.size() / kSampled];
+  std::sort(sample.begin(), sample.end());
+  const size_t place = rank * kSampled / values.size();
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  return {place < kMargin ? -kInfinity : sample[place - kMargin],
+          place + kMargin >= kSampled ? kInfinity : sample[place + kMargin]};
+}
+
+double at_rank(const std::vector<double>& values, size_t rank) {
+  std::vector<double> inside(values);
+  if (values.size() < 8 * kSampled) return nth(inside, rank);
+  const auto [low, high] = bracket_of(values, rank);
+  size_t below = 0, count = 0;
+  for (const double value : values) {  // no branch: which side a value is on cannot be predicted
+    inside[count] = value;
+    below += value < low ? 1 : 0;
+    count += static_cast<size_t>(value >= low) & static_cast<size_t>(value <= high);
+  }
+  if (rank < below || rank >= below + count) return nth(inside = values, rank);  // a sample unlike the rest
+  inside.resize(count);
+  return nth(inside, rank - below);
+}
+
+}  // namespace
+
+double quantile(const std::vector<double>& values, double q) {
+  return values.empty() ? 0.0 : at_rank(values, static_cast<size_t>(q * static_cast<double>(values.size() - 1)));
+}
+
+std::pair<double, double> quantiles(const std::vector<double>& values, double low, double high) {
+  return {quantile(values, low), quantile(values, high)};
+}
+
+}  // namespace host_sim::data_check

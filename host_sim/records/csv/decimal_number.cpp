@@ -1,0 +1,116 @@
+#include "host_sim/records/csv/decimal_number.hpp"
+
+#include <array>
+#include <cstdint>
+#include <cstring>
+
+namespace host_sim {
+namespace {
+
+constexpr int kMostDigits = 19;       // 10^19 < 2^64
+constexpr int kMostPlaces = 27;       // 5^27 < 2^63
+constexpr int kMostExactPlaces = 22;  // 10^22 is a double
+constexpr int64_t kMostExact = int64_t{1} << 53;
+
+constexpr auto kPowersOf5 = [] {
+  std::array<uint64_t, kMostPlaces + 1> powers{1};
+  for (int i = 1; i <= kMostPlaces; ++i) powers[static_cast<size_t>(i)] = 5 * powers[static_cast<size_t>(i) - 1];
+  return powers;
+}();
+constexpr auto kPowersOf10 = [] {
+  std::array<double, kMostExactPlaces + 1> powers{1.0};
+  for (int i = 1; i <= kMostExactPlaces; ++i)
+    powers[static_cast<size_t>(i)] = 10.0 * powers[static_cast<size_t>(i) - 1];
+  return powers;
+}();
+
+// Digits of a number as they stand: digits * 10^-places.
+struct Decimal {
+  uint64_t digits = 0;
+  int places = 0;
+};
+
+bool digit(char c) { return static_cast<unsigned char>(c - '0') < 10; }
+
+// Eight characters of which the first stands lowest.
+bool all_digits(uint64_t text) {
+  constexpr uint64_t kHigh = 0xF0F0F0F0F0F0F0F0u, kThrees = 0x3030303030303030u, kSixes = 0x0606060606060606u;
+  return (((text & kHigh) | (((text + kSixes) & kHigh) >> 4)) == (kThrees | kThrees >> 4));
+}
+// Pairs, then pairs of pairs, then both halves, side by side in one word.
+uint64_t number_of_eight(uint64_t text) {
+  text = (text & 0x0F0F0F0F0F0F0F0Fu) * (10 * 256 + 1) >> 8;
+  text = (text & 0x00FF00FF00FF00FFu) * (100 * 65536 + 1) >> 16;
+  return (text & 0x0000FFFF0000FFFFu) * (10000 * (uint64_t{1} << 32) + 1) >> 32;
+}
+
+// Takes digits off the front into `digits`, which overflows where they are too many.
+void take_digits(const char*& at, const char* last, uint64_t& digits) {
+#if __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
+  for (uint64_t text; last - at >= 8; at += 8) {
+    std::memcpy(&text, at, sizeof text);
+    if (!all_digits(text)) break;
+    digits = 100000000 * digits + number_of_eight(text);
+  }
+#endif
+  for (; at != last && digit(*at); ++at) digits = 10 * digits + static_cast<uint64_t>(*at - '0');
+}
+
+// 2^exponent, of a normal number.
+double power_of_2(int exponent) {
+  const uint64_t bits = static_cast<uint64_t>(exponent + 1023) << 52;
+  double power;
+  std::memcpy(&power, &bits, sizeof power);
+  return power;
+}
+
+#if defined(__SIZEOF_INT128__)
+// The nearest double, ties to even: the quotient by 5^places to 63 bits or 64, whose last bit says whether anything is left. The
+// conversion of 64 bits to 53 rounds once, and powers of two change no digit.
+double quotient(const Decimal& decimal) {
+  const uint64_t divisor = kPowersOf5[static_cast<size_t>(decimal.places)];
+  const int up = __builtin_clzll(decimal.digits), up_divisor = __builtin_clzll(divisor);
+  __extension__ using Wide = unsigned __int128;
+  const Wide numerator = static_cast<Wide>(decimal.digits << up) << 63;
+  const uint64_t below = divisor << up_divisor;
+  uint64_t whole = static_cast<uint64_t>(numerator / below);
+  if (static_cast<Wide>(whole) * below != numerator) whole |= 1;
+  return static_cast<double>(whole) * power_of_2(up_divisor - up - 63 - decimal.places);
+}
+constexpr bool kDivides = true;
+#else
+double quotient(const Decimal&) { return 0.0; }
+constexpr bool kDivides = false;
+#endif
+
+}  // namespace
+
+std::from_chars_result read_decimal(const char* first, const char* last, double& value) {
+  const char* at = first;
+  const bool negative = at != last && *at == '-';
+  if (negative) ++at;
+  Decimal decimal;
+  const char* const start = at;
+  take_digits(at, last, decimal.digits);
+  auto count = at - start;
+  if (at != last && *at == '.') {
+    const char* const point = at++;
+    take_digits(at, last, decimal.digits);
+    decimal.places = static_cast<int>(at - point - 1);
+    count += decimal.places;
+  }
+  const bool plain = at == last || (*at | 0x20) != 'e';
+  const bool exact = decimal.digits <= kMostExact && decimal.places <= kMostExactPlaces;
+  // Zeros in front are no digits: 0.00 and the like stand before the others.
+  if (count > kMostDigits)
+    for (const char* zero = start; zero != at && (*zero == '0' || *zero == '.'); ++zero) count -= *zero == '0' ? 1 : 0;
+  if (!plain || at == start || count <= 0 || count > kMostDigits ||
+      (!exact && (!kDivides || decimal.places > kMostPlaces)))
+    return std::from_chars(first, last, value);  // words, powers of ten, more digits, zeros alone
+  const double size = exact ? static_cast<double>(decimal.digits) / kPowersOf10[static_cast<size_t>(decimal.places)]
+                            : quotient(decimal);
+  value = negative ? -size : size;
+  return {at, std::errc()};
+}
+
+}  // namespace host_sim
