@@ -18,7 +18,7 @@ TaylorStep::TaylorStep(const Equations& equations, const Excitation& excitation)
       masses_(equations.masses()),
       nodes_(masses_ + 2),
       x_(static_cast<size_t>(kMost + 1) * nodes_, 0.0),
-      net_(nodes_),
+      net_(x_.size(), 0.0),
       body_sum_(nodes_),
       body_mass_(nodes_) {
   std::vector<double> stiffness(nodes_, 0.0), viscous(nodes_, 0.0);
@@ -37,12 +37,13 @@ TaylorStep::TaylorStep(const Equations& equations, const Excitation& excitation)
   double fastest = 0.0;  // Gershgorin: no eigenvalue of M^-1 K is above 2 sum of k / m
   for (size_t i = 0; i < masses_; ++i) {
     const double mass = equations.mass(i);
+    mass_.push_back(mass);
     fastest = std::max({fastest, std::sqrt(2.0 * stiffness[i] / mass), 2.0 * viscous[i] / mass});
   }
   longest_step_s_ = fastest > 0.0 ? kMostTurn_rad / fastest : std::numeric_limits<double>::infinity();
   for (size_t i = 0; i < excitation.force_N.size() && i < masses_; ++i)
-    if (excitation.force_N[i]) drives_.push_back({i, excitation.force_N[i].get(), 0, {}});
-  base_ = {masses_ + 1, excitation.base_m.get(), 0, {}};
+    if (excitation.force_N[i]) drives_.push_back({i, excitation.force_N[i].get(), {}});
+  base_ = {masses_ + 1, excitation.base_m.get(), {}};
 }
 
 double TaylorStep::smooth_until(double t_s) const {
@@ -51,26 +52,39 @@ double TaylorStep::smooth_until(double t_s) const {
   return base_.signal == nullptr ? until : std::min(until, base_.signal->smooth_until(t_s));
 }
 
+// Of the excitation; what the last step left in the rows that it came to is taken away.
+void TaylorStep::set_drives(double t_s, double step_s) {
+  std::fill(net_row(0), net_row(std::max(order_, driven_)), 0.0);
+  driven_ = 0;
+  for (Drive& drive : drives_) {
+    const int count = drive.signal->expand(t_s, step_s, kMost, drive.c);
+    for (int k = 0; k < count; ++k) net_row(k)[drive.node] = drive.c[k];
+    driven_ = std::max(driven_, count);
+  }
+  if (base_.signal == nullptr) return;
+  const int count = base_.signal->expand(t_s, step_s, kMost + 1, base_.c);
+  for (int k = 0; k <= kMost; ++k) row(k)[masses_ + 1] = k < count ? base_.c[k] : 0.0;
+}
+
 // Of the k-th coefficients.
+template <bool first>
 void TaylorStep::net_forces(int k, const Modes& modes) {
-  std::fill(net_.begin(), net_.end(), 0.0);
-  for (const Drive& drive : drives_)
-    if (k < drive.count) net_[drive.node] = drive.c[k];
   const double *x = row(k), *next = row(k + 1);
+  double* const net = net_row(k);
   const double per_s = static_cast<double>(k + 1) / step_s_;
   for (size_t l = 0; l < links_.size(); ++l) {
     const Link& link = links_[l];
     double force = link.stiffness * (x[link.a] - x[link.b]) + link.viscous * per_s * (next[link.a] - next[link.b]);
-    if (k == 0) force += link.friction * static_cast<double>(modes.rate_sign[l]);
-    net_[link.a] -= force;
-    net_[link.b] += force;
+    if constexpr (first) force += link.friction * static_cast<double>(modes.rate_sign[l]);
+    net[link.a] -= force;
+    net[link.b] += force;
   }
 }
 
 // next = factor M^-1 net; masses that are tied together move alike, and with the ground or the base where these are among them.
 void TaylorStep::accelerate(const double* net, double factor, double* next) {
   if (body_.empty()) {
-    for (size_t i = 0; i < masses_; ++i) next[i] = factor * net[i] / equations_.mass(i);
+    for (size_t i = 0; i < masses_; ++i) next[i] = factor * net[i] / mass_[i];
     return;
   }
   std::fill(body_sum_.begin(), body_sum_.end(), 0.0);
@@ -83,13 +97,11 @@ void TaylorStep::accelerate(const double* net, double factor, double* next) {
 
 bool TaylorStep::expand(double t_s, double step_s, const double* y, const Modes& modes, const MotionScale& scale) {
   step_s_ = step_s;
-  for (Drive& drive : drives_) drive.count = drive.signal->expand(t_s, step_s, kMost, drive.c);
-  if (base_.signal != nullptr) base_.count = base_.signal->expand(t_s, step_s, kMost + 1, base_.c);
-  for (int k = 0; k <= kMost; ++k) row(k)[masses_ + 1] = k < base_.count ? base_.c[k] : 0.0;
+  set_drives(t_s, step_s);
   body_ = equations_.stuck_bodies(modes);
   if (!body_.empty()) {
     std::fill(body_mass_.begin(), body_mass_.end(), 0.0);
-    for (size_t i = 0; i < masses_; ++i) body_mass_[body_[i]] += equations_.mass(i);
+    for (size_t i = 0; i < masses_; ++i) body_mass_[body_[i]] += mass_[i];
   }
   for (size_t i = 0; i < masses_; ++i) {
     row(0)[i] = y[i];
@@ -98,9 +110,9 @@ bool TaylorStep::expand(double t_s, double step_s, const double* y, const Modes&
   const double rounding = kRounding * std::min(scale.displacement, scale.velocity * step_s);
   int small = 0;
   for (int k = 0; k + 2 <= kMost; ++k) {
-    net_forces(k, modes);
+    k == 0 ? net_forces<true>(k, modes) : net_forces<false>(k, modes);
     double* const next = row(k + 2);
-    accelerate(net_.data(), step_s * step_s / static_cast<double>((k + 1) * (k + 2)), next);
+    accelerate(net_row(k), step_s * step_s / static_cast<double>((k + 1) * (k + 2)), next);
     double largest = 0.0;
     for (size_t i = 0; i < masses_; ++i) largest = std::max(largest, std::fabs(next[i]));
     small = largest * static_cast<double>(k + 2) <= rounding ? small + 1 : 0;

@@ -35,12 +35,14 @@ class TaylorStep {
   struct Drive {
     size_t node;
     const Signal* signal;
-    int count;  // of its coefficients
     double c[33];
   };
   static constexpr int kMost = 32;  // order of the series
   double* row(int k) { return &x_[static_cast<size_t>(k) * nodes_]; }
   const double* row(int k) const { return &x_[static_cast<size_t>(k) * nodes_]; }
+  double* net_row(int k) { return &net_[static_cast<size_t>(k) * nodes_]; }
+  void set_drives(double t_s, double step_s);
+  template <bool first>
   void net_forces(int k, const Modes& modes);
   void accelerate(const double* net, double factor, double* next);
 
@@ -50,9 +52,9 @@ class TaylorStep {
   std::vector<Drive> drives_;
   Drive base_{};
   double longest_step_s_, step_s_ = 1.0;
-  int order_ = 1;
-  std::vector<double> x_, net_, body_sum_, body_mass_;
-  std::vector<size_t> body_;  // empty: nothing is stuck
+  int order_ = 1, driven_ = 0;                                 // of the series; rows that the drives stand in
+  std::vector<double> mass_, x_, net_, body_sum_, body_mass_;  // x_, net_: a row of nodes for every order
+  std::vector<size_t> body_;                                   // empty: nothing is stuck
 };
 
 }  // namespace host_sim
