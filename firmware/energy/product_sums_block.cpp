@@ -1,17 +1,10 @@
 // The sums over a whole block of 32 samples, where most of the path's multiplications are. Both ways are exact, so they
 // give the same bits; which one is cheaper depends on the processor.
 #include "firmware/energy/product_sums.hpp"
+#include "firmware/fixed_point/wider_vectors.hpp"
 
 namespace firmware {
 namespace {
-
-// On a PC the same loops once more for wider vectors, chosen when the program starts.
-#if defined(__x86_64__) && defined(__GLIBC__) && defined(__GNUC__) && !defined(__clang__) && \
-    !defined(__SANITIZE_ADDRESS__)
-#define FIRMWARE_WIDER_VECTORS [[gnu::target_clones("avx2", "default")]]
-#else
-#define FIRMWARE_WIDER_VECTORS
-#endif
 
 #if FIRMWARE_HAS_VECTORS
 

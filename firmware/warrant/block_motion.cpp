@@ -2,6 +2,7 @@
 
 #include "firmware/energy/equation_plan.hpp"
 #include "firmware/fixed_point/magnitude.hpp"
+#include "firmware/fixed_point/wider_vectors.hpp"
 
 namespace firmware {
 namespace {
@@ -260,7 +261,7 @@ void BlockMotion::fill_slope_rest(Slope slope, int dof) {
   }
 }
 
-void BlockMotion::fill_columns() {
+FIRMWARE_WIDER_VECTORS void BlockMotion::fill_columns() {
   for (int i = 0; i < configuration_->dof_count; ++i)
     if (derives_acceleration_[i]) fill_acceleration(i);
   fill_neighbours();

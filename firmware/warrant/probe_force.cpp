@@ -1,5 +1,6 @@
 #include "firmware/warrant/probe_force.hpp"
 
+#include "firmware/fixed_point/wider_vectors.hpp"
 #include "firmware/warrant/force_law.hpp"
 
 namespace firmware {
@@ -86,7 +87,8 @@ void fill_own_sign(const PlaceScale& scale, PlaceMotion& motion) {
 
 }  // namespace
 
-void fill_motion(const BlockMotion& block, const Place& place, const PlaceScale& scale, PlaceMotion& motion) {
+FIRMWARE_WIDER_VECTORS void fill_motion(const BlockMotion& block, const Place& place, const PlaceScale& scale,
+                                        PlaceMotion& motion) {
   for (int q = 0; q < 2; ++q) {
     if (!scale.present[q]) {
       for (int n = 0; n < kBlockSamples; ++n)
@@ -100,7 +102,8 @@ void fill_motion(const BlockMotion& block, const Place& place, const PlaceScale&
   if (place.kind != PlaceKind::kDof) fill_own_sign(scale, motion);
 }
 
-void fill_force(Form form, const PlaceScale& scale, const PlaceMotion& motion, int32_t* phi, int32_t* own) {
+FIRMWARE_WIDER_VECTORS void fill_force(Form form, const PlaceScale& scale, const PlaceMotion& motion, int32_t* phi,
+                                       int32_t* own) {
   const int64_t noise = rate_noise(scale);
   const int32_t* used = motion.used;
   with_form(form, [&](auto known) {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <complex>
 
-#include "host_sim/data_check/wider_vectors.hpp"
+#include "firmware/fixed_point/wider_vectors.hpp"
 
 namespace host_sim::data_check {
 namespace {
@@ -20,9 +20,9 @@ constexpr double kSteady = 0.9, kDriftShare = 0.05;
 // Amplitudes of a channel at a few frequencies, by a Hann window over its first samples (Goertzel, Amer. Math. Monthly
 // 65, 1958). All frequencies go through the record side by side, so that the compiler can keep several in one register.
 constexpr size_t kLine = 5, kAround = 16, kFrequencies = kLine + kAround;
-RIG_WIDER_VECTORS void amplitudes_at(const std::vector<double>& windowed,
-                                     const double (&cycles_per_sample)[kFrequencies],
-                                     double (&amplitude)[kFrequencies]) {
+FIRMWARE_WIDER_VECTORS void amplitudes_at(const std::vector<double>& windowed,
+                                          const double (&cycles_per_sample)[kFrequencies],
+                                          double (&amplitude)[kFrequencies]) {
   double twice_cosine[kFrequencies], last[kFrequencies] = {}, before[kFrequencies] = {};
   for (size_t k = 0; k < kFrequencies; ++k) twice_cosine[k] = 2.0 * std::cos(2.0 * kPi * cycles_per_sample[k]);
   for (const double value : windowed)
