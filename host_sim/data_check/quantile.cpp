@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <memory>
 
 namespace host_sim::data_check {
 namespace {
@@ -9,10 +10,13 @@ namespace {
 constexpr size_t kSampled = 256;
 constexpr size_t kMargin = 32;  // places in the sample: four standard deviations of a median's, sqrt(kSampled) / 2 each
 
-double nth(std::vector<double>& values, size_t rank) {
-  const auto place = values.begin() + static_cast<std::ptrdiff_t>(rank);
-  std::nth_element(values.begin(), place, values.end());
-  return *place;
+double nth(double* values, size_t count, size_t rank) {
+  std::nth_element(values, values + rank, values + count);
+  return values[rank];
+}
+double nth_of_all(const std::vector<double>& values, size_t rank) {
+  std::vector<double> copy(values);
+  return nth(copy.data(), copy.size(), rank);
 }
 
 struct Bracket {
@@ -29,18 +33,17 @@ Bracket bracket_of(const std::vector<double>& values, size_t rank) {
 }
 
 double at_rank(const std::vector<double>& values, size_t rank) {
-  std::vector<double> inside(values);
-  if (values.size() < 8 * kSampled) return nth(inside, rank);
+  if (values.size() < 8 * kSampled) return nth_of_all(values, rank);
   const auto [low, high] = bracket_of(values, rank);
+  const std::unique_ptr<double[]> inside(new double[values.size()]);
   size_t below = 0, count = 0;
   for (const double value : values) {  // no branch: which side a value is on cannot be predicted
     inside[count] = value;
     below += value < low ? 1 : 0;
     count += static_cast<size_t>(value >= low) & static_cast<size_t>(value <= high);
   }
-  if (rank < below || rank >= below + count) return nth(inside = values, rank);  // a sample unlike the rest
-  inside.resize(count);
-  return nth(inside, rank - below);
+  if (rank < below || rank >= below + count) return nth_of_all(values, rank);  // a sample unlike the rest
+  return nth(inside.get(), count, rank - below);
 }
 
 }  // namespace

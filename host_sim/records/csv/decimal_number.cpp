@@ -32,10 +32,15 @@ struct Decimal {
 
 bool digit(char c) { return static_cast<unsigned char>(c - '0') < 10; }
 
-// Eight characters of which the first stands lowest.
-bool all_digits(uint64_t text) {
+#if __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
+constexpr uint64_t kTenTo[] = {1, 10, 100, 1000, 10000, 100000, 1000000, 10000000, 100000000};
+
+// How many of eight characters, the first of them lowest, are digits before one that is none. A carry of the sum comes from a
+// character that is none and only reaches those behind it.
+int leading_digits(uint64_t text) {
   constexpr uint64_t kHigh = 0xF0F0F0F0F0F0F0F0u, kThrees = 0x3030303030303030u, kSixes = 0x0606060606060606u;
-  return (((text & kHigh) | (((text + kSixes) & kHigh) >> 4)) == (kThrees | kThrees >> 4));
+  const uint64_t other = ((text ^ kThrees) | ((text + kSixes) ^ kThrees)) & kHigh;
+  return other == 0 ? 8 : __builtin_ctzll(other) / 8;
 }
 // Pairs, then pairs of pairs, then both halves, side by side in one word.
 uint64_t number_of_eight(uint64_t text) {
@@ -43,14 +48,18 @@ uint64_t number_of_eight(uint64_t text) {
   text = (text & 0x00FF00FF00FF00FFu) * (100 * 65536 + 1) >> 16;
   return (text & 0x0000FFFF0000FFFFu) * (10000 * (uint64_t{1} << 32) + 1) >> 32;
 }
+#endif
 
 // Takes digits off the front into `digits`, which overflows where they are too many.
-void take_digits(const char*& at, const char* last, uint64_t& digits) {
+inline void take_digits(const char*& at, const char* last, uint64_t& digits) {
 #if __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
-  for (uint64_t text; last - at >= 8; at += 8) {
+  for (uint64_t text; last - at >= 8;) {
     std::memcpy(&text, at, sizeof text);
-    if (!all_digits(text)) break;
-    digits = 100000000 * digits + number_of_eight(text);
+    const int count = leading_digits(text);
+    if (count == 0) return;
+    digits = kTenTo[count] * digits + number_of_eight(text << (64 - 8 * count));  // zeros in front
+    at += count;
+    if (count < 8) return;
   }
 #endif
   for (; at != last && digit(*at); ++at) digits = 10 * digits + static_cast<uint64_t>(*at - '0');
@@ -99,14 +108,16 @@ std::from_chars_result read_decimal(const char* first, const char* last, double&
     decimal.places = static_cast<int>(at - point - 1);
     count += decimal.places;
   }
-  const bool plain = at == last || (*at | 0x20) != 'e';
-  const bool exact = decimal.digits <= kMostExact && decimal.places <= kMostExactPlaces;
+  const bool any = count > 0, plain = at == last || (*at | 0x20) != 'e';
   // Zeros in front are no digits: 0.00 and the like stand before the others.
+  if (any && *start == '0') --count;
   if (count > kMostDigits)
-    for (const char* zero = start; zero != at && (*zero == '0' || *zero == '.'); ++zero) count -= *zero == '0' ? 1 : 0;
-  if (!plain || at == start || count <= 0 || count > kMostDigits ||
-      (!exact && (!kDivides || decimal.places > kMostPlaces)))
-    return std::from_chars(first, last, value);  // words, powers of ten, more digits, zeros alone
+    for (const char* zero = *start == '0' ? start + 1 : start; zero != at && (*zero == '0' || *zero == '.'); ++zero)
+      count -= *zero == '0' ? 1 : 0;
+  const bool exact = decimal.digits <= kMostExact && decimal.places <= kMostExactPlaces;
+  const bool divides = kDivides && decimal.digits != 0 && decimal.places <= kMostPlaces;
+  if (!any || !plain || count > kMostDigits || !(exact || divides))
+    return std::from_chars(first, last, value);  // words, powers of ten, more digits
   const double size = exact ? static_cast<double>(decimal.digits) / kPowersOf10[static_cast<size_t>(decimal.places)]
                             : quotient(decimal);
   value = negative ? -size : size;
