@@ -84,8 +84,7 @@ Diagnosis diagnose(const rig_file::RigModel& rig, const std::vector<host_sim::Re
       runs::forced(records) && kept_moving && !runs::massless(rig) && springs_and_masses_known(rig);
   if (!right && !runs::massless(rig) && !rows_can_tell)
     choice.noise_is_enough = runs::noise_share(choice.base_left, choice.base.fit) > kMostlyNoise;
-  const bool answered =
-      !right && rows_can_tell && !choice.base_fits_nothing && runs::answered_by_rows(asked, task, choice, say, d);
+  const bool answered = !right && rows_can_tell && runs::answered_by_rows(asked, task, choice, say, d);
   progress(0.6);
   if (!answered) {
     if (!right) answer_by_runs(asked, task, say, choice);

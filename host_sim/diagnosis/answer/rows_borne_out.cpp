@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "../choice/attempt.hpp"
+#include "../choice/horizon.hpp"
 #include "../terms/naming.hpp"
 #include "run_limits.hpp"
 
@@ -46,13 +47,40 @@ void add_terms(const Model& model, const RowsSay& say, Found& found) {
   }
 }
 
+Found found_by(const Model& model, const RowsSay& say) {
+  Found found;
+  add_terms(model, say, found);
+  add_faults(say.faults, found);
+  return found;
+}
+
 bool stands(const Task& task, const Choice& fitted, const RowsSay& say, State& with_them) {
   with_them = fitted.base;
   if (!say.noise_only) return false;
-  Found found;
-  add_terms(fitted.base.model, say, found);
-  add_faults(say.faults, found);
+  const Found found = found_by(fitted.base.model, say);
   return found.list.empty() || borne_out(task, fitted.base, found.list, found.values, &with_them);
+}
+
+// A rig file that is wrong by much (a mass of twice its size: its accelerations are) follows its recording over no window,
+// and short windows tell little. Where it does with what the rows name, windows are as long as a right one's: true, and
+// choice goes on from there.
+bool followed_with(const Task& task, const RowsSay& say, Choice& choice) {
+  Choice over_long = choice;
+  over_long.periods = longest_horizon(task.records);
+  lay(task, over_long.periods, over_long.base);
+  settle(task, over_long.base, kBaseSteps);
+  if (!over_long.base.fit.ok || over_long.base.unseen.empty()) return false;
+  const Found found = found_by(over_long.base.model, say);
+  State with_them;
+  if (found.list.empty() || !borne_out(task, over_long.base, found.list, found.values, &with_them) ||
+      !(motion_error(task, with_them) < kFollows))
+    return false;
+  over_long.final = over_long.base;
+  over_long.base_left = left_by(task.system, task.records, over_long.base);
+  over_long.base_fits_nothing = false;
+  choice = over_long;
+  if (!say.noise_only) adopt(task, found.list, found.values, choice);  // there is more to look for
+  return true;
 }
 
 bool any_contradicts(const std::vector<diagnosis::Parameter>& rows, const std::vector<diagnosis::Parameter>& runs) {
@@ -82,6 +110,7 @@ bool answered_by_rows(const Asked& asked, const Task& task, Choice& choice, Rows
   say.asked = true;
   choice.noise_is_enough = say.noise_only && say.terms.empty();  // with its terms is not without them
   d.unknown_trace = say.d.unknown_trace;
+  if (choice.base_fits_nothing && !followed_with(task, say, choice)) return false;
   State with_them;
   if (!stands(task, choice, say, with_them)) {
     for (const Cause& c : say.d.causes)
