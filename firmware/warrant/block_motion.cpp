@@ -191,13 +191,13 @@ bool BlockMotion::turns(int link, int sample) const {
 }
 
 // Electronics and an anti-alias filter smear friction's jump in the acceleration over the samples beside it, which looks like a
-// Stribeck force. Signs that have passed a filter with their equation jump as it does.
+// Stribeck force. Signs that have passed a filter with their equation jump as it does. Whether the samples beside are clear is not
+// asked: that hangs on the sample's own noise, which would choose what is tested.
 void BlockMotion::fill_settled() {
   for (int i = 0; i < configuration_->dof_count; ++i) {
     if (!signs_.dof[i]) continue;
     const int32_t* counted = counted_[i] + kProbeLead;
-    for (int n = 0; n < kBlockSamples; ++n)
-      settled_[i][n] = counted[n] != 0 && (signs_.filtered || (counted[n - 1] != 0 && counted[n + 1] != 0));
+    for (int n = 0; n < kBlockSamples; ++n) settled_[i][n] = counted[n] != 0;
   }
   for (int l = 0; l < configuration_->link_count && !signs_.filtered; ++l) {
     if (!signs_.link[l]) continue;

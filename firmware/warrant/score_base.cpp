@@ -8,6 +8,7 @@ namespace {
 constexpr int kLeastForWeights = 8;  // stretches of a level that show its own scatter
 
 Scaled square(Scaled value) { return value * value; }
+Scaled quotient(Scaled a, Scaled b) { return b.is_zero() ? Scaled{} : a / b; }
 
 }  // namespace
 
@@ -154,16 +155,23 @@ Scaled ScoreTest::step_of(int unknown, Scaled* share) const {
   return step;
 }
 
-// Step of every unknown, its deviation from the stretches' shares, and what of it noise of a doubtful size may be.
+// Step of every unknown, its deviation from the stretches' shares, and what of it noise of a doubtful size may be. Shares whose noise goes
+// with the root of their information d have sum s^2 about sum d and sum s^4 about 3 sum d^2: so many stretches tell the deviation.
 void ScoreTest::measure_step(Scaled* step) {
   for (int k = 0; k < unknowns_; ++k) {
     step[k] = difference_std_[k] = difference_doubt_[k] = Scaled{};
     if (!determined_[k]) continue;
     step[k] = step_of(k, left_);
     const Scaled mean = step[k] / Scaled::from_int(stretches_);
-    Scaled squares;
-    for (int s = 0; s < stretches_; ++s) squares = squares + square(left_[s] - mean);
+    Scaled squares, fourths;
+    for (int s = 0; s < stretches_; ++s, report_work(150)) {
+      const Scaled one = square(left_[s] - mean);
+      squares = squares + one;
+      fourths = fourths + square(one);
+    }
     difference_std_[k] = sqrt(squares);
+    const Scaled stretches = quotient(Scaled::from_int(3) * square(squares), fourths);
+    difference_tenths_[k] = static_cast<uint16_t>(tenths_of_limit(stretches - Scaled::from_int(1), Chance::kOfDoubt));
     for (int j = 0; j < unknowns_; ++j) difference_doubt_[k] = difference_doubt_[k] + inverse_[k][j] * base_doubt_[j];
     difference_doubt_[k] = abs(difference_doubt_[k]);
   }

@@ -15,20 +15,16 @@ constexpr int kPlainLimit = 3, kPlainPercent = 80;
 // information in fewer stretches than its neighbours.
 constexpr int kNamingLimit = 4;
 
-// Student's quantiles, in tenths, over degrees of freedom, at the chance of 4.5, 3 and 2 deviations of the normal distribution.
-enum class Chance : uint8_t {
-  kOfFinding,  // 7e-6: with 80 probes one false finding in 2000 records
-  kOfDoubt,    // 3e-3: one of 80 right probes reaches it in every fifth record. The force may well be there
-  kOfOne       // 5e-2
-};
+// In tenths, over degrees of freedom.
 struct Quantile {
   int freedom;
-  uint16_t tenths[3];
+  uint16_t tenths[4];
 };
-constexpr Quantile kLimits[] = {{2, {3836, 192, 45}}, {3, {687, 92, 33}}, {4, {306, 66, 29}}, {5, {194, 55, 27}},
-                                {6, {145, 49, 25}},   {8, {103, 43, 24}}, {10, {85, 40, 23}}, {12, {75, 38, 22}},
-                                {16, {65, 35, 22}},   {20, {60, 34, 21}}, {24, {57, 33, 21}}, {32, {54, 33, 21}},
-                                {48, {51, 32, 21}},   {64, {49, 31, 20}}, {128, {47, 31, 20}}};
+constexpr Quantile kLimits[] = {{2, {3836, 1256, 192, 45}}, {3, {687, 326, 92, 33}}, {4, {306, 174, 66, 29}},
+                                {5, {194, 123, 55, 26}},    {6, {145, 98, 49, 25}},  {8, {103, 76, 43, 24}},
+                                {10, {85, 66, 40, 23}},     {12, {75, 60, 38, 22}},  {16, {65, 54, 35, 22}},
+                                {20, {60, 50, 34, 21}},     {24, {57, 48, 33, 21}},  {32, {54, 46, 33, 21}},
+                                {48, {51, 44, 32, 21}},     {64, {49, 43, 31, 20}},  {128, {47, 41, 31, 20}}};
 
 // All of the node's motion is made from one channel.
 bool one_quantity(const CoreConfiguration& configuration) {
@@ -39,21 +35,15 @@ bool one_quantity(const CoreConfiguration& configuration) {
   return false;
 }
 
-Scaled limit(Scaled freedom, Chance chance) {
-  const int column = static_cast<int>(chance);
-  int tenths = kLimits[0].tenths[column];
-  for (const Quantile& q : kLimits)
-    if (freedom >= Scaled::from_int(q.freedom)) tenths = q.tenths[column];
-  return Scaled::ratio(tenths, 10);
-}
+Scaled limit(Scaled freedom, Chance chance) { return Scaled::ratio(tenths_of_limit(freedom, chance), 10); }
 
 // Few stretches may hold most of the information (a sweep that passes a resonance, a blow): their own scatter is hardly known then,
 // and its limits are wide. Noise that is alike in all stretches is known from all of them. Where it makes a force that rare,
-// the few need to bear it out at the next chance only for a finding, and for a doubt not at all.
+// the few need to bear it out at a lower chance only for a finding, and for a doubt not at all.
 bool beyond(const ProbeScore& score, Chance chance, Scaled share) {
   if (abs(score.wald) > limit(score.freedom, chance) * share) return true;
   if (abs(score.even_wald) <= limit(score.even_freedom, chance) * share) return false;
-  return chance != Chance::kOfFinding || abs(score.wald) > limit(score.freedom, Chance::kOfDoubt) * share;
+  return chance != Chance::kOfFinding || abs(score.wald) > limit(score.freedom, Chance::kBearsOut) * share;
 }
 
 Scaled square(Scaled value) { return value * value; }
@@ -99,12 +89,21 @@ bool impossible(const CoreConfiguration& configuration, const ProbePlan& plan, c
 
 }  // namespace
 
+int tenths_of_limit(Scaled freedom, Chance chance) {
+  const int column = static_cast<int>(chance);
+  int tenths = kLimits[0].tenths[column];
+  for (const Quantile& q : kLimits)
+    if (freedom >= Scaled::from_int(q.freedom)) tenths = q.tenths[column];
+  return tenths;
+}
+
 // A budget that leaves samples out leaves a force nearer to chance than the estimates' own samples would: the limit shrinks
 // by the root of the share that was looked at.
 void ScoreTest::keep_bends(int number) {
   const ProbeScore& score = score_[number];
   const bool one = kDerivesSignals && one_quantity(*configuration_);
-  if (!beyond(score, one ? Chance::kOfOne : Chance::kOfDoubt, seen_root_)) return;
+  if (!beyond(score, one ? Chance::kOfOneQuantity : Chance::kOfDoubt, seen_root_)) return;
+  if (pushes(*configuration_, sums_->plan(), sums_->plan().probe[number], score, parameter_)) return;
   for (int k = 0; k < unknowns_; ++k) {
     const Scaled possible = (abs(score.effect) + score.std) * abs(bend_[k]);
     if (possible > possible_bend_[k]) possible_bend_[k] = possible;
@@ -219,10 +218,17 @@ void ScoreTest::name() {
   for (int j = 0; j < plan.probe_count; ++j)
     if (sees(j) && better(j, best_)) best_ = j;
   if (best_ < 0) return;
+  // The best of each place, held against each other by their own scatter: a place's smallest one is not that of another place.
   const Probe& named = plan.probe[best_];
-  for (int j = 0; j < plan.probe_count; ++j) {
-    const bool same = plan.probe[j].cause == named.cause && plan.probe[j].place == named.place;
-    if (sees(j) && !same && better(j, rival_)) rival_ = j;
+  for (int p = 0; p < plan.place_count; ++p) {
+    int at = -1;
+    for (int j = 0; j < plan.probe_count; ++j) {
+      const bool same = plan.probe[j].cause == named.cause && p == named.place;
+      if (plan.probe[j].place == p && sees(j) && !same && better(j, at)) at = j;
+    }
+    if (at < 0) continue;
+    const bool by_channels = rival_ >= 0 && of_channels(at) != of_channels(rival_);
+    if (rival_ < 0 || (by_channels ? of_channels(at) : abs(score_[at].wald) > abs(score_[rival_].wald))) rival_ = at;
   }
 }
 

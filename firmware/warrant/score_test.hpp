@@ -24,6 +24,15 @@ namespace firmware {
 constexpr int kLeastCertain =
     8;  // deviations of the tests' own fit, in those of the estimates: beyond, it is hardly determined
 
+// Student's quantiles at the chance of 4.5, 4, 3 and 2 deviations of the normal distribution.
+enum class Chance : uint8_t {
+  kOfFinding,     // 7e-6: with 80 probes one false finding in 2000 records
+  kOfDoubt,       // 6e-5: one of 80 right probes reaches it in one of 200 records. The force may well be there
+  kBearsOut,      // 3e-3: for a force that other reasons make likely
+  kOfOneQuantity  // 5e-2
+};
+int tenths_of_limit(Scaled freedom, Chance chance);
+
 struct ProbeScore {
   bool tested = false;   // the record can tell this force from the estimated ones
   bool matters = false;  // large enough beside the damping forces
@@ -67,6 +76,8 @@ class ScoreTest {
   Scaled difference(int unknown) const { return difference_[unknown]; }
   Scaled difference_std(int unknown) const { return difference_std_[unknown]; }
   Scaled difference_doubt(int unknown) const { return difference_doubt_[unknown]; }  // from noise of a doubtful size
+  // Deviations that the difference of a right rig exceeds once in 16,000 cases: more than four where few stretches tell it.
+  Scaled difference_limit(int unknown) const { return Scaled::ratio(difference_tenths_[unknown], 10); }
 
  private:
   void open(const Probe& probe);
@@ -130,6 +141,7 @@ class ScoreTest {
   ProbeScore score_[kMaxProbes];
   Scaled own_square_[kMaxProbes];  // sum of own forces squared, SI
   Scaled difference_[kMaxUnknowns], difference_std_[kMaxUnknowns], difference_doubt_[kMaxUnknowns];
+  uint16_t difference_tenths_[kMaxUnknowns];
   Scaled possible_bend_[kMaxUnknowns], bend_of_shape_[kMaxUnknowns];
   bool blind_[kMaxLinks];
   bool mimics_[kMaxUnknowns];

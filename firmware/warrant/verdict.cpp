@@ -252,7 +252,7 @@ bool contradicts(const CoreConfiguration& configuration, int unknown, const Para
 bool instruments_differ(const ScoreTest& test, int unknown, const ParameterEstimate& parameter) {
   const Scaled whole = abs(test.difference(unknown)), doubt = test.difference_doubt(unknown);
   const Scaled difference = whole > doubt ? whole - doubt : Scaled{};
-  return difference > test.difference_std(unknown) * Scaled::from_int(4) &&
+  return difference > test.difference_std(unknown) * test.difference_limit(unknown) &&
          scale_by_power_of_two(difference, 1) > parameter.ci95_high - parameter.ci95_low &&
          difference * Scaled::from_int(40) > abs(parameter.value);
 }
@@ -342,9 +342,9 @@ void give_verdict(const CoreConfiguration& configuration, const ScoreSums& sums,
       continue;
     }
     if (test.best() >= 0) raise(parameter, EstimateStatus::kModelSuspect);
-    if (is_wrong_by(test.possible_bend(k), parameter) || hardly_tested(test, k, parameter) ||
-        (derived && fits_differ(test, k, parameter)) || (twice_derived && blind(configuration, test, k)) ||
-        (inseparable && test.mimics(k)))
+    if (is_wrong_by(test.possible_bend(k), parameter) ||
+        (derived && (fits_differ(test, k, parameter) || hardly_tested(test, k, parameter))) ||
+        (twice_derived && blind(configuration, test, k)) || (inseparable && test.mimics(k)))
       raise(parameter, EstimateStatus::kUntested);
     if (instruments_differ(test, k, parameter)) raise(parameter, EstimateStatus::kBiasSuspect);
     // A second level asks the model another question.
