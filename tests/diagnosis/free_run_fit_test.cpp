@@ -89,6 +89,32 @@ TEST(FreeRun, SensitivitiesAreThoseOfDifferences) {
   }
 }
 
+// A step that begins with the accelerations asked for before it ends where it would have ended; those of another state, or asked
+// for without slopes, are none to begin with.
+TEST(FreeRun, AskingForAccelerationsChangesNoStep) {
+  Rig rig(101);
+  rig.add(on_link(Kind::kViscous, 0), 0.3, false), rig.add(on_link(Kind::kCoulomb, 0), 1, false);
+  const auto run = [&](int asked) {
+    Simulator s(rig.system, rig.model, rig.records[0]);
+    Vec y(2), acceleration;
+    y << 1, 0.5;
+    Sensitivity total = Sensitivity::Zero(2, 4);
+    total.leftCols(2).setIdentity();
+    s.start(0, y);
+    for (Index k = 0; k < 100; ++k) {
+      const Vec other = Vec::Constant(2, -3);
+      Mat slopes;
+      if (asked > 0) s.accelerations(k, asked == 2 ? other : y, acceleration, asked == 3 ? nullptr : &slopes);
+      s.advance(k, y, &total);
+    }
+    Mat all(2, 5);
+    all << y, total;
+    return all;
+  };
+  const Mat plain = run(0);
+  for (const int asked : {1, 2, 3}) EXPECT_EQ(run(asked), plain) << asked;
+}
+
 // x = exp(-d t) cos(w t) with c = 2 d m: 0.4 N s/m is found from its displacement to 1e-4, from a first value of 0.1.
 TEST(FreeRun, FitFindsViscousDamping) {
   Rig rig(801);

@@ -128,7 +128,7 @@ void Simulator::accelerations(const Vec& y, const Outside& o, Vec& acc, bool slo
   for (Index node = 0; node < nodes_; ++node)
     for (Index p : by_mass_[static_cast<size_t>(node)]) slope_x_(node, states() + p) -= acc[node] + o.carried;
   if (held_.empty()) {
-    for (Index i = 0; i < nodes_; ++i) slope_x_.row(i) /= mass_[i];
+    slope_x_.array().colwise() /= mass_.array();
     return;
   }
   slope_x_ = yield_ * slope_x_;

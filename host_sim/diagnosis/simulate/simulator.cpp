@@ -32,6 +32,7 @@ void Simulator::start(Index sample, const Vec& y) {
   const Outside o = outside(0);
   for (Friction& f : friction_) f.sign = relative(y, nodes_, f.a, f.b, o.v) < 0 ? -1 : 1;
   yield_old_ = true;
+  begun_.is = false;
 }
 
 bool Simulator::advance(Index sample, Vec& y, Sensitivity* s) {
@@ -100,8 +101,9 @@ void Simulator::accelerations(Index sample, const Vec& y, Vec& a, Mat* slopes) {
     o.force[fine_node_[i]] += between(f, static_cast<Index>(now + behind * share), std::fmod(behind * share, 1)) -
                               (steps_ ? drive_at(f, 1) : f[sample * 2 * substeps_]);
   }
-  accelerations(y, o, a, slopes != nullptr);
-  a.array() += o.carried;
+  accelerations(y, o, acc_[0], slopes != nullptr);
+  begun_ = {!last && !late_, slopes != nullptr, at_, y};
+  a = acc_[0].array() + o.carried;
   if (!slopes) return;
   *slopes = slope_x_;
   if (by_base_delay_ >= 0 && record_.base.ridden) slopes->col(states() + by_base_delay_).array() += o.jerk;

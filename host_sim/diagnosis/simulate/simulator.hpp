@@ -14,12 +14,7 @@ namespace diagnosis::runs {
 // How states answer to states and parameters at the start, a row per state: rows are what a step combines.
 using Sensitivity = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 // to.row(r) += sum over c of from(r, c) of.row(c), of the first columns of `from`. What links do not couple is nought.
-template <typename To, typename From>
-void add_product(const From& from, const Sensitivity& of, To& to) {
-  for (Index r = 0; r < from.rows(); ++r)
-    for (Index c = 0; c < of.rows(); ++c)
-      if (const double value = from(r, c); value != 0) to.row(r) += value * of.row(c);
-}
+void add_product(const Mat& from, const Sensitivity& of, Sensitivity& to);
 
 class Simulator {
  public:
@@ -119,6 +114,13 @@ class Simulator {
   Mat by_hold_, inner_inverse_;  // what holds them per force on each node (links x nodes); inverse of their inertia
   bool yield_old_ = true;
   Vec acc_[4];
+  // The state whose accelerations stand in acc_[0], their slopes in slope_x_ where there are some, since accelerations(sample, ..):
+  // the step from there begins with them.
+  struct Begun {
+    bool is = false, slopes = false;
+    Index at = 0;
+    Vec y;
+  } begun_;
 };
 
 }  // namespace diagnosis::runs

@@ -1,10 +1,24 @@
 #include <algorithm>
 #include <cmath>
 
+#include "firmware/fixed_point/wider_vectors.hpp"
 #include "simulator.hpp"
 
 // One step of Runge and Kutta, and what bends within it.
 namespace diagnosis::runs {
+
+FIRMWARE_WIDER_VECTORS void add_product(const Mat& from, const Sensitivity& of, Sensitivity& to) {
+  const Index columns = of.cols();
+  for (Index r = 0; r < from.rows(); ++r) {
+    double* const sum = &to(r, 0);
+    for (Index c = 0; c < of.rows(); ++c) {
+      const double value = from(r, c);
+      if (value == 0) continue;
+      const double* const row = &of(c, 0);
+      for (Index k = 0; k < columns; ++k) sum[k] += value * row[k];
+    }
+  }
+}
 
 // Bristles at a later instant of the same step: they relax towards the direction of the way gone since its start.
 void Simulator::bend(const Vec& start, Vec& y, const Outside& o0, const Outside& o1, const Sensitivity* s0,
@@ -36,8 +50,10 @@ void Simulator::step(double from, double length, Vec& y, Sensitivity* s) {
   const Index n = nodes_;
   if (s) s0 = *s, sn = *s;
   static thread_local Vec kx[4];
+  const bool begins = begun_.is && from == 0 && begun_.at == at_ && (begun_.slopes || !s) && begun_.y == y;
+  begun_.is = false;
   const auto slope = [&](int i, const Outside& o) {
-    accelerations(yn, o, acc_[i], s != nullptr);
+    if (i > 0 || !begins) accelerations(yn, o, acc_[i], s != nullptr);
     kx[i] = yn.segment(n, n);
     if (!s) return;
     kv_[i] = sn.middleRows(n, n);
