@@ -85,7 +85,7 @@ class DataCheck {
   }
 
  private:
-  static constexpr size_t kKeptTwice = size_t{1} << 23;  // 64 MB
+  static constexpr size_t kKeptTwice = size_t{1} << 25;  // 256 MB: ten channels of 50 minutes at 1 kHz
   const DataArguments& arguments_;
   data_check::Report report_;
   std::future<data_check::Report> running_;
