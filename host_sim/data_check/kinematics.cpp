@@ -46,7 +46,8 @@ class Sides {
     const auto mean = [](const std::vector<double>& values) { return view(values.data(), values.size()).mean(); };
     sum_up(upper.values, mean(upper.values), integral_);
     if (!twice_) return;
-    const std::vector<double> once = std::move(integral_);
+    std::vector<double> once;
+    once.swap(integral_);
     sum_up(once, mean(once), integral_);
   }
 
@@ -56,8 +57,8 @@ class Sides {
   // Some of them: each shares over nine tenths of its span with the next, or they are enough anyway. The step is no whole number,
   // so that no period of the motion keeps time with it.
   void here_and_there(size_t h) {
-    const size_t count = samples() - 2 * h;
-    const double enough = kGoldenRatio * static_cast<double>(count / kMostPoints);
+    const size_t count = samples() - 2 * h, apart = count / kMostPoints;
+    const double enough = kGoldenRatio * static_cast<double>(apart);
     const double step = std::max({1.0, kGoldenRatio * static_cast<double>(h) / 4.0, enough});
     compare(h, static_cast<size_t>(static_cast<double>(count - 1) / step) + 1, step);
   }

@@ -20,16 +20,17 @@ double nth_of_all(const std::vector<double>& values, size_t rank) {
 }
 
 struct Bracket {
-  double low = 0.0, high = 0.0;
+  double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
 };
 Bracket bracket_of(const std::vector<double>& values, size_t rank) {
   std::vector<double> sample(kSampled);
   for (size_t i = 0; i < kSampled; ++i) sample[i] = values[i * values.size() / kSampled];
   std::sort(sample.begin(), sample.end());
   const size_t place = rank * kSampled / values.size();
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  return {place < kMargin ? -kInfinity : sample[place - kMargin],
-          place + kMargin >= kSampled ? kInfinity : sample[place + kMargin]};
+  Bracket bracket;
+  if (place >= kMargin) bracket.low = sample[place - kMargin];
+  if (place + kMargin < kSampled) bracket.high = sample[place + kMargin];
+  return bracket;
 }
 
 double at_rank(const std::vector<double>& values, size_t rank) {

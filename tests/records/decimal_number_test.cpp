@@ -90,11 +90,11 @@ TEST(DecimalNumber, WhateverStandsThere) {
 TEST(DecimalNumber, AnyDigitsAndPlaces) {
   std::mt19937_64 random(11);
   for (int i = 0; i < 300000; ++i) {
-    const int digits = 1 + static_cast<int>(random() % 21), places = static_cast<int>(random() % 30);
+    const size_t digits = 1 + random() % 21, places = random() % 30;
     std::string text;
-    for (int k = 0; k < digits; ++k) text += static_cast<char>('0' + random() % 10);
-    if (places >= digits) text.insert(0, static_cast<size_t>(places - digits + 1), '0');
-    text.insert(text.size() - static_cast<size_t>(places), ".");
+    for (size_t k = 0; k < digits; ++k) text += static_cast<char>('0' + random() % 10);
+    if (places >= digits) text.insert(0, places - digits + 1, '0');
+    text.insert(text.size() - places, ".");
     expect_as_from_chars((i % 2 == 0 ? "-" : "") + text);
   }
 }
