@@ -196,9 +196,38 @@ void adopt(const Task& task, const std::vector<Candidate>& found, const std::vec
   choice.final = t.state;
 }
 
+namespace {
+
+// The rig's own unknown coefficients as they start where these causes are known.
+Model started_beside(const Task& task, const State& base, const std::vector<Candidate>& found,
+                     const std::vector<std::vector<double>>& values) {
+  Model with = base.model;
+  for (size_t i = 0; i < found.size(); ++i) with = joined(with, found[i], values[i]);
+  for (ModelTerm& t : with) t.known = t.known || t.added;
+  start_values(task.system, task.records, with);
+  Model own = base.model;
+  for (size_t i = 0; i < own.size(); ++i) own[i].value = with[i].value;
+  return own;
+}
+
+// Causes that another test found, from its numbers. Where the rig as given does not follow its windows, its coefficients and the
+// windows' states are those of another motion: from the measured one too.
+Attempt attempt_of_found(const Task& task, const State& base, const std::vector<Candidate>& found,
+                         const std::vector<std::vector<double>>& values) {
+  Attempt carried = attempt(task, base, found, values, kTrialSteps);
+  if (motion_error(task, base) < kFollows) return carried;
+  State measured = base;
+  measured.model = started_beside(task, base, found, values);
+  Attempt afresh = attempt(task, measured, found, values, kTrialSteps, From::kMeasured);
+  const bool usable = carried.state.fit.ok && !carried.rounds;
+  return afresh.state.fit.ok && (!usable || whole_error(afresh) < whole_error(carried)) ? afresh : carried;
+}
+
+}  // namespace
+
 bool borne_out(const Task& task, const State& base, const std::vector<Candidate>& found,
                const std::vector<std::vector<double>>& values, State* fitted) {
-  const Attempt all = attempt(task, base, found, values, kTrialSteps);
+  const Attempt all = attempt_of_found(task, base, found, values);
   if (fitted) *fitted = all.state;
   if (!all.state.fit.ok || all.rounds || !(all.z > kSure) || !unseen_agrees(all)) return false;
   for (size_t i = 0; found.size() > 1 && i < found.size(); ++i) {
@@ -206,7 +235,7 @@ bool borne_out(const Task& task, const State& base, const std::vector<Candidate>
     std::vector<std::vector<double>> start = values;
     fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(i)),
         start.erase(start.begin() + static_cast<std::ptrdiff_t>(i));
-    if (attempt(task, base, fewer, start, kTrialSteps).unseen <= all.unseen) return false;
+    if (attempt_of_found(task, base, fewer, start).unseen <= all.unseen) return false;
   }
   return true;
 }

@@ -17,6 +17,24 @@ bool as_good(const Attempt& simpler, const Attempt& best, double worth) {
   return whole_error(simpler) < whole_error(best) * std::pow(worth, best.complexity - simpler.complexity);
 }
 
+bool by_whole_error(const Attempt& a, const Attempt& b) { return whole_error(a) < whole_error(b); }
+
+constexpr double kMoreThanNoise = 2;  // times the noise's share: so much left tells of a shape in a wrong valley too
+
+// A shape's error has valleys. Where the best single leaves more than noise it is fitted from its other shapes as well.
+Attempt reshaped(const Task& task, const State& now, const std::vector<Candidate>& all, const Attempt& best,
+                 double noise) {
+  Attempt found = best;
+  if (best.candidates.size() > 1 || best.rounds || !best.state.fit.ok || whole_error(best) < kMoreThanNoise * noise)
+    return found;
+  for (const Candidate& c : all) {
+    if (!c.same_place(best.candidates[0]) || c.terms.size() > 1 || c.terms[0].kind == Kind::kResonance) continue;
+    const Attempt other = attempt(task, now, {c}, {{0.0}}, kTrialSteps);
+    if (other.state.fit.ok && !other.rounds && by_whole_error(other, found)) found = other;
+  }
+  return found;
+}
+
 }  // namespace
 
 Round round_of(const Task& task, const State& now, size_t already, const Left& left, double noise, double worth,
@@ -32,8 +50,8 @@ Round round_of(const Task& task, const State& now, size_t already, const Left& l
     if (one.z < least && one.gain < kPlainGain) continue;
     singles.push_back(attempt(task, now, choice.last_candidates, one, noise));
   }
-  std::sort(singles.begin(), singles.end(),
-            [](const Attempt& a, const Attempt& b) { return whole_error(a) < whole_error(b); });
+  std::sort(singles.begin(), singles.end(), by_whole_error);
+  if (!singles.empty()) singles[0] = reshaped(task, now, choice.last_candidates, singles[0], noise);
   if (!singles.empty() && is_bristles(singles[0])) {
     const Attempt dry = without_bristles(task, now, singles[0]);
     if (dry.state.fit.ok && !clearly_better(singles[0], dry, noise)) {

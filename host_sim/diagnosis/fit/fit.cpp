@@ -8,13 +8,14 @@
 namespace diagnosis::runs {
 namespace {
 
-constexpr double kRidge = 1e-9;       // of a column's square: what is not determined stays where it is
-constexpr int kTries = 5;             // of a step, each damped more
-constexpr double kSettled = 0.02;     // of the cost: a fall that no test can notice
-constexpr double kLongestStep = 0.5;  // of a shape's logarithm
-constexpr size_t kLeastWindows = 8;   // from which on the scatter between windows is a measure
-constexpr double kLeastShare = 0.3;   // of a positive number, that one step may leave of it
-constexpr double kForgotten = 10;     // memories of what is left: blocks as long share a tenth of it at most
+constexpr double kRidge = 1e-9;          // of a column's square: what is not determined stays where it is
+constexpr int kTries = 5;                // of a step, each damped more
+constexpr double kAstrayDamping = 1e-3;  // of the state of a window that its step led astray, in units of its columns
+constexpr double kSettled = 0.02;        // of the cost: a fall that no test can notice
+constexpr double kLongestStep = 0.5;     // of a shape's logarithm
+constexpr size_t kLeastWindows = 8;      // from which on the scatter between windows is a measure
+constexpr double kLeastShare = 0.3;      // of a positive number, that one step may leave of it
+constexpr double kForgotten = 10;        // memories of what is left: blocks as long share a tenth of it at most
 // Scatter between windows over that between shorter blocks: the 1 % point for a dozen windows. Beyond it what drives
 // the rig has noise that a resonance stretches all over a window, small as its share of the whole residual may be.
 constexpr double kResembles = 1.5;
@@ -22,6 +23,8 @@ constexpr double kResembles = 1.5;
 struct Normal {              // of one window
   Mat states_inverse_cross;  // what a change of the parameters does to the state
   Vec state_step;
+  Mat state_gram, cross;  // of the state, in units of state_scale; with the parameters
+  Vec state_scale, state_right;
   Mat gram;
   Vec score;
   Vec ss;
@@ -130,6 +133,7 @@ Pass pass_over(Evaluator& evaluator, const std::vector<Window>& windows, const V
         Mat a = gram.topLeftCorner(s, s);
         const Vec scale = a.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
         a = scale.asDiagonal() * a * scale.asDiagonal();
+        n.state_gram = a, n.cross = gram.topRightCorner(s, p), n.state_scale = scale, n.state_right = right.head(s);
         a.diagonal().array() += kRidge;
         const Eigen::LLT<Mat> solver(a);
         n.states_inverse_cross = scale.asDiagonal() * solver.solve(scale.asDiagonal() * gram.topRightCorner(s, p));
@@ -150,6 +154,14 @@ Pass pass_over(Evaluator& evaluator, const std::vector<Window>& windows, const V
   return pass;
 }
 
+// How a window's state moves beside a change of the parameters. Damped: what the window hardly determines stays near where it was.
+Vec state_change(const Normal& n, const Vec& change, double damping) {
+  if (damping == 0) return n.state_step - n.states_inverse_cross * change;
+  Mat a = n.state_gram;
+  a.diagonal().array() += damping;
+  return n.state_scale.asDiagonal() * a.llt().solve(n.state_scale.asDiagonal() * (n.state_right - n.cross * change));
+}
+
 void step_parameters(Model& model, const Vec& change) {
   const std::vector<Parameter> parameters = parameters_of(model);
   for (size_t i = 0; i < parameters.size(); ++i) {
@@ -167,18 +179,19 @@ void step_parameters(Model& model, const Vec& change) {
   }
 }
 
-// Windows whose own step led astray stay as they were: one that is not determined holds all others back. True where
-// any did.
-bool put_back(const Pass& now, const Pass& next, const Vec& weights, const std::vector<Window>& windows,
-              std::vector<Window>& moved) {
-  constexpr double kAstray = 100;  // times as much as before: it has left the motion altogether
-  bool any = false;
+// Windows that a step led astray, as one does that starts at rest and hardly determines its state: they would hold all others
+// back. They start again from where they were. Returns which.
+std::vector<size_t> put_back(const Pass& now, const Pass& next, const Vec& weights, bool only_states,
+                             const std::vector<Window>& windows, std::vector<Window>& moved) {
+  // times as much as before: it has left the motion altogether; where the parameters stay each window is on its own
+  const double astray = only_states ? 1 : 100;
+  std::vector<size_t> list;
   for (size_t w = 0; w < windows.size(); ++w) {
     const double before = now.windows[w].ss.dot(weights.cwiseAbs2()),
                  after = next.windows[w].ss.dot(weights.cwiseAbs2());
-    if (after > kAstray * before) moved[w].state = windows[w].state, any = true;
+    if (after > astray * before) moved[w].state = windows[w].state, list.push_back(w);
   }
-  return any;
+  return list;
 }
 
 bool has_friction(const Model& model) {
@@ -243,7 +256,7 @@ Fitted fit(const System& system, const std::vector<Prepared>& records, Model& mo
       for (const Normal& n : now.windows) gram += n.gram, score += n.score;
       bool better = false;
       double fall = 0;
-      for (int attempt = 0; attempt < kTries && !better; ++attempt) {
+      for (int attempt = 0; attempt < (only_states ? 1 : kTries) && !better; ++attempt) {
         Vec change = Vec::Zero(p);
         if (!only_states && p > 0) {
           const Vec scale = gram.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
@@ -258,16 +271,24 @@ Fitted fit(const System& system, const std::vector<Prepared>& records, Model& mo
         if (next_evaluator->sound()) {
           if (!evaluator->massless())
             for (size_t w = 0; w < windows.size(); ++w) {
-              const Normal& n = now.windows[w];
-              next_evaluator->moved(moved[w], n.state_step - n.states_inverse_cross * change, moved[w].state);
+              next_evaluator->moved(moved[w], state_change(now.windows[w], change, 0), moved[w].state);
             }
           Pass next = pass_over(*next_evaluator, moved, &weights, false);  // its cost alone is many times cheaper
-          const bool early = !only_states && attempt + 1 < kTries;         // a shorter step may do for all
-          const bool whole = early || !next.ok || next.cost < now.cost || !put_back(now, next, weights, windows, moved);
-          if (!whole) next = pass_over(*next_evaluator, moved, &weights, false);
+          bool whole = true;
+          for (const bool damped : {true, false}) {  // those led astray by a shorter way, then not at all
+            if (!next.ok || next.cost < now.cost || evaluator->massless()) break;
+            const std::vector<size_t> astray = put_back(now, next, weights, only_states, windows, moved);
+            if (astray.empty()) break;
+            whole = false;
+            for (const size_t w : astray)
+              if (damped)
+                next_evaluator->moved(moved[w], state_change(now.windows[w], change, kAstrayDamping), moved[w].state);
+            next = pass_over(*next_evaluator, moved, &weights, false);
+          }
           if (next.ok && next.cost < now.cost + 1e-9 * std::abs(now.cost) &&
               (next = pass_over(*next_evaluator, moved, &weights, true)).ok) {
-            fall = whole ? now.cost - next.cost : kSettled;  // where some did not move there may be more to gain
+            fall = whole || only_states ? now.cost - next.cost
+                                        : kSettled;  // where some did not move there may be more to gain
             model = trial, windows = moved, now = std::move(next);
             evaluator = std::make_unique<Evaluator>(system, model, records);
             weights = now.mean_square.cwiseSqrt().cwiseInverse();

@@ -103,7 +103,7 @@ void start_values(const System& system, const std::vector<Prepared>& records, Mo
           else
             given[dof - 1] -= model[i].value * f;
         };
-        if (t.kind == Kind::kMass) {
+        if (t.kind == Kind::kMass || t.kind == Kind::kMassError) {
           put(t.dof + 1, value(t.dof + 1, 2, k));
         } else if (t.link >= 0) {
           const rig_file::Link& l = system.links[static_cast<size_t>(t.link)];
