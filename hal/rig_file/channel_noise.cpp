@@ -29,6 +29,9 @@ constexpr double kWhitePole = 0.1;
 // A power that misses the first-order curve by more is not of such noise.
 constexpr double kMisfit = 0.15;
 
+// Noise that does not show in the codes is at most that of their rounding: deviation of an even distribution over one code.
+constexpr double kRounding = 0.2887;
+
 Taps times_one_plus_shift(const Taps& h) {
   Taps out(h.size() + 1, 0.0);
   for (size_t i = 0; i < h.size(); ++i) out[i] += h[i], out[i + 1] += h[i];
@@ -167,7 +170,11 @@ ChannelNoise read_noise(const Records& records, int node, int quantity, double r
   Bands bands(quantity == kDisplacement ? 8 : 4);
   bands.read(records, node, quantity);
   ChannelNoise noise;
-  if (!(bands.power[0] > 0.0)) return noise;
+  if (!(bands.power[0] > 0.0)) {  // most codes do not change: a drive that is off, blows, a rig at rest
+    const auto is_long = [&](const auto& record) { return record.size() >= bands.filter[0].size(); };
+    if (std::any_of(records.begin(), records.end(), is_long)) noise.deviation = kRounding;
+    return noise;
+  }
   double white = bands.power[0] / gain(bands.filter[0], 0.0);
   const double pole = bands.pole(2);
   if (bands.fits(0.0) || std::fabs(pole) < kWhitePole) {

@@ -13,7 +13,7 @@
 namespace rig_file {
 
 struct ChannelNoise {
-  double deviation = 0;             // standard deviation, codes
+  double deviation = 0;             // standard deviation, codes; 0: not known, there is no record that tells it
   double pole = 0;                  // 0: white
   double doubt = 1;                 // the products of this noise in the signals may be off by this share of them
   std::vector<double> correlation;  // over lags from 0, in place of the pole's; empty: first-order noise

@@ -16,9 +16,10 @@ double largest(const std::vector<Record>& records, const Channel& like) {
   return result;
 }
 
-// The largest code must stay below full scale, 2^23 - 1, also after rounding.
+// The largest code must stay below full scale, 2^23 - 1, also after rounding. Of a channel that is zero throughout (a drive that is off) one
+// SI unit is full scale: what filters round of its codes is then no force beside that of any rig.
 double power_of_two_unit(double largest_value) {
-  if (largest_value == 0.0) return 1.0;
+  if (largest_value == 0.0) return std::ldexp(1.0, -kCodeBits);
   int exponent = 0;
   std::frexp(largest_value, &exponent);  // 2^(exponent - 1) <= value < 2^exponent
   const double unit = std::ldexp(1.0, exponent - kCodeBits);

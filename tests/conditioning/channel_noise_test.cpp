@@ -125,8 +125,18 @@ TEST(ChannelNoise, NoiseThatDiffersBetweenRecordsIsInDoubt) {
   EXPECT_NEAR(noise.deviation, 1e4 * std::sqrt(2.5), 500.0);
 }
 
-TEST(ChannelNoise, ASilentChannelHasNone) {
-  EXPECT_EQ(read({record(Quantity::kDisplacement, 0.0, 0.0, 0.0, 7)}, Quantity::kDisplacement).deviation, 0.0);
+// The rounding of a code is even over +-1/2: a deviation of 1 / sqrt(12). That nothing changes says that there is no more.
+TEST(ChannelNoise, ASilentChannelHasThatOfItsRounding) {
+  for (const Quantity quantity : {Quantity::kForce, Quantity::kDisplacement})
+    EXPECT_NEAR(read({record(quantity, 0.0, 0.0, 0.0, 7)}, quantity).deviation, 1 / std::sqrt(12.0), 1e-4);
 }
+
+TEST(ChannelNoise, BlowsBetweenSilenceAreNoNoise) {
+  auto blows = record(Quantity::kForce, 0.0, 0.0, 0.0, 8);
+  for (size_t n = 100; n < blows.size(); n += 500) blows[n].code[0][static_cast<int>(Quantity::kForce)] = 1000000;
+  EXPECT_NEAR(read({blows}, Quantity::kForce).deviation, 1 / std::sqrt(12.0), 1e-4);
+}
+
+TEST(ChannelNoise, WithoutARecordItIsNotKnown) { EXPECT_EQ(read({}, Quantity::kForce).deviation, 0.0); }
 
 }  // namespace

@@ -24,6 +24,7 @@ TEST(Digitise, UnitIsThePowerOfTwoThatFillsTwentyThreeBits) {
   EXPECT_EQ(calibrations[0].unit_per_code, 0x1p-21);
   EXPECT_EQ(host_sim::to_code(-3.0, calibrations[0]), -3 * (1 << 21));
   EXPECT_EQ(host_sim::to_code(0.0, calibrations[1]), 0);  // a silent channel
+  EXPECT_EQ(calibrations[1].unit_per_code, 0x1p-23);      // 1 m/s at full scale
 }
 
 TEST(Digitise, RoundingMovesNoValueByMoreThanTwoToMinus23OfTheLargest) {

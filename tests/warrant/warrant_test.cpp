@@ -85,6 +85,34 @@ INSTANTIATE_TEST_SUITE_P(Warrant, HiddenEffects,
                                          Measured{"a", "random_1pct"}),
                          [](const auto& test) { return std::string(test.param.sensors) + "_" + test.param.condition; });
 
+// A load cell whose drive is off says zero in every sample: no noise that nobody knows, and no force that filters round up to.
+TEST(Warrant, DecaysBesideADriveThatIsOffAreTested) {
+  int withdrawn = 0;
+  for (const char* sensors : {"xa", "x"})
+    for (const char* hidden : {"none", "missing_coulomb"})
+      for (uint64_t seed = 8700; seed < 8704; ++seed) {
+        Settings settings;
+        settings.condition = "free_decay";
+        settings.sensors = sensors;
+        settings.hidden = hidden;
+        settings.masses = 2;
+        hidden_rig::Draw draw = hidden_rig::make_draw(seed, settings);
+        for (host_sim::Record& record : draw.records)
+          record.channels.push_back(
+              {"force_1_N", host_sim::Quantity::kForce, 1, std::vector<double>(record.channels.front().values.size())});
+        const CoreRun run = run_core(draw);
+        const firmware::Estimates& estimates = run.core->estimates();
+        EXPECT_TRUE(estimates.warrant.tested) << sensors << " " << hidden << " " << seed;
+        EXPECT_EQ(valid_and_wrong(draw, estimates), 0) << sensors << " " << hidden << " " << seed;
+        if (settings.hidden == "none") {
+          EXPECT_FALSE(suspect(estimates)) << sensors << " " << seed;
+        } else {
+          withdrawn += suspect(estimates);
+        }
+      }
+  EXPECT_GE(withdrawn, 2);
+}
+
 // A sweep that passes a resonance, a blow, a decay: few stretches hold what there is to know of a damping law of another power, and
 // their own scatter is hardly known. The noise is alike in all of them.
 TEST(Warrant, AFewStretchesThatHoldTheInformationAreEnough) {
