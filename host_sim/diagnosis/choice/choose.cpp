@@ -172,6 +172,25 @@ void search_shorter(const Task& task, Choice& choice, const std::function<void(d
   }
 }
 
+constexpr double kOfThatMotion = 0.5;  // error over the motion: up to it a run is still in phase
+
+// Short windows follow anything from their own states: hysteresis and what grows slowly do not show in them. Where nothing is named
+// over them, windows over which the rig as given misses more are searched: what they name has to make them followed.
+void search_longer(const Task& task, Choice& choice, const std::function<void(double)>& progress) {
+  for (double periods = longest_horizon(task.records); periods >= kShorter * choice.periods; periods /= kShorter) {
+    Choice longer = choice;
+    lay(task, periods, longer.base);
+    settle(task, longer.base, kBaseSteps);
+    if (longer.base.unseen.empty() || !(motion_error(task, longer.base) < kOfThatMotion)) continue;
+    longer.final = longer.base;
+    longer.base_left = left_by(task.system, task.records, longer.base);
+    search(task, kWorth, longer, progress);
+    if (longer.named.empty() || !(motion_error(task, longer.final) < kFollows)) continue;
+    choice = longer, choice.periods = periods;
+    return;
+  }
+}
+
 }  // namespace
 
 void choose(const Task& task, Choice& choice, const std::function<void(double)>& progress) {
@@ -182,6 +201,8 @@ void choose(const Task& task, Choice& choice, const std::function<void(double)>&
                                                   beyond_noise(left_by(task.system, task.records, choice.final)));
   if (more_left && noise_share(choice.base_left, choice.base.fit) < kMostlyNoise)
     search_shorter(task, choice, progress);
+  if (choice.named.empty() && noise_share(choice.base_left, choice.base.fit) < kMostlyNoise)
+    search_longer(task, choice, progress);
   weigh_rivals(task, progress, choice);
   choice.final_left = left_by(task.system, task.records, choice.final);
 }
