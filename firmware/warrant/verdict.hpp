@@ -4,15 +4,15 @@
 // the rig is believed, because a wrong term bends its neighbours too. Also a coefficient that physics keeps positive with
 // an interval wholly below zero; the whole rig where that is by four deviations.
 // BIAS_SUSPECT: the score tests' instrument, which reaches four samples to either side, says another value: by more than
-// four deviations of the difference, the half width of the interval and 1/40 of the value.
+// four deviations of the difference (Student's, few stretches may tell it), the half width of the interval and 1/40 of the value.
 // UNTESTED: what the record does not exclude would make the coefficient wrong, by over 4 of its deviations and over 1/20 of its
 // value: a force that is found near the limit of chance, and one deviation more; where one quantity of a DOF is measured, a force
 // that two deviations are found of, and what the score tests' own fit says of it.
 // One level, and the rate of a coefficient's link has one amplitude, as with one tone (mean of w^4 over the squared mean of w^2
 // below 1.56; 1.5 for one tone, 2.25 for two, 3 for a random band): other damping laws differ in their harmonics alone, and have
 // to be excluded with two deviations whatever is found of them. With displacements alone also where a damping law of the link
-// cannot be told from its coefficients. Also where the tests' own fit hardly determines the coefficient, and where the record is too
-// short to test anything.
+// cannot be told from its coefficients. Where one quantity of a DOF is measured also where the tests' own fit hardly determines the
+// coefficient. And where the record is too short to test anything.
 // Where signals pass filters and nobody has said how much noise their channels have, the score tests are not calibrated:
 // they say nothing, warrant.tested is false, and only impossible coefficients and late channels are told.
 #pragma once
