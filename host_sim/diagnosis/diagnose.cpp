@@ -8,6 +8,7 @@
 #include "answer/rows_borne_out.hpp"
 #include "answer/trifles.hpp"
 #include "choice/held_force.hpp"
+#include "choice/wrong_numbers.hpp"
 
 namespace diagnosis {
 
@@ -53,9 +54,24 @@ void answer_by_runs(const Asked& asked, const runs::Task& task, const RowsSay& s
   if (!runs::massless(asked.rig) && two_channels_a_dof(task.records[0]))
     runs::adopt_faults(task, say.asked ? say.faults : motion_faults(asked), choice);
   const auto& progress = asked.options.progress;
-  runs::choose(task, choice, [&](double share) {
-    if (progress) progress(0.6 + 0.3 * share);
-  });
+  const auto searched = [&](const runs::Choice& from) {
+    runs::Choice found = from;
+    runs::choose(task, found, [&](double share) {
+      if (progress) progress(0.6 + 0.3 * share);
+    });
+    return found;
+  };
+  runs::Choice numbers = choice;
+  if (!runs::name_wrong_numbers(task, numbers)) {
+    choice = searched(choice);
+    return;
+  }
+  numbers = searched(numbers);
+  const bool more = runs::beyond_noise(numbers.final_left);  // then the numbers may stand for something else
+  const runs::Choice as_given = more ? searched(choice) : choice;
+  const bool less = !more || !as_given.final.fit.ok ||
+                    runs::missed_percent(task, numbers.final) < runs::missed_percent(task, as_given.final);
+  choice = less ? numbers : as_given;
 }
 
 }  // namespace

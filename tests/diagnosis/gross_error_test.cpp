@@ -122,4 +122,40 @@ TEST(GrossError, HidesNoSecondCause) {
   expect_mass_found(d, kMass_kg[1] - 2.2);
 }
 
+// Both springs in N/mm: no number of the rig file is near, and each comes back.
+TEST(GrossError, OfAllSpringsIsNamedSpringBySpring) {
+  rig_file::RigModel rig = rig_with(kMass_kg[1]);
+  for (rig_file::Link& link : rig.links) link.stiffness_N_m.value /= 1000;
+  const diagnosis::Diagnosis d = diagnosis::diagnose(rig, {recorded(0)}, {});
+  EXPECT_EQ(d.verdict, diagnosis::Verdict::kExplained) << said(d);
+  EXPECT_EQ(d.causes.size(), 2U) << said(d);
+  EXPECT_NEAR(two_masses::value_of(d.extended, "stiffness_error[1-0]"), 0.999 * kSpring_N_m[0], 0.01 * kSpring_N_m[0]);
+  EXPECT_NEAR(two_masses::value_of(d.extended, "stiffness_error[1-2]"), 0.999 * kSpring_N_m[1], 0.01 * kSpring_N_m[1]);
+  EXPECT_NEAR(two_masses::value_of(d.extended, "viscous[1-2]"), kDamper_N_s_m[1], 0.05 * kDamper_N_s_m[1]);
+}
+
+// Both links to the ground, mass 2 on nothing but its own: the rig file has a spring of 4000 N/m where there is none, and none
+// between the masses, where there is one.
+TEST(GrossError, OfALinkThatGoesElsewhereIsNamed) {
+  rig_file::RigModel rig = rig_with(kMass_kg[1]);
+  rig.links[1].a = 2, rig.links[1].b = rig_file::kGround;
+  const diagnosis::Diagnosis d = diagnosis::diagnose(rig, {recorded(0)}, {});
+  const std::string words = said(d);
+  EXPECT_NE(words.find("stiffness_error on link 2-0"), std::string::npos) << words;
+  EXPECT_NE(words.find("stiffness_error on link 1-2"), std::string::npos) << words;
+  EXPECT_NEAR(two_masses::value_of(d.extended, "stiffness_error[2-0]"), -kSpring_N_m[1], 0.02 * kSpring_N_m[1]);
+  EXPECT_NEAR(two_masses::value_of(d.extended, "stiffness_error[1-2]"), kSpring_N_m[1], 0.02 * kSpring_N_m[1]);
+  EXPECT_NEAR(two_masses::value_of(d.extended, "missing_viscous[1-2]"), kDamper_N_s_m[1], 0.1 * kDamper_N_s_m[1]);
+}
+
+// Masses and springs that are all three times too large: so they are where the force's reading is a third of the force.
+TEST(GrossError, OfEverythingByOneFactorIsTheForces) {
+  rig_file::RigModel rig = rig_with(kMass_kg[1]);
+  for (rig_file::Dof& dof : rig.dofs) dof.mass_kg.value *= 3;
+  for (rig_file::Link& link : rig.links) link.stiffness_N_m.value *= 3;
+  const diagnosis::Diagnosis d = diagnosis::diagnose(rig, {recorded(0)}, {});
+  EXPECT_EQ(said(d), "explained, sensor_gain on channel force_1_N");
+  EXPECT_NEAR(two_masses::value_of(d.extended, "viscous[1-2]"), 3 * kDamper_N_s_m[1], 0.15 * kDamper_N_s_m[1]);
+}
+
 }  // namespace

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "../choice/attempt.hpp"
-#include "../choice/horizon.hpp"
+#include "../choice/wrong_numbers.hpp"
 #include "../terms/naming.hpp"
 #include "run_limits.hpp"
 
@@ -65,17 +65,13 @@ bool stands(const Task& task, const Choice& fitted, const RowsSay& say, State& w
 // and short windows tell little. Where it does with what the rows name, windows are as long as a right one's: true, and
 // choice goes on from there.
 bool followed_with(const Task& task, const RowsSay& say, Choice& choice) {
-  Choice over_long = choice;
-  over_long.periods = longest_horizon(task.records);
-  lay(task, over_long.periods, over_long.base);
-  settle(task, over_long.base, kBaseSteps);
+  Choice over_long = over_long_windows(task, choice);
   if (!over_long.base.fit.ok || over_long.base.unseen.empty()) return false;
   const Found found = found_by(over_long.base.model, say);
   State with_them;
   if (found.list.empty() || !borne_out(task, over_long.base, found.list, found.values, &with_them) ||
       !(motion_error(task, with_them) < kFollows))
     return false;
-  over_long.final = over_long.base;
   over_long.base_left = left_by(task.system, task.records, over_long.base);
   over_long.base_fits_nothing = false;
   choice = over_long;

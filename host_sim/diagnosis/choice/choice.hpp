@@ -25,6 +25,7 @@ struct Named {
   double share = 0;  // of what was still to be explained
   std::vector<Rival> rivals;
   bool shows_unseen = true;  // whether unseen windows could show it
+  bool together = false;     // with others, from the equations of motion: one by one they say nothing
 };
 
 // Whether what is left goes with the motion of its own window, or as well with that of any other: with_motion().
@@ -87,6 +88,8 @@ Choice rig_fitted(const Task& task);
 // Whether the rig file as given is right already; and whether what it misses of unseen data is too little for
 // simulations to tell causes apart, where it is not noise.
 bool right(const Task& task, const Choice& choice);
+// Free run on unseen data, NRMSE of the worst DOF.
+double missed_percent(const Task& task, const State& state);
 bool near_enough(const Task& task, const Choice& choice);
 constexpr double kFollows =
     0.25;  // of the motion, error: up to it a linearisation is trusted and fitted states help others

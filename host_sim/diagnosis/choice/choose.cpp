@@ -108,7 +108,8 @@ void search(const Task& task, double worth, Choice& choice, const std::function<
   State now = choice.final;
   bool warmed = false;
   size_t freed = 0;
-  while (choice.named.size() < kMostCauses) {
+  const size_t most = choice.named.size() + kMostCauses;
+  while (choice.named.size() < most) {
     const double left = error_over(now.fit, choice.base.fit);
     if (!choice.named.empty() && takes_little(left, 0)) break;  // no cause could take that much
     const Left remains = left_by(task.system, task.records, now);
@@ -134,7 +135,7 @@ void search(const Task& task, double worth, Choice& choice, const std::function<
       choice.named.push_back(Named{c, round.best.z, share_of(round.best, noise), {}, round.best.shows_unseen});
     }
     now = on_all(task, now, round.best.state);
-    progress(static_cast<double>(choice.named.size()) / static_cast<double>(kMostCauses));
+    progress(static_cast<double>(choice.named.size()) / static_cast<double>(most));
   }
   drop_needless(task, choice.base.fit, now, choice.named);
   choice.final = now;

@@ -139,7 +139,8 @@ rig_file::RigModel extended_rig(const System& s, const std::vector<ActiveTerm>& 
     if (t.kind == Kind::kPresliding) link.coulomb_N = {};  // acts in its place
   }
   for (const rig_file::Link& link : extra)
-    if (link.viscous_N_s_m.estimate || link.coulomb_N.estimate) rig.links.push_back(link);
+    if (link.viscous_N_s_m.estimate || link.coulomb_N.estimate || link.stiffness_N_m.value != 0)
+      rig.links.push_back(link);
   return rig;
 }
 

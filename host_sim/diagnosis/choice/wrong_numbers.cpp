@@ -1,0 +1,200 @@
+#include "wrong_numbers.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "../fit/start.hpp"
+#include "attempt.hpp"
+#include "horizon.hpp"
+
+namespace diagnosis::runs {
+namespace {
+
+// What the rig as given does not follow, and over which the freed rig is fitted first.
+constexpr double kOnePeriod = 1;
+constexpr double kOneFactor = 0.05;  // by which factors may differ that a single wrong unit or gain makes
+
+bool driven_by_force(const Task& task) {
+  for (const Prepared& p : task.records)
+    for (const Vec& f : p.force)
+      if (f.size() > 0 && f.cwiseAbs().maxCoeff() > 0) return true;
+  return false;
+}
+
+bool may_be_wrong(const ModelTerm& t, bool scale) {
+  if (t.added) return true;  // what the rig file may lack
+  return t.known && t.value != 0 && (t.term.kind == Kind::kStiffness || (scale && t.term.kind == Kind::kMass));
+}
+
+// The rig file's terms, and springs and dampers of no size where it has no link.
+Model with_missing_links(const Task& task, Model model) {
+  for (size_t l = task.system.known_links; l < task.system.links.size(); ++l) {
+    ModelTerm spring, damper;
+    spring.term = on_link(Kind::kStiffnessError, static_cast<int>(l));
+    damper.term = on_link(Kind::kMissingViscous, static_cast<int>(l));
+    for (ModelTerm* t : {&spring, &damper}) t->added = true, model.push_back(*t);
+  }
+  return model;
+}
+
+double softest_spring(const Model& given) {
+  double least = 1e300;
+  for (const ModelTerm& t : given)
+    if (t.term.kind == Kind::kStiffness && t.value != 0) least = std::min(least, std::abs(t.value));
+  return least;
+}
+
+// A number of the rig file and what the recording says of it.
+struct Freed {
+  size_t term = 0;
+  double given = 0, found = 0, std = 0;
+  double size = 0;  // of which a share is material
+  double off() const { return found - given; }
+  bool wrong() const { return std::abs(off()) > std::max(kSure * std, kSmall * size); }
+};
+
+std::vector<Freed> freed_numbers(const State& s, const Model& given) {
+  std::vector<Freed> list;
+  const std::vector<runs::Parameter> parameters = parameters_of(s.model);
+  const std::vector<Determined> d = determined(s.fit, s.model);
+  for (size_t i = 0; i < parameters.size(); ++i) {
+    const ModelTerm& g = given[parameters[i].term];
+    if (parameters[i].shape || !g.known) continue;
+    const bool spring = g.term.kind == Kind::kStiffnessError;
+    const double size = spring ? softest_spring(given) : std::abs(g.value);
+    list.push_back({parameters[i].term, g.value, s.model[parameters[i].term].value, d[i].std, size});
+  }
+  return list;
+}
+
+// Followed over one period, then over windows up to the longest.
+bool follows_when_freed(const Task& task, double longest, State& s) {
+  double periods = std::min(longest, kOnePeriod);
+  lay(task, periods, s);
+  s.fit = fit(task.system, task.records, s.model, s.seen, kBaseSteps);
+  if (!s.fit.ok || !(motion_error(task, s) < kFollows)) return false;
+  widen(task, longest, periods, s);
+  return true;
+}
+
+// What is not off goes back to its number in the rig file, and the others are fitted again beside it.
+std::vector<Freed> wrong_numbers(const Task& task, const Model& given, State& s) {
+  for (;;) {
+    const std::vector<Freed> freed = freed_numbers(s, given);
+    bool any_right = false;
+    for (const Freed& f : freed)
+      if (!f.wrong()) s.model[f.term] = given[f.term], any_right = true;
+    if (!any_right) return freed;
+    s.fit = fit(task.system, task.records, s.model, s.seen, kBaseSteps);
+    if (!s.fit.ok) return {};
+  }
+}
+
+struct Causes {
+  std::vector<Candidate> list;
+  std::vector<std::vector<double>> values;
+  void add(const Term& term, double value) {
+    Candidate c;
+    c.terms = {term};
+    list.push_back(c), values.push_back({value});
+  }
+};
+
+// The DOF whose force alone drives the rig; -1: none, or several.
+int sole_drive(const Task& task) {
+  int dof = -1;
+  const std::vector<Vec>& force = task.records[0].force;
+  for (size_t i = 0; i < force.size(); ++i)
+    if (force[i].size() > 0) dof = dof < 0 ? static_cast<int>(i) : static_cast<int>(force.size());
+  return dof < static_cast<int>(force.size()) ? dof : -1;
+}
+
+// The reading of a force that is r times the force makes all masses and springs r times as large.
+bool by_one_factor(const std::vector<Freed>& wrong, const Model& given, double& factor) {
+  const auto can_be = [](const ModelTerm& t) { return may_be_wrong(t, true); };
+  if (wrong.size() < 2 || wrong.size() < static_cast<size_t>(std::count_if(given.begin(), given.end(), can_be)))
+    return false;
+  factor = wrong[0].found / wrong[0].given;
+  return std::all_of(wrong.begin(), wrong.end(),
+                     [&](const Freed& f) { return std::abs(f.found / f.given / factor - 1) < kOneFactor; });
+}
+
+Causes causes_of(const Task& task, const std::vector<Freed>& wrong, const Model& given) {
+  Causes causes;
+  double factor = 0;
+  const int dof = sole_drive(task);
+  if (dof >= 0 && by_one_factor(wrong, given, factor)) {
+    causes.add(on_dof(Kind::kForceGain, dof), 1 - 1 / factor);
+    return causes;
+  }
+  for (const Freed& f : wrong) {
+    const Term& t = given[f.term].term;
+    causes.add(t.kind == Kind::kMass        ? on_dof(Kind::kMassError, t.dof)
+               : t.kind == Kind::kStiffness ? on_link(Kind::kStiffnessError, t.link)
+                                            : t,
+               f.off());
+  }
+  return causes;
+}
+
+// The causes beside the rig as given, all at once: from the freed rig's other numbers and from the measured motion, because those
+// of the rig as given are as wrong as it is.
+bool adopted(const Task& task, const Causes& causes, const Model& freed, Choice& choice) {
+  State beside = choice.base;
+  for (size_t i = 0; i < beside.model.size(); ++i)
+    if (!beside.model[i].known) beside.model[i].value = freed[i].value;
+  const Attempt all = attempt(task, beside, causes.list, causes.values, kBaseSteps, From::kMeasured);
+  if (!all.state.fit.ok || all.rounds || !(all.z > kSure) || !unseen_agrees(all) ||
+      !(motion_error(task, all.state) < kFollows))
+    return false;
+  choice.base_left = left_by(task.system, task.records, choice.base);
+  choice.base_fits_nothing = false;
+  const double share = share_of(all, noise_share(choice.base_left, choice.base.fit));
+  for (const Candidate& c : causes.list)
+    choice.named.push_back(Named{c, all.z, share, {}, true, causes.list.size() > 1});
+  choice.final = all.state;
+  return true;
+}
+
+}  // namespace
+
+Choice over_long_windows(const Task& task, const Choice& choice) {
+  Choice over_long = choice;
+  over_long.periods = longest_horizon(task.records);
+  lay(task, over_long.periods, over_long.base);
+  settle(task, over_long.base, kBaseSteps);
+  over_long.final = over_long.base;
+  return over_long;
+}
+
+namespace {
+
+// given: what the rig file says, freed all at once.
+bool name_wrong(const Task& task, const Model& given, Choice& choice) {
+  const bool scale = driven_by_force(task);
+  State s;
+  s.model = given;
+  for (ModelTerm& t : s.model) t.known = t.known && !may_be_wrong(t, scale);
+  start_values(task.system, task.records, s.model);
+  if (!follows_when_freed(task, longest_horizon(task.records), s)) return false;
+  const std::vector<Freed> wrong = wrong_numbers(task, given, s);
+  if (wrong.empty()) return false;
+  Choice with_them = over_long_windows(task, choice);
+  return with_them.base.fit.ok && !with_them.base.unseen.empty() &&
+         adopted(task, causes_of(task, wrong, given), s.model, with_them) && (choice = with_them, true);
+}
+
+constexpr size_t kMostDofs = 6;  // 21 places of a spring
+
+}  // namespace
+
+bool name_wrong_numbers(const Task& task, Choice& choice) {
+  const bool follows =
+      !choice.base_fits_nothing && choice.periods >= std::min(kOnePeriod, longest_horizon(task.records));
+  if (follows || !choice.named.empty()) return false;
+  const Model given = rig_as_given(task.system, task.records);
+  return name_wrong(task, given, choice) ||
+         (task.system.dofs() <= kMostDofs && name_wrong(task, with_missing_links(task, given), choice));
+}
+
+}  // namespace diagnosis::runs
