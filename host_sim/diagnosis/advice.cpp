@@ -1,6 +1,7 @@
 #include "advice.hpp"
 
 #include <cmath>
+#include <cstdio>
 #include <set>
 
 #include "firmware/vocabulary/effect_table.hpp"
@@ -14,6 +15,38 @@ std::string experiment(const std::string& effect) {
   return row == nullptr ? "" : row->experiment.text;
 }
 
+constexpr double kOddNumber = 1.5;    // times: beyond it nobody would call it a tolerance
+constexpr double kPowerOfTen = 0.05;  // near one: a unit or a decimal point
+
+// "mass 2 is 13 kg in the rig file, 1.302 kg by the recording: ..." Empty where it is about the same.
+std::string odd_number(const std::string& what, double corrected, double error, const std::string& unit) {
+  const double given = corrected - error;
+  if (given == 0 || (corrected / given < kOddNumber && corrected / given > 1 / kOddNumber)) return "";
+  const double decades = std::log10(std::abs(corrected / given)), whole = std::round(decades);
+  const bool slip = corrected / given > 0 && whole != 0 && std::abs(decades - whole) < kPowerOfTen;
+  char text[200];
+  std::snprintf(text, sizeof text, "%s is %.4g %s in the rig file, %.4g %s by the recording%s", what.c_str(), given,
+                unit.c_str(), corrected, unit.c_str(), slip ? ": a unit or a decimal point?" : "");
+  return text;
+}
+
+// Of a mass or a spring that the rig file has wrong by much: both numbers.
+std::string odd_number(const Cause& c, const rig_file::RigModel& corrected) {
+  if (c.parameters.empty()) return "";
+  const Parameter& p = c.parameters[0];
+  const std::string place = p.name.substr(p.name.find('[') + 1, p.name.size() - p.name.find('[') - 2);
+  if (c.effect == "mass_error") {
+    const size_t dof = std::stoul(place) - 1;
+    return dof < corrected.dofs.size() ? odd_number("mass " + place, corrected.dofs[dof].mass_kg.value, p.value, p.unit)
+                                       : "";
+  }
+  if (c.effect != "stiffness_error") return "";
+  for (const rig_file::Link& l : corrected.links)
+    if (place == std::to_string(l.a) + "-" + (l.b == rig_file::kBase ? "base" : std::to_string(l.b)))
+      return odd_number("spring " + place, l.stiffness_N_m.value, p.value, p.unit);
+  return "";
+}
+
 }  // namespace
 
 std::vector<std::string> advice_for(const Diagnosis& d) {
@@ -22,6 +55,7 @@ std::vector<std::string> advice_for(const Diagnosis& d) {
   const auto say = [&](const std::string& text) {
     if (!text.empty() && unique.insert(text).second) list.push_back(text);
   };
+  for (const Cause& c : d.causes) say(odd_number(c, d.extended_rig));
   if (d.verdict == Verdict::kAmbiguous) {
     for (const Cause& c : d.causes) say(experiment(c.effect));
     for (const NamedPlace& p : d.ambiguous_with) say(experiment(p.effect));

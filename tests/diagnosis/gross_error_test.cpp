@@ -105,6 +105,16 @@ TEST(GrossError, OfOneMassIsNamedAndTheNumbersAreThoseOfTheRightMass) {
     const diagnosis::Diagnosis d = diagnosis::diagnose(rig_with(written_kg), {record}, {});
     EXPECT_EQ(said(d), "explained, mass_error on dof 2");
     expect_mass_found(d, kMass_kg[1] - written_kg);
+    const std::string advice = d.advice.empty() ? "" : d.advice[0];
+    EXPECT_EQ(advice.rfind("mass 2 is " +
+                               std::string(written_kg > 5   ? "5.2"
+                                           : written_kg > 2 ? "2.2"
+                                                            : "0.2") +
+                               " kg",
+                           0),
+              0U)
+        << advice;
+    EXPECT_EQ(advice.find("decimal"), std::string::npos) << advice;
     for (const char* name : {"viscous[1-0]", "viscous[1-2]"}) {
       const double std_of_right = two_masses::parameter_of(right.extended, name).std;
       EXPECT_LT(two_masses::parameter_of(d.extended, name).std, 2 * std_of_right) << name;
@@ -128,7 +138,9 @@ TEST(GrossError, OfAllSpringsIsNamedSpringBySpring) {
   for (rig_file::Link& link : rig.links) link.stiffness_N_m.value /= 1000;
   const diagnosis::Diagnosis d = diagnosis::diagnose(rig, {recorded(0)}, {});
   EXPECT_EQ(d.verdict, diagnosis::Verdict::kExplained) << said(d);
-  EXPECT_EQ(d.causes.size(), 2U) << said(d);
+  ASSERT_EQ(d.causes.size(), 2U) << said(d);
+  EXPECT_EQ(d.advice[0].rfind("spring 1-", 0), 0U) << d.advice[0];  // which of both is named first is open
+  EXPECT_NE(d.advice[0].find(" N/m by the recording: a unit or a decimal point?"), std::string::npos) << d.advice[0];
   EXPECT_NEAR(two_masses::value_of(d.extended, "stiffness_error[1-0]"), 0.999 * kSpring_N_m[0], 0.01 * kSpring_N_m[0]);
   EXPECT_NEAR(two_masses::value_of(d.extended, "stiffness_error[1-2]"), 0.999 * kSpring_N_m[1], 0.01 * kSpring_N_m[1]);
   EXPECT_NEAR(two_masses::value_of(d.extended, "viscous[1-2]"), kDamper_N_s_m[1], 0.05 * kDamper_N_s_m[1]);

@@ -26,11 +26,12 @@ void report_terms(const System& system, const Rows& rows, const SearchResult& fo
     c.explains_percent = std::clamp(100 * found.added[i].gain.chi2 / excess, 0.0, 100.0);
     for (const ActiveTerm& active : found.model)
       if (active.added && active.term.same_place(t)) c.parameters = parameters_of_term(system, found.model, active);
-    d.causes.push_back(c);
     for (const Found& r : found.rivals[i]) {
       const Term& other = r.candidate.term();
-      d.ambiguous_with.push_back({word_of(other.kind), place_of(system, other, rows.records()[0])});
+      c.rivals.push_back({word_of(other.kind), place_of(system, other, rows.records()[0])});
     }
+    d.ambiguous_with.insert(d.ambiguous_with.end(), c.rivals.begin(), c.rivals.end());
+    d.causes.push_back(c);
   }
 }
 
