@@ -49,29 +49,39 @@ void state_rivals(Diagnosis& d) {
   if (d.causes.size() == 1) d.causes[0].rivals = d.ambiguous_with;
 }
 
-// Names what is missing by free runs, from the rig as given with the sensor faults that they bear out.
-void answer_by_runs(const Asked& asked, const runs::Task& task, const RowsSay& say, runs::Choice& choice) {
+// Goes on from a fitted rig and names what is missing by free runs.
+runs::Choice searched(const Asked& asked, const runs::Task& task, const runs::Choice& from) {
+  runs::Choice found = from;
+  const auto& progress = asked.options.progress;
+  runs::choose(task, found, [&](double share) {
+    if (progress) progress(0.6 + 0.3 * share);
+  });
+  return found;
+}
+
+// What masses and springs that the rig file has wrong by much explain, and what is missing beside them.
+struct Renumbered {
+  bool any = false;
+  runs::Choice choice;
+  bool leaves_noise() const { return any && !runs::beyond_noise(choice.final_left); }
+};
+Renumbered renumbered(const Asked& asked, const runs::Task& task, const runs::Choice& fitted) {
+  Renumbered r{false, fitted};
+  r.any = runs::name_wrong_numbers(task, r.choice);
+  if (r.any) r.choice = searched(asked, task, r.choice);
+  return r;
+}
+
+// By free runs, from the rig as given with the sensor faults that they bear out. Wrong numbers beside which more than noise is
+// left may stand for something else: then the one that simulates unseen data better is the answer.
+void answer_by_runs(const Asked& asked, const runs::Task& task, const RowsSay& say, const Renumbered& numbers,
+                    runs::Choice& choice) {
   if (!runs::massless(asked.rig) && two_channels_a_dof(task.records[0]))
     runs::adopt_faults(task, say.asked ? say.faults : motion_faults(asked), choice);
-  const auto& progress = asked.options.progress;
-  const auto searched = [&](const runs::Choice& from) {
-    runs::Choice found = from;
-    runs::choose(task, found, [&](double share) {
-      if (progress) progress(0.6 + 0.3 * share);
-    });
-    return found;
-  };
-  runs::Choice numbers = choice;
-  if (!runs::name_wrong_numbers(task, numbers)) {
-    choice = searched(choice);
-    return;
-  }
-  numbers = searched(numbers);
-  const bool more = runs::beyond_noise(numbers.final_left);  // then the numbers may stand for something else
-  const runs::Choice as_given = more ? searched(choice) : choice;
-  const bool less = !more || !as_given.final.fit.ok ||
-                    runs::missed_percent(task, numbers.final) < runs::missed_percent(task, as_given.final);
-  choice = less ? numbers : as_given;
+  choice = searched(asked, task, choice);
+  const bool better = !choice.final.fit.ok ||
+                      runs::missed_percent(task, numbers.choice.final) < runs::missed_percent(task, choice.final);
+  if (numbers.any && better) choice = numbers.choice;
 }
 
 }  // namespace
@@ -100,10 +110,15 @@ Diagnosis diagnose(const rig_file::RigModel& rig, const std::vector<host_sim::Re
       runs::forced(records) && kept_moving && !runs::massless(rig) && springs_and_masses_known(rig);
   if (!right && !runs::massless(rig) && !rows_can_tell)
     choice.noise_is_enough = runs::noise_share(choice.base_left, choice.base.fit) > kMostlyNoise;
-  const bool answered = !right && rows_can_tell && runs::answered_by_rows(asked, task, choice, say, d);
+  const Renumbered numbers = right ? Renumbered{} : renumbered(asked, task, choice);
+  const bool answered =
+      !right && !numbers.leaves_noise() && rows_can_tell && runs::answered_by_rows(asked, task, choice, say, d);
   progress(0.6);
   if (!answered) {
-    if (!right) answer_by_runs(asked, task, say, choice);
+    if (numbers.leaves_noise())
+      choice = numbers.choice;
+    else if (!right)
+      answer_by_runs(asked, task, say, numbers, choice);
     runs::answer(task, choice, d);
   }
   runs::name_holds(task, d);

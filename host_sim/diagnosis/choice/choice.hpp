@@ -25,7 +25,7 @@ struct Named {
   double share = 0;  // of what was still to be explained
   std::vector<Rival> rivals;
   bool shows_unseen = true;  // whether unseen windows could show it
-  bool together = false;     // with others, from the equations of motion: one by one they say nothing
+  bool of_numbers = false;   // the rig file has it wrong by much: beside it as given rivals say nothing
 };
 
 // Whether what is left goes with the motion of its own window, or as well with that of any other: with_motion().

@@ -31,8 +31,8 @@ void weigh_rivals(const Task& task, const std::function<void(double)>& progress,
   const State few = part_of(task, choice.base, 0);
   for (size_t i = 0; i < choice.named.size(); ++i) {
     Named& mine = choice.named[i];
-    // judged together with the others that warm, or that the rig file has wrong
-    if (mine.candidate.terms[0].shape == kAcrossRecords || mine.together) continue;
+    // judged together with the others that warm; or the rig as given follows nothing beside which to judge
+    if (mine.candidate.terms[0].shape == kAcrossRecords || mine.of_numbers) continue;
     State rest;
     if (!without(task, choice, few, i, rest)) continue;
     double noise = noise_share(left_by(task.system, task.records, rest), rest.fit);

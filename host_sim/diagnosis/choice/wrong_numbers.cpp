@@ -150,9 +150,9 @@ bool adopted(const Task& task, const Causes& causes, const Model& freed, Choice&
   choice.base_left = left_by(task.system, task.records, choice.base);
   choice.base_fits_nothing = false;
   const double share = share_of(all, noise_share(choice.base_left, choice.base.fit));
-  for (const Candidate& c : causes.list)
-    choice.named.push_back(Named{c, all.z, share, {}, true, causes.list.size() > 1});
+  for (const Candidate& c : causes.list) choice.named.push_back(Named{c, all.z, share, {}, true, true});
   choice.final = all.state;
+  choice.final_left = left_by(task.system, task.records, choice.final);
   return true;
 }
 
