@@ -59,29 +59,19 @@ runs::Choice searched(const Asked& asked, const runs::Task& task, const runs::Ch
   return found;
 }
 
-// What masses and springs that the rig file has wrong by much explain, and what is missing beside them.
-struct Renumbered {
-  bool any = false;
-  runs::Choice choice;
-  bool leaves_noise() const { return any && !runs::beyond_noise(choice.final_left); }
-};
-Renumbered renumbered(const Asked& asked, const runs::Task& task, const runs::Choice& fitted) {
-  Renumbered r{false, fitted};
-  r.any = runs::name_wrong_numbers(task, r.choice);
-  if (r.any) r.choice = searched(asked, task, r.choice);
-  return r;
-}
-
-// By free runs, from the rig as given with the sensor faults that they bear out. Wrong numbers beside which more than noise is
-// left may stand for something else: then the one that simulates unseen data better is the answer.
-void answer_by_runs(const Asked& asked, const runs::Task& task, const RowsSay& say, const Renumbered& numbers,
+// By free runs, from the rig as given with the sensor faults that they bear out. Numbers of the rig file that may be wrong may
+// stand for something else: they are the answer where causes beside the rig as given leave more than noise, and simulate
+// unseen data worse.
+void answer_by_runs(const Asked& asked, const runs::Task& task, const RowsSay& say, const runs::Choice* numbers,
                     runs::Choice& choice) {
   if (!runs::massless(asked.rig) && two_channels_a_dof(task.records[0]))
     runs::adopt_faults(task, say.asked ? say.faults : motion_faults(asked), choice);
   choice = searched(asked, task, choice);
-  const bool better = !choice.final.fit.ok ||
-                      runs::missed_percent(task, numbers.choice.final) < runs::missed_percent(task, choice.final);
-  if (numbers.any && better) choice = numbers.choice;
+  const bool explained = choice.final.fit.ok && !choice.named.empty() && !runs::beyond_noise(choice.final_left);
+  if (!numbers || explained) return;
+  const runs::Choice renumbered = searched(asked, task, *numbers);
+  if (!choice.final.fit.ok || runs::missed_percent(task, renumbered.final) < runs::missed_percent(task, choice.final))
+    choice = renumbered;
 }
 
 }  // namespace
@@ -110,15 +100,16 @@ Diagnosis diagnose(const rig_file::RigModel& rig, const std::vector<host_sim::Re
       runs::forced(records) && kept_moving && !runs::massless(rig) && springs_and_masses_known(rig);
   if (!right && !runs::massless(rig) && !rows_can_tell)
     choice.noise_is_enough = runs::noise_share(choice.base_left, choice.base.fit) > kMostlyNoise;
-  const Renumbered numbers = right ? Renumbered{} : renumbered(asked, task, choice);
+  runs::Choice numbers = choice;
+  const runs::Wrong wrong = right ? runs::Wrong::kNo : runs::name_wrong_numbers(task, numbers);
   const bool answered =
-      !right && !numbers.leaves_noise() && rows_can_tell && runs::answered_by_rows(asked, task, choice, say, d);
+      !right && wrong != runs::Wrong::kSurely && rows_can_tell && runs::answered_by_rows(asked, task, choice, say, d);
   progress(0.6);
   if (!answered) {
-    if (numbers.leaves_noise())
-      choice = numbers.choice;
+    if (wrong == runs::Wrong::kSurely)
+      choice = numbers;
     else if (!right)
-      answer_by_runs(asked, task, say, numbers, choice);
+      answer_by_runs(asked, task, say, wrong == runs::Wrong::kNo ? nullptr : &numbers, choice);
     runs::answer(task, choice, d);
   }
   runs::name_holds(task, d);

@@ -5,6 +5,7 @@
 
 #include "../fit/start.hpp"
 #include "attempt.hpp"
+#include "freed_numbers.hpp"
 #include "horizon.hpp"
 
 namespace diagnosis::runs {
@@ -21,52 +22,6 @@ bool driven_by_force(const Task& task) {
   return false;
 }
 
-bool may_be_wrong(const ModelTerm& t, bool scale) {
-  if (t.added) return true;  // what the rig file may lack
-  return t.known && t.value != 0 && (t.term.kind == Kind::kStiffness || (scale && t.term.kind == Kind::kMass));
-}
-
-// The rig file's terms, and springs and dampers of no size where it has no link.
-Model with_missing_links(const Task& task, Model model) {
-  for (size_t l = task.system.known_links; l < task.system.links.size(); ++l) {
-    ModelTerm spring, damper;
-    spring.term = on_link(Kind::kStiffnessError, static_cast<int>(l));
-    damper.term = on_link(Kind::kMissingViscous, static_cast<int>(l));
-    for (ModelTerm* t : {&spring, &damper}) t->added = true, model.push_back(*t);
-  }
-  return model;
-}
-
-double softest_spring(const Model& given) {
-  double least = 1e300;
-  for (const ModelTerm& t : given)
-    if (t.term.kind == Kind::kStiffness && t.value != 0) least = std::min(least, std::abs(t.value));
-  return least;
-}
-
-// A number of the rig file and what the recording says of it.
-struct Freed {
-  size_t term = 0;
-  double given = 0, found = 0, std = 0;
-  double size = 0;  // of which a share is material
-  double off() const { return found - given; }
-  bool wrong() const { return std::abs(off()) > std::max(kSure * std, kSmall * size); }
-};
-
-std::vector<Freed> freed_numbers(const State& s, const Model& given) {
-  std::vector<Freed> list;
-  const std::vector<runs::Parameter> parameters = parameters_of(s.model);
-  const std::vector<Determined> d = determined(s.fit, s.model);
-  for (size_t i = 0; i < parameters.size(); ++i) {
-    const ModelTerm& g = given[parameters[i].term];
-    if (parameters[i].shape || !g.known) continue;
-    const bool spring = g.term.kind == Kind::kStiffnessError;
-    const double size = spring ? softest_spring(given) : std::abs(g.value);
-    list.push_back({parameters[i].term, g.value, s.model[parameters[i].term].value, d[i].std, size});
-  }
-  return list;
-}
-
 // Followed over one period, then over windows up to the longest.
 bool follows_when_freed(const Task& task, double longest, State& s) {
   double periods = std::min(longest, kOnePeriod);
@@ -75,19 +30,6 @@ bool follows_when_freed(const Task& task, double longest, State& s) {
   if (!s.fit.ok || !(motion_error(task, s) < kFollows)) return false;
   widen(task, longest, periods, s);
   return true;
-}
-
-// What is not off goes back to its number in the rig file, and the others are fitted again beside it.
-std::vector<Freed> wrong_numbers(const Task& task, const Model& given, State& s) {
-  for (;;) {
-    const std::vector<Freed> freed = freed_numbers(s, given);
-    bool any_right = false;
-    for (const Freed& f : freed)
-      if (!f.wrong()) s.model[f.term] = given[f.term], any_right = true;
-    if (!any_right) return freed;
-    s.fit = fit(task.system, task.records, s.model, s.seen, kBaseSteps);
-    if (!s.fit.ok) return {};
-  }
 }
 
 struct Causes {
@@ -170,31 +112,37 @@ Choice over_long_windows(const Task& task, const Choice& choice) {
 namespace {
 
 // given: what the rig file says, freed all at once.
-bool name_wrong(const Task& task, const Model& given, Choice& choice) {
+Wrong name_wrong(const Task& task, const Model& given, Choice& choice) {
   const bool scale = driven_by_force(task);
   State s;
   s.model = given;
   for (ModelTerm& t : s.model) t.known = t.known && !may_be_wrong(t, scale);
   start_values(task.system, task.records, s.model);
-  if (!follows_when_freed(task, longest_horizon(task.records), s)) return false;
+  if (!follows_when_freed(task, longest_horizon(task.records), s)) return Wrong::kNo;
   const std::vector<Freed> wrong = wrong_numbers(task, given, s);
-  if (wrong.empty()) return false;
+  if (wrong.empty()) return Wrong::kNo;
   Choice with_them = over_long_windows(task, choice);
-  return with_them.base.fit.ok && !with_them.base.unseen.empty() &&
-         adopted(task, causes_of(task, wrong, given), s.model, with_them) && (choice = with_them, true);
+  if (!with_them.base.fit.ok || with_them.base.unseen.empty() ||
+      !adopted(task, causes_of(task, wrong, given), s.model, with_them))
+    return Wrong::kNo;
+  choice = with_them;
+  const bool all_by_much = std::all_of(wrong.begin(), wrong.end(), [](const Freed& f) { return f.by_much(); });
+  return all_by_much && !beyond_noise(choice.final_left) ? Wrong::kSurely : Wrong::kPerhaps;
 }
 
 constexpr size_t kMostDofs = 6;  // 21 places of a spring
 
 }  // namespace
 
-bool name_wrong_numbers(const Task& task, Choice& choice) {
+Wrong name_wrong_numbers(const Task& task, Choice& choice) {
   const bool follows =
       !choice.base_fits_nothing && choice.periods >= std::min(kOnePeriod, longest_horizon(task.records));
-  if (follows || !choice.named.empty()) return false;
+  if (follows || !choice.named.empty()) return Wrong::kNo;
   const Model given = rig_as_given(task.system, task.records);
-  return name_wrong(task, given, choice) ||
-         (task.system.dofs() <= kMostDofs && name_wrong(task, with_missing_links(task, given), choice));
+  const Wrong found = name_wrong(task, given, choice);
+  return found == Wrong::kNo && task.system.dofs() <= kMostDofs
+             ? name_wrong(task, with_missing_links(task, given), choice)
+             : found;
 }
 
 }  // namespace diagnosis::runs
