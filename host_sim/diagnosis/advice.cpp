@@ -34,16 +34,12 @@ std::string odd_number(const std::string& what, double corrected, double error, 
 std::string odd_number(const Cause& c, const rig_file::RigModel& corrected) {
   if (c.parameters.empty()) return "";
   const Parameter& p = c.parameters[0];
-  const std::string place = p.name.substr(p.name.find('[') + 1, p.name.size() - p.name.find('[') - 2);
-  if (c.effect == "mass_error") {
-    const size_t dof = std::stoul(place) - 1;
-    return dof < corrected.dofs.size() ? odd_number("mass " + place, corrected.dofs[dof].mass_kg.value, p.value, p.unit)
-                                       : "";
-  }
-  if (c.effect != "stiffness_error") return "";
+  for (size_t i = 0; c.effect == "mass_error" && i < corrected.dofs.size(); ++i)
+    if (const std::string dof = std::to_string(i + 1); c.where == "dof " + dof)
+      return odd_number("mass " + dof, corrected.dofs[i].mass_kg.value, p.value, p.unit);
   for (const rig_file::Link& l : corrected.links)
-    if (place == std::to_string(l.a) + "-" + (l.b == rig_file::kBase ? "base" : std::to_string(l.b)))
-      return odd_number("spring " + place, l.stiffness_N_m.value, p.value, p.unit);
+    if (const std::string label = rig_file::link_label(l); c.effect == "stiffness_error" && c.where == "link " + label)
+      return odd_number("spring " + label, l.stiffness_N_m.value, p.value, p.unit);
   return "";
 }
 

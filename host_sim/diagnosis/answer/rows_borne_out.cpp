@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "../choice/attempt.hpp"
-#include "../choice/wrong_numbers.hpp"
+#include "../choice/horizon.hpp"
 #include "../terms/naming.hpp"
 #include "run_limits.hpp"
 
@@ -65,7 +65,7 @@ bool stands(const Task& task, const Choice& fitted, const RowsSay& say, State& w
 // and short windows tell little. Where it does with what the rows name, windows are as long as a right one's: true, and
 // choice goes on from there.
 bool followed_with(const Task& task, const RowsSay& say, Choice& choice) {
-  Choice over_long = over_long_windows(task, choice);
+  Choice over_long = over_windows(task, choice, longest_horizon(task.records));
   if (!over_long.base.fit.ok || over_long.base.unseen.empty()) return false;
   const Found found = found_by(over_long.base.model, say);
   State with_them;

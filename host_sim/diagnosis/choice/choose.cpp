@@ -155,12 +155,9 @@ bool holds_over_long(const State& with, const Choice& choice) {
 // the shorter ones: what is still missing bends those of the long ones more.
 void search_shorter(const Task& task, Choice& choice, const std::function<void(double)>& progress) {
   for (double periods = choice.periods / kShorter; periods >= kLeastPeriods; periods /= kShorter) {
-    Choice shorter = choice;
+    Choice shorter = over_windows(task, choice, periods);
     shorter.named.clear();
-    lay(task, periods, shorter.base);
-    settle(task, shorter.base, kBaseSteps);
     if (shorter.base.unseen.empty() || !(motion_error(task, shorter.base) < kFollows)) continue;
-    shorter.final = shorter.base;
     shorter.base_left = left_by(task.system, task.records, shorter.base);
     search(task, kWorthOverShort, shorter, progress);
     if (shorter.named.empty()) continue;
@@ -168,7 +165,7 @@ void search_shorter(const Task& task, Choice& choice, const std::function<void(d
     double reached = periods;
     if (widen(task, choice.periods, reached, whole)) settle_unseen(task, whole);
     if (reached < choice.periods) lay(task, choice.periods, whole), settle(task, whole, kBaseSteps);
-    if (holds_over_long(whole, choice)) choice = shorter, choice.periods = periods;
+    if (holds_over_long(whole, choice)) choice = shorter;
     return;
   }
 }
@@ -179,15 +176,12 @@ constexpr double kOfThatMotion = 0.5;  // error over the motion: up to it a run 
 // over them, windows over which the rig as given misses more are searched: what they name has to make them followed.
 void search_longer(const Task& task, Choice& choice, const std::function<void(double)>& progress) {
   for (double periods = longest_horizon(task.records); periods >= kShorter * choice.periods; periods /= kShorter) {
-    Choice longer = choice;
-    lay(task, periods, longer.base);
-    settle(task, longer.base, kBaseSteps);
+    Choice longer = over_windows(task, choice, periods);
     if (longer.base.unseen.empty() || !(motion_error(task, longer.base) < kOfThatMotion)) continue;
-    longer.final = longer.base;
     longer.base_left = left_by(task.system, task.records, longer.base);
     search(task, kWorth, longer, progress);
     if (longer.named.empty() || !(motion_error(task, longer.final) < kFollows)) continue;
-    choice = longer, choice.periods = periods;
+    choice = longer;
     return;
   }
 }

@@ -43,6 +43,15 @@ void settle_unseen(const Task& task, State& s) {
   if (s.fit.ok) s.unseen_fit = fit(task.system, task.records, frozen, s.unseen, kBaseSteps, true);
 }
 
+Choice over_windows(const Task& task, const Choice& choice, double periods) {
+  Choice over = choice;
+  over.periods = periods;
+  lay(task, periods, over.base);
+  settle(task, over.base, kBaseSteps);
+  over.final = over.base;
+  return over;
+}
+
 bool widen(const Task& task, double longest, double& periods, State& s, double most) {
   bool any = false;
   while (periods < 0.75 * longest) {

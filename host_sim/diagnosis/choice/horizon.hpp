@@ -11,6 +11,9 @@ constexpr double kShorter = 4;  // times: where valleys of a window's error are 
 void lay(const Task& task, double periods, State& s, double most = 1e300);
 // The states of the unseen windows, for the model fitted over the others: horizon() and widen() ask them nothing.
 void settle_unseen(const Task& task, State& s);
+// The rig as given fitted over windows of so many periods, whether it follows them or not: what a search over them goes on from.
+// What was named stays.
+Choice over_windows(const Task& task, const Choice& choice, double periods);
 // Windows twice as long, up to `longest` periods, as long as the fitted model follows them: what was fitted over short
 // ones starts nearer than first values do. True where any were longer.
 bool widen(const Task& task, double longest, double& periods, State& s, double most = 1e300);

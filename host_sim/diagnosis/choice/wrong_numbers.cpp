@@ -100,15 +100,6 @@ bool adopted(const Task& task, const Causes& causes, const Model& freed, Choice&
 
 }  // namespace
 
-Choice over_long_windows(const Task& task, const Choice& choice) {
-  Choice over_long = choice;
-  over_long.periods = longest_horizon(task.records);
-  lay(task, over_long.periods, over_long.base);
-  settle(task, over_long.base, kBaseSteps);
-  over_long.final = over_long.base;
-  return over_long;
-}
-
 namespace {
 
 // given: what the rig file says, freed all at once.
@@ -121,7 +112,7 @@ Wrong name_wrong(const Task& task, const Model& given, Choice& choice) {
   if (!follows_when_freed(task, longest_horizon(task.records), s)) return Wrong::kNo;
   const std::vector<Freed> wrong = wrong_numbers(task, given, s);
   if (wrong.empty()) return Wrong::kNo;
-  Choice with_them = over_long_windows(task, choice);
+  Choice with_them = over_windows(task, choice, longest_horizon(task.records));
   if (!with_them.base.fit.ok || with_them.base.unseen.empty() ||
       !adopted(task, causes_of(task, wrong, given), s.model, with_them))
     return Wrong::kNo;

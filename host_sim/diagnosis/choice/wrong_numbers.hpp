@@ -13,7 +13,4 @@ enum class Wrong { kNo, kPerhaps, kSurely };
 // are off by one factor) and choice is that of the rig with them. A rig that no force drives has no scale: its masses stay.
 Wrong name_wrong_numbers(const Task& task, Choice& choice);
 
-// The rig as given over windows as long as a right one's: what it follows badly, but what its causes are to be measured against.
-Choice over_long_windows(const Task& task, const Choice& choice);
-
 }  // namespace diagnosis::runs
