@@ -248,14 +248,19 @@ State rounded(const Task& task, const State& beside, const std::vector<Attempt>&
 Attempt without_bristles(const Task& task, const State& beside, const Attempt& bristles) {
   Attempt a;
   a.state = bristles.state;
-  ModelTerm& term = a.state.model.back();
-  const bool hosted = term.host >= 0;
-  if (hosted) {
-    a.state.model.pop_back();  // the rig's own friction, as it was fitted with them
+  Model& model = a.state.model;
+  const auto term = std::find_if(model.begin(), model.end(), [&](const ModelTerm& t) {
+    return t.added && t.term.same_place(bristles.candidates[0].terms[0]);
+  });
+  if (term == model.end()) return Attempt();
+  if (term->host >= 0) {
+    const auto at = static_cast<int>(term - model.begin());
+    model.erase(term);  // the rig's own friction, as it was fitted with them
+    for (ModelTerm& t : model) t.host -= t.host > at;
   } else {
     Candidate dry = bristles.candidates[0];
-    dry.terms = {on_link(Kind::kMissingCoulomb, term.term.link)}, dry.complexity = 0;
-    term.term = dry.terms[0], term.shape_free = term.shape2_free = false;
+    dry.terms = {on_link(Kind::kMissingCoulomb, term->term.link)}, dry.complexity = 0;
+    term->term = dry.terms[0], term->shape_free = term->shape2_free = false;
     a.candidates = {dry};
   }
   for (std::vector<Window>* windows : {&a.state.seen, &a.state.unseen})
