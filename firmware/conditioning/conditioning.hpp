@@ -8,8 +8,8 @@
 // Where signals pass a low-pass, friction's sign passes it too: the velocity it is taken from comes as many samples early as that
 // filter needs (links/low_passed_sign.hpp), all other signals wait for it.
 //
-// Signals made from one channel share its history; two of them whose filters fit each other are made in one pass over it, and a
-// velocity that comes early as well, for friction's sign, is made once and waits.
+// Signals made from one channel share its history; those whose filters fit each other are made in one pass over it, and what
+// comes early as well, for friction's sign, is made once and waits.
 //
 // Formats: code 24 bits; section states (State) in int64, below 2^57 for two integrations at the slowest corner (shift 12);
 // FIR: 57 taps of 30 bits times codes of 24 bits, or of 25 bits times 31, stay below 2^62. Signals leave with |value| <= 2^23; a signal at that limit and a code at
@@ -21,6 +21,8 @@
 #include "firmware/acquisition/raw_sample.hpp"
 
 namespace firmware {
+
+constexpr int32_t kSignalLimit = 1 << 23;
 
 class Conditioning {
  public:
@@ -42,10 +44,10 @@ class Conditioning {
     kKeepsHistory = 1,
     kAlone = 2,
     kWithNext = 4,  // odd taps, and the next path's are even
-    kWithEven = 8,  // even taps, and those of the path `partner` are too
+    kThree = 8,     // the filters of displacement, velocity and acceleration, from path `partner` on, in one pass
     kFused = 16,
     kDelayed = 32,      // what the path `partner` gave some samples ago
-    kKeepsOutput = 64,  // for such a path, where its history would be
+    kKeepsOutput = 64,  // for such a path, where its history would be; kThree: all of them
   };
   static constexpr uint8_t kNone = UINT8_MAX;
   struct Path {          // one signal
@@ -56,7 +58,7 @@ class Conditioning {
     uint8_t history_of = 0;   // the path that keeps the samples it is made from
     uint8_t turn = 0;         // what is done for it with each sample
     int8_t parity = 0;        // of the filter's taps (filter_sum.hpp)
-    uint8_t partner = kNone;  // of a fused velocity: the node's acceleration
+    uint8_t partner = kNone;  // of a fused velocity: the node's acceleration; kThree: the displacement
     uint16_t history = 0;     // its place in history_
     uint16_t window =
         0;  // middle of its window in history_, behind the newest sample's place there; delayed: the value
@@ -73,25 +75,24 @@ class Conditioning {
   // A measured channel. Codes at or beyond its rails are saturated; beyond them they are taken for the rails, so that
   // code - offset holds 24 bits with sign whatever a converter delivers.
   struct Channel {
-    int32_t inside = 0;  // the lowest code that is not saturated
-    uint32_t count = 0;  // of such codes
     int32_t offset = 0;
-    uint16_t place = 0;   // among the sample's codes: node * kQuantities + quantity
-    uint16_t column = 0;  // of the frame, as so many numbers from its start
-    int32_t lowest = 0, highest = 0;
+    int32_t inside = 0;  // the lowest code that is not saturated: the one below it is the rail
+    uint32_t count = 0;  // of such codes: behind them is the other rail
+  };
+  struct Place {
+    uint32_t code;    // among the sample's: node * kQuantities + quantity
+    uint32_t column;  // of the frame, as so many numbers from its start
   };
   void add_channel(int node, int quantity);
-  template <bool kAlike>
-  bool copy_codes(const int32_t* code, int32_t* column) const;
+  bool copy_each(const int32_t* code, int32_t* column) const;
   bool filter(Frame& frame, int at);
   void list_turns();
   static void keep(Code* place, Code code) { place[0] = place[kHistory] = code; }
-  static Code centred(const Channel& channel, int32_t code);
   void link_fused_paths();
   void share_histories();
   void delay_velocity(int number);
   void share_pass(Path& velocity, Path& acceleration) const;
-  void share_even_pass(int displacement, int acceleration);
+  void share_pass_of_three(int displacement);
   const SignalConfiguration& signal_of(const Path& path) const { return (&configuration_->signals[0][0])[path.signal]; }
   static int node_of(const Path& path) { return path.signal / kQuantities; }
   static bool is(Quantity quantity, const Path& path) {
@@ -101,20 +102,22 @@ class Conditioning {
   static bool for_sign(const Path& path) { return path.column >= kSignVelocityColumn * kFrameStride; }
   // Samples by which it comes before the others.
   int early(const Path& path) const { return for_sign(path) ? configuration_->sign_half_length : 0; }
-  void work_on(const Path& path, const SignalConfiguration* signals, const Code* middle, int32_t* column);
+  void work_on(const Path& path, const SignalConfiguration* signals, Code* newest, int32_t* column);
+  void work_on_three(const Path& path, const SignalConfiguration* signals, Code* newest, int32_t* column);
   Code delayed(Code value);
   Code fused(const Path& path);
-  Code clipped(bool high, const Path& path);
-  Code rounded(int64_t sum, int shift, const Path& path);
+  Code clipped(bool high, bool counts);
+  Code rounded(int64_t sum, int shift, bool counts);
   Code high_passed(Path& path, Code code) const;
   Path& add_path(int node, int quantity, int column);
   void add_sign_velocity(int node);
 
   const CoreConfiguration* configuration_ = nullptr;
   int channel_count_ = 0;
-  bool alike_ = false;  // all channels have one range
-  bool plain_ = true;   // no filter anywhere: codes are copied
+  int alike_count_ = 0;  // as many, where all channels have one range and offset, else 0
+  bool plain_ = true;    // no filter anywhere: codes are copied
   bool saturated_ = false;
+  Place place_[kMaxNodes * kQuantities];  // of the channels
   Channel channel_[kMaxNodes * kQuantities];
   Path path_[kMaxPaths];
   int path_count_ = 0;
@@ -126,6 +129,7 @@ class Conditioning {
   FusionState fusion_[kDerivesSignals ? kMaxNodes : 1];
   int reach_ = 0;  // longest half_length: the common delay in samples
   int history_samples_ = 0;
+  int delay_ = 0;  // behind a sample's place in a history, where what came early for friction's sign is
   uint32_t received_ = 0;
   int history_at_ = 0;
 };

@@ -66,25 +66,29 @@ OddAndEven odd_and_even_sum(const Tap* odd_tap, const Tap* even_tap, const Code*
   return {odd, even};
 }
 
-TwoEven two_even_sums(const Tap* short_tap, int short_half, const Tap* long_tap, int long_half, const Code* middle) {
-  const Tap *first = short_tap + short_half, *second = long_tap + long_half, *last = first + short_half,
-            *end = second + long_half;
+ThreeSums three_sums(const SignalConfiguration* signal, const Code* middle) {
+  constexpr int kNext = sizeof(SignalConfiguration) / sizeof(Tap);  // from a tap of the velocity to the acceleration's
+  const Tap *tap = signal[1].tap + signal[1].half_length, *x_tap = signal[0].tap + signal[0].half_length;
+  const Tap *last = tap + signal[0].half_length, *end = tap + signal[1].half_length;
   const Code *newer = middle, *older = middle;
-  int64_t shorter = (first[0] * middle[0]).raw, longer = (second[0] * middle[0]).raw;
-  const auto add = [&](int k) {
-    const Code both = newer[k] + older[-k];
-    shorter += (first[k] * both).raw;
-    longer += (second[k] * both).raw;
+  int64_t x = (x_tap[0] * middle[0]).raw, v = 0, a = (tap[kNext] * middle[0]).raw;
+  const auto add = [&](int k, bool all) {
+    const Code late = newer[k], early = older[-k];
+    v += (tap[k] * (late - early)).raw;
+    const Code sum = late + early;
+    a += (tap[kNext + k] * sum).raw;
+    if (all) x += (x_tap[k] * sum).raw;
   };
-  for (; last - first >= kAtATime; first += kAtATime, second += kAtATime, newer += kAtATime, older -= kAtATime)
+  const auto move = [&](int by) { x_tap += by, tap += by, newer += by, older -= by; };
+  for (; last - tap >= kAtATime; move(kAtATime))
 #pragma GCC unroll 4
-    for (int k = 1; k <= kAtATime; ++k, in_order()) add(k);
-  for (; first != last; ++first, ++second, ++newer, --older) add(1);
-  for (; end - second >= kAtATime; second += kAtATime, newer += kAtATime, older -= kAtATime)
+    for (int k = 1; k <= kAtATime; ++k, in_order()) add(k, true);
+  for (; tap != last; move(1)) add(1, true);
+  for (; end - tap >= kAtATime; move(kAtATime))
 #pragma GCC unroll 4
-    for (int k = 1; k <= kAtATime; ++k, in_order()) longer += (second[k] * (newer[k] + older[-k])).raw;
-  for (; second != end; ++second) longer += (second[1] * (*++newer + *--older)).raw;
-  return {shorter, longer};
+    for (int k = 1; k <= kAtATime; ++k, in_order()) add(k, false);
+  for (; tap != end; move(1)) add(1, false);
+  return {x, v, a};
 }
 
 }  // namespace firmware

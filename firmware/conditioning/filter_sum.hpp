@@ -23,10 +23,11 @@ struct OddAndEven {
 // Two filters of one length at once, the first of odd and the second of even taps.
 OddAndEven odd_and_even_sum(const Tap* odd_tap, const Tap* even_tap, const Code* middle, int half_length);
 
-struct TwoEven {
-  int64_t shorter, longer;
+struct ThreeSums {
+  int64_t displacement, velocity, acceleration;
 };
-// Two filters of even taps about one sample, the second at least as long as the first.
-TwoEven two_even_sums(const Tap* short_tap, int short_half, const Tap* long_tap, int long_half, const Code* middle);
+// Three filters at once, in the order of the quantities: the first and the third of even taps, the second of odd ones; the
+// last two of one length, the first at most as long.
+ThreeSums three_sums(const SignalConfiguration* signal, const Code* middle);
 
 }  // namespace firmware

@@ -227,14 +227,18 @@ TEST(Conditioning, RangesOfARecordedMotion) {
   EXPECT_NEAR(ranges.largest[0][3], 0.5 * 3948, 30.0);
 }
 
-// Displacement alone and friction, so that the velocity comes a second time, early, for friction's sign: every column against
-// its filter written out, whatever passes and outputs they share. Codes by a linear congruence: no motion, every bit matters.
-TEST(Conditioning, SharedPassesGiveWhatEachFilterGives) {
+// Displacement alone, without friction and with it, so that the velocity comes a second time, early, for friction's sign: every
+// column against its filter written out, whatever passes and outputs they share. Codes by a linear congruence: no motion, every
+// bit matters.
+class SharedPasses : public ::testing::TestWithParam<bool> {};
+TEST_P(SharedPasses, GiveWhatEachFilterGives) {
   auto c = rig({Quantity::kDisplacement});
-  c->terms[2].kind = TermKind::kCoulomb;
-  c->term_count = 3;
+  if (GetParam()) {
+    c->terms[2].kind = TermKind::kCoulomb;
+    c->term_count = 3;
+  }
   rig_file::plan_signals(*c);
-  ASSERT_GT(c->sign_half_length, 0);
+  ASSERT_EQ(c->sign_half_length > 0, GetParam());
   auto conditioning = std::make_unique<Conditioning>();
   conditioning->configure(*c);
   auto frame = std::make_unique<Frame>();
@@ -259,8 +263,40 @@ TEST(Conditioning, SharedPassesGiveWhatEachFilterGives) {
     const size_t at = n - static_cast<size_t>(reach);
     for (Quantity q : {Quantity::kDisplacement, Quantity::kVelocity, Quantity::kAcceleration})
       EXPECT_EQ(frame->raw[signal_column(0, q)][3], expected(q, at)) << n << " " << static_cast<int>(q);
-    EXPECT_EQ(frame->raw[kSignVelocityColumn][3], expected(Quantity::kVelocity, at + c->sign_half_length)) << n;
+    if (GetParam()) {
+      EXPECT_EQ(frame->raw[kSignVelocityColumn][3], expected(Quantity::kVelocity, at + c->sign_half_length)) << n;
+    }
     ++compared;
   }
   EXPECT_EQ(compared, 300 - 2 * reach);
+}
+INSTANTIATE_TEST_SUITE_P(WithoutAndWithFriction, SharedPasses, ::testing::Bool());
+
+// An acceleration in a sixteenth of its unit cannot hold jumps from rail to rail, with friction or without: the samples at whose
+// place it has reached its limit are saturated, not those at which it was made, early for friction's sign.
+TEST_P(SharedPasses, AnAccelerationAtItsLimitIsSaturated) {
+  auto c = rig({Quantity::kDisplacement});
+  if (GetParam()) {
+    c->terms[2].kind = TermKind::kCoulomb;
+    c->term_count = 3;
+  }
+  rig_file::plan_signals(*c);
+  SignalConfiguration& acceleration = c->signals[0][static_cast<int>(Quantity::kAcceleration)];
+  acceleration.shift = static_cast<uint8_t>(acceleration.shift - 4);
+  auto conditioning = std::make_unique<Conditioning>();
+  conditioning->configure(*c);
+  auto frame = std::make_unique<Frame>();
+  int32_t state = 0, saturated = 0;
+  for (int n = 0; n < 400; ++n) {
+    RawSample sample;
+    if (n >= 200) state = n / 10 % 2 == 0 ? 8000000 : -8000000;
+    sample.code[0][static_cast<int>(Quantity::kDisplacement)] = state;
+    if (!conditioning->append(sample, *frame, 3)) continue;
+    bool at_limit = false;
+    for (Quantity q : {Quantity::kDisplacement, Quantity::kVelocity, Quantity::kAcceleration})
+      at_limit = at_limit || std::abs(frame->raw[signal_column(0, q)][3]) == 1 << 23;
+    EXPECT_EQ(conditioning->saturated(), at_limit) << n;
+    saturated += at_limit ? 1 : 0;
+  }
+  EXPECT_GT(saturated, 0);
 }

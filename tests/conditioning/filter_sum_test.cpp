@@ -34,20 +34,25 @@ TEST(FilterSum, EvenAndOddByHand) {
   EXPECT_EQ(both.even, 90);
 }
 
-// Lengths 5 and 7 on either side: one round of four and a rest in each. Samples n, taps 1: sums of -5 .. 5 and -7 .. 7 about 100
-// are 11 * 100 and 15 * 100; with taps of |k| the sums are 100 * 2 * 15 and 100 * 2 * 28.
-TEST(FilterSum, TwoEvenFiltersOfDifferentLength) {
+// Displacement 5, velocity and acceleration 7 (then 9) taps on either side: rounds of four and a rest in each part. Samples n about
+// 100: taps of 1 give 11 * 100; taps of |k| give 100 * 2 * 15 (of 28, of 45); taps of k give the sum of 2 k^2: 280 (570).
+TEST(FilterSum, ThreeFiltersOfDifferentLength) {
   std::vector<Code> x;
-  for (int n = 0; n <= 14; ++n) x.push_back(Code::from_raw(93 + n));
-  const std::vector<Tap> ones_5(11, Tap::from_raw(1)), ones_7(15, Tap::from_raw(1));
-  const TwoEven ones = two_even_sums(ones_5.data(), 5, ones_7.data(), 7, &x[7]);
-  EXPECT_EQ(ones.shorter, 1100);
-  EXPECT_EQ(ones.longer, 1500);
-  const auto size_5 = taps({5, 4, 3, 2, 1, 0, 1, 2, 3, 4, 5}),
-             size_7 = taps({7, 6, 5, 4, 3, 2, 1, 0, 1, 2, 3, 4, 5, 6, 7});
-  const TwoEven sizes = two_even_sums(size_5.data(), 5, size_7.data(), 7, &x[7]);
-  EXPECT_EQ(sizes.shorter, 3000);
-  EXPECT_EQ(sizes.longer, 5600);
+  for (int n = -9; n <= 9; ++n) x.push_back(Code::from_raw(100 + n));
+  for (const int half : {7, 9}) {
+    std::vector<SignalConfiguration> signals(3);
+    signals[0].half_length = 5;
+    signals[1].half_length = signals[2].half_length = static_cast<uint8_t>(half);
+    for (int k = -5; k <= 5; ++k) signals[0].tap[5 + k] = Tap::from_raw(1);
+    for (int k = -half; k <= half; ++k) {
+      signals[1].tap[half + k] = Tap::from_raw(k);
+      signals[2].tap[half + k] = Tap::from_raw(k < 0 ? -k : k);
+    }
+    const ThreeSums sums = three_sums(signals.data(), &x[9]);
+    EXPECT_EQ(sums.displacement, 1100);
+    EXPECT_EQ(sums.velocity, half == 7 ? 280 : 570);
+    EXPECT_EQ(sums.acceleration, half == 7 ? 5600 : 9000);
+  }
 }
 
 }  // namespace
