@@ -100,6 +100,18 @@ TEST(Dialects, AllSayTheSame) {
       {"times of day past midnight",
        "time\tforce_1_N\tdisplacement_1_m\n23:59:59.5\t1.5\t-0.25\n0:00:00\t2\t0.5\n00:00:00.5\t-3e-3\t0.75\n",
        nullptr},
+      {"twelve hours, and words behind some rows",
+       "Device Serial Number: 0\nSample, Date/Time, Force 1 (N), Displacement 1 (m), Events\n"
+       "1, 05/13/2022 11:59:59.500 AM, 1.5, -0.25, Start\n2, 05/13/2022 12:00:00.000 PM, 2, 0.5\n"
+       "3, 05/13/2022 12:00:00.5 pm, -3e-3, 0.75, Pause, Stop\n",
+       "ignored: \"Sample\", \"Events\""},
+      {"words behind units, and ends without values",
+       "Time (s) Run 1;Force 1 (N) Run 1;Displacement 1 (m) Run "
+       "1\n-0,5;;0\n0;1,5;-0,25\n0,5;2;0,5\n1;-3e-3;0,75\n1,5;4;\n2;;\n",
+       "left out: 1 rows at the start and 2 at the end without a value of force_1_N, displacement_1_m"},
+      {"NaN at the ends",
+       "t_s,force_1_N,displacement_1_m\n0,NaN,NaN\n0.5,1.5,-0.25\n1,2,0.5\n1.5,-3e-3,0.75\n2,nan,1\n",
+       "left out: 1 rows at the start and 1 at the end"},
       {"LabVIEW",
        "LabVIEW Measurement\t\nSeparator\tTab\nTime\t10:11:12.1\n***End_of_Header***\t\n\t\nY_Unit_Label\tkN\tmm\n"
        "X_Dimension\tTime\tTime\nX0\t0.0\t0.0\n***End_of_Header***\t\t\nX_Value\tForce 1\tDisplacement 1\tComment\n"
@@ -150,7 +162,8 @@ TEST(Dialects, ForeignNamesAreToldOneByOne) {
 }
 
 TEST(Dialects, ATimeThatIsNoClocksIsRefused) {
-  for (const char* bad : {"25:00:00", "10:61:00", "2026-13-01T10:00:00", "10:11", "10:11:12 noon"})
+  for (const char* bad :
+       {"25:00:00", "10:61:00", "2026-13-01T10:00:00", "10:11", "10:11:12 noon", "13:11:12 PM", "0:11:12 AM"})
     EXPECT_THROW(
         host_sim::parse_csv(std::string("t_s,force_1_N,displacement_1_m\n") + bad + ",1,2\n0.5,1,2\n", "d.csv", rig()),
         host_sim::DataFileError)
@@ -359,6 +372,12 @@ TEST(Dialects, RefusesWithTheReason) {
        {},
        "d.csv:3: column force_1_N is \"1,5\", expected a finite number with a decimal point"},
       {"no time", "force_1_N,velocity_1_m_s\n1,2\n1,2\n", {}, "expected t_s, then channels, or --sample-rate"},
+      {"a value missing amid others",
+       "t_s;force_1_N;velocity_1_m_s\n0;1;\n1;1;2\n2;1;\n3;1;2\n",
+       {},
+       "d.csv:4: column velocity_1_m_s is \"\", expected a finite number"},
+      {"no value at all", "t_s;force_1_N\n0;\n1;\n", {}, "column force_1_N is \"\", expected a finite number"},
+      {"names missing", "0 1 2\n1 1 2\n", {}, "d.csv:1: holds no names of columns above its 3 columns of numbers"},
       {"no unit", "t_s,force_1\n0,1\n1,1\n", {}, "has no unit; did you mean \"force_1_N\"?"},
       {"line behind comments", "# a\nt_s,force_1_N\n0,1\n# b\n1,x\n", {}, "d.csv:5: column force_1_N is \"x\""},
       {"uneven behind comments", "t_s,force_1_N\n0,1\n1,1\n# b\n2,1\n4,1\n5,1\n6,1\n", {}, "d.csv:6: t_s steps by 2 s"},

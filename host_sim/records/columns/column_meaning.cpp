@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "host_sim/records/columns/column_name.hpp"
+#include "host_sim/records/columns/plain_name.hpp"
 #include "host_sim/records/columns/units.hpp"
 #include "host_sim/records/data_file_error.hpp"
 
@@ -49,6 +50,7 @@ class Planner {
     plan_.uses.resize(columns.size());
     check_choices(columns);
     for (size_t i = 0; i < columns.size(); ++i) use(columns, i);
+    if (model_.dofs.size() <= 1 && no_channel()) take_plain(columns);
     take_time(columns);
     note_ignored(columns);
     return std::move(plan_);
@@ -111,6 +113,32 @@ class Planner {
     std::string suffix;
     if (is_time_name(head.name, suffix)) return;
     if (shaped_like_channel(head.name)) require_channel(head.name);  // and says what was expected
+  }
+
+  bool no_channel() const {
+    return std::none_of(plan_.uses.begin(), plan_.uses.end(),
+                        [](const ColumnUse& use) { return use.kind == ColumnUse::Kind::kChannel; });
+  }
+
+  // A rig of one DOF, or none known, and a file without any channel's name: "Position (m)" is the only displacement there is.
+  // A word without a unit, or one that stands twice, says too little.
+  void take_plain(const std::vector<Column>& columns) {
+    std::vector<std::optional<PlainName>> plain;
+    for (const Column& column : columns) {
+      const HeadParts head = split_head(column.head);
+      plain.push_back(parse_plain_name(head.name, column.unit.empty() ? head.unit : column.unit));
+      const bool other_kind =
+          plain.back() && !model_.dofs.empty() && plain.back()->channel.rotating != model_.dofs[0].rotating;
+      if (other_kind || (plain.back() && plain.back()->unit.empty())) plain.back().reset();
+    }
+    for (size_t i = 0; i < columns.size(); ++i) {
+      if (!plain[i]) continue;
+      const auto same = std::count_if(plain.begin(), plain.end(), [&](const std::optional<PlainName>& p) {
+        return p && p->channel.quantity == plain[i]->channel.quantity &&
+               p->channel.rotating == plain[i]->channel.rotating;
+      });
+      if (same == 1) take(i, columns[i], plain[i]->channel, plain[i]->unit, true);
+    }
   }
 
   // "displacement_1_mm", or "displacement_1" with a unit elsewhere.
@@ -239,13 +267,29 @@ ColumnPlan plan_columns(const std::vector<Column>& columns, const rig_file::RigM
 bool means_channel(const std::string& head, const rig_file::RigModel& model, const ReadingOptions& options) {
   const HeadParts parts = split_head(head);
   const auto is = [&](const std::string& text) {
-    return !text.empty() && (text == parts.name || text == trimmed_text(head));
+    if (text.find_first_not_of("0123456789") == std::string::npos) return false;  // a place in a table without names
+    return (text == parts.name || text == trimmed_text(head));
   };
   for (const auto& [channel, text] : options.columns)
     if (is(trimmed_text(text))) return true;
   for (const rig_file::ChannelEntry& entry : model.channels)
     if (is(trimmed_text(entry.column))) return true;
+  const auto plain = parse_plain_name(parts.name, parts.unit);
+  if (model.dofs.size() <= 1 && plain && !plain->unit.empty()) return true;
   return parts.name == "t_s" || shaped_like_channel(parts.name);
+}
+
+std::string plain_name_hint(const std::vector<Column>& columns, const rig_file::RigModel& model) {
+  for (const Column& column : columns) {
+    const HeadParts head = split_head(column.head);
+    const auto plain = parse_plain_name(head.name, "");
+    if (!plain || model.dofs.size() > 1) continue;
+    rig_file::ChannelName channel = plain->channel;
+    if (!model.dofs.empty()) channel.rotating = model.dofs[0].rotating;
+    const std::string name = rig_file::format_channel_name(channel), dof = "_1";
+    return "--column " + name.substr(0, name.find(dof) + dof.size()) + "=\"" + trimmed_text(column.head) + "\"";
+  }
+  return "--column displacement_1=NAME";
 }
 
 }  // namespace host_sim

@@ -29,8 +29,8 @@ struct ColumnPlan {
 };
 
 // A column is, in this order: what the user says (options, then `column` of the rig's [[channel]]); t_s or another
-// usual name of time; a channel name with its unit in the name, in brackets or in the row of units; ignored, with a
-// note. A name that is shaped like a channel's and is none throws DataFileError with the line, as do a channel that
+// usual name of time; a channel name with its unit in the name, in brackets or in the row of units; where none of them names a
+// channel and the rig has one DOF, a quantity alone with its unit ("Position (m)"); ignored, with a note. A name that is shaped like a channel's and is none throws DataFileError with the line, as do a channel that
 // stands twice, an unknown unit, a voltage without a sensitivity, and a choice that names no column.
 // A rig without DOFs stands for "no rig file": then every channel name is taken.
 ColumnPlan plan_columns(const std::vector<Column>& columns, const rig_file::RigModel& model,
@@ -38,5 +38,8 @@ ColumnPlan plan_columns(const std::vector<Column>& columns, const rig_file::RigM
 
 // Does the head name a channel, perhaps with a foreign unit or misspelt, or a column that the user chose?
 bool means_channel(const std::string& head, const rig_file::RigModel& model, const ReadingOptions& options);
+
+// What to type for the first column whose head is a quantity's word: --column angle_1="angle".
+std::string plain_name_hint(const std::vector<Column>& columns, const rig_file::RigModel& model);
 
 }  // namespace host_sim

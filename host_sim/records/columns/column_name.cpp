@@ -29,6 +29,19 @@ int take_dof(const std::string& text, size_t& at) {
   return at == start || text[start] == '0' ? 0 : dof;
 }
 
+// "Position (m) Run #1": a unit in brackets with more behind it, which is passed over.
+void take_inner_unit(HeadParts& parts) {
+  for (const char* brackets : {"()", "[]", "{}"}) {
+    const size_t open = parts.name.find(brackets[0]), close = parts.name.find(brackets[1], open);
+    if (open == std::string::npos || open == 0 || close == std::string::npos) continue;
+    const std::string unit = trimmed_text(parts.name.substr(open + 1, close - open - 1));
+    if (!find_unit(unit)) continue;
+    parts.unit = unit;
+    parts.name = trimmed_text(parts.name.substr(0, open));
+    return;
+  }
+}
+
 }  // namespace
 
 std::string trimmed_text(const std::string& text) {
@@ -53,6 +66,7 @@ HeadParts split_head(const std::string& head) {
       }
     }
   }
+  take_inner_unit(parts);
   return parts;
 }
 
@@ -78,8 +92,8 @@ std::optional<NamedChannel> parse_loose_name(const std::string& name) {
 bool is_time_name(const std::string& name, std::string& unit_suffix) {
   unit_suffix.clear();
   const std::string low = lowered(name);
-  for (const char* word : {"t", "time", "zeit", "temps", "tiempo", "tempo", "timestamp", "x_value", "relative_time",
-                           "elapsed_time", "abscissa"}) {
+  for (const char* word : {"t", "time", "zeit", "temps", "tiempo", "tempo", "timestamp", "time_stamp", "datetime",
+                           "date_time", "date/time", "x_value", "relative_time", "elapsed_time", "abscissa"}) {
     const std::string stem = word;
     if (low == stem) return true;
     if (low.compare(0, stem.size() + 1, stem + "_") != 0) continue;

@@ -51,15 +51,27 @@ bool take_date(std::string_view& text, int64_t& days) {
   return true;
 }
 
+// "AM", " pm": twelve hours twice a day, each beginning with its twelfth. False where there is no such hour.
+bool take_half_of_day(std::string_view& text, int& hour) {
+  std::string_view rest = text;
+  take(rest, " ");
+  const bool morning = take(rest, "aA");
+  if ((!morning && !take(rest, "pP")) || !take(rest, "mM")) return true;
+  if (hour < 1 || hour > 12) return false;
+  hour = hour % 12 + (morning ? 0 : 12);
+  text = rest;
+  return true;
+}
+
 bool take_time_of_day(std::string_view& text, double& time_s) {
   int hour = 0, minute = 0, second = 0;
   size_t digits = 0;
   if (!take_integer(text, 2, hour, digits) || !take(text, ":") || !take_integer(text, 2, minute, digits)) return false;
   if (!take(text, ":") || !take_integer(text, 2, second, digits)) return false;
-  if (hour > 23 || minute > 59 || second > 60) return false;
   std::string fraction = "0.";
   if (take(text, ".,"))
     for (; !text.empty() && digit(text.front()); text.remove_prefix(1)) fraction += text.front();
+  if (!take_half_of_day(text, hour) || hour > 23 || minute > 59 || second > 60) return false;
   time_s = 3600.0 * hour + 60.0 * minute + second + std::strtod((fraction + "0").c_str(), nullptr);
   return true;
 }

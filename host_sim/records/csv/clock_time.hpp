@@ -13,7 +13,7 @@ struct ClockTime {
 
 // "2026-03-01T10:11:12.123", with a blank or "_" for the T, with "/" or "." in the date and the year first or last
 // ("01.03.2026", "03/01/2026": only differences of days matter, and a record that goes on past midnight of an ambiguous
-// date is told as uneven steps), with "Z" or a zone behind it; "10:11:12.123" alone. A comma may be the decimal point.
+// date is told as uneven steps), with "Z" or a zone behind it; "10:11:12.123" alone; "10:11:12 PM". A comma may be the decimal point.
 // Nothing where it is no time of a clock.
 std::optional<ClockTime> parse_clock_time(std::string_view text);
 

@@ -1,6 +1,7 @@
 #include "host_sim/records/csv/csv_layout.hpp"
 
 #include <algorithm>
+#include <cstring>
 
 #include "host_sim/records/columns/column_name.hpp"
 #include "host_sim/records/columns/units.hpp"
@@ -23,6 +24,7 @@ struct Header {
   char separator = ',';
   std::string_view text, rest;
   size_t passed_over = 0;  // lines before it that are neither blank nor comments
+  bool unnamed = false;    // it is the first row of numbers: nothing stands above
 };
 
 // How many fields mean a channel, and with which separator most do.
@@ -37,6 +39,16 @@ size_t score(std::string_view line, const std::function<bool(const std::string&)
     }
   }
   return best;
+}
+
+// "0.004  -1,5e-3": numbers of a table, whatever separates them.
+bool is_row_of_numbers(std::string_view line) {
+  bool digit = false;
+  for (const char c : line) {
+    if (c == '\0' || std::strchr("0123456789+-.,;:/eE \t\r", c) == nullptr) return false;
+    digit = digit || (c >= '0' && c <= '9');
+  }
+  return digit;
 }
 
 // What separates names that mean nothing to us: with it they are as many as the fields of the next row, and most.
@@ -57,14 +69,20 @@ Header find_header(std::string_view content, const std::function<bool(const std:
   std::string_view rest = content;
   size_t passed_over = 0;
   for (size_t number = 1; !rest.empty() && number <= kLongestPreamble; ++number) {
+    const std::string_view from_here = rest;
     std::string_view line = take_line(rest);
     if (is_blank(line)) continue;
+    std::string_view below = rest;
+    if (is_row_of_numbers(line) && is_row_of_numbers(take_line(below))) {  // names stand above their numbers
+      if (fallback.line == 0) fallback = {number, likely_separator(line, rest), line, from_here, 0, true};
+      return fallback;
+    }
     const bool comment = is_comment(line);
     if (comment) line = without_comment_sign(line);
     char separator = ',';
-    if (score(line, means_channel, separator) > 0) return {number, separator, line, rest, passed_over};
+    if (score(line, means_channel, separator) > 0) return {number, separator, line, rest, passed_over, false};
     if (comment) continue;
-    if (fallback.line == 0) fallback = {number, likely_separator(line, rest), line, rest, 0};
+    if (fallback.line == 0) fallback = {number, likely_separator(line, rest), line, rest, 0, false};
     ++passed_over;
   }
   return fallback;
@@ -183,14 +201,16 @@ CsvLayout find_layout(std::string_view content, const std::function<bool(const s
   layout.separator = header.separator;
   layout.header_line = header.line;
   layout.data = header.rest;
-  layout.data_line = header.line + 1;
-  for (const std::string& field : split_fields(header.text, header.separator)) layout.columns.push_back({field, ""});
+  layout.data_line = header.line + (header.unnamed ? 0 : 1);
+  layout.unnamed = header.unnamed;
+  for (const std::string& field : split_fields(header.text, header.separator))
+    layout.columns.push_back({header.unnamed ? std::to_string(layout.columns.size() + 1) : field, ""});
   if (header.passed_over > 0)
     layout.notes.push_back("passed over: " + std::to_string(header.passed_over) + " line" +
                            (header.passed_over == 1 ? "" : "s") + " before the names of line " +
                            std::to_string(header.line));
   skip_blank_and_comment_lines(layout);
-  if (take_units(layout))
+  if (!layout.unnamed && take_units(layout))
     skip_blank_and_comment_lines(layout);
   else
     find_units_above(content, layout);

@@ -21,7 +21,8 @@ bool is_comment(std::string_view line);  // begins with "#", "%" or "//"
 struct CsvLayout {
   char separator = ',';
   bool decimal_comma = false;
-  std::vector<Column> columns;
+  std::vector<Column> columns;  // "1", "2" and so on where the file has no names
+  bool unnamed = false;
   size_t header_line = 1;          // from 1
   std::string_view data;           // the rest of the content, from the first row of numbers on
   size_t data_line = 2;            // its line
@@ -29,7 +30,8 @@ struct CsvLayout {
 };
 
 // The header is the first line in which some separator (tab, semicolon, comma, blanks) leaves a field that means a
-// channel or the time; a comment line may be it. Without one the first line that is no comment is taken. Below it a row
+// channel or the time; a comment line may be it. Without one the first line that is no comment is taken; where that is a row of
+// numbers above another one, the columns have no names. Below it a row
 // of units may follow: fields that are units, or blank, and no number; or one stands above it, behind a word (LabVIEW). A
 // comma is a decimal point where fields are separated otherwise and the first numbers hold commas and no points.
 CsvLayout find_layout(std::string_view content, const std::function<bool(const std::string&)>& means_channel);

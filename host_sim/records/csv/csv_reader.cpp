@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <optional>
 
 #include "host_sim/records/columns/column_name.hpp"
+#include "host_sim/records/csv/blank_ends.hpp"
 #include "host_sim/records/csv/clock_time.hpp"
 #include "host_sim/records/csv/csv_layout.hpp"
 #include "host_sim/records/csv/decimal_number.hpp"
@@ -76,6 +78,10 @@ class CsvParser {
     const auto channels =
         static_cast<size_t>(std::count_if(plan.uses.begin(), plan.uses.end(),
                                           [](const ColumnUse& use) { return use.kind == ColumnUse::Kind::kChannel; }));
+    if (layout_.unnamed && (channels == 0 || (!plan.has_time() && options_.sample_rate_Hz <= 0.0)))
+      refuse(layout_.header_line, "holds no names of columns above its " + std::to_string(plan.uses.size()) +
+                                      " columns of numbers, expected to be told which is which, as in --column t=1 "
+                                      "--column displacement_1=2, or --sample-rate in place of the time");
     if (!plan.has_time() && options_.sample_rate_Hz <= 0.0)
       refuse(layout_.header_line, "has no column of time (the first is " + quoted(first) +
                                       "), expected t_s, then channels, or --sample-rate");
@@ -103,8 +109,8 @@ class CsvParser {
     for (const Column& column : layout_.columns)
       heads += (heads.empty() ? "" : ", ") + quoted(trimmed_text(column.head));
     refuse(layout_.header_line, "names no channel (" + heads +
-                                    "), expected t_s and at least one such as displacement_1_m, or --column "
-                                    "displacement_1=NAME for a column with a name of its own");
+                                    "), expected t_s and at least one such as displacement_1_m, or " +
+                                    plain_name_hint(layout_.columns, model_) + " for a column with a name of its own");
   }
 
   void reserve() {
@@ -135,6 +141,7 @@ class CsvParser {
       const bool last = column + 1 == count;
       if (position == end && column + 1 >= needed_) return;                        // what is left out is ignored anyway
       if (last && end - position == 1 && at_field_end(position, end)) ++position;  // a separator ends the line
+      if (last && count > needed_) return;  // what has no name is ignored as the columns before it are
       if (last != (position == end))
         refuse(line_,
                (last ? "has more fields, expected " : "has " + std::to_string(column + 1) + " fields, expected ") +
@@ -173,9 +180,10 @@ class CsvParser {
   }
 
   // The number at the position, which moves to the separator behind it or to the end.
-  double number(const char*& position, const char* end, const Target& target) const {
+  double number(const char*& position, const char* end, const Target& target) {
     const char* const start = position;
     skip_blanks(position, end);
+    if (target.values != &time_s_ && take_blank(position, end)) return std::numeric_limits<double>::quiet_NaN();
     const bool in_quotes = position != end && *position == '"';
     if (in_quotes) ++position;
     if (position != end && *position == '+') ++position;
@@ -195,6 +203,19 @@ class CsvParser {
     if (layout_.separator != ' ') skip_blanks(position, end);
     if (!good || !at_field_end(position, end) || !std::isfinite(value)) refuse_field(start, end, target);
     return value;
+  }
+
+  // A field without a value: nothing, or "NaN".
+  bool take_blank(const char*& position, const char* end) {
+    const char c = position == end ? ' ' : *position;
+    if ((c >= '0' && c <= '9') || c == '-' || c == '+' || c == '.') return false;
+    const char* stop = position;
+    skip_field(stop, end);
+    const std::string field = trimmed_text(std::string(position, stop));
+    if (!field.empty() && field != "NaN" && field != "nan" && field != "NAN") return false;
+    position = stop;
+    blank_ = field;
+    return true;
   }
 
   static bool number_with_comma(const char*& position, const char* end, double& value) {
@@ -224,12 +245,32 @@ class CsvParser {
   }
 
   size_t line_of(size_t sample) const {
+    sample += left_out_;
     size_t line = layout_.data_line + sample;
     for (const size_t before : comments_) line += before <= sample ? 1 : 0;
     return line;
   }
 
+  // Rows at the ends that lack a value go; one that lacks it between is refused.
+  void leave_out_blank_ends() {
+    std::vector<TableColumn> table;
+    for (Channel& channel : record_.channels) table.push_back({channel.name, &channel.values});
+    const BlankEnds blank = find_blank_ends(table);
+    if (!blank.gap.empty() || blank.first == blank.end)
+      refuse(line_of(blank.gap.empty() ? 0 : blank.gap_row), "column " + (blank.gap.empty() ? blank.names : blank.gap) +
+                                                                 " is " + quoted(blank_) +
+                                                                 ", expected a finite number");
+    const size_t gone = blank.at_start + blank.at_end;
+    if (gone == 0) return;
+    for (Channel& channel : record_.channels) keep_rows(blank.first, blank.end, channel.values);
+    if (!time_s_.empty()) keep_rows(blank.first, blank.end, time_s_);
+    left_out_ = blank.at_start, samples_ -= gone;
+    record_.notes.push_back("left out: " + std::to_string(blank.at_start) + " rows at the start and " +
+                            std::to_string(blank.at_end) + " at the end without a value of " + blank.names);
+  }
+
   void finish() {
+    if (samples_ > 0) leave_out_blank_ends();
     if (options_.sample_rate_Hz > 0.0) {
       if (samples_ < 2) refuse(0, "holds " + std::to_string(samples_) + " samples, expected at least 2");
       record_.sample_period_s = 1.0 / options_.sample_rate_Hz;
@@ -251,6 +292,8 @@ class CsvParser {
   ClockTime first_clock_;
   std::vector<size_t> comments_;  // how many samples stood before each comment line among the rows
   size_t line_ = 1, samples_ = 0;
+  size_t left_out_ = 0;  // rows before the first sample
+  std::string blank_;    // the last field without a value: "" or "NaN"
 };
 
 }  // namespace
