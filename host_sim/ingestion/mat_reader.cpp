@@ -1,11 +1,10 @@
 #include "host_sim/ingestion/mat_reader.hpp"
 
-#include <matio.h>
-
 #include <cmath>
 #include <memory>
 #include <mutex>
 
+#include "host_sim/ingestion/mat_library.hpp"
 #include "host_sim/records/columns/column_meaning.hpp"
 #include "host_sim/records/columns/column_name.hpp"
 #include "host_sim/records/data_file_error.hpp"
@@ -94,6 +93,7 @@ struct Source {
   const std::string& file;
   const rig_file::RigModel& model;
   const ReadingOptions& options;
+  const MatLibrary& mat;
 };
 
 void check_vector(const std::string& file, const std::string& name, const matvar_t& variable) {
@@ -132,14 +132,14 @@ void collect(const std::string& name, const matvar_t& variable, const Source& so
 }
 
 void collect_structs(matvar_t& variable, const Source& source, std::vector<Group>& groups) {
-  const unsigned fields = Mat_VarGetNumberOfFields(&variable);
-  char* const* const names = Mat_VarGetStructFieldnames(&variable);
+  const unsigned fields = source.mat.field_count(&variable);
+  char* const* const names = source.mat.field_names(&variable);
   const size_t count = element_count(variable);
   for (size_t element = 0; element < count; ++element) {
     Group group;
     group.label = variable.name + (count > 1 ? "(" + std::to_string(element + 1) + ")" : std::string());
     for (unsigned i = 0; i < fields; ++i)
-      if (const matvar_t* const field = Mat_VarGetStructFieldByIndex(&variable, i, element))
+      if (const matvar_t* const field = source.mat.field(&variable, i, element))
         collect(names[i], *field, source, group);
     groups.push_back(std::move(group));
   }
@@ -217,13 +217,15 @@ bool is_mat(const std::string& path, std::string_view content) {
 std::vector<Record> read_mat(const std::string& path, const rig_file::RigModel& model, const ReadingOptions& options) {
   static std::mutex one_at_a_time;  // the library beneath (HDF5) is not for several threads
   const std::lock_guard<std::mutex> lock(one_at_a_time);
-  Mat_LogInitFunc(nullptr, [](int, char*) {});  // the library's own messages say less than ours
-  const File file(Mat_Open(path.c_str(), MAT_ACC_RDONLY), Mat_Close);
+  const MatLibrary* const mat = mat_library();
+  if (mat == nullptr) throw DataFileError(path, 0, kNoMatLibrary);
+  mat->log_to(nullptr, [](int, char*) {});  // the library's own messages say less than ours
+  const File file(mat->open(path.c_str(), MAT_ACC_RDONLY), mat->close);
   if (!file) throw DataFileError(path, 0, "is no MAT file that can be read, expected version 4, 5 or 7.3");
-  const Source source{path, model, options};
+  const Source source{path, model, options, *mat};
   std::vector<Group> groups(1);
   for (;;) {
-    const Variable variable(Mat_VarReadNext(file.get()), Mat_VarFree);
+    const Variable variable(mat->read_next(file.get()), mat->free);
     if (!variable) break;
     if (variable->class_type == MAT_C_STRUCT) {
       collect_structs(*variable, source, groups);

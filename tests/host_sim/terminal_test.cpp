@@ -64,6 +64,18 @@ TEST_F(Terminal, TheTableFitsItsWidth) {
   }
 }
 
+// libmatio brings some thirty libraries along, more than all else that a start loads: only a MAT file asks for it.
+TEST_F(Terminal, OnlyAMatFileLoadsItsLibrary) {
+  workspace_.write("some.mat", "no MAT file");
+  workspace_.write("some.csv", "t_s\n");
+  const auto loads = [&](const std::string& arguments) {
+    return shell("LD_DEBUG=files $H " + arguments + " 2>&1 | grep -c libmatio").output != "0\n";
+  };
+  EXPECT_FALSE(loads("--version"));
+  EXPECT_FALSE(loads("check --data some.csv"));
+  EXPECT_TRUE(loads("check --data some.mat"));
+}
+
 // The line that comes later is decoded while the program waits; an interrupt ends it.
 TEST_F(Terminal, DecodeFollowsAGrowingLog) {
   workspace_.write("grow.log", "(1.0) can0 701#05\n(1.1) can0 70");

@@ -1,11 +1,11 @@
 #include "host_sim/programs/estimate/model_export.hpp"
 
 #include <fmt/format.h>
-#include <matio.h>
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "host_sim/ingestion/mat_library.hpp"
 #include "host_sim/records/output_file.hpp"
 #include "host_sim/response/linear_rig.hpp"
 
@@ -74,40 +74,42 @@ void write_json(const fs::path& path, const std::string& name, const Export& all
   write_output_file(path.string(), json.dump(1) + "\n");
 }
 
-void put_matrix(mat_t* file, const std::string& name, const Matrix& rows) {
+void put_matrix(const MatLibrary& mat, mat_t* file, const std::string& name, const Matrix& rows) {
   size_t size[2] = {rows.size(), rows.empty() ? 0 : rows.front().size()};
   std::vector<double> by_columns;
   for (size_t c = 0; c < size[1]; ++c)
     for (size_t r = 0; r < size[0]; ++r) by_columns.push_back(rows[r][c]);
-  matvar_t* variable = Mat_VarCreate(name.c_str(), MAT_C_DOUBLE, MAT_T_DOUBLE, 2, size, by_columns.data(), 0);
-  Mat_VarWrite(file, variable, MAT_COMPRESSION_NONE);
-  Mat_VarFree(variable);
+  matvar_t* variable = mat.make_variable(name.c_str(), MAT_C_DOUBLE, MAT_T_DOUBLE, 2, size, by_columns.data(), 0);
+  mat.write(file, variable, MAT_COMPRESSION_NONE);
+  mat.free(variable);
 }
 
-void put_words(mat_t* file, const std::string& name, const std::vector<std::string>& words) {
+void put_words(const MatLibrary& mat, mat_t* file, const std::string& name, const std::vector<std::string>& words) {
   size_t size[2] = {words.size(), 1};
-  matvar_t* cells = Mat_VarCreate(name.c_str(), MAT_C_CELL, MAT_T_CELL, 2, size, nullptr, 0);
+  matvar_t* cells = mat.make_variable(name.c_str(), MAT_C_CELL, MAT_T_CELL, 2, size, nullptr, 0);
   for (size_t i = 0; i < words.size(); ++i) {
     size_t length[2] = {1, words[i].size()};
     std::string text = words[i];
-    Mat_VarSetCell(cells, static_cast<int>(i),
-                   Mat_VarCreate(nullptr, MAT_C_CHAR, MAT_T_UINT8, 2, length, text.data(), 0));
+    mat.set_cell(cells, static_cast<int>(i),
+                 mat.make_variable(nullptr, MAT_C_CHAR, MAT_T_UINT8, 2, length, text.data(), 0));
   }
-  Mat_VarWrite(file, cells, MAT_COMPRESSION_NONE);
-  Mat_VarFree(cells);
+  mat.write(file, cells, MAT_COMPRESSION_NONE);
+  mat.free(cells);
 }
 
 // Under a temporary name first, so that a full disk leaves no half of a file.
 void write_mat(const fs::path& path, const Export& all) {
   const fs::path temporary = path.string() + ".part";
-  mat_t* file = Mat_CreateVer(temporary.c_str(), "MATLAB 5.0 MAT-file", MAT_FT_MAT5);
+  const MatLibrary* const mat = mat_library();
+  if (mat == nullptr) throw OutputError(path.string() + ": " + kNoMatLibrary);
+  mat_t* file = mat->create(temporary.c_str(), "MATLAB 5.0 MAT-file", MAT_FT_MAT5);
   if (file == nullptr) throw OutputError(path.string() + ": cannot be written");
-  put_words(file, "parameter_names", all.names);
-  put_words(file, "parameter_units", all.units);
-  put_words(file, "parameter_status", all.status);
-  for (const auto& [name, matrix] : all.matrices) put_matrix(file, name, matrix);
+  put_words(*mat, file, "parameter_names", all.names);
+  put_words(*mat, file, "parameter_units", all.units);
+  put_words(*mat, file, "parameter_status", all.status);
+  for (const auto& [name, matrix] : all.matrices) put_matrix(*mat, file, name, matrix);
   std::error_code failure;
-  if (Mat_Close(file) != 0) failure = std::make_error_code(std::errc::io_error);
+  if (mat->close(file) != 0) failure = std::make_error_code(std::errc::io_error);
   if (!failure) fs::rename(temporary, path, failure);
   if (!failure) return;
   fs::remove(temporary, failure);
