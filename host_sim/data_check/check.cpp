@@ -13,6 +13,7 @@
 #include "host_sim/data_check/growth.hpp"
 #include "host_sim/data_check/kinematics.hpp"
 #include "host_sim/data_check/quantile.hpp"
+#include "host_sim/data_check/release.hpp"
 #include "host_sim/data_check/rig_balance.hpp"
 #include "host_sim/data_check/slow_faults.hpp"
 #include "host_sim/data_check/spikes.hpp"
@@ -152,6 +153,8 @@ RecordReport check_record(const Record& record, const rig_file::RigModel* model,
     if (auto work = find_negative_work(compared, drive)) attach({std::move(*work)}, report);
   if (!has_fault(report))
     if (auto growth = find_growth(record)) attach({std::move(*growth)}, report);
+  if (!has_fault(report))
+    if (auto release = find_release(record)) attach({std::move(*release)}, report);
   return report;
 }
 

@@ -4,6 +4,7 @@
 
 #include "hal/rig_file/rig_reader.hpp"
 #include "hal/rig_file/rig_writer.hpp"
+#include "host_sim/data_check/release.hpp"
 #include "host_sim/data_check/work.hpp"
 #include "host_sim/diagnosis/diagnosis.hpp"
 #include "host_sim/programs/commands.hpp"
@@ -39,6 +40,8 @@ void diagnose(const DiagnoseArguments& arguments) {
     line.begin("reading the recordings");
     std::vector<Record> training = read_data(arguments.data, model, arguments.reading),
                         holdout = read_data(arguments.holdout, model, arguments.reading);
+    for (std::vector<Record>* records : {&training, &holdout})
+      for (const std::string& told : data_check::begin_at_release(*records)) std::fprintf(stderr, "%s\n", told.c_str());
     require_same_channels(training);
     if (!holdout.empty()) require_same_channels(training.front(), holdout);
     const data_check::Report check = require_sound(training, model, arguments.reading);

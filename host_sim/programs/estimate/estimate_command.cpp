@@ -4,6 +4,7 @@
 #include <future>
 
 #include "hal/rig_file/rig_reader.hpp"
+#include "host_sim/data_check/release.hpp"
 #include "host_sim/data_check/work.hpp"
 #include "host_sim/programs/commands.hpp"
 #include "host_sim/programs/estimate/estimate_report_data.hpp"
@@ -111,7 +112,9 @@ void estimate(const EstimateArguments& arguments) {
     estimation = estimate_records(model, records, options);
   };
   check.beside([&] {
-    notes = count_from_rest(records);
+    notes = data_check::begin_at_release(records);
+    const std::vector<std::string> rests = count_from_rest(records);
+    notes.insert(notes.end(), rests.begin(), rests.end());
     if (const std::string slow = average_slow_motion(records); !slow.empty()) notes.push_back(slow);
     estimate_all();
   });

@@ -1,0 +1,118 @@
+// Where a free decay begins in its recording.
+#include "host_sim/data_check/release.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <random>
+
+
+namespace {
+
+using host_sim::Quantity;
+using host_sim::Record;
+using host_sim::data_check::samples_before_release;
+
+constexpr double kPi = 3.14159265358979323846, kTurn = 2 * kPi * 3.0;  // 3 Hz
+constexpr size_t kPeriod = 33;                                         // samples at 100 Hz
+
+// 12 s at 100 Hz of y(t) with noise of 1 % of one.
+Record record_of(const std::function<double(double)>& y, Quantity quantity = Quantity::kDisplacement, double s = 12) {
+  std::mt19937 random(5);
+  std::normal_distribution<double> noise(0.0, 0.01);
+  constexpr const char* kNames[] = {"force_1_N", "displacement_1_m", "velocity_1_m_s", "acceleration_1_m_s2"};
+  Record record;
+  record.file = "made.csv", record.sample_period_s = 0.01;
+  record.channels.push_back({kNames[static_cast<int>(quantity)], quantity, 1, {}});
+  for (int i = 0; i < static_cast<int>(100 * s); ++i) record.channels[0].values.push_back(y(0.01 * i) + noise(random));
+  return record;
+}
+double decay(double t, double tau_s) { return std::exp(-t / tau_s) * std::cos(kTurn * t); }
+
+TEST(Release, OfADecayFromItsFirstSampleTakesNothing) {
+  for (const double tau_s : {0.5, 2.0, 10.0, 500.0})
+    for (const double zero : {0.0, 7.0}) {
+      const auto y = [=](double t) { return zero + decay(t + 0.05, tau_s); };
+      EXPECT_EQ(samples_before_release(record_of(y)), 0u) << tau_s;
+      EXPECT_EQ(samples_before_release(record_of(y, Quantity::kAcceleration)), 0u) << tau_s;
+    }
+}
+
+// Dry friction takes the same from each swing: 1 - t / 4 s.
+TEST(Release, OfADecayThatStopsTakesNothing) {
+  EXPECT_EQ(samples_before_release(record_of([](double t) { return std::max(0.0, 1 - t / 4) * std::cos(kTurn * t); })),
+            0u);
+}
+
+// Let go at 1.5 s: after that, and no more than one and a half periods after.
+void expect_release(const Record& record, const char* what) {
+  const size_t led = samples_before_release(record);
+  EXPECT_GT(led, 150u) << what;
+  EXPECT_LE(led, 150 + 3 * kPeriod / 2) << what;
+}
+
+TEST(Release, IsFoundBehindAHandAPullAndABlow) {
+  const auto free = [](double t) { return decay(t - 1.5, 3); };
+  expect_release(record_of([&](double t) { return t < 1.5 ? 0.6 * std::sin(5 * t) : free(t); }), "a hand");
+  expect_release(record_of([&](double t) { return t < 1.5 ? std::min(1.0, 2 * t) : free(t); }), "a pull");
+  expect_release(
+      record_of([&](double t) { return t < 1.5 ? 0.0 : std::exp((1.5 - t) / 3) * std::sin(kTurn * (t - 1.5)); }),
+      "a blow");
+  // an accelerometer shows the blow itself: 20 ms, five times as much as what follows
+  const Record blow =
+      record_of([&](double t) { return t < 1.5    ? 0.0
+                                       : t < 1.52 ? 5.0
+                                                  : free(t); }, Quantity::kAcceleration);
+  expect_release(blow, "a blow seen by an accelerometer");
+}
+
+// A short decay, six periods until a hundredth of its energy is left, loses half a period.
+TEST(Release, OfAShortDecayCostsHalfAPeriod) {
+  const size_t led =
+      samples_before_release(record_of([](double t) { return t < 1.5 ? 0.6 * std::sin(5 * t) : decay(t - 1.5, 0.8); }));
+  EXPECT_GT(led, 150u);
+  EXPECT_LE(led, 150 + kPeriod);
+}
+
+TEST(Release, IsNotFoundWhereNothingDecays) {
+  std::mt19937 random(9);
+  std::normal_distribution<double> normal;
+  double x = 0, v = 0;  // wind: ambient vibration never dies away
+  const Record ambient = record_of([&](double) {
+    for (int k = 0; k < 10; ++k) v += 1e-3 * (-kTurn * kTurn * x - 0.6 * v) + 0.3 * normal(random), x += 1e-3 * v;
+    return 10 * x;
+  });
+  EXPECT_EQ(samples_before_release(ambient), 0u);
+  EXPECT_EQ(samples_before_release(record_of([](double t) { return std::exp((t - 12) / 3) * std::cos(kTurn * t); })),
+            0u);
+  // the swing of two that beat comes back, and never higher than it was
+  const auto beats = [](double t) { return std::exp(-t / 4) * std::cos(kTurn * t) * std::cos(2.2 * t); };
+  EXPECT_EQ(samples_before_release(record_of(beats)), 0u);
+}
+
+// Where a force is recorded the rig follows it from the first sample on.
+TEST(Release, IsNotLookedForWhereSomethingDrives) {
+  Record record = record_of([](double t) { return t < 1.5 ? 0.0 : decay(t - 1.5, 3); });
+  ASSERT_GT(samples_before_release(record), 0u);
+  record.channels.push_back({"force_1_N", Quantity::kForce, 1, std::vector<double>(1200, 0.0)});
+  EXPECT_GT(samples_before_release(record), 0u);  // of noughts
+  record.channels[1].values[150] = 4;
+  EXPECT_EQ(samples_before_release(record), 0u);
+}
+
+TEST(Release, RecordsBeginThereAndSaySo) {
+  std::vector<Record> records = {record_of([](double t) { return decay(t, 3); }), record_of([](double t) {
+                                   return t < 1.5 ? std::min(1.0, 2 * t) : decay(t - 1.5, 3);
+                                 })};
+  const std::vector<Record> before = records;
+  const auto told = host_sim::data_check::begin_at_release(records);
+  ASSERT_EQ(told.size(), 1u);
+  EXPECT_EQ(told[0].rfind("made.csv: the first 1.", 0), 0u) << told[0];
+  EXPECT_EQ(records[0].samples(), before[0].samples());
+  const size_t led = before[1].samples() - records[1].samples();
+  EXPECT_NEAR(records[1].start_s, 0.01 * static_cast<double>(led), 1e-12);
+  EXPECT_EQ(records[1].channels[0].values.front(), before[1].channels[0].values[led]);
+}
+
+}  // namespace
