@@ -176,7 +176,9 @@ void BlockMotion::fill_acceleration(int dof) {
   }
 }
 
-void BlockMotion::fill_neighbours() {
+FIRMWARE_WIDER_VECTORS void BlockMotion::fill_neighbours() {
+  for (int i = 0; i < configuration_->dof_count; ++i)
+    if (derives_acceleration_[i]) fill_acceleration(i);
   for (int row = 0; row < kMaxNodes * kQuantities; ++row) {
     if (signal_unit_[row].is_zero()) continue;
     const int32_t* of = signal(row);
@@ -262,9 +264,6 @@ void BlockMotion::fill_slope_rest(Slope slope, int dof) {
 }
 
 FIRMWARE_WIDER_VECTORS void BlockMotion::fill_columns() {
-  for (int i = 0; i < configuration_->dof_count; ++i)
-    if (derives_acceleration_[i]) fill_acceleration(i);
-  fill_neighbours();
   fill_settled();
   for (int e = 0; e < effects_; ++e)
     for (int n = 0; n < kBlockSamples; ++n) column_[kForceLawColumn + e][n] = force_law_[e][kProbeLead + n];

@@ -66,7 +66,9 @@ class BlockMotion {
   void keep_tail();  // the block is done: its last samples are the lead of the next
   // Variance of a velocity's noise, for the width of soft signs: of the rate of a link, in Q26 of its range.
   void set_rate_noise(int link, int64_t deviation_q26) { rate_noise_[link] = deviation_q26; }
-  void fill_columns();  // of a full block
+  // Of a full block, one after the other.
+  void fill_neighbours();
+  void fill_columns();
 
   const int32_t* signal(int row) const { return &signal_[row][kProbeLead]; }  // [-4, kBlockSamples + 4)
   // The same from the four samples on either side of each (neighbours.hpp): codes in Q3.
@@ -87,7 +89,6 @@ class BlockMotion {
   void configure_effects(const Scaled* effect_unit);
   void share_known_terms();
   void fill_acceleration(int dof);
-  void fill_neighbours();
   void fill_settled();
   bool turns(int link, int sample) const;
   void fill_link(int link);

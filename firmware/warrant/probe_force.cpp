@@ -146,33 +146,18 @@ int32_t quantity_exponent(const PlaceScale& scale, int quantity) {
 }
 
 int32_t force_exponent(Form form, const PlaceScale& scale) {
-  const int32_t u = quantity_exponent(scale, 0), w = quantity_exponent(scale, 1);
-  switch (form) {
-    case Form::kElongationSquare:
-      return 2 * u + 22;
-    case Form::kElongationCube:
-      return 3 * u + 45;
-    case Form::kRate:
-    case Form::kRateMagnitude:
-    case Form::kForce:
-    case Form::kForceRate:
-      return w;
-    case Form::kRateSquare:
-      return 2 * w + 22;
-    case Form::kRateCube:
-      return 3 * w + 45;
-    case Form::kElongationSquareRate:
-      return 2 * u + w + 45;
-    case Form::kForceWithinGap:
-      return 3 - kProbeFraction;
-    case Form::kConstant:
-    case Form::kSign:
-    case Form::kSignNarrow:
-    case Form::kSignWide:
-      return -kSignBits;
-    default:
-      return u;
-  }
+  const Powers power = powers_of(form);
+  const int cubic = power.of[0] + power.of[1];
+  int32_t exponent = cubic == 3 ? 45 : cubic == 2 ? 22 : cubic == 1 ? 0 : -kSignBits;
+  if (form == Form::kForceWithinGap) exponent = 3 - kProbeFraction;
+  for (int q = 0; q < 2; ++q)
+    if (power.of[q] > 0) exponent += power.of[q] * quantity_exponent(scale, q);
+  return exponent;
+}
+
+PlaceScale table_scale(PlaceScale scale) {
+  scale.shift[0] = scale.shift[1] = kTableScaleShift;
+  return scale;
 }
 
 }  // namespace firmware

@@ -9,9 +9,9 @@ namespace {
 // What a probe's force, a place's motion, a force's slopes and the columns of a link or DOF take, in products a sample
 // (measured on a processor with vectors of 256 bits: tests/bench).
 constexpr int kForceCost = 4, kMotionCost = 10, kSlopeCost = 16, kColumnCost = 10;
-constexpr int kScaleBlocks = 8;
+constexpr int kScaleBlocks = 8, kScaleSamplesLog2 = kBlockSamples == 32 ? 8 : 7;
 constexpr int kScaleShift = 6;  // Q26 to Q20: squares of 256 samples stay below 2^48
-constexpr int kNormalBits = 18, kHeadroomBits = 5;
+constexpr int kHeadroomBits = 5;
 
 // Of one of the place's equations: what is left of it without the unknown terms.
 int known_column(const Place& place, int equation) {
@@ -46,7 +46,7 @@ void ScoreSums::configure(const CoreConfiguration& configuration, const Scaled* 
   make_probe_plan(configuration, kMostProbeValues, plan_);
   block_.configure(configuration, effect_unit, signs);
   noise_.configure(configuration, block_.known());
-  table_.configure(plan_.value_count);
+  table_.configure(plan_.value_count, &plan_, scale_);
   int filled = 0;
   for (int p = 0; p < plan_.place_count; ++p)
     for (int j = 0; j < plan_.summed_count; ++j)
@@ -76,10 +76,8 @@ void ScoreSums::configure(const CoreConfiguration& configuration, const Scaled* 
 void ScoreSums::clear() {
   offered_ = 0;
   table_.clear();
-  scaled_ = false;
-  scale_blocks_ = 0;
-  for (auto& place : square_) place[0] = place[1] = 0;
-  for (auto& node : noise_square_) node = 0;
+  forget_squares();
+  for (auto& scale : scale_) scale.shift[0] = scale.shift[1] = kLeastScaleShift;
   restart();
 }
 
@@ -117,12 +115,10 @@ void ScoreSums::offer(const Frame& frame, int count) {
 }
 
 void ScoreSums::start_block() {
+  block_.fill_neighbours();
+  if (outgrown()) forget_squares();
+  if (scale_blocks_ < kScaleBlocks) measure_scales();
   block_.fill_columns();
-  if (scaled_ && outgrown()) clear();
-  if (!scaled_) {
-    measure_scales();
-    return block_.keep_tail();
-  }
   busy_ = true;
   next_ = 0;
   motion_place_ = -1;
@@ -131,8 +127,14 @@ void ScoreSums::start_block() {
   if (budget_.whole(time_)) finish();
 }
 
+void ScoreSums::forget_squares() {
+  scale_blocks_ = 0;
+  for (auto& place : square_) place[0] = place[1] = 0;
+  for (auto& node : noise_square_) node = 0;
+}
+
 void ScoreSums::measure_scales() {
-  for (int p = 0; p < plan_.place_count; ++p)
+  for (int p = 0; p < plan_.place_count; ++p) {
     for (int q = 0; q < 2; ++q) {
       const NodeDifference& d = scale_[p].difference[q];
       if (!scale_[p].present[q]) continue;
@@ -142,6 +144,8 @@ void ScoreSums::measure_scales() {
         square_[p][q] += value * value;
       }
     }
+    grow_scale(p);
+  }
   for (int node = 0; node < kMaxNodes; ++node) {
     if (!configuration_->signals[node][static_cast<int>(Quantity::kVelocity)].available) continue;
     const int32_t* v = block_.signal(signal_column(node, Quantity::kVelocity));
@@ -150,18 +154,36 @@ void ScoreSums::measure_scales() {
       noise_square_[node] += (rest * rest) >> 6;  // 28 bits twice, 256 of them
     }
   }
-  if (++scale_blocks_ == kScaleBlocks) set_scales();
+  ++scale_blocks_;
+  set_noise();
 }
 
-void ScoreSums::set_scales() {
-  constexpr int kSamples = kScaleBlocks * kBlockSamples;
+// The unit of a quantity is the rms of eight blocks, or what is known of it: were they silent that are still to come. So it only grows,
+// and a block's largest value is at most the root of 256, 16, of what it makes the unit.
+void ScoreSums::grow_scale(int p) {
+  PlaceScale& scale = scale_[p];
+  const PlaceScale before = scale;
+  bool grown = false;
+  for (int q = 0; q < 2; ++q) {
+    if (square_[p][q] == 0) continue;
+    const int rms_log2 = (63 - __builtin_clzll(magnitude(square_[p][q])) - kScaleSamplesLog2) >> 1;
+    const int shift = rms_log2 + 1 + kScaleShift - kNormalBits;
+    if (shift <= scale.shift[q]) continue;
+    scale.shift[q] = static_cast<int8_t>(shift);
+    grown = true;
+  }
+  for (int j = 0; j < plan_.summed_count && grown; ++j) {
+    const Probe& probe = plan_.probe[j];
+    if (probe.place != p) continue;
+    const ProbeExponents now(plan_, probe, scale), then(plan_, probe, before);
+    for (int v = 0; v < plan_.values(probe); ++v) table_.rescale(probe.first_value + v, now.of(v) - then.of(v));
+  }
+}
+
+void ScoreSums::set_noise() {
+  const int samples = scale_blocks_ * kBlockSamples;
   for (int p = 0; p < plan_.place_count; ++p) {
     PlaceScale& scale = scale_[p];
-    for (int q = 0; q < 2; ++q) {
-      const Scaled rms = sqrt(Scaled::ratio(square_[p][q], kSamples));
-      const int bits = rms.is_zero() ? 0 : log2_floor(rms) + 1 + kScaleShift;
-      scale.shift[q] = static_cast<int8_t>(bits - kNormalBits);
-    }
     // (6 v - instrument) has 36 + 2 (16 + 1) times the variance of white noise.
     Scaled variance;
     const NodeDifference& rate = scale.difference[1];
@@ -171,7 +193,7 @@ void ScoreSums::set_scales() {
     for (int e = 0; e < 2; ++e)
       if (nodes[e] < kMaxNodes && !moves_by_acceleration(plan_.place[p].kind)) {
         const Scaled gain = Scaled::from_int(gains[e], -25);
-        const Scaled measured = gain * gain * Scaled::ratio(noise_square_[nodes[e]], kSamples) * Scaled::ratio(64, 70);
+        const Scaled measured = gain * gain * Scaled::ratio(noise_square_[nodes[e]], samples) * Scaled::ratio(64, 70);
         const Scaled slow = slow_rate_noise(*configuration_, nodes[e], rate.range_exponent);
         variance = variance + (slow > measured ? slow : measured);
       }
@@ -179,10 +201,9 @@ void ScoreSums::set_scales() {
     scale.noise_q26 = static_cast<int32_t>(deviation > INT32_MAX ? INT32_MAX : deviation);
     if (plan_.place[p].kind == PlaceKind::kLink) block_.set_rate_noise(plan_.place[p].link, scale.noise_q26);
   }
-  scaled_ = true;
 }
 
-// A quantity beyond the headroom of its scale: what was summed in too small a unit is forgotten.
+// A quantity beyond the headroom of its scale: another one is measured from this block on.
 bool ScoreSums::outgrown() const {
   for (int p = 0; p < plan_.place_count; ++p)
     for (int q = 0; q < 2; ++q) {
@@ -250,7 +271,7 @@ void ScoreSums::finish() {
 }
 
 Scaled ScoreSums::force_unit(const Probe& probe) const {
-  return Scaled::from_int(1, force_exponent(probe.form, scale_[probe.place]));
+  return Scaled::from_int(1, force_exponent(probe.form, table_scale(scale_[probe.place])));
 }
 
 Scaled ScoreSums::unit(const Probe& probe, int value) const {
@@ -260,8 +281,8 @@ Scaled ScoreSums::unit(const Probe& probe, int value) const {
   value -= place.equations;
   if (value < place.columns) return own * block_.column_unit(unknown_column_[place.unknown[value]]);
   if (value == place.columns) return own * own;
-  return own *
-         Scaled::from_int(1, -1 - kSlopeStepLog2 - quantity_exponent(scale_[probe.place], value - place.columns - 1));
+  return own * Scaled::from_int(1, -1 - kSlopeStepLog2 -
+                                       quantity_exponent(table_scale(scale_[probe.place]), value - place.columns - 1));
 }
 
 Scaled ScoreSums::noise_share(const Probe& probe, int slope, int value, SharedNoise::Of of) const {

@@ -31,8 +31,7 @@ class ScoreSums {
 
   const ProbePlan& plan() const { return plan_; }
   const ScoreTable& table() const { return table_; }
-  uint64_t offered() const { return offered_; }  // samples since the sums have their scale, looked at or not
-  bool scaled() const { return scaled_; }        // the probes' own units are known: there are sums
+  uint64_t offered() const { return offered_; }  // samples, looked at or not
   // SI unit of a probe's sums, per equation, per column of its place, of its own force, and of its slopes.
   Scaled unit(const Probe& probe, int value) const;
   Scaled force_unit(const Probe& probe) const;
@@ -41,8 +40,10 @@ class ScoreSums {
 
  private:
   void start_block();
+  void forget_squares();
   void measure_scales();
-  void set_scales();
+  void set_noise();
+  void grow_scale(int place);
   bool outgrown() const;
   void go_on();
   uint32_t cost(const Probe& probe) const;
@@ -57,12 +58,11 @@ class ScoreSums {
   SharedNoise noise_;
   ScoreTable table_;
   PlaceScale scale_[kMaxPlaces];
-  int64_t square_[kMaxPlaces][2];    // of the smoothed quantities, Q20 of the range, while scales are measured
+  int64_t square_[kMaxPlaces][2];    // of the smoothed quantities, Q20 of the range, over scale_blocks_
   int64_t noise_square_[kMaxNodes];  // of (6 v - instrument), codes
-  int scale_blocks_ = 0;
-  bool scaled_ = false;
+  uint8_t scale_blocks_ = 0;
   bool busy_ = false;
-  int next_ = 0;  // in order_
+  int16_t next_ = 0;  // in order_
   int motion_place_ = -1;
   PlaceMotion motion_;
   ProbeBudget budget_;

@@ -3,8 +3,15 @@
 #include "firmware/fixed_point/work_meter.hpp"
 
 namespace firmware {
+namespace {
 
-void ScoreTable::configure(int values) {
+int64_t shifted(int64_t sum, int bits) { return bits > 62 ? 0 : (sum + (int64_t{1} << (bits - 1))) >> bits; }
+
+}  // namespace
+
+void ScoreTable::configure(int values, const ProbePlan* plan, const PlaceScale* scale) {
+  plan_ = plan;
+  scale_ = scale;
   values_ = values;
   room_ = values > 0 ? kWarrantNumbers / values : 0;
   if (room_ > kMostStretches) room_ = kMostStretches;
@@ -33,6 +40,12 @@ void ScoreTable::add_block(uint32_t time_samples) {
   if (pending_ >= missing || pending_ == kExactBlocks) flush();
 }
 
+void ScoreTable::rescale(int value, int bits) {
+  if (bits <= 0) return;
+  current_[value] = shifted(current_[value], bits);
+  if (merging_) held_[value] = shifted(held_[value], bits);
+}
+
 void ScoreTable::flush() {
   settle();
   if (pending_ == 0) return;
@@ -43,16 +56,14 @@ void ScoreTable::flush() {
     stretch_[count_++] = Stretch{static_cast<uint8_t>(level_), 0, 0};
     open_ = true;
   }
-  report_work(25 * values_);
+  report_work(35 * values_);
   if (!merging_ && held_in_new_row_) append_row();
-  for (int v = 0; v < values_; ++v) {
-    if (merging_) {
-      held_[v] = current_[v];
-    } else if (current_[v] != 0) {
-      add_to((count_ - 1) * values_ + v, current_[v]);
-    }
-    current_[v] = 0;
+  if (merging_) {
+    for (int v = 0; v < values_; ++v) held_[v] = current_[v];
+  } else {
+    add_exact(current_);
   }
+  for (int v = 0; v < values_; ++v) current_[v] = 0;
   close_stretch();
 }
 
@@ -73,6 +84,21 @@ void ScoreTable::drop() {
 
 void ScoreTable::append_row() {
   for (int v = 0; v < values_; ++v) put((count_ - 1) * values_ + v, {});
+}
+
+// To the last stretch.
+void ScoreTable::add_exact(const int64_t* sums) {
+  const int row = (count_ - 1) * values_;
+  if (plan_ == nullptr)
+    for (int v = 0; v < values_; ++v) add_to(row + v, sums[v], 0);
+  for (int j = 0; plan_ != nullptr && j < plan_->summed_count; ++j) {
+    const Probe& probe = plan_->probe[j];
+    const ProbeExponents exponents(*plan_, probe, scale_[probe.place]);
+    const int values = plan_->values(probe);
+    for (int v = 0; v < values; ++v)
+      if (sums[probe.first_value + v] != 0)
+        add_to(row + probe.first_value + v, sums[probe.first_value + v], exponents.of(v));
+  }
 }
 
 // Neighbours of the same level; one that is left over at a level's end stays as it is, the last one goes on.
@@ -122,8 +148,7 @@ void ScoreTable::merge_some(int numbers) {
 void ScoreTable::end_merge() {
   merging_ = false;
   if (held_in_new_row_) append_row();
-  for (int v = 0; v < values_; ++v)
-    if (held_[v] != 0) add_to((count_ - 1) * values_ + v, held_[v]);
+  add_exact(held_);
 }
 
 Scaled ScoreTable::sum(int from, int to, int value) const {

@@ -4,6 +4,8 @@
 // Per probe: sum of phi times the known part of each of its equations, of phi times every unknown's column there, and of
 // phi times its own force. Formats: phi below 2^24, columns below 2^27, 31 samples a block, 32 blocks at the most before
 // the exact int64 sum (2^61) goes into the table, whose numbers have an exponent (pack(): 2^-47).
+// The exact sums of a place count in its scale (sum_exponents.hpp), which may grow: what they hold so far is then shifted to the new
+// one and rounded to nearest, half a unit of one product at the most. The table's numbers do not know of it.
 //
 // Room is fixed: a rig with few probes gets up to 256 stretches, one with many fewer, at least 16. Where the table is
 // full, neighbouring stretches of each level merge and the length of a stretch doubles: nothing is lost. That is up to 32768
@@ -11,6 +13,7 @@
 #pragma once
 #include "firmware/configuration/capacity.hpp"
 #include "firmware/fixed_point/short_scaled.hpp"
+#include "firmware/warrant/sum_exponents.hpp"
 
 namespace firmware {
 
@@ -26,12 +29,15 @@ struct Stretch {
 
 class ScoreTable {
  public:
-  void configure(int values);
+  // scale: of each place of the plan, as it is when sums go into the table. No plan: sums are whole numbers.
+  void configure(int values, const ProbePlan* plan, const PlaceScale* scale);
   void clear();
   void begin_level();
   // Exact sums of the block that is being worked on; add_block() closes it.
   int64_t& current(int value) { return current_[value]; }
   void add_block(uint32_t time_samples);
+  // The value's exact sums count in 2^bits of what they have counted in.
+  void rescale(int value, int bits);
   void advance() {  // once a sample: goes on with a merge
     if (merging_) merge_some(numbers_per_sample_);
   }
@@ -58,13 +64,16 @@ class ScoreTable {
   void merge_some(int numbers);
   void end_merge();
   void append_row();
+  void add_exact(const int64_t* sums);
   ShortScaled number_at(int place) const { return {mantissa_[place], exponent_[place]}; }
   void put(int place, ShortScaled number) {
     mantissa_[place] = number.mantissa;
-    exponent_[place] = static_cast<int8_t>(number.exponent);  // sums of whole numbers below 2^75
+    exponent_[place] = static_cast<int8_t>(number.exponent);  // whole numbers of 2^-84, below 2^140
   }
-  void add_to(int place, int64_t sum) { put(place, number_at(place) + short_scaled(sum)); }
+  void add_to(int place, int64_t sum, int exponent) { put(place, number_at(place) + short_scaled(sum, exponent)); }
 
+  const ProbePlan* plan_ = nullptr;
+  const PlaceScale* scale_ = nullptr;
   int values_ = 0, room_ = 0, count_ = 0, level_ = 0;
   bool open_ = false;     // the last stretch is of this level and not yet full
   uint32_t length_ = 1;   // blocks of a stretch

@@ -17,7 +17,7 @@ bool ScoreTest::judge(const CoreConfiguration& configuration, const ScoreSums& s
   stretches_ = table.stretches();
   const ProbePlan& plan = sums.plan();
   for (int j = 0; j < plan.probe_count; ++j, report_work(60)) score_[j] = ProbeScore{};
-  if (!sums.scaled() || stretches_ < kLeastStretches) return false;
+  if (stretches_ < kLeastStretches) return false;
   unknowns_ = configuration.unknown_count;
   levels_ = 0;
   for (bool& blind : blind_) blind = false;

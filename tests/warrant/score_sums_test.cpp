@@ -27,7 +27,7 @@ TEST(ScoreTable, ExactSumsHoldFullScale) {
     EXPECT_EQ(sum, sign * (int64_t{1} << 61));
   }
   // Stretches of one block first; full at 256, they double: 8192 blocks of 2^56 in 256 stretches of 32.
-  table.configure(1);
+  table.configure(1, nullptr, nullptr);
   table.begin_level();
   for (int block = 0; block < 8192; ++block) {
     table.current(0) += int64_t{1} << 56;
@@ -44,7 +44,7 @@ TEST(ScoreTable, ExactSumsHoldFullScale) {
 // The 17th block merges: (1 + 2), 3, then 6 pairs of level two and one left over, which it completes.
 TEST(ScoreTable, NeighboursOfALevelMerge) {
   static ScoreTable table;
-  table.configure(kWarrantNumbers / kFewestStretches);
+  table.configure(kWarrantNumbers / kFewestStretches, nullptr, nullptr);
   table.begin_level();
   for (int block = 1; block <= 3; ++block) {
     table.current(0) += block;
@@ -76,7 +76,7 @@ TEST(ScoreTable, AMergeTakesASliceASampleAndLosesNothing) {
     for (int s = 0; s < table.stretches(); ++s) blocks += table.stretch(s).blocks;
     return blocks;
   };
-  table.configure(kValues);
+  table.configure(kValues, nullptr, nullptr);
   table.begin_level();
   int merging = 0, longest_merge = 0;
   for (int block = 0; block < kBlocks; ++block) {
