@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "effect_force.hpp"
 
@@ -10,7 +11,8 @@ namespace {
 
 constexpr double kTwoPi = 6.283185307179586;
 constexpr double kAtRest = 1e-5;  // of the fastest rate so far; a located reversal is far closer to rest
-constexpr int kMostEvents = 16;   // in one substep; what is left of it then runs through without
+constexpr double kTrifle = 1e-12;
+constexpr int kMostEvents = 16;  // in one substep; what is left of it then runs through without
 
 struct Inputs {  // at one instant
   std::vector<double> force;
@@ -124,8 +126,10 @@ class Integrator {
     if (rig_.links[l].b >= 0) push[rig_.links[l].b] += f;
   }
   void slope(const std::vector<double>& s, std::vector<double>& d);
+  void turn_stuck();
+  void stop_stuck(double* motion, double base);
   void hold_stuck(double* acceleration);
-  void bring_to_rest(std::vector<double>& s) const;
+  void bring_to_rest(std::vector<double>& s);
   void step(const std::vector<double>& s, size_t at, double from, double to, std::vector<double>& out);
   int event_link(const std::vector<double>& s);
 
@@ -138,6 +142,8 @@ class Integrator {
   std::vector<double> level_, inertia_, hold_;
   std::vector<const TrueEffect*> stribeck_;
   std::vector<int> mode_;  // per link: -1 or 1 sliding that way, 0 stuck
+  std::vector<size_t> stuck_, stuck_now_;
+  std::vector<double> answer_, gap_;  // of the stuck links' friction to their rates, row by row
   std::vector<double> state_, k1_, k2_, k3_, k4_, stage_, next_;
   Inputs now_;
   double time_s_ = 0, fastest_ = 0;
@@ -169,49 +175,69 @@ void Integrator::slope(const std::vector<double>& s, std::vector<double>& d) {
   hold_stuck(push);
 }
 
-// Friction of stuck links keeps their rates at zero (Gauss-Seidel on few unknowns).
-void Integrator::hold_stuck(double* acceleration) {
-  bool any = false;
-  for (size_t l = 0; l < links_; ++l) {
-    hold_[l] = 0;
-    any = any || mode_[l] == 0;
+// How the rates of stuck links answer to their friction, turned round. Links that close a loop share what holds them alike: a trifle on
+// the diagonal makes the shares' squares the least.
+void Integrator::turn_stuck() {
+  stuck_now_.clear();
+  for (size_t l = 0; l < links_; ++l)
+    if (mode_[l] == 0) stuck_now_.push_back(l);
+  if (stuck_now_ == stuck_) return;
+  stuck_ = stuck_now_;
+  const size_t n = stuck_.size();
+  std::vector<double> a(n * n);
+  const auto sign = [&](size_t l, int dof) { return (rig_.links[l].a == dof) - (rig_.links[l].b == dof); };
+  for (size_t i = 0; i < n; ++i)
+    for (size_t j = 0; j < n; ++j)
+      for (size_t dof = 0; dof < n_; ++dof)
+        a[i * n + j] += sign(stuck_[i], static_cast<int>(dof)) * sign(stuck_[j], static_cast<int>(dof)) / inertia_[dof];
+  answer_.assign(n * n, 0.0);
+  for (size_t i = 0; i < n; ++i) {
+    a[i * n + i] *= 1 + kTrifle;
+    answer_[i * n + i] = 1;
   }
-  double largest = 0;
-  for (size_t i = 0; i < n_; ++i) largest = std::max(largest, std::abs(acceleration[i]));
-  for (int sweep = 0; any && sweep < 100; ++sweep) {
-    double worst = 0;
-    for (size_t l = 0; l < links_; ++l) {
-      if (mode_[l] != 0) continue;
-      const int a = rig_.links[l].a, b = rig_.links[l].b;
-      double gap = 0, compliance = 0;
-      if (a >= 0) gap += acceleration[a], compliance += 1 / inertia_[static_cast<size_t>(a)];
-      if (b >= 0) gap -= acceleration[b], compliance += 1 / inertia_[static_cast<size_t>(b)];
-      if (b == kToBase) gap -= now_.base_a;
-      const double f = gap / compliance;
-      hold_[l] += f;
-      if (a >= 0) acceleration[a] -= f / inertia_[static_cast<size_t>(a)];
-      if (b >= 0) acceleration[b] += f / inertia_[static_cast<size_t>(b)];
-      worst = std::max(worst, std::abs(gap));
+  for (size_t p = 0; p < n; ++p) {  // positive definite: no search for pivots
+    const double by = 1 / a[p * n + p];
+    for (size_t j = 0; j < n; ++j) a[p * n + j] *= by, answer_[p * n + j] *= by;
+    for (size_t i = 0; i < n; ++i) {
+      const double factor = a[i * n + p];
+      if (i == p) continue;
+      for (size_t j = 0; j < n; ++j)
+        a[i * n + j] -= factor * a[p * n + j], answer_[i * n + j] -= factor * answer_[p * n + j];
     }
-    if (worst <= 1e-13 * largest) break;
   }
 }
 
-// Takes from stuck links the rates that locating their reversals left: of the wrong sign they would end the next slide.
-void Integrator::bring_to_rest(std::vector<double>& s) const {
-  for (int sweep = 0; sweep < 100; ++sweep) {
-    double worst = 0;
-    for (size_t l = 0; l < links_; ++l) {
-      if (mode_[l] != 0) continue;
-      const int a = rig_.links[l].a, b = rig_.links[l].b;
-      const double w = rate(s, l), ia = a >= 0 ? 1 / inertia_[static_cast<size_t>(a)] : 0,
-                   ib = b >= 0 ? 1 / inertia_[static_cast<size_t>(b)] : 0;
-      if (a >= 0) s[n_ + static_cast<size_t>(a)] -= w * ia / (ia + ib);
-      if (b >= 0) s[n_ + static_cast<size_t>(b)] += w * ib / (ia + ib);
-      worst = std::max(worst, std::abs(w));
+// Takes from the DOFs' motion what would move stuck links against the motion of the base; the impulses are added to hold_. Twice: the
+// second time for what rounding left.
+void Integrator::stop_stuck(double* motion, double base) {
+  const size_t n = stuck_.size();
+  for (int pass = 0; pass < 2; ++pass) {
+    gap_.assign(n, 0.0);
+    for (size_t i = 0; i < n; ++i)
+      for (const auto& [node, sign] : {std::pair(rig_.links[stuck_[i]].a, 1), std::pair(rig_.links[stuck_[i]].b, -1)})
+        gap_[i] += sign * (node >= 0 ? motion[node] : (node == kToBase ? base : 0.0));
+    for (size_t i = 0; i < n; ++i) {
+      double impulse = 0;
+      for (size_t j = 0; j < n; ++j) impulse += answer_[i * n + j] * gap_[j];
+      const TrueLink& link = rig_.links[stuck_[i]];
+      hold_[stuck_[i]] += impulse;
+      if (link.a >= 0) motion[link.a] -= impulse / inertia_[static_cast<size_t>(link.a)];
+      if (link.b >= 0) motion[link.b] += impulse / inertia_[static_cast<size_t>(link.b)];
     }
-    if (worst <= 1e-15 * fastest_) break;
   }
+}
+
+// Friction of stuck links keeps their rates at zero.
+void Integrator::hold_stuck(double* acceleration) {
+  std::fill(hold_.begin(), hold_.end(), 0.0);
+  turn_stuck();
+  stop_stuck(acceleration, now_.base_a);
+}
+
+// Takes from stuck links the rates that locating their reversals left: of the wrong sign they would end the next slide.
+void Integrator::bring_to_rest(std::vector<double>& s) {
+  turn_stuck();
+  stop_stuck(s.data() + n_, now_.base_v);
 }
 
 // From one fraction of the substep to another; leaves the inputs at its end.
