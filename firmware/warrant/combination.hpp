@@ -14,6 +14,9 @@ class Combination {
     value_[count_] = static_cast<uint16_t>(value);
     coefficient_[count_++] = short_scaled(coefficient);
   }
+  Scaled term(const ScoreTable& table, int stretch, int i) const {
+    return long_scaled(coefficient_[i]) * table.value(stretch, value_[i]);
+  }
   Scaled of(const ScoreTable& table, int stretch) const {
     report_work(100 + 50 * count_);
     return sum_of_products(

@@ -97,6 +97,15 @@ int tenths_of_limit(Scaled freedom, Chance chance) {
   return tenths;
 }
 
+// As rare as the least that anything is made of, and not so rare that a scatter of four times as much (the most that a share of it
+// makes) would leave it beyond all limits; and told by so few stretches that the place's coefficients take up over an eighth of them.
+bool ScoreTest::near_chance(const ProbeScore& score) const {
+  const bool one = kDerivesSignals && one_quantity(*configuration_);
+  if (score.freedom > Scaled::from_int(8 * place_->columns)) return false;
+  if (beyond(score, Chance::kOfFinding, Scaled::from_int(4))) return false;
+  return beyond(score, one ? Chance::kOfOneQuantity : Chance::kBearsOut, seen_root_);
+}
+
 // A budget that leaves samples out leaves a force nearer to chance than the estimates' own samples would: the limit shrinks
 // by the root of the share that was looked at.
 void ScoreTest::keep_bends(int number) {

@@ -56,18 +56,16 @@ void ScoreTest::share_out() {
   }
 }
 
-// C N_s b: what the bent estimates do to the scores of the estimated terms.
-void ScoreTest::add_bent_base(int level) {
+// C N_s: take(value of the table, unknown, what the value counts) for what stands in it.
+template <typename Take>
+void ScoreTest::each_base_sum(int level, Take take) const {
   const ProbePlan& plan = sums_->plan();
-  base_sum_.clear();
   for (int j = 0; j < plan.base_count; ++j) {
     const Probe& base = plan.probe[j];
     const Place& place = plan.place[base.place];
     const Scaled& share = share_[base.unknown];
     if (share.is_zero()) continue;
     for (int k = 0; k < place.columns; ++k) {
-      const Scaled& bend = bend_[place.unknown[k]];
-      if (bend.is_zero()) continue;
       report_work(250);
       Scaled taken;
       for (int e = 0; e < place.equations; ++e) {
@@ -75,10 +73,53 @@ void ScoreTest::add_bent_base(int level) {
         if (place.column_sign[k][e] > 0) taken = taken + g;
         if (place.column_sign[k][e] < 0) taken = taken - g;
       }
+      if (taken.is_zero()) continue;
       const int value = place.equations + k;
-      base_sum_.add(base.first_value + value, share * bend * taken * sums_->unit(base, value));
+      take(base.first_value + value, place.unknown[k], share * taken * sums_->unit(base, value));
     }
   }
+}
+
+// C N_s b: what the bent estimates do to the scores of the estimated terms.
+void ScoreTest::add_bent_base(int level) {
+  base_sum_.clear();
+  each_base_sum(level,
+                [&](int value, int unknown, const Scaled& counts) { base_sum_.add(value, counts * bend_[unknown]); });
+}
+
+// The estimated coefficients are fitted to the same stretches. They take up g' (sum N)^-1 g of a score's variance d, with
+// g = G_s - C N_s: much where a few stretches hold what there is to know. Divides left_ of the level's stretches by what is left of it,
+// beside the effect's own share h of the information. Returns the sum of the shares that they take up.
+Scaled ScoreTest::give_back_level(int level, const ProbeScore& result) {
+  const ScoreTable& table = sums_->table();
+  const Scaled one = Scaled::from_int(1), least = Scaled::from_int(1, -2), part = one / result.information;
+  uint8_t unknown_of[kMostBaseSums];
+  int count = 0;
+  Scaled lost;
+  take_level(level);
+  base_sum_.clear();
+  each_base_sum(level, [&](int value, int unknown, const Scaled& counts) {
+    unknown_of[count++] = static_cast<uint8_t>(unknown);
+    base_sum_.add(value, counts);
+  });
+  for (int s = level_begin_[level]; s < level_begin_[level + 1]; ++s) {
+    Scaled g[kMaxUnknowns], taken;
+    for (int k = 0; k < place_->columns; ++k) {
+      const int value = place_->equations + k;
+      g[place_->unknown[k]] = column_weight_[k] * unit_[value] * table.value(s, probe_->first_value + value);
+      if (probe_->drifts) g[place_->unknown[k]] = g[place_->unknown[k]] * time(s);
+    }
+    for (int i = 0; i < count; ++i) g[unknown_of[i]] = g[unknown_of[i]] - base_sum_.term(table, s, i);
+    for (int i = 0; i < unknowns_; ++i)
+      for (int j = 0; j < unknowns_ && !g[i].is_zero(); ++j)
+        if (!g[j].is_zero()) taken = taken + g[i] * inverse_[i][j] * g[j];
+    report_work(150 * (count + unknowns_ * unknowns_));
+    const Scaled share = d_[s] > Scaled{} ? abs(taken) / d_[s] : Scaled{};
+    lost = lost + (share < one ? share : one);
+    const Scaled rest = one - d_[s] * part - share;
+    left_[s] = (psi_[s] - result.effect * d_[s]) / (rest < least ? least : rest);
+  }
+  return lost;
 }
 
 // psi and d of the level's stretches.
@@ -176,7 +217,7 @@ Scaled ScoreTest::variance_of_sum(const Scaled* share, Scaled& freedom) const {
 
 // Of the sum of the scores, were a stretch's in proportion to its information: the noise alike in all of them. From left_, what
 // the effect leaves.
-Scaled ScoreTest::even_variance(ProbeScore& result) const {
+Scaled ScoreTest::even_variance(ProbeScore& result, const Scaled& lost) const {
   const Scaled least = scale_by_power_of_two(result.information / Scaled::from_int(stretches_), kLeastInformationLog2);
   Scaled noise;
   int counted = 0;
@@ -185,7 +226,7 @@ Scaled ScoreTest::even_variance(ProbeScore& result) const {
     noise = noise + square(left_[s]) / d_[s];
     ++counted;
   }
-  result.even_freedom = Scaled::from_int(counted - 1);
+  result.even_freedom = Scaled::from_int(counted - 1) - lost;
   return counted < kFewestForEven ? Scaled{} : noise * result.information / Scaled::from_int(counted - 1);
 }
 
@@ -243,15 +284,26 @@ bool ScoreTest::conclude(ProbeScore& result) {
 
 void ScoreTest::judge_by_scatter(ProbeScore& result) {
   const Scaled one = Scaled::from_int(1), least = Scaled::from_int(1, -2), part = one / result.information;
-  Scaled sum_psi;
   for (int s = 0; s < stretches_; ++s, report_work(200)) {
-    sum_psi = sum_psi + psi_[s];
     left_[s] = psi_[s] - result.effect * d_[s];
     result.scatter = result.scatter + square(left_[s]);
     const Scaled rest = one - d_[s] * part;
     if (rest < one) left_[s] = left_[s] / (rest < least ? least : rest);
   }
-  const Scaled even = even_variance(result), single = result.freedom;
+  const Scaled freedom = result.freedom;
+  weigh_up(result, Scaled{});
+  if (!near_chance(result)) return;
+  result.freedom = freedom;
+  Scaled lost;
+  for (int level = 0; level < levels_; ++level) lost = lost + give_back_level(level, result);
+  weigh_up(result, lost);
+}
+
+// Deviation and Wald statistics from left_; lost: stretches that the estimated coefficients took up.
+void ScoreTest::weigh_up(ProbeScore& result, const Scaled& lost) {
+  Scaled sum_psi;
+  for (int s = 0; s < stretches_; ++s) sum_psi = sum_psi + psi_[s];
+  const Scaled even = even_variance(result, lost), single = result.freedom;
   const Scaled deviation = sqrt(variance_of_sum(left_, result.freedom));
   Scaled doubt;  // what of the score may be noise that signals share, beyond what is taken out
   for (int k = 0; k < unknowns_; ++k)
@@ -261,6 +313,7 @@ void ScoreTest::judge_by_scatter(ProbeScore& result) {
   result.std = deviation / result.information;
   result.wald = quotient(sum_psi.is_negative() ? -sure : sure, deviation);
   // Where neighbours err alike nothing is alike in all.
+  result.even_wald = {};
   if (result.freedom == single && !even.is_zero()) result.even_wald = result.wald * deviation / sqrt(even);
 }
 

@@ -33,7 +33,9 @@ bool ScoreTest::judge(const CoreConfiguration& configuration, const ScoreSums& s
     report_work(150);
     samples_ = samples_ + Scaled::from_int(static_cast<int64_t>(stretch.blocks) * kBlockSamples);
   }
-  const Scaled offered = Scaled::from_int(static_cast<int64_t>(sums.offered()));
+  // What waits for its block to fill, at a level's two ends, is not left out.
+  const int64_t waiting = static_cast<int64_t>(levels_) * kProbeSamples;
+  const Scaled offered = Scaled::from_int(static_cast<int64_t>(sums.offered()) - waiting);
   seen_root_ = samples_ < offered ? sqrt(samples_ / offered) : Scaled::from_int(1);
   for (int k = 0; k < unknowns_; ++k) {
     parameter_[k] = estimates.parameters[k].value;

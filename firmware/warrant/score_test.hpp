@@ -10,7 +10,9 @@
 // linear combinations of the stretch's sums, the same for all stretches of a level. Then
 //   effect = sum psi / sum d,    Wald = sum psi / sqrt( sum of ((psi_s - effect d_s) / (1 - h_s))^2 ),  h_s = d_s / sum d.
 // The scatter is what is left with the effect included (the plain one holds the effect itself); 1 - h_s is the
-// leave-one-out correction for the share of the information that one stretch holds. Limits are Student's for the
+// leave-one-out correction for the share of the information that one stretch holds. Where that is near a limit, h_s also holds
+// what the estimated coefficients, fitted to the same stretches, take up of a score's variance: g' (sum N)^-1 g / d_s with
+// g = G_s - C N_s. Limits are Student's for the
 // effective number of stretches, at the chance of 4.5 deviations of the normal distribution (7e-6). The even Wald has
 //   mean of left_s^2 / d_s, times sum d
 // in place of the scatter: the noise alike in all stretches, so that those that hold little information tell it too.
@@ -104,10 +106,15 @@ class ScoreTest {
   bool conclude(ProbeScore& result);
   void judge_by_scatter(ProbeScore& result);
   Scaled variance_of_sum(const Scaled* share, Scaled& freedom) const;
-  Scaled even_variance(ProbeScore& result) const;
+  Scaled even_variance(ProbeScore& result, const Scaled& lost) const;
   void find_answers(int level);
   void share_out();
+  template <typename Take>
+  void each_base_sum(int level, Take take) const;
   void add_bent_base(int level);
+  Scaled give_back_level(int level, const ProbeScore& result);
+  void weigh_up(ProbeScore& result, const Scaled& lost);
+  bool near_chance(const ProbeScore& score) const;
   void keep_bends(int probe);
   void keep_bend_of_shape(int probe);
   void keep_blind(const Probe& probe);

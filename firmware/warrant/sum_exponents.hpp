@@ -21,7 +21,8 @@ class ProbeExponents {
   // value: of the probe. With a column, with its own force, of its slopes.
   int of(int value) const {
     if (value < own_value_) return force_;
-    return value == own_value_ ? 2 * force_ : force_ - quantity_[value - own_value_ - 1];
+    if (value == own_value_) return 2 * force_;
+    return force_ - (value == own_value_ + 1 ? quantity_[0] : quantity_[1]);
   }
 
  private:
