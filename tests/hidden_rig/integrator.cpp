@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kTwoPi = 6.283185307179586;
 constexpr double kAtRest = 1e-5;  // of the fastest rate so far; a located reversal is far closer to rest
-constexpr double kTrifle = 1e-12;
+constexpr double kTrifle = 1e-12, kLoop = 1e-9;
 constexpr int kMostEvents = 16;  // in one substep; what is left of it then runs through without
 
 struct Inputs {  // at one instant
@@ -127,6 +127,7 @@ class Integrator {
   }
   void slope(const std::vector<double>& s, std::vector<double>& d);
   void turn_stuck();
+  bool turn_answer(double trifle);
   void stop_stuck(double* motion, double base);
   void hold_stuck(double* acceleration);
   void bring_to_rest(std::vector<double>& s);
@@ -175,16 +176,20 @@ void Integrator::slope(const std::vector<double>& s, std::vector<double>& d) {
   hold_stuck(push);
 }
 
-// How the rates of stuck links answer to their friction, turned round. Links that close a loop share what holds them alike: a trifle on
-// the diagonal makes the shares' squares the least.
+// Links that close a loop share what holds them alike: a trifle on the diagonal makes the shares' squares the least.
 void Integrator::turn_stuck() {
   stuck_now_.clear();
   for (size_t l = 0; l < links_; ++l)
     if (mode_[l] == 0) stuck_now_.push_back(l);
   if (stuck_now_ == stuck_) return;
   stuck_ = stuck_now_;
+  if (!turn_answer(0)) turn_answer(kTrifle);
+}
+
+// How the rates of stuck links answer to their friction, turned round. False: some links close a loop.
+bool Integrator::turn_answer(double trifle) {
   const size_t n = stuck_.size();
-  std::vector<double> a(n * n);
+  std::vector<double> a(n * n), whole;
   const auto sign = [&](size_t l, int dof) { return (rig_.links[l].a == dof) - (rig_.links[l].b == dof); };
   for (size_t i = 0; i < n; ++i)
     for (size_t j = 0; j < n; ++j)
@@ -192,10 +197,12 @@ void Integrator::turn_stuck() {
         a[i * n + j] += sign(stuck_[i], static_cast<int>(dof)) * sign(stuck_[j], static_cast<int>(dof)) / inertia_[dof];
   answer_.assign(n * n, 0.0);
   for (size_t i = 0; i < n; ++i) {
-    a[i * n + i] *= 1 + kTrifle;
+    a[i * n + i] *= 1 + trifle;
     answer_[i * n + i] = 1;
+    whole.push_back(a[i * n + i]);
   }
   for (size_t p = 0; p < n; ++p) {  // positive definite: no search for pivots
+    if (trifle == 0 && a[p * n + p] < kLoop * whole[p]) return false;
     const double by = 1 / a[p * n + p];
     for (size_t j = 0; j < n; ++j) a[p * n + j] *= by, answer_[p * n + j] *= by;
     for (size_t i = 0; i < n; ++i) {
@@ -205,6 +212,7 @@ void Integrator::turn_stuck() {
         a[i * n + j] -= factor * a[p * n + j], answer_[i * n + j] -= factor * answer_[p * n + j];
     }
   }
+  return true;
 }
 
 // Takes from the DOFs' motion what would move stuck links against the motion of the base; the impulses are added to hold_. Twice: the
