@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "in_parallel.hpp"
+
 namespace diagnosis::runs {
 namespace {
 
@@ -30,7 +32,9 @@ Vec slope_of(const Vec& h, double step_s) {
 }  // namespace
 
 Evaluator::Evaluator(const System& system, const Model& model, const std::vector<Prepared>& records)
-    : model_(model), records_(records), dofs_(static_cast<Index>(system.dofs())) {
+    : system_(system), model_(model), records_(records), dofs_(static_cast<Index>(system.dofs())) {
+  of_lanes_.resize(lanes() - 1);
+  for (Simulators& of_lane : of_lanes_) of_lane.resize(records.size());
   for (const Prepared& p : records) {
     driven_ = driven_ || p.guess.back().given;
     for (const Vec& f : p.force) driven_ = driven_ || (f.size() > 0 && f.cwiseAbs().maxCoeff() > 0);
@@ -81,12 +85,19 @@ void Evaluator::moved(const Window& w, const Vec& change, Vec& state) const {
   for (Index z = 2 * s.nodes(); z < s.states(); ++z) state[z] = std::min(1.0, std::max(-1.0, state[z]));
 }
 
-bool Evaluator::run(const Window& w, bool slopes, bool keep, WindowRun& out) {
+Simulator& Evaluator::simulator(size_t record, size_t lane) {
+  if (lane == 0) return *simulators_[record];
+  std::unique_ptr<Simulator>& own = of_lanes_[lane - 1][record];
+  if (!own) own = std::make_unique<Simulator>(system_, model_, records_[record]);
+  return *own;
+}
+
+bool Evaluator::run(const Window& w, bool slopes, bool keep, WindowRun& out, size_t lane) {
   if (massless_) {
     from_motion(w, slopes, out);
     return out.residual.allFinite();
   }
-  return simulate(w, slopes, keep, out);
+  return simulate(simulator(w.record, lane), w, slopes, keep, out);
 }
 
 void Evaluator::from_motion(const Window& w, bool slopes, WindowRun& out) const {
@@ -115,8 +126,7 @@ void Evaluator::from_motion(const Window& w, bool slopes, WindowRun& out) const 
   faults(w, slopes, h, out);
 }
 
-bool Evaluator::simulate(const Window& w, bool slopes, bool keep, WindowRun& out) {
-  Simulator& s = *simulators_[w.record];
+bool Evaluator::simulate(Simulator& s, const Window& w, bool slopes, bool keep, WindowRun& out) const {
   const std::vector<MotionTrace>& channel_list = traces(w.record);
   const Index channels = static_cast<Index>(channel_list.size()), len = w.length, ns = s.states(), n = s.nodes();
   bool acceleration = false;

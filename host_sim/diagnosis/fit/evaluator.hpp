@@ -38,21 +38,26 @@ class Evaluator {
   }
   // The guess for a window, keeping what it has where the model has changed since.
   Vec carried_state(const Window& w) const;
-  // False where the run does not stay finite. keep: transitions too, for candidates.
-  bool run(const Window& w, bool slopes, bool keep, WindowRun& out);
+  // False where the run does not stay finite. keep: transitions too, for candidates. Runs of different lanes (in_parallel.hpp) may
+  // be under way at the same time; the model they are of must be what it was.
+  bool run(const Window& w, bool slopes, bool keep, WindowRun& out, size_t lane = 0);
   void moved(const Window& w, const Vec& change, Vec& state) const;  // state after a change of the nuisances
 
  private:
   // Channels whose zero is free in every window: accelerations, and displacements that nothing drives (where a sensor's
   // zero and a constant force are the same).
   bool has_offset(const MotionTrace& t) const { return t.quantity == 2 || (t.quantity == 0 && !driven_); }
-  bool simulate(const Window& w, bool slopes, bool keep, WindowRun& out);
+  bool simulate(Simulator& s, const Window& w, bool slopes, bool keep, WindowRun& out) const;
+  Simulator& simulator(size_t record, size_t lane);
   void from_motion(const Window& w, bool slopes, WindowRun& out) const;
   void faults(const Window& w, bool slopes, Mat& h, WindowRun& out) const;
+  const System& system_;
   const Model& model_;
   const std::vector<Prepared>& records_;
-  std::vector<std::vector<MotionTrace>> force_traces_;  // per record, without masses: what is compared
-  std::vector<std::unique_ptr<Simulator>> simulators_;
+  std::vector<std::vector<MotionTrace>> force_traces_;         // per record, without masses: what is compared
+  using Simulators = std::vector<std::unique_ptr<Simulator>>;  // per record
+  Simulators simulators_;                                      // of the first lane
+  std::vector<Simulators> of_lanes_;                           // of the others, made when first asked for
   struct MotionForces {
     Mat force;
     std::vector<Mat> slopes;

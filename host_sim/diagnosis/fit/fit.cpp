@@ -5,6 +5,8 @@
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 
+#include "in_parallel.hpp"
+
 namespace diagnosis::runs {
 namespace {
 
@@ -28,6 +30,7 @@ struct Normal {              // of one window
   Mat gram;
   Vec score;
   Vec ss;
+  Vec residual;                 // while blocks are asked for
   std::vector<Mat> block_gram;  // where blocks are asked for
   std::vector<Vec> block_score, block_ss;
 };
@@ -103,49 +106,66 @@ void take_blocks(const WindowRun& run, const Window& w, size_t parts, const Vec&
   }
 }
 
-// parts: blocks that each window is divided into; 0: none are asked for.
+// What a weighted run with slopes says.
+void take_slopes(const WindowRun& run, Normal& n) {
+  const Index s = run.nuisances, p = run.slopes.cols() - s;
+  Mat gram = Mat::Zero(s + p, s + p);
+  gram.selfadjointView<Eigen::Lower>().rankUpdate(run.slopes.transpose());
+  gram.triangularView<Eigen::StrictlyUpper>() = gram.transpose();
+  const Vec right = run.slopes.transpose() * run.residual;
+  if (s > 0) {
+    Mat a = gram.topLeftCorner(s, s);
+    const Vec scale = a.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
+    a = scale.asDiagonal() * a * scale.asDiagonal();
+    n.state_gram = a, n.cross = gram.topRightCorner(s, p), n.state_scale = scale, n.state_right = right.head(s);
+    a.diagonal().array() += kRidge;
+    const Eigen::LLT<Mat> solver(a);
+    n.states_inverse_cross = scale.asDiagonal() * solver.solve(scale.asDiagonal() * gram.topRightCorner(s, p));
+    n.state_step = scale.asDiagonal() * solver.solve(scale.asDiagonal() * right.head(s));
+    n.gram = gram.bottomRightCorner(p, p) - gram.bottomLeftCorner(p, s) * n.states_inverse_cross;
+    n.score = right.tail(p) - n.states_inverse_cross.transpose() * right.head(s);
+  } else {
+    n.gram = gram, n.score = right;
+  }
+}
+
+// weights: nullptr where no slopes are asked for. The run is weighted afterwards.
+Normal normal_of(WindowRun& run, const Window& w, const Vec* weights, Index channels, size_t parts) {
+  Normal n;
+  n.ss.resize(channels);
+  for (Index c = 0; c < channels; ++c) n.ss[c] = run.residual.segment(c * w.length, w.length).squaredNorm();
+  if (parts > 0) n.residual = run.residual;
+  if (!weights) return n;
+  for (Index c = 0; c < channels; ++c) {
+    run.slopes.middleRows(c * w.length, w.length) *= (*weights)[c];
+    run.residual.segment(c * w.length, w.length) *= (*weights)[c];
+  }
+  take_slopes(run, n);
+  if (parts > 0) take_blocks(run, w, parts, *weights, n);
+  return n;
+}
+
+// parts: blocks that each window is divided into; 0: none are asked for. The windows side by side, what they sum up to in order.
 Pass pass_over(Evaluator& evaluator, const std::vector<Window>& windows, const Vec* weights, bool slopes,
                size_t parts = 0) {
   Pass pass;
   const Index channels = static_cast<Index>(evaluator.traces(0).size());
+  pass.windows.resize(windows.size());
+  std::vector<WindowRun> runs(lanes());
+  std::atomic<bool> finite{true};
+  in_parallel(windows.size(), [&](size_t i, size_t lane) {
+    if (finite && !evaluator.run(windows[i], slopes, false, runs[lane], lane)) finite = false;
+    if (finite) pass.windows[i] = normal_of(runs[lane], windows[i], slopes ? weights : nullptr, channels, parts);
+  });
+  if (!finite) return {};
   Vec sum = Vec::Zero(channels);
   double samples = 0;
-  WindowRun run;
   Resemblance resemblance(channels);
-  for (const Window& w : windows) {
-    if (!evaluator.run(w, slopes, false, run)) return pass;
-    if (parts > 0) resemblance.add(run.residual, w.length);
-    Normal n;
-    n.ss.resize(channels);
-    for (Index c = 0; c < channels; ++c) n.ss[c] = run.residual.segment(c * w.length, w.length).squaredNorm();
-    sum += n.ss, samples += static_cast<double>(w.length);
-    if (slopes) {
-      for (Index c = 0; c < channels; ++c) {
-        run.slopes.middleRows(c * w.length, w.length) *= (*weights)[c];
-        run.residual.segment(c * w.length, w.length) *= (*weights)[c];
-      }
-      const Index s = run.nuisances, p = run.slopes.cols() - s;
-      Mat gram = Mat::Zero(s + p, s + p);
-      gram.selfadjointView<Eigen::Lower>().rankUpdate(run.slopes.transpose());
-      gram.triangularView<Eigen::StrictlyUpper>() = gram.transpose();
-      const Vec right = run.slopes.transpose() * run.residual;
-      if (s > 0) {
-        Mat a = gram.topLeftCorner(s, s);
-        const Vec scale = a.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
-        a = scale.asDiagonal() * a * scale.asDiagonal();
-        n.state_gram = a, n.cross = gram.topRightCorner(s, p), n.state_scale = scale, n.state_right = right.head(s);
-        a.diagonal().array() += kRidge;
-        const Eigen::LLT<Mat> solver(a);
-        n.states_inverse_cross = scale.asDiagonal() * solver.solve(scale.asDiagonal() * gram.topRightCorner(s, p));
-        n.state_step = scale.asDiagonal() * solver.solve(scale.asDiagonal() * right.head(s));
-        n.gram = gram.bottomRightCorner(p, p) - gram.bottomLeftCorner(p, s) * n.states_inverse_cross;
-        n.score = right.tail(p) - n.states_inverse_cross.transpose() * right.head(s);
-      } else {
-        n.gram = gram, n.score = right;
-      }
-      if (parts > 0) take_blocks(run, w, parts, *weights, n);
-    }
-    pass.windows.push_back(std::move(n));
+  for (size_t i = 0; i < windows.size(); ++i) {
+    Normal& n = pass.windows[i];
+    sum += n.ss, samples += static_cast<double>(windows[i].length);
+    if (parts > 0) resemblance.add(n.residual, windows[i].length);
+    n.residual.resize(0);
   }
   pass.mean_square = (sum / std::max(1.0, samples)).cwiseMax(1e-300);
   pass.cost = 0.5 * samples * pass.mean_square.array().log().sum();
