@@ -41,6 +41,8 @@ TEST(PlainNames, AreAQuantityAndItsUnit) {
                       {"load_kN", "", "force_1_N"},
                       {"Angle_deg", "", "angle_1_rad"},
                       {"Force", "", "force_1_N"},
+                      {"AngVel", "rad/s", "angular_velocity_1_rad_s"},
+                      {"acc", "g", "acceleration_1_m_s2"},
                       {"force_ref", "", ""},
                       {"force_N", "N", ""},  // a unit twice
                       {"Load", "%", ""},
@@ -85,6 +87,15 @@ TEST(PlainNames, StandForNothingWhereTheySayTooLittle) {
   auto two = one_dof(false);
   two.dofs.push_back(two.dofs[0]);
   EXPECT_NE(refusal("time,Position (m)\n0,1\n1,1\n", two).find("names no channel"), std::string::npos);
+}
+
+TEST(PlainNames, UnitsMayStandBehindASlash) {
+  const Record record = host_sim::parse_csv("Time/s,Angle / deg,AngVel/rad/s\n0,90,1\n1,0,2\n", "d.csv", one_dof(true));
+  EXPECT_DOUBLE_EQ(record.find(Quantity::kDisplacement, 1)->values[0], 1.5707963267948966);
+  EXPECT_DOUBLE_EQ(record.find(Quantity::kVelocity, 1)->values[1], 2);
+  // a row of units is no row of quantities over theirs
+  const Record units = host_sim::parse_csv("t_s,velocity_1\ns,mm/s\n0,1\n1,2\n", "d.csv", one_dof(false));
+  EXPECT_DOUBLE_EQ(units.find(Quantity::kVelocity, 1)->values[1], 2e-3);
 }
 
 // The names below a preamble are found by them.

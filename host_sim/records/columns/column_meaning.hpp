@@ -29,9 +29,10 @@ struct ColumnPlan {
 };
 
 // A column is, in this order: what the user says (options, then `column` of the rig's [[channel]]); t_s or another
-// usual name of time; a channel name with its unit in the name, in brackets or in the row of units; where none of them names a
-// channel and the rig has one DOF, a quantity alone with its unit ("Position (m)"); ignored, with a note. A name that is shaped like a channel's and is none throws DataFileError with the line, as do a channel that
-// stands twice, an unknown unit, a voltage without a sensitivity, and a choice that names no column.
+// usual name of time; a channel name with its unit in the name, in brackets or in the row of units; where none of them
+// names a channel and the rig has one DOF, a quantity alone with its unit ("Position (m)"); ignored, with a note. A name
+// that is shaped like a channel's and is none throws DataFileError with the line, as do a channel that stands twice, an
+// unknown unit, a voltage without a sensitivity, and a choice that names no column.
 // A rig without DOFs stands for "no rig file": then every channel name is taken.
 ColumnPlan plan_columns(const std::vector<Column>& columns, const rig_file::RigModel& model,
                         const ReadingOptions& options, const std::string& file, size_t line);

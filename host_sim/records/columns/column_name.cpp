@@ -42,6 +42,16 @@ void take_inner_unit(HeadParts& parts) {
   }
 }
 
+// "Time/s", "Angle / rad", "w/rad/s": a quantity divided by its unit. A head that is a unit ("m/s") is none.
+void take_unit_behind_slash(HeadParts& parts) {
+  const size_t slash = parts.name.find('/');
+  if (slash == std::string::npos || slash == 0 || find_unit(parts.name)) return;
+  const std::string unit = trimmed_text(parts.name.substr(slash + 1));
+  if (!find_unit(unit)) return;
+  parts.unit = unit;
+  parts.name = trimmed_text(parts.name.substr(0, slash));
+}
+
 }  // namespace
 
 std::string trimmed_text(const std::string& text) {
@@ -67,6 +77,7 @@ HeadParts split_head(const std::string& head) {
     }
   }
   take_inner_unit(parts);
+  if (parts.unit.empty()) take_unit_behind_slash(parts);
   return parts;
 }
 

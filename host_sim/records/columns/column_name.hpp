@@ -11,8 +11,7 @@ std::string trimmed_text(const std::string& text);
 
 struct HeadParts {
   std::string name;  // without the brackets and blanks at its ends
-  std::string
-      unit;  // what stood in brackets at the end ("mm"), or a unit in brackets before the end ("Force (N) Run 1")
+  std::string unit;  // what stood in brackets at the end ("mm"), in brackets before the end, or behind a slash
 };
 HeadParts split_head(const std::string& head);
 

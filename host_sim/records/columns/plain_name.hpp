@@ -12,9 +12,9 @@ struct PlainName {
   std::string unit;               // as it stands in the head: "deg"; may be empty
 };
 
-// name, unit: the parts of the head, the unit perhaps of a row of units. Nothing where the name is no quantity's word (position,
-// displacement, deflection, elongation, travel, stroke, angle, velocity, speed, acceleration, force, load, torque, with
-// "angular" before it or not), or where the unit measures something else.
+// name, unit: the parts of the head, the unit perhaps of a row of units. Nothing where the name is no quantity's word
+// (position, displacement, deflection, elongation, travel, stroke, angle, velocity, speed, acceleration, force, load,
+// torque, some with "angular" before them, and pos, vel, angvel, acc, accel), or where the unit measures something else.
 std::optional<PlainName> parse_plain_name(const std::string& name, const std::string& unit);
 
 }  // namespace host_sim
