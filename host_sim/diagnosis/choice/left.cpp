@@ -2,7 +2,9 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
+#include "../fit/in_parallel.hpp"
 #include "../motion/drive_noise.hpp"
 #include "../record/fourier.hpp"
 #include "lines.hpp"
@@ -15,10 +17,10 @@ constexpr double kAboveMotion = 1.4;  // times its highest frequency: the band t
 constexpr double kBeyondNoise = 3;    // in the band of the motion over beside it: 0.95 to 1.05 on complete drawn rigs
 
 // What such noise makes of a window's run beside its free state.
-Vec response(Evaluator& noisy, Window w, const WindowRun& run) {
+Vec response(Evaluator& noisy, Window w, const WindowRun& run, size_t lane) {
   WindowRun other;
   w.record = 0;
-  if (!noisy.run(w, false, false, other)) return Vec::Zero(run.residual.size());
+  if (!noisy.run(w, false, false, other, lane)) return Vec::Zero(run.residual.size());
   Vec difference = other.residual - run.residual;
   const Mat states = run.slopes.leftCols(run.nuisances);
   if (states.cols() > 0) {
@@ -58,34 +60,48 @@ struct Leftovers {
   bool massless = false;
 };
 
+// The records as noise of what drives them makes them, each by itself.
+struct NoisyRecords {
+  std::vector<std::vector<Prepared>> records;
+  std::vector<std::unique_ptr<Evaluator>> evaluators;
+  NoisyRecords(const System& system, const std::vector<Prepared>& clean, const State& state) : records(clean.size()) {
+    DriveNoise noise;
+    for (size_t r = 0; r < clean.size(); ++r) {
+      records[r].push_back(noise.added_to(clean[r]));
+      evaluators.push_back(std::make_unique<Evaluator>(system, state.model, records[r]));
+    }
+  }
+};
+
 // False where a run does not stay finite.
 bool run_all(const System& system, const std::vector<Prepared>& records, const State& state, Leftovers& out) {
   Evaluator evaluator(system, state.model, records);
   const size_t channels = evaluator.traces(0).size();
-  size_t samples = 0;
-  for (const Window& w : state.seen) samples += static_cast<size_t>(w.length);
   out.massless = evaluator.massless();
   out.rows.resize(channels), out.pushed.resize(channels);
-  for (size_t c = 0; c < channels; ++c) out.rows[c].reserve(samples), out.pushed[c].reserve(samples);
+  std::vector<Window> windows = state.seen;
+  std::stable_sort(windows.begin(), windows.end(),
+                   [](const Window& a, const Window& b) { return a.record < b.record; });
   const bool force_noise = drives_have_noise(records), pushes = force_noise && !out.massless;
-  DriveNoise noise;
-  WindowRun run;
-  for (size_t r = 0; r < records.size(); ++r) {
-    const std::vector<Prepared> noisy_record(pushes ? 1 : 0, pushes ? noise.added_to(records[r]) : Prepared{});
-    Evaluator noisy(system, state.model, noisy_record);
-    for (const Window& w : state.seen) {
-      if (w.record != r) continue;
-      if (!evaluator.run(w, force_noise, false, run)) return false;
-      const Vec push = pushes ? response(noisy, w, run) : Vec::Zero(run.residual.size());
-      for (size_t c = 0; c < channels; ++c) {
-        const double* const at = run.residual.data() + static_cast<Index>(c) * w.length;
-        const double* const pushed_at = push.data() + static_cast<Index>(c) * w.length;
-        out.rows[c].insert(out.rows[c].end(), at, at + w.length);
-        out.pushed[c].insert(out.pushed[c].end(), pushed_at, pushed_at + w.length);
-      }
+  const NoisyRecords noisy(system, pushes ? records : std::vector<Prepared>{}, state);
+  std::vector<Vec> rows(windows.size()), pushed(windows.size());
+  std::vector<WindowRun> runs(lanes());
+  std::atomic<bool> finite{true};
+  in_parallel(windows.size(), [&](size_t i, size_t lane) {
+    WindowRun& run = runs[lane];
+    if (finite && !evaluator.run(windows[i], force_noise, false, run, lane)) finite = false;
+    if (!finite) return;
+    rows[i] = run.residual;
+    pushed[i] =
+        pushes ? response(*noisy.evaluators[windows[i].record], windows[i], run, lane) : Vec::Zero(run.residual.size());
+  });
+  for (size_t i = 0; i < windows.size() && finite; ++i)
+    for (size_t c = 0; c < channels; ++c) {
+      const Index at = static_cast<Index>(c) * windows[i].length;
+      out.rows[c].insert(out.rows[c].end(), rows[i].data() + at, rows[i].data() + at + windows[i].length);
+      out.pushed[c].insert(out.pushed[c].end(), pushed[i].data() + at, pushed[i].data() + at + windows[i].length);
     }
-  }
-  return true;
+  return finite;
 }
 
 // Mean square of what values in steps miss of the motion. Where it moves slowly over them that is no white noise: it may lie
