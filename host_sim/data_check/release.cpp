@@ -13,12 +13,16 @@
 namespace host_sim::data_check {
 namespace {
 
-constexpr double kRises = 1.21;        // of the energy: a tenth of the motion, which noise and beats below it make
-constexpr double kFalls = 0.25;        // the motion is halved
-constexpr double kRestEnergy = 0.01;   // of the largest: a tenth of the motion
+constexpr double kRises = 1.21;       // of the energy: a tenth of the motion, which noise and beats below it make
+constexpr double kFalls = 0.25;       // the motion is halved
+constexpr double kBlow = 4.0;         // within a period: it is doubled, as beats that a period's mean smooths never are
+constexpr double kLoud = 0.05;        // of the largest energy: less is no blow worth a decay
+constexpr double kShareOfIt = 0.25;   // of what is loud, at least, has to be decay: else something drives the rig
+constexpr size_t kMostRecords = 8;    // of one call
+constexpr double kRestEnergy = 0.01;  // of the largest: a tenth of the motion
 constexpr double kLeastPeriods = 4.0;  // of the decay: of fewer half of one is too much to lose
 constexpr double kLongPeriods = 16.0;  // of so many a whole one is not
-constexpr size_t kHops = 4;            // a period
+constexpr size_t kHops = 4;            // windows that begin within a period
 constexpr double kSwings = 0.5;        // of the rms: turns beyond it on both sides are swings, not noise
 
 bool is_driven(const Record& record) {
@@ -84,58 +88,132 @@ std::vector<double> energies(const std::map<int, const Channel*>& channels, size
   return energy;
 }
 
+using Windows = std::vector<double>;
+
+// From where to where windows show no blow; the window behind the last of them does.
+struct Span {
+  size_t from = 0, to = 0;
+};
+std::vector<Span> between_blows(const Windows& energy) {
+  const double loud = kLoud * *std::max_element(energy.begin(), energy.end());
+  std::vector<Span> spans = {{0, energy.size()}};
+  for (size_t i = 0; i + kHops < energy.size();) {
+    const auto ahead = energy.begin() + static_cast<std::ptrdiff_t>(i);
+    const auto reach = static_cast<std::ptrdiff_t>(std::min(2 * kHops + 1, energy.size() - i));
+    if (energy[i + kHops] <= kBlow * energy[i] || *std::max_element(ahead, ahead + reach) <= loud) {
+      ++i;
+      continue;
+    }
+    size_t risen = i + 1;  // it has risen fourfold after kHops windows: by more than kRises in one of them
+    while (energy[risen] <= kRises * energy[risen - 1]) ++risen;
+    spans.back().to = risen - 1;
+    spans.push_back({risen, energy.size()});
+    while (risen + 1 < energy.size() && energy[risen + 1] > energy[risen]) ++risen;
+    i = risen;
+  }
+  return spans;
+}
+
+// In windows; from: the first that has all its energy. Nothing where the span is no decay.
+struct Decay {
+  size_t from = 0, to = 0;
+  double periods = 0.0;  // until it is at rest
+};
+std::optional<Decay> decay_in(const Windows& energy, const Span& span) {
+  if (span.to < span.from + kHops * static_cast<size_t>(kLeastPeriods)) return std::nullopt;
+  Windows later = energy;  // the largest from there on
+  for (size_t i = span.to - 1; i-- > span.from;) later[i] = std::max(later[i], later[i + 1]);
+  size_t at = span.from;
+  while (at + 1 < span.to && later[at + 1] > kRises * energy[at]) ++at;
+  const auto window = [&](size_t i) { return energy.begin() + static_cast<std::ptrdiff_t>(i); };
+  const auto rest = std::find_if(window(at), window(span.to), [&](double e) { return e < kRestEnergy * later[at]; });
+  const double periods = static_cast<double>(rest - window(at)) / static_cast<double>(kHops);
+  const size_t quarter = (span.to - at + 3) / 4;
+  const double last = std::accumulate(window(span.to - quarter), window(span.to), 0.0) / static_cast<double>(quarter);
+  if (periods < kLeastPeriods || last > kFalls * later[at]) return std::nullopt;
+  return Decay{at, span.to, periods};
+}
+
+// Whether decays are what the record shows when it is loud.
+bool decays_enough(const Windows& energy, const std::vector<Decay>& decays) {
+  const double loud = kLoud * *std::max_element(energy.begin(), energy.end());
+  size_t all = 0, in_decays = 0;
+  for (size_t i = 0; i < energy.size(); ++i) {
+    if (energy[i] <= loud) continue;
+    ++all;
+    in_decays += std::any_of(decays.begin(), decays.end(), [&](const Decay& d) { return i >= d.from && i < d.to; });
+  }
+  return static_cast<double>(in_decays) > kShareOfIt * static_cast<double>(all);
+}
+
 }  // namespace
 
-size_t samples_before_release(const Record& record) {
-  if (record.samples() < 64 || is_driven(record)) return 0;
+std::vector<DecaySpan> free_decays(const Record& record) {
+  if (record.samples() < 64 || is_driven(record)) return {};
   std::map<int, const Channel*> channels;
   double period = 0.0;
   for (const Channel& channel : record.channels)
     if (channel.quantity != Quantity::kForce) channels[channel.dof] = rate_channel(record, channel.dof);
   for (const auto& [dof, channel] : channels) period = std::max(period, period_of(channel->values));
   const auto hop = static_cast<size_t>(period / kHops + 0.5);
-  if (hop < 1) return 0;
-  const std::vector<double> energy = energies(channels, hop);
-  if (energy.empty()) return 0;
-  std::vector<double> later = energy;  // the largest from there on
-  for (size_t i = later.size() - 1; i-- > 0;) later[i] = std::max(later[i], later[i + 1]);
-  size_t at = 0;
-  while (at + 1 < energy.size() && later[at + 1] > kRises * energy[at]) ++at;
-  if (at == 0) return 0;
-  // it has to decay from there, for long enough to lose a period of it
-  const auto end = std::find_if(energy.begin() + static_cast<std::ptrdiff_t>(at), energy.end(),
-                                [&](double e) { return e < kRestEnergy * later[at]; });
-  const auto left = static_cast<double>(end - energy.begin()) - static_cast<double>(at);
-  const double last =
-      std::accumulate(energy.end() - static_cast<std::ptrdiff_t>((energy.size() - at + 3) / 4), energy.end(), 0.0) /
-      static_cast<double>((energy.size() - at + 3) / 4);
-  if (left < kHops * kLeastPeriods || last > kFalls * later[at]) return 0;
-  // an accelerometer shows the blow itself, at the end of the first period that has all its energy
-  return (at + (left < kHops * kLongPeriods ? kHops / 2 : kHops)) * hop;
+  if (hop < 1) return {};
+  const Windows energy = energies(channels, hop);
+  if (energy.empty()) return {};
+  std::vector<Decay> decays;
+  for (const Span& span : between_blows(energy))
+    if (const auto decay = decay_in(energy, span)) decays.push_back(*decay);
+  if (decays.empty() || !decays_enough(energy, decays)) return {};
+  std::vector<DecaySpan> spans;
+  for (const Decay& d : decays) {
+    // an accelerometer shows the blow itself, at the end of the first period that has all its energy
+    const size_t lost = d.from == 0 ? 0 : d.periods < kLongPeriods ? kHops / 2 : kHops;
+    spans.push_back({(d.from + lost) * hop, d.to == energy.size() ? record.samples() : (d.to + kHops - 1) * hop});
+  }
+  return spans;
 }
 
 std::optional<Finding> find_release(const Record& record) {
-  const size_t led = samples_before_release(record);
-  if (led == 0) return std::nullopt;
-  const double led_s = static_cast<double>(led) * record.sample_period_s;
-  return Finding{
-      "release", Weight::kInforms, "",
-      fmt::format("the first {:.3g} s are no free decay, and no force is recorded that would explain them (a hand, a "
-                  "pull, a blow): left out by estimate and diagnose",
-                  led_s),
-      led_s};
+  const std::vector<DecaySpan> decays = free_decays(record);
+  if (decays.empty() || (decays.size() == 1 && decays[0].from == 0 && decays[0].to == record.samples()))
+    return std::nullopt;
+  const auto at = [&](size_t sample) {
+    return fmt::format("{:.3g}", record.start_s + static_cast<double>(sample) * record.sample_period_s);
+  };
+  std::string list;
+  for (const DecaySpan& d : decays) list += (list.empty() ? "" : ", ") + at(d.from) + " to " + at(d.to) + " s";
+  return Finding{"release", Weight::kInforms, "",
+                 "decays freely from " + list +
+                     "; the rest is a hand, a pull or a blow that no force channel tells of: left out by estimate and "
+                     "diagnose",
+                 static_cast<double>(decays[0].from) * record.sample_period_s};
 }
 
-std::vector<std::string> begin_at_release(std::vector<Record>& records) {
+std::vector<std::string> keep_decays(std::vector<Record>& records) {
   std::vector<std::string> told;
+  std::vector<Record> kept;
+  size_t room = records.size() < kMostRecords ? kMostRecords - records.size() : 0;
   for (Record& record : records) {
     const auto finding = find_release(record);
-    if (!finding) continue;
+    if (!finding) {
+      kept.push_back(std::move(record));
+      continue;
+    }
     told.push_back(record.file + ": " + finding->detail);
-    const auto led = static_cast<std::ptrdiff_t>(samples_before_release(record));
-    for (Channel& channel : record.channels) channel.values.erase(channel.values.begin(), channel.values.begin() + led);
-    record.start_s += static_cast<double>(led) * record.sample_period_s;
+    size_t number = 0;
+    for (const DecaySpan& d : free_decays(record)) {
+      if (number > 0 && room == 0) break;
+      room -= number > 0 ? 1 : 0;
+      Record part = record;
+      if (++number > 1) part.file += fmt::format(", decay {}", number);
+      for (Channel& channel : part.channels) {
+        const auto begin = channel.values.begin();
+        channel.values = {begin + static_cast<std::ptrdiff_t>(d.from), begin + static_cast<std::ptrdiff_t>(d.to)};
+      }
+      part.start_s += static_cast<double>(d.from) * record.sample_period_s;
+      kept.push_back(std::move(part));
+    }
   }
+  records = std::move(kept);
   return told;
 }
 

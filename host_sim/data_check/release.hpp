@@ -1,4 +1,4 @@
-// What a record shows before its rig is let go: a hand that leads it, a pull that is held, a blow that nobody measured.
+// What records of free decays hold beside them: a hand that leads the rig, a pull that is held, blows that nobody measured.
 #pragma once
 #include <cstddef>
 #include <optional>
@@ -9,16 +9,23 @@
 
 namespace host_sim::data_check {
 
-// Samples at the start of a record without a force and without a moving base that are no free decay. Nothing but a decay follows what
-// it calls its start: the energy of the motion, as mean square of the rates over one period, never rises again by more than a fifth,
-// falls to a quarter, and is seen for at least four periods. 0 where the record begins with its decay, or where there is none such
-// (ambient vibration, a rig that drives itself).
-size_t samples_before_release(const Record& record);
+// Samples, the last one left out.
+struct DecaySpan {
+  size_t from = 0, to = 0;
+};
 
-// Tells of them.
+// The free decays of a record without a force and without a moving base. The energy of the motion is taken as the mean square of the
+// rates over one period. Where it rises fourfold within a period the rig was hit. Between such rises, nothing but a decay follows what
+// is called its start: the energy never rises again by more than a fifth, falls to a quarter, and is seen for at least four periods.
+// Of a decay that does not begin with the record one period more is lost (half of one where it lasts fewer than 16). Empty where there
+// is none such, or where three quarters of the loud part of the record are none (ambient vibration, a rig that drives itself).
+std::vector<DecaySpan> free_decays(const Record& record);
+
+// Tells of them, where they are not the whole record.
 std::optional<Finding> find_release(const Record& record);
 
-// Takes them off the records; one sentence for each record that loses any.
-std::vector<std::string> begin_at_release(std::vector<Record>& records);
+// Takes all else off the records: each decay becomes a record, eight at most where a file holds several. One sentence for each
+// record that loses any.
+std::vector<std::string> keep_decays(std::vector<Record>& records);
 
 }  // namespace host_sim::data_check

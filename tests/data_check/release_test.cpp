@@ -7,15 +7,22 @@
 #include <functional>
 #include <random>
 
-
 namespace {
 
 using host_sim::Quantity;
 using host_sim::Record;
-using host_sim::data_check::samples_before_release;
 
 constexpr double kPi = 3.14159265358979323846, kTurn = 2 * kPi * 3.0;  // 3 Hz
 constexpr size_t kPeriod = 33;                                         // samples at 100 Hz
+
+// Where the only decay begins; 0 where it is the whole record, or none is found.
+size_t samples_before_release(const Record& record) {
+  const auto decays = host_sim::data_check::free_decays(record);
+  EXPECT_LE(decays.size(), 1u);
+  if (decays.empty()) return 0;
+  EXPECT_EQ(decays[0].to, record.samples());
+  return decays[0].from;
+}
 
 // 12 s at 100 Hz of y(t) with noise of 1 % of one.
 Record record_of(const std::function<double(double)>& y, Quantity quantity = Quantity::kDisplacement, double s = 12) {
@@ -101,14 +108,51 @@ TEST(Release, IsNotLookedForWhereSomethingDrives) {
   EXPECT_EQ(samples_before_release(record), 0u);
 }
 
+// Blows at 0.5, 4 and 8 s, each as loud as the first: three records, each ending before the next blow. The swings that are left
+// (exp(-3.5 / 1.5) = 0.1) are a tenth of what is added.
+TEST(Release, OfSeveralBlowsMakesSeveralRecords) {
+  const double at[] = {0.5, 4.0, 8.0};
+  const auto y = [&](double t) {
+    double sum = 0;
+    for (const double blow : at)
+      if (t > blow) sum += std::exp((blow - t) / 1.5) * std::sin(kTurn * (t - blow));
+    return sum;
+  };
+  std::vector<Record> records = {record_of(y)};
+  ASSERT_EQ(host_sim::data_check::keep_decays(records).size(), 1u);
+  ASSERT_EQ(records.size(), 3u);
+  for (size_t i = 0; i < 3; ++i) {
+    const double end_s = records[i].start_s + 0.01 * static_cast<double>(records[i].samples());
+    EXPECT_GT(records[i].start_s, at[i]);
+    EXPECT_LE(records[i].start_s, at[i] + 0.01 * 3 * kPeriod / 2);
+    EXPECT_LE(end_s, i < 2 ? at[i + 1] : 12.0);
+    EXPECT_GE(end_s, (i < 2 ? at[i + 1] : 12.0) - 0.01 * 1.5 * kPeriod);
+  }
+  EXPECT_EQ(records[2].file, "made.csv, decay 3");
+}
+
+// Not more than eight records come of one call, and no file loses all of its own.
+TEST(Release, OfMoreThanEightBlowsKeepsEight) {
+  const auto y = [](double t) {
+    double sum = 0;
+    for (int i = 0; i < 12; ++i)
+      if (t > 3 * i + 0.5) sum += std::exp((3 * i + 0.5 - t) / 0.6) * std::sin(kTurn * (t - 3 * i - 0.5));
+    return sum;
+  };
+  std::vector<Record> records = {record_of(y, Quantity::kDisplacement, 36), record_of(y, Quantity::kDisplacement, 36)};
+  host_sim::data_check::keep_decays(records);
+  EXPECT_EQ(records.size(), 8u);
+  EXPECT_LT(records.back().start_s, 1.5);  // the second file's first
+}
+
 TEST(Release, RecordsBeginThereAndSaySo) {
   std::vector<Record> records = {record_of([](double t) { return decay(t, 3); }), record_of([](double t) {
                                    return t < 1.5 ? std::min(1.0, 2 * t) : decay(t - 1.5, 3);
                                  })};
   const std::vector<Record> before = records;
-  const auto told = host_sim::data_check::begin_at_release(records);
+  const auto told = host_sim::data_check::keep_decays(records);
   ASSERT_EQ(told.size(), 1u);
-  EXPECT_EQ(told[0].rfind("made.csv: the first 1.", 0), 0u) << told[0];
+  EXPECT_EQ(told[0].rfind("made.csv: decays freely from 1.", 0), 0u) << told[0];
   EXPECT_EQ(records[0].samples(), before[0].samples());
   const size_t led = before[1].samples() - records[1].samples();
   EXPECT_NEAR(records[1].start_s, 0.01 * static_cast<double>(led), 1e-12);

@@ -41,7 +41,7 @@ void diagnose(const DiagnoseArguments& arguments) {
     std::vector<Record> training = read_data(arguments.data, model, arguments.reading),
                         holdout = read_data(arguments.holdout, model, arguments.reading);
     for (std::vector<Record>* records : {&training, &holdout})
-      for (const std::string& told : data_check::begin_at_release(*records)) std::fprintf(stderr, "%s\n", told.c_str());
+      for (const std::string& told : data_check::keep_decays(*records)) std::fprintf(stderr, "%s\n", told.c_str());
     require_same_channels(training);
     if (!holdout.empty()) require_same_channels(training.front(), holdout);
     const data_check::Report check = require_sound(training, model, arguments.reading);

@@ -112,7 +112,7 @@ void estimate(const EstimateArguments& arguments) {
     estimation = estimate_records(model, records, options);
   };
   check.beside([&] {
-    notes = data_check::begin_at_release(records);
+    notes = data_check::keep_decays(records);
     const std::vector<std::string> rests = count_from_rest(records);
     notes.insert(notes.end(), rests.begin(), rests.end());
     if (const std::string slow = average_slow_motion(records); !slow.empty()) notes.push_back(slow);
