@@ -110,10 +110,13 @@ Scaled ScoreTest::give_back_level(int level, const ProbeScore& result) {
       if (probe_->drifts) g[place_->unknown[k]] = g[place_->unknown[k]] * time(s);
     }
     for (int i = 0; i < count; ++i) g[unknown_of[i]] = g[unknown_of[i]] - base_sum_.term(table, s, i);
-    for (int i = 0; i < unknowns_; ++i)
-      for (int j = 0; j < unknowns_ && !g[i].is_zero(); ++j)
+    report_work(150 * count);
+    for (int i = 0; i < unknowns_; ++i) {
+      if (g[i].is_zero()) continue;
+      for (int j = 0; j < unknowns_; ++j)
         if (!g[j].is_zero()) taken = taken + g[i] * inverse_[i][j] * g[j];
-    report_work(150 * (count + unknowns_ * unknowns_));
+      report_work(150 * unknowns_);
+    }
     const Scaled share = d_[s] > Scaled{} ? abs(taken) / d_[s] : Scaled{};
     lost = lost + (share < one ? share : one);
     const Scaled rest = one - d_[s] * part - share;

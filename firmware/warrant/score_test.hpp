@@ -34,6 +34,8 @@ enum class Chance : uint8_t {
   kOfOneQuantity  // 5e-2
 };
 int tenths_of_limit(Scaled freedom, Chance chance);
+// Of some DOF's motion nothing but this one quantity is measured; kForce: any one.
+bool one_quantity(const CoreConfiguration& configuration, Quantity which);
 
 struct ProbeScore {
   bool tested = false;   // the record can tell this force from the estimated ones

@@ -277,16 +277,6 @@ bool hardly_tested(const ScoreTest& test, int unknown, const ParameterEstimate& 
          std * Scaled::from_int(kWrongShare) > abs(parameter.value);
 }
 
-// A node's velocity is made from one channel alone, from that of the source or (kForce) of any.
-bool one_channel(const CoreConfiguration& configuration, Quantity source) {
-  for (int node = 0; node < configuration.dof_count; ++node) {
-    const SignalConfiguration& velocity = configuration.signals[node][static_cast<int>(Quantity::kVelocity)];
-    if (!velocity.available || !velocity.derived || configuration.fusion[node].used) continue;
-    if (source == Quantity::kForce || velocity.source == static_cast<uint8_t>(source)) return true;
-  }
-  return false;
-}
-
 // A law that the link may have would not show.
 bool blind(const CoreConfiguration& configuration, const ScoreTest& test, int unknown) {
   const Term* term = term_of(configuration, unknown);
@@ -324,8 +314,8 @@ void give_verdict(const CoreConfiguration& configuration, const ScoreSums& sums,
     warrant.rival = warrant.named;
     warrant.named = late;
   }
-  const bool derived = kDerivesSignals && one_channel(configuration, Quantity::kForce);
-  const bool twice_derived = kDerivesSignals && one_channel(configuration, Quantity::kDisplacement);
+  const bool derived = kDerivesSignals && one_quantity(configuration, Quantity::kForce);
+  const bool twice_derived = kDerivesSignals && one_quantity(configuration, Quantity::kDisplacement);
   bool contradicted = false, inseparable = false;  // the record cannot tell the rig's own terms apart
   if (spreads_skew(configuration, estimates))
     for (int k = 0; k < estimates.unknown_count; ++k) raise(estimates.parameters[k], EstimateStatus::kSkewed);
