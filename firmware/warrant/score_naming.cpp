@@ -26,6 +26,11 @@ constexpr Quantile kLimits[] = {{2, {3836, 1256, 192, 45}}, {3, {687, 326, 92, 3
                                 {20, {60, 50, 34, 21}},     {24, {57, 48, 33, 21}},  {32, {54, 46, 33, 21}},
                                 {48, {51, 44, 32, 21}},     {64, {49, 43, 31, 20}},  {128, {47, 41, 31, 20}}};
 
+// A rate that is made from the DOF's only channel: its noise is that of all else there.
+bool derives_rates(const CoreConfiguration& configuration) {
+  return one_quantity(configuration, Quantity::kDisplacement) || one_quantity(configuration, Quantity::kAcceleration);
+}
+
 Scaled limit(Scaled freedom, Chance chance) { return Scaled::ratio(tenths_of_limit(freedom, chance), 10); }
 
 // Few stretches may hold most of the information (a sweep that passes a resonance, a blow): their own scatter is hardly known then,
@@ -82,15 +87,15 @@ bool impossible(const CoreConfiguration& configuration, const ProbePlan& plan, c
 
 bool one_quantity(const CoreConfiguration& configuration, Quantity which) {
   for (int node = 0; node < configuration.dof_count; ++node) {
-    int measured = 0;
-    bool is_which = which == Quantity::kForce;
-    for (int q = static_cast<int>(Quantity::kDisplacement); q < kQuantities; ++q) {
-      const SignalConfiguration& signal = configuration.signals[node][q];
-      if (!signal.available || signal.derived) continue;
-      ++measured;
-      is_which = is_which || q == static_cast<int>(which);
-    }
-    if (measured == 1 && is_which) return true;
+    const SignalConfiguration* const signal = configuration.signals[node];
+    const auto measured = [&](Quantity q) {
+      return signal[static_cast<int>(q)].available && !signal[static_cast<int>(q)].derived;
+    };
+    const SignalConfiguration& velocity = signal[static_cast<int>(Quantity::kVelocity)];
+    if (!velocity.available || configuration.fusion[node].used) continue;
+    if (!velocity.derived && (measured(Quantity::kDisplacement) || measured(Quantity::kAcceleration))) continue;
+    const auto source = velocity.derived ? static_cast<Quantity>(velocity.source) : Quantity::kVelocity;
+    if (source == which) return true;
   }
   return false;
 }
@@ -106,7 +111,7 @@ int tenths_of_limit(Scaled freedom, Chance chance) {
 // As rare as the least that anything is made of, and not so rare that a scatter of four times as much (the most that a share of it
 // makes) would leave it beyond all limits; and told by so few stretches that the place's coefficients take up over an eighth of them.
 bool ScoreTest::near_chance(const ProbeScore& score) const {
-  const bool one = kDerivesSignals && one_quantity(*configuration_, Quantity::kForce);
+  const bool one = kDerivesSignals && derives_rates(*configuration_);
   if (score.freedom > Scaled::from_int(8 * place_->columns)) return false;
   if (beyond(score, Chance::kOfFinding, Scaled::from_int(4))) return false;
   return beyond(score, one ? Chance::kOfOneQuantity : Chance::kBearsOut, seen_root_);
@@ -116,7 +121,7 @@ bool ScoreTest::near_chance(const ProbeScore& score) const {
 // by the root of the share that was looked at.
 void ScoreTest::keep_bends(int number) {
   const ProbeScore& score = score_[number];
-  const bool one = kDerivesSignals && one_quantity(*configuration_, Quantity::kForce);
+  const bool one = kDerivesSignals && derives_rates(*configuration_);
   if (!beyond(score, one ? Chance::kOfOneQuantity : Chance::kOfDoubt, seen_root_)) return;
   if (pushes(*configuration_, sums_->plan(), sums_->plan().probe[number], score, parameter_)) return;
   for (int k = 0; k < unknowns_; ++k) {

@@ -34,7 +34,7 @@ enum class Chance : uint8_t {
   kOfOneQuantity  // 5e-2
 };
 int tenths_of_limit(Scaled freedom, Chance chance);
-// Of some DOF's motion nothing but this one quantity is measured; kForce: any one.
+// All that is known of some DOF's velocity comes from this one quantity; of kVelocity: and of the rest of its motion.
 bool one_quantity(const CoreConfiguration& configuration, Quantity which);
 
 struct ProbeScore {
