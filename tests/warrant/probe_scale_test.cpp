@@ -116,34 +116,35 @@ TEST(ScoreSums, AMotionThatOutgrowsItsUnitLosesNothing) {
   Scaled no_effects[1];
   sums.configure(c, no_effects, {});
   sums.begin_level();
-  constexpr int kFrames = 40;
+  constexpr size_t kFrames = 40, kBlock = kBlockSamples;
   std::vector<int32_t> v;
-  for (int n = 0; n < kFrames * kBlockSamples; ++n)
-    v.push_back(static_cast<int32_t>(std::lround((n < 400 ? 100 : 3000000) * std::sin(n / 9.0))));
+  v.reserve(kFrames * kBlock);
+  for (size_t n = 0; n < kFrames * kBlock; ++n)
+    v.push_back(static_cast<int32_t>(std::lround((n < 400 ? 100 : 3000000) * std::sin(static_cast<double>(n) / 9.0))));
   static Frame frame;
-  for (int f = 0; f < kFrames; ++f) {
-    for (int i = 0; i < kBlockSamples; ++i)
-      frame.raw[signal_column(0, Quantity::kVelocity)][kLeadIn + i] = v[static_cast<size_t>(f * kBlockSamples + i)];
+  for (size_t f = 0; f < kFrames; ++f) {
+    for (size_t i = 0; i < kBlock; ++i)
+      frame.raw[signal_column(0, Quantity::kVelocity)][kLeadIn + i] = v[f * kBlock + i];
     sums.offer(frame, kBlockSamples);
   }
   sums.flush();
   const ScoreTable& table = sums.table();
-  constexpr int kBlocks = (kFrames * kBlockSamples - 2 * kNeighbours) / kBlockSamples;
-  ASSERT_EQ(table.stretches(), kBlocks);  // every one, from the first sample on
+  constexpr size_t kBlocks = (kFrames * kBlock - 2 * kNeighbours) / kBlock;
+  ASSERT_EQ(static_cast<size_t>(table.stretches()), kBlocks);  // every one, from the first sample on
   const double weights[] = {54.0 / 172, 39.0 / 172, 14.0 / 172, -21.0 / 172};
   const Probe& rate = sums.plan().probe[0];
   ASSERT_EQ(rate.form, Form::kRate);
   const int own = sums.plan().own_value(rate);
-  for (int s = 0; s < kBlocks; ++s) {
+  for (size_t s = 0; s < kBlocks; ++s) {
     double expected = 0, codes = 0;
-    for (int i = 0; i < kBlockSamples; ++i) {
-      const auto at = static_cast<size_t>(kNeighbours + s * kBlockSamples + i);
+    for (size_t i = 0; i < kBlock; ++i) {
+      const size_t at = kNeighbours + s * kBlock + i;
       double near = 0;
       for (size_t k = 1; k <= 4; ++k) near += weights[k - 1] * (v[at - k] + v[at + k]);
       expected += near * v[at] * 0x1p-40;
       codes += std::abs(v[at]);
     }
-    const double sum = to_double(table.value(s, own) * sums.unit(rate, own - rate.first_value));
+    const double sum = to_double(table.value(static_cast<int>(s), own) * sums.unit(rate, own - rate.first_value));
     EXPECT_NEAR(sum, expected, 0x1p-43 * codes + 1e-5 * expected) << s;  // what is near counts eighths of a code
   }
 }
