@@ -155,7 +155,7 @@ std::vector<DecaySpan> free_decays(const Record& record) {
   for (const Channel& channel : record.channels)
     if (channel.quantity != Quantity::kForce) channels[channel.dof] = rate_channel(record, channel.dof);
   for (const auto& [dof, channel] : channels) period = std::max(period, period_of(channel->values));
-  const auto hop = static_cast<size_t>(period / kHops + 0.5);
+  const auto hop = static_cast<size_t>(std::lround(period / kHops));
   if (hop < 1) return {};
   const Windows energy = energies(channels, hop);
   if (energy.empty()) return {};
