@@ -183,7 +183,9 @@ std::optional<Finding> find_release(const Record& record) {
   for (const DecaySpan& d : decays) list += (list.empty() ? "" : ", ") + at(d.from) + " to " + at(d.to) + " s";
   return Finding{"release", Weight::kInforms, "",
                  "decays freely from " + list +
-                     "; the rest is a hand, a pull or a blow that no force channel tells of: left out by estimate and "
+                     "; elsewhere energy comes in that no force channel tells of (a hand, a pull, a blow; a hidden "
+                     "mass that beats "
+                     "with it): left out by estimate and "
                      "diagnose",
                  static_cast<double>(decays[0].from) * record.sample_period_s};
 }
