@@ -116,7 +116,7 @@ TEST(Warrant, SensorsThatDifferFromDofToDof) {
     Settings settings;
     settings.condition = "random_clean";
     settings.sensors = "mixed";
-    settings.masses = 2 + seed % 2;
+    settings.masses = 2 + static_cast<int>(seed % 2);
     const hidden_rig::Draw draw = hidden_rig::make_draw(seed, settings);
     const CoreRun run = run_core(draw);
     if (run.configuration.high_pass_order == 0 || run.configuration.sign_half_length == 0) continue;
