@@ -155,11 +155,13 @@ Outcome judge(const Draw& draw, diagnosis::Diagnosis d) {
   d.causes.erase(
       std::remove_if(d.causes.begin(), d.causes.end(), [&](const diagnosis::Cause& c) { return held_too(draw, c); }),
       d.causes.end());
-  if (std::none_of(draw.hidden.begin(), draw.hidden.end(),
-                   [](const Hidden& h) { return h.effect == "drifting_viscous"; }))
-    d.causes.erase(
-        std::remove_if(d.causes.begin(), d.causes.end(), [&](const diagnosis::Cause& c) { return warms(draw, c); }),
-        d.causes.end());
+  const auto hidden_there = [&](const diagnosis::Cause& c) {
+    return std::any_of(draw.hidden.begin(), draw.hidden.end(),
+                       [&](const Hidden& h) { return same(h, c.effect, c.where); });
+  };
+  d.causes.erase(std::remove_if(d.causes.begin(), d.causes.end(),
+                                [&](const diagnosis::Cause& c) { return warms(draw, c) && !hidden_there(c); }),
+                 d.causes.end());
   if (draw.hidden.empty()) {
     if (!d.causes.empty()) return Outcome::kWrong;
     if (said > 0) return d.verdict == Verdict::kExplained ? Outcome::kRight : Outcome::kMissed;

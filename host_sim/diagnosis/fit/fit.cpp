@@ -13,6 +13,7 @@ namespace {
 constexpr double kRidge = 1e-9;          // of a column's square: what is not determined stays where it is
 constexpr int kTries = 5;                // of a step, each damped more
 constexpr double kAstrayDamping = 1e-3;  // of the state of a window that its step led astray, in units of its columns
+constexpr double kAstray = 100;          // times a window's error before its step: it has left the motion altogether
 constexpr double kSettled = 0.02;        // of the cost: a fall that no test can notice
 constexpr double kLongestStep = 0.5;     // of a shape's logarithm
 constexpr size_t kLeastWindows = 8;      // from which on the scatter between windows is a measure
@@ -199,19 +200,36 @@ void step_parameters(Model& model, const Vec& change) {
   }
 }
 
+// Weighted square sum of a window's residual; huge where its run does not stay finite.
+double error_of(Evaluator& evaluator, const Vec& weights, const Window& w, WindowRun& run, size_t lane = 0) {
+  if (!evaluator.run(w, false, false, run, lane)) return 1e300;
+  double sum = 0;
+  for (Index c = 0; c < weights.size(); ++c)
+    sum += run.residual.segment(c * w.length, w.length).squaredNorm() * weights[c] * weights[c];
+  return sum;
+}
+
 // Windows that a step led astray, as one does that starts at rest and hardly determines its state: they would hold all others
-// back. They start again from where they were. Returns which.
-std::vector<size_t> put_back(const Pass& now, const Pass& next, const Vec& weights, bool only_states,
-                             const std::vector<Window>& windows, std::vector<Window>& moved) {
-  // times as much as before: it has left the motion altogether; where the parameters stay each window is on its own
-  const double astray = only_states ? 1 : 100;
-  std::vector<size_t> list;
-  for (size_t w = 0; w < windows.size(); ++w) {
-    const double before = now.windows[w].ss.dot(weights.cwiseAbs2()),
-                 after = next.windows[w].ss.dot(weights.cwiseAbs2());
-    if (after > astray * before) moved[w].state = windows[w].state, list.push_back(w);
-  }
-  return list;
+// back. Beside given parameters each window is on its own: those that are worse than before go a damped way instead, or stay,
+// whichever leaves the least. True where any had left the motion altogether.
+bool shorter_ways(Evaluator& evaluator, const Pass& now, const Pass& next, const Vec& change, const Vec& weights,
+                  const std::vector<Window>& windows, std::vector<Window>& moved) {
+  std::atomic<bool> any{false};
+  std::vector<WindowRun> runs(lanes());
+  in_parallel(windows.size(), [&](size_t i, size_t lane) {
+    const double before = now.windows[i].ss.dot(weights.cwiseAbs2());
+    double least = next.ok ? next.windows[i].ss.dot(weights.cwiseAbs2())
+                           : error_of(evaluator, weights, moved[i], runs[lane], lane);
+    if (least > kAstray * before) any = true;
+    for (const bool damped : {true, false}) {
+      if (least <= before) break;
+      Window other = windows[i];
+      if (damped) evaluator.moved(other, state_change(now.windows[i], change, kAstrayDamping), other.state);
+      const double error = error_of(evaluator, weights, other, runs[lane], lane);
+      if (error < least) least = error, moved[i] = other;
+    }
+  });
+  return any;
 }
 
 bool has_friction(const Model& model) {
@@ -224,17 +242,10 @@ bool has_friction(const Model& model) {
 // The run from where the window before ended, or from rest where none is before it, may lie in the right one. True
 // where any window took such a state.
 bool carried_on(Evaluator& evaluator, const Vec& weights, std::vector<Window>& windows) {
-  const auto error_of = [&](const Window& w, WindowRun& run) {
-    double sum = 0;
-    if (!evaluator.run(w, false, false, run)) return 1e300;
-    for (Index c = 0; c < weights.size(); ++c)
-      sum += run.residual.segment(c * w.length, w.length).squaredNorm() * weights[c] * weights[c];
-    return sum;
-  };
   bool any = false;
   WindowRun before, own, other;
   for (size_t i = 0; i < windows.size(); ++i) {
-    const double error = error_of(windows[i], own);
+    const double error = error_of(evaluator, weights, windows[i], own);
     const bool follows = i > 0 && windows[i - 1].record == windows[i].record &&
                          windows[i - 1].from + windows[i - 1].length == windows[i].from;
     Window w = windows[i];
@@ -242,7 +253,7 @@ bool carried_on(Evaluator& evaluator, const Vec& weights, std::vector<Window>& w
       w.state.setZero();
     else if (before.end.size())
       w.state = before.end;
-    if (error_of(w, other) < kPays * error) windows[i] = w, std::swap(own, other), any = true;
+    if (error_of(evaluator, weights, w, other) < kPays * error) windows[i] = w, std::swap(own, other), any = true;
     std::swap(before, own);
   }
   return any;
@@ -295,14 +306,8 @@ Fitted fit(const System& system, const std::vector<Prepared>& records, Model& mo
             }
           Pass next = pass_over(*next_evaluator, moved, &weights, false);  // its cost alone is many times cheaper
           bool whole = true;
-          for (const bool damped : {true, false}) {  // those led astray by a shorter way, then not at all
-            if (!next.ok || next.cost < now.cost || evaluator->massless()) break;
-            const std::vector<size_t> astray = put_back(now, next, weights, only_states, windows, moved);
-            if (astray.empty()) break;
-            whole = false;
-            for (const size_t w : astray)
-              if (damped)
-                next_evaluator->moved(moved[w], state_change(now.windows[w], change, kAstrayDamping), moved[w].state);
+          if (!evaluator->massless() && (!next.ok || next.cost >= now.cost)) {
+            whole = !shorter_ways(*next_evaluator, now, next, change, weights, windows, moved);
             next = pass_over(*next_evaluator, moved, &weights, false);
           }
           if (next.ok && next.cost < now.cost + 1e-9 * std::abs(now.cost) &&

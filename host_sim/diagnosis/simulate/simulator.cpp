@@ -7,6 +7,7 @@ namespace diagnosis::runs {
 namespace {
 
 constexpr int kMostEvents = 12;
+constexpr double kAtOnce = 1e-9;  // of a substep
 
 }  // namespace
 
@@ -35,6 +36,34 @@ void Simulator::start(Index sample, const Vec& y) {
   begun_.is = false;
 }
 
+// The first of the links whose rate passes zero within the rest of a substep, and the share of it that is gone by then.
+std::pair<Simulator::Friction*, double> Simulator::first_to_turn(const Vec& y0, const Vec& y, double from) {
+  std::pair<Friction*, double> first{nullptr, 2};
+  const Outside o0 = outside(from), o1 = outside(1);
+  for (Friction& f : friction_) {
+    if (f.sign == 0) continue;
+    const double w0 = f.sign * relative(y0, nodes_, f.a, f.b, o0.v), w1 = f.sign * relative(y, nodes_, f.a, f.b, o1.v);
+    if (w1 >= 0) continue;
+    const double share = w0 <= 0 ? 0 : w0 / (w0 - w1);
+    if (share < first.second) first = {&f, share};
+  }
+  return first;
+}
+
+// The instant at which a link's rate is nought, by secants from a first guess.
+double Simulator::share_to_turn(const Friction& f, const Vec& y0, double from, double share) {
+  Vec y;
+  for (int search = 0; search < 3 && share > kAtOnce; ++search) {
+    y = y0;
+    step(from, share * (1 - from), y, nullptr);
+    const double w0 = f.sign * relative(y0, nodes_, f.a, f.b, outside(from).v);
+    const double w = f.sign * relative(y, nodes_, f.a, f.b, outside(from + share * (1 - from)).v);
+    if (w0 <= 0 || std::abs(w) < 1e-6 * w0) break;
+    share = std::clamp(share * w0 / (w0 - w), 0.0, 1.0);
+  }
+  return share;
+}
+
 bool Simulator::advance(Index sample, Vec& y, Sensitivity* s) {
   static thread_local Sensitivity kept;
   for (int sub = 0; sub < substeps_; ++sub) {
@@ -45,43 +74,28 @@ bool Simulator::advance(Index sample, Vec& y, Sensitivity* s) {
       if (s && !friction_.empty()) kept = *s;
       step(from, 1 - from, y, s);
       if (friction_.empty()) break;
-      // the first of the links whose rate has passed zero
-      double first = 2;
-      Friction* turning = nullptr;
-      const Outside o0 = outside(from), o1 = outside(1);
-      for (Friction& f : friction_) {
-        if (f.sign == 0) continue;
-        const double w0 = f.sign * relative(y0, nodes_, f.a, f.b, o0.v),
-                     w1 = f.sign * relative(y, nodes_, f.a, f.b, o1.v);
-        if (w1 >= 0) continue;
-        const double share = w0 <= 0 ? 0 : w0 / (w0 - w1);
-        if (share < first) first = share, turning = &f;
-      }
-      if (!turning) {
-        release(y, 1);
-        break;
-      }
-      double share = first;
-      for (int search = 0; search < 3 && share > 1e-9; ++search) {  // secant on the rate
-        y = y0;
-        step(from, share * (1 - from), y, nullptr);
-        const double w0 = turning->sign * relative(y0, nodes_, turning->a, turning->b, o0.v);
-        const double w =
-            turning->sign * relative(y, nodes_, turning->a, turning->b, outside(from + share * (1 - from)).v);
-        if (w0 <= 0 || std::abs(w) < 1e-6 * w0) break;
-        share = std::clamp(share * w0 / (w0 - w), 0.0, 1.0);
-      }
+      auto [link, share] = first_to_turn(y0, y, from);
+      const auto [loose, until] = events < kMostEvents ? first_to_let_go(y0, y, from) : std::make_pair(link, 3.0);
+      const bool lets_go = until < share;
+      if (!link && !lets_go) break;
+      if (lets_go)
+        link = loose, share = until;
+      else
+        share = share_to_turn(*link, y0, from, share);
       y = y0;
       if (s) *s = kept;
-      if (share > 1e-9) step(from, share * (1 - from), y, s);
+      if (share > kAtOnce) step(from, share * (1 - from), y, s);
       from += share * (1 - from);
       if (events >= kMostEvents) {
-        turning->sign = 0, yield_old_ = true;
+        link->sign = 0, yield_old_ = true;
         if (events >= 2 * kMostEvents) return false;
         continue;
       }
-      turn(*turning, from, y, s);
-      if (from > 1 - 1e-9) break;
+      if (lets_go)
+        let_go(*link, from, y);
+      else
+        turn(*link, from, y, s);
+      if (from > 1 - kAtOnce) break;
     }
     if (!y.allFinite()) return false;
   }

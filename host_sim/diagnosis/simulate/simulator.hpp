@@ -80,7 +80,10 @@ class Simulator {
             Sensitivity* s) const;
   void step(double from, double length, Vec& y, Sensitivity* s);
   void turn(Friction& f, double at, Vec& y, Sensitivity* s);
-  void release(const Vec& y, double at);
+  std::pair<Friction*, double> first_to_turn(const Vec& y0, const Vec& y, double from);
+  double share_to_turn(const Friction& f, const Vec& y0, double from, double share);
+  std::pair<Friction*, double> first_to_let_go(const Vec& y0, const Vec& y, double from);
+  void let_go(Friction& f, double at, const Vec& y);
 
   const Prepared& record_;
   Index nodes_ = 0, hysteresis_ = 0, parameters_ = 0;

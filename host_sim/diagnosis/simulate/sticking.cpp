@@ -6,6 +6,12 @@
 
 // Friction that turns, holds and lets go.
 namespace diagnosis::runs {
+namespace {
+
+constexpr int kSearches = 8;    // for the instant
+constexpr double kNear = 1e-3;  // of a friction: what holds it is known no better
+
+}  // namespace
 
 // What holds a stuck link, from the last accelerations(): the force that its ends must exchange.
 double Simulator::hold_force(const Friction& f, const Outside& o) const {
@@ -48,20 +54,46 @@ void Simulator::turn(Friction& f, double at, Vec& y, Sensitivity* s) {
   s->middleRows(nodes_, nodes_) += jump * g;
 }
 
-void Simulator::release(const Vec& y, double at) {
-  bool any = false;
-  for (const Friction& f : friction_) any = any || f.sign == 0;
-  if (!any) return;
+// The first of the stuck links that cannot be held until the end of a substep, and the share of its rest after which it lets go:
+// a blow that starts within it passes through to all links in their turn.
+std::pair<Simulator::Friction*, double> Simulator::first_to_let_go(const Vec& y0, const Vec& y, double from) {
+  std::pair<Friction*, double> first{nullptr, 2};
+  Vec acc, middle;
+  const auto net_at = [&](const Vec& state, double at) {
+    const Outside o = outside(at);
+    accelerations(state, o, acc, false);
+    return o;
+  };
+  const auto excess = [&](const Friction& f, const Outside& o) { return std::abs(hold_force(f, o)) - level(f, 0); };
+  std::vector<std::pair<Friction*, double>> loose;  // and by how much what would hold them exceeds their friction
+  if (std::none_of(friction_.begin(), friction_.end(), [](const Friction& f) { return f.sign == 0; })) return first;
+  const Outside last = net_at(y, 1);
+  for (Friction& f : friction_)
+    if (f.sign == 0 && excess(f, last) > 0) loose.push_back({&f, excess(f, last)});
+  for (auto [f, above] : loose) {
+    double low = 0, high = 1, share = 0, below = excess(*f, net_at(y0, from));
+    if (below >= 0) return {f, 0};
+    bool was_above = true;
+    for (int search = 0; search < kSearches; ++search) {  // the false position, drawn to the end that stays
+      share = low + (high - low) * below / (below - above);
+      middle = y0;
+      step(from, share * (1 - from), middle, nullptr);
+      const double value = excess(*f, net_at(middle, from + share * (1 - from)));
+      if (std::abs(value) < kNear * level(*f, 0)) break;
+      const bool is_above = value > 0;
+      if (search > 0 && is_above == was_above) (is_above ? below : above) *= 0.5;
+      (is_above ? high : low) = share, (is_above ? above : below) = value, was_above = is_above;
+    }
+    if (share < first.second) first = {f, share};
+  }
+  return first;
+}
+
+void Simulator::let_go(Friction& f, double at, const Vec& y) {
   const Outside o = outside(at);
   Vec acc;
   accelerations(y, o, acc, false);
-  for (Friction& f : friction_) {
-    if (f.sign != 0) continue;
-    const double hold = hold_force(f, o);
-    if (std::abs(hold) <= level(f, 0)) continue;
-    f.sign = hold > 0 ? 1 : -1, yield_old_ = true;
-    return;  // the others are looked at after the next step
-  }
+  f.sign = hold_force(f, o) > 0 ? 1 : -1, yield_old_ = true;
 }
 
 }  // namespace diagnosis::runs
