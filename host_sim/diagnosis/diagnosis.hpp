@@ -20,6 +20,7 @@ struct Parameter {
   std::string unit;
   double std = 0;  // 0: given or a shape
   bool estimated = true;
+  bool undetermined = false;  // its interval is wider than all that it is a part of
 };
 
 struct NamedPlace {
@@ -91,9 +92,6 @@ struct Options {
   double top_of_band = 0.098;            // of the sampling rate: highest frequency of the equation rows
   std::function<void(double)> progress;  // called with the share done, 0 to 1
 };
-
-// Status of a fitted parameter: where the model leaves more than noise, its numbers have taken up some of that.
-inline const char* status_word(bool model_fits) { return model_fits ? "VALID" : "BIAS_SUSPECT"; }
 
 // Throws CannotAnswer (motion.hpp) where the records cannot tell.
 Diagnosis diagnose(const rig_file::RigModel& rig, const std::vector<host_sim::Record>& training,

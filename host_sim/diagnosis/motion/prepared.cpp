@@ -29,12 +29,30 @@ constexpr double kSamplesPerTop = 24;  // of the fastest motion: one Runge-Kutta
 constexpr double kPowerBelowTop = 0.999;
 constexpr double kPowerOfDisplacement = 0.9999;  // its velocity, on which friction acts, is faster
 constexpr Index kLeast = 100;
+constexpr double kOutside = 0.01;           // of a motion's square sum: a tenth of its amplitude, where it goes on
 constexpr double kMedianOfNormal = 0.6745;  // of a normal law's magnitude, per standard deviation
 constexpr double kBlowOverNoise = 30;       // a random force reaches 5 times what its median says
 constexpr double kBlowsShare = 0.2;         // of the samples, at most
 
+// Where a record is rest for the most part, the part that holds all but a hundredth of its motion's square sum; else all of it. A taper over
+// the whole of a short decay takes the decay itself away.
+Vec moving_part(const Vec& y) {
+  std::vector<double> order(y.data(), y.data() + y.size());
+  std::nth_element(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(order.size() / 2), order.end());
+  const double middle = order[order.size() / 2], noise = white_noise_sum(y) / static_cast<double>(y.size());
+  Vec sum(y.size());
+  double so_far = 0;
+  for (Index i = 0; i < y.size(); ++i) sum[i] = so_far += (y[i] - middle) * (y[i] - middle) - noise;
+  Index from = 0, to = y.size();
+  while (from < to && sum[from] < kOutside / 2 * so_far) ++from;
+  while (to > from + 1 && sum[to - 2] > (1 - kOutside / 2) * so_far) --to;
+  const bool mostly_rest = so_far > 0 && 2 * (to - from) < y.size() && to - from >= kLeast;
+  return mostly_rest ? Vec(y.segment(from, to - from)) : y;
+}
+
 // Frequency below which nearly all power above the noise floor lies.
-double top_frequency(const Vec& y, double step_s, bool displacement) {
+double top_frequency(const Vec& whole, double step_s, bool displacement) {
+  const Vec y = moving_part(whole);
   const size_t n = fast_length(static_cast<size_t>(y.size()));
   Vec w = y.head(static_cast<Index>(n));
   // take the straight line off, then a Hann taper: what is left at high frequencies is not that of the ends
@@ -271,12 +289,20 @@ Prepared prepare_by(const rig_file::RigModel& rig, const host_sim::Record& recor
   p.smooth_half = std::clamp<Index>(static_cast<Index>(0.15 / (p.top_Hz * p.step_s)), 2, p.samples / 8);
   p.slow_half = std::clamp<Index>(static_cast<Index>(8 / (p.top_Hz * p.step_s)), 8, p.samples / 3);
   p.base.ridden = rides_on_base(rig, p);
-  for (int d = 0; d < n; ++d) {
+  renew_motion(p);
+  return p;
+}
+
+}  // namespace
+
+void renew_motion(Prepared& p) {
+  p.guess.clear();
+  for (size_t d = 0; d < p.force.size(); ++d) {
     std::vector<const Vec*> measured(3, nullptr);
     for (const MotionTrace& t : p.traces)
-      if (t.dof == d) measured[static_cast<size_t>(t.quantity)] = &t.y;
+      if (t.dof == static_cast<int>(d)) measured[static_cast<size_t>(t.quantity)] = &t.y;
     if (!measured[0] && !measured[1] && !measured[2])
-      throw CannotAnswer(record.file + ": no displacement, velocity or acceleration of DOF " + std::to_string(d + 1) +
+      throw CannotAnswer(p.file + ": no displacement, velocity or acceleration of DOF " + std::to_string(d + 1) +
                          "; measure one of them");
     Vec against_base;
     if (p.base.ridden) against_base = *measured[2] - p.base.reading[2], measured[2] = &against_base;
@@ -286,10 +312,7 @@ Prepared prepare_by(const rig_file::RigModel& rig, const host_sim::Record& recor
   p.guess.push_back({});
   renew_base(p);
   p.period_s = period_of(p);
-  return p;
 }
-
-}  // namespace
 
 void renew_base(Prepared& p) {
   if (!p.base.given()) return;

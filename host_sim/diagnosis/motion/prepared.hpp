@@ -62,6 +62,9 @@ Prepared prepare(const rig_file::RigModel& rig, const host_sim::Record& record);
 std::vector<Prepared> prepare_all(const rig_file::RigModel& rig, const std::vector<host_sim::Record>& training,
                                   const std::vector<host_sim::Record>& holdout);
 
+// The guesses of all DOFs and of the base from their readings, and the motion's period. Throws CannotAnswer where a DOF has no
+// motion channel.
+void renew_motion(Prepared& record);
 // The guess of the base from its readings.
 void renew_base(Prepared& record);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace diagnosis::runs {
 namespace {
@@ -11,25 +12,63 @@ constexpr double kAboveNoise = 4;     // times what a record at rest still shows
 constexpr double kForcedPeriods = 8;  // a window; at least 12 of them
 constexpr Index kLeastLength = 12;    // samples
 
-double motion_of(const Prepared& p, Index from, Index length) {
-  double sum = 0;
-  for (size_t d = 0; d + 1 < p.guess.size(); ++d) {
-    const Vec& v = p.guess[d].v;
-    const double all = v.squaredNorm() / static_cast<double>(v.size());
-    if (all > 0) sum = std::max(sum, v.segment(from, length).squaredNorm() / static_cast<double>(length) / all);
-  }
-  return std::sqrt(sum);
-}
-
 Index a_period(const Prepared& p) { return std::max<Index>(2, static_cast<Index>(p.period_s / p.step_s)); }
 
-// Motion below which a record is at rest. One that comes to rest shows there what its guessed motion owes to noise.
-double rest_of(const Prepared& p) {
-  const Index part = a_period(p);
-  double least = 1;
-  for (Index from = 0; from + part <= p.samples; from += part) least = std::min(least, motion_of(p, from, part));
-  return least > kAtRest ? kAtRest : std::max(kAtRest, kAboveNoise * least);
-}
+// How a record moves: the rates of its DOFs.
+class Motion {
+ public:
+  explicit Motion(const Prepared& record) : p_(record) {
+    for (size_t d = 0; d + 1 < p_.guess.size(); ++d) rate_.push_back(p_.guess[d].v);
+    double least = least_motion();
+    if (least > kAtRest) {  // it never rests, or the rates from sample to sample are those of its noise
+      const std::vector<Vec> fine = std::exchange(rate_, coarse_rates());
+      const double least_of_coarse = least_motion();
+      if (least_of_coarse > kAtRest)
+        rate_ = fine;
+      else
+        least = least_of_coarse;
+    }
+    rest_ = least > kAtRest ? kAtRest : std::max(kAtRest, kAboveNoise * least);
+  }
+  // Of a stretch over that of the record, rms, of the DOF that moves most there.
+  double of(Index from, Index length) const {
+    double most = 0;
+    for (const Vec& v : rate_) {
+      const double all = v.squaredNorm() / static_cast<double>(v.size());
+      if (all > 0) most = std::max(most, v.segment(from, length).squaredNorm() / static_cast<double>(length) / all);
+    }
+    return std::sqrt(most);
+  }
+  // Below it the record is at rest. One that comes to rest shows there what its motion owes to noise.
+  double rest() const { return rest_; }
+  const Prepared& record() const { return p_; }
+
+ private:
+  double least_motion() const {
+    const Index part = a_period(p_);
+    double least = 1;
+    for (Index from = 0; from + part <= p_.samples; from += part) least = std::min(least, of(from, part));
+    return least;
+  }
+  // Over a quarter of a period, which takes noise of displacements down by as many samples.
+  std::vector<Vec> coarse_rates() const {
+    const Index half = std::max<Index>(1, a_period(p_) / 8);
+    std::vector<Vec> list;
+    for (size_t d = 0; d + 1 < p_.guess.size(); ++d) {
+      const Vec& x = p_.guess[d].x;
+      Vec rate(x.size());
+      for (Index i = 0; i < x.size(); ++i) {
+        const Index from = std::max<Index>(0, i - half), to = std::min<Index>(x.size() - 1, i + half);
+        rate[i] = (x[to] - x[from]) / (static_cast<double>(std::max<Index>(1, to - from)) * p_.step_s);
+      }
+      list.push_back(rate);
+    }
+    return list;
+  }
+  const Prepared& p_;
+  std::vector<Vec> rate_;
+  double rest_;
+};
 
 // Of a period: a reversal of regular motion is no rest of that length.
 constexpr Index kFine = 16;
@@ -40,36 +79,36 @@ constexpr double kQuiet = 0.5;
 constexpr Index kEvery = 3;
 
 // The length without the rest at its end.
-Index until_rest(const Prepared& p, double rest, Index from, Index length) {
-  for (const Index part : {a_period(p), std::max<Index>(2, a_period(p) / kFine)})
-    while (length > part && motion_of(p, from + length - part, part) <= rest) length -= part;
+Index until_rest(const Motion& m, Index from, Index length) {
+  for (const Index part : {a_period(m.record()), std::max<Index>(2, a_period(m.record()) / kFine)})
+    while (length > part && m.of(from + length - part, part) <= m.rest()) length -= part;
   return length;
 }
 
 // Samples of rest at its beginning, and the part of a period in which it is let go.
-Index held_at_first(const Prepared& p, double rest, Index from, Index length) {
-  const Index part = std::max<Index>(2, a_period(p) / kFine);
+Index held_at_first(const Motion& m, Index from, Index length) {
+  const Index part = std::max<Index>(2, a_period(m.record()) / kFine);
   Index held = 0;
-  while (held + 2 * part < length && motion_of(p, from + held, part) <= rest) held += part;
+  while (held + 2 * part < length && m.of(from + held, part) <= m.rest()) held += part;
   return held > 0 ? held + part : 0;
 }
 
-Span moving_span(const Prepared& p, double rest, bool pushed) {
-  const Index from = pushed ? 0 : held_at_first(p, rest, 0, p.samples);
-  return {from, from + until_rest(p, rest, from, p.samples - from)};
+Span moving_span(const Motion& m, bool pushed) {
+  const Index samples = m.record().samples, from = pushed ? 0 : held_at_first(m, 0, samples);
+  return {from, from + until_rest(m, from, samples - from)};
 }
 
 }  // namespace
 
-Span moving_span(const Prepared& p, bool pushed) { return moving_span(p, rest_of(p), pushed); }
+Span moving_span(const Prepared& p, bool pushed) { return moving_span(Motion(p), pushed); }
 
 double moving_share(const std::vector<Prepared>& records) {
   double moving = 0, all = 0;
   for (const Prepared& p : records) {
     const Index part = a_period(p);
-    const double rest = rest_of(p);
+    const Motion motion(p);
     for (Index from = 0; from + part <= p.samples; from += part)
-      all += 1, moving += motion_of(p, from, part) > rest ? 1 : 0;
+      all += 1, moving += motion.of(from, part) > motion.rest() ? 1 : 0;
   }
   return all > 0 ? moving / all : 1;
 }
@@ -100,10 +139,10 @@ std::vector<Window> lay_windows(const std::vector<Prepared>& records, double per
   const bool driven = forced(records) && !massless;
   for (size_t r = 0; r < records.size(); ++r) {
     const Prepared& p = records[r];
-    const double rest = rest_of(p);
-    const Span all = moving_span(p, rest, driven);
+    const Motion motion(p);
+    const Span all = moving_span(motion, driven);
     Index seen = all.from + static_cast<Index>((1 - unseen_share) * static_cast<double>(all.to - all.from));
-    const bool spread = driven && unseen_share > 0 && seen < all.to && motion_of(p, seen, all.to - seen) < kQuiet;
+    const bool spread = driven && unseen_share > 0 && seen < all.to && motion.of(seen, all.to - seen) < kQuiet;
     if (spread) seen = all.to;
     const auto cover = [&](Index from, Index to, bool unseen) {
       const double wanted = std::max<double>(static_cast<double>(kLeastLength), periods * p.period_s / p.step_s);
@@ -114,10 +153,10 @@ std::vector<Window> lay_windows(const std::vector<Prepared>& records, double per
         w.length = from + (i + 1) * (to - from) / count - w.from;
         w.unseen = unseen || (spread && i % kEvery == kEvery - 1);
         if (!driven) {
-          const Index held = held_at_first(p, rest, w.from, w.length);
-          w.from += held, w.length = until_rest(p, rest, w.from, w.length - held);
+          const Index held = held_at_first(motion, w.from, w.length);
+          w.from += held, w.length = until_rest(motion, w.from, w.length - held);
         }
-        if (w.length >= kLeastLength && motion_of(p, w.from, w.length) > rest) list.push_back(w);
+        if (w.length >= kLeastLength && motion.of(w.from, w.length) > motion.rest()) list.push_back(w);
       }
     };
     cover(all.from, seen, false);

@@ -47,7 +47,7 @@ const diagnosis::Parameter* find(const std::vector<diagnosis::Parameter>& parame
 
 // Given values have no status.
 std::string status_of(const diagnosis::Parameter& p, bool model_fits) {
-  return p.std > 0.0 ? diagnosis::status_word(model_fits && !diagnosis::impossible(p)) : "";
+  return p.std > 0.0 ? diagnosis::status_word(p, model_fits) : "";
 }
 
 // Those of the rig as given in their order, then what the extended rig adds.

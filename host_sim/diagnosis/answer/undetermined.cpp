@@ -1,0 +1,59 @@
+#include "undetermined.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace diagnosis::runs {
+namespace {
+
+double rate_of(const Task& task, const rig_file::Link& link) {
+  double largest = 0;
+  for (const Prepared& p : task.records) {
+    const auto rate = [&](int end) -> Vec {
+      return end >= 1 ? p.guess[static_cast<size_t>(end - 1)].v : Vec::Zero(p.samples);
+    };
+    largest =
+        std::max(largest, std::sqrt((rate(link.a) - rate(link.b)).squaredNorm() / static_cast<double>(p.samples)));
+  }
+  return largest;
+}
+
+bool reaches_beyond(const diagnosis::Parameter& p, double per_unit, double all) {
+  return 1.96 * p.std * per_unit > all;
+}
+
+void mark(const Task& task, std::vector<diagnosis::Parameter>& list) {
+  for (diagnosis::Parameter& p : list)
+    if (p.std > 0 && (p.name.rfind("mass[", 0) == 0 || p.name.rfind("stiffness[", 0) == 0))
+      p.undetermined = reaches_beyond(p, 1, std::abs(p.value));
+  for (size_t l = 0; l < task.system.known_links; ++l) {
+    const rig_file::Link& link = task.system.links[l];
+    const std::string label = "[" + rig_file::link_label(link) + "]";
+    const double rate = rate_of(task, link);
+    const auto force_per_unit = [&](const std::string& name) {
+      return name == "viscous" + label ? rate : name == "coulomb" + label ? 1.0 : 0.0;
+    };
+    for (int pass = 0; pass < 2; ++pass) {  // what is undetermined itself is no measure for another
+      double all = 0;
+      for (const diagnosis::Parameter& p : list) all += p.undetermined ? 0 : std::abs(p.value) * force_per_unit(p.name);
+      for (diagnosis::Parameter& p : list)
+        if (p.std > 0 && force_per_unit(p.name) > 0)
+          p.undetermined = p.undetermined || reaches_beyond(p, force_per_unit(p.name), all);
+    }
+  }
+}
+
+}  // namespace
+
+void mark_undetermined(const Task& task, Diagnosis& d) {
+  mark(task, d.baseline.parameters), mark(task, d.extended.parameters);
+  std::string names;
+  const std::vector<diagnosis::Parameter>& told = d.causes.empty() ? d.baseline.parameters : d.extended.parameters;
+  for (const diagnosis::Parameter& p : told)
+    if (p.undetermined) names += (names.empty() ? "" : ", ") + p.name;
+  if (!names.empty())
+    d.advice.push_back("these records do not tell " + names +
+                       ": record more of the motion (a decay from its start, several of them, or a driven record)");
+}
+
+}  // namespace diagnosis::runs
