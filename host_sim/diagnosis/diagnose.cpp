@@ -7,7 +7,9 @@
 #include "answer/hum.hpp"
 #include "answer/rows_borne_out.hpp"
 #include "answer/trifles.hpp"
+#include "answer/undetermined.hpp"
 #include "choice/held_force.hpp"
+#include "choice/mains_hum.hpp"
 #include "choice/wrong_numbers.hpp"
 
 namespace diagnosis {
@@ -92,6 +94,8 @@ Diagnosis diagnose(const rig_file::RigModel& rig, const std::vector<host_sim::Re
   runs::Choice choice = runs::rig_fitted(task);
   if (!runs::massless(rig) && !runs::right(task, choice) && runs::held_force(task, records, choice))
     choice = runs::rig_fitted(task);
+  std::vector<runs::Hum> hum = runs::take_out_hum(task, choice, records);
+  if (!hum.empty()) choice = runs::rig_fitted(task), choice.hum_taken = std::move(hum);
   progress(0.3);
   Diagnosis d;
   RowsSay say;
@@ -120,6 +124,7 @@ Diagnosis diagnose(const rig_file::RigModel& rig, const std::vector<host_sim::Re
   runs::drop_trifles(task, d);
   compare_nothing(d);
   state_rivals(d);
+  runs::mark_undetermined(task, d);
   for (const std::string& advice : advice_for(d)) d.advice.push_back(advice);
   progress(1);
   return d;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 #include "judgement.hpp"
 #include "sensors.hpp"
@@ -43,6 +44,74 @@ TEST(ChannelFaults, AGainOfTheForceIsTakenOutOfTheSimulation) {
     EXPECT_NEAR(answer.causes[0].parameters[0].value, draw.truth[0].strength, 0.003) << "seed " << seed;
     EXPECT_GT(answer.gain[0], 2) << "seed " << seed;
   }
+}
+
+// Where the truth is outside its 95 % interval by more than chance: 4 deviations, one in 16,000.
+void expect_true_dampers(const Draw& draw, const diagnosis::Diagnosis& answer) {
+  for (const TrueLink& l : draw.true_rig.links)
+    for (const diagnosis::Parameter& p : answer.extended.parameters) {
+      const std::string link = "[" + std::to_string(l.a + 1) + "-" + std::to_string(l.b + 1) + "]";
+      if (p.name == "viscous" + link) {
+        EXPECT_NEAR(p.value, l.c, 4 * p.std) << p.name << " " << told(draw, answer);
+      } else if (p.name == "coulomb" + link) {
+        EXPECT_NEAR(p.value, l.F, 4 * p.std) << p.name << " " << told(draw, answer);
+      }
+    }
+}
+
+// The rig's own numbers are those beside the corrected channel, and its motion is simulated as the channel reads it: of a
+// displacement 6 % off, noise of 1 % is left, and no damper is bent.
+TEST(ChannelFaults, TheNumbersAreThoseBesideTheFaultOfAnOnlyChannel) {
+  for (const char* channel : {"displacement_1_m", "displacement_3_m"})
+    for (uint64_t seed : {71, 72}) {
+      const Draw draw = make_draw(seed, fault("sensor_gain", channel, "x", 0.06, 3));
+      const diagnosis::Diagnosis answer = answer_to(draw);
+      ASSERT_EQ(judge(draw, answer), Outcome::kExact) << told(draw, answer);
+      expect_true_dampers(draw, answer);
+      EXPECT_GT(answer.gain[channel[13] == '1' ? 0 : 2], 3) << told(draw, answer);
+    }
+}
+
+// Four masses beside each other, let go: x = x0 exp(-s t) cos(w t + p), its derivatives, and each equation of motion exact:
+// m x'' + 2 m s x' + m (s^2 + w^2) x = 0. Twelve channels with noise of 1 % of their start, one reads 8 % too high.
+diagnosis::Diagnosis of_four_decays(double gain) {
+  std::mt19937_64 random(17);
+  std::normal_distribution<double> normal;
+  rig_file::RigModel rig;
+  rig.dofs.resize(4), rig.links.resize(4);
+  host_sim::Record record;
+  record.file = "record.csv", record.sample_period_s = 1e-3;
+  for (size_t d = 0; d < 4; ++d) {
+    const double s = 0.8 + 0.2 * static_cast<double>(d), w = 30 + 7 * static_cast<double>(d), m = 2, x0 = 0.01;
+    rig.dofs[d].mass_kg.value = m;
+    rig.links[d].a = static_cast<int>(d) + 1, rig.links[d].b = rig_file::kGround;
+    rig.links[d].stiffness_N_m.value = m * (s * s + w * w), rig.links[d].viscous_N_s_m.estimate = true;
+    std::vector<double> list[3];
+    for (int i = 0; i < 4000; ++i) {
+      const double t = i * 1e-3, e = x0 * std::exp(-s * t), p = w * t + static_cast<double>(d);
+      const double x = e * std::cos(p), v = -s * x - w * e * std::sin(p), a = -2 * s * v - (s * s + w * w) * x;
+      const double factor = d == 0 ? 1 + gain : 1;
+      list[0].push_back(x + 0.01 * x0 * normal(random)), list[1].push_back(v + 0.01 * w * x0 * normal(random));
+      list[2].push_back(factor * a + 0.01 * w * w * x0 * normal(random));
+    }
+    const int number = static_cast<int>(d) + 1;
+    const std::string dof = std::to_string(number);
+    record.channels.push_back({"displacement_" + dof + "_m", host_sim::Quantity::kDisplacement, number, list[0]});
+    record.channels.push_back({"velocity_" + dof + "_m_s", host_sim::Quantity::kVelocity, number, list[1]});
+    record.channels.push_back({"acceleration_" + dof + "_m_s2", host_sim::Quantity::kAcceleration, number, list[2]});
+  }
+  return diagnosis::diagnose(rig, {record}, {});
+}
+
+// It helps one channel of twelve, and that one by much.
+TEST(ChannelFaults, OneOfManyChannelsOfADecayIsNamed) {
+  EXPECT_EQ(of_four_decays(0).verdict, diagnosis::Verdict::kNone);
+  const diagnosis::Diagnosis answer = of_four_decays(0.08);
+  ASSERT_EQ(answer.causes.size(), 1u);
+  EXPECT_EQ(answer.causes[0].effect + " " + answer.causes[0].where, "sensor_gain channel acceleration_1_m_s2");
+  const diagnosis::Parameter& gain = answer.causes[0].parameters.at(0);
+  EXPECT_NEAR(gain.value, 0.08, 4 * gain.std);
+  EXPECT_LT(gain.std, 0.004);
 }
 
 // One channel per DOF: the equations of its neighbours bear it out. 1.5 ms are 0.5 rad at 50 Hz.

@@ -6,13 +6,12 @@
 
 #include "../terms/naming.hpp"
 #include "hum.hpp"
-#include "laws_apart.hpp"
+#include "materiality.hpp"
 
 namespace diagnosis::runs {
 namespace {
 
-constexpr double kLikeAHold = 0.1;   // of half a sample
-constexpr double kLeastGain = 1.05;  // on unseen data: a twentieth less missed is not a number that anybody acts on
+constexpr double kLikeAHold = 0.1;        // of half a sample
 constexpr double kHalfOfVariance = 70.7;  // NRMSE in percent
 
 // As the words and units of terms are kept. A backlash and what acts in another's place have that one's coefficient.
@@ -68,13 +67,6 @@ std::vector<diagnosis::Parameter> all_parameters(const Task& task, const std::ve
     if (a.added || !a.known)
       for (const diagnosis::Parameter& p : parameters_of_cause(task, list, a)) out.push_back(p);
   return out;
-}
-
-// Whether one of the rig's own coefficients leaves the interval that it had without the causes.
-bool moved(const std::vector<ActiveTerm>& before, const std::vector<ActiveTerm>& after) {
-  for (size_t i = 0; i < before.size() && i < after.size(); ++i)
-    if (!before[i].known && std::abs(after[i].value - before[i].value) > 1.96 * before[i].std) return true;
-  return false;
 }
 
 void take(const Score& score, ModelScore& to) {
@@ -139,24 +131,6 @@ Verdict verdict_of(const Task& task, const Choice& choice, bool noise, double wo
       (choice.noise_is_enough && worst_free_run < kHalfOfVariance && motion_error(task, choice.final) < kFollows) ||
       (worst_free_run < 100 * kSmall && motion_error(task, choice.final) < kSmall);
   return nothing_missing ? Verdict::kNone : Verdict::kUnknown;
-}
-
-// A cause beside which as much remains as before explains nothing: of what acts here it is not the name. Where only
-// noise remains it is a cause still if the rig's own numbers are others beside it, and the forces they make are. Where the
-// free run misses the whole motion with it as without, no window speaks for it.
-bool immaterial(const Task& task, const Choice& choice, bool noise, double worst_free_run, const Terms& base,
-                const Terms& full, const Diagnosis& d) {
-  if (choice.named.empty()) return false;
-  if (noise && moved(base, full) && laws_apart(task, choice.base.model, choice.final.model) > kLeastGain - 1)
-    return false;
-  const auto gain_of = [](const Fitted& now, const Fitted& before) {
-    return std::sqrt(1 / std::max(1e-12, error_over(now, before)));
-  };
-  double windows = gain_of(choice.final.unseen_fit, choice.base.unseen_fit);
-  for (const Named& n : choice.named)  // what acts at large motion alone does not show in the end of a decay
-    if (!n.shows_unseen) windows = std::max(windows, gain_of(choice.final.fit, choice.base.fit));
-  return (windows < kLeastGain || worst_free_run > 100) &&
-         std::all_of(d.gain.begin(), d.gain.end(), [](double gain) { return gain < kLeastGain; });
 }
 
 void withdraw_causes(const Task& task, const Terms& base, Diagnosis& d) {
@@ -281,7 +255,8 @@ void answer(const Task& task, const Choice& choice, Diagnosis& d) {
     d.verdict = noise || motion_error(task, choice.base) < kAsGoodAsRight ? Verdict::kNone : Verdict::kUnknown;
   }
   if (choice.base_fits_nothing && choice.named.empty()) say_cannot_describe(task, choice, d);
-  name_hum(task, choice.final_left, d);
+  if (!massless(task.system.rig))  // without masses what is left are forces
+    name_hum(task, choice.hum_taken.empty() ? choice.final_left.hum : choice.hum_taken, d);
   keep_rejected(d);
 }
 

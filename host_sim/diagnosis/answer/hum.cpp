@@ -26,15 +26,15 @@ Cause cause_of(const MotionTrace& t, const Hum& hum) {
 
 }  // namespace
 
-void name_hum(const Task& task, const Left& left, Diagnosis& d) {
+void name_hum(const Task& task, const std::vector<Hum>& hum, Diagnosis& d) {
   const std::vector<MotionTrace>& traces = task.records[0].traces;
-  if (left.hum.size() != traces.size() || traces.size() < 2) return;  // without masses the residuals are forces
+  if (hum.size() != traces.size()) return;
   size_t worst = 0, with_hum = 0;
   std::vector<double> share(traces.size());  // of the signal
   for (size_t i = 0; i < traces.size(); ++i) {
     const Vec& y = traces[i].y;
     const double rms = rms_about_mean(y);
-    share[i] = rms > 0 ? left.hum[i].amplitude / rms : 0;
+    share[i] = rms > 0 ? hum[i].amplitude / rms : 0;
     if (share[i] < kTrifle) share[i] = 0;
     with_hum += share[i] > 0;
     if (share[i] > share[worst]) worst = i;
@@ -46,16 +46,16 @@ void name_hum(const Task& task, const Left& left, Diagnosis& d) {
   const bool borne_out = std::any_of(traces.begin(), traces.end(), [&](const MotionTrace& t) {
     return t.dof == traces[worst].dof && t.quantity != traces[worst].quantity;
   });
-  if (share[worst] > kOneOfThem * next && (borne_out || !left.hum[worst].driven)) {
-    d.causes.push_back(cause_of(traces[worst], left.hum[worst]));
+  if (share[worst] > kOneOfThem * next && (borne_out || !hum[worst].driven)) {
+    d.causes.push_back(cause_of(traces[worst], hum[worst]));
     if (d.verdict == Verdict::kNone) d.verdict = Verdict::kExplained;
     return;
   }
-  if (left.hum[worst].driven) return;
+  if (hum[worst].driven) return;
   char text[120];
   std::snprintf(text, sizeof text,
                 "a hum of %.0f Hz lies on %zu of %zu motion channels: it is left out of the judgement",
-                left.hum[worst].hertz, with_hum, traces.size());
+                hum[worst].hertz, with_hum, traces.size());
   d.advice.push_back(text);
 }
 

@@ -96,7 +96,9 @@ Score score_unseen(const Task& task, const State& state, const Vec* noise) {
           }
         const Mat& simulated = of_quantity(run, measured->quantity);
         if (compared) driven[d].add(of_quantity(other, measured->quantity).row(i), simulated.row(i));
-        Vec alike = simulated.row(i), reading = measured->y.segment(w.from, w.length);
+        // as the channel reads it: with its gain, delay and hum
+        Vec reading = measured->y.segment(w.from, w.length);
+        Vec alike = reading - run.residual.segment((measured - p.traces.data()) * w.length, w.length);
         if (measured->quantity == 2)
           alike.array() -= alike.mean(), reading.array() -= reading.mean();  // its zero is free
         x[d].add(alike, reading);

@@ -8,13 +8,13 @@
 #include "../motion/drive_noise.hpp"
 #include "../record/fourier.hpp"
 #include "lines.hpp"
+#include "most_noise.hpp"
 #include "with_motion.hpp"
 
 namespace diagnosis::runs {
 namespace {
 
 constexpr double kAboveMotion = 1.4;  // times its highest frequency: the band that shows noise alone
-constexpr double kBeyondNoise = 3;    // in the band of the motion over beside it: 0.95 to 1.05 on complete drawn rigs
 
 // What such noise makes of a window's run beside its free state.
 Vec response(Evaluator& noisy, Window w, const WindowRun& run, size_t lane) {
@@ -57,6 +57,7 @@ std::vector<Vec> drives(const std::vector<Prepared>& records, const std::vector<
 // What the model leaves of each channel, windows end to end, and what noise of the drives would make of it.
 struct Leftovers {
   std::vector<std::vector<double>> rows, pushed;
+  std::vector<size_t> ends;  // of each record's part of the rows
   bool massless = false;
 };
 
@@ -95,6 +96,9 @@ bool run_all(const System& system, const std::vector<Prepared>& records, const S
     pushed[i] =
         pushes ? response(*noisy.evaluators[windows[i].record], windows[i], run, lane) : Vec::Zero(run.residual.size());
   });
+  out.ends.assign(records.size(), 0);
+  for (const Window& w : windows)
+    for (size_t r = w.record; r < out.ends.size(); ++r) out.ends[r] += static_cast<size_t>(w.length);
   for (size_t i = 0; i < windows.size() && finite; ++i)
     for (size_t c = 0; c < channels; ++c) {
       const Index at = static_cast<Index>(c) * windows[i].length;
@@ -104,12 +108,18 @@ bool run_all(const System& system, const std::vector<Prepared>& records, const S
   return finite;
 }
 
-// Mean square of what values in steps miss of the motion. Where it moves slowly over them that is no white noise: it may lie
-// in the band of the motion altogether.
-double of_steps(const std::vector<Prepared>& records, size_t channel) {
-  double largest = 0;
-  for (const Prepared& p : records) largest = std::max(largest, p.traces[channel].step);
-  return largest * largest / 12;
+// The largest of the records' hums of a channel: from one record to the next its phase jumps.
+Hum largest_hum(const Leftovers& over, size_t channel, double step_s, const std::vector<std::vector<Vec>>& driving) {
+  Hum largest;
+  for (size_t r = 0, from = 0; r < over.ends.size(); from = over.ends[r++]) {
+    const auto begin = over.rows[channel].begin();
+    const std::vector<double> own(begin + static_cast<std::ptrdiff_t>(from),
+                                  begin + static_cast<std::ptrdiff_t>(over.ends[r]));
+    if (own.empty()) continue;
+    const Hum hum = hum_in(spectrum(own), fast_length(own.size()), step_s, driving[r]);
+    if (hum.amplitude > largest.amplitude) largest = hum;
+  }
+  return largest;
 }
 
 }  // namespace
@@ -124,7 +134,15 @@ Left left_by(const System& system, const std::vector<Prepared>& records, const S
   const double step = records[0].step_s;
   double low_Hz = 1e300, top_Hz = 0;
   for (const Prepared& p : records) low_Hz = std::min(low_Hz, 0.5 / p.period_s), top_Hz = std::max(top_Hz, p.top_Hz);
+  const Vec most = over.massless ? Vec::Constant(static_cast<Index>(channels), 1e300) : most_noise(records);
   const std::vector<Vec> driving = drives(records, state.seen);
+  std::vector<std::vector<Vec>> driving_each;  // record by record
+  for (size_t r = 0; r < records.size(); ++r) {
+    std::vector<Window> own;
+    for (const Window& w : state.seen)
+      if (w.record == r) own.push_back(w);
+    driving_each.push_back(drives(records, own));
+  }
   for (size_t c = 0; c < channels; ++c) {
     const size_t n = fast_length(rows[c].size());
     const Vec p = spectrum(rows[c]), by_force = spectrum(pushed[c]);
@@ -139,7 +157,7 @@ Left left_by(const System& system, const std::vector<Prepared>& records, const S
       if (static_cast<double>(i) >= from) beside.push_back(p[i]);
       if (hertz >= low_Hz && hertz <= top_Hz) inside.push_back(p[i]), sum += p[i], allowed += by_force[i];
     }
-    const double level = median(beside) / kMedianOfSpread;
+    const double level = std::min(median(beside) / kMedianOfSpread, most[static_cast<Index>(c)]);
     double pushed_level = 0;
     for (double value : pushed[c]) pushed_level += value * value;
     allowed += std::max(level * static_cast<double>(inside.size()), of_steps(records, c) * static_cast<double>(n) / 2);
@@ -147,9 +165,10 @@ Left left_by(const System& system, const std::vector<Prepared>& records, const S
     left.noise[static_cast<Index>(c)] = level + pushed_level / static_cast<double>(pushed[c].size());
     left.in_band[static_cast<Index>(c)] = inside.empty() || allowed <= 0 ? 1 : sum / allowed;
     highest_lines(p, by_force, static_cast<Index>(low_Hz / bin), static_cast<Index>(top_Hz / bin), bin, driving, left);
-    left.hum.push_back(hum_in(p, n, step, driving));
+    left.hum.push_back(largest_hum(over, c, step, driving_each));
   }
-  if (left.worst() > kBeyondNoise && left.line < kLine && !over.massless)
+  const bool may_be_noise = !over.massless && (state.fit.mean_square.array() <= most.array()).all();
+  if (left.worst() > kBeyondNoise && left.line < kLine && may_be_noise)
     left.with_motion = with_motion(system, records, state), left.with_loudness = with_loudness(records, state);
   return left;
 }

@@ -75,6 +75,7 @@ RowsSay ask_rows(const System& system, const Asked& asked) {
   say.noise_only = remainder.noise_only;
   d.unknown_trace = remainder.trace;
   if (!say.noise_only) return say;
+  say.faults.insert(say.faults.end(), alone.faults.begin(), alone.faults.end());
   Rows& rows = *bench.rows;
   report_terms(system, rows, found, d);
   for (const ActiveTerm& a : found.model) say.model.push_back({a.term, a.value});

@@ -1,0 +1,57 @@
+#include "materiality.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "laws_apart.hpp"
+
+namespace diagnosis::runs {
+namespace {
+
+constexpr double kLeastGain = 1.05;  // on unseen data: a twentieth less missed is not a number that anybody acts on
+
+// Whether one of the rig's own coefficients leaves the interval that it had without the causes.
+bool moved(const std::vector<ActiveTerm>& before, const std::vector<ActiveTerm>& after) {
+  for (size_t i = 0; i < before.size() && i < after.size(); ++i)
+    if (!before[i].known && std::abs(after[i].value - before[i].value) > 1.96 * before[i].std) return true;
+  return false;
+}
+
+// How many times smaller the error is, of the channel that gains most where all together do not lose: one sensor's fault
+// shows in one of many. noise: mean square per channel that no model takes; empty: none.
+double gain_of(const Fitted& now, const Fitted& before, const Vec& noise = Vec()) {
+  const double together = error_over(now, before);
+  if (!(together < 1)) return std::sqrt(1 / together);
+  double least = 1;
+  for (Index c = 0; c < now.mean_square.size(); ++c) {
+    const double beyond = before.mean_square[c] - (noise.size() ? noise[c] : 0);
+    const double left = std::max(now.mean_square[c] - (noise.size() ? noise[c] : 0), 1e-12 * before.mean_square[c]);
+    if (beyond > left) least = std::min(least, left / beyond);
+  }
+  return std::sqrt(1 / least);
+}
+
+// By how much the windows gain. Unseen ones may be mostly noise (the end of a decay): where those of the fit gain, it is
+// enough that of what is not noise in the others as much is gained.
+double windows_gain(const Choice& choice) {
+  const double seen = gain_of(choice.final.fit, choice.base.fit);
+  double gain = gain_of(choice.final.unseen_fit, choice.base.unseen_fit);
+  gain =
+      std::max(gain, std::min(seen, gain_of(choice.final.unseen_fit, choice.base.unseen_fit, choice.final_left.noise)));
+  for (const Named& n : choice.named)  // what acts at large motion alone does not show in the end of a decay
+    if (!n.shows_unseen) gain = std::max(gain, seen);
+  return gain;
+}
+
+}  // namespace
+
+bool immaterial(const Task& task, const Choice& choice, bool noise, double worst_free_run,
+                const std::vector<ActiveTerm>& base, const std::vector<ActiveTerm>& full, const Diagnosis& d) {
+  if (choice.named.empty()) return false;
+  if (noise && moved(base, full) && laws_apart(task, choice.base.model, choice.final.model) > kLeastGain - 1)
+    return false;
+  return (windows_gain(choice) < kLeastGain || worst_free_run > 100) &&
+         std::all_of(d.gain.begin(), d.gain.end(), [](double gain) { return gain < kLeastGain; });
+}
+
+}  // namespace diagnosis::runs

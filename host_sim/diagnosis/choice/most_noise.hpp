@@ -1,0 +1,18 @@
+// How much of what is left noise may be.
+#pragma once
+#include "choice.hpp"
+
+namespace diagnosis::runs {
+
+constexpr double kBeyondNoise = 3;  // in the band of the motion over beside it: 0.95 to 1.05 on complete drawn rigs
+
+// Mean square of what values in steps miss of the motion. Where it moves slowly over them that is no white noise: it may lie
+// in the band of the motion altogether.
+double of_steps(const std::vector<Prepared>& records, size_t channel);
+
+// Mean square per channel that noise may have, of any colour: what the sensors show where the rig is at rest after it has moved,
+// and their steps. Huge where no record rests for a period, and of accelerations: friction makes them jump, and when it does is known
+// to a sample at best.
+Vec most_noise(const std::vector<Prepared>& records);
+
+}  // namespace diagnosis::runs
