@@ -41,8 +41,7 @@ json to_json(const Cause& c) {
 
 json to_json(const ModelScore& s, bool fits) {
   json parameters = to_json(s.parameters);
-  for (size_t i = 0; i < s.parameters.size(); ++i)
-    parameters[i]["status"] = status_word(s.parameters[i], fits);
+  for (size_t i = 0; i < s.parameters.size(); ++i) parameters[i]["status"] = status_word(s.parameters[i], fits);
   return {{"parameters", std::move(parameters)},
           {"holdout_nrmse_percent", s.holdout_nrmse_percent},
           {"holdout_velocity_nrmse_percent", s.holdout_velocity_nrmse_percent},
