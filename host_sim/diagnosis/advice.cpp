@@ -64,9 +64,12 @@ std::vector<std::string> advice_for(const Diagnosis& d) {
     say("a force remains that no effect of the vocabulary explains: look at the residual against elongation, rate and "
         "time, "
         "and record with one suspected part removed or held");
-  if (d.verdict == Verdict::kNone)
-    say("nothing beyond measurement noise: to see weaker effects than those listed, record longer or at a higher "
-        "level");
+  if (d.verdict == Verdict::kNone && !d.unknown_trace.empty())
+    say("what is left looks faintly like " + d.unknown_trace +
+        ", too little to bend a number: record at a higher level");
+  else if (d.verdict == Verdict::kNone)
+    say((d.leaves_noise_alone() ? "nothing beyond measurement noise: " : "") +
+        std::string("to see weaker effects than those listed, record longer or at a higher level"));
   bool offset = false, fault = false;  // that no strength would show
   for (const DetectionLimit& l : d.minimum_detectable) {
     offset = offset || (std::isinf(l.strength) && l.effect == "force_offset");

@@ -71,6 +71,8 @@ struct Diagnosis {
   bool noise_hides() const {
     return verdict == Verdict::kUnknown && causes.empty() && cannot_describe.empty() && baseline_misfit < kStillNoise;
   }
+  // Whether what the rig as given leaves is noise, and looks like nothing else.
+  bool leaves_noise_alone() const { return baseline_misfit < kStillNoise && unknown_trace.empty(); }
   std::vector<Cause> causes;
   std::vector<NamedPlace> ambiguous_with;  // every cause's rivals
   std::vector<Cause> rejected;             // fitted better, simulated worse on held-out data

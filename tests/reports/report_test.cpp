@@ -258,9 +258,8 @@ TEST(Verdict, SaysWhereNoiseHidesAll) {
 TEST(Verdict, NoneDoesNotDenyWhatIsLeft) {
   DiagnosisReportData data;
   data.verdict = "none";
-  data.misfit = 1.1;
   EXPECT_TRUE(contains(verdict_sentence(data), "Nothing is left beyond measurement noise"));
-  data.misfit = 40.0;
+  data.leaves_noise_alone = false;
   EXPECT_TRUE(contains(verdict_sentence(data), "neither helps to predict unseen data nor moves a coefficient"));
 }
 

@@ -195,8 +195,7 @@ void choose(const Task& task, Choice& choice, const std::function<void(double)>&
   const bool more_left = choice.named.empty() || (choice.periods > kLongDecay &&
                                                   beyond_noise(left_by(task.system, task.records, choice.final)));
   // "unknown" is not said before windows of other lengths are searched
-  const bool worth_it =
-      beyond_noise(choice.base_left) || noise_share(choice.base_left, choice.base.fit) < kMostlyNoise;
+  const bool worth_it = beyond_noise(choice.base_left) || noise_share(choice.base_left, choice.base.fit) < kMostlyNoise;
   if (more_left && worth_it) search_shorter(task, choice, progress);
   if (choice.named.empty() && worth_it) search_longer(task, choice, progress);
   weigh_rivals(task, progress, choice);

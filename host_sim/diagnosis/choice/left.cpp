@@ -14,6 +14,7 @@
 namespace diagnosis::runs {
 namespace {
 
+constexpr double kAlike = 4;  // times, of power: halves of a line that noise of a 25th of it shakes differ by less
 constexpr double kAboveMotion = 1.4;  // times its highest frequency: the band that shows noise alone
 
 // What such noise makes of a window's run beside its free state.
@@ -108,8 +109,23 @@ bool run_all(const System& system, const std::vector<Prepared>& records, const S
   return finite;
 }
 
-// The largest of the records' hums of a channel: from one record to the next its phase jumps.
-Hum largest_hum(const Leftovers& over, size_t channel, double step_s, const std::vector<std::vector<Vec>>& driving) {
+// The mains do not die away with the motion: both halves hold as much of it.
+bool lasts(const std::vector<double>& rows, double mains_Hz, double step_s) {
+  double power[2] = {0, 0};
+  const auto middle = rows.begin() + static_cast<std::ptrdiff_t>(rows.size() / 2);
+  for (int half = 0; half < 2; ++half) {
+    const std::vector<double> own(half ? middle : rows.begin(), half ? rows.end() : middle);
+    const Vec p = spectrum(own);
+    const double bin_Hz = 1 / (static_cast<double>(fast_length(own.size())) * step_s);
+    const Index from = std::max<Index>(1, static_cast<Index>((mains_Hz - kMainsWidth_Hz) / bin_Hz));
+    for (Index i = from; i < p.size() && static_cast<double>(i - 1) * bin_Hz <= mains_Hz + kMainsWidth_Hz; ++i)
+      power[half] = std::max(power[half], p[i]);
+  }
+  return power[0] < kAlike * power[1] && power[1] < kAlike * power[0];
+}
+
+// A channel's hum, the largest of its records': the mains are in every one of them. From one to the next its phase jumps.
+Hum hum_of(const Leftovers& over, size_t channel, double step_s, const std::vector<std::vector<Vec>>& driving) {
   Hum largest;
   for (size_t r = 0, from = 0; r < over.ends.size(); from = over.ends[r++]) {
     const auto begin = over.rows[channel].begin();
@@ -117,6 +133,7 @@ Hum largest_hum(const Leftovers& over, size_t channel, double step_s, const std:
                                   begin + static_cast<std::ptrdiff_t>(over.ends[r]));
     if (own.empty()) continue;
     const Hum hum = hum_in(spectrum(own), fast_length(own.size()), step_s, driving[r]);
+    if (hum.amplitude == 0 || !lasts(own, hum.hertz, step_s)) return {};
     if (hum.amplitude > largest.amplitude) largest = hum;
   }
   return largest;
@@ -165,7 +182,7 @@ Left left_by(const System& system, const std::vector<Prepared>& records, const S
     left.noise[static_cast<Index>(c)] = level + pushed_level / static_cast<double>(pushed[c].size());
     left.in_band[static_cast<Index>(c)] = inside.empty() || allowed <= 0 ? 1 : sum / allowed;
     highest_lines(p, by_force, static_cast<Index>(low_Hz / bin), static_cast<Index>(top_Hz / bin), bin, driving, left);
-    left.hum.push_back(largest_hum(over, c, step, driving_each));
+    left.hum.push_back(hum_of(over, c, step, driving_each));
   }
   const bool may_be_noise = !over.massless && (state.fit.mean_square.array() <= most.array()).all();
   if (left.worst() > kBeyondNoise && left.line < kLine && may_be_noise)

@@ -107,7 +107,7 @@ DiagnosisReportData findings_of(const rig_file::RigModel& rig, const std::vector
     data.facts.push_back("held out: " + std::filesystem::path(record.file).filename().string());
   data.facts.push_back(text(static_cast<double>(first.samples()) * first.sample_period_s, "%g s") +
                        text(1.0 / first.sample_period_s, " at %g Hz"));
-  data.misfit = found.baseline_misfit;
+  data.leaves_noise_alone = found.leaves_noise_alone();
   data.noise_hides = found.noise_hides();
   data.cannot_describe = found.cannot_describe;
   const bool extended = !found.causes.empty();

@@ -131,9 +131,6 @@ std::string joined(std::initializer_list<std::string> sentences) {
   return out;
 }
 
-// Chi-squared of twice the noise: more than an estimate of the noise is ever off by.
-constexpr double kBeyondNoise = 2.0;
-
 }  // namespace
 
 std::string cause_text(const std::string& effect, const std::string& where) {
@@ -177,9 +174,9 @@ std::string verdict_headline(const DiagnosisReportData& data) {
 
 std::string verdict_details(const DiagnosisReportData& data) {
   if (data.verdict == "none")
-    return data.misfit > kBeyondNoise
-               ? "What is left beyond measurement noise neither helps to predict unseen data nor moves a coefficient."
-               : "Nothing is left beyond measurement noise that these data could show.";
+    return data.leaves_noise_alone
+               ? "Nothing is left beyond measurement noise that these data could show."
+               : "What is left beyond measurement noise neither helps to predict unseen data nor moves a coefficient.";
   if (data.verdict == "ambiguous") return ambiguous_details(data);
   if (!data.cannot_describe.empty()) return data.cannot_describe;
   const std::string missed = missed_text(data.gains, !data.causes.empty());
