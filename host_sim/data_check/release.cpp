@@ -172,8 +172,10 @@ std::vector<DecaySpan> free_decays(const Record& record) {
   return spans;
 }
 
-std::optional<Finding> find_release(const Record& record) {
-  const std::vector<DecaySpan> decays = free_decays(record);
+namespace {
+
+// Nothing where the decays are the whole record.
+std::optional<Finding> finding_of(const Record& record, const std::vector<DecaySpan>& decays) {
   if (decays.empty() || (decays.size() == 1 && decays[0].from == 0 && decays[0].to == record.samples()))
     return std::nullopt;
   const auto at = [&](size_t sample) {
@@ -184,25 +186,28 @@ std::optional<Finding> find_release(const Record& record) {
   return Finding{"release", Weight::kInforms, "",
                  "decays freely from " + list +
                      "; elsewhere energy comes in that no force channel tells of (a hand, a pull, a blow; a hidden "
-                     "mass that beats "
-                     "with it): left out by estimate and "
-                     "diagnose",
+                     "mass that beats with it): left out by estimate and diagnose",
                  static_cast<double>(decays[0].from) * record.sample_period_s};
 }
+
+}  // namespace
+
+std::optional<Finding> find_release(const Record& record) { return finding_of(record, free_decays(record)); }
 
 std::vector<std::string> keep_decays(std::vector<Record>& records) {
   std::vector<std::string> told;
   std::vector<Record> kept;
   size_t room = records.size() < kMostRecords ? kMostRecords - records.size() : 0;
   for (Record& record : records) {
-    const auto finding = find_release(record);
+    const std::vector<DecaySpan> decays = free_decays(record);
+    const auto finding = finding_of(record, decays);
     if (!finding) {
       kept.push_back(std::move(record));
       continue;
     }
     told.push_back(record.file + ": " + finding->detail);
     size_t number = 0;
-    for (const DecaySpan& d : free_decays(record)) {
+    for (const DecaySpan& d : decays) {
       if (number > 0 && room == 0) break;
       room -= number > 0 ? 1 : 0;
       Record part = record;

@@ -1,7 +1,7 @@
 // Contract section 5, "diagnosis/1".
 #include <nlohmann/json.hpp>
 
-#include "answer/impossible.hpp"
+#include "answer/parameter_status.hpp"
 #include "diagnosis.hpp"
 
 namespace diagnosis {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "host_sim/diagnosis/answer/impossible.hpp"
+#include "host_sim/diagnosis/answer/parameter_status.hpp"
 
 namespace diagnosis::runs {
 namespace {

@@ -24,8 +24,8 @@ double gain_of(const Fitted& now, const Fitted& before, const Vec& noise = Vec()
   if (!(together < 1)) return std::sqrt(1 / together);
   double least = 1;
   for (Index c = 0; c < now.mean_square.size(); ++c) {
-    const double beyond = before.mean_square[c] - (noise.size() ? noise[c] : 0);
-    const double left = std::max(now.mean_square[c] - (noise.size() ? noise[c] : 0), 1e-12 * before.mean_square[c]);
+    const double of_noise = noise.size() ? noise[c] : 0, beyond = before.mean_square[c] - of_noise;
+    const double left = std::max(now.mean_square[c] - of_noise, 1e-12 * before.mean_square[c]);
     if (beyond > left) least = std::min(least, left / beyond);
   }
   return std::sqrt(1 / least);
@@ -34,13 +34,13 @@ double gain_of(const Fitted& now, const Fitted& before, const Vec& noise = Vec()
 // By how much the windows gain. Unseen ones may be mostly noise (the end of a decay): where those of the fit gain, it is
 // enough that of what is not noise in the others as much is gained.
 double windows_gain(const Choice& choice) {
-  const double seen = gain_of(choice.final.fit, choice.base.fit);
-  double gain = gain_of(choice.final.unseen_fit, choice.base.unseen_fit);
-  gain =
-      std::max(gain, std::min(seen, gain_of(choice.final.unseen_fit, choice.base.unseen_fit, choice.final_left.noise)));
-  for (const Named& n : choice.named)  // what acts at large motion alone does not show in the end of a decay
-    if (!n.shows_unseen) gain = std::max(gain, seen);
-  return gain;
+  const State &now = choice.final, &before = choice.base;
+  const double seen = gain_of(now.fit, before.fit), unseen = gain_of(now.unseen_fit, before.unseen_fit),
+               beyond_noise = gain_of(now.unseen_fit, before.unseen_fit, choice.final_left.noise);
+  // what acts at large motion alone does not show in the end of a decay
+  const bool hidden =
+      std::any_of(choice.named.begin(), choice.named.end(), [](const Named& n) { return !n.shows_unseen; });
+  return std::max(unseen, hidden ? seen : std::min(seen, beyond_noise));
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <memory>
 
-#include "../fit/in_parallel.hpp"
+#include "../fit/run_windows.hpp"
 #include "../motion/drive_noise.hpp"
 #include "../record/fourier.hpp"
 #include "lines.hpp"
@@ -87,12 +87,7 @@ bool run_all(const System& system, const std::vector<Prepared>& records, const S
   const bool force_noise = drives_have_noise(records), pushes = force_noise && !out.massless;
   const NoisyRecords noisy(system, pushes ? records : std::vector<Prepared>{}, state);
   std::vector<Vec> rows(windows.size()), pushed(windows.size());
-  std::vector<WindowRun> runs(lanes());
-  std::atomic<bool> finite{true};
-  in_parallel(windows.size(), [&](size_t i, size_t lane) {
-    WindowRun& run = runs[lane];
-    if (finite && !evaluator.run(windows[i], force_noise, false, run, lane)) finite = false;
-    if (!finite) return;
+  const bool finite = run_windows(evaluator, windows, force_noise, [&](size_t i, const WindowRun& run, size_t lane) {
     rows[i] = run.residual;
     pushed[i] =
         pushes ? response(*noisy.evaluators[windows[i].record], windows[i], run, lane) : Vec::Zero(run.residual.size());

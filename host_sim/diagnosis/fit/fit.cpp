@@ -5,7 +5,7 @@
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 
-#include "in_parallel.hpp"
+#include "run_windows.hpp"
 
 namespace diagnosis::runs {
 namespace {
@@ -152,11 +152,8 @@ Pass pass_over(Evaluator& evaluator, const std::vector<Window>& windows, const V
   Pass pass;
   const Index channels = static_cast<Index>(evaluator.traces(0).size());
   pass.windows.resize(windows.size());
-  std::vector<WindowRun> runs(lanes());
-  std::atomic<bool> finite{true};
-  in_parallel(windows.size(), [&](size_t i, size_t lane) {
-    if (finite && !evaluator.run(windows[i], slopes, false, runs[lane], lane)) finite = false;
-    if (finite) pass.windows[i] = normal_of(runs[lane], windows[i], slopes ? weights : nullptr, channels, parts);
+  const bool finite = run_windows(evaluator, windows, slopes, [&](size_t i, WindowRun& run, size_t) {
+    pass.windows[i] = normal_of(run, windows[i], slopes ? weights : nullptr, channels, parts);
   });
   if (!finite) return {};
   Vec sum = Vec::Zero(channels);

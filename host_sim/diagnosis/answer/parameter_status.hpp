@@ -1,4 +1,4 @@
-// Numbers that no rig has.
+// What a fitted number is worth.
 #pragma once
 #include "../diagnosis.hpp"
 
