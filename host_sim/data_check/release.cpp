@@ -114,6 +114,24 @@ std::vector<Span> between_blows(const Windows& energy) {
   return spans;
 }
 
+// Whether the energy falls all along: to a quarter, or, in the little that is recorded of a long decay, by more than it may rise, and
+// from each quarter of the time to the next by more than it ever rises.
+bool falls(const Windows& energy, const Windows& later, size_t from, size_t to) {
+  constexpr size_t kQuarters = 4;
+  std::vector<double> mean;
+  for (size_t q = 0; q < kQuarters; ++q) {
+    const size_t begin = from + q * (to - from) / kQuarters, end = from + (q + 1) * (to - from) / kQuarters;
+    const auto at = [&](size_t i) { return energy.begin() + static_cast<std::ptrdiff_t>(i); };
+    mean.push_back(std::accumulate(at(begin), at(end), 0.0) / static_cast<double>(end - begin));
+  }
+  if (mean.back() <= kFalls * later[from]) return true;
+  double rise = 1.0;
+  for (size_t i = from; i < to; ++i) rise = std::max(rise, later[i] / energy[i]);
+  for (size_t q = 0; q + 1 < kQuarters; ++q)
+    if (mean[q] <= rise * mean[q + 1]) return false;
+  return mean.front() > kRises * mean.back();
+}
+
 // In windows; from: the first that has all its energy. Nothing where the span is no decay.
 struct Decay {
   size_t from = 0, to = 0;
@@ -128,9 +146,7 @@ std::optional<Decay> decay_in(const Windows& energy, const Span& span) {
   const auto window = [&](size_t i) { return energy.begin() + static_cast<std::ptrdiff_t>(i); };
   const auto rest = std::find_if(window(at), window(span.to), [&](double e) { return e < kRestEnergy * later[at]; });
   const double periods = static_cast<double>(rest - window(at)) / static_cast<double>(kHops);
-  const size_t quarter = (span.to - at + 3) / 4;
-  const double last = std::accumulate(window(span.to - quarter), window(span.to), 0.0) / static_cast<double>(quarter);
-  if (periods < kLeastPeriods || last > kFalls * later[at]) return std::nullopt;
+  if (periods < kLeastPeriods || !falls(energy, later, at, span.to)) return std::nullopt;
   return Decay{at, span.to, periods};
 }
 

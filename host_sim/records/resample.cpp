@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "host_sim/records/data_file_error.hpp"
 #include "host_sim/records/even_times.hpp"
@@ -54,14 +55,34 @@ void weights_at(const double* time_s, double t, double* weight) {
   }
 }
 
+// The polynomial leaves a flat top at its edges, and the top would be flat no more. So where a channel stays at its highest or
+// lowest value for three samples in a row (a smooth motion turns within two), what it reads ends there.
+struct Range {
+  double lowest = -std::numeric_limits<double>::infinity(), highest = std::numeric_limits<double>::infinity();
+};
+Range range_of(const std::vector<double>& values) {
+  constexpr size_t kFlat = 3;
+  const auto [lowest, highest] = std::minmax_element(values.begin(), values.end());
+  const auto stays_at = [&](double end) {
+    return std::search_n(values.begin(), values.end(), kFlat, end) != values.end();
+  };
+  Range range;
+  if (stays_at(*lowest)) range.lowest = *lowest;
+  if (stays_at(*highest)) range.highest = *highest;
+  return range;
+}
+
 Record part_at(const Record& record, const std::vector<double>& time_s, const Part& part, double rate_Hz) {
   Record out;
   out.file = record.file;
   out.start_s = time_s[part.first];
   out.sample_period_s = 1.0 / rate_Hz;
   const auto count = static_cast<size_t>((time_s[part.end - 1] - out.start_s) * rate_Hz * (1.0 + 1e-12)) + 1;
-  for (const Channel& channel : record.channels)
+  std::vector<Range> ranges;
+  for (const Channel& channel : record.channels) {
     out.channels.push_back({channel.name, channel.quantity, channel.dof, std::vector<double>(count)});
+    ranges.push_back(range_of(channel.values));
+  }
   size_t before = part.first;  // the last sample that is not after t
   double weight[kPoints];
   for (size_t i = 0; i < count; ++i) {
@@ -73,7 +94,7 @@ Record part_at(const Record& record, const std::vector<double>& time_s, const Pa
     for (size_t c = 0; c < out.channels.size(); ++c) {
       double value = 0.0;
       for (size_t j = 0; j < kPoints; ++j) value += weight[j] * record.channels[c].values[first + j];
-      out.channels[c].values[i] = value;
+      out.channels[c].values[i] = std::clamp(value, ranges[c].lowest, ranges[c].highest);
     }
   }
   return out;

@@ -82,6 +82,26 @@ TEST(Release, OfAShortDecayCostsHalfAPeriod) {
   EXPECT_LE(led, 150 + kPeriod);
 }
 
+// Of a long decay little is recorded: in the 10.5 s the energy falls to exp(-2 * 10.5 / tau), 0.35 for 20 s and 0.50 for 30 s.
+TEST(Release, OfALongDecayIsFoundBeforeItHasHalved) {
+  for (const double tau_s : {20.0, 30.0}) {
+    const auto free = [=](double t) { return decay(t - 1.5, tau_s); };
+    expect_release(record_of([&](double t) { return t < 1.5 ? std::min(1.0, 2 * t) : free(t); }), "a pull");
+    expect_release(record_of([&](double t) { return t < 1.5 ? 0.6 * std::sin(5 * t) : free(t); }), "a hand");
+  }
+}
+
+// What an unrecorded coil keeps swinging, at once or after it has overshot by a fifth (energy 1.44), is none.
+TEST(Release, IsNotFoundWhereAMotionIsKeptUp) {
+  const auto kept = [](double overshoot) {
+    return [=](double t) {
+      return t < 1.5 ? 0.0 : (1 + overshoot * std::exp(-(t - 1.5) / 1.5)) * std::sin(kTurn * (t - 1.5));
+    };
+  };
+  EXPECT_EQ(samples_before_release(record_of(kept(0.0))), 0u);
+  EXPECT_EQ(samples_before_release(record_of(kept(0.2))), 0u);
+}
+
 TEST(Release, IsNotFoundWhereNothingDecays) {
   std::mt19937 random(9);
   std::normal_distribution<double> normal;

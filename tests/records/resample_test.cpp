@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -54,6 +55,25 @@ TEST(Resample, ASineOfEightSamplesAPeriodIsRightToATenthOfAPercent) {
     worst = std::max(worst, std::abs(record.channels[0].values[i] - of(0.004 * static_cast<double>(i))));
   EXPECT_LT(worst, 0.00115);
   EXPECT_GT(worst, 0.0005);  // it is this formula's error and no other's
+}
+
+TEST(Resample, AFlatTopStaysFlat) {
+  // 5 Hz of height 1, cut at 0.9: of its 20 samples a period sin > 0.9 for 2 acos(0.9) / (2 pi) = 0.144 of it, 2.9 samples.
+  const Record record = resampled(
+      made(uneven_times(400), [](double t) { return std::clamp(std::sin(2 * M_PI * 5 * t), -2.0, 0.9); }), 100.0)[0];
+  const std::vector<double>& y = record.channels[0].values;
+  EXPECT_EQ(*std::max_element(y.begin(), y.end()), 0.9);
+  EXPECT_GT(std::count(y.begin(), y.end(), 0.9), 30);        // 20 tops
+  EXPECT_LT(*std::min_element(y.begin(), y.end()), -0.987);  // cos(pi / 20): a sample on each side of the turn
+}
+
+TEST(Resample, ATurnBetweenTwoEqualSamplesIsNotCutOff) {
+  // Eight samples a period at odd sixteenths: the highest are two in a row, at cos(pi / 8) = 0.924 of the height.
+  std::vector<double> time_s(400);
+  for (size_t i = 0; i < time_s.size(); ++i) time_s[i] = 0.01 * static_cast<double>(i);
+  const auto of = [](double t) { return std::sin(2 * M_PI * 12.5 * (t + 0.005)); };
+  const std::vector<double> y = resampled(made(time_s, of), 200.0).at(0).channels[0].values;
+  EXPECT_NEAR(*std::max_element(y.begin() + 10, y.end() - 10), 1.0, 0.00115);
 }
 
 TEST(Resample, WholeMillisecondsAreNoJitter) {
