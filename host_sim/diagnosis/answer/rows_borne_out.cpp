@@ -5,6 +5,7 @@
 #include "../choice/attempt.hpp"
 #include "../choice/horizon.hpp"
 #include "../terms/naming.hpp"
+#include "rows_outdone.hpp"
 #include "run_limits.hpp"
 
 namespace diagnosis::runs {
@@ -58,7 +59,9 @@ bool stands(const Task& task, const Choice& fitted, const RowsSay& say, State& w
   with_them = fitted.base;
   if (!say.noise_only) return false;
   const Found found = found_by(fitted.base.model, say);
-  return found.list.empty() || borne_out(task, fitted.base, found.list, found.values, &with_them);
+  if (found.list.empty()) return true;
+  return borne_out(task, fitted.base, found.list, found.values, &with_them) &&
+         !outdone(task, fitted, found.list, with_them);
 }
 
 // A rig file that is wrong by much (a mass of twice its size: its accelerations are) follows its recording over no window,

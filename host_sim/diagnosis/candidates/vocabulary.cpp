@@ -155,7 +155,7 @@ std::vector<Candidate> candidates_beside(const System& s, const Model& model, co
       for (const Prepared& p : records)
         if (p.force[d].size()) {
           rms = std::max(rms, std::sqrt(p.force[d].squaredNorm() / static_cast<double>(p.force[d].size())));
-          noise = std::max(noise, noise_level(p.force[d]));
+          noise = std::max(noise, noise_of_force(p, d));
         }
       if (mass >= 0 && rms > 0)
         for (double share = 0.02; share < 1.2; share *= 1.35)

@@ -4,24 +4,27 @@
 
 namespace diagnosis::runs {
 
-void DriveNoise::disturb(Vec& y) {
-  const double sigma = noise_level(y);
-  for (double& value : y) value += sigma * normal_(random_);
+void DriveNoise::disturb(const Vec& sigma, Vec& y) {
+  for (Index i = 0; i < y.size(); ++i) y[i] += sigma[i] * normal_(random_);
 }
 
 Prepared DriveNoise::added_to(const Prepared& record) {
   Prepared noisy = record;
-  for (Vec& f : noisy.force) disturb(f);
-  for (Vec& b : noisy.base.reading) disturb(b);
+  const auto everywhere = [](const Vec& y) -> Vec { return Vec::Constant(y.size(), noise_level(y)); };
+  for (size_t d = 0; d < noisy.force.size(); ++d) {
+    const Vec& in_blows = record.noise_in_blows[d];
+    disturb(in_blows.size() ? in_blows : everywhere(record.force[d]), noisy.force[d]);
+  }
+  for (Vec& b : noisy.base.reading) disturb(everywhere(b), b);
   renew_base(noisy);
   return noisy;
 }
 
 bool drives_have_noise(const std::vector<Prepared>& records) {
-  const auto noisy = [](const Vec& y) { return noise_level(y) > 0; };
-  return std::any_of(records.begin(), records.end(), [&](const Prepared& p) {
-    return std::any_of(p.force.begin(), p.force.end(), noisy) ||
-           std::any_of(p.base.reading.begin(), p.base.reading.end(), noisy);
+  return std::any_of(records.begin(), records.end(), [](const Prepared& p) {
+    for (size_t d = 0; d < p.force.size(); ++d)
+      if (noise_of_force(p, d) > 0) return true;
+    return std::any_of(p.base.reading.begin(), p.base.reading.end(), [](const Vec& y) { return noise_level(y) > 0; });
   });
 }
 

@@ -6,13 +6,13 @@
 
 namespace diagnosis::runs {
 
-// Copies of records whose forces and bases carry another white noise of the same level beside their own.
+// Copies of records whose forces and bases carry another white noise of the same level beside their own; between blows none.
 class DriveNoise {
  public:
   Prepared added_to(const Prepared& record);
 
  private:
-  void disturb(Vec& y);
+  void disturb(const Vec& sigma, Vec& y);
   std::mt19937_64 random_{1};
   std::normal_distribution<double> normal_;
 };

@@ -50,16 +50,19 @@ Vec moving_part(const Vec& y) {
   return mostly_rest ? Vec(y.segment(from, to - from)) : y;
 }
 
+// About its mean under a Hann taper of unit mean square: what its spectrum shows at high frequencies is not that of the ends.
+Vec tapered(const Vec& y) {
+  Vec w = y.array() - y.mean();
+  for (Index i = 0; i < w.size(); ++i)
+    w[i] *= (0.5 - 0.5 * std::cos(kTwoPi * static_cast<double>(i) / static_cast<double>(w.size()))) / std::sqrt(0.375);
+  return w;
+}
+
 // Frequency below which nearly all power above the noise floor lies.
 double top_frequency(const Vec& whole, double step_s, bool displacement) {
   const Vec y = moving_part(whole);
   const size_t n = fast_length(static_cast<size_t>(y.size()));
-  Vec w = y.head(static_cast<Index>(n));
-  // take the straight line off, then a Hann taper: what is left at high frequencies is not that of the ends
-  w.array() -= w.mean();
-  for (Index i = 0; i < w.size(); ++i)
-    w[i] *= 0.5 - 0.5 * std::cos(kTwoPi * static_cast<double>(i) / static_cast<double>(n));
-  Vec p = Fourier(n).forward(w).cwiseAbs2();
+  const Vec p = Fourier(n).forward(tapered(y.head(static_cast<Index>(n)))).cwiseAbs2();
   std::vector<double> upper(p.data() + p.size() / 2, p.data() + p.size());
   std::nth_element(upper.begin(), upper.begin() + static_cast<std::ptrdiff_t>(upper.size() / 2), upper.end());
   const double floor = upper[upper.size() / 2] / kMedianOfSpread;
@@ -212,9 +215,15 @@ Needs needs_of(const host_sim::Record& record) {
   return needs;
 }
 
+// A force and what the force window of modal testing takes off it.
+struct Windowed {
+  Vec force, off;
+  Vec blow;  // 1 where a blow is, 0 between; empty: no window
+};
+
 // The force window of modal testing: between the blows of a hammer the force is nought, and what its channel shows there is noise,
 // which would drive the simulated rig. Everything farther than a blow's own length from any blow becomes the channel's median.
-Vec windowed(Vec f) {
+Windowed windowed(const Vec& f) {
   const auto median_of = [](Vec y) {
     std::nth_element(y.begin(), y.begin() + y.size() / 2, y.end());
     return y[y.size() / 2];
@@ -225,20 +234,29 @@ Vec windowed(Vec f) {
   for (Index i = 0; i < f.size(); ++i) loud += !quiet(i);
   const double peak = (f.array() - zero).abs().maxCoeff();
   if (!(peak > kBlowOverNoise * sigma) || static_cast<double>(loud) > kBlowsShare * static_cast<double>(f.size()))
-    return f;
-  std::vector<char> blow(static_cast<size_t>(f.size()), 0);
+    return {f, {}, {}};
+  Windowed w{f, Vec::Zero(f.size()), Vec::Zero(f.size())};
   for (Index i = 0; i < f.size();) {
     Index to = i;
     while (to < f.size() && !quiet(to)) ++to;
     // lone samples beyond the noise are noise
-    const Index reach = to - i;
-    for (Index k = std::max<Index>(0, i - reach); reach > 1 && k < std::min(f.size(), to + reach); ++k)
-      blow[static_cast<size_t>(k)] = 1;
+    const Index reach = to - i, from = std::max<Index>(0, i - reach), until = std::min(f.size(), to + reach);
+    if (reach > 1) w.blow.segment(from, until - from).setOnes();
     i = to + 1;
   }
   for (Index i = 0; i < f.size(); ++i)
-    if (!blow[static_cast<size_t>(i)]) f[i] = zero;
-  return f;
+    if (w.blow[i] == 0) w.force[i] = zero, w.off[i] = f[i] - zero;
+  return w;
+}
+
+// Standard deviation of a windowed force's noise, sample by sample: what shows between the blows is in them too.
+Vec noise_in_blows(const Windowed& w, int by) {
+  if (w.blow.size() == 0) return {};
+  const Vec off = thinned(w.off, by);
+  Vec blow = thinned(w.blow, by);
+  for (double& share : blow) share = share > 0.5 ? 1 : 0;
+  const double quiet = static_cast<double>(blow.size()) - blow.sum();
+  return std::sqrt(off.squaredNorm() / std::max(1.0, quiet)) * blow;
 }
 
 double period_of(const Prepared& p) {
@@ -262,12 +280,13 @@ Prepared prepare_by(const rig_file::RigModel& rig, const host_sim::Record& recor
     return thinned(Vec::Map(c.values.data(), static_cast<Index>(c.values.size())), needs.by);
   };
   const int n = static_cast<int>(rig.dofs.size());
-  p.force.resize(static_cast<size_t>(n));
+  p.force.resize(static_cast<size_t>(n)), p.noise_in_blows.resize(static_cast<size_t>(n));
   for (const host_sim::Channel& c : record.channels) {
     if (c.quantity == host_sim::Quantity::kForce && c.dof >= 1 && c.dof <= n) {
-      Vec f = Vec::Map(c.values.data(), static_cast<Index>(c.values.size()));
-      if (!massless(rig)) f = windowed(std::move(f));
-      p.force[static_cast<size_t>(c.dof - 1)] = thinned(f, needs.by);
+      const Vec raw = Vec::Map(c.values.data(), static_cast<Index>(c.values.size()));
+      const Windowed f = massless(rig) ? Windowed{raw, {}, {}} : windowed(raw);
+      const size_t d = static_cast<size_t>(c.dof - 1);
+      p.force[d] = thinned(f.force, needs.by), p.noise_in_blows[d] = noise_in_blows(f, needs.by);
       continue;
     }
     const int quantity = c.quantity == host_sim::Quantity::kDisplacement ? 0
@@ -359,10 +378,15 @@ std::vector<Prepared> prepare_all(const rig_file::RigModel& rig, const std::vect
 double noise_level(const Vec& f) {
   if (f.size() == 0 || f.cwiseAbs().maxCoeff() == 0) return 0;
   const size_t n = fast_length(static_cast<size_t>(f.size()));
-  const Vec power = Fourier(n).forward(f.head(static_cast<Index>(n))).cwiseAbs2() / static_cast<double>(n);
+  const Vec power = Fourier(n).forward(tapered(f.head(static_cast<Index>(n)))).cwiseAbs2() / static_cast<double>(n);
   std::vector<double> top(power.data() + power.size() * 2 / 3, power.data() + power.size() * 4 / 5);
   std::nth_element(top.begin(), top.begin() + static_cast<std::ptrdiff_t>(top.size() / 2), top.end());
   return std::sqrt(top[top.size() / 2] / kMedianOfSpread);
+}
+
+double noise_of_force(const Prepared& p, size_t dof) {
+  const Vec& in_blows = p.noise_in_blows[dof];
+  return in_blows.size() ? in_blows.maxCoeff() : noise_level(p.force[dof]);
 }
 
 double between(const Vec& y, Index sample, double share) {

@@ -49,6 +49,8 @@ struct Prepared {
   double top_Hz = 0;    // highest frequency of the motion
   std::vector<MotionTrace> traces;
   std::vector<Vec> force;  // per DOF; empty: none
+  // Per DOF: of a force that is nought between blows, the standard deviation of its noise, sample by sample; empty: as noise_level().
+  std::vector<Vec> noise_in_blows;
   std::vector<Guess> guess;
   Base base;
   bool held = false;                     // its forces stay at their samples until the next ones
@@ -81,6 +83,8 @@ constexpr double kNoiseReaches = 4;  // standard deviations: two neighbours beyo
 // Standard deviation of a drive channel's noise: white at the level of the top of its band (what drives may act above the
 // motion's band, and a thinned record ends early). 0 for a channel of noughts.
 double noise_level(const Vec& drive);
+// Of a DOF's force where it acts.
+double noise_of_force(const Prepared& record, size_t dof);
 
 // Delays `y` by a whole or broken number of samples (six-point interpolation; ends repeat).
 Vec delayed(const Vec& y, double samples);

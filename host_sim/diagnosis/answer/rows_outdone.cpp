@@ -1,0 +1,46 @@
+#include "rows_outdone.hpp"
+
+#include <algorithm>
+
+#include "../choice/attempt.hpp"
+
+namespace diagnosis::runs {
+namespace {
+
+// The rows have no column for these: they name what looks like them.
+bool runs_alone_know(Kind kind) {
+  return kind == Kind::kDeadBand || kind == Kind::kCogging || kind == Kind::kMissingGravity;
+}
+
+// What causes leave that were fitted by `with_them`, as an attempt of their own.
+Attempt left_by_causes(const Choice& fitted, const std::vector<Candidate>& causes, const State& with_them) {
+  Attempt own;
+  own.candidates = causes, own.state = with_them;
+  for (const Candidate& c : causes) own.complexity += c.complexity;
+  own.error = error_over(with_them.fit, fitted.base.fit);
+  own.unseen = error_over(with_them.unseen_fit, fitted.base.unseen_fit);
+  return own;
+}
+
+}  // namespace
+
+bool outdone(const Task& task, const Choice& fitted, const std::vector<Candidate>& causes, const State& with_them) {
+  const State& base = fitted.base;
+  const double noise = noise_share(fitted.base_left, base.fit);
+  const Attempt own = left_by_causes(fitted, causes, with_them);
+  std::vector<Candidate> others =
+      candidates_beside(task.system, base.model, task.records, fitted.base_left.worst() > kPlainlyLeft);
+  others.erase(std::remove_if(others.begin(), others.end(),
+                              [](const Candidate& c) { return !runs_alone_know(c.terms[0].kind); }),
+               others.end());
+  if (others.empty()) return false;
+  const Screen s = screen(task.system, task.records, base.model, base.seen, base.fit, others, 0);
+  return std::any_of(s.singles.begin(), s.singles.end(), [&](const Screened& one) {
+    if (hopeless(one.gain, 1, noise)) return false;
+    const Attempt other = attempt(task, base, others, one, noise);
+    if (!other.state.fit.ok || !(other.z > kSure) || !unseen_agrees(other)) return false;
+    return causes.size() > 1 ? whole_error(other) <= whole_error(own) : clearly_better(other, own, noise);
+  });
+}
+
+}  // namespace diagnosis::runs
