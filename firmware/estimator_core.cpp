@@ -11,6 +11,7 @@ constexpr uint32_t kLongestBlock = kBlockSamples;
 
 void EstimatorCore::begin_level() {
   end_level();
+  if (forgets_) forget_levels();
   collector_.begin_level();
   tests_.begin_level();
   sequence_known_ = false;  // what lies between levels is not missed
@@ -135,9 +136,24 @@ const Estimates& EstimatorCore::solve() {
   move_on();
   finish_closing();
   collector_.settle();
+  if (corrections_.any() && !any_batch(table_)) return estimates_;  // nothing yet of the corrected channel
   identify(configuration_, table_, memory_, estimates_);
+  if (corrections_.any()) corrections_.widen(configuration_, table_, estimates_);
   tests_.judge(table_.level_count, estimates_);
+  if (kCorrectsChannels) correct_channels();
   return estimates_;
+}
+
+// Where no level is open the next one is the first that counts.
+void EstimatorCore::correct_channels() {
+  const bool takes = configuration_.corrects_channels && corrections_.take(configuration_, estimates_);
+  if (!takes) return corrections_.tell(estimates_);
+  forgets_ = true;
+  if (!collector_.level_open()) return;
+  forget_levels();
+  collector_.begin_level();
+  tests_.begin_level();
+  aim();
 }
 
 }  // namespace firmware

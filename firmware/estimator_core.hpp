@@ -6,6 +6,7 @@
 #include "firmware/energy/batch_collector.hpp"
 #include "firmware/energy/energy_sums.hpp"
 #include "firmware/identification/identification.hpp"
+#include "firmware/warrant/channel_correction.hpp"
 #include "firmware/warrant/score_tests.hpp"
 
 namespace firmware {
@@ -42,7 +43,10 @@ class EstimatorCore {
   bool merges_at_end() const { return collector_.merging() || tests_.merging(); }
   // The last sample has completed a block: its columns and score tests are done, its sums come with the next one.
   bool owes_sums() const { return filled_columns_ != 0; }
-  const Estimates& solve();                                  // from everything since reset(); may be called at any time
+  // From everything since reset(), or since a channel was corrected; may be called at any time. Where the configuration allows it,
+  // a delay or gain of a channel that the estimates name, well measured, is taken out of what comes then: all levels are forgotten,
+  // and an open one begins anew.
+  const Estimates& solve();
   const Estimates& estimates() const { return estimates_; }  // of the last solve
   const CoreHealth& health() const { return health_; }
   const BatchTable& table() const { return table_; }
@@ -64,6 +68,8 @@ class EstimatorCore {
   void move_on();
   void break_window();
   void note_gap(uint32_t sequence);
+  void forget_levels();
+  void correct_channels();
   void aim(
       uint32_t units = 0);  // where the batch that starts now ends; units: of the batch before it, still to be added
   void close_some();
@@ -76,6 +82,7 @@ class EstimatorCore {
   uint32_t next_sequence_ = 0;
   bool sequence_known_ = false;
   bool fits_ = true;
+  bool forgets_ = false;  // what was measured, when the next level begins: a channel is corrected
   bool closing_ = false;  // into batch_, a few pieces with each sample
   int pieces_per_sample_ = 1;
   int filled_ = 0;          // samples in the frame
@@ -92,6 +99,7 @@ class EstimatorCore {
   IdentificationMemory memory_;
   Batch batch_;
   ScoreTests tests_;
+  ChannelCorrections corrections_;
   Estimates estimates_;
 };
 

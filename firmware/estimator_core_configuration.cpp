@@ -42,17 +42,24 @@ EstimatorCore::EstimatorCore(const CoreConfiguration& configuration, CoreDetail 
 }
 
 void EstimatorCore::reset() {
-  collector_.clear(configuration_, sums_.layout());
-  tests_.clear();
+  corrections_.clear();
+  conditioning_.shift_nothing();
+  forget_levels();
   estimates_ = Estimates{};
   estimates_.unknown_count = configuration_.unknown_count;
   health_ = CoreHealth{};
   sequence_known_ = false;
+}
+
+void EstimatorCore::forget_levels() {
+  collector_.clear(configuration_, sums_.layout());
+  tests_.clear();
+  corrections_.apply(configuration_, conditioning_);
   conditioning_.restart();
   sums_.restart();
   filled_ = 0;
   level_samples_ = units_ = 0;
-  closing_ = false;
+  closing_ = forgets_ = false;
   filled_columns_ = 0;
 }
 

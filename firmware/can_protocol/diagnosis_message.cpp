@@ -27,6 +27,7 @@ Diagnosis diagnosis_of(const Estimates& estimates) {
   size.std = warrant.named.std;
   const EstimateRecord record = estimate_record(size, 0);
   diagnosis.size = {record.value, record.std, record.exponent, record.std_exponent};
+  diagnosis.corrected = warrant.corrected;
   diagnosis.rival = warrant.rival.cause;
   diagnosis.rival_place_a = place_of(warrant.rival.node_a);
   diagnosis.rival_place_b = place_of(warrant.rival.node_b);

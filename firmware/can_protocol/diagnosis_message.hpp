@@ -23,6 +23,7 @@ struct Diagnosis {
   uint16_t unexplained_permille = 0;
   uint16_t gained_permille = 0;
   DecimalSize size;
+  bool corrected = false;
   Cause rival = Cause::kNone;
   uint8_t rival_place_a = kNoPlace, rival_place_b = kNoPlace;
   uint8_t rival_quantity = kNoQuantity;

@@ -25,16 +25,18 @@ bool unpack_diagnosis(const CanFrame& message, int& node, Diagnosis& diagnosis) 
 CanFrame pack_diagnosis_size(int node, const Diagnosis& diagnosis) {
   const DecimalSize& size = diagnosis.size;
   return can::pack<can::kDiagnosisSize>(
-      node, 0, {size.value, size.std, size.exponent - can::kDiagnosisSizeSignals[2].offset, size.std_exponent});
+      node, 0, {size.value, size.std, size.exponent - can::kDiagnosisSizeSignals[2].offset, size.std_exponent,
+                diagnosis.corrected ? 1 : 0});
 }
 
 bool unpack_diagnosis_size(const CanFrame& message, int& node, Diagnosis& diagnosis) {
-  int64_t raw[4];
+  int64_t raw[5];
   if (!unpack(can::kDiagnosisSize, message, node, raw)) return false;
   assign(diagnosis.size.value, raw[0]);
   assign(diagnosis.size.std, raw[1]);
   assign(diagnosis.size.exponent, raw[2] + can::kDiagnosisSizeSignals[2].offset);
   assign(diagnosis.size.std_exponent, raw[3]);
+  diagnosis.corrected = raw[4] != 0;
   return true;
 }
 

@@ -149,7 +149,9 @@ inline constexpr Signal kDiagnosisSizeSignals[] = {
     {"value", 0, 32, true, 1, 1, 0, "10^exponent", {}, "times 10^exponent: size of the cause, SI units of its effect"},
     {"std", 32, 16, false, 1, 1, 0, "10^(e+s)", {}, "times 10^(exponent + std_exponent): same unit"},
     {"exponent", 48, 5, false, 1, 1, -24, "1", {}, "decimal exponent of value"},
-    {"std_exponent", 56, 4, false, 1, 1, 0, "1", {}, "decimal exponent of std above that of value"}};
+    {"std_exponent", 56, 4, false, 1, 1, 0, "1", {}, "decimal exponent of std above that of value"},
+    {"corrected", 60, 1, false, 1, 1, 0, "state", states(kCorrectedStates),
+     "the channel's fault is taken out of the samples behind the estimates"}};
 inline constexpr FrameDescription kDiagnosisSize =
     describe("diagnosis_size", {0x3A0}, Sender::kController, 1000, "after each diagnosis that names a cause", 8,
              kDiagnosisSizeSignals, "How large the named cause is: N/m^3 for a cubic stiffness, s for a delay.");

@@ -68,7 +68,7 @@ bool unpack_identity(const CanFrame& message, int& node, Identity& identity);
 bool unpack_window(const CanFrame& message, int& node, WindowResult& window);
 bool unpack_diagnosis(const CanFrame& message, int& node, Diagnosis& diagnosis);
 CanFrame pack_diagnosis_size(int node, const Diagnosis& diagnosis);
-bool unpack_diagnosis_size(const CanFrame& message, int& node, Diagnosis& diagnosis);  // fills the size alone
+bool unpack_diagnosis_size(const CanFrame& message, int& node, Diagnosis& diagnosis);  // fills size and corrected
 CanFrame pack_diagnosis_rival(int node, const Diagnosis& diagnosis);
 bool unpack_diagnosis_rival(const CanFrame& message, int& node, Diagnosis& diagnosis);  // fills the rival alone
 bool unpack_parameter(const CanFrame& message, int& node, ParameterDescription& parameter);

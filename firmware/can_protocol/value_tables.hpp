@@ -63,6 +63,7 @@ inline constexpr NamedValue kQuantities[] = {
 // In two bits, where there is always a channel.
 inline constexpr NamedValue kChannelQuantities[] = {
     {0, "force"}, {1, "displacement"}, {2, "velocity"}, {3, "acceleration"}};
+inline constexpr NamedValue kCorrectedStates[] = {{0, "no"}, {1, "CORRECTED"}};
 inline constexpr NamedValue kMotions[] = {{0, "TRANSLATION"}, {1, "ROTATION"}};
 
 // A DOF stands for itself by its number from 1.

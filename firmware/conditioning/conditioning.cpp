@@ -29,6 +29,7 @@ void Conditioning::restart() {
   received_ = 0;
   saturated_ = false;
   history_at_ = 0;
+  shift_.restart();
   for (int i = 0; i < path_count_; ++i)
     for (int s = 0; s < kMaxSections; ++s) path_[i].section[s] = path_[i].previous[s] = State{};
   for (FusionState& fusion : fusion_) fusion = FusionState{};
@@ -62,7 +63,13 @@ bool Conditioning::append(const RawSample& sample, Frame& frame, int at) {
     column[of.column] = value - offset;
   }
   saturated_ = place != place_ + channel_count_ && copy_each(code, column);
+  if (shift_.used() && !shift_channels(column)) return false;
   return !kDerivesSignals || plain_ || filter(frame, at);
+}
+
+[[gnu::noinline]] bool Conditioning::shift_channels(int32_t* column) {
+  return shift_.shift(
+      channel_count_, [&](int c) -> int32_t& { return column[place_[c].column]; }, saturated_);
 }
 
 void Conditioning::move_frame(Frame& frame, int count, int kept) const {

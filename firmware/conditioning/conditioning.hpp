@@ -1,6 +1,8 @@
 // Raw codes to the signals of the energy equations: offset removed, missing quantities derived, every signal with the same delay.
 //
-//   code - offset -> [high-pass and integrations] -> [FIR] -> rounded shift -> column of the frame
+//   code - offset -> [another time and gain] -> [high-pass and integrations] -> [FIR] -> rounded shift -> column of the frame
+//
+// Another time and gain: what the warrant has found wrong with a channel is taken out (channel_shift.hpp).
 //
 // Where signals pass a high-pass, which leads by up to a quarter of a turn, friction takes its sign from a velocity of its own
 // (kSignVelocityColumn): as measured, or integrated with a corner eight times lower and one section that takes the offset away.
@@ -19,6 +21,7 @@
 
 #include "firmware/acquisition/columns.hpp"
 #include "firmware/acquisition/raw_sample.hpp"
+#include "firmware/conditioning/channel_shift.hpp"
 
 namespace firmware {
 
@@ -34,6 +37,9 @@ class Conditioning {
   // Moves every signal's positions [count, count + kept) to the frame's start.
   void move_frame(Frame& frame, int count, int kept) const;
   int history_samples() const { return history_samples_; }  // samples at a level's start that give no output
+  // The measured channel is read with these taps from the next level on; number: 0 to kMostShifted - 1, in order.
+  void shift(int number, int node, Quantity quantity, const ShiftTaps& taps);
+  void shift_nothing() { shift_.clear(); }
 
  private:
   static constexpr int kHistory = 2 * kFilterHalf + 1;
@@ -85,6 +91,7 @@ class Conditioning {
   };
   void add_channel(int node, int quantity);
   bool copy_each(const int32_t* code, int32_t* column) const;
+  bool shift_channels(int32_t* column);
   bool filter(Frame& frame, int at);
   void list_turns();
   static void keep(Code* place, Code code) { place[0] = place[kHistory] = code; }
@@ -118,6 +125,7 @@ class Conditioning {
   bool plain_ = true;    // no filter anywhere: codes are copied
   bool saturated_ = false;
   Place place_[kMaxNodes * kQuantities];  // of the channels
+  ChannelShift shift_;
   Channel channel_[kMaxNodes * kQuantities];
   Path path_[kMaxPaths];
   int path_count_ = 0;

@@ -28,6 +28,7 @@ int32_t within(int32_t rail, int64_t offset) {
 
 void Conditioning::configure(const CoreConfiguration& configuration) {
   configuration_ = &configuration;
+  shift_.clear();
   path_count_ = channel_count_ = reach_ = 0;
   for (int node = 0; node < kMaxNodes; ++node) {
     if (node >= configuration.dof_count && !(node == kBaseNode && configuration.base_present)) continue;
@@ -70,6 +71,12 @@ void Conditioning::add_channel(int node, int quantity) {
   channel.inside = within(configured.lowest_code, configured.offset_code) + 1;
   const int64_t count = int64_t{within(configured.highest_code, configured.offset_code)} - channel.inside;
   channel.count = count > 0 ? static_cast<uint32_t>(count) : 0;
+}
+
+void Conditioning::shift(int number, int node, Quantity quantity, const ShiftTaps& taps) {
+  const auto code = static_cast<uint32_t>(node * kQuantities + static_cast<int>(quantity));
+  for (int c = 0; c < channel_count_; ++c)
+    if (place_[c].code == code) shift_.set(number, c, taps);
 }
 
 Conditioning::Path& Conditioning::add_path(int node, int quantity, int column) {

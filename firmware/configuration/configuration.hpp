@@ -140,6 +140,9 @@ struct CoreConfiguration {
   WindowConfiguration window;
   // What the score tests (firmware/warrant) may cost: products of two numbers a sample; 0: no tests.
   uint16_t probe_products_per_sample = kDefaultProbes;
+  // A well-measured delay or gain of a channel is taken out on the board (firmware/warrant/channel_correction.hpp). Not stored: false
+  // where the program beside the core has all the samples, and does it itself.
+  bool corrects_channels = true;
 };
 
 // Fills signals with plain copies of the measured channels.

@@ -17,12 +17,6 @@ bool any_saturated(const BatchTable& table) {
   return false;
 }
 
-bool any_batch(const BatchTable& table) {
-  for (int l = 0; l < table.level_count; ++l)
-    if (table.level[l].batch_count > 0) return true;
-  return false;
-}
-
 bool inseparable(const WeightedFit& fit, const Estimates& estimates, int unknown) {
   const Scaled inflation = fit.identifiability().inflation[unknown];
   return estimates.rows < estimates.unknown_count || inflation.is_zero() ||
@@ -53,6 +47,12 @@ EstimateStatus judge(const IdentificationMemory& memory, const EquationList& lis
 }
 
 }  // namespace
+
+bool any_batch(const BatchTable& table) {
+  for (int l = 0; l < table.level_count; ++l)
+    if (table.level[l].batch_count > 0) return true;
+  return false;
+}
 
 void identify(const CoreConfiguration& configuration, const BatchTable& table, IdentificationMemory& memory,
               Estimates& estimates) {

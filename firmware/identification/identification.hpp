@@ -14,6 +14,7 @@ struct IdentificationMemory {
   BiasCheck bias;
 };
 
+bool any_batch(const BatchTable& table);
 // Reads the table, writes estimates.
 void identify(const CoreConfiguration& configuration, const BatchTable& table, IdentificationMemory& memory,
               Estimates& estimates);

@@ -83,8 +83,8 @@ Scaled coefficient(const Term& term, const Estimates& estimates) {
   return term.unknown < 0 ? term.value : estimates.parameters[term.unknown].value;
 }
 
-// Viscous coefficient that the DOF's significant skews imitate.
-Scaled imitated_damping(const CoreConfiguration& configuration, const BatchTable& table, int dof,
+// Viscous coefficient that the DOF's skews imitate.
+Scaled imitated_damping(const CoreConfiguration& configuration, const BatchTable& table, int dof, const Skews& skews,
                         const Estimates& estimates) {
   Scaled stiffness, mass, motion, acceleration;
   for (int t = 0; t < configuration.term_count; ++t) {
@@ -99,11 +99,8 @@ Scaled imitated_damping(const CoreConfiguration& configuration, const BatchTable
       motion = motion + unpack(table.level[l].batch[b].dof[dof].velocity_square);
       acceleration = acceleration + unpack(table.level[l].batch[b].dof[dof].acceleration_square);
     }
-  Scaled damping;
-  const SkewEstimate& x = estimates.displacement_skew[dof];
-  const SkewEstimate& a = estimates.acceleration_skew[dof];
-  if (x.significant) damping = damping + abs(stiffness * x.late_s);
-  if (a.significant && !motion.is_zero()) damping = damping + abs(mass * a.late_s) * acceleration / motion;
+  Scaled damping = abs(stiffness) * skews.displacement[dof];
+  if (!motion.is_zero()) damping = damping + abs(mass) * skews.acceleration[dof] * acceleration / motion;
   return damping;
 }
 
@@ -116,7 +113,7 @@ Scaled motion_of(const BatchTable& table, int dof) {
 }
 
 // Work in the DOF's equation of springs whose other end's displacement is skewed, at the most.
-Scaled work_of_neighbours(const CoreConfiguration& configuration, const BatchTable& table, int dof,
+Scaled work_of_neighbours(const CoreConfiguration& configuration, const BatchTable& table, int dof, const Skews& skews,
                           const Estimates& estimates) {
   Scaled work;
   for (int t = 0; t < configuration.term_count; ++t) {
@@ -125,8 +122,8 @@ Scaled work_of_neighbours(const CoreConfiguration& configuration, const BatchTab
     const LinkConfiguration& link = configuration.links[term.place];
     if (link.node_a != dof && link.node_b != dof) continue;
     const int other = link.node_a == dof ? link.node_b : link.node_a;
-    if (other >= configuration.dof_count || !estimates.displacement_skew[other].significant) continue;
-    const Scaled damping = abs(coefficient(term, estimates) * estimates.displacement_skew[other].late_s);
+    if (other >= configuration.dof_count || skews.displacement[other].is_zero()) continue;
+    const Scaled damping = abs(coefficient(term, estimates)) * skews.displacement[other];
     work = work + damping * sqrt(motion_of(table, dof) * motion_of(table, other));
   }
   return work;
@@ -142,13 +139,9 @@ void measure_skew(const EquationList& list, const BatchTable& table, Estimates& 
   }
 }
 
-bool skew_matters(const EquationList& list, const BatchTable& table, const CoreConfiguration& configuration,
-                  int unknown, const Estimates& estimates) {
-  const ParameterEstimate& parameter = estimates.parameters[unknown];
-  bool any = false;
-  for (int i = 0; i < list.dof_count; ++i)
-    any = any || estimates.displacement_skew[i].significant || estimates.acceleration_skew[i].significant;
-  if (!any) return false;  // nothing imitates damping
+Scaled bend_of_skews(const EquationList& list, const BatchTable& table, const CoreConfiguration& configuration,
+                     int unknown, const Skews& skews, const Estimates& estimates) {
+  Scaled most;
   for (int i = 0; i < list.dof_count; ++i) {
     Scaled energy, motion;  // of the unknown's unit force and of the DOF
     for (int l = 0; l < table.level_count; ++l)
@@ -161,13 +154,28 @@ bool skew_matters(const EquationList& list, const BatchTable& table, const CoreC
             energy = energy + unpack(batch.column[static_cast<int>(list.equation[i].weight)][n]);
       }
     if (energy.is_zero()) continue;
-    const Scaled work = imitated_damping(configuration, table, i, estimates) * motion +
-                        work_of_neighbours(configuration, table, i, estimates);
+    const Scaled work = imitated_damping(configuration, table, i, skews, estimates) * motion +
+                        work_of_neighbours(configuration, table, i, skews, estimates);
     const Scaled shift = work / abs(energy);
-    if (shift > scale_by_power_of_two(parameter.std, 1) && shift > abs(parameter.value) / Scaled::from_int(50))
-      return true;
+    if (shift > most) most = shift;
   }
-  return false;
+  return most;
+}
+
+bool skew_matters(const EquationList& list, const BatchTable& table, const CoreConfiguration& configuration,
+                  int unknown, const Estimates& estimates) {
+  Skews significant;
+  bool any = false;
+  for (int i = 0; i < list.dof_count; ++i) {
+    const SkewEstimate &x = estimates.displacement_skew[i], &a = estimates.acceleration_skew[i];
+    if (x.significant) significant.displacement[i] = abs(x.late_s);
+    if (a.significant) significant.acceleration[i] = abs(a.late_s);
+    any = any || x.significant || a.significant;
+  }
+  if (!any) return false;  // nothing imitates damping
+  const ParameterEstimate& parameter = estimates.parameters[unknown];
+  const Scaled shift = bend_of_skews(list, table, configuration, unknown, significant, estimates);
+  return shift > scale_by_power_of_two(parameter.std, 1) && shift > abs(parameter.value) / Scaled::from_int(50);
 }
 
 }  // namespace firmware

@@ -10,9 +10,19 @@ namespace firmware {
 
 void measure_skew(const EquationList& list, const BatchTable& table, Estimates& estimates);
 
+// How late the channels are at most, s; 0: not at all.
+struct Skews {
+  Scaled displacement[kMaxDofs], acceleration[kMaxDofs];
+};
+
 // Skew is damping: x late by tau adds k tau to the viscous coefficient of the DOF's own stiffness k, a late by tau_a
-// takes m tau_a integral(a^2) / integral(v^2) from it. True where that is over twice the parameter's standard deviation
-// and over 2 % of it. estimates hold skew, values and standard deviations.
+// takes m tau_a integral(a^2) / integral(v^2) from it. What that bends a coefficient by at the most, in its unit; estimates hold
+// the values.
+Scaled bend_of_skews(const EquationList& list, const BatchTable& table, const CoreConfiguration& configuration,
+                     int unknown, const Skews& skews, const Estimates& estimates);
+
+// True where the significant skews bend the coefficient by over twice its standard deviation and over 2 % of it. estimates hold skew,
+// values and standard deviations.
 bool skew_matters(const EquationList& list, const BatchTable& table, const CoreConfiguration& configuration,
                   int unknown, const Estimates& estimates);
 

@@ -34,7 +34,8 @@ void WindowFrames::judge(const Estimates& estimates) {
   const bool tested = estimates.warrant.tested;
   const Diagnosis judgement = diagnosis_of(estimates);
   const bool changed = judgement.cause != diagnosis_.cause || judgement.place_a != diagnosis_.place_a ||
-                       judgement.place_b != diagnosis_.place_b || judgement.quantity != diagnosis_.quantity;
+                       judgement.place_b != diagnosis_.place_b || judgement.quantity != diagnosis_.quantity ||
+                       judgement.corrected != diagnosis_.corrected;
   const bool told = tested && (changed || !judged_);
   judged_ = tested;
   if (tested) diagnosis_ = judgement;

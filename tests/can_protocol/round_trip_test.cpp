@@ -74,6 +74,7 @@ TEST(RoundTrip, EveryStruct) {
   found.unexplained_permille = 1000;
   found.gained_permille = 999;
   found.size = {-123456789, 65535, -24, 15};
+  found.corrected = true;
   found.rival = Cause::kAmbiguous;
   found.rival_place_a = 16;
   found.rival_quantity = 3;
@@ -85,6 +86,7 @@ TEST(RoundTrip, EveryStruct) {
   EXPECT_EQ(diagnosis.size.std, 65535);
   EXPECT_EQ(diagnosis.size.exponent, -24);
   EXPECT_EQ(diagnosis.size.std_exponent, 15);
+  EXPECT_TRUE(diagnosis.corrected);
   EXPECT_EQ(diagnosis.rival, Cause::kAmbiguous);
   EXPECT_EQ(diagnosis.rival_place_a, 16);
   EXPECT_EQ(diagnosis.rival_place_b, 31);

@@ -76,6 +76,8 @@ WarrantResult warrant_of(const rig_file::RigModel& model, const firmware::Warran
   WarrantResult result;
   result.tested = warrant.tested;
   result.named = finding_of(model, warrant.named);
+  result.explained = warrant.corrected;
+  if (warrant.corrected) result.corrected.push_back(result.named);
   result.rival = finding_of(model, warrant.rival);
   result.rival_percent = 100.0 * rig_file::to_double(warrant.rival_share);
   return result;
