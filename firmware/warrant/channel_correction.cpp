@@ -58,7 +58,8 @@ ChannelCorrections::Correction* ChannelCorrections::of(int node, Quantity quanti
 bool ChannelCorrections::take(const CoreConfiguration& configuration, const Estimates& estimates) {
   const Finding& named = estimates.warrant.named;
   const bool delay = named.cause == cause_of(EffectKind::kSensorDelay);
-  if (!estimates.warrant.tested || !any_withdrawn(estimates)) return false;  // a deviation from a few batches is none
+  // A deviation from a few batches is none.
+  if (!estimates.warrant.tested || !estimates.warrant.confirmed || !any_withdrawn(estimates)) return false;
   if (!delay && named.cause != cause_of(EffectKind::kSensorGain)) return false;
   if (named.node_a < 0 || named.node_a >= configuration.dof_count || named.quantity >= kQuantities) return false;
   const auto quantity = static_cast<Quantity>(named.quantity);

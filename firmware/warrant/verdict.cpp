@@ -203,22 +203,39 @@ bool late_channel(const CoreConfiguration& configuration, const Estimates& estim
   return worst.cause != Cause::kNone;
 }
 
-// A force that is held from sample to sample makes the acceleration of its DOF jump with every sample: against the velocity it comes
-// early, and the equation of motion, where it stands beside that very force, knows nothing of it.
-bool is_held_force(const CoreConfiguration& configuration, const Estimates& estimates, const ProbePlan& plan,
-                   const ScoreTest& test, const Finding& late) {
-  const int dof = late.node_a;
-  if (late.quantity != static_cast<uint8_t>(Quantity::kAcceleration) || !late.size.is_negative() ||
-      !configuration.channels[dof][static_cast<int>(Quantity::kForce)].present)
-    return false;
+// What the equation of motion says of an acceleration's delay: effect and deviation, s. False: it says nothing.
+bool delay_by_equation(const CoreConfiguration& configuration, const Estimates& estimates, const ProbePlan& plan,
+                       const ScoreTest& test, int dof, Scaled& late_s, Scaled& std_s) {
   for (int j = plan.base_count; j < plan.summed_count; ++j) {
     const Place& at = plan.place[plan.probe[j].place];
     if (plan.probe[j].form != Form::kJerk || at.node_a != dof || !test.score(j).tested) continue;
     const Scaled unit = fault_unit(configuration, estimates, plan.probe[j], at);
-    const Scaled most = abs(test.score(j).effect) + scale_by_power_of_two(test.score(j).std, 2);
-    return scale_by_power_of_two(most * abs(unit), 1) < abs(late.size);
+    late_s = test.score(j).effect * unit;
+    std_s = test.score(j).std * abs(unit);
+    return true;
   }
   return false;
+}
+
+bool is_acceleration_beside_force(const CoreConfiguration& configuration, const Finding& late) {
+  return late.quantity == static_cast<uint8_t>(Quantity::kAcceleration) &&
+         configuration.channels[late.node_a][static_cast<int>(Quantity::kForce)].present;
+}
+
+// A force that is held from sample to sample makes the acceleration of its DOF jump with every sample: against the velocity it comes
+// early, and the equation of motion, where it stands beside that very force, knows nothing of it. Sampled before the jump it
+// comes late.
+void ask_equation(const CoreConfiguration& configuration, const ScoreSums& sums, const ScoreTest& test,
+                  Estimates& estimates, Finding& late) {
+  if (!is_acceleration_beside_force(configuration, late)) return;
+  Scaled by_equation_s, std_s;
+  const bool answers = delay_by_equation(configuration, estimates, sums.plan(), test, late.node_a, by_equation_s, std_s);
+  estimates.warrant.confirmed = answers && scale_by_power_of_two(abs(by_equation_s - late.size), 1) < abs(late.size);
+  const Scaled most = abs(by_equation_s) + scale_by_power_of_two(std_s, 2);
+  if (!answers || !late.size.is_negative() || scale_by_power_of_two(most, 1) >= abs(late.size)) return;
+  late.cause = cause_of(EffectKind::kForceHold);
+  late.quantity = static_cast<uint8_t>(Quantity::kForce);
+  late.size = scale_by_power_of_two(-configuration.sample_period_s, -1);
 }
 
 // The scatter that the effect takes away, as amplitudes.
@@ -317,11 +334,7 @@ void give_verdict(const CoreConfiguration& configuration, const ScoreSums& sums,
   if (warrant.tested) tell(configuration, sums, test, estimates);
   Finding late;
   if (late_channel(configuration, estimates, late)) {
-    if (state.judged && is_held_force(configuration, estimates, sums.plan(), test, late)) {
-      late.cause = cause_of(EffectKind::kForceHold);
-      late.quantity = static_cast<uint8_t>(Quantity::kForce);
-      late.size = scale_by_power_of_two(-configuration.sample_period_s, -1);
-    }
+    if (state.judged) ask_equation(configuration, sums, test, estimates, late);
     warrant.rival = warrant.named;
     warrant.named = late;
   }

@@ -144,6 +144,19 @@ TEST(ChannelCorrection, WithoutAThirdChannelNothingIsCorrected) {
   EXPECT_FALSE(force.all_valid());
 }
 
+// An acceleration that jumps with every sample of a held force is not late: the equation beside that force is exact. Sampled before the
+// jump: Replay.AForceThatIsSampledBeforeItsJumpIsNoLateAcceleration.
+TEST(ChannelCorrection, AHeldForceMakesNoAccelerationLate) {
+  for (uint64_t seed = 9450; seed < 9454; ++seed) {
+    Settings settings;
+    settings.hidden = "force_hold";
+    const Draw draw = hidden_rig::make_draw(seed, settings);
+    Board board(draw);
+    board.measure(draw);
+    EXPECT_FALSE(board.warrant().corrected) << seed;
+  }
+}
+
 // A channel turned over is a slip for a person to look at.
 TEST(ChannelCorrection, ASlipIsNotCorrected) {
   Draw draw = rig_of_two(9442);
