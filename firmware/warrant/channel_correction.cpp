@@ -16,7 +16,8 @@ Scaled magnitude_of_both(Scaled a, Scaled b) { return sqrt(a * a + b * b); }
 
 // Displacement, velocity and acceleration are there, each a sensor's own.
 bool three_channels(const CoreConfiguration& configuration, int dof) {
-  static_assert(static_cast<int>(Quantity::kForce) == 0 && kQuantities == 4, "the motion's three come behind the force");
+  static_assert(static_cast<int>(Quantity::kForce) == 0 && kQuantities == 4,
+                "the motion's three come behind the force");
   for (int q = 1; q < kQuantities; ++q)
     if (!configuration.channels[dof][q].present || configuration.signals[dof][q].derived) return false;
   return !configuration.fusion[dof].used;
@@ -98,8 +99,10 @@ void ChannelCorrections::widen(const CoreConfiguration& configuration, const Bat
     if (correction_[i].late_s.is_zero()) continue;
     const int dof = correction_[i].node;
     const SkewEstimate &x = estimates.displacement_skew[dof], &a = estimates.acceleration_skew[dof];
-    if (correction_[i].quantity != Quantity::kAcceleration) rest.displacement[dof] = magnitude_of_both(x.late_s, x.std_s);
-    if (correction_[i].quantity != Quantity::kDisplacement) rest.acceleration[dof] = magnitude_of_both(a.late_s, a.std_s);
+    if (correction_[i].quantity != Quantity::kAcceleration)
+      rest.displacement[dof] = magnitude_of_both(x.late_s, x.std_s);
+    if (correction_[i].quantity != Quantity::kDisplacement)
+      rest.acceleration[dof] = magnitude_of_both(a.late_s, a.std_s);
   }
   const EquationList list = list_equations(configuration, table);
   for (int k = 0; k < estimates.unknown_count; ++k)

@@ -229,7 +229,8 @@ void ask_equation(const CoreConfiguration& configuration, const ScoreSums& sums,
                   Estimates& estimates, Finding& late) {
   if (!is_acceleration_beside_force(configuration, late)) return;
   Scaled by_equation_s, std_s;
-  const bool answers = delay_by_equation(configuration, estimates, sums.plan(), test, late.node_a, by_equation_s, std_s);
+  const bool answers =
+      delay_by_equation(configuration, estimates, sums.plan(), test, late.node_a, by_equation_s, std_s);
   estimates.warrant.confirmed = answers && scale_by_power_of_two(abs(by_equation_s - late.size), 1) < abs(late.size);
   const Scaled most = abs(by_equation_s) + scale_by_power_of_two(std_s, 2);
   if (!answers || !late.size.is_negative() || scale_by_power_of_two(most, 1) >= abs(late.size)) return;

@@ -1,10 +1,10 @@
 // A channel that is read at another time and with another gain: taps by hand, sums on polynomials, limits.
+#include "firmware/conditioning/channel_shift.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <vector>
-
-#include "firmware/conditioning/channel_shift.hpp"
 
 namespace {
 

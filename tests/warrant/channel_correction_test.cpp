@@ -12,8 +12,8 @@
 
 namespace {
 
-using firmware::EstimatorCore;
 using firmware::EstimateStatus;
+using firmware::EstimatorCore;
 using hidden_rig::Draw;
 using hidden_rig::Settings;
 using rig_file::to_double;
