@@ -1,6 +1,7 @@
 #include "hal/rig_file/toml_checks.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -46,12 +47,31 @@ void refuse(const Place& place, const toml::node& node, std::string_view key, co
   throw RigFileError(place.file, line_of(node), place.key(key), problem);
 }
 
+namespace {
+
+// What was meant by a line that is no TOML: the two slips of people who have not met it.
+std::string expected_on(std::string_view text, unsigned line) {
+  for (; line > 1 && text.find('\n') != std::string_view::npos; --line) text.remove_prefix(text.find('\n') + 1);
+  text = text.substr(0, text.find('\n'));
+  const size_t equals = text.find('=');
+  const size_t value = equals == std::string_view::npos ? equals : text.find_first_not_of(" \t", equals + 1);
+  if (value == std::string_view::npos) return "key = value";
+  text.remove_prefix(value);
+  if (std::isalpha(static_cast<unsigned char>(text[0]))) return "a word in quotes, as in \"estimate\", or a number";
+  const size_t digits = text.find_first_not_of("+-0123456789");
+  if (digits != 0 && digits != std::string_view::npos && text[digits] == ',') return "a decimal point, as in 2.5";
+  return "key = value";
+}
+
+}  // namespace
+
 toml::table parse_toml(std::string_view text, const std::string& file) {
   try {
     return toml::parse(text, file);
   } catch (const toml::parse_error& error) {
     throw RigFileError(file, error.source().begin.line, "",
-                       "not valid TOML (" + std::string(error.description()) + "), expected key = value");
+                       "not valid TOML (" + std::string(error.description()) + "), expected " +
+                           expected_on(text, error.source().begin.line));
   }
 }
 

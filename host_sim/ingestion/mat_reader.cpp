@@ -166,14 +166,17 @@ void set_time(const Group& group, const std::vector<double>& time_s, const Sourc
   record.sample_period_s = 1.0 / rate_Hz;
 }
 
-[[noreturn]] void refuse_without_channels(const std::vector<Group>& groups, const std::string& file) {
+[[noreturn]] void refuse_without_channels(const std::vector<Group>& groups, const Source& source) {
   std::string names;
   for (const Group& group : groups)
     for (const Column& name : group.names) names += (names.empty() ? "" : ", ") + ("\"" + name.head + "\"");
-  throw DataFileError(file, 0,
+  const bool rotates = !source.model.dofs.empty() && source.model.dofs[0].rotating;
+  throw DataFileError(source.file, 0,
                       "no channel" + (names.empty() ? "" : " among the variables " + names) +
-                          ", expected variables such as force_1_N and displacement_1_m, or --column "
-                          "displacement_1=NAME for a variable with a name of its own");
+                          ", expected variables such as " +
+                          (rotates ? "torque_1_N_m and angle_1_rad, or --column angle_1=NAME"
+                                   : "force_1_N and displacement_1_m, or --column displacement_1=NAME") +
+                          " for a variable with a name of its own");
 }
 
 Record record_of(Group& group, const Source& source) {
@@ -190,7 +193,7 @@ Record record_of(Group& group, const Source& source) {
     record.channels.push_back(std::move(use.channel));
     record.channels.back().values = std::move(group.values[i]);
   }
-  if (record.channels.empty()) refuse_without_channels({group}, source.file);
+  if (record.channels.empty()) refuse_without_channels({group}, source);
   for (const Channel& channel : record.channels)
     if (channel.values.size() != record.samples())
       fail(source.file, channel.name,
@@ -239,7 +242,7 @@ std::vector<Record> read_mat(const std::string& path, const rig_file::RigModel& 
     if (group.sample_rate_Hz <= 0.0) group.sample_rate_Hz = groups.front().sample_rate_Hz;
     records.push_back(record_of(group, source));
   }
-  if (records.empty()) refuse_without_channels(groups, path);
+  if (records.empty()) refuse_without_channels(groups, source);
   return records;
 }
 

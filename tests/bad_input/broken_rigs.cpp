@@ -51,6 +51,10 @@ std::vector<Case> broken_rigs() {
   return {
       rig("RigIsEmpty", "", {"schema", "expected schema = \"rig/1\""}),
       rig("RigIsNotToml", kHead + "[[dof]\nmass_kg = 1\n", {"rig.toml:2", "not valid TOML"}),
+      rig("WordWithoutQuotes", kHead + kMass + "[[link]]\nbetween = [1, 0]\nviscous_N_s_m = estimate\n",
+          {"rig.toml:6", "not valid TOML", "expected a word in quotes, as in \"estimate\""}),
+      rig("DecimalComma", kHead + "[[dof]]\nmass_kg = 2,5\n" + kLink, {"rig.toml:3", "expected a decimal point"}),
+      rig("TwoValuesOnALine", kHead + "[[dof]]\nmass_kg = 2.5 kg\n" + kLink, {"rig.toml:3", "expected key = value"}),
       rig("RigIsBinary",
           std::string("\x7f"
                       "ELF\x01\0\0\0",

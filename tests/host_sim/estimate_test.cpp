@@ -46,6 +46,38 @@ TEST_F(Estimate, FindsTheDamperAndSaysHowWell) {
   EXPECT_LT(out["mse_percent"][0].get<double>(), 1e-3);  // its simulation runs as the rig did
 }
 
+// a = -(k x + c v) / m of the same decay, read by an accelerometer that stands in gravity: 0.45 g at rest.
+TEST_F(Estimate, ComparesAnAccelerometerWithoutItsZero) {
+  std::string with = "t_s,displacement_1_m,velocity_1_m_s,acceleration_1_m_s2\n", alone = "t_s,acceleration_1_m_s2\n";
+  const double d = 1.5 / 4.0, w = std::sqrt(400.0 - d * d);
+  for (int i = 0; i < 20000; ++i) {
+    const double t = i * 1e-3, e = 0.01 * std::exp(-d * t), x = e * std::cos(w * t),
+                 v = -e * (d * std::cos(w * t) + w * std::sin(w * t)), a = 4.41 - (800.0 * x + 1.5 * v) / 2.0;
+    char row[120];
+    std::snprintf(row, sizeof row, "%.3f,%.12g,%.12g,%.12g\n", t, x, v, a);
+    with += row;
+    std::snprintf(row, sizeof row, "%.3f,%.12g\n", t, a);
+    alone += row;
+  }
+  workspace_.write("with.csv", with);
+  const auto both = host_sim({"estimate", "--rig", "rig.toml", "--data", "with.csv", "--json", "with.json"});
+  ASSERT_EQ(both.status, 0) << both.errors;
+  EXPECT_LT(json("with.json")["mse_percent"][0].get<double>(), 1e-3);
+  EXPECT_NEAR(value(json("with.json"), "viscous[1-0]"), 1.5, 1.5e-4);
+  EXPECT_EQ(json("with.json")["parameters"][0]["status"], "VALID");  // the zero is no constant force
+  EXPECT_NE(both.output.find("reads 4.41 at rest"), std::string::npos) << both.output;
+  // accelerations do not tell where the decay begins: no number, and why
+  workspace_.write("alone.csv", alone);
+  const auto one = host_sim({"estimate", "--rig", "rig.toml", "--data", "alone.csv", "--json", "alone.json"});
+  ASSERT_EQ(one.status, 0) << one.errors;
+  EXPECT_NEAR(value(json("alone.json"), "viscous[1-0]"), 1.5, 0.015);
+  EXPECT_TRUE(json("alone.json")["mse_percent"][0].is_null());
+  EXPECT_NE(json("alone.json")["mse_note"].get<std::string>().find("diagnose"), std::string::npos);
+  const auto fitted = host_sim({"diagnose", "--rig", "rig.toml", "--data", "alone.csv", "--json", "diagnosis.json"});
+  ASSERT_EQ(fitted.status, 0) << fitted.errors;
+  EXPECT_LT(json("diagnosis.json")["baseline"]["holdout_mse_percent"][0].get<double>(), 1e-2);
+}
+
 // A logger that comes late at times, and pauses: samples at uneven times, and 40 that are missing.
 TEST_F(Estimate, TakesUnevenTimesWhereAskedTo) {
   const double d = 1.5 / 4.0, w = std::sqrt(400.0 - d * d);

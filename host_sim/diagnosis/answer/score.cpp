@@ -34,6 +34,9 @@ const Mat& of_quantity(const WindowRun& run, int quantity) {
   return quantity == 0 ? run.x : quantity == 1 ? run.v : run.a;
 }
 
+// The zero of an accelerometer is free: it reads a part of gravity.
+void without_mean(Vec& y) { y.array() -= y.mean(); }
+
 double capped(double percent) { return std::isfinite(percent) ? std::min(percent, kMostPercent) : kMostPercent; }
 
 }  // namespace
@@ -87,8 +90,10 @@ Score score_unseen(const Task& task, const State& state, const Vec* noise) {
           continue;
         }
         const Guess& g = p.guess[d];
+        bool accelerometer = false;
         // what is measured of this DOF: no displacement is judged that had to be integrated
         const MotionTrace* measured = nullptr;
+        for (const MotionTrace& t : p.traces) accelerometer |= t.dof == static_cast<int>(d) && t.quantity == 2;
         for (const MotionTrace& t : p.traces)
           if (t.dof == static_cast<int>(d) && (!measured || t.quantity < measured->quantity)) {
             measured = &t;
@@ -99,11 +104,12 @@ Score score_unseen(const Task& task, const State& state, const Vec* noise) {
         // as the channel reads it: with its gain, delay and hum
         Vec reading = measured->y.segment(w.from, w.length);
         Vec alike = reading - run.residual.segment((measured - p.traces.data()) * w.length, w.length);
-        if (measured->quantity == 2)
-          alike.array() -= alike.mean(), reading.array() -= reading.mean();  // its zero is free
+        Vec acceleration = g.a.segment(w.from, w.length), simulated_a = run.a.row(i);
+        if (measured->quantity == 2) without_mean(alike), without_mean(reading);
+        if (accelerometer) without_mean(acceleration), without_mean(simulated_a);
         x[d].add(alike, reading);
         v[d].add(run.v.row(i), g.v.segment(w.from, w.length));
-        a[d].add(run.a.row(i), g.a.segment(w.from, w.length));
+        a[d].add(simulated_a, acceleration);
       }
     }
   }

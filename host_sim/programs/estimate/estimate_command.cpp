@@ -7,6 +7,7 @@
 #include "host_sim/data_check/release.hpp"
 #include "host_sim/data_check/work.hpp"
 #include "host_sim/programs/commands.hpp"
+#include "host_sim/programs/estimate/accelerometer_zero.hpp"
 #include "host_sim/programs/estimate/estimate_report_data.hpp"
 #include "host_sim/programs/estimate/estimation.hpp"
 #include "host_sim/programs/estimate/model_export.hpp"
@@ -14,6 +15,7 @@
 #include "host_sim/programs/estimate/slow_motion.hpp"
 #include "host_sim/programs/results/result_json.hpp"
 #include "host_sim/programs/results/result_table.hpp"
+#include "host_sim/programs/shared/above_nought.hpp"
 #include "host_sim/programs/shared/data_options.hpp"
 #include "host_sim/programs/shared/human_output.hpp"
 #include "host_sim/programs/shared/terminal.hpp"
@@ -113,8 +115,8 @@ void estimate(const EstimateArguments& arguments) {
   };
   check.beside([&] {
     notes = data_check::keep_decays(records);
-    const std::vector<std::string> rests = count_from_rest(records);
-    notes.insert(notes.end(), rests.begin(), rests.end());
+    for (const auto& told : {count_from_rest(records), take_off_accelerometer_zeros(records)})
+      notes.insert(notes.end(), told.begin(), told.end());
     if (const std::string slow = average_slow_motion(records); !slow.empty()) notes.push_back(slow);
     estimate_all();
   });
@@ -147,7 +149,7 @@ void add_estimate_command(CLI::App& app, Action& chosen) {
   command
       ->add_option("--frequency", arguments->frequency_Hz,
                    "excitation frequency in Hz, where it is periodic: windows are then whole cycles")
-      ->check(CLI::PositiveNumber);
+      ->check(above_nought());
   add_data_options(*command, arguments->reading);
   add_anyway_option(*command, arguments->reading);
   command->footer(

@@ -28,6 +28,12 @@ struct SquareSums {
   }
 };
 
+// The zero of an accelerometer is free: it reads a part of gravity.
+void without_mean(Series& y) {
+  const double mean = std::accumulate(y.begin(), y.end(), 0.0) / static_cast<double>(y.size());
+  for (double& value : y) value -= mean;
+}
+
 // The acceleration of a DOF by way of the quantity that `like` has of it.
 Series acceleration_of(const Record& signals, const Record& like, int dof) {
   const auto values = [&](Quantity quantity) -> const Series* {
@@ -36,6 +42,15 @@ Series acceleration_of(const Record& signals, const Record& like, int dof) {
   if (const Series* a = values(Quantity::kAcceleration)) return without_margins(*a);
   if (const Series* v = values(Quantity::kVelocity)) return first_derivative(*v, signals.sample_period_s);
   return second_derivative(*values(Quantity::kDisplacement), signals.sample_period_s);
+}
+
+// A free decay is nothing but its initial state, which accelerations do not tell.
+bool begins_unknown(const Record& record) {
+  return std::all_of(record.channels.begin(), record.channels.end(), [](const Channel& c) {
+    const auto [lowest, highest] = std::minmax_element(c.values.begin(), c.values.end());
+    return (c.quantity == Quantity::kAcceleration && c.dof != rig_file::kBase) ||
+           (c.quantity == Quantity::kForce && *lowest == *highest);
+  });
 }
 
 bool runs_freely(const rig_file::RigModel& rig) {
@@ -58,6 +73,7 @@ std::vector<Record> free_running_error(const rig_file::RigModel& rig, const std:
       const Series measured = acceleration_of(record, record, static_cast<int>(i + 1));
       Series difference = acceleration_of(simulated, record, static_cast<int>(i + 1));
       for (size_t j = 0; j < difference.size(); ++j) difference[j] -= measured[j];
+      if (record.find(Quantity::kAcceleration, static_cast<int>(i + 1)) != nullptr) without_mean(difference);
       sums[i].add(measured, difference);
     }
     all.push_back(std::move(simulated));
@@ -81,8 +97,12 @@ std::vector<Record> judge_fit(const rig_file::RigModel& model, const std::vector
   const rig_file::RigModel rig = rig_file::with_values(model, values_of(result));
   std::vector<SquareSums> sums(model.dofs.size());
   try {
-    if (runs_freely(rig)) {
-      result.mse_of = "acceleration, measured against the free-running simulation with the estimates";
+    result.mse_of = "acceleration, measured against the free-running simulation with the estimates";
+    if (runs_freely(rig) && std::any_of(records.begin(), records.end(), begins_unknown)) {
+      result.mse_note =
+          "accelerations do not tell the state from which a free decay begins; diagnose fits it and simulates from "
+          "there";
+    } else if (runs_freely(rig)) {
       simulated = free_running_error(rig, records, sums);
     } else {
       result.mse_of = "force balance of each DOF's equation (a massless rig cannot run freely)";

@@ -14,7 +14,8 @@ namespace host_sim {
 // records together. A DOF whose acceleration is not recorded has it derived from its velocity or displacement; the
 // simulated signal then takes the same way, so that both have the same band. A rig with a massless DOF does not run
 // freely: there the MSE is that of the force balance f - m a - sum of link forces, over the variance of f (of m a where
-// no force is recorded), and mse_of says so.
+// no force is recorded), and mse_of says so. The zero of an accelerometer does not count. There is none of a free decay of which
+// accelerations alone are recorded: its initial state is not known.
 // Returns the simulations, one a record; none where the rig does not run freely.
 std::vector<Record> judge_fit(const rig_file::RigModel& model, const std::vector<Record>& records,
                               EstimateResult& result);

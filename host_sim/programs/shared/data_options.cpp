@@ -7,6 +7,7 @@
 
 #include "host_sim/data_check/to_json.hpp"
 #include "host_sim/ingestion/record_reader.hpp"
+#include "host_sim/programs/shared/above_nought.hpp"
 #include "host_sim/programs/shared/failures.hpp"
 
 namespace host_sim {
@@ -35,11 +36,11 @@ void add_data_options(CLI::App& command, DataArguments& arguments) {
   command
       .add_option("--sample-rate", arguments.sample_rate_Hz,
                   "samples per second, for files without a column of time (or with one that is not to be believed)")
-      ->check(CLI::PositiveNumber);
+      ->check(above_nought());
   command
       .add_option("--resample", arguments.resample_Hz,
                   "samples per second onto which records of uneven times are interpolated; gaps part a record")
-      ->check(CLI::PositiveNumber);
+      ->check(above_nought());
 }
 
 void add_anyway_option(CLI::App& command, DataArguments& arguments) {

@@ -5,6 +5,7 @@
 #include "host_sim/plant/scenario/scenario.hpp"
 #include "host_sim/programs/commands.hpp"
 #include "host_sim/programs/results/result_json.hpp"
+#include "host_sim/programs/shared/above_nought.hpp"
 #include "host_sim/programs/shared/human_output.hpp"
 #include "host_sim/programs/shared/terminal.hpp"
 #include "host_sim/programs/sweep/sweep_ranks.hpp"
@@ -72,7 +73,7 @@ void add_sweep_command(CLI::App& app, Action& chosen) {
   command->add_option("--seeds", arguments->seeds, "FIRST..LAST")->required();
   command->add_option("--json", arguments->json, "write all runs and their summary as JSON to this file (- is stdout)");
   command->add_option("--workers", arguments->workers, "processes on this machine; default: one per core")
-      ->check(CLI::PositiveNumber);
+      ->check(above_nought());
   command->footer(
       "Examples: host_sim sweep --scenario paper_2dof_noise --seeds 1..200 --json sweep.json\n"
       "          mpirun -np 8 host_sim sweep --scenario paper_2dof_noise --seeds 1..5000 --json /shared/sweep.json");

@@ -289,7 +289,7 @@ std::string plain_name_hint(const std::vector<Column>& columns, const rig_file::
     const std::string name = rig_file::format_channel_name(channel), dof = "_1";
     return "--column " + name.substr(0, name.find(dof) + dof.size()) + "=\"" + trimmed_text(column.head) + "\"";
   }
-  return "--column displacement_1=NAME";
+  return !model.dofs.empty() && model.dofs[0].rotating ? "--column angle_1=NAME" : "--column displacement_1=NAME";
 }
 
 }  // namespace host_sim
