@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "hal/rig_file/rig_model.hpp"
+#include "host_sim/data_check/period.hpp"
 #include "host_sim/data_check/statistics.hpp"
 
 namespace host_sim::data_check {
@@ -60,6 +61,9 @@ std::optional<Finding> find_growth(const Record& record) {
     if (channel.quantity != Quantity::kForce && motion == nullptr) motion = &channel;
   }
   if (motion == nullptr || record.samples() < 16 * kParts) return std::nullopt;
+  // the mean square of less than a period goes with where in the swing it is taken
+  if (const double period = period_of(motion->values); period * kParts > static_cast<double>(record.samples()))
+    return std::nullopt;
   const Growth growth = growth_of(mean_squares(motion->values));
   if (growth.times == 0.0) return std::nullopt;
   const double part_s = static_cast<double>(record.samples()) * record.sample_period_s / kParts;

@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "hal/rig_file/rig_model.hpp"
+#include "host_sim/data_check/period.hpp"
 #include "host_sim/data_check/statistics.hpp"
 
 namespace host_sim::data_check {
@@ -23,31 +24,11 @@ constexpr double kRestEnergy = 0.01;  // of the largest: a tenth of the motion
 constexpr double kLeastPeriods = 4.0;  // of the decay: of fewer half of one is too much to lose
 constexpr double kLongPeriods = 16.0;  // of so many a whole one is not
 constexpr size_t kHops = 4;            // windows that begin within a period
-constexpr double kSwings = 0.5;        // of the rms: turns beyond it on both sides are swings, not noise
 
 bool is_driven(const Record& record) {
   return std::any_of(record.channels.begin(), record.channels.end(), [](const Channel& c) {
     return (c.quantity == Quantity::kForce || c.dof == rig_file::kBase) && mean_and_rms(c.values).rms > 0.0;
   });
-}
-
-// In samples: twice the usual time from a swing to one side to a swing to the other. 0: fewer than four.
-double period_of(const std::vector<double>& y) {
-  const auto about = mean_and_rms(y);
-  std::vector<double> half;
-  int side = 0;
-  size_t since = 0;
-  for (size_t i = 0; i < y.size(); ++i) {
-    const double off = y[i] - about.mean;
-    const int now = off > kSwings * about.rms ? 1 : off < -kSwings * about.rms ? -1 : 0;
-    if (now == 0 || now == side) continue;
-    if (side != 0) half.push_back(static_cast<double>(i - since));
-    side = now, since = i;
-  }
-  if (half.size() < 4) return 0.0;
-  const auto middle = half.begin() + static_cast<std::ptrdiff_t>(half.size() / 2);
-  std::nth_element(half.begin(), middle, half.end());
-  return 2.0 * *middle;
 }
 
 // The channel of a DOF that is nearest to its rate.

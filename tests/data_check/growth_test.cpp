@@ -54,6 +54,17 @@ TEST(Growth, IsNotASecondBlowNorAnEvenMotion) {
   EXPECT_FALSE(find_growth(swings([](double) { return 1.0; })));
 }
 
+// Four periods of a decay: a tenth is less than half a period, and its mean square goes with the swing's phase.
+TEST(Growth, IsNotTheSwingItself) {
+  for (const double phase : {0.0, 0.7, 1.4, 2.1, 2.8}) {
+    Record record = swings([](double) { return 0.0; });
+    std::vector<double>& y = record.channels[0].values;
+    for (size_t i = 0; i < y.size(); ++i)
+      y[i] += std::exp(-2e-4 * static_cast<double>(i)) * std::cos(2 * kPi * 0.002 * static_cast<double>(i) + phase);
+    EXPECT_FALSE(find_growth(record)) << phase;
+  }
+}
+
 TEST(Growth, TellsNothingBesideAForceABaseOrAnotherMass) {
   const Record grows = swings([](double t) { return 1 - std::exp(-t / 5); });
   Record forced = grows, carried = grows, two = grows;

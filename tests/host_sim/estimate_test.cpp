@@ -187,6 +187,21 @@ TEST_F(Estimate, TooFewSamplesCannotAnswer) {
   EXPECT_FALSE(std::filesystem::exists(workspace_.path() / "out.json"));
 }
 
+// Integrated accelerations settle first: no window closes within 1.2 s, four periods, and nothing is a number or tested.
+TEST_F(Estimate, AccelerationsTooShortForAWindowCannotAnswer) {
+  std::string text = "t_s,acceleration_1_m_s2\n";
+  for (int i = 0; i < 1200; ++i) {
+    char row[64];
+    std::snprintf(row, sizeof row, "%.3f,%.12g\n", i * 1e-3, -4.0 * std::exp(-0.375e-3 * i) * std::cos(20e-3 * i));
+    text += row;
+  }
+  workspace_.write("short.csv", text);
+  const auto result = host_sim({"estimate", "--rig", "rig.toml", "--data", "short.csv", "--json", "out.json"});
+  EXPECT_EQ(result.status, 3);
+  EXPECT_NE(result.errors.find("no window closed; record several cycles"), std::string::npos) << result.errors;
+  EXPECT_EQ(json("out.json")["parameters"][0]["status"], "STALE");
+}
+
 TEST_F(Estimate, ARigThatDoesNotMoveCannotAnswer) {
   std::string text = "t_s,displacement_1_m,velocity_1_m_s\n";
   for (int i = 0; i < 2000; ++i) text += std::to_string(i * 1e-3) + ",0,0\n";

@@ -1,0 +1,10 @@
+// How long a swing to and fro takes.
+#pragma once
+#include <vector>
+
+namespace host_sim::data_check {
+
+// In samples: twice the usual time from a swing to one side of the mean to a swing to the other. 0: fewer than four.
+double period_of(const std::vector<double>& y);
+
+}  // namespace host_sim::data_check
