@@ -52,11 +52,15 @@ void set_time_base(const std::vector<double>& time_s, const std::function<size_t
   while (uneven < time_s.size() && usual > 0.0 &&
          std::abs(time_s[uneven] - time_s[uneven - 1] - usual) <= kStepTolerance * usual)
     ++uneven;
-  if (uneven < time_s.size() && !take_rounded_times(time_s, record))
+  if (uneven < time_s.size() && !take_rounded_times(time_s, record)) {
+    const bool rises = std::is_sorted(time_s.begin(), time_s.end());
     throw DataFileError(record.file, line_of(uneven),
                         "t_s steps by " + seconds(time_s[uneven] - time_s[uneven - 1]) + ", expected a constant step" +
                             (usual > 0.0 ? " of " + seconds(usual) + " within 1 %" : " above 0") +
-                            (usual > 0.0 ? fmt::format("; --resample {:.0f} interpolates", 1.0 / usual) : ""));
+                            (!rises        ? "; the rows are not in the order of time: sort them"
+                             : usual > 0.0 ? fmt::format("; --resample {:.4g} interpolates", 1.0 / usual)
+                                           : ""));
+  }
   record.start_s = time_s.front();
   if (uneven == time_s.size())
     record.sample_period_s = (time_s.back() - time_s.front()) / static_cast<double>(time_s.size() - 1);
@@ -66,8 +70,9 @@ void set_time_base(const std::vector<double>& time_s, const std::function<size_t
 void keep_times(const std::vector<double>& time_s, const std::function<size_t(size_t)>& line_of, Record& record) {
   for (size_t i = 1; i < time_s.size(); ++i)
     if (!(time_s[i] > time_s[i - 1]))
-      throw DataFileError(record.file, line_of(i),
-                          "t_s steps by " + seconds(time_s[i] - time_s[i - 1]) + ", expected times that rise");
+      throw DataFileError(
+          record.file, line_of(i),
+          "t_s steps by " + seconds(time_s[i] - time_s[i - 1]) + ", expected times that rise: sort the rows");
   record.time_s = time_s;
 }
 

@@ -117,7 +117,8 @@ std::vector<Case> broken_data() {
              {"data.csv:101", "constant step of 0.001 s"}),
       spoilt("SampleStandsTwice", [](Rows& rows) { rows.insert(rows.begin() + 100, rows[100]); },
              {"data.csv:102", "constant step"}),
-      spoilt("TimeRunsBack", [](Rows& rows) { std::swap(rows[100], rows[101]); }, {"data.csv:101", "constant step"}),
+      spoilt("TimeRunsBack", [](Rows& rows) { std::swap(rows[100], rows[101]); },
+             {"data.csv:101", "constant step", "not in the order of time: sort them"}),
       spoilt("TimeStandsStill",
              [](Rows& rows) {
                for (auto& row : rows)

@@ -200,6 +200,7 @@ TEST_F(Estimate, AccelerationsTooShortForAWindowCannotAnswer) {
   EXPECT_EQ(result.status, 3);
   EXPECT_NE(result.errors.find("no window closed; record several cycles"), std::string::npos) << result.errors;
   EXPECT_EQ(json("out.json")["parameters"][0]["status"], "STALE");
+  EXPECT_TRUE(json("out.json")["mse_percent"][0].is_null());
 }
 
 TEST_F(Estimate, ARigThatDoesNotMoveCannotAnswer) {

@@ -98,7 +98,9 @@ std::vector<Record> judge_fit(const rig_file::RigModel& model, const std::vector
   std::vector<SquareSums> sums(model.dofs.size());
   try {
     result.mse_of = "acceleration, measured against the free-running simulation with the estimates";
-    if (runs_freely(rig) && std::any_of(records.begin(), records.end(), begins_unknown)) {
+    if (result.rows == 0) {
+      result.mse_note = "nothing has been estimated to simulate with";
+    } else if (runs_freely(rig) && std::any_of(records.begin(), records.end(), begins_unknown)) {
       result.mse_note =
           "accelerations do not tell the state from which a free decay begins; diagnose fits it and simulates from "
           "there";

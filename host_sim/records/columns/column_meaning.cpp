@@ -282,7 +282,8 @@ bool means_channel(const std::string& head, const rig_file::RigModel& model, con
 std::string plain_name_hint(const std::vector<Column>& columns, const rig_file::RigModel& model) {
   for (const Column& column : columns) {
     const HeadParts head = split_head(column.head);
-    const auto plain = parse_plain_name(head.name, "");
+    auto plain = parse_plain_name(head.name, "");
+    if (!plain) plain = parse_plain_name(head.name.substr(0, head.name.find(' ')), "");  // "Acceleration a_x"
     if (!plain || model.dofs.size() > 1) continue;
     rig_file::ChannelName channel = plain->channel;
     if (!model.dofs.empty()) channel.rotating = model.dofs[0].rotating;
