@@ -1,12 +1,14 @@
 #include "firmware/warrant/verdict.hpp"
 
+#include "firmware/warrant/channel_fault.hpp"
+#include "firmware/warrant/late_channel.hpp"
+
 namespace firmware {
 namespace {
 
 constexpr int kImpossibleDeviations = 4;
 // What a wrong value is: over 4 deviations and over 1/20 of it off.
 constexpr int kWrongDeviations = 4, kWrongShare = 20;
-constexpr int kSlipPercent = 10, kSmallSlipPercent = 50;
 constexpr int kOneTonePercent = 156;  // of the squared mean of w^2: mean of w^4
 
 void raise(ParameterEstimate& parameter, EstimateStatus status) {
@@ -29,28 +31,6 @@ const Term* term_of(const CoreConfiguration& configuration, int unknown) {
   for (int t = 0; t < configuration.term_count; ++t)
     if (configuration.terms[t].unknown == unknown) return &configuration.terms[t];
   return nullptr;
-}
-
-// The known or estimated coefficient of a kind at a place; 0: there is none.
-Scaled coefficient_at(const CoreConfiguration& configuration, const Estimates& estimates, TermKind kind, int place) {
-  for (int t = 0; t < configuration.term_count; ++t) {
-    const Term& term = configuration.terms[t];
-    if (term.kind != kind || term.place != place) continue;
-    return term.unknown < 0 ? term.value : estimates.parameters[term.unknown].value;
-  }
-  return {};
-}
-
-// What a unit of the probe's force is of a channel fault: seconds, or the share of what the channel says that is not so.
-Scaled fault_unit(const CoreConfiguration& configuration, const Estimates& estimates, const Probe& probe,
-                  const Place& place) {
-  const auto per = [](Scaled a, Scaled b) { return b.is_zero() ? Scaled{} : a / b; };
-  const Scaled mass = coefficient_at(configuration, estimates, TermKind::kMass, place.node_a);
-  const Scaled stiffness = coefficient_at(configuration, estimates, TermKind::kStiffness, place.link);
-  if (place.kind == PlaceKind::kBaseEnd) return per(Scaled::from_int(probe.form == Form::kRate ? 1 : -1), stiffness);
-  if (probe.form == Form::kJerk) return per(configuration.sample_period_s, mass);
-  if (probe.form == Form::kForceRate) return -configuration.sample_period_s;
-  return Scaled::from_int(1);
 }
 
 // A displacement of another gain shows in the springs beside it too; a velocity does not.
@@ -107,20 +87,6 @@ bool is_half_a_sample(const CoreConfiguration& configuration, Scaled late_s) {
   return off * Scaled::from_int(100) < configuration.sample_period_s * Scaled::from_int(kSlipPercent);
 }
 
-// A gain that is none: a channel turned over, or in another unit.
-Cause slip_of(Scaled gain, Cause otherwise) {
-  const auto near = [&](Scaled value, int percent) {
-    return abs(gain - value) * Scaled::from_int(100) < abs(value) * Scaled::from_int(percent);
-  };
-  const Scaled gravity = Scaled::ratio(980665, 100000), thousand = Scaled::from_int(1000);
-  if (near(Scaled::from_int(-1), kSlipPercent)) return Cause::kPolarity;
-  const bool large = near(gravity, kSlipPercent) || near(thousand, kSlipPercent);
-  // A thousandth stands beside noise.
-  const bool small =
-      near(Scaled::from_int(1) / gravity, kSlipPercent) || near(Scaled::from_int(1) / thousand, kSmallSlipPercent);
-  return large || small ? Cause::kUnit : otherwise;
-}
-
 Finding finding_of(const CoreConfiguration& configuration, const Estimates& estimates, const ProbePlan& plan,
                    const ScoreTest& test, int probe) {
   Finding finding;
@@ -164,79 +130,6 @@ bool spreads_skew(const CoreConfiguration& configuration, const Estimates& estim
     passes_on = passes_on || (term != nullptr && is_in(kConservative, term->kind));
   }
   return skewed && passes_on;
-}
-
-bool measures_velocity(const CoreConfiguration& configuration, int dof) {
-  return !configuration.fusion[dof].used && !configuration.signals[dof][static_cast<int>(Quantity::kVelocity)].derived;
-}
-
-// Of one DOF. A velocity that is early makes displacement and acceleration late alike.
-Finding late_channel_of(const CoreConfiguration& configuration, const Estimates& estimates, int dof) {
-  const SkewEstimate &x = estimates.displacement_skew[dof], &a = estimates.acceleration_skew[dof];
-  Finding finding;
-  if (!x.significant && !a.significant) return finding;
-  const bool of_acceleration = a.significant && (!x.significant || abs(a.late_s) > abs(x.late_s));
-  const SkewEstimate &late = of_acceleration ? a : x, &other = of_acceleration ? x : a;
-  const bool alike = other.measured && measures_velocity(configuration, dof) &&
-                     late.late_s.is_negative() == other.late_s.is_negative() &&
-                     scale_by_power_of_two(abs(other.late_s), 1) > abs(late.late_s);
-  finding.cause = cause_of(EffectKind::kSensorDelay);
-  finding.node_a = static_cast<int8_t>(dof);
-  finding.quantity = static_cast<uint8_t>(of_acceleration ? Quantity::kAcceleration : Quantity::kDisplacement);
-  finding.size = late.late_s;
-  finding.std = late.std_s;
-  if (!alike) return finding;
-  const SkewEstimate& sure = x.std_s < a.std_s ? x : a;
-  finding.quantity = static_cast<uint8_t>(Quantity::kVelocity);
-  finding.size = -sure.late_s;
-  finding.std = sure.std_s;
-  return finding;
-}
-
-// The channel that the kinematic identities find late: no rig model is needed to name it.
-bool late_channel(const CoreConfiguration& configuration, const Estimates& estimates, Finding& worst) {
-  worst = Finding{};
-  for (int dof = 0; dof < configuration.dof_count; ++dof) {
-    const Finding finding = late_channel_of(configuration, estimates, dof);
-    if (finding.cause != Cause::kNone && abs(finding.size) > abs(worst.size)) worst = finding;
-  }
-  return worst.cause != Cause::kNone;
-}
-
-// What the equation of motion says of an acceleration's delay: effect and deviation, s. False: it says nothing.
-bool delay_by_equation(const CoreConfiguration& configuration, const Estimates& estimates, const ProbePlan& plan,
-                       const ScoreTest& test, int dof, Scaled& late_s, Scaled& std_s) {
-  for (int j = plan.base_count; j < plan.summed_count; ++j) {
-    const Place& at = plan.place[plan.probe[j].place];
-    if (plan.probe[j].form != Form::kJerk || at.node_a != dof || !test.score(j).tested) continue;
-    const Scaled unit = fault_unit(configuration, estimates, plan.probe[j], at);
-    late_s = test.score(j).effect * unit;
-    std_s = test.score(j).std * abs(unit);
-    return true;
-  }
-  return false;
-}
-
-bool is_acceleration_beside_force(const CoreConfiguration& configuration, const Finding& late) {
-  return late.quantity == static_cast<uint8_t>(Quantity::kAcceleration) &&
-         configuration.channels[late.node_a][static_cast<int>(Quantity::kForce)].present;
-}
-
-// A force that is held from sample to sample makes the acceleration of its DOF jump with every sample: against the velocity it comes
-// early, and the equation of motion, where it stands beside that very force, knows nothing of it. Sampled before the jump it
-// comes late.
-void ask_equation(const CoreConfiguration& configuration, const ScoreSums& sums, const ScoreTest& test,
-                  Estimates& estimates, Finding& late) {
-  if (!is_acceleration_beside_force(configuration, late)) return;
-  Scaled by_equation_s, std_s;
-  const bool answers =
-      delay_by_equation(configuration, estimates, sums.plan(), test, late.node_a, by_equation_s, std_s);
-  estimates.warrant.confirmed = answers && scale_by_power_of_two(abs(by_equation_s - late.size), 1) < abs(late.size);
-  const Scaled most = abs(by_equation_s) + scale_by_power_of_two(std_s, 2);
-  if (!answers || !late.size.is_negative() || scale_by_power_of_two(most, 1) >= abs(late.size)) return;
-  late.cause = cause_of(EffectKind::kForceHold);
-  late.quantity = static_cast<uint8_t>(Quantity::kForce);
-  late.size = scale_by_power_of_two(-configuration.sample_period_s, -1);
 }
 
 // The scatter that the effect takes away, as amplitudes.
@@ -335,7 +228,7 @@ void give_verdict(const CoreConfiguration& configuration, const ScoreSums& sums,
   if (warrant.tested) tell(configuration, sums, test, estimates);
   Finding late;
   if (late_channel(configuration, estimates, late)) {
-    if (state.judged) ask_equation(configuration, sums, test, estimates, late);
+    if (state.judged) ask_equations(configuration, sums.plan(), test, estimates, late);
     warrant.rival = warrant.named;
     warrant.named = late;
   }

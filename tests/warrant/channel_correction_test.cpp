@@ -85,7 +85,7 @@ void make_late(host_sim::Channel& channel) {
   std::copy_backward(channel.values.begin(), channel.values.end() - 1, channel.values.end());
 }
 
-TEST(ChannelCorrection, ALateChannelIsTakenOutAndSaid) {
+TEST(BoardsCorrection, ALateChannelIsTakenOutAndSaid) {
   for (const host_sim::Quantity quantity :
        {host_sim::Quantity::kDisplacement, host_sim::Quantity::kVelocity, host_sim::Quantity::kAcceleration}) {
     Draw draw = rig_of_two(9410);
@@ -106,7 +106,7 @@ TEST(ChannelCorrection, ALateChannelIsTakenOutAndSaid) {
 }
 
 // Delays of a fraction of a sample and gains as the generator draws them, 1 % noise.
-TEST(ChannelCorrection, WhatIsCorrectedIsRight) {
+TEST(BoardsCorrection, WhatIsCorrectedIsRight) {
   int corrected = 0, faults = 0;
   for (const char* fault : {"sensor_delay", "sensor_gain"})
     for (uint64_t seed = 9420; seed < 9430; ++seed) {
@@ -129,7 +129,7 @@ TEST(ChannelCorrection, WhatIsCorrectedIsRight) {
 }
 
 // Of two channels that contradict each other nobody knows which is late; a force has no second witness.
-TEST(ChannelCorrection, WithoutAThirdChannelNothingIsCorrected) {
+TEST(BoardsCorrection, WithoutAThirdChannelNothingIsCorrected) {
   Draw draw = rig_of_two(9440, "xv");
   make_late(channel_of(draw, 2, host_sim::Quantity::kDisplacement));
   Board two(draw);
@@ -146,7 +146,7 @@ TEST(ChannelCorrection, WithoutAThirdChannelNothingIsCorrected) {
 
 // An acceleration that jumps with every sample of a held force is not late: the equation beside that force is exact. Sampled before the
 // jump: Replay.AForceThatIsSampledBeforeItsJumpIsNoLateAcceleration.
-TEST(ChannelCorrection, AHeldForceMakesNoAccelerationLate) {
+TEST(BoardsCorrection, AHeldForceMakesNoAccelerationLate) {
   for (uint64_t seed = 9450; seed < 9454; ++seed) {
     Settings settings;
     settings.hidden = "force_hold";
@@ -158,7 +158,7 @@ TEST(ChannelCorrection, AHeldForceMakesNoAccelerationLate) {
 }
 
 // A channel turned over is a slip for a person to look at.
-TEST(ChannelCorrection, ASlipIsNotCorrected) {
+TEST(BoardsCorrection, ASlipIsNotCorrected) {
   Draw draw = rig_of_two(9442);
   for (double& value : channel_of(draw, 1, host_sim::Quantity::kVelocity).values) value = -value;
   Board board(draw);
@@ -169,7 +169,7 @@ TEST(ChannelCorrection, ASlipIsNotCorrected) {
 }
 
 // The bits of a rig without a fault do not know that a fault would be taken out; a reset forgets what was.
-TEST(ChannelCorrection, ARightRigIsLeftAsItIsAndAResetForgets) {
+TEST(BoardsCorrection, ARightRigIsLeftAsItIsAndAResetForgets) {
   const Draw right = rig_of_two(9443);
   Board as_told(right, false), board(right);
   as_told.measure(right);

@@ -78,6 +78,49 @@ TEST(Warrant, ALateChannelIsNamed) {
   }
 }
 
+// A velocity that is made of displacement and acceleration lies between them: a gain of one turns it against both alike, a delay against
+// one as late and against the other as early. Springs and mass say whose it is; the size is rough, the velocity is off too.
+TEST(Warrant, AGainBesideAFusedVelocityIsNoDelay) {
+  for (const host_sim::Quantity quantity : {host_sim::Quantity::kDisplacement, host_sim::Quantity::kAcceleration})
+    for (const double gain : {1.05, 0.95, -1.0, 9.80665}) {
+      Settings settings;
+      settings.masses = 2;
+      settings.sensors = "xa";
+      hidden_rig::Draw draw = hidden_rig::make_draw(9220, settings);
+      for (host_sim::Channel& channel : draw.records.front().channels)
+        if (channel.dof == 1 && channel.quantity == quantity)
+          for (double& value : channel.values) value *= gain;
+      const CoreRun run = run_core(draw);
+      const firmware::Finding& named = run.core->estimates().warrant.named;
+      const firmware::Cause slip = gain < 0   ? firmware::Cause::kPolarity
+                                   : gain > 2 ? firmware::Cause::kUnit
+                                              : firmware::cause_of(firmware::EffectKind::kSensorGain);
+      EXPECT_EQ(named.cause, slip) << gain;
+      EXPECT_EQ(named.node_a, 0);
+      EXPECT_EQ(static_cast<int>(named.quantity), static_cast<int>(quantity)) << gain;
+      EXPECT_NEAR(to_double(named.size), gain - 1, 0.5 * std::abs(gain - 1)) << gain;
+      EXPECT_EQ(valid_and_wrong(draw, run.core->estimates()), 0);
+    }
+}
+
+TEST(Warrant, WhichOfTwoChannelsIsLateItsEquationSays) {
+  for (const host_sim::Quantity quantity : {host_sim::Quantity::kDisplacement, host_sim::Quantity::kAcceleration}) {
+    Settings settings;
+    settings.masses = 2;
+    settings.sensors = "xa";
+    hidden_rig::Draw draw = hidden_rig::make_draw(9230, settings);
+    for (host_sim::Channel& channel : draw.records.front().channels)
+      if (channel.dof == 2 && channel.quantity == quantity)
+        std::copy_backward(channel.values.begin(), channel.values.end() - 1, channel.values.end());
+    const CoreRun run = run_core(draw);
+    const firmware::Finding& named = run.core->estimates().warrant.named;
+    EXPECT_EQ(named.cause, firmware::cause_of(firmware::EffectKind::kSensorDelay));
+    EXPECT_EQ(named.node_a, 1);
+    EXPECT_EQ(static_cast<int>(named.quantity), static_cast<int>(quantity));
+    EXPECT_NEAR(to_double(named.size), 1e-3, 4e-4);
+  }
+}
+
 // Where masses and springs are estimated too they pass on to every equation what a late channel takes from one.
 TEST(Warrant, ALateChannelLeavesNothingValidWhereMassesAreUnknown) {
   int skewed = 0;

@@ -47,7 +47,7 @@ std::optional<ChannelCorrection> choose(const OfDof& dof) {
 }
 
 // What the board names, where it is one channel's and nothing else can stand in its place.
-std::optional<ChannelCorrection> of_warrant(const WarrantResult& warrant, double sample_period_s) {
+std::optional<ChannelCorrection> of_warrant(const WarrantResult& warrant, const std::vector<Record>& records) {
   const FindingResult& named = warrant.named;
   const bool gain = named.effect == "sensor_gain";
   if (!gain && named.effect != "sensor_delay") return std::nullopt;
@@ -55,9 +55,11 @@ std::optional<ChannelCorrection> of_warrant(const WarrantResult& warrant, double
   if (!name || name->dof == rig_file::kBase) return std::nullopt;
   const bool of_force = name->quantity == firmware::Quantity::kForce;
   if (!gain && !of_force) return std::nullopt;  // delays of the motion's channels are the skews
+  // A velocity that is made of displacement and acceleration measures no gain of either: channel_pairs.hpp.
+  if (!of_force && records.front().find(Quantity::kVelocity, name->dof) == nullptr) return std::nullopt;
   const double deviations = std::fabs(named.size) / named.std;
   if (!(deviations > kWellMeasured)) return std::nullopt;
-  if (std::fabs(named.size) > (gain ? kMostGain : kMostPeriods * sample_period_s)) return std::nullopt;
+  if (std::fabs(named.size) > (gain ? kMostGain : kMostPeriods * records.front().sample_period_s)) return std::nullopt;
   ChannelCorrection correction;
   correction.channel = named.where.substr(kOfChannel.size());
   correction.by_channels = !of_force;
@@ -96,7 +98,7 @@ std::vector<ChannelCorrection> corrections_to_make(const EstimateResult& result,
   if (result.warrant.named.effect == "force_hold") return {};  // what looks late there is the force's steps
   std::vector<ChannelCorrection> corrections = delays_to_correct(result.skews, records);
   if (!corrections.empty()) return corrections;
-  const auto named = of_warrant(result.warrant, records.front().sample_period_s);
+  const auto named = of_warrant(result.warrant, records);
   if (named && (first || named->by_channels)) corrections.push_back(*named);
   return corrections;
 }

@@ -1,0 +1,38 @@
+#include "firmware/warrant/channel_fault.hpp"
+
+namespace firmware {
+
+Scaled coefficient_at(const CoreConfiguration& configuration, const Estimates& estimates, TermKind kind, int place) {
+  for (int t = 0; t < configuration.term_count; ++t) {
+    const Term& term = configuration.terms[t];
+    if (term.kind != kind || term.place != place) continue;
+    return term.unknown < 0 ? term.value : estimates.parameters[term.unknown].value;
+  }
+  return {};
+}
+
+Scaled fault_unit(const CoreConfiguration& configuration, const Estimates& estimates, const Probe& probe,
+                  const Place& place) {
+  const auto per = [](Scaled a, Scaled b) { return b.is_zero() ? Scaled{} : a / b; };
+  const Scaled mass = coefficient_at(configuration, estimates, TermKind::kMass, place.node_a);
+  const Scaled stiffness = coefficient_at(configuration, estimates, TermKind::kStiffness, place.link);
+  if (place.kind == PlaceKind::kBaseEnd) return per(Scaled::from_int(probe.form == Form::kRate ? 1 : -1), stiffness);
+  if (probe.form == Form::kJerk) return per(configuration.sample_period_s, mass);
+  if (probe.form == Form::kForceRate) return -configuration.sample_period_s;
+  return Scaled::from_int(1);
+}
+
+Cause slip_of(Scaled gain, Cause otherwise, int percent) {
+  const auto near = [&](Scaled value, int within) {
+    return abs(gain - value) * Scaled::from_int(100) < abs(value) * Scaled::from_int(within);
+  };
+  const Scaled gravity = Scaled::ratio(980665, 100000), thousand = Scaled::from_int(1000);
+  if (near(Scaled::from_int(-1), percent)) return Cause::kPolarity;
+  const bool large = near(gravity, percent) || near(thousand, percent);
+  // A thousandth stands beside noise.
+  const bool small =
+      near(Scaled::from_int(1) / gravity, percent) || near(Scaled::from_int(1) / thousand, kRoughSlipPercent);
+  return large || small ? Cause::kUnit : otherwise;
+}
+
+}  // namespace firmware
