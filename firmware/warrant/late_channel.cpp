@@ -69,8 +69,9 @@ void ask_equation(const CoreConfiguration& configuration, const ProbePlan& plan,
   late.size = scale_by_power_of_two(-configuration.sample_period_s, -1);
 }
 
-// The probe of this form at the DOF, or at one of its links, with the largest gain in likelihood; -1: none.
-int best_at(const ProbePlan& plan, const ScoreTest& test, Form form, int dof) {
+// The probe of this form at the DOF, or at one of its links (grounded: to the ground alone), with the largest gain in likelihood;
+// -1: none.
+int best_at(const ProbePlan& plan, const ScoreTest& test, Form form, int dof, bool grounded = false) {
   int best = -1;
   for (int j = plan.base_count; j < plan.summed_count; ++j) {
     const Place& at = plan.place[plan.probe[j].place];
@@ -78,6 +79,7 @@ int best_at(const ProbePlan& plan, const ScoreTest& test, Form form, int dof) {
                         : at.kind == PlaceKind::kLink ? at.node_a == dof || at.node_b == dof
                                                       : false;
     if (plan.probe[j].form != form || !beside || !test.score(j).tested) continue;
+    if (grounded && at.node_b != kGroundNode) continue;
     if (best < 0 || test.score(j).gain > test.score(best).gain) best = j;
   }
   return best;
@@ -93,23 +95,29 @@ bool is_gain(const CoreConfiguration& configuration, const Estimates& estimates,
 }
 
 // Whose gain: a displacement shows in the springs, an acceleration in the mass. A share e of its force is missing where the channel says
-// 1 / (1 + e) of the truth.
+// 1 / (1 + e) of the truth; a spring between two masses has two displacements, and says little of the size. The velocity is off too, and
+// its damping force with it: an eighth of the size.
 void tell_gain(const CoreConfiguration& configuration, const Estimates& estimates, const ProbePlan& plan,
                const ScoreTest& test, Finding& late) {
   const int dof = late.node_a, spring = best_at(plan, test, Form::kElongation, dof);
+  const int grounded = best_at(plan, test, Form::kElongation, dof, true);
   const int inertia = best_at(plan, test, Form::kAcceleration, dof);
   if (spring < 0 && inertia < 0) return;
   const bool of_acceleration = spring < 0 || (inertia >= 0 && test.score(inertia).gain > test.score(spring).gain);
-  const ProbeScore& score = test.score(of_acceleration ? inertia : spring);
+  const int probe = of_acceleration ? inertia : grounded >= 0 ? grounded : spring;
+  const ProbeScore& score = test.score(probe);
   const Scaled own = of_acceleration ? coefficient_at(configuration, estimates, TermKind::kMass, dof)
                                      : coefficient_at(configuration, estimates, TermKind::kStiffness,
-                                                      plan.place[plan.probe[spring].place].link);
+                                                      plan.place[plan.probe[probe].place].link);
   const Scaled said = own + score.effect;
   if (own.is_zero() || said.is_zero()) return;
   late.quantity = static_cast<uint8_t>(of_acceleration ? Quantity::kAcceleration : Quantity::kDisplacement);
   late.size = -(score.effect / said);
-  late.std = score.std * abs(own / (said * said));
-  late.cause = slip_of(own / said, cause_of(EffectKind::kSensorGain), kRoughSlipPercent);
+  const Scaled std = score.std * abs(own / (said * said)), doubt = scale_by_power_of_two(late.size, -3);
+  const bool sized = of_acceleration || grounded >= 0;
+  late.std = sized ? sqrt(std * std + doubt * doubt) : abs(late.size);
+  late.cause = cause_of(EffectKind::kSensorGain);
+  if (sized) late.cause = slip_of(own / said, late.cause, kRoughSlipPercent);
 }
 
 // Which of the two is late the acceleration's own equation says: by as much, or not at all.
