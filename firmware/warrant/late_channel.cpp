@@ -95,8 +95,8 @@ bool is_gain(const CoreConfiguration& configuration, const Estimates& estimates,
 }
 
 // Whose gain: a displacement shows in the springs, an acceleration in the mass. A share e of its force is missing where the channel says
-// 1 / (1 + e) of the truth; a spring between two masses has two displacements, and says little of the size. The velocity is off too, and
-// its damping force with it: an eighth of the size.
+// 1 / (1 + e) of the truth. The velocity is off too, and its damping force with it: that is an eighth of the size. What springs say of it
+// their neighbours take up: half of the size, and between two masses no slip.
 void tell_gain(const CoreConfiguration& configuration, const Estimates& estimates, const ProbePlan& plan,
                const ScoreTest& test, Finding& late) {
   const int dof = late.node_a, spring = best_at(plan, test, Form::kElongation, dof);
@@ -113,11 +113,11 @@ void tell_gain(const CoreConfiguration& configuration, const Estimates& estimate
   if (own.is_zero() || said.is_zero()) return;
   late.quantity = static_cast<uint8_t>(of_acceleration ? Quantity::kAcceleration : Quantity::kDisplacement);
   late.size = -(score.effect / said);
-  const Scaled std = score.std * abs(own / (said * said)), doubt = scale_by_power_of_two(late.size, -3);
-  const bool sized = of_acceleration || grounded >= 0;
-  late.std = sized ? sqrt(std * std + doubt * doubt) : abs(late.size);
+  const Scaled std = score.std * abs(own / (said * said)),
+               doubt = scale_by_power_of_two(late.size, of_acceleration ? -3 : -1);
+  late.std = sqrt(std * std + doubt * doubt);
   late.cause = cause_of(EffectKind::kSensorGain);
-  if (sized) late.cause = slip_of(own / said, late.cause, kRoughSlipPercent);
+  if (of_acceleration || grounded >= 0) late.cause = slip_of(own / said, late.cause, kRoughSlipPercent);
 }
 
 // Which of the two is late the acceleration's own equation says: by as much, or not at all.

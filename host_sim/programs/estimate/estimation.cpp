@@ -122,7 +122,7 @@ Estimation estimate_as_told(const rig_file::RigModel& model, const std::vector<R
   fit_signals_to(records, calibrations, configuration);
   configuration.window = window_of(records.front(), options);
   configuration.probe_products_per_sample = firmware::kAllProbes;  // no next sample waits
-  configuration.corrects_channels = false;  // see correct_channels()
+  configuration.corrects_channels = false;                         // see correct_channels()
   std::ostringstream log_text;
   can_log::LogWriter log(log_text, "can0");
   firmware::ControllerConfiguration controller =
