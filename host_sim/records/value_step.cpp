@@ -1,31 +1,65 @@
 #include "host_sim/records/value_step.hpp"
 
+#include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace host_sim {
+namespace {
 
-double value_step(const std::vector<double>& values) {
-  double smallest = std::numeric_limits<double>::infinity();
+constexpr size_t kLooked = 10000;  // steps, evenly spread: enough to see which is the usual one
+constexpr double kOftenest =
+    0.25;  // of the steps are alike where a coarse grid is slowly crossed, next to none elsewhere
+constexpr double kAll = 0.99, kMost = 0.95;  // of the steps are whole: beside a few values that were written in full
+
+// Differences between neighbours that are more than the rounding of the values.
+std::vector<double> steps_of(const std::vector<double>& values) {
+  std::vector<double> steps;
   for (size_t i = 1; i < values.size(); ++i) {
     const double step = std::abs(values[i] - values[i - 1]);
-    if (step > 1e-12 * std::abs(values[i])) smallest = std::min(smallest, step);
+    if (step > 1e-12 * std::abs(values[i])) steps.push_back(step);
   }
-  if (!std::isfinite(smallest)) return 0.0;
-  size_t steps = 0, whole = 0;
+  return steps;
+}
+
+// The unit as all whole multiples of it tell it, where that share of the steps is whole; else 0.
+double whole_unit(const std::vector<double>& steps, double unit, double share) {
+  size_t counted = 0, whole = 0;
   double sum = 0.0, count = 0.0;
-  for (size_t i = 1; i < values.size(); ++i) {
-    const double multiple = std::abs(values[i] - values[i - 1]) / smallest, nearest = std::nearbyint(multiple);
-    if (nearest < 1.0 || nearest > 50.0) continue;  // beyond, the smallest step's own rounding adds up
-    ++steps;
-    if (std::abs(multiple - nearest) < 0.01 * nearest + 0.01) {
+  for (const double step : steps) {
+    const double multiple = step / unit, nearest = std::nearbyint(multiple);
+    if (nearest > 50.0) continue;  // beyond, the unit's own rounding adds up
+    ++counted;
+    if (nearest >= 1.0 && std::abs(multiple - nearest) < 0.01 * nearest + 0.01) {
       ++whole;
       sum += multiple;
       count += nearest;
     }
   }
-  const bool quantised = steps >= 20 && static_cast<double>(whole) >= 0.99 * static_cast<double>(steps);
-  return quantised ? smallest * sum / count : 0.0;
+  const bool quantised = counted >= 20 && static_cast<double>(whole) >= share * static_cast<double>(counted);
+  return quantised ? unit * sum / count : 0.0;
+}
+
+// The step that a quarter of all are, within a thousandth; 0 where there is none.
+double usual_step(const std::vector<double>& steps) {
+  std::vector<double> some;
+  const size_t stride = steps.size() / kLooked + 1;
+  for (size_t i = 0; i < steps.size(); i += stride) some.push_back(steps[i]);
+  std::sort(some.begin(), some.end());
+  const auto alike = static_cast<size_t>(kOftenest * static_cast<double>(some.size()));
+  for (size_t i = 0; i + alike < some.size(); ++i)
+    if (some[i + alike] <= 1.001 * some[i]) return some[i + alike / 2];
+  return 0.0;
+}
+
+}  // namespace
+
+double value_step(const std::vector<double>& values) {
+  const std::vector<double> steps = steps_of(values);
+  if (steps.size() < 20) return 0.0;
+  if (const double unit = whole_unit(steps, *std::min_element(steps.begin(), steps.end()), kAll); unit > 0.0)
+    return unit;
+  const double usual = usual_step(steps);
+  return usual > 0.0 ? whole_unit(steps, usual, kMost) : 0.0;
 }
 
 }  // namespace host_sim

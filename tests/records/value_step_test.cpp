@@ -1,0 +1,58 @@
+// The step of a coarse converter, read off its values.
+#include "host_sim/records/value_step.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace {
+
+using host_sim::value_step;
+
+// 2000 samples of a swing of 0.3 about zero, 40 a period, in steps of `step` (0: none); every `full`th one is written in full.
+std::vector<double> swing(double step, int full) {
+  std::vector<double> values;
+  for (int i = 0; i < 2000; ++i) {
+    const double x = 0.3 * std::exp(-5e-4 * i) * std::sin(0.1571 * i);
+    values.push_back(step == 0 || (full > 0 && i % full == 0) ? x : step * std::round(x / step));
+  }
+  return values;
+}
+
+TEST(ValueStep, IsTheGridOfAllValues) {
+  EXPECT_NEAR(value_step(swing(0.01, 0)), 0.01, 1e-6);
+  EXPECT_NEAR(value_step(swing(0.002, 0)), 0.002, 1e-7);
+  EXPECT_EQ(value_step({1, 2, 1, 2}), 0.0);  // too few to say
+}
+
+TEST(ValueStep, IsThatOfMostValuesBesideAFewInFull) {
+  // one in 100: two of a hundred steps are not whole. One in ten: twenty of a hundred.
+  EXPECT_NEAR(value_step(swing(0.05, 100)), 0.05, 1e-4);
+  EXPECT_EQ(value_step(swing(0.05, 10)), 0.0);
+}
+
+TEST(ValueStep, IsNoneOfASmoothSignalNorOfNoise) {
+  EXPECT_EQ(value_step(swing(0.0, 0)), 0.0);
+  std::mt19937 random(7);
+  std::normal_distribution<double> normal;
+  std::vector<double> noise(5000);
+  for (double& value : noise) value = normal(random);
+  EXPECT_EQ(value_step(noise), 0.0);
+}
+
+// A command of ramps: its steps are alike where it moves evenly, and any where it turns.
+TEST(ValueStep, OfRampsThatTurnSmoothlyIsNone) {
+  std::vector<double> values;
+  for (int i = 0; i < 2000; ++i) {
+    const double phase =
+        std::fmod(0.01 * i, 4.0);  // a second to and a second fro, each followed by a second of turning
+    values.push_back(phase < 1   ? phase
+                     : phase < 2 ? 1 + std::sin(M_PI * (phase - 1)) / M_PI
+                     : phase < 3 ? 3 - phase
+                                 : -std::sin(M_PI * (phase - 3)) / M_PI);
+  }
+  EXPECT_EQ(value_step(values), 0.0);
+}
+
+}  // namespace
