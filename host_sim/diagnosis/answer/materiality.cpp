@@ -48,7 +48,9 @@ double windows_gain(const Choice& choice) {
 bool immaterial(const Task& task, const Choice& choice, bool noise, double worst_free_run,
                 const std::vector<ActiveTerm>& base, const std::vector<ActiveTerm>& full, const Diagnosis& d) {
   if (choice.named.empty()) return false;
-  if (noise && moved(base, full) && laws_apart(task, choice.base.model, choice.final.model) > kLeastGain - 1)
+  const bool pays =
+      std::all_of(choice.named.begin(), choice.named.end(), [](const Named& n) { return n.unseen_deviations > kSure; });
+  if (noise && (pays || moved(base, full)) && laws_apart(task, choice.base.model, choice.final.model) > kLeastGain - 1)
     return false;
   return (windows_gain(choice) < kLeastGain || worst_free_run > 100) &&
          std::all_of(d.gain.begin(), d.gain.end(), [](double gain) { return gain < kLeastGain; });

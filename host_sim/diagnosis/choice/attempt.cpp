@@ -46,6 +46,16 @@ double expected_unseen(const Attempt& a, size_t added_from) {
   return rows > 0 ? sum / rows : 0;
 }
 
+// A cause of a deviations that is there or not changes the squared error by 2 a n - a^2 variances of what is left, n a normal deviate of
+// what noise makes of it: x variances less need n >= (x + a^2) / 2a, at least sqrt(x), whatever a.
+double deviations_unseen(const Attempt& a) {
+  if (a.candidates.size() != 1 || !a.state.unseen_fit.ok) return 0;
+  double rows = 0;
+  for (const Window& w : a.state.unseen) rows += static_cast<double>(w.length);
+  rows *= static_cast<double>(a.state.unseen_fit.mean_square.size());
+  return std::sqrt(std::max(0.0, rows * (1 - a.unseen) / a.state.unseen_fit.memory));
+}
+
 // As share_of(), on unseen windows: where they are quieter noise is more of what is left there.
 double unseen_share_of(const Attempt& a, double noise) {
   return (1 - a.unseen) / std::max(1e-12, 1 - std::min(std::min(1.0, noise * a.quieter), a.unseen));
@@ -150,6 +160,7 @@ void judge(const Task& task, const State& beside, bool hosted, Attempt& a) {
   }
   if (!a.state.fit.ok || a.rounds) return;
   a.z = std::min(1e300, least_z(a, beside.model.size()));
+  a.unseen_deviations = deviations_unseen(a);
   a.shows_unseen = !a.state.unseen_fit.ok || 1 - a.unseen > kShows || expected_unseen(a, beside.model.size()) > kShows;
   // what acts in another's place has no coefficient of its own: what it brings, block by block
   // (of a sweep two or three are by far the loudest: as a share of their own)
@@ -299,12 +310,14 @@ bool unseen_agrees(const Attempt& a) { return a.unseen < (a.shows_unseen ? 1 : k
 bool passes(const Attempt& a, size_t already, double noise) {
   if (!a.state.fit.ok || a.rounds) return false;
   const double n = static_cast<double>(already + a.candidates.size()), least = least_share(a.candidates.size());
-  if (!a.shows_unseen)  // then it has to explain nearly all by itself
+  // chance would have to pass twice; but what causes named before leave may be their laws' error, which unseen windows repeat
+  const bool borne_out = already == 0 && noise >= kMostlyNoise && a.unseen_deviations > kSure;
+  if (!a.shows_unseen && !borne_out)  // then it has to explain nearly all by itself
     return unseen_agrees(a) && a.z > kNamed * std::sqrt(n) && share_of(a, noise) > std::max(least, 1 - kShare);
   if (noise < kMostlyNoise && unseen_share_of(a, noise) < least) return false;
   const bool plain =
       noise * std::max(1.0, a.quieter) < kMostlyNoise && unseen_share_of(a, noise) > 0.5 * share_of(a, noise);
-  return a.z > (plain ? kSure : kNamed * std::sqrt(n)) && share_of(a, noise) > least && unseen_agrees(a);
+  return a.z > (plain || borne_out ? kSure : kNamed * std::sqrt(n)) && share_of(a, noise) > least && unseen_agrees(a);
 }
 
 bool clearly_better(const Attempt& a, const Attempt& b, double noise) {

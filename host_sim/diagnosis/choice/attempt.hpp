@@ -14,6 +14,9 @@ struct Attempt {
   // Whether unseen windows can tell: what it would bring there, as a share of their squared residual, is more than
   // chance.
   bool shows_unseen = true;
+  // Of one cause alone: by how many standard deviations unseen windows gain more than noise would give, at least. It was fixed
+  // before they were asked: chance has one try.
+  double unseen_deviations = 0;
   // Its friction bends within a sample, as a filter rounds a jump: no cause, but what causes have to stand beside.
   bool rounds = false;
 };

@@ -24,8 +24,9 @@ struct Named {
   double z = 0;      // significance
   double share = 0;  // of what was still to be explained
   std::vector<Rival> rivals;
-  bool shows_unseen = true;  // whether unseen windows could show it
-  bool of_numbers = false;   // the rig file has it wrong by much: beside it as given rivals say nothing
+  bool shows_unseen = true;      // whether unseen windows could show it
+  bool of_numbers = false;       // the rig file has it wrong by much: beside it as given rivals say nothing
+  double unseen_deviations = 0;  // by which unseen windows gain more than by chance
 };
 
 // Whether what is left goes with the motion of its own window, or as well with that of any other: with_motion().

@@ -132,7 +132,13 @@ void search(const Task& task, double worth, Choice& choice, const std::function<
     if (!choice.named.empty() && takes_little(left, left * round.best.error)) break;
     for (Candidate c : round.best.candidates) {
       keep_shape(round.best.state.model, c);
-      choice.named.push_back(Named{c, round.best.z, share_of(round.best, noise), {}, round.best.shows_unseen});
+      choice.named.push_back(Named{c,
+                                   round.best.z,
+                                   share_of(round.best, noise),
+                                   {},
+                                   round.best.shows_unseen,
+                                   false,
+                                   round.best.unseen_deviations});
     }
     now = on_all(task, now, round.best.state);
     progress(static_cast<double>(choice.named.size()) / static_cast<double>(most));
@@ -245,7 +251,7 @@ bool borne_out(const Task& task, const State& base, const std::vector<Candidate>
                const std::vector<std::vector<double>>& values, State* fitted) {
   const Attempt all = attempt_of_found(task, base, found, values);
   if (fitted) *fitted = all.state;
-  if (!all.state.fit.ok || all.rounds || !(all.z > kSure) || !unseen_agrees(all)) return false;
+  if (!all.state.fit.ok || all.rounds || !(all.z > kByChance) || !unseen_agrees(all)) return false;
   for (size_t i = 0; found.size() > 1 && i < found.size(); ++i) {
     std::vector<Candidate> fewer = found;
     std::vector<std::vector<double>> start = values;

@@ -229,6 +229,22 @@ bool shorter_ways(Evaluator& evaluator, const Pass& now, const Pass& next, const
   return any;
 }
 
+// A state fitted beside another model may lie where this one does not come back from (a damping that falls with the rate): such a
+// window starts from the measured motion, or from rest. True where any does.
+bool started_afresh(Evaluator& evaluator, std::vector<Window>& windows) {
+  std::atomic<bool> any{false};
+  std::vector<WindowRun> runs(lanes());
+  in_parallel(windows.size(), [&](size_t i, size_t lane) {
+    Window& w = windows[i];
+    const auto finite = [&] { return evaluator.run(w, false, false, runs[lane], lane); };
+    if (finite()) return;
+    any = true;
+    w.state.resize(0), w.state = evaluator.carried_state(w);
+    if (!finite()) w.state.setZero();
+  });
+  return any;
+}
+
 bool has_friction(const Model& model) {
   return std::any_of(model.begin(), model.end(), [](const ModelTerm& t) {
     return t.term.kind == Kind::kCoulomb || t.term.kind == Kind::kMissingCoulomb;
@@ -271,6 +287,7 @@ Fitted fit(const System& system, const std::vector<Prepared>& records, Model& mo
   if (!evaluator->sound()) return out;
   for (Window& w : windows) w.state = evaluator->carried_state(w);
   Pass now = pass_over(*evaluator, windows, nullptr, false);
+  if (!now.ok && started_afresh(*evaluator, windows)) now = pass_over(*evaluator, windows, nullptr, false);
   if (!now.ok) return out;
   Vec weights = now.mean_square.cwiseSqrt().cwiseInverse();
   now = pass_over(*evaluator, windows, &weights, true);

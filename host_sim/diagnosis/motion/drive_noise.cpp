@@ -10,12 +10,8 @@ void DriveNoise::disturb(const Vec& sigma, Vec& y) {
 
 Prepared DriveNoise::added_to(const Prepared& record) {
   Prepared noisy = record;
-  const auto everywhere = [](const Vec& y) -> Vec { return Vec::Constant(y.size(), noise_level(y)); };
-  for (size_t d = 0; d < noisy.force.size(); ++d) {
-    const Vec& in_blows = record.noise_in_blows[d];
-    disturb(in_blows.size() ? in_blows : everywhere(record.force[d]), noisy.force[d]);
-  }
-  for (Vec& b : noisy.base.reading) disturb(everywhere(b), b);
+  for (size_t d = 0; d < noisy.force.size(); ++d) disturb(noise_along_force(record, d), noisy.force[d]);
+  for (Vec& b : noisy.base.reading) disturb(Vec::Constant(b.size(), noise_level(b)), b);
   renew_base(noisy);
   return noisy;
 }

@@ -384,9 +384,13 @@ double noise_level(const Vec& f) {
   return std::sqrt(top[top.size() / 2] / kMedianOfSpread);
 }
 
+Vec noise_along_force(const Prepared& p, size_t dof) {
+  if (dof < p.noise_in_blows.size() && p.noise_in_blows[dof].size()) return p.noise_in_blows[dof];
+  return Vec::Constant(p.force[dof].size(), noise_level(p.force[dof]));
+}
+
 double noise_of_force(const Prepared& p, size_t dof) {
-  const Vec& in_blows = p.noise_in_blows[dof];
-  return in_blows.size() ? in_blows.maxCoeff() : noise_level(p.force[dof]);
+  return p.force[dof].size() ? noise_along_force(p, dof).maxCoeff() : 0;
 }
 
 double between(const Vec& y, Index sample, double share) {

@@ -83,7 +83,8 @@ constexpr double kNoiseReaches = 4;  // standard deviations: two neighbours beyo
 // Standard deviation of a drive channel's noise: white at the level of the top of its band (what drives may act above the
 // motion's band, and a thinned record ends early). 0 for a channel of noughts.
 double noise_level(const Vec& drive);
-// Of a DOF's force where it acts.
+// Of a DOF's force, sample by sample; and where it acts.
+Vec noise_along_force(const Prepared& record, size_t dof);
 double noise_of_force(const Prepared& record, size_t dof);
 
 // Delays `y` by a whole or broken number of samples (six-point interpolation; ends repeat).
