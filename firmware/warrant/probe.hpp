@@ -66,15 +66,22 @@ struct Place {
   int8_t column_sign[kMaxPlaceColumns][kPlaceEquations] = {};
 };
 
+enum class Drift : uint8_t {
+  kNone,
+  kSteady,   // the time t
+  kSettles,  // a rig that has run warm: 9/8 t / (t / T + 1/8), T the time of the level; as large as t at its end
+};
+
 struct Probe {
   Form form = Form::kElongation;
   uint8_t place = 0;
   int8_t unknown = -1;  // the estimated term it stands for; -1: a candidate
   Cause cause = Cause::kUnknown;
   uint8_t quantity = kNoQuantity;  // of the channel, where the cause is in the measurement
-  // Grows with the time since the level's start: t times the force of the probe before it at this place with the same form,
-  // whose sums over stretches it shares.
-  bool drifts = false;
+  // Not kNone: the force of the probe before it at this place with the same form, whose sums over stretches it shares, times a function
+  // of the time since the level's start.
+  Drift drift = Drift::kNone;
+  bool drifts() const { return drift != Drift::kNone; }
   // Its sums: one per equation, one per column of the place, one of its own force; two of its slopes where noise is shared.
   uint16_t first_value = 0;
 };

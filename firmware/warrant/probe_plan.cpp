@@ -109,18 +109,22 @@ class Planner {
     plan_.summed_count = plan_.probe_count;
   }
 
-  // A damper that changes with time needs no sums of its own.
+  // A damper that changes with time, steadily or settling, needs no sums of its own.
   void drifting() {
-    for (int j = 0; j < plan_.summed_count && plan_.probe_count < kMaxProbes; ++j) {
-      const Probe& rate = plan_.probe[j];
+    constexpr Drift kDrifts[] = {Drift::kSteady, Drift::kSettles};
+    for (int j = 0; j < plan_.summed_count; ++j) {
+      const Probe rate = plan_.probe[j];
       const Place& place = plan_.place[rate.place];
       if (rate.form != Form::kRate || place.kind != PlaceKind::kLink) continue;
       if (has_term(TermKind::kDriftingViscous, place.link)) continue;
-      Probe& probe = plan_.probe[plan_.probe_count++];
-      probe = rate;
-      probe.drifts = true;
-      probe.unknown = -1;
-      probe.cause = cause_of(EffectKind::kDriftingViscous);
+      for (const Drift drift : kDrifts) {
+        if (plan_.probe_count == kMaxProbes) return;
+        Probe& probe = plan_.probe[plan_.probe_count++];
+        probe = rate;
+        probe.drift = drift;
+        probe.unknown = -1;
+        probe.cause = cause_of(EffectKind::kDriftingViscous);
+      }
     }
   }
 

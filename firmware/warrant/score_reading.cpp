@@ -56,17 +56,25 @@ void ScoreTest::add_scores(Combination<kMostProbeSums>& combination, const Scale
   add_sums(combination, factor);
 }
 
-// Mean time of a stretch since its level's start.
+// Function of the time that the probe drifts with, at the middle of a stretch; s.
 Scaled ScoreTest::time(int s) const {
   const Stretch& stretch = sums_->table().stretch(s);
-  return configuration_->sample_period_s * Scaled::ratio(static_cast<int64_t>(stretch.time), stretch.blocks);
+  const Scaled since =
+      configuration_->sample_period_s * Scaled::ratio(static_cast<int64_t>(stretch.time), stretch.blocks);
+  if (probe_->drift != Drift::kSettles) return since;
+  int level = 0;
+  while (level_begin_[level + 1] <= s) ++level;
+  const Stretch& last = sums_->table().stretch(level_begin_[level + 1] - 1);
+  const Scaled end = configuration_->sample_period_s * Scaled::ratio(static_cast<int64_t>(last.time), last.blocks);
+  const Scaled most = end + scale_by_power_of_two(end, -3), half = since + scale_by_power_of_two(end, -3);
+  return half.is_zero() ? since : since * most / half;
 }
 
 // Sum of a value's raw sums over a level; power: of the time in it where the probe's force grows with time.
 Scaled ScoreTest::total(int level, int value, int power) const {
   const ScoreTable& table = sums_->table();
   const int place = probe_->first_value + value, from = level_begin_[level], to = level_begin_[level + 1];
-  if (!probe_->drifts) return table.sum(from, to, place);
+  if (!probe_->drifts()) return table.sum(from, to, place);
   Scaled sum;
   for (int s = from; s < to; ++s) {
     const Scaled since = time(s);

@@ -107,7 +107,7 @@ Scaled ScoreTest::give_back_level(int level, const ProbeScore& result) {
     for (int k = 0; k < place_->columns; ++k) {
       const int value = place_->equations + k;
       g[place_->unknown[k]] = column_weight_[k] * unit_[value] * table.value(s, probe_->first_value + value);
-      if (probe_->drifts) g[place_->unknown[k]] = g[place_->unknown[k]] * time(s);
+      if (probe_->drifts()) g[place_->unknown[k]] = g[place_->unknown[k]] * time(s);
     }
     for (int i = 0; i < count; ++i) g[unknown_of[i]] = g[unknown_of[i]] - base_sum_.term(table, s, i);
     report_work(150 * count);
@@ -143,7 +143,7 @@ void ScoreTest::score_level(int level) {
   add_sums(column_sum_, factor);
   for (int e = 0; e < place_->equations; ++e) own_weight = place_->sign[e] < 0 ? own_weight - g[e] : own_weight + g[e];
   own_weight = own_weight * unit_[own];
-  if (!probe_->drifts) column_sum_.add(probe_->first_value + own, own_weight);
+  if (!probe_->drifts()) column_sum_.add(probe_->first_value + own, own_weight);
   add_bent_base(level);
   ShortScaled share[kMaxUnknowns];
   for (int k = 0; k < unknowns_; ++k) share[k] = short_scaled(share_[k]);
@@ -152,7 +152,7 @@ void ScoreTest::score_level(int level) {
         unknowns_, [&](int k) { return share[k]; }, [&](int k) { return base_score_[s][k]; });
     psi_[s] = score_sum_.of(table, s);
     d_[s] = column_sum_.of(table, s);
-    if (probe_->drifts) {
+    if (probe_->drifts()) {
       const Scaled since = time(s);
       psi_[s] = psi_[s] * since;
       d_[s] = (d_[s] + own_weight * table.value(s, probe_->first_value + own) * since) * since;

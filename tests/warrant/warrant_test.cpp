@@ -146,6 +146,27 @@ TEST(Warrant, DampingThatDriftsIsNamed) {
   }
 }
 
+// A damper that settles, as 1 - exp(-t / (0.1 to 0.6 T)): no straight line over the record. Half of the generator's draws are such.
+TEST(Warrant, DampingThatDriftsOrSettlesLeavesNoNumberValidAndWrong) {
+  int settling = 0, named = 0;
+  for (const char* sensors : {"xva", "xa", "x", "a"})
+    for (uint64_t seed = 9110; seed < 9118; ++seed) {
+      Settings settings;
+      settings.hidden = "drifting_viscous";
+      settings.sensors = sensors;
+      settings.rho_low = 0.25;
+      settings.masses = 1;
+      const hidden_rig::Draw draw = hidden_rig::make_draw(seed, settings);
+      const CoreRun run = run_core(draw);
+      EXPECT_EQ(valid_and_wrong(draw, run.core->estimates()), 0) << sensors << seed;
+      if (!(draw.hidden.front().shape > 0 && draw.hidden.front().shape < 0.3)) continue;
+      ++settling;
+      named += run.core->estimates().warrant.named.cause == firmware::cause_of(firmware::EffectKind::kDriftingViscous);
+    }
+  EXPECT_GE(settling, 4);
+  EXPECT_GE(4 * named, 3 * settling);
+}
+
 // One tone at one level: damping laws of different powers look the same. Two levels tell them apart.
 TEST(Warrant, OneToneAtOneLevelIsUntested) {
   Settings settings;
