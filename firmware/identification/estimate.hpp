@@ -90,9 +90,11 @@ struct Finding {
   Scaled size, std;                 // SI units of the vocabulary's row
 };
 struct Warrant {
-  bool tested = false;     // there was enough to test the model with
-  bool confirmed = true;   // of a late acceleration beside a force: the equation of motion says so too, it is no held force
-  bool corrected = false;  // named is a channel's fault that has been taken out of these estimates; nothing else is found
+  bool tested = false;  // there was enough to test the model with
+  bool confirmed =
+      true;  // of a late acceleration beside a force: the equation of motion says so too, it is no held force
+  bool corrected =
+      false;             // named is a channel's fault that has been taken out of these estimates; nothing else is found
   Finding named, rival;  // the cause that explains the residual best; the next best that is no other word for it
   // Force of the named cause over the damping force beside it; residual that it takes away; what the rival takes away,
   // as a share of what the named cause does.

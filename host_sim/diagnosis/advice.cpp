@@ -43,6 +43,25 @@ std::string odd_number(const Cause& c, const rig_file::RigModel& corrected) {
   return "";
 }
 
+// A spring whose displacement reads z too much lacks stiffness times -z, a constant force. Empty where the cause is another, or there
+// is no spring.
+std::string zero_that_is_off(const Cause& c, const rig_file::RigModel& rig) {
+  if (c.effect != "force_offset" || c.parameters.empty()) return "";
+  for (const rig_file::Link& l : rig.links) {
+    const std::string label = rig_file::link_label(l);
+    if (c.where != "link " + label || !(l.stiffness_N_m.value > 0)) continue;
+    const double too_much = -c.parameters[0].value / l.stiffness_N_m.value, off = std::abs(too_much);
+    char text[240];
+    std::snprintf(
+        text, sizeof text,
+        "displacement over link %s that reads %.3g %s too %s looks the same as its constant force: see what the "
+        "channel reads with the rig at rest and unloaded",
+        label.c_str(), off, c.parameters[0].unit == "N m" ? "rad" : "m", too_much > 0 ? "much" : "little");
+    return text;
+  }
+  return "";
+}
+
 }  // namespace
 
 std::vector<std::string> advice_for(const Diagnosis& d) {
@@ -51,7 +70,7 @@ std::vector<std::string> advice_for(const Diagnosis& d) {
   const auto say = [&](const std::string& text) {
     if (!text.empty() && unique.insert(text).second) list.push_back(text);
   };
-  for (const Cause& c : d.causes) say(odd_number(c, d.extended_rig));
+  for (const Cause& c : d.causes) say(odd_number(c, d.extended_rig)), say(zero_that_is_off(c, d.extended_rig));
   if (d.verdict == Verdict::kAmbiguous) {
     for (const Cause& c : d.causes) say(experiment(c.effect));
     for (const NamedPlace& p : d.ambiguous_with) say(experiment(p.effect));

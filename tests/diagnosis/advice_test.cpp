@@ -31,5 +31,23 @@ TEST(Advice, AFaintTraceIsToldBesideNone) {
   EXPECT_FALSE(says(d, "nothing beyond"));
 }
 
+// A spring of 2000 N/m whose displacement reads 30 mm too much lacks -60 N all the time.
+TEST(Advice, ConstantForceOfASpringMayBeTheZeroOfItsDisplacement) {
+  Diagnosis d;
+  d.verdict = Verdict::kExplained;
+  d.extended_rig.links.resize(1);
+  d.extended_rig.links[0].a = 1, d.extended_rig.links[0].b = rig_file::kGround;
+  Cause offset;
+  offset.effect = "force_offset", offset.where = "link 1-0";
+  offset.parameters.resize(1);
+  offset.parameters[0].value = -60, offset.parameters[0].unit = "N";
+  d.causes = {offset};
+  EXPECT_FALSE(says(d, "displacement over"));  // no spring yet: nothing else looks like it
+  d.extended_rig.links[0].stiffness_N_m.value = 2000;
+  EXPECT_TRUE(says(d, "displacement over link 1-0 that reads 0.03 m too much looks the same"));
+  d.causes[0].parameters[0].value = 60;
+  EXPECT_TRUE(says(d, "reads 0.03 m too little"));
+}
+
 }  // namespace
 }  // namespace diagnosis

@@ -104,6 +104,9 @@ constexpr double kAsGoodAsRight = 1e-3;  // of the motion, over a window: no sen
 // Error of the windows' runs over the motion, the worst channel's; huge where there is no fit.
 // links_too: of the motions between two DOFs as well.
 double motion_error(const Task& task, const State& state, bool links_too = true);
+// Whether windows can tell valleys apart: kFollows, but for what a channel misses all the time, which moves no phase and no shorter
+// window would mend (a sensor's zero, a constant force).
+bool follows(const Task& task, const State& state, bool links_too = true);
 // Takes causes that another test found and borne_out() confirms.
 void adopt(const Task& task, const std::vector<Candidate>& found, const std::vector<std::vector<double>>& values,
            Choice& choice);

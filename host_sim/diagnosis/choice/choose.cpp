@@ -51,8 +51,8 @@ Choice rig_fitted(const Task& task) {
   choice.base = choice.final = now;
   if (now.fit.ok) choice.base_left = choice.final_left = left_by(task.system, task.records, now);
   // a noisy force shakes the simulation, though the rig file is right
-  choice.base_fits_nothing = !massless(now.model) && !(motion_error(task, now, false) < kFollows) &&
-                             (!now.fit.ok || beyond_noise(choice.base_left));
+  choice.base_fits_nothing =
+      !massless(now.model) && !follows(task, now, false) && (!now.fit.ok || beyond_noise(choice.base_left));
   return choice;
 }
 
@@ -163,7 +163,7 @@ void search_shorter(const Task& task, Choice& choice, const std::function<void(d
   for (double periods = choice.periods / kShorter; periods >= kLeastPeriods; periods /= kShorter) {
     Choice shorter = over_windows(task, choice, periods);
     shorter.named.clear();
-    if (shorter.base.unseen.empty() || !(motion_error(task, shorter.base) < kFollows)) continue;
+    if (shorter.base.unseen.empty() || !follows(task, shorter.base)) continue;
     shorter.base_left = left_by(task.system, task.records, shorter.base);
     search(task, kWorthOverShort, shorter, progress);
     if (shorter.named.empty()) continue;
@@ -186,7 +186,7 @@ void search_longer(const Task& task, Choice& choice, const std::function<void(do
     if (longer.base.unseen.empty() || !(motion_error(task, longer.base) < kOfThatMotion)) continue;
     longer.base_left = left_by(task.system, task.records, longer.base);
     search(task, kWorth, longer, progress);
-    if (longer.named.empty() || !(motion_error(task, longer.final) < kFollows)) continue;
+    if (longer.named.empty() || !follows(task, longer.final)) continue;
     choice = longer;
     return;
   }
@@ -237,7 +237,7 @@ Model started_beside(const Task& task, const State& base, const std::vector<Cand
 Attempt attempt_of_found(const Task& task, const State& base, const std::vector<Candidate>& found,
                          const std::vector<std::vector<double>>& values) {
   Attempt carried = attempt(task, base, found, values, kTrialSteps);
-  if (motion_error(task, base) < kFollows) return carried;
+  if (follows(task, base)) return carried;
   State measured = base;
   measured.model = started_beside(task, base, found, values);
   Attempt afresh = attempt(task, measured, found, values, kTrialSteps, From::kMeasured);

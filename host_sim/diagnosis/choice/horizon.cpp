@@ -59,7 +59,7 @@ bool widen(const Task& task, double longest, double& periods, State& s, double m
     lay(task, std::min(longest, 2 * periods), longer, most);
     if (longer.unseen.empty() != s.unseen.empty()) return any;
     settle_seen(task, longer);
-    if (!longer.fit.ok || !(motion_error(task, longer) < kFollows)) return any;
+    if (!follows(task, longer)) return any;
     s = longer, periods = std::min(longest, 2 * periods), any = true;
   }
   return any;
@@ -90,7 +90,7 @@ void from_shorter(const Task& task, const Model& start, double periods, State& s
   double reached = periods / kShorter;
   lay(task, reached, other, kEnough);
   settle_seen(task, other);
-  if (!other.fit.ok || !(motion_error(task, other) < kFollows)) return;
+  if (!follows(task, other)) return;
   widen(task, periods, reached, other, kEnough);
   if (reached != periods || !other.fit.ok) return;
   const bool some = other.seen.size() < s.seen.size();
@@ -118,11 +118,11 @@ double horizon(const Task& task, State& s, double from, bool massless) {
     s.model = start;
     lay(task, periods, s);
     settle_seen(task, s);
-    const bool follows = s.fit.ok && motion_error(task, s) < kFollows;
-    if (!massless && follows && periods == from) from_shorter(task, start, periods, s);
-    if (!massless && follows) widen(task, from, periods, s);
-    if (massless || follows) return periods;
-    if (s.fit.ok && followed == 0 && motion_error(task, s, false) < kFollows) longest = s, followed = periods;
+    const bool near = follows(task, s);
+    if (!massless && near && periods == from) from_shorter(task, start, periods, s);
+    if (!massless && near) widen(task, from, periods, s);
+    if (massless || near) return periods;
+    if (followed == 0 && follows(task, s, false)) longest = s, followed = periods;
     if (periods / 2 >= shortest) continue;
     if (followed > 0) s = longest, periods = followed;
     return periods;
@@ -133,13 +133,14 @@ namespace {
 
 // What windows add up to: of a channel, or of the difference of two.
 struct MotionSums {
-  double error = 0, motion = 0, noise = 0, count = 0, third_differences = 0;
+  double error = 0, missed = 0, motion = 0, noise = 0, count = 0, third_differences = 0;
   void add(const Vec& y, const Vec& residual) {
-    error += residual.squaredNorm(), motion += (y.array() - y.mean()).square().sum();
+    error += residual.squaredNorm(), missed += residual.sum(), motion += (y.array() - y.mean()).square().sum();
     count += static_cast<double>(y.size());
     noise += white_noise_sum(residual),
         third_differences += static_cast<double>(std::max<Index>(0, residual.size() - 3));
   }
+  double about_mean() const { return error - missed * missed / std::max(1.0, count); }
   double noise_sum() const { return third_differences > 0 ? noise / third_differences * count : 0; }
 };
 
@@ -154,9 +155,9 @@ std::pair<int, int> channels_across(const rig_file::Link& l, const std::vector<M
   return found.first < 0 || found.second < 0 ? std::make_pair(-1, -1) : found;
 }
 
-}  // namespace
-
-double motion_error(const Task& task, const State& s, bool links_too) {
+// of: what of the error's square counts.
+template <typename Of>
+double error_over_motion(const Task& task, const State& s, bool links_too, Of of) {
   if (!s.fit.ok) return 1e300;
   Evaluator e(task.system, s.model, task.records);
   const std::vector<MotionTrace>& traces = e.traces(0);
@@ -177,12 +178,22 @@ double motion_error(const Task& task, const State& s, bool links_too) {
       relative[i].add(y(across[i].first) - y(across[i].second), r(across[i].first) - r(across[i].second));
   }
   double worst = 0;
-  for (const MotionSums& m : own) worst = std::max(worst, std::sqrt(m.error / std::max(1e-300, m.motion)));
+  for (const MotionSums& m : own) worst = std::max(worst, std::sqrt(of(m) / std::max(1e-300, m.motion)));
   for (const MotionSums& m : relative) {
     const double noise = m.noise_sum(), motion = m.motion - noise;
-    if (motion > kShown * noise) worst = std::max(worst, std::sqrt(std::max(0.0, m.error - noise) / motion));
+    if (motion > kShown * noise) worst = std::max(worst, std::sqrt(std::max(0.0, of(m) - noise) / motion));
   }
   return worst;
+}
+
+}  // namespace
+
+double motion_error(const Task& task, const State& s, bool links_too) {
+  return error_over_motion(task, s, links_too, [](const MotionSums& m) { return m.error; });
+}
+
+bool follows(const Task& task, const State& s, bool links_too) {
+  return error_over_motion(task, s, links_too, [](const MotionSums& m) { return m.about_mean(); }) < kFollows;
 }
 
 }  // namespace diagnosis::runs

@@ -27,7 +27,7 @@ bool follows_when_freed(const Task& task, double longest, State& s) {
   double periods = std::min(longest, kOnePeriod);
   lay(task, periods, s);
   s.fit = fit(task.system, task.records, s.model, s.seen, kBaseSteps);
-  if (!s.fit.ok || !(motion_error(task, s) < kFollows)) return false;
+  if (!follows(task, s)) return false;
   widen(task, longest, periods, s);
   return true;
 }
