@@ -109,6 +109,11 @@ class Planner {
     plan_.summed_count = plan_.probe_count;
   }
 
+  // What is integrated settles after a level's start by itself.
+  bool integrated(int node) const {
+    return node < c_.dof_count && c_.signals[node][static_cast<int>(Quantity::kDisplacement)].integrations > 0;
+  }
+
   // A damper that changes with time, steadily or settling, needs no sums of its own.
   void drifting() {
     constexpr Drift kDrifts[] = {Drift::kSteady, Drift::kSettles};
@@ -118,6 +123,7 @@ class Planner {
       if (rate.form != Form::kRate || place.kind != PlaceKind::kLink) continue;
       if (has_term(TermKind::kDriftingViscous, place.link)) continue;
       for (const Drift drift : kDrifts) {
+        if (drift == Drift::kSettles && (integrated(place.node_a) || integrated(place.node_b))) continue;
         if (plan_.probe_count == kMaxProbes) return;
         Probe& probe = plan_.probe[plan_.probe_count++];
         probe = rate;

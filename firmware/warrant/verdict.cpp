@@ -246,8 +246,8 @@ void give_verdict(const CoreConfiguration& configuration, const ScoreSums& sums,
     ParameterEstimate& parameter = estimates.parameters[k];
     if (contradicted || impossible(configuration, k, parameter)) raise(parameter, EstimateStatus::kModelSuspect);
     if (!state.calibrated) continue;
-    if (!state.judged) {
-      raise(parameter, EstimateStatus::kUntested);
+    if (!state.judged) {  // where no window has closed there is nothing to test: STALE says so
+      if (estimates.rows > 0) raise(parameter, EstimateStatus::kUntested);
       continue;
     }
     if (test.best() >= 0) raise(parameter, EstimateStatus::kModelSuspect);

@@ -184,6 +184,20 @@ TEST(EstimatePage, AResponseEndsWhereNothingDrives) {
   EXPECT_FALSE(contains(page.substr(0, page.find("id=\"maps\"")), ">100</text>"));
 }
 
+// Intervals that hold nothing fit any rig: nothing missing is then not said to be found.
+TEST(Verdict, NothingIsExplainedByNumbersThatAreNotDetermined) {
+  DiagnosisReportData data;
+  data.verdict = "none";
+  data.gains = {{1, 28.2, 28.2, 0.0, 0.0}};
+  data.parameters = {{"mass[1]", "kg", {9.6, -24, 43}, {}, "ILL_CONDITIONED"},
+                     {"viscous[1-0]", "N s/m", {42, -104, 188}, {}, "ILL_CONDITIONED"}};
+  EXPECT_EQ(verdict_headline(data), "These records do not tell whether the rig file is right");
+  EXPECT_TRUE(contains(verdict_details(data), "misses 28 % of the signal of DOF 1"));
+  EXPECT_FALSE(contains(verdict_sentence(data), "Nothing is left"));
+  data.parameters[1].status = "VALID";
+  EXPECT_EQ(verdict_headline(data), "The rig file explains the measurement");
+}
+
 TEST(Verdict, AShortHeadlineThenTheRest) {
   DiagnosisReportData data;
   data.causes = {{"cubic_stiffness", "link 1-2", 90.0, {}}};

@@ -12,6 +12,7 @@ namespace {
 constexpr size_t kFewestWindows = 10;  // from which on a mean over windows has a scatter
 constexpr size_t kOthers = 4;          // windows that stand for chance
 constexpr Index kRowsPerColumn = 12;   // fewer and columns take noise and motion alike
+constexpr double kMostNumbers = 3e6;   // of all bases together, 24 MB: some hundred windows of a long recording
 
 using Terms = std::vector<Term>;
 
@@ -49,6 +50,16 @@ Mat basis_of(const Mat& m) {
   return (qr.householderQ() * Mat::Identity(m.cols(), qr.rank())).transpose();
 }
 
+// Every so many of the windows that their bases take no more room than they may.
+std::vector<Window> some_of(const std::vector<Window>& windows, double numbers_each) {
+  const double all = numbers_each * static_cast<double>(windows.size());
+  const size_t every =
+      std::clamp<size_t>(static_cast<size_t>(1 + all / kMostNumbers), 1, windows.size() / kFewestWindows);
+  std::vector<Window> some;
+  for (size_t i = 0; i < windows.size(); i += every) some.push_back(windows[i]);
+  return some;
+}
+
 WithMotion goes_with(const System& system, const std::vector<Prepared>& records, const State& state, Terms terms) {
   WithMotion out;
   Index length = state.seen[0].length;
@@ -56,11 +67,13 @@ WithMotion goes_with(const System& system, const std::vector<Prepared>& records,
   const Index channels = state.fit.mean_square.size();
   const size_t most = static_cast<size_t>(length * channels / kRowsPerColumn);
   if (terms.empty() || terms.size() > most) return out;  // such short windows do not tell
+  const std::vector<Window> windows =
+      some_of(state.seen, static_cast<double>(terms.size()) * static_cast<double>(length * channels));
   std::vector<Vec> residual;
   std::vector<Mat> basis;
-  Pass pass(system, records, state.model, state.seen, state.fit);
+  Pass pass(system, records, state.model, windows, state.fit);
   const bool fine = pass.over(terms, [&](size_t i, const Mat& columns, const Mat&, const Vec& rest) {
-    const Index whole = state.seen[i].length;
+    const Index whole = windows[i].length;
     Mat c(columns.rows(), channels * length);
     Vec r(channels * length);
     for (Index k = 0; k < channels; ++k) {

@@ -38,8 +38,7 @@ const char* reason(EstimateStatus status, const EstimateResult& result) {
   switch (status) {
     case EstimateStatus::kStale:
       return "no window closed; record several cycles of the lowest frequency at least, in one piece (diagnose asks "
-             "for "
-             "less)";
+             "for less)";
     case EstimateStatus::kIllConditioned:
       return "these data cannot separate it from the others; a record at another level and another frequency, or of a "
              "random band, can";
@@ -85,17 +84,6 @@ const char* status_word(EstimateStatus status) {
   return "STALE";
 }
 
-namespace {
-
-// Where no window has closed there is nothing that could have been tested.
-EstimateStatus status_of(const firmware::Estimates& estimates, size_t i) {
-  if (i >= estimates.unknown_count) return EstimateStatus::kStale;
-  const EstimateStatus status = estimates.parameters[i].status;
-  return estimates.rows == 0 && status == EstimateStatus::kUntested ? EstimateStatus::kStale : status;
-}
-
-}  // namespace
-
 EstimateResult result_of(const rig_file::RigModel& model, const firmware::Estimates& estimates, double level_ratio) {
   EstimateResult result;
   const std::vector<rig_file::ParameterInfo> table = rig_file::parameter_table(model);
@@ -107,7 +95,7 @@ EstimateResult result_of(const rig_file::RigModel& model, const firmware::Estima
     parameter.std = finite(estimate.std);
     parameter.ci95_low = std::min(finite(estimate.ci95_low), parameter.value);
     parameter.ci95_high = std::max(finite(estimate.ci95_high), parameter.value);
-    parameter.status = status_of(estimates, i);
+    parameter.status = i < estimates.unknown_count ? estimate.status : EstimateStatus::kStale;
     result.parameters.push_back(parameter);
   }
   result.residual_mean_abs = finite(estimates.residual_mean_abs);

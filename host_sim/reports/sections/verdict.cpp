@@ -153,9 +153,17 @@ std::string ambiguous_details(const DiagnosisReportData& data) {
                  gain_text(data.gains), missed.empty() ? "" : "It still misses " + missed + "."});
 }
 
+// Coefficients that no interval holds follow any motion: that nothing is missing is then no finding.
+bool tells_nothing(const DiagnosisReportData& data) {
+  return data.verdict == "none" && !data.parameters.empty() &&
+         std::all_of(data.parameters.begin(), data.parameters.end(),
+                     [](const ParameterChange& p) { return p.status == "ILL_CONDITIONED"; });
+}
+
 }  // namespace
 
 std::string verdict_headline(const DiagnosisReportData& data) {
+  if (tells_nothing(data)) return "These records do not tell whether the rig file is right";
   if (data.verdict == "none") return "The rig file explains the measurement";
   if (data.verdict == "ambiguous") {
     const Told told = told_in(data);
@@ -173,6 +181,11 @@ std::string verdict_headline(const DiagnosisReportData& data) {
 }
 
 std::string verdict_details(const DiagnosisReportData& data) {
+  if (tells_nothing(data)) {
+    const std::string missed = missed_text(data.gains, false);
+    return joined({"They determine none of its coefficients, and no effect that could be missing is seen.",
+                   missed.empty() ? "" : "Its simulation misses " + missed + " on unseen data."});
+  }
   if (data.verdict == "none")
     return data.leaves_noise_alone
                ? "Nothing is left beyond measurement noise that these data could show."
