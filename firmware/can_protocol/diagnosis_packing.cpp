@@ -24,9 +24,9 @@ bool unpack_diagnosis(const CanFrame& message, int& node, Diagnosis& diagnosis) 
 
 CanFrame pack_diagnosis_size(int node, const Diagnosis& diagnosis) {
   const DecimalSize& size = diagnosis.size;
-  return can::pack<can::kDiagnosisSize>(
-      node, 0, {size.value, size.std, size.exponent - can::kDiagnosisSizeSignals[2].offset, size.std_exponent,
-                diagnosis.corrected ? 1 : 0});
+  return can::pack<can::kDiagnosisSize>(node, 0,
+                                        {size.value, size.std, size.exponent - can::kDiagnosisSizeSignals[2].offset,
+                                         size.std_exponent, diagnosis.corrected ? 1 : 0});
 }
 
 bool unpack_diagnosis_size(const CanFrame& message, int& node, Diagnosis& diagnosis) {
