@@ -115,6 +115,31 @@ bool has_fault(const RecordReport& report, const char* kind = nullptr) {
          });
 }
 
+// Whether a part of the record that estimate and diagnose keep has this fault too.
+bool is_in(const std::vector<Record>& kept, const Finding& fault, const rig_file::RigModel* model) {
+  return std::any_of(kept.begin(), kept.end(), [&](const Record& part) {
+    std::vector<Statistics> statistics;
+    for (const Channel& channel : part.channels) statistics.push_back(statistics_of(channel.values));
+    for (size_t i = 0; i < part.channels.size(); ++i)
+      for (const Finding& finding : report_of(part, statistics, i, model).findings)
+        if (finding.kind == fault.kind && finding.channel == fault.channel && finding.weight == Weight::kFault)
+          return true;
+    return false;
+  });
+}
+
+// A clipped blow, spikes from the hand that lets go: what is left out of a free decay harms nobody.
+void forgive_what_is_left_out(const Record& record, const rig_file::RigModel* model, RecordReport& report) {
+  std::vector<Record> kept = {record};
+  if (keep_decays(kept).empty()) return;
+  for (ChannelReport& channel : report.channels)
+    for (Finding& finding : channel.findings)
+      if (finding.weight == Weight::kFault && !is_in(kept, finding, model)) {
+        finding.weight = Weight::kInforms;
+        finding.detail += "; estimate and diagnose leave that part out";
+      }
+}
+
 // Channels are compared over at most that many samples from the middle of a record: enough to say, and no time lost.
 constexpr size_t kMostCompared = 1 << 17;
 const Record& middle_of(const Record& record, Record& part) {
@@ -136,10 +161,11 @@ RecordReport check_record(const Record& record, const rig_file::RigModel* model,
   std::vector<std::optional<Finding>> dead = find_dead(record, elsewhere);
   std::vector<Statistics> statistics;
   for (const Channel& channel : record.channels) statistics.push_back(statistics_of(channel.values));
-  for (size_t i = 0; i < record.channels.size(); ++i) {
+  for (size_t i = 0; i < record.channels.size(); ++i)
     report.channels.push_back(report_of(record, statistics, i, model));
-    if (dead[i]) report.channels.back().findings.push_back(std::move(*dead[i]));
-  }
+  if (has_fault(report)) forgive_what_is_left_out(record, model, report);
+  for (size_t i = 0; i < record.channels.size(); ++i)
+    if (dead[i]) report.channels[i].findings.push_back(std::move(*dead[i]));
   if (auto jitter = find_jitter(record)) report.findings.push_back(std::move(*jitter));
   if (has_fault(report)) return report;  // what follows compares channels: one that is broken would be blamed on others
   Record middle;

@@ -17,6 +17,7 @@ struct Tops {
   size_t samples = 0, runs = 0, longest = 0;
   double missing =
       0.0;  // mean height that is cut off the longer runs, by the slopes with which they are entered and left
+  std::vector<Run> where;
 };
 
 // Stretches of two and more samples within `band` of the level. sign +1: the level is the highest value; -1: the lowest.
@@ -44,6 +45,7 @@ std::optional<double> slope_at_end(const std::vector<double>& values, const Run&
 
 Tops tops_at(const std::vector<double>& values, const std::vector<Run>& runs, double sign) {
   Tops tops;
+  tops.where = runs;
   for (const Run& run : runs) {
     ++tops.runs;
     tops.samples += run.length;
@@ -101,12 +103,15 @@ std::string said(const Tops& top, const Tops& bottom, size_t count, const Statis
       where, share, top.runs + bottom.runs);
 }
 
-}  // namespace
+// What is cut off at both ends of the range.
+struct FlatTops {
+  Tops top, bottom;
+  bool amid_noise = false, at_limit = false;
+};
 
-std::optional<Finding> find_clipping(const Channel& channel, const Statistics& statistics, double lower_limit,
-                                     double upper_limit) {
+FlatTops flat_tops(const Channel& channel, const Statistics& statistics, double lower_limit, double upper_limit) {
   const std::vector<double>& values = channel.values;
-  if (statistics.lowest == statistics.highest) return std::nullopt;
+  if (statistics.lowest == statistics.highest) return {};
   // What saturates in front of the noise (an amplifier) is flat within the noise: three deviations to each side.
   const double band = statistics.noisy ? 6.0 * statistics.noise : 0.0;
   Tops top = tops_at(values, runs_at(values, statistics.highest, 0.0, 1.0), 1.0),
@@ -127,6 +132,24 @@ std::optional<Finding> find_clipping(const Channel& channel, const Statistics& s
   };
   judge(top, at_limit_high, statistics.highest, 1.0);
   judge(bottom, at_limit_low, statistics.lowest, -1.0);
+  return {std::move(top), std::move(bottom), noisy, at_limit_high || at_limit_low};
+}
+
+}  // namespace
+
+std::vector<Run> clipped_runs(const Channel& channel) {
+  FlatTops tops = flat_tops(channel, statistics_of(channel.values), 0.0, 0.0);
+  std::vector<Run> runs = std::move(tops.top.where);
+  runs.insert(runs.end(), tops.bottom.where.begin(), tops.bottom.where.end());
+  std::sort(runs.begin(), runs.end(), [](const Run& a, const Run& b) { return a.first < b.first; });
+  return runs;
+}
+
+std::optional<Finding> find_clipping(const Channel& channel, const Statistics& statistics, double lower_limit,
+                                     double upper_limit) {
+  const std::vector<double>& values = channel.values;
+  const FlatTops tops = flat_tops(channel, statistics, lower_limit, upper_limit);
+  const Tops &top = tops.top, &bottom = tops.bottom;
   if (top.samples + bottom.samples == 0) return std::nullopt;
   const double share = static_cast<double>(top.samples + bottom.samples) / static_cast<double>(values.size());
   Finding finding;
@@ -135,7 +158,7 @@ std::optional<Finding> find_clipping(const Channel& channel, const Statistics& s
   finding.value = share;
   finding.detail = said(top, bottom, values.size(), statistics);
   // A smooth force that is cut may be the drive's own limit, truly measured.
-  const bool perhaps_drive = channel.quantity == Quantity::kForce && !noisy && !at_limit_high && !at_limit_low;
+  const bool perhaps_drive = channel.quantity == Quantity::kForce && !tops.amid_noise && !tops.at_limit;
   finding.weight = share >= kFaultShare && !perhaps_drive ? Weight::kFault : Weight::kDoubt;
   if (perhaps_drive) finding.detail += " (if the drive itself ends there and this is what acts, nothing is wrong)";
   return finding;

@@ -15,4 +15,7 @@ namespace host_sim::data_check {
 std::optional<Finding> find_clipping(const Channel& channel, const Statistics& statistics, double lower_limit,
                                      double upper_limit);
 
+// The stretches of samples that the finding is about, in their order.
+std::vector<Run> clipped_runs(const Channel& channel);
+
 }  // namespace host_sim::data_check

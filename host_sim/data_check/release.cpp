@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "hal/rig_file/rig_model.hpp"
+#include "host_sim/data_check/clipping.hpp"
 #include "host_sim/data_check/period.hpp"
 #include "host_sim/data_check/statistics.hpp"
 
@@ -70,10 +71,12 @@ std::vector<double> energies(const std::map<int, const Channel*>& channels, size
 }
 
 using Windows = std::vector<double>;
+Windows::iterator at(Windows& energy, size_t i) { return energy.begin() + static_cast<std::ptrdiff_t>(i); }
 
 // From where to where windows show no blow; the window behind the last of them does.
 struct Span {
   size_t from = 0, to = 0;
+  bool clipped = false;  // up to there
 };
 std::vector<Span> between_blows(const Windows& energy) {
   const double loud = kLoud * *std::max_element(energy.begin(), energy.end());
@@ -117,6 +120,7 @@ bool falls(const Windows& energy, const Windows& later, size_t from, size_t to) 
 struct Decay {
   size_t from = 0, to = 0;
   double periods = 0.0;  // until it is at rest
+  bool clipped = false;  // up to its first
 };
 std::optional<Decay> decay_in(const Windows& energy, const Span& span) {
   if (span.to < span.from + kHops * static_cast<size_t>(kLeastPeriods)) return std::nullopt;
@@ -128,7 +132,24 @@ std::optional<Decay> decay_in(const Windows& energy, const Span& span) {
   const auto rest = std::find_if(window(at), window(span.to), [&](double e) { return e < kRestEnergy * later[at]; });
   const double periods = static_cast<double>(rest - window(at)) / static_cast<double>(kHops);
   if (periods < kLeastPeriods || !falls(energy, later, at, span.to)) return std::nullopt;
-  return Decay{at, span.to, periods};
+  return Decay{at, span.to, periods, span.clipped && at == span.from};
+}
+
+// What is clipped of a decay is its beginning, and it begins a quarter of a period behind that: what was clipped dies away first, and
+// an amplifier recovers. The windows before are no part of the motion that is seen.
+void begin_behind_clipping(const Record& record, size_t hop, std::vector<Span>& spans, Windows& energy) {
+  std::vector<size_t> ends;
+  for (const Channel& channel : record.channels)
+    for (const Run& run : clipped_runs(channel)) ends.push_back(run.first + run.length);
+  for (Span& span : spans) {
+    size_t behind = span.from * hop;
+    for (const size_t end : ends)
+      if (end <= (span.to + kHops - 1) * hop) behind = std::max(behind, end);
+    if (!(span.clipped = behind > span.from * hop)) continue;
+    const size_t first = std::min(span.to, (behind + 2 * hop - 1) / hop);
+    std::fill(at(energy, span.from), at(energy, first), 0.0);
+    span.from = first;
+  }
 }
 
 // Whether decays are what the record shows when it is loud.
@@ -154,17 +175,20 @@ std::vector<DecaySpan> free_decays(const Record& record) {
   for (const auto& [dof, channel] : channels) period = std::max(period, period_of(channel->values));
   const auto hop = static_cast<size_t>(std::lround(period / kHops));
   if (hop < 1) return {};
-  const Windows energy = energies(channels, hop);
+  Windows energy = energies(channels, hop);
   if (energy.empty()) return {};
+  std::vector<Span> parts = between_blows(energy);
+  begin_behind_clipping(record, hop, parts, energy);
   std::vector<Decay> decays;
-  for (const Span& span : between_blows(energy))
+  for (const Span& span : parts)
     if (const auto decay = decay_in(energy, span)) decays.push_back(*decay);
   if (decays.empty() || !decays_enough(energy, decays)) return {};
   std::vector<DecaySpan> spans;
   for (const Decay& d : decays) {
     // an accelerometer shows the blow itself, at the end of the first period that has all its energy
-    const size_t lost = d.from == 0 ? 0 : d.periods < kLongPeriods ? kHops / 2 : kHops;
-    spans.push_back({(d.from + lost) * hop, d.to == energy.size() ? record.samples() : (d.to + kHops - 1) * hop});
+    const size_t lost = d.from == 0 || d.clipped ? 0 : d.periods < kLongPeriods ? kHops / 2 : kHops;
+    spans.push_back(
+        {(d.from + lost) * hop, d.to == energy.size() ? record.samples() : (d.to + kHops - 1) * hop, d.clipped});
   }
   return spans;
 }
@@ -180,9 +204,11 @@ std::optional<Finding> finding_of(const Record& record, const std::vector<DecayS
   };
   std::string list;
   for (const DecaySpan& d : decays) list += (list.empty() ? "" : ", ") + at(d.from) + " to " + at(d.to) + " s";
+  const bool clipped = std::any_of(decays.begin(), decays.end(), [](const DecaySpan& d) { return d.clipped; });
   return Finding{"release", Weight::kInforms, "",
-                 "decays freely from " + list +
-                     "; elsewhere energy comes in that no force channel tells of (a hand, a pull, a blow; a hidden "
+                 "decays freely from " + list + "; elsewhere " +
+                     (clipped ? "a channel is at the end of its range, or " : "") +
+                     "energy comes in that no force channel tells of (a hand, a pull, a blow; a hidden "
                      "mass that beats with it): left out by estimate and diagnose",
                  static_cast<double>(decays[0].from) * record.sample_period_s};
 }

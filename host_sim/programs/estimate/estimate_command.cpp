@@ -101,8 +101,8 @@ void estimate(const EstimateArguments& arguments) {
   require_same_channels(records);
   ResultTarget json(arguments.json), log(arguments.log);
   std::FILE* const people = human_stream(json, log);
+  std::vector<std::string> notes = data_check::keep_decays(records);
   DataCheck check(records, model, arguments.reading);
-  std::vector<std::string> notes;
 
   EstimationOptions options;
   options.frames = !arguments.log.empty();
@@ -114,7 +114,6 @@ void estimate(const EstimateArguments& arguments) {
     estimation = estimate_records(model, records, options);
   };
   check.beside([&] {
-    notes = data_check::keep_decays(records);
     for (const auto& told : {count_from_rest(records), take_off_accelerometer_zeros(records)})
       notes.insert(notes.end(), told.begin(), told.end());
     if (const std::string slow = average_slow_motion(records); !slow.empty()) notes.push_back(slow);
