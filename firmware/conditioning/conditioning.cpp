@@ -16,12 +16,15 @@ int32_t between(int32_t lowest, int32_t code, int32_t highest) {
   return code < lowest ? lowest : code > highest ? highest : code;
 }
 
-// A pole that starts fast and comes down to 1 - 2^-leak_shift: what a level starts with is forgotten within its own length.
-int starting_leak(uint32_t samples, int leak_shift) {
+// A pole that starts fast and comes down to 1 - 2^-leak_shift: what a level starts with is forgotten within its own length. Each pole
+// stays for `time_constants` of its own.
+int starting_leak(uint32_t samples, int leak_shift, uint32_t time_constants) {
   int leak = 1;
-  while (leak < leak_shift && (samples / 4 + 2) >> (leak + 1) != 0) ++leak;
+  while (leak < leak_shift && (samples / time_constants + 2) >> (leak + 1) != 0) ++leak;
   return leak;
 }
+constexpr uint32_t kSlopeTimeConstants = 4, kStartTimeConstants = 1;
+constexpr int kOnceSections = 2;  // of a high-pass where nothing is integrated twice
 
 }  // namespace
 
@@ -195,7 +198,7 @@ Code Conditioning::fused(const Path& path) {
   const int64_t step = filter_sum(0, fusion.step_tap, &history_[acceleration * 2 * kHistory + middle], half);
   if (received_ + 1 < static_cast<uint32_t>(2 * reach_ + 1)) return {};
   if (received_ + 1 == static_cast<uint32_t>(2 * reach_ + 1)) state.slope = slope;
-  const int leak = starting_leak(received_ - static_cast<uint32_t>(2 * reach_), fusion.leak_shift);
+  const int leak = starting_leak(received_ - static_cast<uint32_t>(2 * reach_), fusion.leak_shift, kSlopeTimeConstants);
   const int64_t before = state.once;
   state.once += step - (slope - state.slope) - (state.once >> leak);
   state.twice += state.once - before - (state.twice >> leak);
@@ -211,8 +214,14 @@ Code Conditioning::fused(const Path& path) {
 // x[n] - x[n - 1] is what it adds. So where a displacement comes from a measured velocity the integration is first, and all
 // signals' sections start alike. (Differences first would take v[0] for rest: v[0] t exp(-t / tau) in the displacement, at
 // 10 Hz and after four time constants of 0.8 s still three times the motion.) The integral begins at the first sample: half of it.
+//
+// All signals then obey the equation of motion from the first sample on, but the velocity is the slope of the displacement only
+// once v[0] is forgotten: before, every displacement looks late or early. A pole that all signals share may change: each stays
+// for one time constant on its way to the last, and little of v[0] is left where the first window begins.
 Code Conditioning::high_passed(Path& path, Code code) const {
-  const int shift = for_sign(path) ? starting_leak(received_, path.shift) : path.shift;
+  const int shift = for_sign(path)                   ? starting_leak(received_, path.shift, kSlopeTimeConstants)
+                    : path.sections == kOnceSections ? starting_leak(received_, path.shift, kStartTimeConstants)
+                                                     : path.shift;
   const bool first = integrates_first(path);
   const int integrate_from = first ? 0 : path.sections - path.integrations;
   State value = rescale<State>(code);

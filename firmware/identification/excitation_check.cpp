@@ -30,23 +30,71 @@ constexpr uint32_t terms_of_one_sign() {
 constexpr uint32_t kOneSign = terms_of_one_sign();
 bool has_one_sign(const Term& term) { return (kOneSign >> static_cast<int>(term.kind) & 1) != 0; }
 
+Weight weight_of(const EquationList& list, const Term& term) {
+  if (list.displacement && is_conservative(term.kind)) return Weight::kDisplacement;
+  return list.instrument ? Weight::kInstrument : Weight::kPlain;
+}
+
+// Of the term's unit force in one level; magnitude: without the signs of the batches.
+struct Work_J {
+  Scaled sum, magnitude;
+};
+Work_J work_in(const EquationList& list, const BatchTable& table, const Level& level, const Term& term) {
+  const Weight weight = weight_of(list, term);
+  Work_J total;
+  for (int b = 0; b < level.batch_count; ++b) {
+    report_work(200 + 10 * table.layout.first[table.layout.dof_count]);
+    const Scaled work = unit_work(table.layout, level.batch[b], weight, term.unknown);
+    total.sum = total.sum + work;
+    total.magnitude = total.magnitude + abs(work);
+  }
+  return total;
+}
+
 bool adds_up(const EquationList& list, const BatchTable& table, const Term& term) {
-  Weight weight = list.instrument ? Weight::kInstrument : Weight::kPlain;
-  if (list.displacement && is_conservative(term.kind)) weight = Weight::kDisplacement;
   for (int l = 0; l < table.level_count; ++l) {
-    Scaled sum, magnitude;
-    for (int b = 0; b < table.level[l].batch_count; ++b) {
-      report_work(200 + 10 * table.layout.first[table.layout.dof_count]);
-      const Scaled work = unit_work(table.layout, table.level[l].batch[b], weight, term.unknown);
-      sum = sum + work;
-      magnitude = magnitude + abs(work);
-    }
-    if (!magnitude.is_zero() && scale_by_power_of_two(abs(sum), 1) > magnitude) return true;
+    const Work_J work = work_in(list, table, table.level[l], term);
+    if (!work.magnitude.is_zero() && scale_by_power_of_two(abs(work.sum), 1) > work.magnitude) return true;
   }
   return false;
 }
 
+bool reaches_beyond(const ParameterEstimate& parameter, Scaled per_unit, Scaled all) {
+  return scale_by_power_of_two(parameter.ci95_high - parameter.ci95_low, -1) * per_unit > all;
+}
+
+bool is_damping(const Term& term) {
+  return term.kind != TermKind::kMass && has_one_sign(term) && !is_conservative(term.kind);
+}
+
 }  // namespace
+
+bool is_undetermined(const EquationList& list, const BatchTable& table, const CoreConfiguration& configuration,
+                     int unknown, const Estimates& estimates) {
+  const Term* term = term_of(configuration, unknown);
+  if (term == nullptr) return false;
+  const ParameterEstimate& own = estimates.parameters[unknown];
+  if (term->kind == TermKind::kMass || term->kind == TermKind::kStiffness)
+    return reaches_beyond(own, Scaled::from_int(1), abs(own.value));
+  if (!is_damping(*term)) return false;
+  Scaled all, own_work;
+  for (int pass = 0; pass < 2; ++pass) {
+    Scaled known;
+    for (int t = 0; t < configuration.term_count; ++t) {
+      const Term& other = configuration.terms[t];
+      if (!is_damping(other) || other.place != term->place) continue;
+      if (other.unknown < 0 && !other.value.is_zero()) return false;
+      if (other.unknown < 0) continue;
+      Scaled work;
+      for (int l = 0; l < table.level_count; ++l) work = work + abs(work_in(list, table, table.level[l], other).sum);
+      if (other.unknown == unknown) own_work = work;
+      const ParameterEstimate& parameter = estimates.parameters[other.unknown];
+      if (pass == 0 || !reaches_beyond(parameter, work, all)) known = known + abs(parameter.value) * work;
+    }
+    all = known;
+  }
+  return reaches_beyond(own, own_work, all);
+}
 
 bool is_excited(const EquationList& list, const BatchTable& table, const CoreConfiguration& configuration,
                 int unknown) {

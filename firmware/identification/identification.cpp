@@ -39,7 +39,8 @@ EstimateStatus judge(const IdentificationMemory& memory, const EquationList& lis
   const WeightedFit& fit = memory.fit;
   if (any_saturated(table)) return EstimateStatus::kSaturated;
   if (!is_excited(list, table, configuration, unknown)) return EstimateStatus::kNoExcitation;
-  if (inseparable(fit, estimates, unknown) || inseparable_company(fit, estimates, unknown))
+  if (inseparable(fit, estimates, unknown) || inseparable_company(fit, estimates, unknown) ||
+      is_undetermined(list, table, configuration, unknown, estimates))
     return EstimateStatus::kIllConditioned;
   if (skew_matters(list, table, configuration, unknown, estimates)) return EstimateStatus::kSkewed;
   if (bias_suspect(memory.bias, unknown, estimates.parameters[unknown])) return EstimateStatus::kBiasSuspect;

@@ -161,6 +161,36 @@ TEST(Conditioning, VelocityAndDisplacementFromAcceleration) {
   }
 }
 
+// v = cos(w t) from the first sample on, at 8 Hz. The pole is 1 - 2^-10 at the end (0.2 Hz), 2^-9 for the time constant before: where the first
+// samples are used, v[0] is forgotten, and the last step of the pole leaves the displacement's 1 / w times 1 / (2^10 samples), 2 % of the
+// velocity; the steps before were twice as large each and have decayed by 1 / e twice, once for each section. With one pole from the start
+// v[0] is still there, (1 - t / T) exp(-t / T) of it: 13 % at two time constants T.
+TEST(Conditioning, AStartInMidMotionIsForgottenWhereSamplesAreUsed) {
+  auto c = rig({Quantity::kVelocity});
+  rig_file::plan_signals(*c);
+  Conditioning conditioning;
+  conditioning.configure(*c);
+  auto frame = std::make_unique<Frame>();
+  const double w = 2.0 * M_PI * 8.0;
+  const double x_unit = rig_file::to_double(c->signals[0][1].unit_per_code),
+               v_unit = rig_file::to_double(c->signals[0][2].unit_per_code);
+  double x[2] = {}, v[2] = {}, worst = 0.0;
+  int used = 0;
+  for (int n = 0; n < 6000; ++n) {
+    RawSample sample;
+    sample.code[0][2] = static_cast<int32_t>(std::lround(0.9 * (1 << 22) * std::cos(w * n * kPeriod)));
+    if (!conditioning.append(sample, *frame, 0)) continue;
+    const double x_now = frame->raw[signal_column(0, Quantity::kDisplacement)][0] * x_unit,
+                 v_now = frame->raw[signal_column(0, Quantity::kVelocity)][0] * v_unit;
+    // Central difference of a sine: its slope times sin(w h) / (w h).
+    const double slope = (x_now - x[0]) / (2.0 * kPeriod) * (w * kPeriod) / std::sin(w * kPeriod);
+    if (++used > 2) worst = std::max(worst, std::fabs(slope - v[1]) / 0.9);
+    x[0] = x[1], x[1] = x_now, v[0] = v[1], v[1] = v_now;
+  }
+  EXPECT_GT(used, 4000);  // one time constant is waited for
+  EXPECT_LT(worst, 0.05);
+}
+
 TEST(Conditioning, AnOffsetDoesNotDrift) {
   auto c = rig({Quantity::kAcceleration});
   c->channels[0][3].offset_code = 0;

@@ -6,17 +6,25 @@
 namespace diagnosis::runs {
 namespace {
 
-double rate_of(const Task& task, const rig_file::Link& link) {
-  double largest = 0;
+// Of unit coefficients of the link, over all records: sums of w^2 and of |w|, w its rate.
+struct UnitWork {
+  double viscous = 0, coulomb = 0;
+};
+
+UnitWork unit_work_of(const Task& task, const rig_file::Link& link) {
+  UnitWork work;
   for (const Prepared& p : task.records) {
     const auto rate = [&](int end) -> Vec {
       return end >= 1 ? p.guess[static_cast<size_t>(end - 1)].v : Vec::Zero(p.samples);
     };
-    largest =
-        std::max(largest, std::sqrt((rate(link.a) - rate(link.b)).squaredNorm() / static_cast<double>(p.samples)));
+    const Vec w = rate(link.a) - rate(link.b);
+    work.viscous += w.squaredNorm(), work.coulomb += w.lpNorm<1>();
   }
-  return largest;
+  return work;
 }
+
+// Its work is in no parameter.
+bool given(const rig_file::Coefficient& coefficient) { return !coefficient.estimate && coefficient.value != 0; }
 
 bool reaches_beyond(const diagnosis::Parameter& p, double per_unit, double all) {
   return 1.96 * p.std * per_unit > all;
@@ -29,16 +37,17 @@ void mark(const Task& task, std::vector<diagnosis::Parameter>& list) {
   for (size_t l = 0; l < task.system.known_links; ++l) {
     const rig_file::Link& link = task.system.links[l];
     const std::string label = "[" + rig_file::link_label(link) + "]";
-    const double rate = rate_of(task, link);
-    const auto force_per_unit = [&](const std::string& name) {
-      return name == "viscous" + label ? rate : name == "coulomb" + label ? 1.0 : 0.0;
+    if (given(link.viscous_N_s_m) || given(link.coulomb_N)) continue;
+    const UnitWork work = unit_work_of(task, link);
+    const auto work_per_unit = [&](const std::string& name) {
+      return name == "viscous" + label ? work.viscous : name == "coulomb" + label ? work.coulomb : 0.0;
     };
     for (int pass = 0; pass < 2; ++pass) {  // what is undetermined itself is no measure for another
       double all = 0;
-      for (const diagnosis::Parameter& p : list) all += p.undetermined ? 0 : std::abs(p.value) * force_per_unit(p.name);
+      for (const diagnosis::Parameter& p : list) all += p.undetermined ? 0 : std::abs(p.value) * work_per_unit(p.name);
       for (diagnosis::Parameter& p : list)
-        if (p.std > 0 && force_per_unit(p.name) > 0)
-          p.undetermined = p.undetermined || reaches_beyond(p, force_per_unit(p.name), all);
+        if (p.std > 0 && work_per_unit(p.name) > 0)
+          p.undetermined = p.undetermined || reaches_beyond(p, work_per_unit(p.name), all);
     }
   }
 }
