@@ -41,6 +41,20 @@ TEST(Csv, LastLineNeedsNoLineEnd) {
   EXPECT_EQ(host_sim::parse_csv("t_s,force_1_N\n0,1\n1,2", "d.csv", chain(1)).samples(), 2u);
 }
 
+// A logger that is switched off leaves half a line. With a line end behind it, or further up, it is an error; and a line
+// that has all its fields is read, whatever its last number has lost.
+TEST(Csv, LeavesOutALastLineThatBreaksOff) {
+  for (const char* broken : {"2,", "2", "2,5"}) {
+    const auto record = host_sim::parse_csv(std::string("t_s,force_1_N,x,displacement_1_m\n0,1,,3\n1,2,,4\n") + broken,
+                                            "d.csv", chain(1));
+    EXPECT_EQ(record.find(Quantity::kDisplacement, 1)->values, (std::vector<double>{3, 4})) << broken;
+    EXPECT_NE(record.notes.back().find("breaks off"), std::string::npos) << broken;
+  }
+  EXPECT_EQ(host_sim::parse_csv("t_s,force_1_N\n0,1\n1,2\n2,3", "d.csv", chain(1)).samples(), 3u);
+  EXPECT_THROW(host_sim::parse_csv("t_s,force_1_N\n0,1\n1,2\n2\n", "d.csv", chain(1)), host_sim::DataFileError);
+  EXPECT_THROW(host_sim::parse_csv("t_s,force_1_N\n0,1\n1\n2,3", "d.csv", chain(1)), host_sim::DataFileError);
+}
+
 // 0.9 % off is a clock's jitter, 1.1 % a fault: on line 4 stands the sample whose step is long.
 TEST(Csv, StepMayVaryByOnePercent) {
   const auto text = [](const char* third) {

@@ -52,6 +52,8 @@ class CsvParser {
         if (rest.find_first_not_of(" \t\r\n") != std::string_view::npos)
           refuse(line_, "is blank, expected " + std::to_string(columns_.size()) + " numbers");
         break;
+      } else if (samples_ > 0 && rest.empty() && breaks_off(row)) {
+        record_.notes.push_back("left out: the last line, which breaks off in the middle");
       } else {
         read_row(row);
         ++samples_;
@@ -119,6 +121,16 @@ class CsvParser {
     const size_t rows = layout_.data.size() / (line_length + 1) * 21 / 20 + 1;  // the first rows are often the shortest
     for (const Target& column : columns_)
       if (column.values != nullptr) column.values->reserve(rows);
+  }
+
+  // The file's end within a line, as a logger leaves it that was switched off: no line end behind it, and fewer fields.
+  bool breaks_off(std::string_view row) const {
+    if (row.data() + row.size() != content_.data() + content_.size()) return false;
+    const char* position = row.data();
+    const char* end = row.data() + row.size();
+    size_t fields = 1;
+    for (skip_field(position, end); position != end; skip_field(++position, end)) ++fields;
+    return fields < columns_.size();
   }
 
   void read_row(std::string_view row) {
