@@ -317,7 +317,17 @@ bool passes(const Attempt& a, size_t already, double noise) {
   if (noise < kMostlyNoise && unseen_share_of(a, noise) < least) return false;
   const bool plain =
       noise * std::max(1.0, a.quieter) < kMostlyNoise && unseen_share_of(a, noise) > 0.5 * share_of(a, noise);
-  return a.z > (plain || borne_out ? kSure : kNamed * std::sqrt(n)) && share_of(a, noise) > least && unseen_agrees(a);
+  // something is missing, and two tests that know nothing of each other say what: 5 % twice is as rare as kSure once
+  const bool twice = already == 0 && plain && a.unseen_deviations > kByChance;
+  return a.z > (twice                ? kByChance
+                : plain || borne_out ? kSure
+                                     : kNamed * std::sqrt(n)) &&
+         share_of(a, noise) > least && unseen_agrees(a);
+}
+
+bool leaves_much_more(const Attempt& a, const Attempt& than, double noise) {
+  const double numbers = std::max(1, than.complexity - a.complexity);
+  return whole_error(a) > std::pow(1 + kMuch, numbers) * std::max(noise, whole_error(than));
 }
 
 bool clearly_better(const Attempt& a, const Attempt& b, double noise) {

@@ -74,6 +74,8 @@ bool passes(const Attempt& a, size_t already, double noise);
 double paired_z(const Fitted& first, const Fitted& second);
 // The same of each block's own share, so that a loud one counts as a quiet one.
 double paired_share_z(const Fitted& first, const Fitted& second);
+// Whether the first leaves much more than the second and than noise, each number that it has less weighed.
+bool leaves_much_more(const Attempt& a, const Attempt& than, double noise);
 // Whether one is better than the other by more than chance, and by much of what is not noise.
 bool clearly_better(const Attempt& a, const Attempt& b, double noise);
 

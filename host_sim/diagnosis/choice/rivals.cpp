@@ -73,9 +73,10 @@ void weigh_rivals(const Task& task, const std::function<void(double)>& progress,
     std::vector<Attempt> as_good;
     for (const Attempt& t : others)
       if (t.z > kByChance && unseen_agrees(t) && !clearly_better(own, t, noise)) as_good.push_back(t);
-    // the simplest of those that do as well is named
+    // the simplest of those that do as well is named, unless the data, few as they are, plainly speak for another
     for (Attempt& t : as_good)
-      if (t.complexity < own.complexity || (t.complexity == own.complexity && whole_error(t) < whole_error(own)))
+      if ((t.complexity < own.complexity && !leaves_much_more(t, own, noise)) ||
+          (t.complexity == own.complexity && whole_error(t) < whole_error(own)))
         std::swap(t, own);
     if (!own.candidates[0].same_place(mine.candidate)) {
       mine.candidate = own.candidates[0], mine.z = own.z, choice.final = on_all(task, choice.final, own.state);
