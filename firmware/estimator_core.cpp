@@ -29,15 +29,17 @@ void EstimatorCore::push(const RawSample& sample) {
     if (closing_) close_some();
   }
   const bool usable = conditioning_.append(sample, frame_, filled_);
-  if (conditioning_.saturated()) {
-    ++health_.saturated_samples;
-    collector_.mark_saturated();
-  }
+  if (conditioning_.saturated()) note_saturation();
   if (!usable || !collector_.level_open()) return;
   ++filled_;
-  tests_.work();
+  if (tests_work_) tests_.work();
   if (filled_columns_ != 0) move_on();
   if (filled_ == full_) process(full_ - kLevelMarginSamples);
+}
+
+void EstimatorCore::note_saturation() {
+  ++health_.saturated_samples;
+  collector_.mark_saturated();
 }
 
 void EstimatorCore::note_gap(uint32_t sequence) {

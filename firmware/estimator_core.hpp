@@ -68,6 +68,7 @@ class EstimatorCore {
   void move_on();
   void break_window();
   void note_gap(uint32_t sequence);
+  void note_saturation();
   void forget_levels();
   void correct_channels();
   void aim(
@@ -82,8 +83,9 @@ class EstimatorCore {
   uint32_t next_sequence_ = 0;
   bool sequence_known_ = false;
   bool fits_ = true;
-  bool forgets_ = false;  // what was measured, when the next level begins: a channel is corrected
-  bool closing_ = false;  // into batch_, a few pieces with each sample
+  bool forgets_ = false;     // what was measured, when the next level begins: a channel is corrected
+  bool tests_work_ = false;  // the score tests are on
+  bool closing_ = false;     // into batch_, a few pieces with each sample
   int pieces_per_sample_ = 1;
   int filled_ = 0;          // samples in the frame
   int full_ = 0;            // at this many the block is worked on

@@ -38,6 +38,7 @@ EstimatorCore::EstimatorCore(const CoreConfiguration& configuration, CoreDetail 
   fits_ = weights <= kWeights && (kDerivesSignals || !needs_filters(configuration));
   sums_.configure(configuration, fits_ ? weights : kWeights);
   tests_.configure(configuration, detail == CoreDetail::kFull, sums_.effect_units(), clear_signs(configuration, sums_));
+  tests_work_ = tests_.on();
   reset();
 }
 

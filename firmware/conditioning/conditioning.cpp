@@ -42,11 +42,30 @@ void Conditioning::restart() {
   bool saturated = false;
   for (int c = 0; c < channel_count_; ++c) {
     const Channel& channel = channel_[c];
-    const int32_t value = code[place_[c].code], highest = channel.inside + static_cast<int32_t>(channel.count);
-    column[place_[c].column] = between(channel.inside - 1, value, highest) - channel.offset;
-    saturated = saturated || value < channel.inside || value >= highest;
+    int32_t value = code[place_[c].code];
+    if (static_cast<uint32_t>(value) - static_cast<uint32_t>(channel.inside) >= channel.count) {
+      value = between(channel.inside - 1, value, channel.inside + static_cast<int32_t>(channel.count));
+      saturated = true;
+    }
+    column[place_[c].column] = value - channel.offset;
   }
   return saturated;
+}
+
+// The usual case: all channels alike, and no code at a rail. Two at a time; of an odd number the last one comes twice.
+inline bool Conditioning::copy_alike(const int32_t* code, int32_t* column) const {
+  const uint32_t inside = static_cast<uint32_t>(channel_->inside), count = channel_->count;
+  const int32_t offset = channel_->offset;
+  const Place *place = place_, *const end = place_ + alike_count_;
+  if (place == end) return false;
+  do {
+    const int32_t one = code[place[0].code], other = code[place[1].code];
+    if (static_cast<uint32_t>(one) - inside >= count || static_cast<uint32_t>(other) - inside >= count) return false;
+    column[place[0].column] = one - offset;
+    column[place[1].column] = other - offset;
+    place += 2;
+  } while (place != end);
+  return true;
 }
 
 bool Conditioning::append(const RawSample& sample, Frame& frame, int at) {
@@ -54,20 +73,13 @@ bool Conditioning::append(const RawSample& sample, Frame& frame, int at) {
   static_assert(signal_column(1, Quantity::kForce) == kQuantities, "channels and signal columns are numbered alike");
   const int32_t* code = &sample.code[0][0];
   int32_t* column = &frame.raw[0][at];
-  // The usual case: all channels alike, and no code at a rail.
-  const uint32_t inside = static_cast<uint32_t>(channel_->inside), count = channel_->count;
-  const int32_t offset = channel_->offset;
-  const Place *place = place_, *const end = place_ + alike_count_;
-#pragma GCC unroll 2
-  for (; place != end; ++place) {
-    const Place of = *place;
-    const int32_t value = code[of.code];
-    if (static_cast<uint32_t>(value) - inside >= count) break;
-    column[of.column] = value - offset;
-  }
-  saturated_ = place != place_ + channel_count_ && copy_each(code, column);
+  saturated_ = !copy_alike(code, column) && copy_each(code, column);
+  return copies_alone_ || derive(column);
+}
+
+bool Conditioning::derive(int32_t* column) {
   if (shift_.used() && !shift_channels(column)) return false;
-  return !kDerivesSignals || plain_ || filter(frame, at);
+  return !kDerivesSignals || plain_ || filter(column);
 }
 
 [[gnu::noinline]] bool Conditioning::shift_channels(int32_t* column) {
@@ -162,8 +174,7 @@ inline Code Conditioning::delayed(Code value) {
   }
 }
 
-bool Conditioning::filter(Frame& frame, int at) {
-  int32_t* const column = &frame.raw[0][at];
+bool Conditioning::filter(int32_t* column) {
   Code* const newest = &history_[history_at_];
   const SignalConfiguration* const signals = &configuration_->signals[0][0];
   for (const uint8_t *i = keeps_, *end = keeps_ + keep_count_; i != end; ++i) {

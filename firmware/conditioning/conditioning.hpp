@@ -39,9 +39,10 @@ class Conditioning {
   int history_samples() const { return history_samples_; }  // samples at a level's start that give no output
   // The measured channel is read with these taps from the next level on; number: 0 to kMostShifted - 1, in order.
   void shift(int number, int node, Quantity quantity, const ShiftTaps& taps);
-  void shift_nothing() { shift_.clear(); }
+  void shift_nothing();
 
  private:
+  static_assert(kMaxNodes * kQuantities % 2 == 0, "places in pairs");
   static constexpr int kHistory = 2 * kFilterHalf + 1;
   static constexpr int kMaxSections = kDerivesSignals ? 3 : 1;
   static constexpr int kMaxPaths = kMaxNodes * (kQuantities + (kDerivesSignals ? 1 : 0));
@@ -90,9 +91,13 @@ class Conditioning {
     uint32_t column;  // of the frame, as so many numbers from its start
   };
   void add_channel(int node, int quantity);
+  // All channels to their columns; column: the frame's first, at the sample. The first says false, with some of them copied,
+  // where they are not alike or a code is at a rail; the second says whether one is.
+  bool copy_alike(const int32_t* code, int32_t* column) const;
   bool copy_each(const int32_t* code, int32_t* column) const;
+  bool derive(int32_t* column);
   bool shift_channels(int32_t* column);
-  bool filter(Frame& frame, int at);
+  bool filter(int32_t* column);
   void list_turns();
   static void keep(Code* place, Code code) { place[0] = place[kHistory] = code; }
   void link_fused_paths();
@@ -121,8 +126,9 @@ class Conditioning {
 
   const CoreConfiguration* configuration_ = nullptr;
   int channel_count_ = 0;
-  int alike_count_ = 0;  // as many, where all channels have one range and offset, else 0
+  int alike_count_ = 0;  // as many places, rounded up to pairs, where all channels have one range and offset, else 0
   bool plain_ = true;    // no filter anywhere: codes are copied
+  bool copies_alone_ = true;  // and none is shifted
   bool saturated_ = false;
   Place place_[kMaxNodes * kQuantities];  // of the channels
   ChannelShift shift_;

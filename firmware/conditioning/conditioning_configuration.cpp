@@ -28,7 +28,6 @@ int32_t within(int32_t rail, int64_t offset) {
 
 void Conditioning::configure(const CoreConfiguration& configuration) {
   configuration_ = &configuration;
-  shift_.clear();
   path_count_ = channel_count_ = reach_ = 0;
   for (int node = 0; node < kMaxNodes; ++node) {
     if (node >= configuration.dof_count && !(node == kBaseNode && configuration.base_present)) continue;
@@ -42,7 +41,8 @@ void Conditioning::configure(const CoreConfiguration& configuration) {
     }
     if (kDerivesSignals && configuration.filters_sign()) add_sign_velocity(node);
   }
-  alike_count_ = channel_count_;
+  alike_count_ = channel_count_ + channel_count_ % 2;
+  if (channel_count_ % 2 == 1) place_[channel_count_] = place_[channel_count_ - 1];
   for (int c = 1; c < channel_count_; ++c)
     if (channel_[c].inside != channel_->inside || channel_[c].count != channel_->count ||
         channel_[c].offset != channel_->offset)
@@ -59,7 +59,13 @@ void Conditioning::configure(const CoreConfiguration& configuration) {
     if (signal.half_length > 0 || signal.tap[0].raw != 0) plain_ = false;
   }
   if (kDerivesSignals) share_histories();
+  shift_nothing();
   restart();
+}
+
+void Conditioning::shift_nothing() {
+  shift_.clear();
+  copies_alone_ = !kDerivesSignals || plain_;
 }
 
 void Conditioning::add_channel(int node, int quantity) {
@@ -77,6 +83,7 @@ void Conditioning::shift(int number, int node, Quantity quantity, const ShiftTap
   const auto code = static_cast<uint32_t>(node * kQuantities + static_cast<int>(quantity));
   for (int c = 0; c < channel_count_; ++c)
     if (place_[c].code == code) shift_.set(number, c, taps);
+  copies_alone_ = !shift_.used() && copies_alone_;
 }
 
 Conditioning::Path& Conditioning::add_path(int node, int quantity, int column) {

@@ -163,7 +163,9 @@ void BatchCollector::add(const Batch& batch, uint32_t units) {
   }
   pending_units_ += units;
   incomplete_ = units == 0;
-  if (pending_units_ < batch_units()) return;
+  // Units that a gap cuts off count as samples: where gaps are frequent none is whole.
+  const bool enough = !periodic_ && pending_.samples >= unit_end(batch_units());
+  if (pending_units_ < batch_units() && !enough) return;
   append(pending_);
   table_units_ += pending_units_;
   pending_.samples = 0;

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "hal/rig_file/compile_rig.hpp"
+#include "hal/rig_file/first_batches.hpp"
 #include "hal/rig_file/signal_plan.hpp"
 #include "host_sim/plant/plant_error.hpp"
 #include "host_sim/virtual_rig/board_configuration.hpp"
@@ -77,6 +78,8 @@ firmware::WindowConfiguration scenario_window(const Scenario& scenario) {
   window.mode = all_free ? firmware::WindowMode::kFreeDecay : firmware::WindowMode::kInterval;
   uint64_t common = 1;
   size_t shortest = levels.front().samples;
+  for (const ExcitationLevel& level : levels) shortest = std::min(shortest, level.samples);
+  window.batch_samples = rig_file::first_batch_samples(shortest);
   for (const ExcitationLevel& level : levels) {
     if (!level.periodic()) return window;
     const double cycle = scenario.sample_rate_Hz / level.frequency_Hz;
@@ -84,10 +87,10 @@ firmware::WindowConfiguration scenario_window(const Scenario& scenario) {
     if (whole < 4.0 || std::fabs(cycle - whole) > 1e-9 * cycle) return window;
     common = std::lcm(common, static_cast<uint64_t>(whole));
     if (level.samples % static_cast<uint64_t>(whole) != 0) return window;
-    shortest = std::min(shortest, level.samples);
     if (common > shortest) return window;
   }
   window.mode = firmware::WindowMode::kWholeCycles;
+  window.batch_samples = 0;
   window.cycle_samples_numerator = static_cast<uint32_t>(common);
   window.cycle_samples_denominator = 1;
   return window;

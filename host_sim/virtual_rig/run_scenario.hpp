@@ -48,7 +48,8 @@ struct RunResult {
 };
 
 // Whole cycles where every level is a sine whose cycle (or a common multiple of them) is a whole number of samples and
-// fits into the shortest level; free decay where all are; else arbitrary intervals (Eq. 12a).
+// fits into the shortest level; free decay where all are; else arbitrary intervals (Eq. 12a), whose first batches are as long as
+// the shortest level allows (hal/rig_file/first_batches.hpp).
 firmware::WindowConfiguration scenario_window(const Scenario& scenario);
 
 // Throws PlantError (the rig cannot be simulated) and rig_file::RigFileError (beyond the core's capacity).

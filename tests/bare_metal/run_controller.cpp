@@ -94,7 +94,7 @@ bool run_controller(Bytes& script, Text& out, WorkCounter& counter, const Words&
   static ScriptReader reader(script);
   if (!reader.read(configuration)) return false;
   if (words.untested) configuration.core.probe_products_per_sample = 0;
-  if (words.slow) configuration.core.window.batch_samples = 128;
+  if (words.open) configuration.core.window.batch_samples = 0;
   configuration.node.listen_on_command = true;
   const auto period_ns =
       static_cast<uint64_t>(to_fixed(configuration.core.sample_period_s * firmware::Scaled::from_int(1000000000), 0));

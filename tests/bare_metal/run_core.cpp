@@ -36,7 +36,7 @@ Words read_words(const char* text) {
     words.plain = words.plain || named("plain");
     words.untested = words.untested || named("untested");
     words.frames = words.frames || named("frames");
-    words.slow = words.slow || named("slow");
+    words.open = words.open || named("open");
     words.sliced = words.sliced || named("sliced");
   }
   return words;
@@ -46,7 +46,7 @@ bool run_core(Bytes& script, Text& out, WorkCounter& counter, const Words& words
   static ScriptReader reader(script);
   if (!reader.read(configuration)) return false;
   if (words.untested) configuration.core.probe_products_per_sample = 0;
-  if (words.slow) configuration.core.window.batch_samples = 128;
+  if (words.open) configuration.core.window.batch_samples = 0;
   firmware::EstimatorCore& core = *new (core_memory) firmware::EstimatorCore(
       configuration.core, words.plain ? firmware::CoreDetail::kPlain : firmware::CoreDetail::kFull);
   if (!core.fits()) return false;

@@ -1,6 +1,7 @@
 // scenario_script SCENARIO SEED FILE [SAMPLES [x]]: what the board would sample in a shipped scenario, as a script (script.hpp); the
 // estimates are asked for once a second and at each level's end. SAMPLES: of each level, the first ones.
 // x: force and displacement are measured alone.
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <fstream>
@@ -8,6 +9,7 @@
 
 #include "firmware/rig_controller/controller_configuration.hpp"
 #include "hal/rig_file/compile_rig.hpp"
+#include "hal/rig_file/first_batches.hpp"
 #include "host_sim/virtual_rig/board_configuration.hpp"
 #include "host_sim/virtual_rig/run_scenario.hpp"
 #include "host_sim/virtual_rig/virtual_rig.hpp"
@@ -18,11 +20,21 @@ void put32(std::ofstream& out, uint32_t value) {
   for (int i = 0; i < 4; ++i) out.put(static_cast<char>(value >> (8 * i)));
 }
 
+// As of a scenario whose levels are that short.
+firmware::WindowConfiguration window_of(const host_sim::Scenario& scenario, size_t most) {
+  firmware::WindowConfiguration window = host_sim::scenario_window(scenario);
+  for (const host_sim::ExcitationLevel& level : scenario.levels)
+    if (window.batch_samples != 0)
+      window.batch_samples =
+          std::min(window.batch_samples, rig_file::first_batch_samples(std::min(level.samples, most)));
+  return window;
+}
+
 void write(const host_sim::Scenario& scenario, uint64_t seed, const std::string& path, size_t most) {
   host_sim::VirtualRig rig(scenario, seed);
   firmware::CoreConfiguration core =
       rig_file::compile_rig(scenario.rig, scenario.sample_period_s(), rig.measured().calibrations);
-  core.window = host_sim::scenario_window(scenario);
+  core.window = window_of(scenario, most);
   const firmware::ControllerConfiguration configuration =
       host_sim::board_configuration(scenario.rig, core, scenario.sample_period_s());
   static uint8_t bytes[firmware::kConfigurationBytes];

@@ -42,7 +42,7 @@ struct Words {
   bool plain = false;     // "plain": the paper's products alone
   bool untested = false;  // "untested": without the score tests
   bool frames = false;    // "frames": the whole controller
-  bool slow = false;      // "slow": first batches of 128 samples, not 32
+  bool open = false;      // "open": first batches as where nobody knows how long the levels are
   bool sliced = false;    // "sliced": solves in slices (hal/bare_metal/sliced_worker.hpp)
 };
 Words read_words(const char* text);

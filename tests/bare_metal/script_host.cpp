@@ -37,7 +37,7 @@ int main(int count, char** arguments) {
     words.plain = words.plain || more.plain;
     words.untested = words.untested || more.untested;
     words.frames = words.frames || more.frames;
-    words.slow = words.slow || more.slow;
+    words.open = words.open || more.open;
     words.sliced = words.sliced || more.sliced;
   }
   return bare_metal::run_script(file, console, counter, words) ? 0 : 1;

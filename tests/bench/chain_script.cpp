@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "firmware/rig_controller/controller_configuration.hpp"
+#include "hal/rig_file/first_batches.hpp"
 #include "tests/bench/bench_rig.hpp"
 
 namespace {
@@ -21,6 +22,7 @@ void put32(std::ofstream& out, uint32_t value) {
 void write(int dofs, size_t samples, const std::string& path, bool all) {
   const auto configuration = std::make_unique<firmware::ControllerConfiguration>();
   configuration->core = bench::chain(dofs, all);
+  configuration->core.window.batch_samples = rig_file::first_batch_samples(samples);
   std::vector<uint8_t> bytes(firmware::kConfigurationBytes);
   const size_t length =
       firmware::encode(*configuration, *reinterpret_cast<uint8_t(*)[firmware::kConfigurationBytes]>(bytes.data()));

@@ -28,8 +28,10 @@ RIGS = {
     "16 DOF": (["chain_script", "16", "20000", "FILE"], 16),
     "16 DOF, 48 unknowns": (["chain_script", "16", "8000", "FILE", "all"], 16),
 }
-DETAILS = {"plain": "plain", "full": "untested", "full, first batches of 128": "untested slow"}
-CHECKED = [("3 DOF, random force", "plain"), ("3 DOF, random force", "full"), ("3 DOF, displacement only", "plain")]
+OPEN = ", length of the level unknown"
+DETAILS = {"plain": "plain", "plain" + OPEN: "plain open", "full": "untested", "full" + OPEN: "untested open"}
+CHECKED = [("3 DOF, random force", "plain"), ("3 DOF, random force", "full"), ("3 DOF, random force", "full" + OPEN),
+           ("3 DOF, displacement only", "plain")]
 SLICED = ["3 DOF, random force", "3 DOF, displacement only", "16 DOF", "16 DOF, 48 unknowns"]
 
 

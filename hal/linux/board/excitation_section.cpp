@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hal/rig_file/first_batches.hpp"
+
 namespace board {
 namespace {
 
@@ -129,6 +131,10 @@ void read_excitation(const std::string& file, const toml::table& root, const Sec
   if (all_free) window.mode = firmware::WindowMode::kFreeDecay;
   if (tables.empty() && cycle_Hz > 0.0) set_whole_cycles(cycle_Hz, rate_Hz, window);
   if (one_frequency) set_whole_cycles(common_Hz, rate_Hz, window);
+  if (tables.empty() || window.mode == firmware::WindowMode::kWholeCycles) return;
+  uint32_t shortest = UINT32_MAX;
+  for (int i = 0; i < programme.level_count; ++i) shortest = std::min(shortest, programme.levels[i].measure_samples);
+  window.batch_samples = rig_file::first_batch_samples(shortest);
 }
 
 }  // namespace board

@@ -1,9 +1,11 @@
 #include "host_sim/programs/estimate/estimation.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <sstream>
 
+#include "hal/rig_file/first_batches.hpp"
 #include "hal/rig_file/signal_plan.hpp"
 #include "host_sim/can_log/log_writer.hpp"
 #include "host_sim/programs/estimate/channel_correction.hpp"
@@ -41,10 +43,16 @@ bool has_force(const Record& record) {
   return false;
 }
 
-firmware::WindowConfiguration window_of(const Record& record, const EstimationOptions& options) {
+firmware::WindowConfiguration window_of(const std::vector<Record>& records, const EstimationOptions& options) {
+  const Record& record = records.front();
   firmware::WindowConfiguration window;
   window.mode = has_force(record) ? firmware::WindowMode::kInterval : firmware::WindowMode::kFreeDecay;
-  if (!options.excitation_Hz) return window;
+  if (!options.excitation_Hz) {
+    size_t shortest = record.samples();
+    for (const Record& other : records) shortest = std::min(shortest, other.samples());
+    window.batch_samples = rig_file::first_batch_samples(shortest);
+    return window;
+  }
   constexpr uint32_t kDenominator = 1u << 16;
   const double cycle_samples = 1.0 / (*options.excitation_Hz * record.sample_period_s);
   if (!(cycle_samples >= 4.0) || cycle_samples > static_cast<double>(record.samples()))
@@ -120,7 +128,7 @@ Estimation estimate_as_told(const rig_file::RigModel& model, const std::vector<R
   firmware::CoreConfiguration configuration =
       rig_file::compile_rig(model, records.front().sample_period_s, calibrations);
   fit_signals_to(records, calibrations, configuration);
-  configuration.window = window_of(records.front(), options);
+  configuration.window = window_of(records, options);
   configuration.probe_products_per_sample = firmware::kAllProbes;  // no next sample waits
   configuration.corrects_channels = false;                         // see correct_channels()
   std::ostringstream log_text;
