@@ -74,8 +74,8 @@ bool is_undetermined(const EquationList& list, const BatchTable& table, const Co
   const Term* term = term_of(configuration, unknown);
   if (term == nullptr) return false;
   const ParameterEstimate& own = estimates.parameters[unknown];
-  if (term->kind == TermKind::kMass || term->kind == TermKind::kStiffness)
-    return reaches_beyond(own, Scaled::from_int(1), abs(own.value));
+  if (!reaches_beyond(own, Scaled::from_int(1), abs(own.value))) return false;  // nor beyond what it is a part of
+  if (term->kind == TermKind::kMass || term->kind == TermKind::kStiffness) return true;
   if (!is_damping(*term)) return false;
   Scaled all, own_work;
   for (int pass = 0; pass < 2; ++pass) {

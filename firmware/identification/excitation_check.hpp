@@ -11,8 +11,9 @@ namespace firmware {
 bool is_excited(const EquationList& list, const BatchTable& table, const CoreConfiguration& configuration, int unknown);
 
 // The 95 % interval reaches further to either side than all that the number is a part of, and so tells nothing: of a damping
-// coefficient all that its link dissipates (sum of |coefficient| * |work of its unit force|), of a mass or a stiffness itself. Friction of 0 +- 0.4 N beside a damper's 1.5 N is an answer, 0 +- 2 N is none. What reaches beyond is no measure for
-// another. Not judged beside a damping coefficient that the rig file gives: its work is not in the table.
+// coefficient all that its link dissipates (sum of |coefficient| * |work of its unit force|), of a mass or a stiffness itself.
+// Friction of 0 +- 0.4 N beside a damper's 1.5 N is an answer, 0 +- 2 N is none. What reaches beyond is no measure for another.
+// Not judged beside a damping coefficient that the rig file gives: its work is not in the table.
 bool is_undetermined(const EquationList& list, const BatchTable& table, const CoreConfiguration& configuration,
                      int unknown, const Estimates& estimates);
 
