@@ -98,7 +98,7 @@ std::vector<std::string> advice_for(const Diagnosis& d) {
     say("a constant force shows in a displacement only: measure that of every DOF");
   if (d.verdict == Verdict::kNone && fault)
     say("a sensor's fault shows against a second channel of its DOF only: add one");
-  if (!d.rejected.empty())
+  if (!d.rejected.empty() && d.causes.empty())
     say("a term that fits better but simulates worse was rejected: record more data at the level where it should act");
   return list;
 }

@@ -12,6 +12,8 @@ bool runs_alone_know(Kind kind) {
   return kind == Kind::kDeadBand || kind == Kind::kCogging || kind == Kind::kMissingGravity;
 }
 
+constexpr size_t kSinglesTried = 5;  // as many as a search of its own would try first
+
 // What causes leave that were fitted by `with_them`, as an attempt of their own.
 Attempt left_by_causes(const Choice& fitted, const std::vector<Candidate>& causes, const State& with_them) {
   Attempt own;
@@ -28,18 +30,16 @@ bool outdone(const Task& task, const Choice& fitted, const std::vector<Candidate
   const State& base = fitted.base;
   const double noise = noise_share(fitted.base_left, base.fit);
   const Attempt own = left_by_causes(fitted, causes, with_them);
-  std::vector<Candidate> others =
+  const std::vector<Candidate> others =
       candidates_beside(task.system, base.model, task.records, fitted.base_left.worst() > kPlainlyLeft);
-  others.erase(std::remove_if(others.begin(), others.end(),
-                              [](const Candidate& c) { return !runs_alone_know(c.terms[0].kind); }),
-               others.end());
-  if (others.empty()) return false;
   const Screen s = screen(task.system, task.records, base.model, base.seen, base.fit, others, 0);
+  size_t tried = 0;
   return std::any_of(s.singles.begin(), s.singles.end(), [&](const Screened& one) {
-    if (hopeless(one.gain, 1, noise)) return false;
+    const bool alone_known = runs_alone_know(others[one.candidate].terms[0].kind);
+    if (hopeless(one.gain, 1, noise) || (!alone_known && (causes.size() == 1 || ++tried > kSinglesTried))) return false;
     const Attempt other = attempt(task, base, others, one, noise);
     if (!other.state.fit.ok || !(other.z > kSure) || !unseen_agrees(other)) return false;
-    return causes.size() > 1 ? whole_error(other) <= whole_error(own) : clearly_better(other, own, noise);
+    return causes.size() > 1 ? !clearly_better(own, other, noise) : clearly_better(other, own, noise);
   });
 }
 

@@ -49,7 +49,7 @@ double expected_unseen(const Attempt& a, size_t added_from) {
 // A cause of a deviations that is there or not changes the squared error by 2 a n - a^2 variances of what is left, n a normal deviate of
 // what noise makes of it: x variances less need n >= (x + a^2) / 2a, at least sqrt(x), whatever a.
 double deviations_unseen(const Attempt& a) {
-  if (a.candidates.size() != 1 || !a.state.unseen_fit.ok) return 0;
+  if (!a.state.unseen_fit.ok) return 0;
   double rows = 0;
   for (const Window& w : a.state.unseen) rows += static_cast<double>(w.length);
   rows *= static_cast<double>(a.state.unseen_fit.mean_square.size());
@@ -160,7 +160,7 @@ void judge(const Task& task, const State& beside, bool hosted, Attempt& a) {
   }
   if (!a.state.fit.ok || a.rounds) return;
   a.z = std::min(1e300, least_z(a, beside.model.size()));
-  a.unseen_deviations = deviations_unseen(a);
+  a.unseen_deviations = a.candidates.size() == 1 ? deviations_unseen(a) : 0;
   a.shows_unseen = !a.state.unseen_fit.ok || 1 - a.unseen > kShows || expected_unseen(a, beside.model.size()) > kShows;
   // what acts in another's place has no coefficient of its own: what it brings, block by block
   // (of a sweep two or three are by far the loudest: as a share of their own)
@@ -306,6 +306,20 @@ double whole_error(const Attempt& a) {
 }
 
 bool unseen_agrees(const Attempt& a) { return a.unseen < (a.shows_unseen ? 1 : kNoHarm); }
+
+bool moves_a_number(const State& beside, const Attempt& a) {
+  const std::vector<Determined> before = determined(beside.fit, beside.model);
+  const std::vector<Parameter> p = parameters_of(beside.model);
+  for (size_t i = 0; i < p.size(); ++i)
+    if (!p[i].shape && std::abs(a.state.model[p[i].term].value - beside.model[p[i].term].value) > kByChance * before[i].std)
+      return true;
+  return false;
+}
+
+bool matters(const State& beside, const Attempt& a) {
+  if (a.error < kPays || a.unseen < kPays) return true;
+  return a.z > kSure && (deviations_unseen(a) > kByChance || moves_a_number(beside, a));
+}
 
 bool passes(const Attempt& a, size_t already, double noise) {
   if (!a.state.fit.ok || a.rounds) return false;
