@@ -108,6 +108,7 @@ struct Estimates {
   Scaled residual_mean_abs;     // mean |A p - U| / |U| over the rows (the paper's normalised residual)
   uint32_t window_counter = 0;  // closed windows so far
   uint32_t rows = 0;            // energy equations used
+  bool inseparable = false;     // the data cannot tell some of the parameters apart
 
   Scaled unresolved[kMaxUnknowns];  // the combination of parameters seen worst; its largest entry is 1, the entries are
                                     // changes relative to each parameter's own value

@@ -33,14 +33,17 @@ bool inseparable_company(const WeightedFit& fit, const Estimates& estimates, int
   return false;
 }
 
+bool not_told_apart(const WeightedFit& fit, const Estimates& estimates, int unknown) {
+  return inseparable(fit, estimates, unknown) || inseparable_company(fit, estimates, unknown);
+}
+
 // The gravest that applies.
 EstimateStatus judge(const IdentificationMemory& memory, const EquationList& list, const BatchTable& table,
                      const CoreConfiguration& configuration, int unknown, const Estimates& estimates) {
   const WeightedFit& fit = memory.fit;
   if (any_saturated(table)) return EstimateStatus::kSaturated;
   if (!is_excited(list, table, configuration, unknown)) return EstimateStatus::kNoExcitation;
-  if (inseparable(fit, estimates, unknown) || inseparable_company(fit, estimates, unknown) ||
-      is_undetermined(list, table, configuration, unknown, estimates))
+  if (not_told_apart(fit, estimates, unknown) || is_undetermined(list, table, configuration, unknown, estimates))
     return EstimateStatus::kIllConditioned;
   if (skew_matters(list, table, configuration, unknown, estimates)) return EstimateStatus::kSkewed;
   if (bias_suspect(memory.bias, unknown, estimates.parameters[unknown])) return EstimateStatus::kBiasSuspect;
@@ -85,6 +88,8 @@ void identify(const CoreConfiguration& configuration, const BatchTable& table, I
     parameter.variance_inflation = fit.identifiability().inflation[k];
     parameter.plain_value = parameter.value + bias.difference[k];
     parameter.status = judge(memory, list, table, configuration, k, estimates);
+    if (parameter.status == EstimateStatus::kIllConditioned && not_told_apart(fit, estimates, k))
+      estimates.inseparable = true;
     estimates.unresolved[k] = fit.identifiability().unresolved[k];
   }
   give_advice(list, table, configuration, estimates);

@@ -235,13 +235,11 @@ void give_verdict(const CoreConfiguration& configuration, const ScoreSums& sums,
   const bool slopes = kDerivesSignals && one_quantity(configuration, Quantity::kVelocity);
   const bool twice_derived = kDerivesSignals && one_quantity(configuration, Quantity::kDisplacement);
   const bool derived = twice_derived || (kDerivesSignals && one_quantity(configuration, Quantity::kAcceleration));
-  bool contradicted = false, inseparable = false;  // the record cannot tell the rig's own terms apart
+  bool contradicted = false;
   if (spreads_skew(configuration, estimates))
     for (int k = 0; k < estimates.unknown_count; ++k) raise(estimates.parameters[k], EstimateStatus::kSkewed);
   for (int k = 0; k < estimates.unknown_count; ++k)
     contradicted = contradicted || contradicts(configuration, k, estimates.parameters[k]);
-  for (int k = 0; k < estimates.unknown_count; ++k)
-    inseparable = inseparable || estimates.parameters[k].status == EstimateStatus::kIllConditioned;
   for (int k = 0; k < estimates.unknown_count; ++k) {
     ParameterEstimate& parameter = estimates.parameters[k];
     if (contradicted || impossible(configuration, k, parameter)) raise(parameter, EstimateStatus::kModelSuspect);
@@ -254,7 +252,7 @@ void give_verdict(const CoreConfiguration& configuration, const ScoreSums& sums,
     if (is_wrong_by(test.possible_bend(k), parameter) ||
         ((derived || (slopes && beside_friction(configuration, k))) && fits_differ(test, k, parameter)) ||
         (derived && hardly_tested(test, k, parameter)) || (twice_derived && blind(configuration, test, k)) ||
-        (inseparable && test.mimics(k)))
+        (estimates.inseparable && test.mimics(k)))
       raise(parameter, EstimateStatus::kUntested);
     if (instruments_differ(test, k, parameter)) raise(parameter, EstimateStatus::kBiasSuspect);
     // A second level asks the model another question.

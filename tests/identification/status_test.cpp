@@ -41,6 +41,7 @@ TEST(Status, ParallelColumnsAreIllConditioned) {
   t.identify();
   EXPECT_EQ(t.status(0), EstimateStatus::kIllConditioned);
   EXPECT_EQ(t.status(1), EstimateStatus::kIllConditioned);
+  EXPECT_TRUE(t.estimates->inseparable);
   EXPECT_NEAR(rig_file::to_double(t.estimates->parameters[0].variance_inflation), 2000.0, 10.0);
   EXPECT_GT(rig_file::to_double(t.estimates->condition_number), 1000.0);
   EXPECT_EQ(t.estimates->advice, Advice::kAddFrequency);

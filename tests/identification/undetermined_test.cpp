@@ -71,4 +71,5 @@ TEST(UndeterminedEstimate, IsIllConditioned) {
   t.identify();
   EXPECT_NEAR(t.deviation(0), 0.2, 0.01);
   EXPECT_EQ(t.status(0), EstimateStatus::kIllConditioned);
+  EXPECT_FALSE(t.estimates->inseparable);  // there is nothing beside it
 }

@@ -183,6 +183,28 @@ TEST(Warrant, OneToneAtOneLevelIsUntested) {
   EXPECT_EQ(one.core->estimates().parameters[0].status, EstimateStatus::kUntested);
 }
 
+// A star of four masses: a damper between two of its arms would stand in those of the links. Where the estimates cannot tell these
+// apart, such numbers are UNTESTED; a number beside them that is merely wide takes nothing from them.
+TEST(Warrant, AWideNumberDoesNotMakeItsNeighboursUntested) {
+  Settings settings;
+  settings.condition = "star";
+  settings.masses = 4;
+  const CoreRun run = run_core(hidden_rig::make_draw(8150, settings));
+  const firmware::ScoreTests& tests = run.core->score_tests();
+  const auto untested = [&](bool inseparable) {
+    firmware::Estimates estimates = run.core->estimates();
+    estimates.parameters[0].status = EstimateStatus::kIllConditioned;
+    estimates.inseparable = inseparable;
+    give_verdict(run.configuration, tests.sums(), tests.test(), {true, true, 2}, estimates);
+    int count = 0;
+    for (int k = 1; k < estimates.unknown_count; ++k)
+      count += tests.test().mimics(k) && estimates.parameters[k].status == EstimateStatus::kUntested;
+    return count;
+  };
+  EXPECT_EQ(untested(false), 0);
+  EXPECT_GT(untested(true), 0);
+}
+
 uint32_t blocks(const CoreRun& run) {
   uint32_t sum = 0;
   const firmware::ScoreTable& table = run.core->score_tests().sums().table();
