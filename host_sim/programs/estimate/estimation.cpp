@@ -11,7 +11,6 @@
 #include "host_sim/programs/estimate/channel_correction.hpp"
 #include "host_sim/programs/estimate/channel_pairs.hpp"
 #include "host_sim/programs/results/fit_quality.hpp"
-#include "host_sim/programs/results/level_ratio.hpp"
 #include "host_sim/programs/shared/failures.hpp"
 #include "host_sim/records/data_file_error.hpp"
 #include "host_sim/records/digitise.hpp"
@@ -147,7 +146,7 @@ Estimation estimate_as_told(const rig_file::RigModel& model, const std::vector<R
   const firmware::Estimates& estimates = *board.controller().estimates();
 
   Estimation estimation;
-  estimation.result = result_of(model, estimates, level_ratio(records));
+  estimation.result = result_of(model, estimates, records);
   estimation.result.covariance = covariance_of(estimation.result, board.core());
   estimation.result.samples = samples;
   estimation.result.sample_rate_Hz = 1.0 / records.front().sample_period_s;

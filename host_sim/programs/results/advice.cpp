@@ -10,16 +10,28 @@ namespace host_sim {
 namespace {
 
 void add_skew(const rig_file::RigModel& model, size_t dof_index, firmware::Quantity quantity,
-              const firmware::SkewEstimate& skew, std::vector<SkewResult>& results) {
+              const firmware::SkewEstimate& skew, const std::vector<Record>& records,
+              std::vector<SkewResult>& results) {
   if (!skew.measured) return;
   const rig_file::ChannelName channel{quantity, static_cast<int>(dof_index + 1), model.dofs[dof_index].rotating};
+  const bool measured =
+      records.empty() || records.front().find(static_cast<Quantity>(quantity), channel.dof) != nullptr;
   results.push_back({rig_file::format_channel_name(channel), rig_file::to_double(skew.late_s) * 1e6,
-                     rig_file::to_double(skew.std_s) * 1e6, skew.significant});
+                     rig_file::to_double(skew.std_s) * 1e6, skew.significant, measured});
+}
+
+// What is made from other channels has no delay that a rig file could give.
+std::string skew_advice(const std::vector<SkewResult>& skews, int dof) {
+  for (const SkewResult& skew : skews)
+    if (skew.significant && !skew.measured && rig_file::parse_channel_name(skew.channel)->dof == dof)
+      return "measure " + skew.channel + " as well";
+  return "give the late channel of DOF " + std::to_string(dof) + " its delay_us in the rig file";
 }
 
 }  // namespace
 
-std::string advice_text(const rig_file::RigModel& model, const firmware::Estimates& estimates, double level_ratio) {
+std::string advice_text(const rig_file::RigModel& model, const firmware::Estimates& estimates,
+                        const std::vector<SkewResult>& skews, double level_ratio) {
   constexpr double kOtherLevel = 1.5;  // from here on two records are of two levels
   const std::vector<std::string> names = rig_file::parameter_names(model);
   const auto index = static_cast<size_t>(estimates.advice_index);
@@ -41,8 +53,7 @@ std::string advice_text(const rig_file::RigModel& model, const firmware::Estimat
     case firmware::Advice::kLowerLevel:
       return "lower the level or widen the range of the sensor that is saturated";
     case firmware::Advice::kCompensateSkew:
-      return "give the late channel of DOF " + std::to_string(estimates.advice_index + 1) +
-             " its delay_us in the rig file";
+      return skew_advice(skews, estimates.advice_index + 1);
   }
   return "";
 }
@@ -59,13 +70,22 @@ std::string unresolved_text(const rig_file::RigModel& model, const firmware::Est
   return text;
 }
 
-std::vector<SkewResult> skews_of(const rig_file::RigModel& model, const firmware::Estimates& estimates) {
+std::vector<SkewResult> skews_of(const rig_file::RigModel& model, const firmware::Estimates& estimates,
+                                 const std::vector<Record>& records) {
   std::vector<SkewResult> results;
   for (size_t i = 0; i < model.dofs.size(); ++i) {
-    add_skew(model, i, firmware::Quantity::kDisplacement, estimates.displacement_skew[i], results);
-    add_skew(model, i, firmware::Quantity::kAcceleration, estimates.acceleration_skew[i], results);
+    add_skew(model, i, firmware::Quantity::kDisplacement, estimates.displacement_skew[i], records, results);
+    add_skew(model, i, firmware::Quantity::kAcceleration, estimates.acceleration_skew[i], records, results);
   }
   return results;
+}
+
+std::string skew_note(const SkewResult& skew) {
+  const std::string text =
+      fmt::format("{} is {:.0f} us {} the velocity (+- {:.0f}): ", skew.channel, std::fabs(skew.late_us),
+                  skew.late_us < 0.0 ? "ahead of" : "late against", 2.0 * skew.std_us);
+  if (!skew.measured) return text + "it is made from other channels; measure it as well";
+  return text + fmt::format("a [[channel]] with delay_us = {:.0f} in the rig file takes it away", skew.late_us);
 }
 
 }  // namespace host_sim

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "host_sim/programs/results/advice.hpp"
+#include "host_sim/programs/results/level_ratio.hpp"
 
 namespace host_sim {
 namespace {
@@ -51,13 +52,6 @@ const char* reason(EstimateStatus status, const EstimateResult& result) {
   }
 }
 
-std::string skew_note(const SkewResult& skew) {
-  return fmt::format(
-      "{} is {:.0f} us {} the velocity (+- {:.0f}): a [[channel]] with delay_us = {:.0f} in the rig file takes it away",
-      skew.channel, std::fabs(skew.late_us), skew.late_us < 0.0 ? "ahead of" : "late against", 2.0 * skew.std_us,
-      skew.late_us);
-}
-
 }  // namespace
 
 const char* status_word(EstimateStatus status) {
@@ -84,7 +78,8 @@ const char* status_word(EstimateStatus status) {
   return "STALE";
 }
 
-EstimateResult result_of(const rig_file::RigModel& model, const firmware::Estimates& estimates, double level_ratio) {
+EstimateResult result_of(const rig_file::RigModel& model, const firmware::Estimates& estimates,
+                         const std::vector<Record>& records) {
   EstimateResult result;
   const std::vector<rig_file::ParameterInfo> table = rig_file::parameter_table(model);
   for (size_t i = 0; i < table.size(); ++i) {
@@ -101,9 +96,9 @@ EstimateResult result_of(const rig_file::RigModel& model, const firmware::Estima
   result.residual_mean_abs = finite(estimates.residual_mean_abs);
   result.condition_number = finite(estimates.condition_number);
   result.rows = estimates.rows;
-  result.skews = skews_of(model, estimates);
+  result.skews = skews_of(model, estimates, records);
   result.warrant = warrant_of(model, estimates.warrant);
-  result.advice = advice_text(model, estimates, level_ratio);
+  result.advice = advice_text(model, estimates, result.skews, level_ratio(records));
   result.unresolved = unresolved_text(model, estimates);
   for (const SkewResult& skew : result.skews)
     if (skew.significant) result.notes.push_back(skew_note(skew));

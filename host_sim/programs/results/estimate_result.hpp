@@ -8,6 +8,7 @@
 #include "firmware/estimator_core.hpp"
 #include "hal/rig_file/compile_rig.hpp"
 #include "host_sim/programs/results/warrant_result.hpp"
+#include "host_sim/records/record.hpp"
 
 namespace host_sim {
 
@@ -24,6 +25,7 @@ struct SkewResult {
   std::string channel;
   double late_us = 0.0, std_us = 0.0;
   bool significant = false;
+  bool measured = true;  // else made from other channels of its DOF
 };
 
 struct EstimateResult {
@@ -51,9 +53,9 @@ struct EstimateResult {
 
 const char* status_word(firmware::EstimateStatus status);  // "VALID"
 
-// Parameters, residual and condition number of the core's estimates. level_ratio: see advice_text.
+// Parameters, residual and condition number of the core's estimates, and what to do about them. records: what they were made from.
 EstimateResult result_of(const rig_file::RigModel& model, const firmware::Estimates& estimates,
-                         double level_ratio = 1.0);
+                         const std::vector<Record>& records);
 std::vector<double> values_of(const EstimateResult& result);
 // EstimateResult::covariance of the core's last solve.
 std::vector<std::vector<double>> covariance_of(const EstimateResult& result, const firmware::EstimatorCore& core);

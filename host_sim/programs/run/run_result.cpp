@@ -2,13 +2,12 @@
 
 #include <cmath>
 
-#include "host_sim/programs/results/level_ratio.hpp"
 #include "host_sim/programs/run/paper_figures.hpp"
 
 namespace host_sim {
 
 EstimateResult result_of_run(const Scenario& scenario, const RunResult& run) {
-  EstimateResult result = result_of(scenario.rig, run.estimates, level_ratio(run.measured.measured));
+  EstimateResult result = result_of(scenario.rig, run.estimates, run.measured.measured);
   for (size_t i = 0; i < result.parameters.size(); ++i) result.parameters[i].truth = scenario.truth[i];
   for (const double mse : run.mse_percent)
     result.mse_percent.push_back(std::isfinite(mse) ? std::optional<double>(mse) : std::nullopt);

@@ -1,0 +1,51 @@
+// What a late channel is told to need, of one DOF's estimates made by hand.
+#include "host_sim/programs/results/advice.hpp"
+
+#include <gtest/gtest.h>
+
+#include "hal/rig_file/scaled_double.hpp"
+
+namespace {
+
+using host_sim::EstimateResult;
+using host_sim::Quantity;
+
+// The displacement is 400 +- 2 us late (two deviations of 1 us); there are these channels.
+EstimateResult late_displacement(const std::vector<host_sim::Channel>& channels) {
+  rig_file::RigModel model;
+  model.dofs.resize(1);
+  firmware::Estimates estimates;
+  estimates.advice = firmware::Advice::kCompensateSkew;
+  estimates.advice_index = 0;
+  firmware::SkewEstimate& skew = estimates.displacement_skew[0];
+  skew.measured = skew.significant = true;
+  skew.late_s = rig_file::to_scaled(400e-6);
+  skew.std_s = rig_file::to_scaled(1e-6);
+  host_sim::Record record;
+  record.channels = channels;
+  return host_sim::result_of(model, estimates, {record});
+}
+
+const host_sim::Channel kDisplacement{"displacement_1_m", Quantity::kDisplacement, 1, {0.0, 1.0}};
+const host_sim::Channel kVelocity{"velocity_1_m_s", Quantity::kVelocity, 1, {0.0, 1.0}};
+
+}  // namespace
+
+TEST(LateChannel, TheRigFileTakesItsDelayAway) {
+  const EstimateResult result = late_displacement({kDisplacement, kVelocity});
+  EXPECT_EQ(result.advice, "give the late channel of DOF 1 its delay_us in the rig file");
+  ASSERT_EQ(result.notes.size(), 1u);
+  EXPECT_EQ(result.notes[0],
+            "displacement_1_m is 400 us late against the velocity (+- 2): a [[channel]] with delay_us = 400 in the rig "
+            "file takes it away");
+}
+
+// The rig file has no channel for what is made from the velocity: a delay_us there would be refused or without effect.
+TEST(LateChannel, WhatIsDerivedHasNoDelayToGive) {
+  const EstimateResult result = late_displacement({kVelocity});
+  EXPECT_EQ(result.advice, "measure displacement_1_m as well");
+  ASSERT_EQ(result.notes.size(), 1u);
+  EXPECT_EQ(result.notes[0],
+            "displacement_1_m is 400 us late against the velocity (+- 2): it is made from other channels; measure it "
+            "as well");
+}
