@@ -311,13 +311,15 @@ bool moves_a_number(const State& beside, const Attempt& a) {
   const std::vector<Determined> before = determined(beside.fit, beside.model);
   const std::vector<Parameter> p = parameters_of(beside.model);
   for (size_t i = 0; i < p.size(); ++i)
-    if (!p[i].shape && std::abs(a.state.model[p[i].term].value - beside.model[p[i].term].value) > kByChance * before[i].std)
+    if (!p[i].shape &&
+        std::abs(a.state.model[p[i].term].value - beside.model[p[i].term].value) > kByChance * before[i].std)
       return true;
   return false;
 }
 
 bool matters(const State& beside, const Attempt& a) {
   if (a.error < kPays || a.unseen < kPays) return true;
+  if (!a.shows_unseen && a.z > kNamed) return true;
   return a.z > kSure && (deviations_unseen(a) > kByChance || moves_a_number(beside, a));
 }
 

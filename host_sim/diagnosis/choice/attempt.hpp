@@ -60,8 +60,9 @@ double least_share(size_t causes);
 bool hopeless(double gain, size_t causes, double noise);
 // Whether unseen windows speak for it, or have nothing to say (a sweep that has left the resonance).
 bool unseen_agrees(const Attempt& a);
-// Whether it leaves a twentieth less of the motion's error; or is sure, and pays on unseen windows beyond chance or takes one of
-// the numbers beside which it was put out of its interval: else nobody would act on it.
+// Whether it leaves a twentieth less of the motion's error (a tenth of its square); or is sure, and pays on unseen windows beyond chance or takes one of
+// the numbers beside which it was put out of its interval; or is beyond doubt where unseen windows cannot tell. Else nobody
+// would act on it.
 bool matters(const State& beside, const Attempt& a);
 // A candidate as it was fitted: with its shape, one term.
 void keep_shape(const Model& fitted, Candidate& candidate);
