@@ -31,7 +31,8 @@ constexpr int kOnceSections = 2;  // of a high-pass where nothing is integrated 
 void Conditioning::restart() {
   received_ = 0;
   saturated_ = false;
-  history_at_ = 0;
+  history_at_ = waits_at_ = 0;
+  limits_ = 0;
   shift_.restart();
   for (int i = 0; i < path_count_; ++i)
     for (int s = 0; s < kMaxSections; ++s) path_[i].section[s] = path_[i].previous[s] = State{};
@@ -106,20 +107,22 @@ int64_t shifted_to_nearest(int64_t sum, int shift) {
   return Code::from_raw(high ? kSignalLimit : -kSignalLimit);
 }
 
-// Of shifts from 32 bits on, the usual ones, the upper word and at most a bit of the lower one are needed.
+// Just beyond the limit where it is beyond.
+[[gnu::noinline]] Code nearest_of_many_bits(int64_t sum, int shift) {
+  const int64_t value = shifted_to_nearest(sum, shift);
+  const int64_t beyond = kSignalLimit + 1;
+  return Code::from_raw(static_cast<int32_t>(value > beyond ? beyond : value < -beyond ? -beyond : value));
+}
+
+// Of shifts from 32 bits on the upper 33 bits are needed: they fit 32, as |sum| < 2^62.
+inline Code nearest(int64_t sum, int shift) {
+  if (shift < 32) return nearest_of_many_bits(sum, shift);
+  return Code::from_raw(((static_cast<int32_t>(sum >> 31) >> (shift - 32)) + 1) >> 1);
+}
+
 inline Code Conditioning::rounded(int64_t sum, int shift, bool counts) {
-  int64_t value;
-  if (shift >= 32) {
-    const auto high = static_cast<int32_t>(sum >> 32);
-    const auto bit = static_cast<int32_t>(static_cast<uint32_t>(sum) >> 31);
-    const int32_t nearest = shift == 32 ? high + bit : (high + (int32_t{1} << (shift - 33))) >> (shift - 32);
-    if (nearest <= kSignalLimit && nearest >= -kSignalLimit) return Code::from_raw(nearest);
-    value = nearest;
-  } else {
-    value = shifted_to_nearest(sum, shift);
-    if (value <= kSignalLimit && value >= -kSignalLimit) return Code::from_raw(static_cast<int32_t>(value));
-  }
-  return clipped(value > 0, counts);
+  const Code value = nearest(sum, shift);
+  return value.raw <= kSignalLimit && value.raw >= -kSignalLimit ? value : clipped(value.raw > 0, counts);
 }
 
 // What came early, some samples ago; at its limit it is taken for saturated.
@@ -129,69 +132,71 @@ inline Code Conditioning::delayed(Code value) {
   return value;
 }
 
-// What a filter or two give: signals, those of the configuration; column, the frame's at the sample.
-[[gnu::always_inline]] inline void Conditioning::work_on(const Path& path, const SignalConfiguration* signals,
-                                                         Code* newest, int32_t* column) {
-  const SignalConfiguration& signal = signals[path.signal];
-  const Code* const middle = newest + path.window;
-  int32_t& place = column[path.column];
-  if (path.turn & kAlone) {
-    const int64_t sum = filter_sum(path.parity, signal.tap, middle, signal.half_length);
-    const Code value = rounded(sum, signal.shift, !for_sign(path));
-    place = value.raw;
-    if (path.turn & kKeepsOutput) keep(newest + path.history, value);
-  } else {  // the acceleration's filter stands behind the velocity's
-    const SignalConfiguration& a = (&signal)[1];
-    const OddAndEven sum = odd_and_even_sum(signal.tap, a.tap, middle, signal.half_length);
-    place = rounded(sum.odd, signal.shift, true).raw;
-    (&place)[kFrameStride] = rounded(sum.even, a.shift, true).raw;
+// What a filter gives: signals, those of the configuration; column, the frame's at the sample.
+[[gnu::always_inline]] inline void Conditioning::work_on(const Path& path, Code* newest, int32_t* column) {
+  const SignalConfiguration& signal = signal_of(path);
+  const int64_t sum = filter_sum(path.parity, signal.tap, newest + path.window, signal.half_length);
+  const Code value = rounded(sum, signal.shift, !for_sign(path));
+  column[path.column] = value.raw;
+  if (path.turn & kKeepsOutput) keep(newest + path.history, value);
+}
+
+// What is beyond the limit is clipped; at it, it counts as saturated when its time has come.
+[[gnu::noinline]] void Conditioning::limit_waiting(Code* waiting) {
+  for (Code* value = waiting; value != waiting + kWaiting; ++value) {
+    if (value->raw < kSignalLimit && value->raw > -kSignalLimit) continue;
+    *value = Code::from_raw(value->raw > 0 ? kSignalLimit : -kSignalLimit);
+    limits_ |= 1;
   }
 }
 
-// Columns, configurations and histories of displacement, velocity and acceleration stand behind each other.
-[[gnu::always_inline]] inline void Conditioning::work_on_three(const Path& path, const SignalConfiguration* signals,
-                                                               Code* newest, int32_t* column) {
-  const Path& first = path_[path.partner];
-  const SignalConfiguration* const signal = signals + first.signal;
-  const ThreeSums sum = three_sums(signal, newest + path.window);
-  const bool early = path.turn & kKeepsOutput;
-  const Code x = rounded(sum.displacement, signal[0].shift, !early), v = rounded(sum.velocity, signal[1].shift, !early),
-             a = rounded(sum.acceleration, signal[2].shift, !early);
-  int32_t* const place = column + first.column;
-  if (early) {
-    Code *const own = newest + path.history, *const others = newest + first.history;
-    column[path.column] = v.raw;
-    keep(others + 2 * kHistory, x);
-    keep(own, v);
-    keep(others + 4 * kHistory, a);
-    place[0] = delayed(others[2 * kHistory + delay_]).raw;
-    place[kFrameStride] = delayed(own[delay_]).raw;
-    place[2 * kFrameStride] = delayed(others[4 * kHistory + delay_]).raw;
-  } else {
-    place[0] = x.raw;
-    place[kFrameStride] = v.raw;
-    place[2 * kFrameStride] = a.raw;
+// Columns, paths and configurations of displacement, velocity and acceleration stand behind each other. Early ones, for friction's
+// sign, wait where the velocity's history would be; those whose time has come take their places in the columns.
+void Conditioning::work_on_early_threes(Code* newest, int32_t* column) {
+  constexpr auto kFar = static_cast<uint32_t>(kSignalLimit - 1);  // bits alone tell that all three are nearer to zero
+  const SignalConfiguration* const signals = &configuration_->signals[0][0];
+  Code* const waiting_places = &history_[2 * kHistory + waits_at_];
+  limits_ <<= 1;
+  for (const uint8_t *i = works_, *end = works_ + three_count_; i != end; ++i) {
+    const Path* const path = path_ + *i;
+    const SignalConfiguration* const signal = signals + path->signal;
+    keep(newest + path->history, Code::from_raw(column[path->channel_column]));
+    const Code* const middle = newest + path->window;
+    Code* const waiting = waiting_places + path->history;
+    int32_t* const place = column + path->column;
+    uint32_t bits = 0;
+    const auto exchange = [&](int q, int64_t sum) {
+      const Code value = nearest(sum, signal[q].shift);
+      bits |= static_cast<uint32_t>(value.raw ^ (value.raw >> 31));
+      place[q * kFrameStride] = waiting[q].raw;
+      waiting[q] = value;
+    };
+    exchange(0, even_sum(signal[0].tap, middle, signal[0].half_length));
+    exchange(1, odd_sum(signal[1].tap, middle, signal[1].half_length));
+    exchange(2, even_sum(signal[2].tap, middle, signal[2].half_length));
+    if (bits >= kFar) limit_waiting(waiting);
+    column[path[1].window] = waiting[1].raw;
   }
+  if (limits_ & limit_bit_ && received_ >= static_cast<uint32_t>(history_samples_)) saturated_ = true;
+  waits_at_ = waits_at_ + kWaiting < waiting_ ? waits_at_ + kWaiting : 0;
 }
 
 bool Conditioning::filter(int32_t* column) {
   Code* const newest = &history_[history_at_];
-  const SignalConfiguration* const signals = &configuration_->signals[0][0];
   for (const uint8_t *i = keeps_, *end = keeps_ + keep_count_; i != end; ++i) {
     Path& path = path_[*i];
     const Code code = Code::from_raw(column[path.channel_column]);
     keep(newest + path.history, path.sections == 0 ? code : high_passed(path, code));
   }
-  for (const uint8_t *i = works_, *end = works_ + work_count_; i != end; ++i) {
+  if (three_count_ > 0) work_on_early_threes(newest, column);
+  for (const uint8_t *i = works_ + three_count_, *end = works_ + work_count_; i != end; ++i) {
     const Path& path = path_[*i];
-    if (path.turn & kThree)
-      work_on_three(path, signals, newest, column);
-    else if (path.turn & kDelayed)
+    if (path.turn & kDelayed)
       column[path.column] = delayed(newest[path.window]).raw;
     else if (path.turn & kFused)
       column[path.column] = fused(path).raw;
     else
-      work_on(path, signals, newest, column);
+      work_on(path, newest, column);
   }
   if (++history_at_ == kHistory) history_at_ = 0;
   ++received_;

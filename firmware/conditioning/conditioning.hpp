@@ -44,17 +44,18 @@ class Conditioning {
  private:
   static_assert(kMaxNodes * kQuantities % 2 == 0, "places in pairs");
   static constexpr int kHistory = 2 * kFilterHalf + 1;
+  static constexpr int kWaiting = 3;  // displacement, velocity and acceleration
+  static_assert(kWaiting * kSignFilterHalf <= 2 * kHistory || !kDerivesSignals, "in the place of a history");
   static constexpr int kMaxSections = kDerivesSignals ? 3 : 1;
   static constexpr int kMaxPaths = kMaxNodes * (kQuantities + (kDerivesSignals ? 1 : 0));
   using State = Fixed<int64_t, 16>;
   enum Turn : uint8_t {
     kKeepsHistory = 1,
     kAlone = 2,
-    kWithNext = 4,  // odd taps, and the next path's are even
-    kThree = 8,     // the filters of displacement, velocity and acceleration, from path `partner` on, in one pass
-    kFused = 16,
-    kDelayed = 32,      // what the path `partner` gave some samples ago
-    kKeepsOutput = 64,  // for such a path, where its history would be; kThree: all of them
+    kThree = 4,  // early: it and the next two are the displacement, velocity and acceleration of one channel
+    kFused = 8,
+    kDelayed = 16,      // what the path `partner` gave some samples ago
+    kKeepsOutput = 32,  // for such a path, where its history would be
   };
   static constexpr uint8_t kNone = UINT8_MAX;
   struct Path {          // one signal
@@ -65,10 +66,11 @@ class Conditioning {
     uint8_t history_of = 0;   // the path that keeps the samples it is made from
     uint8_t turn = 0;         // what is done for it with each sample
     int8_t parity = 0;        // of the filter's taps (filter_sum.hpp)
-    uint8_t partner = kNone;  // of a fused velocity: the node's acceleration; kThree: the displacement
+    uint8_t partner = kNone;  // of a fused velocity: the node's acceleration
     uint16_t history = 0;     // its place in history_
     uint16_t window =
-        0;  // middle of its window in history_, behind the newest sample's place there; delayed: the value
+        0;  // middle of its window in history_, behind the newest sample's place there; delayed: the value;
+            // the velocity of an early three: the early one's column
     uint16_t column = 0;          // of the frame, as so many numbers from its start
     uint16_t channel_column = 0;  // that of the channel it is made from
     State section[kMaxSections] = {};
@@ -103,8 +105,7 @@ class Conditioning {
   void link_fused_paths();
   void share_histories();
   void delay_velocity(int number);
-  void share_pass(Path& velocity, Path& acceleration) const;
-  void share_pass_of_three(int displacement);
+  void share_early_three(int displacement);
   const SignalConfiguration& signal_of(const Path& path) const { return (&configuration_->signals[0][0])[path.signal]; }
   static int node_of(const Path& path) { return path.signal / kQuantities; }
   static bool is(Quantity quantity, const Path& path) {
@@ -114,8 +115,9 @@ class Conditioning {
   static bool for_sign(const Path& path) { return path.column >= kSignVelocityColumn * kFrameStride; }
   // Samples by which it comes before the others.
   int early(const Path& path) const { return for_sign(path) ? configuration_->sign_half_length : 0; }
-  void work_on(const Path& path, const SignalConfiguration* signals, Code* newest, int32_t* column);
-  void work_on_three(const Path& path, const SignalConfiguration* signals, Code* newest, int32_t* column);
+  void work_on(const Path& path, Code* newest, int32_t* column);
+  void work_on_early_threes(Code* newest, int32_t* column);
+  void limit_waiting(Code* waiting);
   Code delayed(Code value);
   Code fused(const Path& path);
   Code clipped(bool high, bool counts);
@@ -124,28 +126,31 @@ class Conditioning {
   Path& add_path(int node, int quantity, int column);
   void add_sign_velocity(int node);
 
+  // In the order of their use with each sample, the small ones first: a processor's loads reach 4 KiB.
   const CoreConfiguration* configuration_ = nullptr;
   int channel_count_ = 0;
   int alike_count_ = 0;  // as many places, rounded up to pairs, where all channels have one range and offset, else 0
   bool plain_ = true;    // no filter anywhere: codes are copied
   bool copies_alone_ = true;  // and none is shifted
   bool saturated_ = false;
-  Place place_[kMaxNodes * kQuantities];  // of the channels
-  ChannelShift shift_;
-  Channel channel_[kMaxNodes * kQuantities];
-  Path path_[kMaxPaths];
+  int history_at_ = 0;
+  uint32_t received_ = 0;
+  int history_samples_ = 0;
+  int waits_at_ = 0, waiting_ = 0;  // of what waits where all three came early: the next place, and their number
+  // A bit for each of the last samples: one that waits was at its limit; and the bit of the sample whose time has come.
+  uint32_t limits_ = 0, limit_bit_ = 0;
+  int reach_ = 0;  // longest half_length: the common delay in samples
   int path_count_ = 0;
-  // In the order of the paths: those that keep a history, and those that work on one.
+  // In the order of the paths: those that keep a history, and those that work on one, of which kThree come first.
+  int keep_count_ = 0, work_count_ = 0, three_count_ = 0;
   uint8_t keeps_[kDerivesSignals ? kMaxPaths : 1], works_[kDerivesSignals ? kMaxPaths : 1];
-  int keep_count_ = 0, work_count_ = 0;
+  Path path_[kMaxPaths];
+  Place place_[kMaxNodes * kQuantities];  // of the channels
+  Channel channel_[kMaxNodes * kQuantities];
+  ChannelShift shift_;
+  FusionState fusion_[kDerivesSignals ? kMaxNodes : 1];
   Code history_[kDerivesSignals ? kMaxPaths * 2 * kHistory : 1] =
       {};  // of each path; every entry twice, so that a window is contiguous
-  FusionState fusion_[kDerivesSignals ? kMaxNodes : 1];
-  int reach_ = 0;  // longest half_length: the common delay in samples
-  int history_samples_ = 0;
-  int delay_ = 0;  // behind a sample's place in a history, where what came early for friction's sign is
-  uint32_t received_ = 0;
-  int history_at_ = 0;
 };
 
 }  // namespace firmware

@@ -141,41 +141,41 @@ void Conditioning::share_histories() {
     path.turn = static_cast<uint8_t>(path.partner != kNone ? kFused : kAlone);
     if (path.history_of == i) path.turn = static_cast<uint8_t>(path.turn | kKeepsHistory);
   }
-  delay_ = kHistory - configuration_->sign_half_length;
-  for (int i = 0; i + 2 < path_count_; ++i) share_pass_of_three(i);
+  waiting_ = kWaiting * configuration_->sign_half_length;
+  limit_bit_ = uint32_t{1} << configuration_->sign_half_length;
+  for (int i = 0; i + kWaiting < path_count_; ++i) share_early_three(i);
   for (int i = 0; i < path_count_; ++i) delay_velocity(i);
-  for (int i = 0; i + 1 < path_count_; ++i) share_pass(path_[i], path_[i + 1]);
   list_turns();
 }
 
 void Conditioning::list_turns() {
   keep_count_ = work_count_ = 0;
+  for (int i = 0; i < path_count_; ++i)
+    if (path_[i].turn & kThree) works_[work_count_++] = static_cast<uint8_t>(i);
+  three_count_ = work_count_;
   for (int i = 0; i < path_count_; ++i) {
     if (path_[i].turn & kKeepsHistory) keeps_[keep_count_++] = static_cast<uint8_t>(i);
-    if (path_[i].turn & (kAlone | kWithNext | kThree | kFused | kDelayed))
-      works_[work_count_++] = static_cast<uint8_t>(i);
+    if (path_[i].turn & (kAlone | kFused | kDelayed)) works_[work_count_++] = static_cast<uint8_t>(i);
   }
 }
 
-// Displacement, velocity and acceleration of one channel. Where the velocity comes early for friction's sign, all three are
-// made then, and wait; the places of histories that nobody keeps have room for them.
-void Conditioning::share_pass_of_three(int number) {
-  Path &x = path_[number], &v = path_[number + 1], &a = path_[number + 2];
-  Path* maker = &x;
-  for (int j = 0; j < path_count_; ++j)
-    if (early(path_[j]) > 0 && node_of(path_[j]) == node_of(x)) maker = &path_[j];
-  Path* const shared[] = {&x, &v, &a, maker};
-  for (const Path* path = &x; path <= &a; ++path) {
-    const bool same = node_of(*path) == node_of(x) && path->history_of == number && (path->turn & kAlone) != 0;
-    if (!same || path->column != x.column + (path - &x) * kFrameStride) return;
+// Displacement, velocity and acceleration of one channel where the velocity comes early for friction's sign: all three are made
+// then, and wait.
+void Conditioning::share_early_three(int number) {
+  Path *const x = path_ + number, *const end = x + kWaiting, *sign = nullptr;
+  for (Path* path = end; path != path_ + path_count_; ++path)
+    if (early(*path) > 0 && path->history_of == number) sign = path;
+  if (sign == nullptr || !is(Quantity::kDisplacement, *x)) return;
+  for (const Path* path = x; path != end; ++path) {
+    const bool same = path->history_of == number && path->turn & kAlone;
+    if (!same || path->column != x->column + (path - x) * kFrameStride || path->parity != (path == x + 1 ? -1 : 1))
+      return;
   }
-  const bool halved = is(Quantity::kDisplacement, x) && x.parity == 1 && v.parity == -1 && a.parity == 1;
-  const int half = signal_of(v).half_length;
-  if (!halved || maker->history_of != number || signal_of(a).half_length != half || signal_of(x).half_length > half)
-    return;
-  for (Path* path : shared) path->turn = static_cast<uint8_t>(path->turn & kKeepsHistory);
-  maker->turn = static_cast<uint8_t>(maker->turn | kThree | (maker == &x ? 0 : kKeepsOutput));
-  maker->partner = static_cast<uint8_t>(number);
+  for (Path* path = x; path != end; ++path) path->turn = 0;
+  sign->turn = 0;
+  x->turn = kThree;
+  x->window = sign->window;
+  x[1].window = sign->column;
 }
 
 // Where no high-pass stands before them, a velocity and the one that its sign is taken from differ in their time alone.
@@ -191,17 +191,6 @@ void Conditioning::delay_velocity(int number) {
     path.window = static_cast<uint16_t>(sign.history + kHistory - configuration_->sign_half_length);
     sign.turn = static_cast<uint8_t>(sign.turn | kKeepsOutput);
   }
-}
-
-void Conditioning::share_pass(Path& velocity, Path& acceleration) const {
-  const bool neighbours = is(Quantity::kVelocity, velocity) && node_of(acceleration) == node_of(velocity) &&
-                          acceleration.column == velocity.column + kFrameStride;
-  const bool alike = acceleration.history_of == velocity.history_of &&
-                     signal_of(acceleration).half_length == signal_of(velocity).half_length &&
-                     early(velocity) == early(acceleration);
-  if (!neighbours || !alike || velocity.parity != -1 || acceleration.parity != 1 || !(velocity.turn & kAlone)) return;
-  velocity.turn = static_cast<uint8_t>((velocity.turn & kKeepsHistory) | kWithNext);
-  acceleration.turn = static_cast<uint8_t>(acceleration.turn & kKeepsHistory);
 }
 
 }  // namespace firmware

@@ -29,30 +29,41 @@ TEST(FilterSum, EvenAndOddByHand) {
   EXPECT_EQ(parity_of(taps({1, 2, 3, 2, 5}).data(), 2), 0);
   for (int parity : {0, 1}) EXPECT_EQ(filter_sum(parity, even.data(), &x[2], 2), 90);
   for (int parity : {0, -1}) EXPECT_EQ(filter_sum(parity, odd.data(), &x[2], 2), 46);
-  const OddAndEven both = odd_and_even_sum(odd.data(), even.data(), &x[2], 2);
-  EXPECT_EQ(both.odd, 46);
-  EXPECT_EQ(both.even, 90);
+  EXPECT_EQ(even_sum(even.data(), &x[2], 2), 90);
+  EXPECT_EQ(odd_sum(odd.data(), &x[2], 2), 46);
 }
 
-// Displacement 5, velocity and acceleration 7 (then 9) taps on either side: rounds of four and a rest in each part. Samples n about
-// 100: taps of 1 give 11 * 100; taps of |k| give 100 * 2 * 15 (of 28, of 45); taps of k give the sum of 2 k^2: 280 (570).
-TEST(FilterSum, ThreeFiltersOfDifferentLength) {
-  std::vector<Code> x;
-  for (int n = -9; n <= 9; ++n) x.push_back(Code::from_raw(100 + n));
-  for (const int half : {7, 9}) {
-    std::vector<SignalConfiguration> signals(3);
-    signals[0].half_length = 5;
-    signals[1].half_length = signals[2].half_length = static_cast<uint8_t>(half);
-    for (int k = -5; k <= 5; ++k) signals[0].tap[5 + k] = Tap::from_raw(1);
+// Filters without a four of taps on either side, with rounds of four alone, and with a rest. Samples 100 + n about n = 0, and S the sum
+// of k^2 from 1 to h: taps of 1 give 100 (2 h + 1), odd taps of k the sum of 2 k^2 = 2 S, even taps of |k| give 100 h (h + 1).
+// Taps of 1 but for the oldest, which is 3, are neither: 100 (2 h + 1) + 2 (100 - h).
+TEST(FilterSum, EveryLength) {
+  int squares = 0;
+  for (int half = 1; half <= kFilterHalf; ++half) {
+    squares += half * half;
+    std::vector<Code> x;
+    std::vector<Tap> ones, odd, even;
     for (int k = -half; k <= half; ++k) {
-      signals[1].tap[half + k] = Tap::from_raw(k);
-      signals[2].tap[half + k] = Tap::from_raw(k < 0 ? -k : k);
+      x.push_back(Code::from_raw(100 + k));
+      ones.push_back(Tap::from_raw(1));
+      odd.push_back(Tap::from_raw(k));
+      even.push_back(Tap::from_raw(k < 0 ? -k : k));
     }
-    const ThreeSums sums = three_sums(signals.data(), &x[9]);
-    EXPECT_EQ(sums.displacement, 1100);
-    EXPECT_EQ(sums.velocity, half == 7 ? 280 : 570);
-    EXPECT_EQ(sums.acceleration, half == 7 ? 5600 : 9000);
+    const Code* const middle = &x[static_cast<size_t>(half)];
+    EXPECT_EQ(even_sum(ones.data(), middle, half), 100 * (2 * half + 1)) << half;
+    EXPECT_EQ(even_sum(even.data(), middle, half), 100 * half * (half + 1)) << half;
+    EXPECT_EQ(odd_sum(odd.data(), middle, half), 2 * squares) << half;
+    ones.front() = Tap::from_raw(3);
+    EXPECT_EQ(parity_of(ones.data(), half), 0);
+    EXPECT_EQ(filter_sum(0, ones.data(), middle, half), 100 * (2 * half + 1) + 2 * (100 - half)) << half;
   }
+}
+
+// Taps of 30 bits on the largest codes: 57 products of 2^30 2^23 = 57 2^53, which takes the upper words of the sums.
+TEST(FilterSum, LargestTapsAndCodes) {
+  const std::vector<Tap> taps(2 * kFilterHalf + 1, Tap::from_raw(1 << 30));
+  const std::vector<Code> x(2 * kFilterHalf + 1, Code::from_raw(-(1 << 23)));
+  for (int parity : {0, 1})
+    EXPECT_EQ(filter_sum(parity, taps.data(), &x[kFilterHalf], kFilterHalf), -(int64_t{2 * kFilterHalf + 1} << 53));
 }
 
 }  // namespace
