@@ -251,7 +251,8 @@ bool borne_out(const Task& task, const State& base, const std::vector<Candidate>
                const std::vector<std::vector<double>>& values, State* fitted) {
   const Attempt all = attempt_of_found(task, base, found, values);
   if (fitted) *fitted = all.state;
-  if (!all.state.fit.ok || all.rounds || !(all.z > kByChance) || !unseen_agrees(all) || !matters(base, all)) return false;
+  if (!all.state.fit.ok || all.rounds || !(all.z > kByChance) || !unseen_agrees(all) || !matters(base, all))
+    return false;
   for (size_t i = 0; found.size() > 1 && i < found.size(); ++i) {
     std::vector<Candidate> fewer = found;
     std::vector<std::vector<double>> start = values;
