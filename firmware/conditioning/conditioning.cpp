@@ -1,6 +1,5 @@
 #include "firmware/conditioning/conditioning.hpp"
 
-#include "firmware/conditioning/filter_sum.hpp"
 #include "firmware/fixed_point/precondition.hpp"
 
 namespace firmware {
@@ -79,7 +78,7 @@ bool Conditioning::append(const RawSample& sample, Frame& frame, int at) {
 }
 
 bool Conditioning::derive(int32_t* column) {
-  if (shift_.used() && !shift_channels(column)) return false;
+  if (shifts_ && !shift_channels(column)) return false;
   return !kDerivesSignals || plain_ || filter(column);
 }
 
@@ -96,32 +95,13 @@ void Conditioning::move_frame(Frame& frame, int count, int kept) const {
   }
 }
 
-// sum / 2^shift to nearest; |sum| < 2^62.
-int64_t shifted_to_nearest(int64_t sum, int shift) {
-  return shift > 0 ? (sum + (int64_t{1} << (shift - 1))) >> shift : sum;
-}
-
 // What a filter gives while it fills is not saturated, nor is the velocity that only friction's sign is taken from.
 [[gnu::noinline]] Code Conditioning::clipped(bool high, bool counts) {
   if (counts && received_ >= static_cast<uint32_t>(history_samples_)) saturated_ = true;
   return Code::from_raw(high ? kSignalLimit : -kSignalLimit);
 }
 
-// Just beyond the limit where it is beyond.
-[[gnu::noinline]] Code nearest_of_many_bits(int64_t sum, int shift) {
-  const int64_t value = shifted_to_nearest(sum, shift);
-  const int64_t beyond = kSignalLimit + 1;
-  return Code::from_raw(static_cast<int32_t>(value > beyond ? beyond : value < -beyond ? -beyond : value));
-}
-
-// Of shifts from 32 bits on the upper 33 bits are needed: they fit 32, as |sum| < 2^62.
-inline Code nearest(int64_t sum, int shift) {
-  if (shift < 32) return nearest_of_many_bits(sum, shift);
-  return Code::from_raw(((static_cast<int32_t>(sum >> 31) >> (shift - 32)) + 1) >> 1);
-}
-
-inline Code Conditioning::rounded(int64_t sum, int shift, bool counts) {
-  const Code value = nearest(sum, shift);
+inline Code Conditioning::within_limit(Code value, bool counts) {
   return value.raw <= kSignalLimit && value.raw >= -kSignalLimit ? value : clipped(value.raw > 0, counts);
 }
 
@@ -135,8 +115,7 @@ inline Code Conditioning::delayed(Code value) {
 // What a filter gives: signals, those of the configuration; column, the frame's at the sample.
 [[gnu::always_inline]] inline void Conditioning::work_on(const Path& path, Code* newest, int32_t* column) {
   const SignalConfiguration& signal = signal_of(path);
-  const int64_t sum = filter_sum(path.parity, signal.tap, newest + path.window, signal.half_length);
-  const Code value = rounded(sum, signal.shift, !for_sign(path));
+  const Code value = within_limit(filter_signal(signal, newest + path.window, path.parity), !for_sign(path));
   column[path.column] = value.raw;
   if (path.turn & kKeepsOutput) keep(newest + path.history, value);
 }
@@ -165,15 +144,14 @@ void Conditioning::work_on_early_threes(Code* newest, int32_t* column) {
     Code* const waiting = waiting_places + path->history;
     int32_t* const place = column + path->column;
     uint32_t bits = 0;
-    const auto exchange = [&](int q, int64_t sum) {
-      const Code value = nearest(sum, signal[q].shift);
+    const auto exchange = [&](int q, Code value) {
       bits |= static_cast<uint32_t>(value.raw ^ (value.raw >> 31));
       place[q * kFrameStride] = waiting[q].raw;
       waiting[q] = value;
     };
-    exchange(0, even_sum(signal[0].tap, middle, signal[0].half_length));
-    exchange(1, odd_sum(signal[1].tap, middle, signal[1].half_length));
-    exchange(2, even_sum(signal[2].tap, middle, signal[2].half_length));
+    exchange(0, even_signal(signal[0], middle));
+    exchange(1, odd_signal(signal[1], middle));
+    exchange(2, even_signal(signal[2], middle));
     if (bits >= kFar) limit_waiting(waiting);
     column[path[1].window] = waiting[1].raw;
   }
@@ -191,12 +169,10 @@ bool Conditioning::filter(int32_t* column) {
   if (three_count_ > 0) work_on_early_threes(newest, column);
   for (const uint8_t *i = works_ + three_count_, *end = works_ + work_count_; i != end; ++i) {
     const Path& path = path_[*i];
-    if (path.turn & kDelayed)
-      column[path.column] = delayed(newest[path.window]).raw;
-    else if (path.turn & kFused)
-      column[path.column] = fused(path).raw;
-    else
+    if (!(path.turn & (kDelayed | kFused)))
       work_on(path, newest, column);
+    else
+      column[path.column] = (path.turn & kFused ? fused(path) : delayed(newest[path.window])).raw;
   }
   if (++history_at_ == kHistory) history_at_ = 0;
   ++received_;
@@ -219,7 +195,7 @@ Code Conditioning::fused(const Path& path) {
   state.once += step - (slope - state.slope) - (state.once >> leak);
   state.twice += state.once - before - (state.twice >> leak);
   state.slope = slope;
-  return rounded(slope + state.twice, signal.shift, !for_sign(path));
+  return within_limit(nearest(slope + state.twice, signal.shift), !for_sign(path));
 }
 
 // First-order sections with the pole 1 - 2^-shift. The differences come first, they take the offset away before the

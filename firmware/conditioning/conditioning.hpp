@@ -22,10 +22,9 @@
 #include "firmware/acquisition/columns.hpp"
 #include "firmware/acquisition/raw_sample.hpp"
 #include "firmware/conditioning/channel_shift.hpp"
+#include "firmware/conditioning/filter_sum.hpp"
 
 namespace firmware {
-
-constexpr int32_t kSignalLimit = 1 << 23;
 
 class Conditioning {
  public:
@@ -121,7 +120,7 @@ class Conditioning {
   Code delayed(Code value);
   Code fused(const Path& path);
   Code clipped(bool high, bool counts);
-  Code rounded(int64_t sum, int shift, bool counts);
+  Code within_limit(Code value, bool counts);
   Code high_passed(Path& path, Code code) const;
   Path& add_path(int node, int quantity, int column);
   void add_sign_velocity(int node);
@@ -133,6 +132,7 @@ class Conditioning {
   bool plain_ = true;    // no filter anywhere: codes are copied
   bool copies_alone_ = true;  // and none is shifted
   bool saturated_ = false;
+  bool shifts_ = false;  // some channel
   int history_at_ = 0;
   uint32_t received_ = 0;
   int history_samples_ = 0;

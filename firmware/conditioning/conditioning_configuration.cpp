@@ -1,6 +1,5 @@
 // Which paths signals take, and what those of one channel share: once for a rig.
 #include "firmware/conditioning/conditioning.hpp"
-#include "firmware/conditioning/filter_sum.hpp"
 #include "firmware/fixed_point/precondition.hpp"
 
 namespace firmware {
@@ -65,6 +64,7 @@ void Conditioning::configure(const CoreConfiguration& configuration) {
 
 void Conditioning::shift_nothing() {
   shift_.clear();
+  shifts_ = false;
   copies_alone_ = !kDerivesSignals || plain_;
 }
 
@@ -83,7 +83,8 @@ void Conditioning::shift(int number, int node, Quantity quantity, const ShiftTap
   const auto code = static_cast<uint32_t>(node * kQuantities + static_cast<int>(quantity));
   for (int c = 0; c < channel_count_; ++c)
     if (place_[c].code == code) shift_.set(number, c, taps);
-  copies_alone_ = !shift_.used() && copies_alone_;
+  shifts_ = shift_.used();
+  copies_alone_ = !shifts_ && copies_alone_;
 }
 
 Conditioning::Path& Conditioning::add_path(int node, int quantity, int column) {

@@ -66,4 +66,38 @@ TEST(FilterSum, LargestTapsAndCodes) {
     EXPECT_EQ(filter_sum(parity, taps.data(), &x[kFilterHalf], kFilterHalf), -(int64_t{2 * kFilterHalf + 1} << 53));
 }
 
+// To nearest, halves upwards: half of 2^shift is 1, one less is 0; minus half is 0, one more is -1. Around a word's end each shift
+// takes another way.
+TEST(FilterSum, NearestOfEveryShift) {
+  for (int shift = 1; shift < 61; ++shift) {
+    const int64_t half = int64_t{1} << (shift - 1);
+    EXPECT_EQ(nearest(half, shift).raw, 1) << shift;
+    EXPECT_EQ(nearest(half - 1, shift).raw, 0) << shift;
+    EXPECT_EQ(nearest(-half, shift).raw, 0) << shift;
+    EXPECT_EQ(nearest(-half - 1, shift).raw, -1) << shift;
+    EXPECT_EQ(nearest(5 * half, shift).raw, 3) << shift;  // 2.5
+  }
+}
+
+// A signal is its filter's sum to nearest, whichever way it takes: 90 and 46 (above) times 2^28, by 2^shift.
+TEST(FilterSum, SignalsAreSumsToNearest) {
+  const auto x = codes({1, 4, 6, 7, 9});
+  const int even[] = {5, 2, 3, 2, 5}, odd[] = {-5, -2, 0, 2, 5};
+  SignalConfiguration signal;
+  signal.half_length = 2;
+  const auto set = [&](const int(&taps)[5]) {
+    for (int k = 0; k < 5; ++k) signal.tap[k] = Tap::from_raw(taps[k] * (1 << 28));
+  };
+  const int shifts[] = {28, 31, 32, 33, 34}, evens[] = {90, 11, 6, 3, 1}, odds[] = {46, 6, 3, 1, 1};
+  for (int i = 0; i < 5; ++i) {
+    signal.shift = static_cast<uint8_t>(shifts[i]);
+    set(even);
+    EXPECT_EQ(even_signal(signal, &x[2]).raw, evens[i]) << shifts[i];
+    for (int parity : {0, 1}) EXPECT_EQ(filter_signal(signal, &x[2], parity).raw, evens[i]) << shifts[i];
+    set(odd);
+    EXPECT_EQ(odd_signal(signal, &x[2]).raw, odds[i]) << shifts[i];
+    for (int parity : {0, -1}) EXPECT_EQ(filter_signal(signal, &x[2], parity).raw, odds[i]) << shifts[i];
+  }
+}
+
 }  // namespace
