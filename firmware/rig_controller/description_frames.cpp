@@ -11,6 +11,7 @@ void DescriptionFrames::send_some() {
     const int channel = next_channel_++;
     send_channel(channel / kQuantities, static_cast<Quantity>(channel % kQuantities));
   }
+  waits_ = next_parameter_ < configuration_.core.unknown_count || next_channel_ < kMaxNodes * kQuantities;
 }
 
 void DescriptionFrames::send_parameter(int unknown) {

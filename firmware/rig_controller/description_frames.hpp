@@ -11,12 +11,16 @@ class DescriptionFrames {
   DescriptionFrames(const ControllerConfiguration& configuration, TransmitQueue& queue)
       : configuration_(configuration), queue_(queue) {}
 
-  void tell_parameters() { next_parameter_ = 0; }  // all of them, from now on
-  void tell_channels() { next_channel_ = 0; }
-  void send_some();
-  bool wait() const {  // for room in the queue
-    return next_parameter_ < configuration_.core.unknown_count || next_channel_ < kMaxNodes * kQuantities;
+  void tell_parameters() {  // all of them, from now on
+    next_parameter_ = 0;
+    waits_ = true;
   }
+  void tell_channels() {
+    next_channel_ = 0;
+    waits_ = true;
+  }
+  void send_some();
+  bool wait() const { return waits_; }  // for room in the queue
 
  private:
   bool rotating(int node) const { return node < 32 && (configuration_.node.rotating_nodes >> node & 1) != 0; }
@@ -25,6 +29,7 @@ class DescriptionFrames {
 
   const ControllerConfiguration& configuration_;
   TransmitQueue& queue_;
+  bool waits_ = true;
   int next_parameter_ = 0;  // the next to be told; kMaxUnknowns: none
   int next_channel_ = 0;    // node * kQuantities + quantity; kMaxNodes * kQuantities: none
 };

@@ -4,8 +4,7 @@
 namespace firmware {
 
 void EmergencyLine::take_edges() {
-  hal::LineEdge edge;
-  for (int looked_at = 1; looked_at < kEdgesPerLook && line_.next_edge(edge); ++looked_at) {
+  for (int looked_at = 1; looked_at < kEdgesPerLook && line_.next_edge(edge_); ++looked_at) {
   }
 }
 

@@ -15,8 +15,7 @@ class EmergencyLine {
 
   // True where the line is pressed now or has been since the last look.
   bool pressed() {
-    hal::LineEdge edge;
-    const bool changed = line_.next_edge(edge);
+    const bool changed = line_.next_edge(edge_);
     if (changed) take_edges();
     return line_.active() || changed;
   }
@@ -26,6 +25,7 @@ class EmergencyLine {
   // More edges than that in one look: a line that chatters, which counts as pressed like any edge. The rest waits.
   static constexpr int kEdgesPerLook = 16;
   hal::DigitalInput& line_;
+  hal::LineEdge edge_;  // the last one: that there was one is all that counts
 };
 
 }  // namespace firmware

@@ -10,6 +10,7 @@ void Estimation::reset() {
   fresh_ = false;
   solve_owed_ = level_left_out_ = false;
   count_ = 0;
+  note_busy();
   ask(Kind::kReset);
 }
 
@@ -28,7 +29,7 @@ void Estimation::wait(const RawSample& sample) {
     ++dropped_samples_;
     return;
   }
-  append(Kind::kSample).sample = sample;
+  append(Kind::kSample) = sample;
   if (!working_ && count_ == 1) go_on();
 }
 
@@ -36,28 +37,35 @@ void Estimation::solve(bool judge) {
   judge_owed_ = judge || (solve_owed_ && judge_owed_);
   solve_owed_ = true;
   before_solve_ = count_;
+  note_busy();
   if (!working_ && count_ == 0) go_on();
 }
 
 void Estimation::ask(Kind kind) {
-  if (idle()) {
-    Entry entry;
-    entry.kind = kind;
-    return perform(entry);
+  if (!idle()) {
+    append(kind);
+    return;
   }
-  append(kind);
+  perform(kind, job_sample_);
+  note_busy();
 }
 
-Estimation::Entry& Estimation::append(Kind kind) {
+RawSample& Estimation::append(Kind kind) {
   FIRMWARE_PRECONDITION(count_ < kMaxWaiting);
-  Entry& entry = ring_[(first_ + count_) % kMaxWaiting];
+  const int place = (first_ + count_) % kMaxWaiting;
   ++count_;
   ++came_;
-  entry.kind = kind;
-  return entry;
+  busy_ = true;
+  kind_[place] = kind;
+  return sample_[place];
 }
 
 void Estimation::go_on() {
+  catch_up();
+  note_busy();
+}
+
+void Estimation::catch_up() {
   if (working_ && worker_->done()) finish();
   const int came = came_, most = came + kCatchUp;
   came_ = 0;
@@ -66,9 +74,7 @@ void Estimation::go_on() {
     if (taken >= came && taken > 0 && core_.owes_sums()) return;
     if (solve_owed_ && before_solve_ == 0) {
       solve_owed_ = false;
-      Entry solve;
-      solve.kind = judge_owed_ ? Kind::kSolveAndJudge : Kind::kSolve;
-      perform(solve);
+      perform(judge_owed_ ? Kind::kSolveAndJudge : Kind::kSolve, job_sample_);
       continue;
     }
     if (count_ == 0) return;
@@ -76,7 +82,7 @@ void Estimation::go_on() {
     first_ = (first_ + 1) % kMaxWaiting;
     --count_;
     if (solve_owed_) --before_solve_;
-    perform(ring_[place]);
+    perform(kind_[place], sample_[place]);
   }
 }
 
@@ -86,13 +92,13 @@ bool Estimation::take_result() {
   return fresh;
 }
 
-bool Estimation::takes_long(const Entry& entry) const {
-  switch (entry.kind) {
+bool Estimation::takes_long(Kind kind, const RawSample& sample) const {
+  switch (kind) {
     case Kind::kSolve:
     case Kind::kSolveAndJudge:
       return true;
     case Kind::kSample:
-      return core_.merges_with(entry.sample);
+      return core_.merges_with(sample);
     case Kind::kEndLevel:
     case Kind::kBeginLevel:
       return core_.merges_at_end();
@@ -102,9 +108,10 @@ bool Estimation::takes_long(const Entry& entry) const {
   return false;
 }
 
-void Estimation::perform(const Entry& entry) {
-  if (!takes_long(entry)) return run(entry);
-  job_ = entry;
+void Estimation::perform(Kind kind, const RawSample& sample) {
+  if (!takes_long(kind, sample)) return run(kind, sample);
+  job_ = kind;
+  if (kind == Kind::kSample) job_sample_ = sample;
   health_ = core_.health();
   discard_ = false;
   working_ = true;
@@ -116,11 +123,11 @@ void Estimation::perform(const Entry& entry) {
 
 void Estimation::work(void* self) {
   auto& own = *static_cast<Estimation*>(self);
-  own.run(own.job_);
+  own.run(own.job_, own.job_sample_);
 }
 
-void Estimation::run(const Entry& entry) {
-  switch (entry.kind) {
+void Estimation::run(Kind kind, const RawSample& sample) {
+  switch (kind) {
     case Kind::kReset:
       return core_.reset();
     case Kind::kBeginLevel:
@@ -128,7 +135,7 @@ void Estimation::run(const Entry& entry) {
     case Kind::kEndLevel:
       return core_.end_level();
     case Kind::kSample:
-      return core_.push(entry.sample);
+      return core_.push(sample);
     case Kind::kSolve:
     case Kind::kSolveAndJudge:
       core_.solve();
@@ -138,10 +145,10 @@ void Estimation::run(const Entry& entry) {
 
 void Estimation::finish() {
   working_ = false;
-  if (discard_ || (job_.kind != Kind::kSolve && job_.kind != Kind::kSolveAndJudge)) return;
+  if (discard_ || (job_ != Kind::kSolve && job_ != Kind::kSolveAndJudge)) return;
   fresh_ = true;
   results_.estimates = core_.estimates();
-  results_.judge_asked = job_.kind == Kind::kSolveAndJudge;
+  results_.judge_asked = job_ == Kind::kSolveAndJudge;
 }
 
 }  // namespace firmware

@@ -51,7 +51,7 @@ class Estimation {
   bool has_result() const { return fresh_; }
   bool working() const { return working_; }
   bool take_result();  // true: results() are of a solve that has ended since the last call
-  bool idle() const { return !working_ && count_ == 0 && !solve_owed_; }
+  bool idle() const { return !busy_; }
   // What runs on the worker has been running for longer than anything can.
   bool late() const { return working_ && now_ns_ - begun_ns_ > kLongestWork_ns; }
   // The longest solve, 16 DOF and 48 unknowns over a full table, takes some seconds on the slowest board in use.
@@ -64,10 +64,6 @@ class Estimation {
 
  private:
   enum class Kind : uint8_t { kReset, kBeginLevel, kEndLevel, kSolve, kSolveAndJudge, kSample };
-  struct Entry {
-    Kind kind = Kind::kReset;
-    RawSample sample;
-  };
   static constexpr int kKeptForOthers = 32;  // places that samples do not take
   // After a solve what waited is caught up with: in a step this many more than came since the last one. A sample with
   // its score tests costs a tenth of a millisecond on a small board, and the step has to fit its period.
@@ -76,15 +72,19 @@ class Estimation {
 
   void ask(Kind kind);
   void wait(const RawSample& sample);
-  Entry& append(Kind kind);
-  void perform(const Entry& entry);  // here or on the worker
-  bool takes_long(const Entry& entry) const;
-  void run(const Entry& entry);
+  RawSample& append(Kind kind);
+  // sample: of kSample.
+  void perform(Kind kind, const RawSample& sample);  // here or on the worker
+  bool takes_long(Kind kind, const RawSample& sample) const;
+  void run(Kind kind, const RawSample& sample);
   void finish();
+  void note_busy() { busy_ = working_ || count_ != 0 || solve_owed_; }  // wherever one of them may have changed
+  void catch_up();
   static void work(void* self);
 
   const CoreConfiguration& configuration_;
   hal::Worker* worker_;
+  bool busy_ = false;     // something runs, waits or is owed
   bool working_ = false;  // the core belongs to the worker
   bool discard_ = false;  // what runs has been forgotten meanwhile
   bool fresh_ = false;
@@ -95,11 +95,13 @@ class Estimation {
   int before_solve_ = 0;  // entries of the ring that come before it
   uint32_t dropped_samples_ = 0;
   uint64_t now_ns_ = 0, begun_ns_ = 0;
-  CoreHealth health_;  // when it was begun
-  Entry job_;
+  CoreHealth health_;        // when it was begun
+  Kind job_ = Kind::kReset;  // what the worker does, and with which sample
+  RawSample job_sample_;
   Results results_;
   EstimatorCore core_;
-  Entry ring_[kMaxWaiting];
+  Kind kind_[kMaxWaiting] = {};  // the ring
+  RawSample sample_[kMaxWaiting];
 };
 
 }  // namespace firmware

@@ -25,6 +25,7 @@ void Measurement::begin_level() {
   estimation_.begin_level();
   running_ = true;
   samples_in_window_ = 0;
+  window_samples_ = configuration_.node.window_samples;
 }
 
 void Measurement::end_level() {

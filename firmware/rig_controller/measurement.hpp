@@ -35,7 +35,7 @@ class Measurement {
   }
   void close_window();        // now
   void close_full_window() {  // where it has its samples
-    if (running_ && samples_in_window_ >= configuration_.node.window_samples) close_window();
+    if (running_ && samples_in_window_ >= window_samples_) close_window();
   }
   void close_begun_window();  // where it has any
 
@@ -51,7 +51,7 @@ class Measurement {
   const ControllerConfiguration& configuration_;
   bool running_ = false;  // samples go to the core
   bool worker_late_ = false;
-  uint32_t samples_in_window_ = 0;
+  uint32_t samples_in_window_ = 0, window_samples_ = 0;  // so far, and of a full one
   uint32_t told_dropped_ = 0;
   uint64_t next_judgement_ns_ = 0;
   Estimation estimation_;

@@ -45,10 +45,10 @@ class NodeObjects final : public ObjectDictionary {
   NodeSchedule& schedule_;
   const SafeState& safe_;
   const BusMonitor& bus_;
-  SettingsStore settings_;
   Alarm alarm_;
   uint64_t now_ns_ = 0;
   uint32_t configuration_crc_ = 0;
+  SettingsStore settings_;
 };
 
 }  // namespace firmware

@@ -9,15 +9,14 @@ class ReadyLamp {
  public:
   explicit ReadyLamp(hal::DigitalOutput& lamp) : lamp_(lamp) {}
   void show(bool on) {
-    if (known_ && on == on_) return;
-    known_ = lamp_.set(on);
-    on_ = on;
+    const Shown wanted = on ? Shown::kOn : Shown::kOff;
+    if (shown_ != wanted) shown_ = lamp_.set(on) ? wanted : Shown::kUnknown;
   }
 
  private:
+  enum class Shown : uint8_t { kOff, kOn, kUnknown };
   hal::DigitalOutput& lamp_;
-  bool on_ = false;
-  bool known_ = false;
+  Shown shown_ = Shown::kUnknown;
 };
 
 }  // namespace firmware

@@ -32,7 +32,8 @@ void RigController::step() {
   if (!booted_) boot();
   handle(safe_.look_at_line());
   judge(supervisor_.check_time(now_ns_, safe_.live()));
-  receive_frames();
+  const hal::CanResult received = ports_.can.receive(frame_);
+  if (received != hal::CanResult::kEmpty) receive_frames(received);
   if (objects_.has_news()) check_save();
   if (measurement_.waits()) go_on_measuring();
   if (measurement_.has_result()) take_results();
@@ -134,43 +135,41 @@ bool RigController::reset() {
   return true;
 }
 
+// Whatever comes is measured, or what comes between two commands.
+bool RigController::begins_level() const { return listening_ && !finished_ && !configuration_.node.listen_on_command; }
+
+[[gnu::noinline]] void RigController::drive_on(const RawSample& sample) {
+  int32_t codes[kMaxDofs];
+  response_codes(sample, codes);
+  const ExcitationEvent event = excitation_.step(codes);
+  command_drive(excitation_.drive(), sample.sequence);
+  follow(event);
+}
+
+inline void RigController::take_sample(const RawSample& sample) {
+  const bool live = safe_.live();
+  judge(live ? supervisor_.check_sample(sample, now_ns_, true) : supervisor_.check_arrival(sample, now_ns_));
+  if (!measurement_.running() && begins_level()) measurement_.begin_level();
+  const bool inside = measurement_.take(sample);
+  if (!live) supervisor_.count_codes(sample, inside);
+  if (safe_.live()) drive_on(sample);
+  measurement_.close_full_window();
+  if (measurement_.has_result()) take_results();
+}
+
 // False where samples are left: those that waited while the program started are too old to drive by.
 bool RigController::take_samples() {
   for (int taken = 0; taken < kSamplesPerStep; ++taken) {
-    switch (ports_.samples.read(sample_)) {
-      case hal::SampleResult::kSample:
-        source_stopped_ = false;
-        take_sample(sample_);
-        break;
-      case hal::SampleResult::kNone:
-        return true;
-      case hal::SampleResult::kEnd:
-        source_stopped(false);
-        return true;
-      case hal::SampleResult::kFault:
-        source_stopped(true);
-        return true;
+    const hal::SampleResult result = ports_.samples.read(sample_);
+    if (result == hal::SampleResult::kSample) {
+      source_stopped_ = false;
+      take_sample(sample_);
+      continue;
     }
+    if (result != hal::SampleResult::kNone) source_stopped(result == hal::SampleResult::kFault);
+    return true;
   }
   return false;
-}
-
-void RigController::take_sample(const RawSample& sample) {
-  const bool live = safe_.live();
-  judge(live ? supervisor_.check_sample(sample, now_ns_, true) : supervisor_.check_arrival(sample, now_ns_));
-  const bool begins = listening_ && !finished_ && !configuration_.node.listen_on_command;
-  if (begins && !measurement_.running()) measurement_.begin_level();
-  const bool inside = measurement_.take(sample);
-  if (!live) supervisor_.count_codes(sample, inside);
-  if (safe_.live()) {
-    int32_t codes[kMaxDofs];
-    response_codes(sample, codes);
-    const ExcitationEvent event = excitation_.step(codes);
-    command_drive(excitation_.drive(), sample.sequence);
-    follow(event);
-  }
-  measurement_.close_full_window();
-  if (measurement_.has_result()) take_results();
 }
 
 // Displacement where there is one, else velocity, else acceleration.

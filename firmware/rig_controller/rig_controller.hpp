@@ -93,6 +93,8 @@ class RigController final {
   void forget_estimates();
   bool take_samples();
   void take_sample(const RawSample& sample);
+  bool begins_level() const;
+  void drive_on(const RawSample& sample);
   void source_stopped(bool fault);
   void follow(ExcitationEvent event);
   void end_level();
@@ -109,7 +111,7 @@ class RigController final {
   void stop_or_tell(const Alarm& alarm);
 
   // rig_controller_frames.cpp: what comes and goes over the bus
-  void receive_frames();
+  void receive_frames(hal::CanResult result);
   void receive(const hal::CanFrame& frame);
   void follow(const NetworkCommand& command);
   void follow(BusEvent event);

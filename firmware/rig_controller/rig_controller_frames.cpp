@@ -10,15 +10,14 @@ constexpr uint64_t kMillisecond_ns = 1000000;
 
 }  // namespace
 
-void RigController::receive_frames() {
-  for (int taken = 0; taken < kFramesPerStep; ++taken) {
-    const hal::CanResult result = ports_.can.receive(frame_);
-    if (result != hal::CanResult::kDone) {
-      if (result == hal::CanResult::kBusDown) follow(bus_.answer(result, now_ns_));
-      return;
-    }
+// result: of the first one.
+void RigController::receive_frames(hal::CanResult result) {
+  for (int taken = 1; result == hal::CanResult::kDone; ++taken) {
     receive(frame_);
+    if (taken == kFramesPerStep) return;
+    result = ports_.can.receive(frame_);
   }
+  if (result == hal::CanResult::kBusDown) follow(bus_.answer(result, now_ns_));
 }
 
 void RigController::receive(const hal::CanFrame& frame) {

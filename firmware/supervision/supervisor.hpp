@@ -48,9 +48,9 @@ class Supervisor {
     if (any_in_row_ || !known_inside) judge_codes(sample, false);
   }
   Alarm check_time(uint64_t now_ns, bool live) {
-    const uint64_t since_step_ns = now_ns - last_step_ns_;
+    const uint64_t last_ns = last_step_ns_;
     last_step_ns_ = now_ns;
-    return live ? judge_time(since_step_ns, now_ns - last_sample_ns_) : Alarm{};
+    return live ? judge_time(now_ns - last_ns, now_ns - last_sample_ns_) : Alarm{};
   }
   Alarm check_drive(Drive command, bool live);
   Alarm source_ended(bool live) const;
