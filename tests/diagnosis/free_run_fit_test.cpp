@@ -154,4 +154,20 @@ TEST(FreeRun, AStateOutOfTheLawsReachIsForgotten) {
   EXPECT_NEAR(windows[0].state[0], 0.1, 1e-4);
 }
 
+// A decay is linear in where it begins: one step finds that, and a second one, that it brings nothing. Slopes are made for steps alone.
+TEST(FreeRun, SlopesAreMadeOnceAStep) {
+  Rig rig(201);
+  rig.add(on_link(Kind::kViscous, 0), 0.4, false);
+  Prepared& p = rig.records[0];
+  for (Index k = 0; k < p.samples; ++k) p.traces[0].y[k] = rig.run(1, 0, k + 1)[0] + (k % 2 ? 0.01 : -0.01);
+  Window w;
+  w.length = 201, w.state = Vec::Zero(2);
+  std::vector<Window> windows = {w};
+  EXPECT_EQ(approach(rig.system, rig.records, rig.model, windows, 10, true), 2);
+  EXPECT_NEAR(windows[0].state[0], 1, 1e-3);
+  EXPECT_EQ(approach(rig.system, rig.records, rig.model, windows, 10, true), 1);
+  EXPECT_EQ(rig.model[2].value, 0.4);
+  EXPECT_FALSE(rig.model[2].known);
+}
+
 }  // namespace

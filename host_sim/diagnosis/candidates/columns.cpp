@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../fit/outer_sums.hpp"
+
 namespace diagnosis::runs {
 namespace {
 
@@ -235,13 +237,15 @@ void Columns::make(const std::vector<Term>& terms, const Window& w, const Window
   Mat d = Mat::Zero(count, ns), push(count, n), next(count, ns);  // one row per candidate
   const auto pushes = [&](Index k) {
     const Mat& yield = run.yield[static_cast<size_t>(k)];
+    push.setZero();
     for (Index i = 0; i < count; ++i) {
       const auto [a, b] = ends[static_cast<size_t>(i)];
       const double f = g(i, k);
-      push.row(i).setZero();
       if (f == 0) continue;
-      if (a >= 0) push.row(i) -= f * yield.col(a).transpose();
-      if (b >= 0) push.row(i) += f * yield.col(b).transpose();
+      for (Index node = 0; node < n; ++node) {  // a force moves its own node alone, unless links stick
+        if (a >= 0 && yield(node, a) != 0) push(i, node) -= f * yield(node, a);
+        if (b >= 0 && yield(node, b) != 0) push(i, node) += f * yield(node, b);
+      }
     }
     if (late >= 0) push.row(late) = (yield * late_base.col(k)).transpose();
   };
@@ -251,7 +255,10 @@ void Columns::make(const std::vector<Term>& terms, const Window& w, const Window
   for (Index k = 0; k < len; ++k) {
     pushes(k);
     if (k > 0) d.middleCols(n, n) += half * push;
-    if (acceleration) acc.noalias() = d * run.acc[static_cast<size_t>(k)].transpose(), acc += push;
+    if (acceleration) {
+      acc = push;
+      add_outer_sums({d.data(), count, count}, {run.acc[static_cast<size_t>(k)].data(), n, n}, ns, acc.data());
+    }
     if (acceleration && late >= 0) acc.row(late).array() += carried[k];
     for (Index c = 0; c < channels; ++c) {
       const MotionTrace& t = traces[static_cast<size_t>(c)];
@@ -260,7 +267,8 @@ void Columns::make(const std::vector<Term>& terms, const Window& w, const Window
     }
     if (k + 1 == len) break;
     d.middleCols(n, n) += half * push;
-    next.noalias() = d * run.step[static_cast<size_t>(k)].transpose();
+    next.setZero();
+    add_outer_sums({d.data(), count, count}, {run.step[static_cast<size_t>(k)].data(), ns, ns}, ns, next.data());
     d.swap(next);
   }
 }

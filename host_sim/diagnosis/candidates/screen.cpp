@@ -38,30 +38,38 @@ Screen screen(const System& system, const std::vector<Prepared>& records, const 
     const Index n = std::min(kAtOnce, count - from);
     const std::vector<Term> some(terms.begin() + from, terms.begin() + from + n);
     Pass pass(system, records, model, windows, fit);
-    const bool fine = pass.over(some, [&](size_t w, const Mat& all_c, const Mat& all_b, const Vec& all_r) {
-      const Index p = all_b.cols(), len = windows[w].length, channels = all_r.size() / len;
-      if (from == 0) total += all_r.squaredNorm();
-      for (size_t part = 0; part < parts; ++part) {
-        const size_t block = w * parts + part;
-        const Index col = static_cast<Index>(block),
-                    first_sample = static_cast<Index>(part) * len / static_cast<Index>(parts);
-        const Index samples = static_cast<Index>(part + 1) * len / static_cast<Index>(parts) - first_sample;
-        if (from == 0)
-          own_model[block] = Mat::Zero(p, p), own_score[block] = Vec::Zero(p), cross[block] = Mat::Zero(count, p);
-        for (Index channel = 0; channel < channels; ++channel) {
-          const Index at = channel * len + first_sample;
-          const auto c = all_c.middleCols(at, samples);
-          const auto b = all_b.middleRows(at, samples);
-          const auto r = all_r.segment(at, samples);
-          if (from == 0) own_model[block] += b.transpose() * b, own_score[block] += b.transpose() * r;
-          residual.col(col).segment(from, n) += c * r;
-          square.col(col).segment(from, n) += c.rowwise().squaredNorm();
-          for (Index i = 0; i + 1 < n; ++i)
-            if (candidates.size() != terms.size()) mate(from + i, col) += c.row(i).dot(c.row(i + 1));
-          cross[block].middleRows(from, n) += c * b;
-        }
-      }
-    });
+    const auto take = [&](size_t block, const ColumnSums& sums) {
+      const Index col = static_cast<Index>(block);
+      if (from == 0) cross[block] = Mat::Zero(count, sums.with_parameters.cols());
+      residual.col(col).segment(from, n) = sums.with_residual, square.col(col).segment(from, n) = sums.square;
+      mate.col(col).segment(from, n) = sums.with_next, cross[block].middleRows(from, n) = sums.with_parameters;
+    };
+    const auto take_model = [&](size_t block, const Sensitivity& b, const Vec& r, Index at, Index samples) {
+      if (from > 0) return;
+      const auto own = b.middleRows(at, samples);
+      if (own_model[block].size() == 0 && own_score[block].size() == 0)
+        own_model[block] = Mat::Zero(b.cols(), b.cols()), own_score[block] = Vec::Zero(b.cols());
+      own_model[block] += own.transpose() * own, own_score[block] += own.transpose() * r.segment(at, samples);
+    };
+    const bool fine = parts == 1
+                          ? pass.sums_over(some,
+                                           [&](size_t w, const ColumnSums& sums, const Sensitivity& b, const Vec& r) {
+                                             if (from == 0) total += r.squaredNorm();
+                                             take_model(w, b, r, 0, r.size()), take(w, sums);
+                                           })
+                          : pass.over(some, [&](size_t w, Mat& c, const Sensitivity& b, const Vec& r) {
+                              if (from == 0) total += r.squaredNorm();
+                              const Index len = windows[w].length, blocks = static_cast<Index>(parts);
+                              for (Index part = 0; part < blocks; ++part) {
+                                const size_t block = w * parts + static_cast<size_t>(part);
+                                const Index first_sample = part * len / blocks,
+                                            samples = (part + 1) * len / blocks - first_sample;
+                                ColumnSums sums(n, b.cols(), 0);
+                                for (Index at = first_sample; at < r.size(); at += len)
+                                  sums.add(c, 1, {}, b, r, at, samples), take_model(block, b, r, at, samples);
+                                take(block, sums);
+                              }
+                            });
     if (!fine) return out;
   }
   const Index p = own_model.empty() ? 0 : own_model[0].rows();
@@ -142,7 +150,7 @@ Screen screen(const System& system, const std::vector<Prepared>& records, const 
   Mat all_gram = Mat::Zero(n, n), with_model = Mat::Zero(n, p);
   Vec right = Vec::Zero(n);
   Pass pass(system, records, model, windows, fit);
-  pass.over(some, [&](size_t, const Mat& c, const Mat& b, const Vec& r) {
+  pass.over(some, [&](size_t, const Mat& c, const Sensitivity& b, const Vec& r) {
     all_gram.noalias() += c * c.transpose(), with_model.noalias() += c * b, right.noalias() += c * r;
   });
   all_gram -= with_model * inverse * with_model.transpose();

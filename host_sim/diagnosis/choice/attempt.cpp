@@ -109,8 +109,8 @@ State on_all(const Task& task, const State& whole, const State& found) {
   State measured = whole;
   measured.model = found.model;
   forget_states(measured);
-  fit(task.system, task.records, measured.model, measured.seen, kBaseSteps,
-      true);  // states first: one that is far off holds all back
+  approach(task.system, task.records, measured.model, measured.seen, kBaseSteps,
+           true);  // states first: one that is far off holds all back
   settle(task, measured, kBaseSteps);
   return measured.fit.ok && (!s.fit.ok || error_over(measured.fit, s.fit) < 1) ? measured : s;
 }
@@ -180,13 +180,13 @@ Attempt attempt(const Task& task, const State& beside, const std::vector<Candida
     a.state.model = joined(a.state.model, candidates[i], values[i]);
     a.complexity += candidates[i].complexity, hosted = hosted || candidates[i].host >= 0;
   }
-  if (from == From::kMeasured) fit(task.system, task.records, a.state.model, a.state.seen, steps, true);
+  if (from == From::kMeasured) approach(task.system, task.records, a.state.model, a.state.seen, steps, true);
   // shapes wait until their coefficients have a size
   const Model shapes = a.state.model;
   bool any_free = false;
   for (ModelTerm& m : a.state.model)
     if (m.added) any_free = any_free || m.shape_free || m.shape2_free, m.shape_free = m.shape2_free = false;
-  if (any_free) a.state.fit = fit(task.system, task.records, a.state.model, a.state.seen, kFirstSteps);
+  if (any_free) approach(task.system, task.records, a.state.model, a.state.seen, kFirstSteps);
   for (size_t i = 0; i < shapes.size(); ++i)
     a.state.model[i].shape_free = shapes[i].shape_free, a.state.model[i].shape2_free = shapes[i].shape2_free;
   settle(task, a.state, steps);
@@ -277,7 +277,7 @@ Attempt without_bristles(const Task& task, const State& beside, const Attempt& b
   for (std::vector<Window>* windows : {&a.state.seen, &a.state.unseen})
     for (Window& w : *windows)  // the bristles' state lies between those of the motion and the channels' zeros
       w.state.resize(0);
-  fit(task.system, task.records, a.state.model, a.state.seen, kTrialSteps, true);
+  approach(task.system, task.records, a.state.model, a.state.seen, kTrialSteps, true);
   settle(task, a.state, kTrialSteps);
   judge(task, beside, false, a);
   return a;

@@ -72,7 +72,7 @@ WithMotion goes_with(const System& system, const std::vector<Prepared>& records,
   std::vector<Vec> residual;
   std::vector<Mat> basis;
   Pass pass(system, records, state.model, windows, state.fit);
-  const bool fine = pass.over(terms, [&](size_t i, const Mat& columns, const Mat&, const Vec& rest) {
+  const bool fine = pass.over(terms, [&](size_t i, const Mat& columns, const Sensitivity&, const Vec& rest) {
     const Index whole = windows[i].length;
     Mat c(columns.rows(), channels * length);
     Vec r(channels * length);

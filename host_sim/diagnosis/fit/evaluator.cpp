@@ -134,12 +134,12 @@ bool Evaluator::simulate(Simulator& s, const Window& w, bool slopes, bool keep, 
   for (const MotionTrace& t : channel_list) acceleration = acceleration || t.quantity == 2, offsets += has_offset(t);
   out.nuisances = ns + offsets;
   Vec y = w.state.head(ns), acc;
-  Sensitivity one, start = Sensitivity::Zero(ns, ns + parameters_), acc_rows;
+  Sensitivity one, start = Sensitivity::Zero(ns, ns + parameters_);
   start.leftCols(ns).setIdentity();
   Sensitivity sensitivity = start;
   Mat acc_slopes;
   Mat h(channels, len);
-  if (slopes) out.slopes.setZero(channels * len, out.nuisances + parameters_);
+  if (slopes) out.slopes.resize(channels * len, out.nuisances + parameters_);
   out.x.resize(n, len), out.v.resize(n, len), out.a.resize(n, len);
   if (keep)
     out.step.resize(static_cast<size_t>(len)), out.acc.resize(static_cast<size_t>(len)),
@@ -150,11 +150,8 @@ bool Evaluator::simulate(Simulator& s, const Window& w, bool slopes, bool keep, 
     out.x.col(k) = y.head(n), out.v.col(k) = y.segment(n, n), out.a.col(k) = acc;
     if (keep) out.acc[static_cast<size_t>(k)] = acc_slopes.leftCols(ns), out.yield[static_cast<size_t>(k)] = s.yield();
     Index offset = ns;
-    if (slopes && acceleration) {
-      acc_rows.setZero(n, ns + parameters_);
-      acc_rows.rightCols(parameters_) = acc_slopes.rightCols(parameters_);
-      add_product(acc_slopes, sensitivity, acc_rows);
-    }
+    const Sensitivity* const acc_rows =
+        slopes && acceleration ? &s.rows_of_accelerations(acc_slopes, sensitivity) : nullptr;
     for (Index c = 0; c < channels; ++c) {
       const MotionTrace& t = channel_list[static_cast<size_t>(c)];
       h(c, k) = t.quantity == 0 ? y[t.dof] : t.quantity == 1 ? y[n + t.dof] : acc[t.dof];
@@ -162,8 +159,10 @@ bool Evaluator::simulate(Simulator& s, const Window& w, bool slopes, bool keep, 
       if (has_offset(t)) h(c, k) += w.state[offset++];
       if (!slopes) continue;
       auto row = out.slopes.row(c * len + k);
-      const auto from = t.quantity == 2 ? acc_rows.row(t.dof) : sensitivity.row(t.quantity == 0 ? t.dof : n + t.dof);
+      const Sensitivity& rows = t.quantity == 2 ? *acc_rows : sensitivity;
+      const auto from = rows.row(t.quantity == 1 ? n + t.dof : t.dof);
       row.head(ns) = from.head(ns), row.tail(parameters_) = from.tail(parameters_);
+      row.segment(ns, offsets).setZero();
       if (has_offset(t)) row[own] = 1;
     }
     if (k + 1 == len) break;
@@ -182,7 +181,8 @@ bool Evaluator::simulate(Simulator& s, const Window& w, bool slopes, bool keep, 
   if (!slopes && w.from + len < records_[w.record].samples && s.advance(w.from + len - 1, y, nullptr))
     out.end = w.state, out.end.head(ns) = y;
   faults(w, slopes, h, out);
-  return out.residual.allFinite() && (!slopes || out.slopes.allFinite());
+  return out.residual.allFinite() &&
+         (!slopes || sensitivity.allFinite());  // what was not finite once is not at the end
 }
 
 // What the sensors make of it; then the residual.

@@ -18,7 +18,7 @@ struct Window {
 // One window's run. Rows: channel by channel, sample by sample.
 struct WindowRun {
   Vec residual;            // measured less simulated
-  Mat slopes;              // of the simulated: rows x (states, offsets, parameters)
+  Sensitivity slopes;      // of the simulated: rows x (states, offsets, parameters)
   Mat x, v, a;             // nodes x samples
   Vec end;                 // state one sample after the last, where the record goes on and no slopes are asked for
   std::vector<Mat> step;   // per sample: states x states, where kept

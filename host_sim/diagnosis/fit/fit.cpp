@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
+#include <optional>
 
+#include "outer_sums.hpp"
 #include "run_windows.hpp"
 
 namespace diagnosis::runs {
@@ -111,7 +113,8 @@ void take_blocks(const WindowRun& run, const Window& w, size_t parts, const Vec&
 void take_slopes(const WindowRun& run, Normal& n) {
   const Index s = run.nuisances, p = run.slopes.cols() - s;
   Mat gram = Mat::Zero(s + p, s + p);
-  gram.selfadjointView<Eigen::Lower>().rankUpdate(run.slopes.transpose());
+  const Rows rows{run.slopes.data(), s + p, s + p};
+  add_outer_sums(rows, rows, run.slopes.rows(), gram.data(), true);
   gram.triangularView<Eigen::StrictlyUpper>() = gram.transpose();
   const Vec right = run.slopes.transpose() * run.residual;
   if (s > 0) {
@@ -279,74 +282,145 @@ double normal_deviate(double t, double dof) {  // Wallace 1959
   return t < 0 ? -z : z;
 }
 
+namespace {
+
+// Beside given numbers the states of windows alone are free.
+Model with_nothing_free(Model model) {
+  for (ModelTerm& t : model) t.known = true, t.shape_free = t.shape2_free = false;
+  return model;
+}
+
+// A model on its way to the least cost. What a step leaves is known from runs without slopes, which are many times cheaper; slopes
+// are made where another step is to follow.
+class Descent {
+ public:
+  Descent(const System& system, const std::vector<Prepared>& records, Model& model, std::vector<Window>& windows,
+          bool only_states)
+      : system_(system), records_(records), model_(model), windows_(windows), only_states_(only_states) {
+    evaluator_ = std::make_unique<Evaluator>(system, model, records);
+  }
+  // False where the model cannot run the windows.
+  bool start() {
+    if (!evaluator_->sound()) return false;
+    for (Window& w : windows_) w.state = evaluator_->carried_state(w);
+    now_ = pass_over(*evaluator_, windows_, nullptr, false);
+    if (!now_.ok && started_afresh(*evaluator_, windows_)) now_ = pass_over(*evaluator_, windows_, nullptr, false);
+    if (now_.ok) weights_ = weights_of_slopes_ = weights_now();
+    return now_.ok;
+  }
+  // Until a step brings nothing; false where slopes do not stay finite.
+  bool go_on(int iterations) {
+    damping_ = 1e-4;
+    for (int i = 0; i < iterations; ++i) {
+      if (!sloped_ && !make_slopes()) return false;
+      if (step() < kSettled) break;
+    }
+    return true;
+  }
+  // Whether windows took states that may lie in lower valleys.
+  bool carry_on() {
+    if (!has_friction(model_) || !carried_on(*evaluator_, weights_, windows_)) return false;
+    weights_of_slopes_ = weights_, sloped_ = false;
+    return true;
+  }
+  const Vec& weights() const { return weights_; }
+  size_t passes() const { return passes_; }
+
+ private:
+  Vec weights_now() const { return now_.mean_square.cwiseSqrt().cwiseInverse(); }
+  bool make_slopes() {
+    now_ = pass_over(*evaluator_, windows_, &weights_of_slopes_, true), ++passes_;
+    return sloped_ = now_.ok;
+  }
+  Vec change_of(const Mat& gram, const Vec& score) const {
+    const Vec scale = gram.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
+    Mat a = scale.asDiagonal() * gram * scale.asDiagonal();
+    a.diagonal().array() += damping_;
+    return scale.asDiagonal() * a.ldlt().solve(scale.asDiagonal() * score);
+  }
+  // By how much the cost falls; nought where there is no way down.
+  double step() {
+    const Index p = evaluator_->parameters();
+    Mat gram = Mat::Zero(p, p);
+    Vec score = Vec::Zero(p);
+    for (const Normal& n : now_.windows) gram += n.gram, score += n.score;
+    for (int attempt = 0; attempt < (p > 0 ? kTries : 1); ++attempt) {
+      const std::optional<double> fall = taken(p > 0 ? change_of(gram, score) : score);
+      if (fall) return *fall;
+      damping_ = std::max(1e-3, damping_ * 30);
+    }
+    return 0;
+  }
+  // Goes that way where it leads down, and tells by how much.
+  std::optional<double> taken(const Vec& change) {
+    Model trial = model_;
+    step_parameters(trial, change);
+    std::vector<Window> moved = windows_;
+    const auto other = change.size() ? std::make_unique<Evaluator>(system_, trial, records_) : nullptr;
+    Evaluator& evaluator = other ? *other : *evaluator_;
+    if (!evaluator.sound()) return std::nullopt;
+    const bool runs = !evaluator_->massless();
+    for (size_t w = 0; runs && w < windows_.size(); ++w)
+      evaluator.moved(moved[w], state_change(now_.windows[w], change, 0), moved[w].state);
+    Pass next = pass_over(evaluator, moved, nullptr, false);
+    bool whole = true;
+    if (runs && (!next.ok || next.cost >= now_.cost)) {
+      whole = !shorter_ways(evaluator, now_, next, change, weights_, windows_, moved);
+      next = pass_over(evaluator, moved, nullptr, false);
+    }
+    if (!next.ok || !(next.cost < now_.cost + 1e-9 * std::abs(now_.cost))) return std::nullopt;
+    // where some did not move there may be more to gain
+    const double fall = whole || only_states_ ? now_.cost - next.cost : kSettled;
+    model_ = trial, windows_ = moved, now_ = std::move(next), sloped_ = false;
+    if (other) evaluator_ = std::make_unique<Evaluator>(system_, model_, records_);
+    weights_of_slopes_ = weights_, weights_ = weights_now();
+    damping_ = std::max(1e-6, damping_ / 10);
+    return fall;
+  }
+
+  const System& system_;
+  const std::vector<Prepared>& records_;
+  Model& model_;
+  std::vector<Window>& windows_;
+  const bool only_states_;
+  std::unique_ptr<Evaluator> evaluator_;
+  Pass now_;
+  bool sloped_ = false;
+  size_t passes_ = 0;
+  Vec weights_, weights_of_slopes_;
+  double damping_ = 1e-4;
+};
+
+// The weights that the channels have in the end; none where it leads nowhere. passes: that it took, with slopes.
+Vec descended(const System& system, const std::vector<Prepared>& records, Model& model, std::vector<Window>& windows,
+              int iterations, bool only_states, size_t& passes) {
+  Model held;
+  if (only_states) held = with_nothing_free(model);
+  if (windows.empty() || (only_states && massless(held) != massless(model))) return {};
+  Descent way(system, records, only_states ? held : model, windows, only_states);
+  if (!way.start() || !way.go_on(iterations) || (way.carry_on() && !way.go_on(iterations))) return {};
+  passes = way.passes();
+  return way.weights();
+}
+
+}  // namespace
+
+size_t approach(const System& system, const std::vector<Prepared>& records, Model& model, std::vector<Window>& windows,
+                int iterations, bool only_states) {
+  size_t passes = 0;
+  descended(system, records, model, windows, iterations, only_states, passes);
+  return passes;
+}
+
 Fitted fit(const System& system, const std::vector<Prepared>& records, Model& model, std::vector<Window>& windows,
            int iterations, bool only_states) {
   Fitted out;
-  if (windows.empty()) return out;
-  auto evaluator = std::make_unique<Evaluator>(system, model, records);
-  if (!evaluator->sound()) return out;
-  for (Window& w : windows) w.state = evaluator->carried_state(w);
-  Pass now = pass_over(*evaluator, windows, nullptr, false);
-  if (!now.ok && started_afresh(*evaluator, windows)) now = pass_over(*evaluator, windows, nullptr, false);
-  if (!now.ok) return out;
-  Vec weights = now.mean_square.cwiseSqrt().cwiseInverse();
-  now = pass_over(*evaluator, windows, &weights, true);
-  if (!now.ok) return out;
-  const auto iterate = [&] {
-    double damping = 1e-4;
-    for (int i = 0; i < iterations; ++i) {
-      const Index p = evaluator->parameters();
-      Mat gram = Mat::Zero(p, p);
-      Vec score = Vec::Zero(p);
-      for (const Normal& n : now.windows) gram += n.gram, score += n.score;
-      bool better = false;
-      double fall = 0;
-      for (int attempt = 0; attempt < (only_states ? 1 : kTries) && !better; ++attempt) {
-        Vec change = Vec::Zero(p);
-        if (!only_states && p > 0) {
-          const Vec scale = gram.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
-          Mat a = scale.asDiagonal() * gram * scale.asDiagonal();
-          a.diagonal().array() += damping;
-          change = scale.asDiagonal() * a.ldlt().solve(scale.asDiagonal() * score);
-        }
-        Model trial = model;
-        step_parameters(trial, change);
-        std::vector<Window> moved = windows;
-        auto next_evaluator = std::make_unique<Evaluator>(system, trial, records);
-        if (next_evaluator->sound()) {
-          if (!evaluator->massless())
-            for (size_t w = 0; w < windows.size(); ++w) {
-              next_evaluator->moved(moved[w], state_change(now.windows[w], change, 0), moved[w].state);
-            }
-          Pass next = pass_over(*next_evaluator, moved, &weights, false);  // its cost alone is many times cheaper
-          bool whole = true;
-          if (!evaluator->massless() && (!next.ok || next.cost >= now.cost)) {
-            whole = !shorter_ways(*next_evaluator, now, next, change, weights, windows, moved);
-            next = pass_over(*next_evaluator, moved, &weights, false);
-          }
-          if (next.ok && next.cost < now.cost + 1e-9 * std::abs(now.cost) &&
-              (next = pass_over(*next_evaluator, moved, &weights, true)).ok) {
-            fall = whole || only_states ? now.cost - next.cost
-                                        : kSettled;  // where some did not move there may be more to gain
-            model = trial, windows = moved, now = std::move(next);
-            evaluator = std::make_unique<Evaluator>(system, model, records);
-            weights = now.mean_square.cwiseSqrt().cwiseInverse();
-            damping = std::max(1e-6, damping / 10), better = true;
-            break;
-          }
-        }
-        damping = std::max(1e-3, damping * 30);
-      }
-      if (!better || fall < kSettled) break;
-    }
-  };
-  iterate();
-  if (has_friction(model) && carried_on(*evaluator, weights, windows)) {
-    Pass next = pass_over(*evaluator, windows, &weights, true);
-    if (next.ok) now = std::move(next), iterate();
-  }
+  size_t passes = 0;
+  const Vec weights = descended(system, records, model, windows, iterations, only_states, passes);
+  if (weights.size() == 0) return out;
+  Evaluator evaluator(system, model, records);
   out.parts = kFiner * parts_for(windows.size());
-  now = pass_over(*evaluator, windows, &weights, true, out.parts);
+  Pass now = pass_over(evaluator, windows, &weights, true, out.parts);
   if (!now.ok) return out;
   out.ok = true, out.cost = now.cost, out.mean_square = now.mean_square, out.memory = now.memory;
   for (const Window& w : windows) out.block_length += static_cast<double>(w.length);

@@ -35,6 +35,10 @@ std::vector<Determined> determined(const Fitted& fit, const Model& model);
 // Fits the model's free numbers and the states of the windows; `only_states` leaves the numbers alone.
 Fitted fit(const System& system, const std::vector<Prepared>& records, Model& model, std::vector<Window>& windows,
            int iterations, bool only_states = false);
+// The same on the way to another fit: nothing is said of what was found, but how many passes over the windows with slopes it took.
+// They are what a fit costs.
+size_t approach(const System& system, const std::vector<Prepared>& records, Model& model, std::vector<Window>& windows,
+                int iterations, bool only_states = false);
 
 // A normal deviate as unlikely as t of Student's law.
 double normal_deviate(double t, double dof);

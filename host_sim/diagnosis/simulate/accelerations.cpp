@@ -57,23 +57,28 @@ void Simulator::accelerations(const Vec& y, const Outside& o, Vec& acc, bool slo
   net_ = o.force;
   const Index columns = states() + parameters_;
   if (slopes) slope_x_.setZero(nodes_, columns);
+  renew_yield();
+  const auto light = [&](int node) {
+    return held_.empty() ? lightness_[node] : 1.0;
+  };  // what sticks shares its forces below
   const auto add = [&](int node, Index column, double value) {
-    if (node >= 0) slope_x_(node, column) += value;
+    if (node >= 0) slope_x_(node, column) += light(node) * value;
   };
   const auto pull = [&](const Element& e, const LawValue& f) {
     const double force = e.value * f.force;
     if (e.a >= 0) net_[e.a] -= force;
     if (e.b >= 0) net_[e.b] += force;
     if (!slopes) return;
-    const double ku = e.value * f.by_u, cw = e.value * f.by_w;
+    const double stiff = e.value * f.by_u, drag = e.value * f.by_w;
     for (int side = 0; side < 2; ++side) {
       const int node = side == 0 ? e.a : e.b, other = side == 0 ? e.b : e.a;
       if (node < 0) continue;
+      const double ku = light(node) * stiff, cw = light(node) * drag;
       slope_x_(node, node) -= ku, slope_x_(node, nodes_ + node) -= cw;
       if (other >= 0) slope_x_(node, other) += ku, slope_x_(node, nodes_ + other) += cw;
     }
     if (by_base_delay_ >= 0 && (e.a == -2 || e.b == -2))
-      add(e.a >= 0 ? e.a : e.b, states() + by_base_delay_, ku * o.v + cw * o.a);
+      add(e.a >= 0 ? e.a : e.b, states() + by_base_delay_, stiff * o.v + drag * o.a);
     if (e.by_value >= 0) add(e.a, states() + e.by_value, -f.force), add(e.b, states() + e.by_value, f.force);
     if (e.by_shape >= 0)
       add(e.a, states() + e.by_shape, -e.value * f.by_log_shape),
@@ -111,7 +116,6 @@ void Simulator::accelerations(const Vec& y, const Outside& o, Vec& acc, bool slo
     }
   }
   net_ -= o.carried * mass_;
-  renew_yield();
   if (held_.empty())
     acc = net_.cwiseQuotient(mass_);
   else
@@ -122,15 +126,13 @@ void Simulator::accelerations(const Vec& y, const Outside& o, Vec& acc, bool slo
   for (size_t i = 0; i < faults_.size(); ++i)
     if (faults_[i].by_value >= 0) {
       const double r = (o.t_s * substeps_ / record_.step_s - static_cast<double>(at_) / 2);
-      slope_x_(fine_node_[faults_[i].fine], states() + faults_[i].by_value) += drive_at(fine_slope_[i], r);
+      add(fine_node_[faults_[i].fine], states() + faults_[i].by_value, drive_at(fine_slope_[i], r));
     }
-  if (by_base_delay_ >= 0 && record_.base.ridden) slope_x_.col(states() + by_base_delay_) -= o.jerk * mass_;
-  for (Index node = 0; node < nodes_; ++node)
-    for (Index p : by_mass_[static_cast<size_t>(node)]) slope_x_(node, states() + p) -= acc[node] + o.carried;
-  if (held_.empty()) {
-    slope_x_.array().colwise() /= mass_.array();
-    return;
+  for (int node = 0; node < static_cast<int>(nodes_); ++node) {
+    if (by_base_delay_ >= 0 && record_.base.ridden) add(node, states() + by_base_delay_, -o.jerk * mass_[node]);
+    for (Index p : by_mass_[static_cast<size_t>(node)]) add(node, states() + p, -(acc[node] + o.carried));
   }
+  if (held_.empty()) return;
   slope_x_ = yield_ * slope_x_;
   if (by_base_delay_ >= 0 && !record_.base.ridden)
     slope_x_.col(states() + by_base_delay_) += o.jerk * (by_hold_.transpose() * with_base());

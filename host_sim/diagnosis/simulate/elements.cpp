@@ -91,6 +91,7 @@ void Simulator::compile(const System& system, const Model& model) {
     }
   }
   massless_ = runs::massless(model);
+  lightness_ = mass_.cwiseInverse();
 }
 
 }  // namespace diagnosis::runs

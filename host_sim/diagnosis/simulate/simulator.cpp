@@ -66,11 +66,12 @@ double Simulator::share_to_turn(const Friction& f, const Vec& y0, double from, d
 
 bool Simulator::advance(Index sample, Vec& y, Sensitivity* s) {
   static thread_local Sensitivity kept;
+  static thread_local Vec y0;
   for (int sub = 0; sub < substeps_; ++sub) {
     at_ = (sample * substeps_ + sub) * 2;
     double from = 0;
     for (int events = 0; from < 1; ++events) {
-      const Vec y0 = y;
+      if (!friction_.empty()) y0 = y;
       if (s && !friction_.empty()) kept = *s;
       step(from, 1 - from, y, s);
       if (friction_.empty()) break;
@@ -116,11 +117,18 @@ void Simulator::accelerations(Index sample, const Vec& y, Vec& a, Mat* slopes) {
                               (steps_ ? drive_at(f, 1) : f[sample * 2 * substeps_]);
   }
   accelerations(y, o, acc_[0], slopes != nullptr);
-  begun_ = {!last && !late_, slopes != nullptr, at_, y};
+  begun_.is = !last && !late_, begun_.slopes = slopes != nullptr, begun_.at = at_, begun_.y = y, begun_.rows = nullptr;
   a = acc_[0].array() + o.carried;
   if (!slopes) return;
   *slopes = slope_x_;
   if (by_base_delay_ >= 0 && record_.base.ridden) slopes->col(states() + by_base_delay_).array() += o.jerk;
+}
+
+const Sensitivity& Simulator::rows_of_accelerations(const Mat& slopes, const Sensitivity& of_state) {
+  answer(slopes, of_state, ka_[0]);
+  const bool against_base = by_base_delay_ >= 0 && record_.base.ridden;  // there the step's own are others
+  if (begun_.is && !against_base) begun_.rows = &of_state;
+  return ka_[0];
 }
 
 double Simulator::elongation(const Vec& y, size_t link, Index sample) const {

@@ -15,6 +15,8 @@ namespace diagnosis::runs {
 using Sensitivity = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 // to.row(r) += sum over c of from(r, c) of.row(c), of the first columns of `from`. What links do not couple is nought.
 void add_product(const Mat& from, const Sensitivity& of, Sensitivity& to);
+// What has `slopes` by the state and by the parameters (the last columns), by what the state answers to.
+void answer(const Mat& slopes, const Sensitivity& of_state, Sensitivity& rows);
 
 class Simulator {
  public:
@@ -34,6 +36,9 @@ class Simulator {
   // Accelerations against the ground at the present state, and their sensitivity (nodes x (states + parameters))
   // where wanted.
   void accelerations(Index sample, const Vec& y, Vec& a, Mat* slopes);
+  // How those accelerations answer to states and parameters at the start: their slopes, from the last accelerations(), times how
+  // the state does. The step from there goes on with them.
+  const Sensitivity& rows_of_accelerations(const Mat& slopes, const Sensitivity& of_state);
   const Mat& yield() const { return yield_; }  // accelerations per force on each node, at the last accelerations()
 
   // Forces of a model without masses under given motion, and their slopes by the parameters (dofs x parameters).
@@ -79,6 +84,7 @@ class Simulator {
   void bend(const Vec& start, Vec& y, const Outside& o0, const Outside& o1, const Sensitivity* s0,
             Sensitivity* s) const;
   void step(double from, double length, Vec& y, Sensitivity* s);
+  void carry(int stage, const Sensitivity& from, double step_s, Sensitivity& to) const;
   void turn(Friction& f, double at, Vec& y, Sensitivity* s);
   std::pair<Friction*, double> first_to_turn(const Vec& y0, const Vec& y, double from);
   double share_to_turn(const Friction& f, const Vec& y0, double from, double share);
@@ -90,7 +96,7 @@ class Simulator {
   bool sound_ = true, massless_ = false;
   std::vector<Element> elements_;
   std::vector<Friction> friction_;
-  Vec mass_;
+  Vec mass_, lightness_;                     // its inverse
   std::vector<std::vector<Index>> by_mass_;  // per node: parameters that add to its mass
   std::vector<std::pair<int, int>> link_ends_;
   int substeps_ = 1;
@@ -112,7 +118,7 @@ class Simulator {
   bool steps_ = false, late_ = false;
   Mat yield_, slope_x_;
   Vec net_;
-  Sensitivity ka_[4], kv_[4];
+  Sensitivity ka_[4], stage_[4];       // of accelerations and states, at the stages of a step
   std::vector<const Friction*> held_;  // links that stick
   Mat by_hold_, inner_inverse_;  // what holds them per force on each node (links x nodes); inverse of their inertia
   bool yield_old_ = true;
@@ -123,6 +129,7 @@ class Simulator {
     bool is = false, slopes = false;
     Index at = 0;
     Vec y;
+    const Sensitivity* rows = nullptr;  // of which ka_[0] is made already
   } begun_;
 };
 
