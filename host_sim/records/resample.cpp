@@ -92,8 +92,10 @@ Record part_at(const Record& record, const std::vector<double>& time_s, const Pa
     const size_t first = std::min(wanted, part.end - kPoints);
     weights_at(&time_s[first], t, weight);
     for (size_t c = 0; c < out.channels.size(); ++c) {
-      double value = 0.0;
-      for (size_t j = 0; j < kPoints; ++j) value += weight[j] * record.channels[c].values[first + j];
+      // from one of the six on: six alike give that value to the last bit, and a channel that rests goes on resting
+      const double* values = &record.channels[c].values[first];
+      double value = values[kPoints / 2];
+      for (size_t j = 0; j < kPoints; ++j) value += weight[j] * (values[j] - values[kPoints / 2]);
       out.channels[c].values[i] = std::clamp(value, ranges[c].lowest, ranges[c].highest);
     }
   }

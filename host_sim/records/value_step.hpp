@@ -6,7 +6,8 @@ namespace host_sim {
 
 // The smallest step between neighbours, where all others (99 of 100 of them) are whole multiples of it within a hundredth; else
 // the step that a quarter of them are, where 95 of 100 are whole multiples of it (rounded values among which a few stand in
-// full). Unit of the values. 0 where they are neither.
+// full); else the unit of which all are multiples but for the last decimal that they were written to. Unit of the values. 0
+// where they are none of it.
 double value_step(const std::vector<double>& values);
 
 }  // namespace host_sim

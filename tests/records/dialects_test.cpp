@@ -295,6 +295,61 @@ TEST(Dialects, TimesOfSoManyDigitsAreEven) {
   EXPECT_NEAR(host_sim::parse_csv(text, "d.csv", rig()).sample_period_s, 1e-4, 1e-9);
 }
 
+// Five significant digits up to a second and four decimals from there on, at 3000 Hz: 9.9997 s is followed by 10.0000, not
+// by 10.000, and 0.0003333 s stands where 0.0003 would.
+TEST(Dialects, TimesWhoseDigitsChangeAtASecondAreEven) {
+  const auto written = [](size_t lost) {
+    std::string text = "t_s,force_1_N\n";
+    for (size_t i = 0; i < 40000; ++i) {
+      const double t = static_cast<double>(i) / 3000.0;
+      if (lost == 0 || i != lost) text += t < 1.0 ? fmt::format("{:.5g},1\n", t) : fmt::format("{:.4f},1\n", t);
+    }
+    return text;
+  };
+  EXPECT_NEAR(host_sim::parse_csv(written(0), "d.csv", rig()).sample_period_s, 1.0 / 3000.0, 1e-9);
+  EXPECT_THROW(host_sim::parse_csv(written(20000), "d.csv", rig()), host_sim::DataFileError);
+  EXPECT_THROW(host_sim::parse_csv(written(200), "d.csv", rig()), host_sim::DataFileError);
+}
+
+// One time of a second among milliseconds is whole by chance: its last decimal is that of the others.
+TEST(Dialects, AFewWholeTimesSayNothingOfTheirDecimals) {
+  std::string text = "t_s,force_1_N\n";
+  for (int i = 0; i <= 1000; ++i) text += fmt::format("{:.3f},1\n", 0.001 * i);
+  EXPECT_NEAR(host_sim::parse_csv(text, "d.csv", rig()).sample_period_s, 1e-3, 1e-12);
+  std::string late;
+  for (int i = 0; i <= 1000; ++i) late += fmt::format("{:.3f},1\n", 0.001 * i + (i > 500 ? 0.003 : 0.0));
+  EXPECT_THROW(host_sim::parse_csv("t_s,force_1_N\n" + late, "d.csv", rig()), host_sim::DataFileError);
+}
+
+// What stands above a table of unknown names: a line of the run, or names and values of its settings.
+TEST(Dialects, NamesStandAboveAsManyNumbers) {
+  ReadingOptions options;
+  options.columns = {{"displacement_1", "U ( V )"}};
+  options.units = {{"displacement_1", "mm"}};
+  const std::string run = "Voltage, ChA, Run #1\nTime ( s )\tU ( V )\n0.0\t1.5\n0.5\t2\n1.0\t-0.003\n";
+  const auto said = [](const std::string& text, const ReadingOptions& o) {
+    try {
+      host_sim::parse_csv(text, "d.csv", rig(), o);
+    } catch (const host_sim::DataFileError& error) {
+      return std::string(error.what());
+    }
+    return std::string("read");
+  };
+  EXPECT_EQ(said(run, options), "read");
+  EXPECT_NE(said(run, {}).find("d.csv:2: names no channel (\"Time ( s )\", \"U ( V )\")"), std::string::npos)
+      << said(run, {});
+  ReadingOptions single;
+  single.columns = {{"displacement_1", "1"}};
+  single.sample_rate_Hz = 1000;
+  const auto record =
+      host_sim::parse_csv("start_deg, rate, duration\n90, 1000, 5 \n1.5\n2\n-3e-3\n", "d.csv", rig(), single);
+  EXPECT_EQ(record.find(Quantity::kDisplacement, 1)->values, (std::vector<double>{1.5, 2, -3e-3}));
+  ReadingOptions titled;
+  titled.columns = {{"force_1", "Load"}};
+  titled.sample_rate_Hz = 2000;
+  EXPECT_EQ(said("Channel name,Load,Channel name,Input\nUnit,kN,Unit,V\n0,1,0,2\n0.1,1,0.1,2\n", titled), "read");
+}
+
 // Five digits of times up to 1.999 s would allow 199.02 ms as a place of its own decade, but there a time is late by two
 // of its last decimals, where rounding gives half of one.
 TEST(Dialects, ATimeAmidEvenOnesIsOffByMoreThanItsLastDecimal) {

@@ -67,6 +67,13 @@ TEST(Resample, AFlatTopStaysFlat) {
   EXPECT_LT(*std::min_element(y.begin(), y.end()), -0.987);  // cos(pi / 20): a sample on each side of the turn
 }
 
+// What rests is as still as before: rounding would part its longest rest into hundreds, each an end of the channel's range.
+TEST(Resample, ARestStaysARest) {
+  const auto of = [](double t) { return t < 1.0 ? 0.1 * std::sin(0.5 * M_PI * t) : 0.1; };
+  const std::vector<double> y = resampled(made(uneven_times(400), of), 100.0)[0].channels[0].values;
+  EXPECT_EQ(std::count(y.begin() + 104, y.end(), 0.1), static_cast<std::ptrdiff_t>(y.size()) - 104);
+}
+
 TEST(Resample, ATurnBetweenTwoEqualSamplesIsNotCutOff) {
   // Eight samples a period at odd sixteenths: the highest are two in a row, at cos(pi / 8) = 0.924 of the height.
   std::vector<double> time_s(400);

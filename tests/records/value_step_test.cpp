@@ -32,6 +32,16 @@ TEST(ValueStep, IsThatOfMostValuesBesideAFewInFull) {
   EXPECT_EQ(value_step(swing(0.05, 10)), 0.0);
 }
 
+// 3960 counts a turn, written in hundredths of a degree: steps of 0.09 and 0.10, of 0.18 and 0.19. A hundredth is not the
+// step: the swing rests on each value until it is a whole count away.
+TEST(ValueStep, IsThatOfACounterWrittenInDecimals) {
+  std::vector<double> values;
+  for (double x : swing(0, 0)) values.push_back(0.01 * std::round(100.0 * std::round(60.0 * x * 11) / 11));
+  EXPECT_NEAR(value_step(values), 1.0 / 11, 1e-3);
+  for (double& value : values) value *= M_PI / 180;
+  EXPECT_NEAR(value_step(values), M_PI / 180 / 11, 2e-5);
+}
+
 TEST(ValueStep, IsNoneOfASmoothSignalNorOfNoise) {
   EXPECT_EQ(value_step(swing(0.0, 0)), 0.0);
   std::mt19937 random(7);

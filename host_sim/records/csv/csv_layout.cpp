@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <optional>
 
 #include "host_sim/records/columns/column_name.hpp"
 #include "host_sim/records/columns/units.hpp"
@@ -64,8 +65,57 @@ char likely_separator(std::string_view names, std::string_view rest) {
   return best;
 }
 
+// Two rows of one table: as many fields in both, with a separator that is there; or single numbers.
+bool same_table(std::string_view row, std::string_view next) {
+  bool single = true;
+  for (const char separator : kSeparators) {
+    const size_t fields = split_fields(row, separator).size(), below = split_fields(next, separator).size();
+    if (fields > 1 && fields == below) return true;
+    single = single && fields <= 1 && below <= 1;
+  }
+  return single;
+}
+
+// With which a line has as many fields as a row of numbers; nothing where none does.
+std::optional<char> separator_of_names(std::string_view names, std::string_view row) {
+  std::optional<char> best;
+  size_t most = 1;
+  bool single = true;
+  for (const char candidate : kSeparators) {
+    const size_t count = split_fields(names, candidate).size(), fields = split_fields(row, candidate).size();
+    if (count > most && fields == count) most = count, best = candidate;
+    single = single && fields <= 1 && (count <= 1 || candidate == ' ');
+  }
+  return single ? ',' : best;
+}
+
+struct TextLine {
+  size_t number = 0, before = 0;  // `before`: lines before it that are neither blank nor comments
+  std::string_view text, rest;
+};
+
+Header named_by(const TextLine& line, char separator, size_t passed_over) {
+  return {line.number, separator, line.text, line.rest, passed_over, false};
+}
+
+Header first_of(const std::vector<TextLine>& lines) {
+  if (lines.empty()) return {};
+  return named_by(lines.front(), likely_separator(lines.front().text, lines.front().rest), 0);
+}
+
+// Names that mean nothing to us: the first line above the numbers that has as many fields as they, else the first of all.
+Header names_above(const std::vector<TextLine>& above, const TextLine& numbers) {
+  for (const TextLine& line : above)
+    if (const auto separator = separator_of_names(line.text, numbers.text))
+      return named_by(line, *separator, line.before);
+  if (!above.empty()) return first_of(above);
+  std::string_view next = numbers.rest;
+  take_line(next);
+  return {numbers.number, likely_separator(numbers.text, next), numbers.text, numbers.rest, numbers.before, true};
+}
+
 Header find_header(std::string_view content, const std::function<bool(const std::string&)>& means_channel) {
-  Header fallback;
+  std::vector<TextLine> above;
   std::string_view rest = content;
   size_t passed_over = 0;
   for (size_t number = 1; !rest.empty() && number <= kLongestPreamble; ++number) {
@@ -73,19 +123,21 @@ Header find_header(std::string_view content, const std::function<bool(const std:
     std::string_view line = take_line(rest);
     if (is_blank(line)) continue;
     std::string_view below = rest;
-    if (is_row_of_numbers(line) && is_row_of_numbers(take_line(below))) {  // names stand above their numbers
-      if (fallback.line == 0) fallback = {number, likely_separator(line, rest), line, from_here, 0, true};
-      return fallback;
+    if (is_row_of_numbers(line)) {
+      const std::string_view next = take_line(below);
+      if (is_row_of_numbers(next) && same_table(line, next))  // names stand above their numbers
+        return names_above(above, {number, passed_over, line, from_here});
+      if (is_row_of_numbers(next)) above.clear();  // the names above were those of this one row
     }
     const bool comment = is_comment(line);
     if (comment) line = without_comment_sign(line);
     char separator = ',';
     if (score(line, means_channel, separator) > 0) return {number, separator, line, rest, passed_over, false};
     if (comment) continue;
-    if (fallback.line == 0) fallback = {number, likely_separator(line, rest), line, rest, 0, false};
+    if (!is_row_of_numbers(line)) above.push_back({number, passed_over, line, rest});
     ++passed_over;
   }
-  return fallback;
+  return first_of(above);
 }
 
 bool has_digit_first(const std::string& field) {
@@ -98,7 +150,7 @@ bool read_units(const std::vector<std::string>& fields, size_t first, CsvLayout&
   bool any = false;
   for (size_t i = first; i < fields.size(); ++i) {
     const std::string text = trimmed_text(fields[i]);
-    if (text.empty() || text == "-") continue;
+    if (text.empty() || text == "-" || text == "Unit" || text == "Units") continue;  // a row's title is no unit
     if (has_digit_first(text) || (first > 0 && !find_unit(text))) return false;
     any = any || find_unit(text).has_value();
   }
@@ -207,8 +259,8 @@ CsvLayout find_layout(std::string_view content, const std::function<bool(const s
     layout.columns.push_back({header.unnamed ? std::to_string(layout.columns.size() + 1) : field, ""});
   if (header.passed_over > 0)
     layout.notes.push_back("passed over: " + std::to_string(header.passed_over) + " line" +
-                           (header.passed_over == 1 ? "" : "s") + " before the names of line " +
-                           std::to_string(header.line));
+                           (header.passed_over == 1 ? "" : "s") + " before the " +
+                           (header.unnamed ? "numbers" : "names") + " of line " + std::to_string(header.line));
   skip_blank_and_comment_lines(layout);
   if (!layout.unnamed && take_units(layout))
     skip_blank_and_comment_lines(layout);

@@ -30,8 +30,9 @@ struct CsvLayout {
 };
 
 // The header is the first line in which some separator (tab, semicolon, comma, blanks) leaves a field that means a
-// channel or the time; a comment line may be it. Without one the first line that is no comment is taken; where that is a row of
-// numbers above another one, the columns have no names. Below it a row
+// channel or the time; a comment line may be it. Without one it is the first line above the numbers that has as many fields as
+// they; where there is none above them, the columns have no names. A row of numbers above rows of another width, and what
+// stands above it, is no part of the table. Below the header a row
 // of units may follow: fields that are units, or blank, and no number; or one stands above it, behind a word (LabVIEW). A
 // comma is a decimal point where fields are separated otherwise and the first numbers hold commas and no points.
 CsvLayout find_layout(std::string_view content, const std::function<bool(const std::string&)>& means_channel);
