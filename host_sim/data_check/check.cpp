@@ -15,6 +15,7 @@
 #include "host_sim/data_check/quantile.hpp"
 #include "host_sim/data_check/release.hpp"
 #include "host_sim/data_check/rig_balance.hpp"
+#include "host_sim/data_check/ripple.hpp"
 #include "host_sim/data_check/slow_faults.hpp"
 #include "host_sim/data_check/spikes.hpp"
 #include "host_sim/data_check/statistics.hpp"
@@ -94,6 +95,8 @@ ChannelReport report_of(const Record& record, const std::vector<Statistics>& all
     if (auto clipped = find_clipping(channel, statistics, low, high)) report.findings.push_back(std::move(*clipped));
   }
   for (Finding& finding : find_slow_faults(record, channel, statistics)) report.findings.push_back(std::move(finding));
+  if (model != nullptr)
+    if (auto ripple = find_ripple(record, channel, *model)) report.findings.push_back(std::move(*ripple));
   return report;
 }
 

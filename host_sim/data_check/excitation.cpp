@@ -1,51 +1,18 @@
 #include "host_sim/data_check/excitation.hpp"
 
-#include <fftw3.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
-#include <mutex>
 
+#include "host_sim/data_check/spectrum.hpp"
 #include "host_sim/data_check/statistics.hpp"
 
 namespace host_sim::data_check {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr size_t kMostLines = 5;
 constexpr double kLineShare = 0.9;
-constexpr size_t kMostSamples = 1 << 18;
-
-// The longest part of a record whose length has the prime factors 2, 3, 5 and 7 alone: at others a transform takes many
-// times as long. It leaves out less than 3 % of 64 samples and more.
-size_t quick_length(size_t samples) {
-  for (size_t n = std::min(samples, kMostSamples);; --n) {
-    size_t left = n;
-    for (const size_t factor : {2, 3, 5, 7})
-      while (left % factor == 0) left /= factor;
-    if (left == 1) return n;
-  }
-}
-
-// Power of each bin of the first n samples, Hann window, mean taken off.
-std::vector<double> power_spectrum(const std::vector<double>& values, double mean, size_t n) {
-  const std::unique_ptr<double, void (*)(void*)> input(fftw_alloc_real(n), fftw_free);
-  const std::unique_ptr<fftw_complex, void (*)(void*)> output(fftw_alloc_complex(n / 2 + 1), fftw_free);
-  for (size_t i = 0; i < n; ++i)
-    input.get()[i] =
-        (values[i] - mean) * (0.5 - 0.5 * std::cos(2.0 * kPi * static_cast<double>(i) / static_cast<double>(n)));
-  static std::once_flag shared;  // records are checked beside each other
-  std::call_once(shared, fftw_make_planner_thread_safe);
-  const fftw_plan plan = fftw_plan_dft_r2c_1d(static_cast<int>(n), input.get(), output.get(), FFTW_ESTIMATE);
-  fftw_execute(plan);
-  fftw_destroy_plan(plan);
-  std::vector<double> power(n / 2 + 1);
-  for (size_t i = 0; i < power.size(); ++i)
-    power[i] = output.get()[i][0] * output.get()[i][0] + output.get()[i][1] * output.get()[i][1];
-  return power;
-}
 
 // Takes the strongest lines off until 90 % of the power is gone; empty where more than five are needed.
 std::vector<double> lines_of(std::vector<double> power, double bin_Hz) {
@@ -109,7 +76,7 @@ Drive drive_of(const Record& record) {
   drive.channel = strongest->name;
   drive.rms = largest;
   const size_t length = quick_length(strongest->values.size());
-  const std::vector<double> power = power_spectrum(strongest->values, mean, length);
+  const std::vector<double> power = power_spectrum(strongest->values.data(), length, mean);
   const double bin_Hz = 1.0 / (static_cast<double>(length) * record.sample_period_s);
   drive.lines_Hz = lines_of(power, bin_Hz);
   double total = 0.0, sum = 0.0;

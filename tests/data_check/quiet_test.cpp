@@ -79,6 +79,25 @@ TEST(Quiet, ACoarseEncoderStandsStillAtItsFarthest) {
   }
 }
 
+// A pendulum's decay on a counter of 3960 steps a turn, written in hundredths of a degree: at its first and highest turn it
+// stands on one value for a dozen samples, which are not clipped.
+TEST(Quiet, ACounterWrittenInDecimalsTurnsAtItsFarthest) {
+  made::Options five_seconds;
+  five_seconds.duration_s = 5.0;
+  for (unsigned seed = 1; seed <= 8; ++seed) {
+    Record record = made::record(five_seconds);
+    std::vector<double>& angle = made::values(record, "displacement_1_m");
+    const double start_deg = 60.0 + 7.0 * seed;
+    for (size_t k = 0; k < angle.size(); ++k) {
+      const double t = 0.001 * static_cast<double>(k);
+      const double deg = start_deg * std::exp(-0.08 * t) * std::cos(9.0 * t + 0.3);
+      angle[k] = 0.01 * std::nearbyint(100.0 * std::nearbyint(deg * 11.0) / 11.0) * M_PI / 180.0;
+    }
+    record.channels = {*record.find(host_sim::Quantity::kDisplacement, 1)};
+    EXPECT_EQ(doubts(check({record}, nullptr)), "") << "seed " << seed;
+  }
+}
+
 // A table that is driven to its farthest place again and again, stops there by friction, rests and goes back, on an encoder of
 // 1 um under noise of a fifth of that: flat for a quarter of the time, and its range does not end there.
 TEST(Quiet, AStopInFrictionAtItsFarthest) {

@@ -5,6 +5,7 @@
 #include "hal/rig_file/rig_reader.hpp"
 #include "hal/rig_file/rig_writer.hpp"
 #include "host_sim/data_check/release.hpp"
+#include "host_sim/data_check/ripple.hpp"
 #include "host_sim/data_check/work.hpp"
 #include "host_sim/diagnosis/diagnosis.hpp"
 #include "host_sim/programs/commands.hpp"
@@ -49,6 +50,7 @@ void diagnose(const DiagnoseArguments& arguments) {
     data_check::turn_over(check, training), data_check::turn_over(holdout_check, holdout);
     line.begin("searching for what the rig file lacks");
     found = diagnosis::diagnose(model, training, holdout, options);
+    for (const std::string& told : data_check::ripples_of(check)) found.advice.push_back(told);
     line.begin("simulating what was found");
     data = reports::findings_of(model, training, holdout, found);
     if (!arguments.report.empty()) {
