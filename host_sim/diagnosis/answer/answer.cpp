@@ -4,8 +4,10 @@
 #include <cmath>
 #include <cstdio>
 
+#include "../motion/drive_noise.hpp"
 #include "../terms/naming.hpp"
 #include "hum.hpp"
+#include "lasting_error.hpp"
 #include "materiality.hpp"
 
 namespace diagnosis::runs {
@@ -169,15 +171,16 @@ void say_cannot_describe(const Task& task, const Choice& choice, Diagnosis& d) {
 constexpr double kMuchOfIt = 0.5;  // of what a free run misses: then nothing else needs to be wrong
 
 // Noise of a force that is simulated drives the rig: what the run misses by that no model can mend.
-void say_noise_of_drives(const Score& score, Diagnosis& d) {
+void say_noise_of_drives(const Task& task, const Score& score, Diagnosis& d) {
   if (score.worst_percent < kHalfOfVariance || score.by_drives_percent < kMuchOfIt * score.worst_percent) return;
   char text[320];
-  std::snprintf(
-      text, sizeof text,
-      "noise or ripple of the channel that drives the rig alone makes such a run miss %.0f %%: the intervals "
-      "allow for it, but not for a lasting error of that channel; use the commanded force, or average repeated "
-      "runs",
-      score.by_drives_percent);
+  std::snprintf(text, sizeof text,
+                "noise or ripple of the channel that drives the rig alone makes such a run miss %.0f %%: the intervals "
+                "allow for it, %s; use the commanded force, or average repeated runs",
+                score.by_drives_percent,
+                drives_are_much_noise(task.records)
+                    ? "and for a lasting error of that channel of an eighth of its noise"
+                    : "but not for a lasting error of that channel");
   d.advice.push_back(text);
 }
 
@@ -188,7 +191,7 @@ double compare_unseen(const Task& task, const State& base, const State& with_cau
   const Score before = score_unseen(task, base, &noise),
               after = any_cause ? score_unseen(task, with_causes, &noise) : before;
   take(before, d.baseline), take(after, d.extended);
-  say_noise_of_drives(after, d);
+  say_noise_of_drives(task, after, d);
   d.gain.clear();
   for (size_t i = 0; i < before.nrmse_percent.size(); ++i) {
     const double old = before.nrmse_percent[i], now = after.nrmse_percent[i];
@@ -204,7 +207,7 @@ bool contradicts(const diagnosis::Parameter& rows, const diagnosis::Parameter& r
 
 std::vector<diagnosis::Parameter> numbers_of(const Task& task, const State& fitted) {
   if (!fitted.fit.ok) return {};
-  return all_parameters(task, active(fitted.model, determined(fitted.fit, fitted.model)));
+  return all_parameters(task, active(fitted.model, determined_beside_drives(task, fitted)));
 }
 
 void take_numbers(const std::vector<diagnosis::Parameter>& runs, bool values_too,
@@ -239,8 +242,8 @@ void name_holds(const Task& task, Diagnosis& d) {
 }
 
 void answer(const Task& task, const Choice& choice, Diagnosis& d) {
-  const Terms base = active(choice.base.model, determined(choice.base.fit, choice.base.model));
-  const Terms full = active(choice.final.model, determined(choice.final.fit, choice.final.model));
+  const Terms base = active(choice.base.model, determined_beside_drives(task, choice.base));
+  const Terms full = active(choice.final.model, determined_beside_drives(task, choice.final));
   name_causes(task, choice, full, d);
   d.baseline.parameters = all_parameters(task, base), d.extended.parameters = all_parameters(task, full);
   const double worst_free_run =

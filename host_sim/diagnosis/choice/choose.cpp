@@ -3,6 +3,7 @@
 
 #include "../answer/answer.hpp"
 #include "../fit/start.hpp"
+#include "../motion/drive_noise.hpp"
 #include "horizon.hpp"
 #include "round.hpp"
 #include "warming.hpp"
@@ -50,9 +51,9 @@ Choice rig_fitted(const Task& task) {
   settle_unseen(task, now);
   choice.base = choice.final = now;
   if (now.fit.ok) choice.base_left = choice.final_left = left_by(task.system, task.records, now);
-  // a noisy force shakes the simulation, though the rig file is right
-  choice.base_fits_nothing =
-      !massless(now.model) && !follows(task, now, false) && (!now.fit.ok || beyond_noise(choice.base_left));
+  // a noisy force shakes the simulation, though the rig file is right; one that is much noise, with what it is off on the mean
+  choice.base_fits_nothing = !massless(now.model) && !follows(task, now, false) &&
+                             (!now.fit.ok || (beyond_noise(choice.base_left) && !drives_are_much_noise(task.records)));
   return choice;
 }
 

@@ -1,8 +1,19 @@
 #include "drive_noise.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace diagnosis::runs {
+namespace {
+
+// Of a force's rms. Load cells and commanded currents have a few percent; a channel a quarter of which is noise is no
+// instrument that anybody has calibrated for its mean.
+constexpr double kMuchNoise = 0.25;
+// Of its noise. A servo's torque that was recorded beside its command was off by 0.11 of its noise, more at one level and less at
+// another.
+constexpr double kLasting = 0.125;
+
+}  // namespace
 
 void DriveNoise::disturb(const Vec& sigma, Vec& y) {
   for (Index i = 0; i < y.size(); ++i) y[i] += sigma[i] * normal_(random_);
@@ -14,6 +25,23 @@ Prepared DriveNoise::added_to(const Prepared& record) {
   for (Vec& b : noisy.base.reading) disturb(Vec::Constant(b.size(), noise_level(b)), b);
   renew_base(noisy);
   return noisy;
+}
+
+// Its noise is that of the samples as they were read: thinning has averaged it.
+double lasting_error_of_force(const Prepared& record, size_t dof) {
+  const Vec& force = record.force[dof];
+  if (force.size() == 0) return 0;
+  const double noise = noise_of_force(record, dof) * std::sqrt(record.step_s / record.read_every_s);
+  const double rms = std::sqrt(force.squaredNorm() / static_cast<double>(force.size()));
+  return noise > kMuchNoise * rms ? kLasting * noise : 0;
+}
+
+bool drives_are_much_noise(const std::vector<Prepared>& records) {
+  return std::any_of(records.begin(), records.end(), [](const Prepared& p) {
+    for (size_t d = 0; d < p.force.size(); ++d)
+      if (lasting_error_of_force(p, d) > 0) return true;
+    return false;
+  });
 }
 
 bool drives_have_noise(const std::vector<Prepared>& records) {

@@ -17,6 +17,11 @@ class DriveNoise {
   std::normal_distribution<double> normal_;
 };
 
+// The largest lasting error of a DOF's force: what makes much noise is not right on the mean either. 0 where it is a sound
+// instrument.
+double lasting_error_of_force(const Prepared& record, size_t dof);
+bool drives_are_much_noise(const std::vector<Prepared>& records);
+
 bool drives_have_noise(const std::vector<Prepared>& records);
 
 }  // namespace diagnosis::runs
