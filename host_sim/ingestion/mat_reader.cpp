@@ -1,5 +1,6 @@
 #include "host_sim/ingestion/mat_reader.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <mutex>
@@ -111,6 +112,30 @@ bool is_sample_rate(const std::string& name) {
   return name == "sample_rate_Hz" || name == "sample_rate" || name == "fs" || name == "Fs" || name == "fs_Hz";
 }
 
+// Several channels side by side, in the rows or the columns of a matrix: many samples of a few.
+constexpr size_t kMostChannels = 64;
+bool is_table(const matvar_t& variable) {
+  if (variable.rank != 2) return false;
+  const size_t few = std::min(variable.dims[0], variable.dims[1]), many = std::max(variable.dims[0], variable.dims[1]);
+  return few > 1 && few <= kMostChannels && many >= 4 * few;
+}
+
+// Its channels are "NAME row 1" or "NAME column 1" and so on, for --column.
+void collect_table(const std::string& name, const matvar_t& variable, const Source& source, Group& group) {
+  const size_t rows = variable.dims[0], columns = variable.dims[1], channels = std::min(rows, columns);
+  const bool in_rows = rows < columns;
+  for (size_t i = 0; i < channels; ++i) {
+    const std::string head = name + (in_rows ? " row " : " column ") + std::to_string(i + 1);
+    group.names.push_back({head, ""});
+    group.values.emplace_back();
+    if (!means_channel(head, source.model, source.options)) continue;
+    const std::vector<double> all = real_values(source.file, name, variable);  // column by column
+    for (size_t k = 0; k < std::max(rows, columns); ++k)
+      group.values.back().push_back(all[in_rows ? k * rows + i : i * rows + k]);
+    check_finite(source.file, head, group.values.back());
+  }
+}
+
 void collect(const std::string& name, const matvar_t& variable, const Source& source, Group& group) {
   if (!numeric(variable) || variable.data == nullptr) return;  // text, cells, empty matrices
   if (is_sample_rate(name)) {
@@ -123,6 +148,7 @@ void collect(const std::string& name, const matvar_t& variable, const Source& so
   std::string suffix;
   const bool wanted = means_channel(name, source.model, source.options) || is_time_name(name, suffix);
   if (element_count(variable) == 1 && name != "t_s") return;
+  if (!wanted && is_table(variable)) return collect_table(name, variable, source, group);
   group.names.push_back({name, ""});
   group.values.emplace_back();
   if (!wanted) return;
@@ -131,16 +157,23 @@ void collect(const std::string& name, const matvar_t& variable, const Source& so
   check_finite(source.file, name, group.values.back());
 }
 
-void collect_structs(matvar_t& variable, const Source& source, std::vector<Group>& groups) {
+// Each element of a struct is a record, and so are structs within it.
+void collect_structs(const std::string& name, matvar_t& variable, const Source& source, std::vector<Group>& groups) {
   const unsigned fields = source.mat.field_count(&variable);
   char* const* const names = source.mat.field_names(&variable);
   const size_t count = element_count(variable);
   for (size_t element = 0; element < count; ++element) {
     Group group;
-    group.label = variable.name + (count > 1 ? "(" + std::to_string(element + 1) + ")" : std::string());
-    for (unsigned i = 0; i < fields; ++i)
-      if (const matvar_t* const field = source.mat.field(&variable, i, element))
+    group.label = name + (count > 1 ? "(" + std::to_string(element + 1) + ")" : std::string());
+    const std::string label = group.label;
+    for (unsigned i = 0; i < fields; ++i) {
+      matvar_t* const field = source.mat.field(&variable, i, element);
+      if (field == nullptr) continue;
+      if (field->class_type == MAT_C_STRUCT)
+        collect_structs(label + "." + names[i], *field, source, groups);
+      else
         collect(names[i], *field, source, group);
+    }
     groups.push_back(std::move(group));
   }
 }
@@ -231,7 +264,7 @@ std::vector<Record> read_mat(const std::string& path, const rig_file::RigModel& 
     const Variable variable(mat->read_next(file.get()), mat->free);
     if (!variable) break;
     if (variable->class_type == MAT_C_STRUCT) {
-      collect_structs(*variable, source, groups);
+      collect_structs(variable->name, *variable, source, groups);
     } else {
       collect(variable->name == nullptr ? "" : variable->name, *variable, source, groups.front());
     }

@@ -220,6 +220,40 @@ TEST(Mat, OtherNamesUnitsAndVariables) {
   EXPECT_NE(notes.find("ignored: \"temperature\", \"table\""), std::string::npos) << notes;
 }
 
+// Two accelerations over time in the rows of a matrix, as some acquisition programs keep them, within a struct of a struct.
+TEST(Mat, RowsOfAMatrixWithinAStructAreChannels) {
+  MatFile file;
+  std::vector<double> time = {0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7}, both;
+  for (int i = 0; i < 8; ++i) both.push_back(i), both.push_back(10 + i);  // column by column
+  const char* outer[] = {"Out"};
+  const char* inner[] = {"Acc", "Time"};
+  size_t one[2] = {1, 1};
+  matvar_t* const out = Mat_VarCreateStruct("Out", 2, one, inner, 2);
+  Mat_VarSetStructFieldByName(out, "Acc", 0, MatFile::vector("Acc", both, 2));
+  Mat_VarSetStructFieldByName(out, "Time", 0, MatFile::vector("Time", time, 1));
+  matvar_t* const beam = Mat_VarCreateStruct("Beam", 2, one, outer, 1);
+  Mat_VarSetStructFieldByName(beam, "Out", 0, out);
+  file.add(beam);
+  host_sim::ReadingOptions options;
+  options.columns = {{"acceleration_1", "Acc row 2"}};
+  const auto record = one_record(file.path(), dampers(1), options);
+  EXPECT_NE(record.file.find(", Beam.Out"), std::string::npos);
+  EXPECT_NEAR(record.sample_period_s, 0.1, 1e-12);
+  EXPECT_EQ(record.find(Quantity::kAcceleration, 1)->values, (std::vector<double>{10, 11, 12, 13, 14, 15, 16, 17}));
+  const auto said = refusal([&] { host_sim::read_mat(file.path(), dampers(1), {}); });
+  expect_says(said, "\"Acc row 1\", \"Acc row 2\", \"Time\"");
+}
+
+TEST(Mat, ColumnsOfAMatrixAreChannels) {
+  MatFile file;
+  file.add("sample_rate_Hz", {250}).add("data", {1, 2, 3, 4, 5, 6, 7, 8, 11, 12, 13, 14, 15, 16, 17, 18}, 8);
+  host_sim::ReadingOptions options;
+  options.columns = {{"force_1", "data column 2"}, {"displacement_1", "data column 1"}};
+  const auto record = one_record(file.path(), dampers(1), options);
+  EXPECT_EQ(record.find(Quantity::kForce, 1)->values, (std::vector<double>{11, 12, 13, 14, 15, 16, 17, 18}));
+  EXPECT_EQ(record.find(Quantity::kDisplacement, 1)->values, (std::vector<double>{1, 2, 3, 4, 5, 6, 7, 8}));
+}
+
 TEST(Mat, RefusesAFileThatIsNone) {
   const std::string path = (std::filesystem::path(testing::TempDir()) / "none.mat").string();
   std::FILE* const file = std::fopen(path.c_str(), "wb");
