@@ -26,6 +26,11 @@ constexpr double kColouredDoubt = 0.25, kMostPole = 0.9;
 constexpr double kColouredLevel = 3.0, kLowDoubt = 0.5;
 // What is within 0.1 of white is taken for white: three times the pole's deviation from 20000 samples.
 constexpr double kWhitePole = 0.1;
+// Order of the differences that a channel's bands are made of. A jump of an acceleration or of a force stands in one sample more than the
+// order; motion of ten samples a period passes order 4 with a seventh of itself, order 8 with a fiftieth. So the lowest one counts
+// that shows white noise.
+constexpr int kLeastOrder = 4, kOrderOfDisplacement = 8, kMostOrder = 16;
+constexpr size_t kLeastSegment = 4096;  // of the bottom of the spectrum, samples
 // A power that misses the first-order curve by more is not of such noise.
 constexpr double kMisfit = 0.15;
 
@@ -99,7 +104,9 @@ double pole_of(const Taps& top, const Taps& lower, double ratio) {
 
 // Powers in the three bands, the top of the spectrum first.
 struct Bands {
-  explicit Bands(int order) : filter{band(order, 0), band(order, order / 2), band(order, order)} {}
+  explicit Bands(int highest_order)
+      : order(highest_order), filter{band(order, 0), band(order, order / 2), band(order, order)} {}
+  int order;
   Taps filter[3];
   void read(const Records& records, int node, int quantity) {
     for (int b = 0; b < 3; ++b) power[b] = rig_file::power(records, node, quantity, filter[b]);
@@ -110,15 +117,28 @@ struct Bands {
       if (std::fabs(power[b] / power[0] * gain(filter[0], pole) / gain(filter[b], pole) - 1.0) > kMisfit) return false;
     return true;
   }
+  bool white() const { return fits(0.0) || std::fabs(pole(2)) < kWhitePole; }
   double power[3] = {};
 };
 
+Bands telling_bands(const Records& records, int node, int quantity) {
+  Bands first(quantity == kDisplacement ? kOrderOfDisplacement : kLeastOrder);
+  first.read(records, node, quantity);
+  for (int order = 2 * first.order; !first.white() && order <= kMostOrder; order *= 2) {
+    Bands narrow(order);
+    narrow.read(records, node, quantity);
+    if (narrow.white()) return narrow;
+  }
+  return first;
+}
+
 // Variance of white noise that would have the power which the channel has where it has least, between 2 and 24 periods in a
-// segment of four seconds or a fifth of the longest record: a bound for noise at low frequencies. 0: the records are too short.
+// segment of four seconds, of 4096 samples where these are longer (a slow rig is sampled slowly), or of a fifth of the longest record:
+// a bound for noise at low frequencies. 0: the records are too short.
 double low_level(const Records& records, int node, int q, double rate_Hz) {
   size_t longest = 0;
   for (const auto& record : records) longest = std::max(longest, record.size());
-  const size_t length = std::min(static_cast<size_t>(4 * rate_Hz), longest / 5);
+  const size_t length = std::min(std::max(static_cast<size_t>(4 * rate_Hz), kLeastSegment), longest / 5);
   if (length < 128) return 0.0;
   constexpr int kFirst = 2, kBands = 8, kLines = 3;
   double band_power[kBands] = {};
@@ -167,8 +187,7 @@ double spread(const Records& records, int node, int quantity, const Taps& top, d
 }  // namespace
 
 ChannelNoise read_noise(const Records& records, int node, int quantity, double rate_Hz) {
-  Bands bands(quantity == kDisplacement ? 8 : 4);
-  bands.read(records, node, quantity);
+  const Bands bands = telling_bands(records, node, quantity);
   ChannelNoise noise;
   if (!(bands.power[0] > 0.0)) {  // most codes do not change: a drive that is off, blows, a rig at rest
     const auto is_long = [&](const auto& record) { return record.size() >= bands.filter[0].size(); };
@@ -177,7 +196,7 @@ ChannelNoise read_noise(const Records& records, int node, int quantity, double r
   }
   double white = bands.power[0] / gain(bands.filter[0], 0.0);
   const double pole = bands.pole(2);
-  if (bands.fits(0.0) || std::fabs(pole) < kWhitePole) {
+  if (bands.white()) {
     noise.doubt = kWhiteDoubt;
   } else if (quantity == kDisplacement) {
     if (bands.fits(pole)) {

@@ -42,6 +42,42 @@ TEST(ChannelNoise, WhiteNoiseBesideASlowMotion) {
   }
 }
 
+// A level motion up to a tenth of the sample rate, 100 times the noise: its power at the top of the spectrum of four differences is
+// several times the noise's. A velocity that is integrated or an acceleration took that for noise, and right rigs were accused.
+TEST(ChannelNoise, WhiteNoiseBesideAMotionOfTenSamplesAPeriod) {
+  std::mt19937 random(10);
+  std::uniform_real_distribution<double> phase(0.0, 2 * M_PI);
+  std::vector<double> motion(20000, 0.0);
+  for (int line = 1; line <= 100; ++line) {
+    const double start = phase(random), step = 2 * M_PI * line / kRate_Hz;
+    for (size_t n = 0; n < motion.size(); ++n) motion[n] += 1.41e5 * std::sin(step * static_cast<double>(n) + start);
+  }
+  for (const Quantity quantity :
+       {Quantity::kForce, Quantity::kDisplacement, Quantity::kVelocity, Quantity::kAcceleration}) {
+    auto samples = record(quantity, 0.0, 1e4, 0.0, 11);
+    for (size_t n = 0; n < samples.size(); ++n)
+      samples[n].code[0][static_cast<int>(quantity)] += static_cast<int32_t>(std::lround(motion[n]));
+    const auto noise = read({samples}, quantity);
+    EXPECT_NEAR(noise.deviation, 1e4, 500.0);
+    EXPECT_EQ(noise.pole, 0.0);
+    EXPECT_LT(noise.doubt, 0.1);
+  }
+}
+
+// Kinks of friction reach every band at the top, and four seconds hold but four periods of the slowest motion: forty show what is below.
+TEST(ChannelNoise, BelowASlowMotionThatFillsTheRest) {
+  std::mt19937 random(12);
+  std::normal_distribution<double> normal;
+  auto samples = record(Quantity::kVelocity, 0.0, 1e4, 0.0, 13);
+  for (size_t n = 0; n < samples.size(); ++n) {
+    const double turns = static_cast<double>(n) / 64 + 0.02 * std::sin(0.001 * static_cast<double>(n));
+    samples[n].code[0][static_cast<int>(Quantity::kVelocity)] +=
+        static_cast<int32_t>(std::lround(4e6 * std::fabs(turns - std::floor(turns) - 0.5)));
+  }
+  const auto noise = rig_file::read_noise({samples}, 0, static_cast<int>(Quantity::kVelocity), 64.0);
+  EXPECT_NEAR(noise.deviation, 1e4, 4e3);
+}
+
 TEST(ChannelNoise, ColouredNoiseOfADisplacement) {
   const auto noise = read({record(Quantity::kDisplacement, 10.0, 1e4, 0.5, 2)}, Quantity::kDisplacement);
   EXPECT_NEAR(noise.pole, 0.5, 0.1);
