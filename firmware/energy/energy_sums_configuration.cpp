@@ -21,7 +21,7 @@ RateGains sign_gains(const CoreConfiguration& configuration, RateGains gains) {
 }
 
 // Standard deviation of the link's rate in the unit of the coarser code, where the plan knows it: of velocities that were made from
-// other channels, with the doubt of the reading. The velocity of a high-passed sign is another one.
+// other channels or have passed the low-pass, with the doubt of the reading. The integral that a sign is taken from is another one.
 Scaled rate_noise(const CoreConfiguration& configuration, const LinkConfiguration& link) {
   constexpr int kPlain = static_cast<int>(Weight::kPlain), kVelocity = static_cast<int>(Quantity::kVelocity);
   if (!kDerivesSignals) return {};
@@ -31,11 +31,12 @@ Scaled rate_noise(const CoreConfiguration& configuration, const LinkConfiguratio
     if (node == kGroundNode) continue;
     const SignalConfiguration& velocity = configuration.signals[node][kVelocity];
     const Scaled noise = configuration.shared_noise[node][kPlain][kVelocity];
-    if (velocity.derived && Scaled{} < noise)
+    if (velocity.integrations > 0) return {};
+    if ((velocity.derived || configuration.sign_half_length > 0) && Scaled{} < noise)
       variance = variance + noise * Scaled::ratio(1000 + configuration.motion_noise_doubt[node], 1000);
     if (coarser < velocity.unit_per_code) coarser = velocity.unit_per_code;
   }
-  return coarser.is_zero() || configuration.high_pass_order > 0 ? Scaled{} : sqrt(variance) / coarser;
+  return coarser.is_zero() ? Scaled{} : sqrt(variance) / coarser;
 }
 
 }  // namespace

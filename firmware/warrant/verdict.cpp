@@ -188,17 +188,6 @@ bool hardly_tested(const ScoreTest& test, int unknown, const ParameterEstimate& 
          std * Scaled::from_int(kWrongShare) > abs(parameter.value);
 }
 
-// Dry friction of the unknown's link is estimated. Its jump is smeared where the acceleration is a slope of the velocity, by each
-// instrument in its own way.
-bool beside_friction(const CoreConfiguration& configuration, int unknown) {
-  const Term* term = term_of(configuration, unknown);
-  for (int t = 0; t < configuration.term_count && term != nullptr && term->kind != TermKind::kMass; ++t) {
-    const Term& other = configuration.terms[t];
-    if (other.kind == TermKind::kCoulomb && other.unknown >= 0 && other.place == term->place) return true;
-  }
-  return false;
-}
-
 // A law that the link may have would not show.
 bool blind(const CoreConfiguration& configuration, const ScoreTest& test, int unknown) {
   const Term* term = term_of(configuration, unknown);
@@ -232,9 +221,9 @@ void give_verdict(const CoreConfiguration& configuration, const ScoreSums& sums,
     warrant.rival = warrant.named;
     warrant.named = late;
   }
-  const bool slopes = kDerivesSignals && one_quantity(configuration, Quantity::kVelocity);
   const bool twice_derived = kDerivesSignals && one_quantity(configuration, Quantity::kDisplacement);
-  const bool derived = twice_derived || (kDerivesSignals && one_quantity(configuration, Quantity::kAcceleration));
+  const bool derived = twice_derived || (kDerivesSignals && (one_quantity(configuration, Quantity::kVelocity) ||
+                                                             one_quantity(configuration, Quantity::kAcceleration)));
   bool contradicted = false;
   if (spreads_skew(configuration, estimates))
     for (int k = 0; k < estimates.unknown_count; ++k) raise(estimates.parameters[k], EstimateStatus::kSkewed);
@@ -250,9 +239,8 @@ void give_verdict(const CoreConfiguration& configuration, const ScoreSums& sums,
     }
     if (test.best() >= 0) raise(parameter, EstimateStatus::kModelSuspect);
     if (is_wrong_by(test.possible_bend(k), parameter) ||
-        ((derived || (slopes && beside_friction(configuration, k))) && fits_differ(test, k, parameter)) ||
-        (derived && hardly_tested(test, k, parameter)) || (twice_derived && blind(configuration, test, k)) ||
-        (estimates.inseparable && test.mimics(k)))
+        (derived && (fits_differ(test, k, parameter) || hardly_tested(test, k, parameter))) ||
+        (twice_derived && blind(configuration, test, k)) || (estimates.inseparable && test.mimics(k)))
       raise(parameter, EstimateStatus::kUntested);
     if (instruments_differ(test, k, parameter)) raise(parameter, EstimateStatus::kBiasSuspect);
     // A second level asks the model another question.

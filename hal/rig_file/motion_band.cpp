@@ -13,14 +13,13 @@ using Records = std::vector<std::vector<firmware::RawSample>>;
 
 constexpr double kMostBeyond = 0.01;  // friction 0.5 % too small
 
-double mean_square(const Records& records, int node, const Impulse& h) {
-  constexpr int kDisplacement = static_cast<int>(firmware::Quantity::kDisplacement);
+double mean_square(const Records& records, int node, int quantity, const Impulse& h) {
   double squares = 0.0;
   size_t count = 0;
   for (const auto& record : records)
     for (size_t n = 0; n + h.size() <= record.size(); ++n, ++count) {
       double sum = 0.0;
-      for (size_t k = 0; k < h.size(); ++k) sum += h[k] * record[n + k].code[node][kDisplacement];
+      for (size_t k = 0; k < h.size(); ++k) sum += h[k] * record[n + k].code[node][quantity];
       squares += sum * sum;
     }
   return count == 0 ? 0.0 : squares / static_cast<double>(count);
@@ -36,14 +35,15 @@ double noise_power(const Impulse& h, const ChannelNoise& noise) {
 
 }  // namespace
 
-bool moves_beyond_a_tenth(const Records& records, int node, const ChannelNoise& noise) {
-  const Impulse slope = first_difference(), passed = convolve(low_pass(0.0), slope);
+bool moves_beyond_a_tenth(const Records& records, int node, int quantity, const ChannelNoise& noise) {
+  const bool of_displacement = quantity == static_cast<int>(firmware::Quantity::kDisplacement);
+  const Impulse slope = of_displacement ? first_difference() : Impulse{1.0}, passed = convolve(low_pass(0.0), slope);
   Impulse left(passed.size(), 0.0);
   std::copy(slope.begin(), slope.end(), left.begin() + kLowPassHalf);
   for (size_t k = 0; k < left.size(); ++k) left[k] -= passed[k];
   const double beyond =
-      mean_square(records, node, left) - (1.0 + std::min(noise.doubt, 1.0)) * noise_power(left, noise);
-  const double within = mean_square(records, node, passed) - noise_power(passed, noise);
+      mean_square(records, node, quantity, left) - (1.0 + std::min(noise.doubt, 1.0)) * noise_power(left, noise);
+  const double within = mean_square(records, node, quantity, passed) - noise_power(passed, noise);
   return within > 0.0 && beyond > kMostBeyond * within;
 }
 

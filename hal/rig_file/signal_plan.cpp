@@ -18,8 +18,10 @@ using firmware::SignalConfiguration;
 
 constexpr int kF = 0, kX = 1, kV = 2, kA = 3;
 // Corner for one integration and for two; the nearest power of two is taken. Two need the higher one: noise and the start of
-// a level grow with the square of the time that they are remembered.
-constexpr double kHighPass_Hz = 0.2, kDoubleHighPass_Hz = 1.0;
+// a level grow with the square of the time that they are remembered. What drives a rig has little below the rig's own motion, and slow
+// noise is left out from a higher corner on; a decay needs its first seconds, friction beside it and all.
+constexpr double kHighPass_Hz = 0.2, kDrivenHighPass_Hz = 0.5, kDoubleHighPass_Hz = 1.0;
+constexpr int kLeastHighPassShift = firmware::kIntegrationExtraBits, kMostHighPassShift = 12;
 constexpr double kSignalPeak = 1 << 22;
 // Time constant of a fusion: 16 to 1024 sample periods.
 constexpr int kLeastLeak = 4, kMiddleLeak = 5, kMostLeak = 10;
@@ -60,9 +62,11 @@ class Plan {
     for (auto& node : c_.signals)
       for (SignalConfiguration& signal : node) integrations = std::max<int>(integrations, signal.integrations);
     c_.high_pass_order = static_cast<uint8_t>(integrations == 0 ? 0 : integrations + 1);
-    const double corner_Hz = integrations > 1 ? kDoubleHighPass_Hz : kHighPass_Hz;
+    const double once_Hz = driven() && !friction_without_acceleration() ? kDrivenHighPass_Hz : kHighPass_Hz;
+    const double corner_Hz = integrations > 1 ? kDoubleHighPass_Hz : once_Hz;
     const double shift = std::log2(1.0 / (2.0 * M_PI * corner_Hz * period_s_));
-    c_.high_pass_shift = static_cast<uint8_t>(std::clamp(static_cast<int>(std::lround(shift)), 7, 12));
+    c_.high_pass_shift =
+        static_cast<uint8_t>(std::clamp(static_cast<int>(std::lround(shift)), kLeastHighPassShift, kMostHighPassShift));
   }
 
   bool differentiates() const {
@@ -185,6 +189,21 @@ class Plan {
     }
     return false;
   }
+  bool driven() const {
+    bool force = c_.base_present;
+    for (int node = 0; node < c_.dof_count; ++node) force = force || c_.channels[node][kF].present;
+    return force;
+  }
+  // There the score tests take friction's sign from the velocity that has passed the high-pass.
+  bool friction_without_acceleration() const {
+    for (int t = 0; t < c_.term_count; ++t) {
+      if (!firmware::is_sign_term(c_.terms[t].kind)) continue;
+      const firmware::LinkConfiguration& link = c_.links[c_.terms[t].place];
+      for (const int node : {int{link.node_a}, int{link.node_b}})
+        if (node < c_.dof_count && !c_.signals[node][kA].available) return true;
+    }
+    return false;
+  }
   bool mass_needed(int node) const {
     for (int t = 0; t < c_.term_count; ++t)
       if (c_.terms[t].kind == firmware::TermKind::kMass && c_.terms[t].place == node) return true;
@@ -214,8 +233,8 @@ class Plan {
     }
     if (measured(kA)) {
       take(node, kA, kA);
-    } else if (!is_base && mass_needed(node) && !measured(kV)) {
-      take(node, kA, kX);
+    } else if (!is_base && mass_needed(node) && !(measured(kV) && measured(kX))) {
+      take(node, kA, measured(kV) ? kV : kX);
     }
   }
 
@@ -332,8 +351,10 @@ SignalRanges measure_ranges(const CoreConfiguration& configuration,
   CoreConfiguration planned = configuration;
   if (Plan(planned, ranges).differentiates()) {
     for (int node = 0; node < firmware::kMaxNodes; ++node)
-      ranges.wide_band = ranges.wide_band || (planned.channels[node][kX].present &&
-                                              moves_beyond_a_tenth(records, node, ranges.noise[node][kX]));
+      for (const int q : {kX, kV}) {
+        const bool told = planned.channels[node][q].present && (q == kX || planned.signals[node][kA].source == kV);
+        ranges.wide_band = ranges.wide_band || (told && moves_beyond_a_tenth(records, node, q, ranges.noise[node][q]));
+      }
     if (ranges.wide_band) plan_signals(planned, ranges);
   }
   for (int node = 0; node < firmware::kMaxNodes; ++node)

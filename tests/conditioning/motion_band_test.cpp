@@ -58,7 +58,7 @@ TEST(MotionBand, IsWideWhereAHundredthOfTheRatesPowerIsBeyondATenth) {
       record[n].code[0][1] = static_cast<int32_t>(
           std::lround(10000 * std::sin(2 * M_PI * 0.03 * t) + fast * std::sin(2 * M_PI * 0.2 * t) + noise(random)));
     }
-    EXPECT_EQ(rig_file::moves_beyond_a_tenth({record}, 0, {100.0, 0.0, 0.04, {}}), fast > 100) << fast;
+    EXPECT_EQ(rig_file::moves_beyond_a_tenth({record}, 0, 1, {100.0, 0.0, 0.04, {}}), fast > 100) << fast;
   }
 }
 
