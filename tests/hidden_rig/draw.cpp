@@ -188,6 +188,15 @@ class Attempt {
     return sum;
   }
 
+  // What the rig file leaves to be estimated it is not wrong about: the hidden mass or stiffness is part of what is found.
+  static double hidden_part(const TrueRig& rig, const char* kind, size_t dof_or_link) {
+    double sum = 0;
+    for (const TrueEffect& e : rig.effects)
+      if (e.kind == kind && static_cast<size_t>(e.kind == "mass_error" ? e.dof : e.link) == dof_or_link)
+        sum += e.strength;
+    return sum;
+  }
+
   void tell_truth(Draw& draw) const {
     const TrueRig& rig = draw.true_rig;
     const auto add = [&](const std::string& name, double value, bool viscous) {
@@ -197,14 +206,15 @@ class Attempt {
       draw.coefficients.push_back(t);
     };
     for (size_t i = 0; i < rig.mass_kg.size(); ++i)
-      if (draw.rig.dofs[i].mass_kg.estimate) add("mass[" + std::to_string(i + 1) + "]", rig.mass_kg[i], false);
+      if (draw.rig.dofs[i].mass_kg.estimate)
+        add("mass[" + std::to_string(i + 1) + "]", rig.mass_kg[i] + hidden_part(rig, "mass_error", i), false);
     size_t believed = 0;
     for (size_t l = 0; l < rig.links.size(); ++l) {
       const TrueLink& link = rig.links[l];
       if (link.absent) continue;
       const rig_file::Link& told = draw.rig.links[believed++];
       const std::string label = "[" + rig_file::link_label(told) + "]";
-      if (told.stiffness_N_m.estimate) add("stiffness" + label, link.k, false);
+      if (told.stiffness_N_m.estimate) add("stiffness" + label, link.k + hidden_part(rig, "stiffness_error", l), false);
       add("viscous" + label, link.c + drift_at_start(rig, l), true);
       if (told.coulomb_N.estimate) add("coulomb" + label, link.F, false);
     }
