@@ -122,7 +122,7 @@ bool ScoreTest::near_chance(const ProbeScore& score) const {
 void ScoreTest::keep_bends(int number) {
   const ProbeScore& score = score_[number];
   const bool one = kDerivesSignals && derives_rates(*configuration_);
-  if (!beyond(score, one ? Chance::kOfOneQuantity : Chance::kBearsOut, seen_root_)) return;
+  if (!beyond(score, one ? Chance::kOfOneQuantity : Chance::kOfDoubt, seen_root_)) return;
   if (pushes(*configuration_, sums_->plan(), sums_->plan().probe[number], score, parameter_)) return;
   for (int k = 0; k < unknowns_; ++k) {
     const Scaled possible = (abs(score.effect) + score.std) * abs(bend_[k]);

@@ -132,31 +132,6 @@ TEST(Warrant, TheCauseIsNamedWithItsSize) {
   }
 }
 
-// Quadratic damping of a twentieth to a seventh of the damping force, three to four deviations from chance, bends its damper by 5 % and
-// more. Four of these six records let the number out when a force counted from four deviations on.
-TEST(Warrant, AWeakDampingLawNearChanceMakesNoNumberValid) {
-  int bent = 0, wrong = 0;
-  for (const char* sensors : {"xva", "xa"})
-    for (uint64_t seed = 2450000; seed < 2450015; seed += 7) {
-      Settings settings;
-      settings.hidden = "quadratic_damping";
-      settings.condition = "rate_100Hz";
-      settings.sensors = sensors;
-      settings.rho_high = 0.15;
-      const hidden_rig::Draw draw = hidden_rig::make_draw(seed, settings);
-      const CoreRun run = run_core(draw);
-      wrong += valid_and_wrong(draw, run.core->estimates()) > 0;
-      for (int k = 0; k < run.core->estimates().unknown_count; ++k) {
-        const firmware::ParameterEstimate& p = run.core->estimates().parameters[k];
-        const double truth = draw.coefficients[static_cast<size_t>(k)].value,
-                     off = std::abs(to_double(p.value) - truth);
-        bent += off > 0.05 * std::abs(truth) && off > 4.0 * to_double(p.std);
-      }
-    }
-  EXPECT_GE(bent, 4);
-  EXPECT_EQ(wrong, 0);
-}
-
 // A mass or a stiffness that the rig file leaves to be estimated is found with what is hidden in it, and nothing is wrong.
 TEST(Warrant, WhatIsEstimatedHidesNothing) {
   for (const char* hidden : {"mass_error", "stiffness_error"}) {
