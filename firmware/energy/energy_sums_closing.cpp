@@ -74,8 +74,8 @@ Scaled EnergySums::energy(const Incidence& incidence, int weight) const {
   }
   if (incidence.sign < 0) result = -result;
   if (!any_shared_noise_) return result;
-  if (term.kind == TermKind::kViscous) result = result - shared_noise(incidence.dof, weight, Quantity::kVelocity);
-  if (term.kind == TermKind::kStiffness) result = result - shared_noise(incidence.dof, weight, Quantity::kDisplacement);
+  if (term.kind == TermKind::kViscous) result -= shared_noise(incidence.dof, weight, Quantity::kVelocity);
+  if (term.kind == TermKind::kStiffness) result -= shared_noise(incidence.dof, weight, Quantity::kDisplacement);
   return result;
 }
 

@@ -48,7 +48,10 @@ Scaled normalised(uint64_t value, int32_t exponent, bool negative) {
 
 Scaled Scaled::from_int(int64_t value, int32_t exponent) { return normalised(magnitude(value), exponent, value < 0); }
 
-Scaled Scaled::ratio(int64_t numerator, int64_t denominator) { return from_int(numerator) / from_int(denominator); }
+Scaled Scaled::of(int64_t value) { return from_int(value, 0); }
+Scaled Scaled::of(int32_t value) { return from_int(int64_t{value}, 0); }
+Scaled Scaled::ratio_of(int64_t numerator, int64_t denominator) { return of(numerator) / of(denominator); }
+Scaled Scaled::ratio_of(int32_t numerator, int32_t denominator) { return of(numerator) / of(denominator); }
 
 // Mantissas of 62 bits, larger_exponent - smaller_exponent = distance >= 0.
 #if UINTPTR_MAX > UINT32_MAX
@@ -166,6 +169,11 @@ Scaled operator/(const Scaled& a, const Scaled& b) {
   const uint64_t quotient = divide_fraction(numerator, magnitude(b.mantissa) << halve);
   return normalised(quotient, a.exponent - b.exponent - kMantissaBits + halve, negative);
 }
+
+void operator+=(Scaled& a, const Scaled& b) { a = a + b; }
+void operator-=(Scaled& a, const Scaled& b) { a = a - b; }
+void operator*=(Scaled& a, const Scaled& b) { a = a * b; }
+void operator/=(Scaled& a, const Scaled& b) { a = a / b; }
 
 Scaled sqrt(const Scaled& a) {
   report_work(kRootWork);

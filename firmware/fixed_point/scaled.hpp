@@ -8,6 +8,7 @@
 // The per-sample path never uses this type: it works on exact integer codes and products.
 #pragma once
 #include <cstdint>
+#include <type_traits>
 
 namespace firmware {
 
@@ -16,10 +17,29 @@ struct Scaled {
   int64_t mantissa = 0;
   int32_t exponent = 0;
 
-  static Scaled from_int(int64_t value, int32_t exponent = 0);  // value * 2^exponent
-  static Scaled ratio(int64_t numerator, int64_t denominator);  // denominator != 0
+  static Scaled from_int(int64_t value, int32_t exponent);  // value * 2^exponent
+  template <typename Whole>
+  static Scaled from_int(Whole value) {
+    return of(static_cast<Handed<Whole>>(value));
+  }
+  template <typename Numerator, typename Denominator>
+  static Scaled ratio(Numerator numerator, Denominator denominator) {  // denominator != 0
+    using Both = Handed<decltype(numerator + denominator)>;
+    return ratio_of(static_cast<Both>(numerator), static_cast<Both>(denominator));
+  }
   bool is_zero() const { return mantissa == 0; }
   bool is_negative() const { return mantissa < 0; }
+
+ private:
+  // Most numbers are small: to hand them over as such takes half the instructions.
+  template <typename Whole>
+  using Handed = std::conditional_t<sizeof(Whole) < sizeof(int32_t) ||
+                                        (sizeof(Whole) == sizeof(int32_t) && std::is_signed<Whole>::value),
+                                    int32_t, int64_t>;
+  static Scaled of(int64_t value);
+  static Scaled of(int32_t value);
+  static Scaled ratio_of(int64_t numerator, int64_t denominator);
+  static Scaled ratio_of(int32_t numerator, int32_t denominator);
 };
 #pragma pack(pop)
 
@@ -29,7 +49,12 @@ Scaled operator-(const Scaled& a);
 Scaled operator*(const Scaled& a, const Scaled& b);
 Scaled times(const Scaled& a, int64_t n);  // a * Scaled::from_int(n) with fewer steps; |n| < 2^62
 Scaled operator/(const Scaled& a,
-                 const Scaled& b);     // b == 0 gives the largest value with a's sign: callers test is_zero() first
+                 const Scaled& b);  // b == 0 gives the largest value with a's sign: callers test is_zero() first
+// In place, which takes fewer instructions than a = a + b where that is asked for.
+void operator+=(Scaled& a, const Scaled& b);
+void operator-=(Scaled& a, const Scaled& b);
+void operator*=(Scaled& a, const Scaled& b);
+void operator/=(Scaled& a, const Scaled& b);
 Scaled sqrt(const Scaled& a);          // a < 0 gives 0
 Scaled inverse_root(const Scaled& a);  // 1 / sqrt(a) to 2^-28 of itself, in a tenth of the steps; a <= 0 gives 0
 Scaled abs(const Scaled& a);

@@ -16,8 +16,8 @@ Scaled motion_frequency_Hz(const Level& level, int dofs) {
   Scaled motion, acceleration;
   for (int b = 0; b < level.batch_count; ++b)
     for (int i = 0; i < dofs; ++i) {
-      motion = motion + unpack(level.batch[b].dof[i].velocity_square);
-      acceleration = acceleration + unpack(level.batch[b].dof[i].acceleration_square);
+      motion += unpack(level.batch[b].dof[i].velocity_square);
+      acceleration += unpack(level.batch[b].dof[i].acceleration_square);
     }
   return motion.is_zero() ? motion : sqrt(acceleration / motion) / Scaled::ratio(710, 113);
 }

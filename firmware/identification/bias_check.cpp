@@ -38,12 +38,12 @@ void add_level(const EquationList& list, const NormalEquations& equations, int b
     for (int k = 0; k < list.unknown_count; ++k) moment[k] = unpack(check.moment[b][k]);
     equations.apply_covariance(moment, shift);
     for (int k = 0; k < list.unknown_count; ++k) {
-      sum[k] = sum[k] + shift[k];
-      squares[k] = squares[k] + shift[k] * shift[k];
+      sum[k] += shift[k];
+      squares[k] += shift[k] * shift[k];
     }
   }
   for (int k = 0; k < list.unknown_count; ++k) {
-    check.difference[k] = check.difference[k] + sum[k];
+    check.difference[k] += sum[k];
     const Scaled of_mean = sum[k] * sum[k] / Scaled::from_int(batches);
     check.deviation[k] =
         check.deviation[k] + (batches > 1 ? (squares[k] - of_mean) * Scaled::ratio(batches, batches - 1) : of_mean);

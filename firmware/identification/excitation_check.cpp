@@ -45,8 +45,8 @@ Work_J work_in(const EquationList& list, const BatchTable& table, const Level& l
   for (int b = 0; b < level.batch_count; ++b) {
     report_work(200 + 10 * table.layout.first[table.layout.dof_count]);
     const Scaled work = unit_work(table.layout, level.batch[b], weight, term.unknown);
-    total.sum = total.sum + work;
-    total.magnitude = total.magnitude + abs(work);
+    total.sum += work;
+    total.magnitude += abs(work);
   }
   return total;
 }
@@ -86,10 +86,10 @@ bool is_undetermined(const EquationList& list, const BatchTable& table, const Co
       if (other.unknown < 0 && !other.value.is_zero()) return false;
       if (other.unknown < 0) continue;
       Scaled work;
-      for (int l = 0; l < table.level_count; ++l) work = work + abs(work_in(list, table, table.level[l], other).sum);
+      for (int l = 0; l < table.level_count; ++l) work += abs(work_in(list, table, table.level[l], other).sum);
       if (other.unknown == unknown) own_work = work;
       const ParameterEstimate& parameter = estimates.parameters[other.unknown];
-      if (pass == 0 || !reaches_beyond(parameter, work, all)) known = known + abs(parameter.value) * work;
+      if (pass == 0 || !reaches_beyond(parameter, work, all)) known += abs(parameter.value) * work;
     }
     all = known;
   }

@@ -9,11 +9,11 @@ constexpr int kIterations =
 // vector divided by its norm; returns the norm.
 Scaled normalise(Scaled* vector, int size) {
   Scaled sum;
-  for (int k = 0; k < size; ++k) sum = sum + vector[k] * vector[k];
+  for (int k = 0; k < size; ++k) sum += vector[k] * vector[k];
   const Scaled norm = sqrt(sum);
   if (norm.is_zero()) return norm;
   const Scaled inverse = Scaled::from_int(1) / norm;
-  for (int k = 0; k < size; ++k) vector[k] = vector[k] * inverse;
+  for (int k = 0; k < size; ++k) vector[k] *= inverse;
   return norm;
 }
 
@@ -32,15 +32,15 @@ Scaled largest_singular_value(const NormalEquations& factor, const Scaled* norm)
   start_vector(factor, vector);
   normalise(vector, n);
   for (int turn = 0; turn < kIterations; ++turn) {
-    for (int j = 0; j < n; ++j) vector[j] = vector[j] * inverse[j];
+    for (int j = 0; j < n; ++j) vector[j] *= inverse[j];
     for (int i = 0; i < n; ++i) {
       middle[i] = Scaled{};
-      for (int j = i; j < n; ++j) middle[i] = middle[i] + factor.factor(i, j) * vector[j];
+      for (int j = i; j < n; ++j) middle[i] += factor.factor(i, j) * vector[j];
     }
     for (int j = 0; j < n; ++j) {
       vector[j] = Scaled{};
-      for (int i = 0; i <= j; ++i) vector[j] = vector[j] + factor.factor(i, j) * middle[i];
-      vector[j] = vector[j] * inverse[j];
+      for (int i = 0; i <= j; ++i) vector[j] += factor.factor(i, j) * middle[i];
+      vector[j] *= inverse[j];
     }
     square = normalise(vector, n);
   }
@@ -56,7 +56,7 @@ Scaled smallest_singular_value(const NormalEquations& factor, const Scaled* norm
   for (int turn = 0; turn < kIterations; ++turn) {
     for (int k = 0; k < n; ++k) scaled[k] = vector[k] * norm[k];
     factor.apply_covariance(scaled, vector);
-    for (int k = 0; k < n; ++k) vector[k] = vector[k] * norm[k];
+    for (int k = 0; k < n; ++k) vector[k] *= norm[k];
     square = normalise(vector, n);
   }
   return square.is_zero() ? square : Scaled::from_int(1) / sqrt(square);
@@ -82,11 +82,11 @@ void judge_identifiability(NormalEquations& factor, const Scaled* parameters, Id
   for (int k = 0; k < n; ++k) {
     Scaled& entry = result.unresolved[k];
     if (norm[k].is_zero() || parameters[k].is_zero()) entry = Scaled{};
-    if (!entry.is_zero()) entry = entry / (norm[k] * abs(parameters[k]));
+    if (!entry.is_zero()) entry /= norm[k] * abs(parameters[k]);
     if (abs(entry) > abs(top)) top = entry;
   }
   for (int k = 0; k < n; ++k)
-    if (!top.is_zero()) result.unresolved[k] = result.unresolved[k] / top;
+    if (!top.is_zero()) result.unresolved[k] /= top;
 }
 
 }  // namespace firmware

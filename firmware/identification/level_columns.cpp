@@ -7,14 +7,14 @@ constexpr int kSystematicDeviations = 4;  // a control variate whose mean is thi
 
 void remove_mean(Scaled* values, int count) {
   Scaled sum;
-  for (int b = 0; b < count; ++b) sum = sum + values[b];
+  for (int b = 0; b < count; ++b) sum += values[b];
   const Scaled mean = sum / Scaled::from_int(count);
-  for (int b = 0; b < count; ++b) values[b] = values[b] - mean;
+  for (int b = 0; b < count; ++b) values[b] -= mean;
 }
 
 Scaled sum_of_squares(const Scaled* values, int count) {
   Scaled sum;
-  for (int b = 0; b < count; ++b) sum = sum + values[b] * values[b];
+  for (int b = 0; b < count; ++b) sum += values[b] * values[b];
   return sum;
 }
 
@@ -72,7 +72,7 @@ void LevelColumns::load_control(int dof, int which) {
     number_[b] = level_->periodic ? value : value * inverse_scale_[b][dof];
     if (!level_->periodic) continue;
     other_[b] = value + ends;
-    total_[c] = total_[c] + value;
+    total_[c] += value;
   }
   if (level_->periodic && n > 1 && which != 2) {
     remove_mean(number_, n);
@@ -92,7 +92,7 @@ void LevelColumns::judge_control(int c) {
   Scaled sum, squares = square(c);
   if (level_->periodic) {
     sum = total_[c];
-    squares = squares + end_variance_[c];
+    squares += end_variance_[c];
   } else {
     int64_t whole = 0;
     for (int b = 0; b < batch_count(); ++b) whole += value_[c][b];
@@ -110,16 +110,16 @@ void LevelColumns::load_equation(int e, const Scaled* parameters) {
     for (int b = 0; b < n; ++b) number_[b] = scaled(b, equation.dof, unpack(level_->batch[b].column[q][k]));
     round(term(e, k));
     const Scaled& p = parameters[unknown_of(k)];
-    energy_square_[e] = energy_square_[e] + square(term(e, k)) * (p * p);
+    energy_square_[e] += square(term(e, k)) * (p * p);
   }
   for (int b = 0; b < n; ++b) number_[b] = scaled(b, equation.dof, unpack(level_->batch[b].dof[equation.dof].rhs[q]));
   round(residual(e));  // for its square alone
-  energy_square_[e] = energy_square_[e] + square(residual(e));
+  energy_square_[e] += square(residual(e));
   Scaled& total = total_[residual(e)];
   total = Scaled{};
   for (int b = 0; b < n; ++b) {
     number_[b] = scaled(b, equation.dof, batch_residual(*layout_, level_->batch[b], equation, parameters));
-    if (level_->periodic) total = total + number_[b];
+    if (level_->periodic) total += number_[b];
   }
   if (level_->periodic && n > 1) remove_mean(number_, n);
   round(residual(e));

@@ -47,7 +47,7 @@ void add_equation(const EquationList& list, const LevelColumns& level, const Whi
     const Scaled weight = Scaled::from_int(1) / (whitening.deviation * whitening.deviation);
     for (int j = 0; j < rows.unknowns; ++j) {
       Scaled& sum = moment[rows.unknown[j]];
-      sum = sum + dot(rows.column(j), change, level.batch_count()) * weight;
+      sum += dot(rows.column(j), change, level.batch_count()) * weight;
     }
     return;
   }
@@ -56,7 +56,7 @@ void add_equation(const EquationList& list, const LevelColumns& level, const Whi
   int64_t total = 0;
   for (int b = 0; b < level.batch_count(); ++b) total += change.value[b];
   const Scaled whitened = Scaled::from_int(total, change.exponent) / whitening.deviation;
-  for (int k = 0; k < list.unknown_count; ++k) moment[k] = moment[k] + row.column[k] * whitened;
+  for (int k = 0; k < list.unknown_count; ++k) moment[k] += row.column[k] * whitened;
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ void NormalEquations::clear_right_side() {
 
 void NormalEquations::add_product(int i, int j, const Scaled& sum) {
   Scaled& place = factor_[i < j ? at(i, j) : at(j, i)];
-  place = place + sum;
+  place += sum;
 }
 
 void NormalEquations::add(const Row& row) {
@@ -41,7 +41,7 @@ void NormalEquations::factorise() {
       Scaled sum = whole;
       for (int k = 0; k < row; ++k) {
         const Scaled &a = factor_[at(k, row)], &b = factor_[at(k, column)];
-        if (!a.is_zero() && !b.is_zero()) sum = sum - a * b;
+        if (!a.is_zero() && !b.is_zero()) sum -= a * b;
       }
       const Scaled& diagonal = factor_[at(row, row)];
       if (row < column)
@@ -55,20 +55,20 @@ void NormalEquations::factorise() {
 void NormalEquations::substitute() {
   for (int column = 0; column < unknowns_; ++column) {
     Scaled sum = moment_[column];
-    for (int k = 0; k < column; ++k) sum = sum - factor_[at(k, column)] * moment_[k];
+    for (int k = 0; k < column; ++k) sum -= factor_[at(k, column)] * moment_[k];
     moment_[column] = determined(column) ? sum / factor_[at(column, column)] : Scaled{};
   }
 }
 
 Scaled NormalEquations::residual_square() const {
   Scaled left = square_;
-  for (int k = 0; k < unknowns_; ++k) left = left - moment_[k] * moment_[k];
+  for (int k = 0; k < unknowns_; ++k) left -= moment_[k] * moment_[k];
   return left.is_negative() ? Scaled{} : left;
 }
 
 Scaled NormalEquations::column_norm(int column) const {
   Scaled sum;
-  for (int i = 0; i <= column; ++i) sum = sum + factor_[at(i, column)] * factor_[at(i, column)];
+  for (int i = 0; i <= column; ++i) sum += factor_[at(i, column)] * factor_[at(i, column)];
   return sqrt(sum);
 }
 
@@ -77,7 +77,7 @@ void NormalEquations::solve(Scaled* parameters) const {
     parameters[k] = Scaled{};
     if (!determined(k)) continue;
     Scaled sum = moment_[k];
-    for (int j = k + 1; j < unknowns_; ++j) sum = sum - factor_[at(k, j)] * parameters[j];
+    for (int j = k + 1; j < unknowns_; ++j) sum -= factor_[at(k, j)] * parameters[j];
     parameters[k] = sum / factor_[at(k, k)];
   }
 }
@@ -93,14 +93,14 @@ void NormalEquations::invert() {
     for (int row = column - 1; row >= 0; --row) {
       if (!determined(row)) continue;
       Scaled sum;
-      for (int j = row + 1; j <= column; ++j) sum = sum - factor_[at(row, j)] * x[at(j, column)];
+      for (int j = row + 1; j <= column; ++j) sum -= factor_[at(row, j)] * x[at(j, column)];
       x[at(row, column)] = sum / factor_[at(row, row)];
     }
   }
   for (int i = 0; i < unknowns_; ++i)
     for (int j = i; j < unknowns_; ++j) {
       Scaled sum;
-      for (int k = j; k < unknowns_; ++k) sum = sum + x[at(i, k)] * x[at(j, k)];
+      for (int k = j; k < unknowns_; ++k) sum += x[at(i, k)] * x[at(j, k)];
       x[at(i, j)] = sum;
     }
 }
@@ -109,7 +109,7 @@ void NormalEquations::apply_covariance(const Scaled* vector, Scaled* result) con
   for (int i = 0; i < unknowns_; ++i) {
     result[i] = Scaled{};
     for (int j = 0; j < unknowns_; ++j)
-      if (!vector[j].is_zero()) result[i] = result[i] + covariance(i, j) * vector[j];
+      if (!vector[j].is_zero()) result[i] += covariance(i, j) * vector[j];
   }
 }
 

@@ -8,14 +8,14 @@ void add_row(const EquationList& list, const Row& row, const Scaled* p, const Sc
   Scaled energy, right_side = row.rhs;
   for (int k = 0; k < list.unknown_count; ++k) {
     const Scaled term = row.column[k] * p[k];
-    energy = energy + term * term;
-    right_side = right_side + term;
+    energy += term * term;
+    right_side += term;
   }
-  energy = energy + right_side * right_side;
+  energy += right_side * right_side;
   if (energy.is_zero()) return;
   const Scaled noise = row.rhs * row.rhs / energy * weight;
   for (int k = 0; k < list.unknown_count; ++k)
-    if (!row.column[k].is_zero()) pull[k] = pull[k] + row.column[k] * row.column[k] * p[k] * noise;
+    if (!row.column[k].is_zero()) pull[k] += row.column[k] * row.column[k] * p[k] * noise;
 }
 
 void add_equation(const EquationList& list, const LevelColumns& level, const Whitening& whitening, int e,
@@ -50,9 +50,9 @@ void take_out_regressor_noise(const EquationList& list, const BatchTable& table,
   for (int k = 0; k < list.unknown_count; ++k) {
     ParameterEstimate& parameter = estimates.parameters[k];
     if (scale_by_power_of_two(abs(shift[k]), 2) < parameter.std) continue;  // less than 3 % of the interval
-    parameter.value = parameter.value + shift[k];
-    parameter.ci95_low = parameter.ci95_low + shift[k];
-    parameter.ci95_high = parameter.ci95_high + shift[k];
+    parameter.value += shift[k];
+    parameter.ci95_low += shift[k];
+    parameter.ci95_high += shift[k];
     widen(parameter, shift[k]);
   }
 }

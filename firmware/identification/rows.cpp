@@ -64,16 +64,16 @@ void add_batch_row(const RowLayout& layout, const Batch& batch, Equation equatio
   const int q = static_cast<int>(equation.weight);
   for (int n = layout.first[equation.dof]; n < layout.first[equation.dof + 1]; ++n) {
     Scaled& column = row.column[layout.unknown[n]];
-    column = column + factor * unpack(batch.column[q][n]);
+    column += factor * unpack(batch.column[q][n]);
   }
-  row.rhs = row.rhs + factor * unpack(batch.dof[equation.dof].rhs[q]);
+  row.rhs += factor * unpack(batch.dof[equation.dof].rhs[q]);
 }
 
 Scaled batch_residual(const RowLayout& layout, const Batch& batch, Equation equation, const Scaled* parameters) {
   const int q = static_cast<int>(equation.weight);
   Scaled residual = unpack(batch.dof[equation.dof].rhs[q]);
   for (int n = layout.first[equation.dof]; n < layout.first[equation.dof + 1]; ++n)
-    residual = residual - unpack(batch.column[q][n]) * parameters[layout.unknown[n]];
+    residual -= unpack(batch.column[q][n]) * parameters[layout.unknown[n]];
   return residual;
 }
 

@@ -27,8 +27,8 @@ Scaled scatter(const Level& level, int dof, int weight, bool acceleration, Scale
   for (int b = 0; b < level.batch_count; ++b) {
     const Sample sample = read(level.batch[b].dof[dof], weight, acceleration);
     const Scaled rest = sample.discrepancy + (ends ? sample.ends : Scaled{}) - tau * sample.energy;
-    sum = sum + rest;
-    squares = squares + rest * rest;
+    sum += rest;
+    squares += rest * rest;
   }
   return squares - sum * sum / Scaled::from_int(level.batch_count);
 }
@@ -37,9 +37,9 @@ void add_level(const Level& level, int dof, int weight, bool acceleration, Regre
   Scaled discrepancy, energy, energy_square;
   for (int b = 0; b < level.batch_count; ++b) {
     const Sample sample = read(level.batch[b].dof[dof], weight, acceleration);
-    discrepancy = discrepancy + sample.discrepancy;
-    energy = energy + sample.energy;
-    energy_square = energy_square + sample.energy * sample.energy;
+    discrepancy += sample.discrepancy;
+    energy += sample.energy;
+    energy_square += sample.energy * sample.energy;
   }
   if (level.batch_count < 3 || discrepancy.is_zero() || energy <= Scaled{}) return;
   const Scaled tau = discrepancy / energy;
@@ -52,12 +52,12 @@ void add_level(const Level& level, int dof, int weight, bool acceleration, Regre
   // Where few batches carry the motion, the fitted tau takes most of their scatter with it.
   const Scaled count = energy * energy / energy_square, spare = count - Scaled::from_int(1);
   if (spare <= Scaled::ratio(1, 4)) return;
-  regression.freedom = regression.freedom + spare;
+  regression.freedom += spare;
   const Scaled variance = squares * count / spare / (energy * energy);
   const Scaled rounding = scale_by_power_of_two(tau * tau, -40);
   const Scaled weight_of_level = Scaled::from_int(1) / (variance > rounding ? variance : rounding);
-  regression.weight = regression.weight + weight_of_level;
-  regression.weighted = regression.weighted + weight_of_level * tau;
+  regression.weight += weight_of_level;
+  regression.weighted += weight_of_level * tau;
 }
 
 // A friction force that changes sign inside a sample interval, at the same place of every cycle, imitates a late
@@ -92,15 +92,15 @@ Scaled imitated_damping(const CoreConfiguration& configuration, const BatchTable
     if (term.kind == TermKind::kMass && term.place == dof) mass = coefficient(term, estimates);
     if (term.kind != TermKind::kStiffness) continue;
     const LinkConfiguration& link = configuration.links[term.place];
-    if (link.node_a == dof || link.node_b == dof) stiffness = stiffness + coefficient(term, estimates);
+    if (link.node_a == dof || link.node_b == dof) stiffness += coefficient(term, estimates);
   }
   for (int l = 0; l < table.level_count; ++l)
     for (int b = 0; b < table.level[l].batch_count; ++b) {
-      motion = motion + unpack(table.level[l].batch[b].dof[dof].velocity_square);
-      acceleration = acceleration + unpack(table.level[l].batch[b].dof[dof].acceleration_square);
+      motion += unpack(table.level[l].batch[b].dof[dof].velocity_square);
+      acceleration += unpack(table.level[l].batch[b].dof[dof].acceleration_square);
     }
   Scaled damping = abs(stiffness) * skews.displacement[dof];
-  if (!motion.is_zero()) damping = damping + abs(mass) * skews.acceleration[dof] * acceleration / motion;
+  if (!motion.is_zero()) damping += abs(mass) * skews.acceleration[dof] * acceleration / motion;
   return damping;
 }
 
@@ -108,7 +108,7 @@ Scaled motion_of(const BatchTable& table, int dof) {
   Scaled motion;
   for (int l = 0; l < table.level_count; ++l)
     for (int b = 0; b < table.level[l].batch_count; ++b)
-      motion = motion + unpack(table.level[l].batch[b].dof[dof].velocity_square);
+      motion += unpack(table.level[l].batch[b].dof[dof].velocity_square);
   return motion;
 }
 
@@ -124,7 +124,7 @@ Scaled work_of_neighbours(const CoreConfiguration& configuration, const BatchTab
     const int other = link.node_a == dof ? link.node_b : link.node_a;
     if (other >= configuration.dof_count || skews.displacement[other].is_zero()) continue;
     const Scaled damping = abs(coefficient(term, estimates)) * skews.displacement[other];
-    work = work + damping * sqrt(motion_of(table, dof) * motion_of(table, other));
+    work += damping * sqrt(motion_of(table, dof) * motion_of(table, other));
   }
   return work;
 }
@@ -147,7 +147,7 @@ Scaled bend_of_skews(const EquationList& list, const BatchTable& table, const Co
     for (int l = 0; l < table.level_count; ++l)
       for (int b = 0; b < table.level[l].batch_count; ++b) {
         const Batch& batch = table.level[l].batch[b];
-        motion = motion + unpack(batch.dof[i].velocity_square);
+        motion += unpack(batch.dof[i].velocity_square);
         report_work(10 * (table.layout.first[i + 1] - table.layout.first[i]));
         for (int n = table.layout.first[i]; n < table.layout.first[i + 1]; ++n)
           if (table.layout.unknown[n] == unknown)

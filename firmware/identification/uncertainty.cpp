@@ -11,14 +11,14 @@ constexpr int kRepeatedErrorLog2 = -20;
 constexpr int kLeastLevels = 3;  // that show a scatter of their own
 
 void add_share(const Scaled& part, const Scaled& freedom, int k, UncertaintySums& sums) {
-  sums.variance[k] = sums.variance[k] + part;
-  sums.variance_per_freedom[k] = sums.variance_per_freedom[k] + part / freedom;
-  sums.variance_square_per_freedom[k] = sums.variance_square_per_freedom[k] + part * part / freedom;
+  sums.variance[k] += part;
+  sums.variance_per_freedom[k] += part / freedom;
+  sums.variance_square_per_freedom[k] += part * part / freedom;
 }
 
 void add_relative(const Scaled& residual, const Scaled& right_side, UncertaintySums& sums) {
   if (right_side.is_zero()) return;
-  sums.relative_residuals = sums.relative_residuals + abs(residual / right_side);
+  sums.relative_residuals += abs(residual / right_side);
   ++sums.relative_rows;
 }
 
@@ -29,8 +29,8 @@ void add_level_row(const WeightedFit& fit, const Whitening& whitening, const Row
   const Scaled freedom = Scaled::from_int(whitening.freedom > 0 ? whitening.freedom : 1);
   fit.equations().apply_covariance(row.column, gain);
   for (int k = 0; k < unknowns; ++k) {
-    right_side = right_side + row.column[k] * fit.parameters()[k];
-    sums.pull[k] = sums.pull[k] + gain[k] * row.rhs;
+    right_side += row.column[k] * fit.parameters()[k];
+    sums.pull[k] += gain[k] * row.rhs;
     add_share(gain[k] * gain[k] * whitening.inflation, freedom, k, sums);
   }
   add_relative(row.rhs, right_side, sums);
@@ -48,8 +48,8 @@ void add_rows(const WeightedFit& fit, const Whitening& whitening, ReducedRows& r
     const WholeColumn gain = rows.combine(factor, batches);
     share[k] = dot(gain, gain, batches) * weight;
     for (int j = 0; j < rows.unknowns; ++j)
-      if (rows.unknown[j] == k) fitted = fitted + dot(gain, rows.column(j), batches) * weight;
-    sums.pull[k] = sums.pull[k] + dot(gain, rows.residual(), batches) * weight;
+      if (rows.unknown[j] == k) fitted += dot(gain, rows.column(j), batches) * weight;
+    sums.pull[k] += dot(gain, rows.residual(), batches) * weight;
   }
   const Scaled before = Scaled::from_int(whitening.freedom > 0 ? whitening.freedom : 1), least = Scaled::from_int(1);
   const Scaled freedom = before < fitted + least ? least : before - fitted;
@@ -97,7 +97,7 @@ void report(const EquationList& list, const WeightedFit& fit, const UncertaintyS
     if (measured && !sums.variance_square_per_freedom[k].is_zero()) {
       freedom = variance * variance / sums.variance_square_per_freedom[k];
       const Scaled chosen = sums.variance_per_freedom[k] / variance - Scaled::from_int(1) / freedom;
-      if (Scaled{} < chosen) of_weights = of_weights + scale_by_power_of_two(chosen, 2);
+      if (Scaled{} < chosen) of_weights += scale_by_power_of_two(chosen, 2);
     }
     // No variance: no row tells it.
     parameter.std = variance.is_zero() ? Scaled{} : sqrt(variance * factor * of_weights + repeated * repeated);
@@ -133,7 +133,7 @@ void add_uncertainty(const EquationList& list, const LevelColumns& level, int l,
   sums.periodic = sums.periodic && level.periodic();
   for (int e = 0; e < list.count; ++e) add_equation(list, level, fit.whitening(l, e), e, fit, sums);
   for (int k = 0; k < list.unknown_count; ++k) {
-    sums.pull_square[k] = sums.pull_square[k] + sums.pull[k] * sums.pull[k];
+    sums.pull_square[k] += sums.pull[k] * sums.pull[k];
     sums.pull[k] = Scaled{};
   }
   if (level.batch_count() > 0) ++sums.levels;

@@ -10,7 +10,7 @@ Scaled column_square(const BatchTable& table, Weight weight, int n) {
   for (int l = 0; l < table.level_count; ++l)
     for (int b = 0; b < table.level[l].batch_count; ++b) {
       const Scaled value = unpack(table.level[l].batch[b].column[static_cast<int>(weight)][n]);
-      sum = sum + value * value;
+      sum += value * value;
     }
   return sum;
 }
@@ -61,11 +61,11 @@ void WeightedFit::measure_level(int l) {
   for (int e = 0; e < list_->count; ++e) {
     Whitening& whitening = whitening_[l][e] = measure_whitening(*list_, level_, e);
     if (!whitening.measured) continue;
-    noise_sum_ = noise_sum_ + whitening.relative_noise_square;
+    noise_sum_ += whitening.relative_noise_square;
     ++noise_count_;
     const Scaled motion = motion_of(list_->equation[e].dof);
     if (motion.is_zero()) continue;
-    deviation_sum_[e] = deviation_sum_[e] + whitening.deviation * whitening.deviation / motion;
+    deviation_sum_[e] += whitening.deviation * whitening.deviation / motion;
     ++deviation_count_[e];
   }
 }
@@ -120,7 +120,7 @@ void WeightedFit::end_pass() {
   equations_.substitute();
   Scaled change[kMaxUnknowns];
   equations_.solve(change);
-  for (int k = 0; k < list_->unknown_count; ++k) parameters_[k] = parameters_[k] + change[k];
+  for (int k = 0; k < list_->unknown_count; ++k) parameters_[k] += change[k];
 }
 
 void WeightedFit::start_pass(bool new_equations) {

@@ -34,7 +34,7 @@ void gram(const LevelColumns& level, const uint8_t* observable, int size, Scaled
   for (int r = 0; r < size; ++r)
     for (int c = 0; c <= r; ++c) {
       sums[r][c] = level.product(observable[r], observable[c]);
-      if (r == c && observable[r] < kMaxControls) sums[r][c] = sums[r][c] + level.end_variance(observable[r]);
+      if (r == c && observable[r] < kMaxControls) sums[r][c] += level.end_variance(observable[r]);
     }
 }
 
@@ -47,7 +47,7 @@ Scaled regress(Scaled (*sums)[kSize], int predecessors, Scaled* coefficient) {
     for (int c = 0; c <= r; ++c) {
       Scaled sum = sums[r][c];
       for (int k = 0; k < c; ++k)
-        if (kept[k]) sum = sum - sums[r][k] * sums[c][k];
+        if (kept[k]) sum -= sums[r][k] * sums[c][k];
       if (c < r) {
         sums[r][c] = kept[c] ? sum / sums[c][c] : Scaled{};
       } else if (r < predecessors) {
@@ -62,7 +62,7 @@ Scaled regress(Scaled (*sums)[kSize], int predecessors, Scaled* coefficient) {
     coefficient[k] = Scaled{};
     if (!kept[k]) continue;  // NOLINT(clang-analyzer-core.uninitialized.Branch): written above for every row
     Scaled sum = sums[predecessors][k];
-    for (int j = k + 1; j < predecessors; ++j) sum = sum - sums[j][k] * coefficient[j];
+    for (int j = k + 1; j < predecessors; ++j) sum -= sums[j][k] * coefficient[j];
     coefficient[k] = sum / sums[k][k];
   }
   return sums[predecessors][predecessors];
@@ -203,14 +203,14 @@ bool whitened_level_row(const EquationList& list, const LevelColumns& level, con
   for (int j = 0; j < whitening.count; ++j) {
     const int observable = whitening.observable[j];
     const Scaled factor = whitening.coefficient[j];
-    row.rhs = row.rhs - factor * level.total(observable);
+    row.rhs -= factor * level.total(observable);
     if (observable < kMaxControls) continue;
     Row other;
     level.level_row(observable - kMaxControls, other);
-    for (int k = 0; k < list.unknown_count; ++k) row.column[k] = row.column[k] - factor * other.column[k];
+    for (int k = 0; k < list.unknown_count; ++k) row.column[k] -= factor * other.column[k];
   }
-  for (int k = 0; k < list.unknown_count; ++k) row.column[k] = row.column[k] / whitening.deviation;
-  row.rhs = row.rhs / whitening.deviation;
+  for (int k = 0; k < list.unknown_count; ++k) row.column[k] /= whitening.deviation;
+  row.rhs /= whitening.deviation;
   return true;
 }
 

@@ -16,7 +16,7 @@ Scaled KnownForce::scale(int dof, const Scaled* column_unit, bool has_force, int
   Scaled most = has_force ? Scaled::from_int(1, force_exponent) : Scaled{};
   for (int s = 0; s < shares_; ++s)
     if (share_[s].dof == dof)
-      most = most + abs(coefficient_[s]) * column_unit[share_[s].column] * Scaled::from_int(1, kDifferenceFraction + 1);
+      most += abs(coefficient_[s]) * column_unit[share_[s].column] * Scaled::from_int(1, kDifferenceFraction + 1);
   if (most.is_zero()) most = Scaled::from_int(1);
   const Scaled unit = Scaled::from_int(1, log2_floor(most) + 1 - kKnownFraction);
   for (int s = 0; s < shares_; ++s) {

@@ -40,14 +40,14 @@ void ScoreTest::weigh_level(const Place& place, int level, int number) {
   Scaled own;
   for (int s = from; s < to; ++s, report_work(100)) {
     own = own + abs(sums_->table().value(s, sums_->plan().own_value(*probe_)));
-    a = a + square(psi_[s]);
+    a += square(psi_[s]);
     if (place.equations == 1) continue;
-    b = b + psi_[s] * d_[s];
-    c = c + square(d_[s]);
+    b += psi_[s] * d_[s];
+    c += square(d_[s]);
   }
   own = own * unit_[sums_->plan().own_value(*probe_) - probe_->first_value];
-  a = a + scale_by_power_of_two(a, -6);
-  c = c + scale_by_power_of_two(c, -6);
+  a += scale_by_power_of_two(a, -6);
+  c += scale_by_power_of_two(c, -6);
   Scaled* g = weight_[number][level];
   const Scaled covariance[] = {a, c};
   if (place.equations == 1 || b.is_zero() || a.is_zero() || c.is_zero()) {
@@ -76,7 +76,7 @@ void ScoreTest::add_base(const Probe& probe) {
       base_score_[s][row] = short_scaled(score_sum_.of(sums_->table(), s));
     for (int k = 0; k < place_->columns; ++k) {
       Scaled& entry = normal_[row][place_->unknown[k]];
-      if (!column_weight_[k].is_zero()) entry = entry + column_weight_[k] * column_total(level, k);
+      if (!column_weight_[k].is_zero()) entry += column_weight_[k] * column_total(level, k);
     }
   }
   base_doubt_[row] = doubtful_score();
@@ -111,21 +111,21 @@ void ScoreTest::invert() {
     }
     const Scaled by = Scaled::from_int(1) / normal_[pivot][pivot];
     for (int j = 0; j < n; ++j) {
-      normal_[pivot][j] = normal_[pivot][j] * by;
-      inverse_[pivot][j] = inverse_[pivot][j] * by;
+      normal_[pivot][j] *= by;
+      inverse_[pivot][j] *= by;
     }
     for (int i = 0; i < n; ++i) {
       if (i == pivot || normal_[i][pivot].is_zero()) continue;
       const Scaled factor = normal_[i][pivot];
       for (int j = 0; j < n; ++j) {
-        normal_[i][j] = normal_[i][j] - factor * normal_[pivot][j];
-        inverse_[i][j] = inverse_[i][j] - factor * inverse_[pivot][j];
+        normal_[i][j] -= factor * normal_[pivot][j];
+        inverse_[i][j] -= factor * inverse_[pivot][j];
       }
     }
   }
   for (int i = 0; i < n; ++i)
     for (int j = 0; j < n; ++j)
-      if (!inverse_[i][j].is_zero()) inverse_[i][j] = inverse_[i][j] / (scale[i] * scale[j]);
+      if (!inverse_[i][j].is_zero()) inverse_[i][j] /= scale[i] * scale[j];
 }
 
 // Scores of the estimated terms at parameter_, and the inverse of their matrix.
@@ -150,7 +150,7 @@ Scaled ScoreTest::step_of(int unknown, Scaled* share) const {
   for (int s = 0; s < stretches_; ++s, report_work(200 + 100 * unknowns_)) {
     share[s] = sum_of_products(
         unknowns_, [&](int j) { return inverse[j]; }, [&](int j) { return base_score_[s][j]; });
-    step = step + share[s];
+    step += share[s];
   }
   return step;
 }
@@ -166,13 +166,13 @@ void ScoreTest::measure_step(Scaled* step) {
     Scaled squares, fourths;
     for (int s = 0; s < stretches_; ++s, report_work(150)) {
       const Scaled one = square(left_[s] - mean);
-      squares = squares + one;
-      fourths = fourths + square(one);
+      squares += one;
+      fourths += square(one);
     }
     difference_std_[k] = sqrt(squares);
     const Scaled stretches = quotient(Scaled::from_int(3) * square(squares), fourths);
     difference_tenths_[k] = static_cast<uint16_t>(tenths_of_limit(stretches - Scaled::from_int(1), Chance::kOfDoubt));
-    for (int j = 0; j < unknowns_; ++j) difference_doubt_[k] = difference_doubt_[k] + inverse_[k][j] * base_doubt_[j];
+    for (int j = 0; j < unknowns_; ++j) difference_doubt_[k] += inverse_[k][j] * base_doubt_[j];
     difference_doubt_[k] = abs(difference_doubt_[k]);
   }
 }
@@ -186,7 +186,7 @@ void ScoreTest::settle(const Estimates& estimates) {
   measure_step(difference_);
   for (int k = 0; k < unknowns_; ++k)
     if (difference_std_[k] > estimates.parameters[k].std * Scaled::from_int(kLeastCertain)) return;
-  for (int k = 0; k < unknowns_; ++k) parameter_[k] = parameter_[k] + difference_[k];
+  for (int k = 0; k < unknowns_; ++k) parameter_[k] += difference_[k];
   find_base();
   measure_step(none);
 }

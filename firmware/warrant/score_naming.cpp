@@ -155,7 +155,7 @@ Scaled ScoreTest::terms_square(int number, bool own) const {
     for (int j = 0; j < plan.summed_count; ++j, report_work(20)) {
       const Place& at = plan.place[plan.probe[j].place];
       if (plan.probe[j].form == form && at.kind == PlaceKind::kLink && at.link == term.place)
-        sum = sum + square(value) * abs(own_square_[j]);
+        sum += square(value) * abs(own_square_[j]);
     }
   }
   return sum;

@@ -22,8 +22,8 @@ void ScoreTest::take_level(int level) {
     Scaled& sum = column_weight_[k] = Scaled{};
     for (int e = 0; e < place_->equations; ++e) {
       const Scaled& g = weight_[probe_->place][level][e];
-      if (place_->column_sign[k][e] > 0) sum = sum + g;
-      if (place_->column_sign[k][e] < 0) sum = sum - g;
+      if (place_->column_sign[k][e] > 0) sum += g;
+      if (place_->column_sign[k][e] < 0) sum -= g;
     }
   }
 }
@@ -36,7 +36,7 @@ void ScoreTest::add_sums(Combination<kMostProbeSums>& combination, const Scaled*
   for (int slope = 0; slope < shared_slopes(); ++slope) {
     Scaled noise;
     for (int v = 0; v < sums; ++v)
-      if (!factor[v].is_zero() && !noise_[slope][v].is_zero()) noise = noise - factor[v] * noise_[slope][v];
+      if (!factor[v].is_zero() && !noise_[slope][v].is_zero()) noise -= factor[v] * noise_[slope][v];
     combination.add(probe_->first_value + sums + 1 + slope, noise * unit_[sums + 1 + slope]);
   }
 }
@@ -48,8 +48,8 @@ void ScoreTest::add_scores(Combination<kMostProbeSums>& combination, const Scale
   for (int k = 0; k < place_->columns; ++k, report_work(250)) {
     Scaled taken;
     for (int e = 0; e < place_->equations; ++e) {
-      if (place_->column_sign[k][e] > 0) taken = taken - g[e];
-      if (place_->column_sign[k][e] < 0) taken = taken + g[e];
+      if (place_->column_sign[k][e] > 0) taken -= g[e];
+      if (place_->column_sign[k][e] < 0) taken += g[e];
     }
     if (!taken.is_zero()) factor[place_->equations + k] = taken * parameter_[place_->unknown[k]];
   }
@@ -89,7 +89,7 @@ Scaled ScoreTest::column_total(int level, int column) const {
   for (int slope = 0; slope < shared_slopes(); ++slope) {
     if (noise_[slope][value].is_zero()) continue;
     const int at = place_->equations + place_->columns + 1 + slope;
-    sum = sum - total(level, at, 1) * unit_[at] * noise_[slope][value];
+    sum -= total(level, at, 1) * unit_[at] * noise_[slope][value];
   }
   return sum;
 }
@@ -106,14 +106,14 @@ Scaled ScoreTest::doubtful_score() {
       const Scaled noise = sums_->noise_share(*probe_, slope, v, SharedNoise::Of::kDoubtful) * unit_[at];
       if (noise.is_zero()) continue;
       if (v < place.equations) {
-        share[v] = share[v] + noise;
+        share[v] += noise;
         continue;
       }
       const int k = v - place.equations;
       const Scaled part = parameter_[place.unknown[k]] * noise;
       for (int e = 0; e < place.equations; ++e) {
-        if (place.column_sign[k][e] > 0) share[e] = share[e] - part;
-        if (place.column_sign[k][e] < 0) share[e] = share[e] + part;
+        if (place.column_sign[k][e] > 0) share[e] -= part;
+        if (place.column_sign[k][e] < 0) share[e] += part;
       }
     }
     for (int level = 0; level < levels_; ++level) {

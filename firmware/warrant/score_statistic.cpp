@@ -43,15 +43,15 @@ void ScoreTest::share_out() {
     for (int k = 0; k < place_->columns; ++k) {
       const int unknown = place_->unknown[k];
       const Scaled column = column_total(level, k);
-      taken[unknown] = taken[unknown] + column_weight_[k] * column;
-      answered[unknown] = answered[unknown] + answer_[k] * column;
+      taken[unknown] += column_weight_[k] * column;
+      answered[unknown] += answer_[k] * column;
     }
   }
   for (int k = 0; k < unknowns_; ++k) {
     share_[k] = bend_[k] = Scaled{};
     for (int j = 0; j < unknowns_; ++j) {
-      if (!taken[j].is_zero() && !inverse_[j][k].is_zero()) share_[k] = share_[k] + taken[j] * inverse_[j][k];
-      if (!answered[j].is_zero() && !inverse_[k][j].is_zero()) bend_[k] = bend_[k] + inverse_[k][j] * answered[j];
+      if (!taken[j].is_zero() && !inverse_[j][k].is_zero()) share_[k] += taken[j] * inverse_[j][k];
+      if (!answered[j].is_zero() && !inverse_[k][j].is_zero()) bend_[k] += inverse_[k][j] * answered[j];
     }
   }
 }
@@ -70,8 +70,8 @@ void ScoreTest::each_base_sum(int level, Take take) const {
       Scaled taken;
       for (int e = 0; e < place.equations; ++e) {
         const Scaled& g = weight_[base.place][level][e];
-        if (place.column_sign[k][e] > 0) taken = taken + g;
-        if (place.column_sign[k][e] < 0) taken = taken - g;
+        if (place.column_sign[k][e] > 0) taken += g;
+        if (place.column_sign[k][e] < 0) taken -= g;
       }
       if (taken.is_zero()) continue;
       const int value = place.equations + k;
@@ -114,7 +114,7 @@ Scaled ScoreTest::give_back_level(int level, const ProbeScore& result) {
     for (int i = 0; i < unknowns_; ++i) {
       if (g[i].is_zero()) continue;
       for (int j = 0; j < unknowns_; ++j)
-        if (!g[j].is_zero()) taken = taken + g[i] * inverse_[i][j] * g[j];
+        if (!g[j].is_zero()) taken += g[i] * inverse_[i][j] * g[j];
       report_work(150 * unknowns_);
     }
     const Scaled share = d_[s] > Scaled{} ? abs(taken) / d_[s] : Scaled{};
@@ -142,7 +142,7 @@ void ScoreTest::score_level(int level) {
   }
   add_sums(column_sum_, factor);
   for (int e = 0; e < place_->equations; ++e) own_weight = place_->sign[e] < 0 ? own_weight - g[e] : own_weight + g[e];
-  own_weight = own_weight * unit_[own];
+  own_weight *= unit_[own];
   if (!probe_->drifts()) column_sum_.add(probe_->first_value + own, own_weight);
   add_bent_base(level);
   ShortScaled share[kMaxUnknowns];
@@ -154,13 +154,13 @@ void ScoreTest::score_level(int level) {
     d_[s] = column_sum_.of(table, s);
     if (probe_->drifts()) {
       const Scaled since = time(s);
-      psi_[s] = psi_[s] * since;
+      psi_[s] *= since;
       d_[s] = (d_[s] + own_weight * table.value(s, probe_->first_value + own) * since) * since;
     }
-    psi_[s] = psi_[s] - base;
-    d_[s] = d_[s] + base_sum_.of(table, s);
+    psi_[s] -= base;
+    d_[s] += base_sum_.of(table, s);
   }
-  sum_own_ = sum_own_ + own_weight * total(level, own, 2);
+  sum_own_ += own_weight * total(level, own, 2);
 }
 
 void ScoreTest::keep_bend_of_shape(int number) {
@@ -196,7 +196,7 @@ void ScoreTest::keep_blind(const Probe& probe) {
 // what is independent, and there are so many fewer of them.
 Scaled ScoreTest::variance_of_sum(const Scaled* share, Scaled& freedom) const {
   Scaled variance;
-  for (int s = 0; s < stretches_; ++s) variance = variance + square(share[s]);
+  for (int s = 0; s < stretches_; ++s) variance += square(share[s]);
   const Scaled single = variance, stretches = freedom;
   for (int size = 2; size <= kMostInGroup; size *= 2) {
     const Scaled groups = stretches / Scaled::from_int(size);
@@ -204,9 +204,9 @@ Scaled ScoreTest::variance_of_sum(const Scaled* share, Scaled& freedom) const {
     Scaled squares, sum;
     int in_group = 0;
     for (int s = 0; s < stretches_; ++s, report_work(80)) {
-      sum = sum + share[s];
+      sum += share[s];
       if (++in_group < size && s + 1 < stretches_ && level_of_[s + 1] == level_of_[s]) continue;
-      squares = squares + square(sum);
+      squares += square(sum);
       sum = Scaled{};
       in_group = 0;
     }
@@ -226,7 +226,7 @@ Scaled ScoreTest::even_variance(ProbeScore& result, const Scaled& lost) const {
   int counted = 0;
   for (int s = 0; s < stretches_; ++s, report_work(350)) {
     if (d_[s] <= least) continue;
-    noise = noise + square(left_[s]) / d_[s];
+    noise += square(left_[s]) / d_[s];
     ++counted;
   }
   result.even_freedom = Scaled::from_int(counted - 1) - lost;
@@ -238,8 +238,8 @@ void ScoreTest::test(int number) {
   ProbeScore& result = score_[number] = ProbeScore{};
   open(probe);
   const int own = place_->equations + place_->columns;
-  for (int level = 0; level < levels_; ++level) own_square_[number] = own_square_[number] + total(level, own, 2);
-  own_square_[number] = own_square_[number] * unit_[own];
+  for (int level = 0; level < levels_; ++level) own_square_[number] += total(level, own, 2);
+  own_square_[number] *= unit_[own];
   if (probe.unknown >= 0) return;
   share_out();
   sum_own_ = Scaled{};
@@ -263,10 +263,10 @@ void ScoreTest::turn_round(ProbeScore& result) {
 bool ScoreTest::conclude(ProbeScore& result) {
   Scaled sum_psi, d_squares;
   for (int s = 0; s < stretches_; ++s, report_work(200)) {
-    sum_psi = sum_psi + psi_[s];
-    result.information = result.information + d_[s];
-    result.before = result.before + square(psi_[s]);
-    d_squares = d_squares + square(d_[s]);
+    sum_psi += psi_[s];
+    result.information += d_[s];
+    result.before += square(psi_[s]);
+    d_squares += square(d_[s]);
   }
   if (result.before.is_zero()) return false;
   const Scaled share = quotient(result.information, sum_own_);
@@ -289,7 +289,7 @@ void ScoreTest::judge_by_scatter(ProbeScore& result) {
   const Scaled one = Scaled::from_int(1), least = Scaled::from_int(1, -2), part = one / result.information;
   for (int s = 0; s < stretches_; ++s, report_work(200)) {
     left_[s] = psi_[s] - result.effect * d_[s];
-    result.scatter = result.scatter + square(left_[s]);
+    result.scatter += square(left_[s]);
     const Scaled rest = one - d_[s] * part;
     if (rest < one) left_[s] = left_[s] / (rest < least ? least : rest);
   }
@@ -298,19 +298,19 @@ void ScoreTest::judge_by_scatter(ProbeScore& result) {
   if (!near_chance(result)) return;
   result.freedom = freedom;
   Scaled lost;
-  for (int level = 0; level < levels_; ++level) lost = lost + give_back_level(level, result);
+  for (int level = 0; level < levels_; ++level) lost += give_back_level(level, result);
   weigh_up(result, lost);
 }
 
 // Deviation and Wald statistics from left_; lost: stretches that the estimated coefficients took up.
 void ScoreTest::weigh_up(ProbeScore& result, const Scaled& lost) {
   Scaled sum_psi;
-  for (int s = 0; s < stretches_; ++s) sum_psi = sum_psi + psi_[s];
+  for (int s = 0; s < stretches_; ++s) sum_psi += psi_[s];
   const Scaled even = even_variance(result, lost), single = result.freedom;
   const Scaled deviation = sqrt(variance_of_sum(left_, result.freedom));
   Scaled doubt;  // what of the score may be noise that signals share, beyond what is taken out
   for (int k = 0; k < unknowns_; ++k)
-    if (!share_[k].is_zero()) doubt = doubt + share_[k] * base_doubt_[k];
+    if (!share_[k].is_zero()) doubt += share_[k] * base_doubt_[k];
   doubt = abs(doubtful_score() - doubt);
   const Scaled sure = abs(sum_psi) > doubt ? abs(sum_psi) - doubt : Scaled{};
   result.std = deviation / result.information;

@@ -115,8 +115,8 @@ Finding finding_of(const CoreConfiguration& configuration, const Estimates& esti
   // The channel says 1 + e times the truth: e / (1 + e) of what it says is not so.
   const Scaled true_share = Scaled::from_int(1) - finding.size;
   if (true_share.is_zero()) return finding;
-  finding.size = finding.size / true_share;
-  finding.std = finding.std / (true_share * true_share);
+  finding.size /= true_share;
+  finding.std /= true_share * true_share;
   finding.cause = slip_of(Scaled::from_int(1) + finding.size, finding.cause);
   return finding;
 }
