@@ -37,6 +37,35 @@ TEST(Scaled, TimesAWholeNumberHasTheBitsOfTheProduct) {
 
 // From the smallest to the largest, each before all that follow: signs, exponents, mantissas, and the two neighbours 2^62 - 1
 // and 2^62, whose difference is one part in 2^62.
+// A number is handed over as 32 bits only where its type fits them.
+TEST(Scaled, WholeNumbersOfEveryWidth) {
+  EXPECT_EQ(value(Scaled::from_int(UINT32_MAX)), 4294967295.0L);
+  EXPECT_EQ(value(Scaled::from_int(INT32_MIN)), -2147483648.0L);
+  EXPECT_EQ(value(Scaled::from_int(int64_t{1} << 40)), 1099511627776.0L);
+  EXPECT_EQ(value(Scaled::from_int(uint16_t{65535})), 65535.0L);
+  EXPECT_EQ(value(Scaled::from_int(int8_t{-128})), -128.0L);
+  EXPECT_EQ(value(Scaled::ratio(UINT32_MAX, 2)), 2147483647.5L);
+  EXPECT_EQ(value(Scaled::ratio(1, int64_t{1} << 40)), 1.0L / 1099511627776.0L);
+  EXPECT_EQ(value(Scaled::ratio(-3, 4)), -0.75L);
+}
+
+// In place, also with the number itself on the other side.
+TEST(Scaled, InPlaceByHand) {
+  Scaled a = Scaled::from_int(6);
+  a += Scaled::from_int(4);
+  EXPECT_EQ(value(a), 10);
+  a -= Scaled::from_int(3);
+  EXPECT_EQ(value(a), 7);
+  a *= a;
+  EXPECT_EQ(value(a), 49);
+  a += a;
+  EXPECT_EQ(value(a), 98);
+  a /= Scaled::from_int(7);
+  EXPECT_EQ(value(a), 14);
+  a -= a;
+  EXPECT_TRUE(a.is_zero());
+}
+
 TEST(Scaled, ComparesExactly) {
   constexpr int64_t kSmallest = int64_t{1} << 61, kLargest = (int64_t{1} << 62) - 1;
   const Scaled rising[] = {{-kSmallest, 1}, {-kLargest, 0}, {-kSmallest - 1, 0}, {-kSmallest, 0}, {-kLargest, -90}, {},
