@@ -10,6 +10,7 @@
 #include "answer/undetermined.hpp"
 #include "choice/held_force.hpp"
 #include "choice/mains_hum.hpp"
+#include "choice/rounded_jumps.hpp"
 #include "choice/wrong_numbers.hpp"
 
 namespace diagnosis {
@@ -76,6 +77,14 @@ void answer_by_runs(const Asked& asked, const runs::Task& task, const RowsSay& s
     choice = renumbered;
 }
 
+// Numbers of the rig as given beside the accelerometers' rounding of friction's jumps. A cause may stand for what they round: where one
+// is named it is not asked.
+void round_jumps(const runs::Task& task, std::vector<runs::Prepared>& records, runs::Choice& choice) {
+  if (!choice.named.empty() || !runs::round_jumps(task, records, choice.final)) return;
+  choice.base = choice.final;
+  choice.base_left = choice.final_left = runs::left_by(task.system, task.records, choice.final);
+}
+
 }  // namespace
 
 Diagnosis diagnose(const rig_file::RigModel& rig, const std::vector<host_sim::Record>& training,
@@ -106,14 +115,15 @@ Diagnosis diagnose(const rig_file::RigModel& rig, const std::vector<host_sim::Re
     choice.noise_is_enough = runs::noise_share(choice.base_left, choice.base.fit) > kMostlyNoise;
   runs::Choice numbers = choice;
   const runs::Wrong wrong = right ? runs::Wrong::kNo : runs::name_wrong_numbers(task, numbers);
-  const bool answered =
-      !right && wrong != runs::Wrong::kSurely && rows_can_tell && runs::answered_by_rows(asked, task, choice, say, d);
+  const bool answered = !right && wrong != runs::Wrong::kSurely && rows_can_tell &&
+                        runs::answered_by_rows(asked, task, records, choice, say, d);
   progress(0.6);
   if (!answered) {
     if (wrong == runs::Wrong::kSurely)
       choice = numbers;
     else if (!right)
       answer_by_runs(asked, task, say, wrong == runs::Wrong::kNo ? nullptr : &numbers, choice);
+    round_jumps(task, records, choice);
     runs::answer(task, choice, d);
   }
   runs::name_holds(task, d);

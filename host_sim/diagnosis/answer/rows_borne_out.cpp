@@ -4,6 +4,7 @@
 
 #include "../choice/attempt.hpp"
 #include "../choice/horizon.hpp"
+#include "../choice/rounded_jumps.hpp"
 #include "../terms/naming.hpp"
 #include "rows_outdone.hpp"
 #include "run_limits.hpp"
@@ -101,7 +102,8 @@ void from_rows(const Task& task, const RowsSay& say, State& fitted) {
 
 }  // namespace
 
-bool answered_by_rows(const Asked& asked, const Task& task, Choice& choice, RowsSay& say, Diagnosis& d) {
+bool answered_by_rows(const Asked& asked, const Task& task, std::vector<Prepared>& records, Choice& choice,
+                      RowsSay& say, Diagnosis& d) {
   try {
     say = ask_rows(task.system, asked);
   } catch (const CannotAnswer&) {  // too few rows: the free runs alone
@@ -117,6 +119,7 @@ bool answered_by_rows(const Asked& asked, const Task& task, Choice& choice, Rows
     return false;
   }
   d = say.d;
+  round_jumps(task, records, with_them);
   // a force that is held between its samples is none of the free runs' terms
   const bool held = d.force_between_samples == "steps" && !task.records[0].held;
   if (any_contradicts(d.extended.parameters, numbers_of(task, with_them))) from_rows(task, say, with_them);

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "in_parallel.hpp"
+#include "rounding.hpp"
 
 namespace diagnosis::runs {
 namespace {
@@ -180,9 +181,25 @@ bool Evaluator::simulate(Simulator& s, const Window& w, bool slopes, bool keep, 
   out.end.resize(0);
   if (!slopes && w.from + len < records_[w.record].samples && s.advance(w.from + len - 1, y, nullptr))
     out.end = w.state, out.end.head(ns) = y;
+  round_jumps(w, slopes, h, out);
   faults(w, slopes, h, out);
   return out.residual.allFinite() &&
          (!slopes || sensitivity.allFinite());  // what was not finite once is not at the end
+}
+
+// Jumps of accelerations as they are read.
+void Evaluator::round_jumps(const Window& w, bool slopes, Mat& h, WindowRun& out) const {
+  const Rounding rounding(records_[w.record].rounded_over);
+  if (!rounding.any()) return;
+  const std::vector<MotionTrace>& channel_list = traces(w.record);
+  for (Index c = 0; c < h.rows(); ++c) {
+    if (channel_list[static_cast<size_t>(c)].quantity != 2) continue;
+    h.row(c) = rounding.of(h.row(c).transpose());
+    for (Index p = 0; slopes && p < out.slopes.cols(); ++p) {
+      auto slope = out.slopes.col(p).segment(c * w.length, w.length);
+      slope = rounding.of(slope);
+    }
+  }
 }
 
 // What the sensors make of it; then the residual.

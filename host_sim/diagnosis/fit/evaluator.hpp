@@ -50,6 +50,7 @@ class Evaluator {
   bool simulate(Simulator& s, const Window& w, bool slopes, bool keep, WindowRun& out) const;
   Simulator& simulator(size_t record, size_t lane);
   void from_motion(const Window& w, bool slopes, WindowRun& out) const;
+  void round_jumps(const Window& w, bool slopes, Mat& h, WindowRun& out) const;
   void faults(const Window& w, bool slopes, Mat& h, WindowRun& out) const;
   const System& system_;
   const Model& model_;

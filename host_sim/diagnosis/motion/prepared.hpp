@@ -53,7 +53,8 @@ struct Prepared {
   std::vector<Vec> noise_in_blows;
   std::vector<Guess> guess;
   Base base;
-  bool held = false;                     // its forces stay at their samples until the next ones
+  bool held = false;        // its forces stay at their samples until the next ones
+  double rounded_over = 0;  // samples over which accelerometers round a jump (rounding.hpp); 0: they do not
   Index smooth_half = 0, slow_half = 0;  // samples that the guesses are smoothed over, and their drift taken off
   double time_s(Index sample) const { return static_cast<double>(sample) * step_s; }
 };
