@@ -45,6 +45,10 @@ bool round_jumps(const Task& task, std::vector<Prepared>& records, State& fitted
   if (!fitted.fit.ok || massless(fitted.model) || !jumps(fitted.model) || !accelerations(records)) return false;
   double width = kFirst;
   State best = settled(task, records, width, fitted);
+  if (!leaves_less(best, fitted)) {  // jumps are less than half as wide: no filter that matters
+    round_over(0, records);
+    return false;
+  }
   for (const double factor : {kStep, 1 / kStep}) {
     bool better = false;
     while (width * factor < kWidest && width * factor > 1 / kWidest) {
