@@ -2,6 +2,8 @@
 #include "host_sim/diagnosis/fit/outer_sums.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/mman.h>
+#include <unistd.h>
 
 #include <Eigen/Dense>
 
@@ -40,6 +42,41 @@ TEST(OuterSums, OfARowWithItselfNeedTheirLowerHalfAlone) {
     const Mat difference = sum - Mat(a.transpose() * a);
     EXPECT_LT(Mat(difference.triangularView<Eigen::Lower>()).cwiseAbs().maxCoeff(), 1e-10) << size;
   }
+}
+
+// Numbers whose last one is the last that may be read: behind it lies a page that nobody may touch.
+class AtTheEnd {
+ public:
+  explicit AtTheEnd(size_t numbers) : page_(static_cast<size_t>(sysconf(_SC_PAGESIZE))) {
+    size_ = (numbers * sizeof(double) + page_ - 1) / page_ * page_;
+    start_ =
+        static_cast<char*>(mmap(nullptr, size_ + page_, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0));
+    mprotect(start_ + size_, page_, PROT_NONE);
+    first = reinterpret_cast<double*>(start_ + size_) - numbers;
+  }
+  AtTheEnd(const AtTheEnd&) = delete;
+  AtTheEnd& operator=(const AtTheEnd&) = delete;
+  ~AtTheEnd() { munmap(start_, size_ + page_); }
+  double* first;
+
+ private:
+  size_t page_, size_;
+  char* start_;
+};
+
+TEST(OuterSums, ReadNothingBehindTheLastRow) {
+  for (size_t wide = 1; wide < 20; ++wide)
+    for (size_t tall = 1; tall < 20; ++tall)
+      for (size_t count : {1, 2, 3, 8, 17}) {
+        const AtTheEnd a(wide * count), b(tall * count);
+        const auto w = static_cast<Index>(wide), t = static_cast<Index>(tall), rows = static_cast<Index>(count);
+        Mat sum = Mat::Zero(w, t), own = Mat::Zero(w, w);
+        add_outer_sums({a.first, w, w}, {b.first, t, t}, rows, sum.data());
+        add_outer_sums({a.first, w, w}, {a.first, w, w}, rows, own.data(), true);
+        Vec square = Vec::Zero(w), next = Vec::Zero(w), with = Vec::Zero(w), value = Vec::Zero(rows);
+        add_row_sums({a.first, w, w}, value.data(), rows, square.data(), next.data(), with.data());
+        EXPECT_EQ(sum.norm() + own.norm() + square.norm(), 0);
+      }
 }
 
 // Columns that are not projected give the sums of projected ones, where what they are multiplied with is.

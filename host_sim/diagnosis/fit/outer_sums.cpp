@@ -7,6 +7,12 @@
 namespace diagnosis::runs {
 namespace {
 
+// GCC 12 vectorises these loops over two rows at a time and reads beyond the last one; the tiles are vectors without that.
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC push_options
+#pragma GCC optimize("no-tree-loop-vectorize")
+#endif
+
 constexpr long kCached = 3072;  // numbers of a stretch of rows, that the nearest cache holds
 
 // A part of the sum that registers hold.
@@ -45,6 +51,10 @@ FIRMWARE_WIDER_VECTORS void add_outer_sums(const Rows& a, const Rows& b, long co
     if (j < b.size) add_columns<1>(x, y, rows, j, lower, sum);
   }
 }
+
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC pop_options
+#endif
 
 FIRMWARE_WIDER_VECTORS void add_row_sums(const Rows& a, const double* value, long count, double* __restrict square,
                                          double* __restrict with_next, double* __restrict with_value) {
