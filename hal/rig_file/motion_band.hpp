@@ -10,8 +10,8 @@
 
 namespace rig_file {
 
-// noise: of this quantity of `node`. True where more than 1 % of the power of its rate (a displacement's slope), beyond what noise has there, lies above
-// the pass band of Band::kTenth (filter_design.hpp).
+// noise: of this quantity of `node`. True where more than 1 % of the power of its rate (a displacement's slope), beyond what
+// noise has there, lies above the pass band of Band::kTenth (filter_design.hpp).
 bool moves_beyond_a_tenth(const std::vector<std::vector<firmware::RawSample>>& records, int node, int quantity,
                           const ChannelNoise& noise);
 
