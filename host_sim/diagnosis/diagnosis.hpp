@@ -66,7 +66,12 @@ constexpr double kStillNoise = 2;
 struct Diagnosis {
   Verdict verdict = Verdict::kNone;
   bool baseline_fits() const { return verdict == Verdict::kNone; }
-  bool extended_fits() const { return verdict != Verdict::kUnknown && verdict != Verdict::kPartly; }
+  bool extended_fits() const { return verdict != Verdict::kUnknown && verdict != Verdict::kPartly && !more_remains; }
+  // Where no rival is left after all.
+  void settle() {
+    if (verdict == Verdict::kAmbiguous && ambiguous_with.empty())
+      verdict = more_remains ? Verdict::kPartly : Verdict::kExplained;
+  }
   // The free run misses much, and what is left over the fitted stretches is noise: a force that is mostly noise does that.
   bool noise_hides() const {
     return verdict == Verdict::kUnknown && causes.empty() && cannot_describe.empty() && baseline_misfit < kStillNoise;
@@ -86,6 +91,7 @@ struct Diagnosis {
   std::string unknown_trace;                     // what the unexplained force looks like, where it leaves a plain trace
   double baseline_misfit = 0;                    // chi-squared per degree of freedom: 1 is noise alone
   double extended_misfit = 0;
+  bool more_remains = false;  // beside the named causes, whichever of a set they are: more than noise
   rig_file::RigModel extended_rig;
   std::vector<RankedCandidate> ranked;  // the first twelve, best first
 };

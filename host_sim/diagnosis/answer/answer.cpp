@@ -136,7 +136,7 @@ Verdict verdict_of(const Task& task, const Choice& choice, bool noise, double wo
 }
 
 void withdraw_causes(const Task& task, const Terms& base, Diagnosis& d) {
-  d.causes.clear(), d.ambiguous_with.clear();
+  d.causes.clear(), d.ambiguous_with.clear(), d.more_remains = false;
   d.extended = d.baseline;
   std::fill(d.gain.begin(), d.gain.end(), 1.0);
   std::fill(d.remainder_percent.begin(), d.remainder_percent.end(), 100.0);
@@ -253,6 +253,7 @@ void answer(const Task& task, const Choice& choice, Diagnosis& d) {
   d.baseline_misfit = choice.base_left.worst(), d.extended_misfit = choice.final_left.worst();
   const bool noise = choice.final.fit.ok && !beyond_noise(choice.final_left) && worst_free_run < kHalfOfVariance;
   d.verdict = verdict_of(task, choice, noise, worst_free_run, d);
+  d.more_remains = !noise && !choice.named.empty();
   if (immaterial(task, choice, noise, worst_free_run, base, full, d)) {
     withdraw_causes(task, base, d);
     d.verdict = noise || motion_error(task, choice.base) < kAsGoodAsRight ? Verdict::kNone : Verdict::kUnknown;

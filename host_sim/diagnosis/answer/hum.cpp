@@ -68,7 +68,7 @@ void say_shared_hum(Diagnosis& d) {
                          d.ambiguous_with.end());
   d.advice.push_back("mains hum lies on " + std::to_string(channels) +
                      " channels or more: it is the room's, and left out of the judgement");
-  if (d.verdict == Verdict::kAmbiguous && d.ambiguous_with.empty()) d.verdict = Verdict::kExplained;
+  d.settle();
   if (!d.causes.empty()) return;
   d.baseline.parameters = d.extended.parameters;
   d.verdict = d.verdict == Verdict::kPartly ? Verdict::kUnknown : Verdict::kNone;

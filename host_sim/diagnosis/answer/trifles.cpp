@@ -70,7 +70,7 @@ void drop_undetermined(Diagnosis& d) {
     d.ambiguous_with.clear();
     d.verdict = before == Verdict::kExplained ? Verdict::kNone : Verdict::kUnknown;
   }
-  if (d.verdict == Verdict::kAmbiguous && d.ambiguous_with.empty()) d.verdict = Verdict::kExplained;
+  d.settle();
 }
 
 void drop_trifles(const Task& task, Diagnosis& d) {
@@ -90,7 +90,7 @@ void drop_trifles(const Task& task, Diagnosis& d) {
                        [&](const NamedPlace& p) { return p.effect == c.effect && p.where == c.where; }),
         d.ambiguous_with.end());
   if (d.causes.empty()) d.ambiguous_with.clear();
-  if (d.verdict == Verdict::kAmbiguous && d.ambiguous_with.empty()) d.verdict = Verdict::kExplained;
+  d.settle();
   if (d.causes.empty() && d.verdict == Verdict::kExplained) d.verdict = Verdict::kNone;
 }
 

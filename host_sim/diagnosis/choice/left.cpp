@@ -180,14 +180,16 @@ Left left_by(const System& system, const std::vector<Prepared>& records, const S
     left.hum.push_back(hum_of(over, c, step, driving_each));
   }
   const bool may_be_noise = !over.massless && (state.fit.mean_square.array() <= most.array()).all();
-  if (left.worst() > kBeyondNoise && left.line < kLine && may_be_noise)
+  if (left.worst() > kSurelyNoise && left.line < kLine && may_be_noise)
     left.with_motion = with_motion(system, records, state), left.with_loudness = with_loudness(records, state);
   return left;
 }
 
 bool beyond_noise(const Left& left) {
-  const bool knows_motion = !left.with_motion.known || left.with_motion.z > kSure;
-  return left.foreign_line > kLine || (left.worst() > kBeyondNoise && (knows_motion || left.with_loudness.z > kSure));
+  if (left.foreign_line > kLine) return true;
+  const bool knows_motion = left.with_motion.z > kSure || left.with_loudness.z > kSure;
+  return left.worst() > (left.with_motion.known || knows_motion ? kSurelyNoise : kBeyondNoise) &&
+         (knows_motion || !left.with_motion.known);
 }
 
 double noise_share(const Left& left, const Fitted& fit) {

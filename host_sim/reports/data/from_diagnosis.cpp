@@ -108,6 +108,7 @@ DiagnosisReportData findings_of(const rig_file::RigModel& rig, const std::vector
   data.facts.push_back(text(static_cast<double>(first.samples()) * first.sample_period_s, "%g s") +
                        text(1.0 / first.sample_period_s, " at %g Hz"));
   data.leaves_noise_alone = found.leaves_noise_alone();
+  data.more_remains = found.more_remains;
   data.noise_hides = found.noise_hides();
   data.cannot_describe = found.cannot_describe;
   const bool extended = !found.causes.empty();

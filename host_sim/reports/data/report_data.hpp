@@ -94,6 +94,7 @@ struct DiagnosisReportData {
   std::vector<std::string> facts;  // provenance: "20 s at 1000 Hz", "noise: ..."
   std::string verdict;             // none, explained, partly, ambiguous, unknown
   bool leaves_noise_alone = true;  // the rig as given
+  bool more_remains = false;       // than noise, beside the named causes
   bool noise_hides = false;        // nothing is explained, and what is left is noise
   std::string cannot_describe;     // a sentence where the rig file is no model of the recording at all; else empty
   std::vector<Cause> causes;

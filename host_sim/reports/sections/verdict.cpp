@@ -146,11 +146,12 @@ namespace {
 
 std::string ambiguous_details(const DiagnosisReportData& data) {
   const Told told = told_in(data);
+  const std::string remains = data.more_remains ? "Something beyond noise remains with each of them." : "";
   if (data.causes.size() < 2 || told.open.empty())
-    return "It is one of these: " + listed(possible_in(data).all, "or") + ".";
+    return joined({"It is one of these: " + listed(possible_in(data).all, "or") + ".", remains});
   const std::string missed = missed_text(data.gains, true);
   return joined({rest_of_causes(named_in(told.sure)), "There is " + listed(told.open, "and") + ".",
-                 gain_text(data.gains), missed.empty() ? "" : "It still misses " + missed + "."});
+                 gain_text(data.gains), missed.empty() ? "" : "It still misses " + missed + ".", remains});
 }
 
 // Coefficients that no interval holds follow any motion: that nothing is missing is then no finding.
