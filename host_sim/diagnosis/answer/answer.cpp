@@ -126,7 +126,7 @@ namespace {
 
 Verdict verdict_of(const Task& task, const Choice& choice, bool noise, double worst_free_run, const Diagnosis& d) {
   if (!choice.named.empty())
-    return !d.ambiguous_with.empty() ? Verdict::kAmbiguous : noise ? Verdict::kExplained : Verdict::kPartly;
+    return !d.ambiguous_with.empty() ? Verdict::kAmbiguous : d.more_remains ? Verdict::kPartly : Verdict::kExplained;
   if (choice.base_fits_nothing && !right(task, choice)) return Verdict::kUnknown;
   const bool nothing_missing =
       noise || right(task, choice) || near_enough(task, choice) ||
@@ -252,8 +252,8 @@ void answer(const Task& task, const Choice& choice, Diagnosis& d) {
   state_delays(d.causes, d.extended_rig);
   d.baseline_misfit = choice.base_left.worst(), d.extended_misfit = choice.final_left.worst();
   const bool noise = choice.final.fit.ok && !beyond_noise(choice.final_left) && worst_free_run < kHalfOfVariance;
+  d.more_remains = !choice.named.empty() && (!noise || beyond_noise(choice.final_left, kByChance));
   d.verdict = verdict_of(task, choice, noise, worst_free_run, d);
-  d.more_remains = !noise && !choice.named.empty();
   if (immaterial(task, choice, noise, worst_free_run, base, full, d)) {
     withdraw_causes(task, base, d);
     d.verdict = noise || motion_error(task, choice.base) < kAsGoodAsRight ? Verdict::kNone : Verdict::kUnknown;

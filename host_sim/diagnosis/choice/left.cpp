@@ -185,9 +185,9 @@ Left left_by(const System& system, const std::vector<Prepared>& records, const S
   return left;
 }
 
-bool beyond_noise(const Left& left) {
+bool beyond_noise(const Left& left, double deviate) {
   if (left.foreign_line > kLine) return true;
-  const bool knows_motion = left.with_motion.z > kSure || left.with_loudness.z > kSure;
+  const bool knows_motion = left.with_motion.z > deviate || left.with_loudness.z > deviate;
   return left.worst() > (left.with_motion.known || knows_motion ? kSurelyNoise : kBeyondNoise) &&
          (knows_motion || !left.with_motion.known);
 }
