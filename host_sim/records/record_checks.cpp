@@ -13,6 +13,7 @@ namespace host_sim {
 namespace {
 
 constexpr double kStepTolerance = 0.01;
+constexpr double kBursts = 0.05;  // of the rows: lone rows that are written twice are fewer
 
 std::string seconds(double value) { return fmt::format("{:.6g} s", value); }
 
@@ -27,6 +28,20 @@ bool take_rounded_times(const std::vector<double>& time_s, Record& record) {
     record.notes.push_back("times are rounded to " + seconds(place) + ": the step is " + seconds(step));
   record.sample_period_s = step;
   return true;
+}
+
+// Of a clock that is read when rows arrive, many at a time: what to do about it; empty where times are not so.
+std::string of_arrival(const std::vector<double>& time_s) {
+  size_t repeated = 0;
+  for (size_t i = 1; i < time_s.size(); ++i) repeated += time_s[i] == time_s[i - 1];
+  const double duration_s = time_s.back() - time_s.front();
+  const bool bursts = static_cast<double>(repeated) > kBursts * static_cast<double>(time_s.size());
+  if (!bursts || !std::is_sorted(time_s.begin(), time_s.end()) || !(duration_s > 0)) return "";
+  return fmt::format(
+      "; {} of {} rows bear the time of the row before, as of a clock that is read when they arrive. Where the samples "
+      "are even, "
+      "--sample-rate takes them so (here {:.4g} a second on the mean)",
+      repeated, time_s.size(), static_cast<double>(time_s.size() - 1) / duration_s);
 }
 
 }  // namespace
@@ -54,12 +69,14 @@ void set_time_base(const std::vector<double>& time_s, const std::function<size_t
     ++uneven;
   if (uneven < time_s.size() && !take_rounded_times(time_s, record)) {
     const bool rises = std::is_sorted(time_s.begin(), time_s.end());
+    const std::string arrival = of_arrival(time_s);
     throw DataFileError(record.file, line_of(uneven),
                         "t_s steps by " + seconds(time_s[uneven] - time_s[uneven - 1]) + ", expected a constant step" +
                             (usual > 0.0 ? " of " + seconds(usual) + " within 1 %" : " above 0") +
-                            (!rises        ? "; the rows are not in the order of time: sort them"
-                             : usual > 0.0 ? fmt::format("; --resample {:.4g} interpolates", 1.0 / usual)
-                                           : ""));
+                            (!arrival.empty() ? arrival
+                             : !rises         ? "; the rows are not in the order of time: sort them"
+                             : usual > 0.0    ? fmt::format("; --resample {:.4g} interpolates", 1.0 / usual)
+                                              : ""));
   }
   record.start_s = time_s.front();
   if (uneven == time_s.size())
@@ -68,11 +85,12 @@ void set_time_base(const std::vector<double>& time_s, const std::function<size_t
 }
 
 void keep_times(const std::vector<double>& time_s, const std::function<size_t(size_t)>& line_of, Record& record) {
+  const std::string arrival = time_s.empty() ? "" : of_arrival(time_s);
   for (size_t i = 1; i < time_s.size(); ++i)
     if (!(time_s[i] > time_s[i - 1]))
-      throw DataFileError(
-          record.file, line_of(i),
-          "t_s steps by " + seconds(time_s[i] - time_s[i - 1]) + ", expected times that rise: sort the rows");
+      throw DataFileError(record.file, line_of(i),
+                          "t_s steps by " + seconds(time_s[i] - time_s[i - 1]) + ", expected times that rise" +
+                              (arrival.empty() ? ": sort the rows" : arrival));
   record.time_s = time_s;
 }
 

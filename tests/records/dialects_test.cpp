@@ -47,6 +47,10 @@ struct Dialect {
 TEST(Dialects, AllSayTheSame) {
   const Dialect dialects[] = {
       {"plain", kPlain, nullptr},
+      {"a line below the names",
+       "t_s, force_1_N, displacement_1_m\n-------------\n0, 1.5, -0.25\n0.5, 2, 0.5\n1, -3e-3, 0.75\n", nullptr},
+      {"a line of another sign",
+       "t_s\tforce_1_N\tdisplacement_1_m\n=====\t=====\t=====\n0\t1.5\t-0.25\n0.5\t2\t0.5\n1\t-3e-3\t0.75\n", nullptr},
       {"semicolons", "t_s;force_1_N;displacement_1_m\n0;1.5;-0.25\n0.5;2;0.5\n1;-3e-3;0.75\n", nullptr},
       {"tabs", "t_s\tforce_1_N\tdisplacement_1_m\n0\t1.5\t-0.25\n0.5\t2\t0.5\n1\t-3e-3\t0.75\n", nullptr},
       {"blanks", "  t_s   force_1_N  displacement_1_m\n 0   1.5 -0.25\n0.5 2   0.5 \n1 -3e-3 0.75\n", nullptr},

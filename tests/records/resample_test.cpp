@@ -147,4 +147,24 @@ TEST(Resample, TheReaderKeepsTheTimesOnlyWhereAsked) {
   }
 }
 
+// A serial port's rows in packets of four: their clock is that of their arrival, and no interpolation puts that right.
+TEST(Resample, TimesOfArrivalAskForTheSampleRate) {
+  std::string text = "t_s,displacement_1_m\n";
+  for (int i = 0; i < 40; ++i) text += std::to_string(0.016 * (i / 4)) + "," + std::to_string(i % 7) + "\n";
+  for (const double resample_Hz : {0.0, 250.0}) {
+    host_sim::ReadingOptions options;
+    if (resample_Hz > 0) options.resample_Hz = resample_Hz;
+    try {
+      host_sim::parse_csv(text, "d.csv", {}, options);
+      ADD_FAILURE() << "taken";
+    } catch (const DataFileError& error) {
+      EXPECT_NE(error.problem.find("30 of 40 rows bear the time of the row before"), std::string::npos)
+          << error.problem;
+      EXPECT_NE(error.problem.find("--sample-rate"), std::string::npos) << error.problem;
+      EXPECT_NE(error.problem.find("270.8 a second"), std::string::npos) << error.problem;  // 39 steps in 9 * 0.016 s
+      EXPECT_EQ(error.problem.find("interpolates"), std::string::npos) << error.problem;
+    }
+  }
+}
+
 }  // namespace

@@ -241,9 +241,16 @@ std::string_view take_line(std::string_view& rest) {
 
 bool is_blank(std::string_view line) { return line.find_first_not_of(" \t\r") == std::string_view::npos; }
 
+// "-----+-----" or "=====": what is drawn below the names.
+bool is_ruled(std::string_view line) {
+  return (line.find("---") != std::string_view::npos || line.find("===") != std::string_view::npos) &&
+         line.find_first_not_of("-=+|: \t\r,;") == std::string_view::npos;
+}
+
 bool is_comment(std::string_view line) {
   const size_t first = line.find_first_not_of(" \t\"");
   if (first == std::string_view::npos) return false;
+  if (std::strchr("-=+|", line[first]) != nullptr) return is_ruled(line);
   return line[first] == '#' || line[first] == '%' || line.substr(first, 2) == "//";
 }
 
