@@ -85,6 +85,8 @@ inline Force constant(const Point&, const Shape&) {
   f.value = 1.0;
   return f;
 }
+// A hold changes what drives the rig between samples; no force of its own acts.
+inline Force none(const Point&, const Shape&) { return {}; }
 inline Force one_way_damper(const Point& at, const Shape&) {
   Force f;
   f.value = at.w * at.sign, f.slope.w = at.sign;

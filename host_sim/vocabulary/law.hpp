@@ -51,10 +51,10 @@ struct MemoryRate {  // dz/dt, 1/s times the unit of z
 
 struct Law {
   EffectKind kind;
-  Force (*force)(const Point&, const Shape&);             // nullptr: no law of one instant (force_hold)
-  int memories;                                           // entries of z
-  MemoryRate (*memory_rate)(const Point&, const Shape&);  // nullptr where memories is 0
-  void (*start)(const Point&, const Shape&, double* z);   // see start_memory
+  Force (*force)(const Point&, const Shape&);
+  int memories;                                                                      // entries of z
+  MemoryRate (*memory_rate)(const Point&, const Shape&);                             // nullptr where memories is 0
+  void (*start)(const Point&, const Shape&, double* z);                              // see start_memory
   void (*advance)(const Point&, const Point&, double h_s, const Shape&, double* z);  // see advance_memory
 };
 const Law& law_of(EffectKind kind);

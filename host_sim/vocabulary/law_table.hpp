@@ -44,7 +44,7 @@ inline constexpr Law kLaws[] = {
     plain(EffectKind::kSensorGain, laws::elongation),
     plain(EffectKind::kMainsHum, laws::hum),
     plain(EffectKind::kSensorOffset, laws::constant),
-    plain(EffectKind::kForceHold, nullptr),
+    plain(EffectKind::kForceHold, laws::none),
     plain(EffectKind::kDriveDeadBand, laws::within_gap),
 };
 
@@ -61,17 +61,10 @@ static_assert(sizeof(kLaws) / sizeof(kLaws[0]) == firmware::kEffectKinds, "one l
 static_assert(a_law_for_each_row(), "laws in the order of the rows, with the memory that their rows name");
 
 namespace inner {
-template <size_t I>
-inline double value_of(const Point& at, const Shape& shape) {
-  if constexpr (kLaws[I].force == nullptr)
-    return 0.0;
-  else
-    return kLaws[I].force(at, shape).value;
-}
 template <size_t... I>
 inline double value_at(size_t kind, const Point& at, const Shape& shape, std::index_sequence<I...>) {
   double value = 0.0;
-  static_cast<void>(((kind == I && (value = value_of<I>(at, shape), true)) || ...));
+  static_cast<void>(((kind == I && (value = kLaws[I].force(at, shape).value, true)) || ...));
   return value;
 }
 }  // namespace inner
