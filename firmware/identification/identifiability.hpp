@@ -14,7 +14,8 @@ namespace firmware {
 constexpr int kLargestInflation = 100;
 // Short rows differ from each other by noise alone, which hides the dependence: there the inflation stops at about one
 // over the relative noise of a row. So a parameter is also ILL_CONDITIONED where inflation times that noise is over 1 /
-// 2: then the bias from noise in the columns can be as large as the parameter.
+// 2: then the bias from noise in the columns can be as large as the parameter. Noise in the columns is a part of what is left of the
+// rows once the discrepancies are taken off: where that, as the parameter's deviation shows it, allows less, the parameter stands.
 constexpr int kLargestNoiseShare = 2;
 
 struct Identifiability {

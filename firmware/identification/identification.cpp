@@ -17,24 +17,51 @@ bool any_saturated(const BatchTable& table) {
   return false;
 }
 
-bool inseparable(const WeightedFit& fit, const Estimates& estimates, int unknown) {
+int rows_of(const EquationList& list, const BatchTable& table, int unknown) {
+  int rows = 0;
+  for (int e = 0; e < list.count; ++e) {
+    const int dof = list.equation[e].dof;
+    bool stands = false;
+    for (int n = table.layout.first[dof]; n < table.layout.first[dof + 1]; ++n)
+      stands = stands || table.layout.unknown[n] == unknown;
+    for (int l = 0; l < table.level_count && stands; ++l)
+      rows += table.level[l].periodic ? 1 : table.level[l].batch_count;
+  }
+  return rows;
+}
+
+// Noise in the columns of a parameter's rows is part of what is left of the rows. So it bends the parameter p of deviation s by at most
+// rows s^2 / p.
+bool bent_by_columns(const EquationList& list, const BatchTable& table, const ParameterEstimate& parameter,
+                     int unknown) {
+  const Scaled bend = parameter.std * Scaled::from_int(kLargestNoiseShare);
+  return bend * bend * Scaled::from_int(rows_of(list, table, unknown)) > parameter.value * parameter.value;
+}
+
+bool inseparable(const WeightedFit& fit, const EquationList& list, const BatchTable& table, const Estimates& estimates,
+                 int unknown) {
   const Scaled inflation = fit.identifiability().inflation[unknown];
-  return estimates.rows < estimates.unknown_count || inflation.is_zero() ||
-         estimates.parameters[unknown].std.is_zero() || inflation > Scaled::from_int(kLargestInflation) ||
-         inflation * fit.relative_noise() * Scaled::from_int(kLargestNoiseShare) > Scaled::from_int(1);
+  const ParameterEstimate& parameter = estimates.parameters[unknown];
+  if (estimates.rows < estimates.unknown_count || inflation.is_zero() || parameter.std.is_zero() ||
+      inflation > Scaled::from_int(kLargestInflation))
+    return true;
+  return inflation * fit.relative_noise() * Scaled::from_int(kLargestNoiseShare) > Scaled::from_int(1) &&
+         bent_by_columns(list, table, parameter, unknown);
 }
 
 // Where some parameters cannot be told apart, an uncertain one beside them is not believed either.
-bool inseparable_company(const WeightedFit& fit, const Estimates& estimates, int unknown) {
+bool inseparable_company(const WeightedFit& fit, const EquationList& list, const BatchTable& table,
+                         const Estimates& estimates, int unknown) {
   const ParameterEstimate& parameter = estimates.parameters[unknown];
   if (parameter.std * Scaled::from_int(10) < abs(parameter.value)) return false;
   for (int k = 0; k < estimates.unknown_count; ++k)
-    if (inseparable(fit, estimates, k)) return true;
+    if (inseparable(fit, list, table, estimates, k)) return true;
   return false;
 }
 
-bool not_told_apart(const WeightedFit& fit, const Estimates& estimates, int unknown) {
-  return inseparable(fit, estimates, unknown) || inseparable_company(fit, estimates, unknown);
+bool not_told_apart(const WeightedFit& fit, const EquationList& list, const BatchTable& table,
+                    const Estimates& estimates, int unknown) {
+  return inseparable(fit, list, table, estimates, unknown) || inseparable_company(fit, list, table, estimates, unknown);
 }
 
 // The gravest that applies.
@@ -43,7 +70,8 @@ EstimateStatus judge(const IdentificationMemory& memory, const EquationList& lis
   const WeightedFit& fit = memory.fit;
   if (any_saturated(table)) return EstimateStatus::kSaturated;
   if (!is_excited(list, table, configuration, unknown)) return EstimateStatus::kNoExcitation;
-  if (not_told_apart(fit, estimates, unknown) || is_undetermined(list, table, configuration, unknown, estimates))
+  if (not_told_apart(fit, list, table, estimates, unknown) ||
+      is_undetermined(list, table, configuration, unknown, estimates))
     return EstimateStatus::kIllConditioned;
   if (skew_matters(list, table, configuration, unknown, estimates)) return EstimateStatus::kSkewed;
   if (bias_suspect(memory.bias, unknown, estimates.parameters[unknown])) return EstimateStatus::kBiasSuspect;
@@ -88,7 +116,7 @@ void identify(const CoreConfiguration& configuration, const BatchTable& table, I
     parameter.variance_inflation = fit.identifiability().inflation[k];
     parameter.plain_value = parameter.value + bias.difference[k];
     parameter.status = judge(memory, list, table, configuration, k, estimates);
-    if (parameter.status == EstimateStatus::kIllConditioned && not_told_apart(fit, estimates, k))
+    if (parameter.status == EstimateStatus::kIllConditioned && not_told_apart(fit, list, table, estimates, k))
       estimates.inseparable = true;
     estimates.unresolved[k] = fit.identifiability().unresolved[k];
   }

@@ -61,6 +61,24 @@ TEST(Status, FewerRowsThanUnknownsAreIllConditioned) {
   EXPECT_EQ(t.estimates->advice, Advice::kAddLevel);
 }
 
+// Rows whose energies are as noisy as they are large, as short rows of a decay are: noise of 40 J beside 40 J of work. Where the
+// discrepancies show all but 0.01 J of it the damper is known to 0.01 / 2 / sqrt(40), and noise in its columns, a part of that,
+// cannot bend it. Where they do not, its deviation is 16 % and what the columns' noise may do is more than itself.
+TEST(Status, NoiseThatDiscrepanciesShowConditionsNothing) {
+  for (const bool shown : {true, false}) {
+    HandTable t(1, {TermKind::kViscous}, {{0}});
+    t.link(0, firmware::kGroundNode);
+    t.level(false);
+    for (int b = 0; b < 40; ++b) {
+      const double noise = b % 2 ? 40.0 : -40.0, left = b / 2 % 2 ? 0.01 : -0.01;
+      t.batch({{{2}, 40.0 + noise + left, shown ? noise : 0.0, 0, 2.0}});
+    }
+    t.identify();
+    EXPECT_EQ(t.status(0), shown ? EstimateStatus::kValid : EstimateStatus::kIllConditioned);
+    if (shown) EXPECT_NEAR(t.value(0), 20.0, 0.01);
+  }
+}
+
 TEST(Status, UnknownWithoutAnyWorkIsNotExcited) {
   HandTable t = two_dampers();
   t.level(true);
