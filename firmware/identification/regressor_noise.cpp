@@ -3,8 +3,10 @@
 namespace firmware {
 namespace {
 
-// Adds share_k / p_k of one row, whose right-hand side is its residual, at that residual; weight: of its square.
-void add_row(const EquationList& list, const Row& row, const Scaled* p, const Scaled& weight, Scaled* pull) {
+constexpr int kTurns = 16;  // of the shift that its own shift adds to
+
+// Adds share_k / p_k^2 of one row, whose right-hand side is its residual, at that residual; weight: of its square.
+void add_row(const EquationList& list, const Row& row, const Scaled* p, const Scaled& weight, Scaled* variance) {
   Scaled energy, right_side = row.rhs;
   for (int k = 0; k < list.unknown_count; ++k) {
     const Scaled term = row.column[k] * p[k];
@@ -15,16 +17,16 @@ void add_row(const EquationList& list, const Row& row, const Scaled* p, const Sc
   if (energy.is_zero()) return;
   const Scaled noise = row.rhs * row.rhs / energy * weight;
   for (int k = 0; k < list.unknown_count; ++k)
-    if (!row.column[k].is_zero()) pull[k] += row.column[k] * row.column[k] * p[k] * noise;
+    if (!row.column[k].is_zero()) variance[k] += row.column[k] * row.column[k] * noise;
 }
 
 void add_equation(const EquationList& list, const LevelColumns& level, const Whitening& whitening, int e,
-                  WeightedFit& fit, Scaled* pull) {
+                  WeightedFit& fit, Scaled* variance) {
   if (whitening.deviation.is_zero()) return;
   Row row;
   if (level.periodic()) {
     if (whitened_level_row(list, level, whitening, e, row))
-      add_row(list, row, fit.parameters(), Scaled::from_int(1), pull);
+      add_row(list, row, fit.parameters(), Scaled::from_int(1), variance);
     return;
   }
   const ReducedRows& rows = fit.reduce(whitening, e, true);
@@ -32,7 +34,22 @@ void add_equation(const EquationList& list, const LevelColumns& level, const Whi
   for (int b = 0; b < level.batch_count(); ++b) {
     if (!level.row_used(b, list.equation[e].dof)) continue;
     rows.read(b, list.unknown_count, row);
-    add_row(list, row, fit.parameters(), weight, pull);
+    add_row(list, row, fit.parameters(), weight, variance);
+  }
+}
+
+// The shift that is left of p + shift. It converges, for what noise has added to the normal equations is less than what is there.
+void find_shift(const EquationList& list, const WeightedFit& fit, const Scaled* variance, Scaled* shift) {
+  for (int turn = 0; turn < kTurns; ++turn) {
+    Scaled pull[kMaxUnknowns], next[kMaxUnknowns];
+    for (int k = 0; k < list.unknown_count; ++k) pull[k] = variance[k] * (fit.parameters()[k] + shift[k]);
+    fit.equations().apply_covariance(pull, next);
+    bool settled = true;
+    for (int k = 0; k < list.unknown_count; ++k) {
+      settled = settled && scale_by_power_of_two(abs(next[k] - shift[k]), 4) <= abs(next[k]);
+      shift[k] = next[k];
+    }
+    if (settled) return;
   }
 }
 
@@ -41,12 +58,12 @@ void add_equation(const EquationList& list, const LevelColumns& level, const Whi
 void take_out_regressor_noise(const EquationList& list, const BatchTable& table, WeightedFit& fit,
                               Estimates& estimates) {
   if (kWeights < 3 || !list.displacement) return;
-  Scaled pull[kMaxUnknowns], shift[kMaxUnknowns];
+  Scaled variance[kMaxUnknowns], shift[kMaxUnknowns];
   for (int l = 0; l < table.level_count; ++l) {
     const LevelColumns& level = fit.load_level(l);
-    for (int e = 0; e < list.count; ++e) add_equation(list, level, fit.whitening(l, e), e, fit, pull);
+    for (int e = 0; e < list.count; ++e) add_equation(list, level, fit.whitening(l, e), e, fit, variance);
   }
-  fit.equations().apply_covariance(pull, shift);
+  find_shift(list, fit, variance, shift);
   for (int k = 0; k < list.unknown_count; ++k) {
     ParameterEstimate& parameter = estimates.parameters[k];
     if (scale_by_power_of_two(abs(shift[k]), 2) < parameter.std) continue;  // less than 3 % of the interval
