@@ -75,6 +75,9 @@ class BlockMotion {
   const int32_t* between_neighbours(int row) const { return near_[row]; }
   // Does the equation of the DOF leave samples out? Which it counts, and beside no reversal of friction at the DOF.
   bool leaves_out(int dof) const { return signs_.dof[dof]; }
+  bool counted(int dof, int sample) const {
+    return counted_[dof][kProbeLead + sample] != 0;
+  }  // [-4, kBlockSamples + 4)
   bool counts(int dof, int sample) const { return settled_[dof][sample]; }
   bool has_clear_sign(int link) const { return signs_.link[link]; }
   // From the slope of velocities: what jumps in the acceleration is then smeared over kNeighbours samples on either side.

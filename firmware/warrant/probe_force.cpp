@@ -7,6 +7,8 @@ namespace firmware {
 namespace {
 
 constexpr int64_t kMost = 32 * kProbeUnit;
+constexpr int kEdgeBits = 12;
+constexpr int64_t kLeastChange = kProbeUnit >> 8;  // of a rate, a sample
 
 // Q26 of the range to Q18 of the rms.
 class Normal {
@@ -87,6 +89,28 @@ void fill_own_sign(const PlaceScale& scale, PlaceMotion& motion) {
 
 }  // namespace
 
+// |w| falls into the run, or rises out of it, near its own reversal: other links' runs are not its own rate's choice.
+void find_edges(const BlockMotion& block, const Place& place, PlaceMotion& motion) {
+  const int32_t* w = motion.instrument[1];
+  const auto counts = [&](int n) {
+    for (int e = 0; e < place.equations; ++e)
+      if (block.leaves_out(place.dof[e]) && !block.counted(place.dof[e], n)) return false;
+    return true;
+  };
+  for (int n = 0; n < kBlockSamples; ++n) {
+    int32_t& edge = motion.slope[0][n] = 0;
+    if (motion.used[n] == 0 || size_of(w[n]) > kProbeUnit) continue;
+    const int before = n > 0 ? n - 1 : n, behind = n + 1 < kBlockSamples ? n + 1 : n;
+    const bool rises = size_of(w[behind]) > size_of(w[before]);
+    if (counts(rises ? n - 1 : n + 1)) continue;
+    const int from = n < 2 ? 0 : n - 2, to = n + 2 < kBlockSamples ? n + 2 : kBlockSamples - 1;
+    const int64_t change = size_of(int64_t{w[to]} - w[from]) / (to - from);
+    const int64_t weight =
+        (int64_t{2} << (kSlopeStepLog2 + kEdgeBits)) / (change < kLeastChange ? kLeastChange : change);
+    edge = static_cast<int32_t>(w[n] < 0 ? -weight : weight);
+  }
+}
+
 FIRMWARE_WIDER_VECTORS void fill_motion(const BlockMotion& block, const Place& place, const PlaceScale& scale,
                                         PlaceMotion& motion) {
   for (int q = 0; q < 2; ++q) {
@@ -123,7 +147,8 @@ FIRMWARE_WIDER_VECTORS void fill_force(Form form, const PlaceScale& scale, const
   });
 }
 
-void sum_slopes(Form form, const PlaceScale& scale, const PlaceMotion& motion, int64_t* first, int64_t* second) {
+void sum_slopes(Form form, const PlaceScale& scale, const PlaceMotion& motion, bool edges, int64_t* first,
+                int64_t* second) {
   constexpr int64_t h = int64_t{1} << kSlopeStepLog2;
   const int64_t noise = rate_noise(scale);
   with_form(form, [&](auto known) {
@@ -136,6 +161,7 @@ void sum_slopes(Form form, const PlaceScale& scale, const PlaceMotion& motion, i
         const int64_t u = motion.instrument[0][n], w = motion.instrument[1][n];
         *first += instrument_force<kForm>(u + h, w, noise) - instrument_force<kForm>(u - h, w, noise);
         *second += instrument_force<kForm>(u, w + h, noise) - instrument_force<kForm>(u, w - h, noise);
+        if (edges) *second += (instrument_force<kForm>(u, w, noise) * motion.slope[0][n]) >> kEdgeBits;
       }
     }
   });

@@ -27,11 +27,16 @@ struct PlaceScale {
 struct PlaceMotion {
   int32_t instrument[2][kBlockSamples];
   int32_t own[2][kBlockSamples];
-  int32_t slope[2][kBlockSamples], own_slope[2][kBlockSamples];  // DOFs only
+  int32_t slope[2][kBlockSamples], own_slope[2][kBlockSamples];  // DOFs only; of a link slope[0] holds find_edges()
   int32_t own_sign[kBlockSamples];                               // of the rate, Q20; not of DOFs
   int32_t used[kBlockSamples];                                   // all bits, or none
 };
 
+// A sample with which a run of samples begins or ends that a link's equations leave out beside a reversal of its friction. Noise that
+// its neighbours share chooses which one that is: a law phi of the rate w counts where |w| passes a threshold T, and for Gaussian noise
+// the mean of phi times noise has the slope of that choice too, phi(w) sgn(w) delta(|w| - T). One of these samples stands for
+// 1 / |change of w per sample| of the density there. After fill_motion(), where sum_slopes() is asked for.
+void find_edges(const BlockMotion& block, const Place& place, PlaceMotion& motion);
 void fill_motion(const BlockMotion& block, const Place& place, const PlaceScale& scale, PlaceMotion& motion);
 // phi from the neighbours, own from the sample itself; zero where the sample is not used.
 void fill_force(Form form, const PlaceScale& scale, const PlaceMotion& motion, int32_t* phi, int32_t* own);
@@ -69,9 +74,11 @@ constexpr Powers powers_of(Form form) {
 // SI unit of fill_force's numbers is 2^this, times the units of the quantities (N for pure numbers).
 int32_t force_exponent(Form form, const PlaceScale& scale);
 PlaceScale table_scale(PlaceScale scale);
-// Sums over the block of phi(q + h) - phi(q - h) for the first and the second quantity, h = 2^kSlopeStepLog2 of their Q18.
+// Sums over the block of phi(q + h) - phi(q - h) for the first and the second quantity, h = 2^kSlopeStepLog2 of their Q18, and of a
+// link's edges.
 constexpr int kSlopeStepLog2 = 15;
-void sum_slopes(Form form, const PlaceScale& scale, const PlaceMotion& motion, int64_t* first, int64_t* second);
+void sum_slopes(Form form, const PlaceScale& scale, const PlaceMotion& motion, bool edges, int64_t* first,
+                int64_t* second);
 // SI units of the quantity in one of its Q18.
 int32_t quantity_exponent(const PlaceScale& scale, int quantity);
 

@@ -239,7 +239,12 @@ void ScoreSums::go_on() {
 void ScoreSums::work_on(const Probe& probe) {
   const Place& place = plan_.place[probe.place];
   const PlaceScale& scale = scale_[probe.place];
-  if (motion_place_ != probe.place) fill_motion(block_, place, scale, motion_);
+  const bool shares = kKeepsProbeNoise && plan_.slopes > 0;
+  const bool edges = shares && place.kind == PlaceKind::kLink && block_.has_clear_sign(place.link);
+  if (motion_place_ != probe.place) {
+    fill_motion(block_, place, scale, motion_);
+    if (edges) find_edges(block_, place, motion_);
+  }
   motion_place_ = probe.place;
   alignas(16) int32_t phi[kBlockSamples], own[kBlockSamples];
   fill_force(probe.form, scale, motion_, phi, own);
@@ -250,8 +255,7 @@ void ScoreSums::work_on(const Probe& probe) {
   with[values++] = own;
   add_dots(phi, with, values, &table_.current(probe.first_value));
   const int value = probe.first_value + values - 1;
-  if (kKeepsProbeNoise && plan_.slopes > 0)
-    sum_slopes(probe.form, scale, motion_, &table_.current(value + 1), &table_.current(value + 2));
+  if (shares) sum_slopes(probe.form, scale, motion_, edges, &table_.current(value + 1), &table_.current(value + 2));
 }
 
 void ScoreSums::end_block() {
