@@ -81,8 +81,9 @@ class Attempt {
         if (!problem.empty()) return problem;
         continue;
       }
-      const TrueEffect fault = draw_fault(dice_, kind, channel_names(rig), 1 / c_.rate_Hz);
+      TrueEffect fault = draw_fault(dice_, kind, channel_names(rig), 1 / c_.rate_Hz);
       if (fault.channel.empty()) return "no channel for " + kind;
+      if (s_.fault != 0) fault.strength = s_.fault;
       rig.effects.push_back(fault);
       held_ = held_ || kind == "force_hold";
     }

@@ -19,6 +19,7 @@ struct Settings {
   std::string hidden = "none";            // a word of effects(), "any", "two" (any two) or "none"
   double rho_low = 0.05, rho_high = 0.6;  // rms(hidden force) / rms(damping force of its link)
   int masses = 0;                         // 0: as the condition draws
+  double fault = 0;                       // strength of a fault of a channel (seconds late, relative gain); 0: drawn
 };
 
 // Words that can be hidden: link and DOF effects, drive_dead_band, sensor_delay, sensor_gain, mains_hum; on the force

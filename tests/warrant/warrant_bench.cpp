@@ -146,6 +146,7 @@ int main(int argc, char** argv) try {
   app.add_option("--sensors", sensors, "sensor sets");
   app.add_option("--hidden", settings.hidden, "an effect, any, two or none");
   app.add_option("--masses", settings.masses, "how many; 0: as the condition draws");
+  app.add_option("--fault", settings.fault, "strength of a channel's fault: seconds late, relative gain; 0: drawn");
   app.add_option("--first", first, "first seed");
   app.add_option("--draws", draws, "rigs per condition and sensor set");
   app.add_option("--budget", budget, "probe_products_per_sample; 65535: all, 65534: a board's default");
