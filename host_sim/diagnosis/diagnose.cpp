@@ -129,7 +129,7 @@ Diagnosis diagnose(const rig_file::RigModel& rig, const std::vector<host_sim::Re
   runs::name_holds(task, d);
   if (d.verdict != Verdict::kUnknown) runs::name_force_hum(task, choice.final, d);
   runs::say_common_lag(task, d);
-  runs::say_shared_hum(d);
+  runs::say_shared_hum(task, d);
   runs::drop_undetermined(d);
   runs::drop_trifles(task, d);
   compare_nothing(d);

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "../choice/lines.hpp"
+#include "../terms/naming.hpp"
 #include "trifles.hpp"
 
 namespace diagnosis::runs {
@@ -59,12 +60,59 @@ void name_hum(const Task& task, const std::vector<Hum>& hum, Diagnosis& d) {
   d.advice.push_back(text);
 }
 
-void say_shared_hum(Diagnosis& d) {
-  const auto is_hum = [](const auto& c) { return c.effect == "mains_hum"; };
+namespace {
+
+bool is_hum(const Cause& c) { return c.effect == "mains_hum"; }
+
+// Of the channel's signal; 0 where it is none of the records'.
+double share_of_signal(const Task& task, const Cause& c) {
+  const Prepared& p = task.records[0];
+  const auto share = [&](const Vec& y) {
+    const double rms = rms_about_mean(y);
+    return rms > 0 && !c.parameters.empty() ? c.parameters[0].value / rms : 0;
+  };
+  for (const MotionTrace& t : p.traces)
+    if (c.where == "channel " + t.channel) return share(t.y);
+  for (size_t dof = 0; dof < p.force.size(); ++dof)
+    if (c.where == "channel " + force_channel(task.system.rig, dof)) return share(p.force[dof]);
+  return 0;
+}
+
+// The causes that `gone` holds for, with their numbers.
+template <typename Gone>
+void take_back(Diagnosis& d, Gone gone) {
+  for (const Cause& c : d.causes)
+    for (const diagnosis::Parameter& taken : c.parameters)
+      if (gone(c))
+        d.extended.parameters.erase(std::remove_if(d.extended.parameters.begin(), d.extended.parameters.end(),
+                                                   [&](const diagnosis::Parameter& p) { return p.name == taken.name; }),
+                                    d.extended.parameters.end());
+  d.causes.erase(std::remove_if(d.causes.begin(), d.causes.end(), gone), d.causes.end());
+}
+
+// One channel's hum, where it is far more of its signal than any other's: what was left of it when it was taken out looks like
+// another's. Empty: none is.
+std::string worst_of_all(const Task& task, const Diagnosis& d) {
+  double worst = 0, next = 0;
+  std::string where;
+  for (const Cause& c : d.causes) {
+    const double share = is_hum(c) ? share_of_signal(task, c) : 0;
+    next = std::max(next, std::min(share, worst));
+    if (share > worst) worst = share, where = c.where;
+  }
+  return worst > kOneOfThem * next ? where : "";
+}
+
+}  // namespace
+
+void say_shared_hum(const Task& task, Diagnosis& d) {
   const auto channels = std::count_if(d.causes.begin(), d.causes.end(), is_hum);
   if (channels < 2) return;
-  d.causes.erase(std::remove_if(d.causes.begin(), d.causes.end(), is_hum), d.causes.end());
-  d.ambiguous_with.erase(std::remove_if(d.ambiguous_with.begin(), d.ambiguous_with.end(), is_hum),
+  const std::string worst = worst_of_all(task, d);
+  take_back(d, [&](const Cause& c) { return is_hum(c) && c.where != worst; });
+  if (!worst.empty()) return;
+  d.ambiguous_with.erase(std::remove_if(d.ambiguous_with.begin(), d.ambiguous_with.end(),
+                                        [](const NamedPlace& p) { return p.effect == "mains_hum"; }),
                          d.ambiguous_with.end());
   d.advice.push_back("mains hum lies on " + std::to_string(channels) +
                      " channels or more: it is the room's, and left out of the judgement");

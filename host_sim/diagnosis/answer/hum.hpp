@@ -9,7 +9,7 @@ namespace diagnosis::runs {
 // of the DOF has to bear it out; of a channel that is alone nobody can tell. hum: per channel.
 void name_hum(const Task& task, const std::vector<Hum>& hum, Diagnosis& d);
 
-// Hum that two or more channels were named for is the room's too.
-void say_shared_hum(Diagnosis& d);
+// Hum that two or more channels were named for is the room's too, where it is not far more of one's signal than of any other's.
+void say_shared_hum(const Task& task, Diagnosis& d);
 
 }  // namespace diagnosis::runs

@@ -17,12 +17,17 @@ bool of_mains(double hertz, double bin_Hz) {
   return false;
 }
 
+double level_of(const Vec& power, Index from, Index to) {
+  std::vector<double> list;
+  for (Index k = std::max<Index>(1, from); k <= std::min(power.size() - 1, to); ++k) list.push_back(power[k]);
+  return median(list) / kMedianOfSpread;
+}
+
+// A line stands above the levels on both its sides; the edge of a band stands above that of one.
 // made: what else is known to be there, on average; empty: nothing.
 double over_level_around(const Vec& power, Index i, const Vec& made = {}) {
-  std::vector<double> around;
-  for (Index k = std::max<Index>(1, i - kAround); k <= std::min(power.size() - 1, i + kAround); ++k)
-    if (std::abs(k - i) > 2) around.push_back(power[k]);
-  double level = median(around) / kMedianOfSpread;
+  double level =
+      std::max(level_of(power, i - kAround, i - kLeakage - 1), level_of(power, i + kLeakage + 1, i + kAround));
   if (made.size() > 0) {
     const Index from = std::max<Index>(1, i - kNear), to = std::min(made.size() - 1, i + kNear);
     level = std::max(level, made.segment(from, to - from + 1).mean());

@@ -73,8 +73,15 @@ void take_out(const Sine& hum, Prepared& p, size_t channel) {
   }
 }
 
-bool in_the_way(const Hum& hum, double mean_square) {
-  return hum.amplitude > 0 && !hum.driven && 0.5 * hum.amplitude * hum.amplitude > kGoodPart * mean_square;
+bool of_the_mains(const Hum& hum) { return hum.amplitude > 0 && !hum.driven; }
+
+// Of one channel is enough: the mains are taken out of every channel that has them, or they would be said to be that one's.
+bool in_the_way(const std::vector<Hum>& hum, const Vec& mean_square) {
+  for (size_t c = 0; c < hum.size(); ++c)
+    if (of_the_mains(hum[c]) &&
+        0.5 * hum[c].amplitude * hum[c].amplitude > kGoodPart * mean_square[static_cast<Index>(c)])
+      return true;
+  return false;
 }
 
 }  // namespace
@@ -83,10 +90,12 @@ std::vector<Hum> take_out_hum(const Task& task, const Choice& choice, std::vecto
   const State& state = choice.base;
   const std::vector<Hum>& hum = choice.base_left.hum;
   Evaluator evaluator(task.system, state.model, task.records);
-  if (!state.fit.ok || evaluator.massless() || hum.size() != task.records[0].traces.size()) return {};
+  if (!state.fit.ok || evaluator.massless() || hum.size() != task.records[0].traces.size() ||
+      !in_the_way(hum, state.fit.mean_square))
+    return {};
   std::vector<std::vector<Sine>> lines(hum.size());  // per channel, per record
   for (size_t c = 0; c < hum.size(); ++c)
-    for (size_t r = 0; in_the_way(hum[c], state.fit.mean_square[static_cast<Index>(c)]) && r < records.size(); ++r)
+    for (size_t r = 0; of_the_mains(hum[c]) && r < records.size(); ++r)
       lines[c].push_back(sine_near(leftover_of(evaluator, records[r], state, r, static_cast<Index>(c)), hum[c].hertz));
   std::vector<Hum> taken(hum.size());
   bool any = false;
