@@ -12,6 +12,13 @@ namespace {
 using namespace diagnosis;
 using namespace diagnosis::runs;
 
+// 1000 samples of one channel in 25 parts, that leave so much of a unit variance and forget in 10 samples.
+void unseen(State& s, double left) {
+  s.unseen_fit.ok = true, s.unseen_fit.mean_square = Vec::Constant(1, left), s.unseen_fit.memory = 10;
+  const size_t blocks = 25 * kFiner;
+  s.unseen_fit.block_ss.assign(blocks, Vec::Constant(1, 1000 * left / static_cast<double>(blocks)));
+}
+
 // A damper of 10 N s/m, its model fitted over 100 blocks that each weigh 1 and each pull by 1, now up and now down: the pulls'
 // squares over the squared weight are 100 / 100^2, a standard deviation of 0.1 (0.102 with Student's factor for 100 blocks).
 State damper() {
@@ -22,17 +29,18 @@ State damper() {
   s.fit.ok = true, s.fit.block_length = 1000;
   for (int i = 0; i < 100; ++i)
     s.fit.gram.push_back(Mat::Constant(1, 1, 1)), s.fit.score.push_back(Vec::Constant(1, i % 2 ? 1 : -1));
+  unseen(s, 1);
   return s;
 }
 
-// It leaves so much of the squared error; unseen: one window of 1000 samples of one channel that forgets in 10, so that a
-// share of 0.04 less is sqrt(1000 * 0.04 / 10) = 2 deviations.
-Attempt found(double z, double error, double unseen) {
+// It leaves so much of the squared error; unseen: a share of 0.04 less is sqrt(1000 * 0.04 / 10) = 2 deviations, 1.96 without one of 25
+// parts.
+Attempt found(double z, double error, double unseen_share) {
   Attempt a;
   a.state = damper();
   a.state.unseen.resize(1), a.state.unseen[0].length = 1000;
-  a.state.unseen_fit.ok = true, a.state.unseen_fit.mean_square = Vec::Ones(1), a.state.unseen_fit.memory = 10;
-  a.z = z, a.error = error, a.unseen = unseen;
+  unseen(a.state, unseen_share);
+  a.z = z, a.error = error, a.unseen = unseen_share;
   return a;
 }
 
@@ -46,6 +54,16 @@ TEST(Matters, WhatIsSureHasToPayOnUnseenWindows) {
   EXPECT_TRUE(matters(damper(), found(3.1, 0.98, 0.95)));   // 2.2 deviations
   EXPECT_FALSE(matters(damper(), found(3.1, 0.98, 0.97)));  // 1.7
   EXPECT_FALSE(matters(damper(), found(2.9, 0.98, 0.95)));
+}
+
+// As much gained in all (2.2 deviations, or 3), but in one of 25 parts: that run fell from one valley of its error into another.
+TEST(Matters, OnePartAloneDoesNotSpeakForTheUnseenWindows) {
+  for (double unseen_share : {0.95, 0.91}) {
+    Attempt a = found(3.1, 0.98, unseen_share);
+    a.state.unseen_fit.block_ss = damper().unseen_fit.block_ss;
+    a.state.unseen_fit.block_ss[0][0] -= 1000 * (1 - unseen_share);
+    EXPECT_FALSE(matters(damper(), a)) << unseen_share;
+  }
 }
 
 TEST(Matters, OrToMoveANumberOutOfItsInterval) {

@@ -46,14 +46,28 @@ double expected_unseen(const Attempt& a, size_t added_from) {
   return rows > 0 ? sum / rows : 0;
 }
 
+// What each part of the unseen windows leaves less than beside the model alone, in variances of what that leaves.
+std::vector<double> gained_unseen(const Fitted& before, const Fitted& now) {
+  std::vector<double> list;
+  const size_t blocks = std::min(before.block_ss.size(), now.block_ss.size());
+  for (size_t from = 0; from < blocks; from += kFiner) {
+    list.push_back(0);
+    for (size_t b = from; b < std::min(blocks, from + kFiner); ++b)
+      list.back() += (before.block_ss[b] - now.block_ss[b]).cwiseQuotient(before.mean_square).sum();
+  }
+  return list;
+}
+
 // A cause of a deviations that is there or not changes the squared error by 2 a n - a^2 variances of what is left, n a normal deviate of
-// what noise makes of it: x variances less need n >= (x + a^2) / 2a, at least sqrt(x), whatever a.
-double deviations_unseen(const Attempt& a) {
-  if (!a.state.unseen_fit.ok) return 0;
-  double rows = 0;
-  for (const Window& w : a.state.unseen) rows += static_cast<double>(w.length);
-  rows *= static_cast<double>(a.state.unseen_fit.mean_square.size());
-  return std::sqrt(std::max(0.0, rows * (1 - a.unseen) / a.state.unseen_fit.memory));
+// what noise makes of it: x variances less need n >= (x + a^2) / 2a, at least sqrt(x), whatever a. Not counted is what one part
+// alone gains most: a run beside friction that sticks falls from one valley of its error into another.
+double deviations_unseen(const State& beside, const Attempt& a) {
+  if (!a.state.unseen_fit.ok || !beside.unseen_fit.ok) return 0;
+  const std::vector<double> gained = gained_unseen(beside.unseen_fit, a.state.unseen_fit);
+  double sum = 0, most = 0;
+  for (const double g : gained) sum += g, most = std::max(most, g);
+  if (gained.size() > 1) sum -= most;
+  return std::sqrt(std::max(0.0, sum / a.state.unseen_fit.memory));
 }
 
 // As share_of(), on unseen windows: where they are quieter noise is more of what is left there.
@@ -160,7 +174,7 @@ void judge(const Task& task, const State& beside, bool hosted, Attempt& a) {
   }
   if (!a.state.fit.ok || a.rounds) return;
   a.z = std::min(1e300, least_z(a, beside.model.size()));
-  a.unseen_deviations = a.candidates.size() == 1 ? deviations_unseen(a) : 0;
+  a.unseen_deviations = a.candidates.size() == 1 ? deviations_unseen(beside, a) : 0;
   a.shows_unseen = !a.state.unseen_fit.ok || 1 - a.unseen > kShows || expected_unseen(a, beside.model.size()) > kShows;
   // what acts in another's place has no coefficient of its own: what it brings, block by block
   // (of a sweep two or three are by far the loudest: as a share of their own)
@@ -320,7 +334,7 @@ bool moves_a_number(const State& beside, const Attempt& a) {
 bool matters(const State& beside, const Attempt& a) {
   if (a.error < kPays || a.unseen < kPays) return true;
   if (!a.shows_unseen && a.z > kNamed) return true;
-  return a.z > kSure && (deviations_unseen(a) > kByChance || moves_a_number(beside, a));
+  return a.z > kSure && (deviations_unseen(beside, a) > kByChance || moves_a_number(beside, a));
 }
 
 bool passes(const Attempt& a, size_t already, double noise) {
