@@ -123,50 +123,94 @@ class Balance {
   const std::vector<size_t>& unknown_;
 };
 
-// instruments' columns times the balance's, and times what is given; `own`: the balance's columns by themselves.
+// Normal equations of the unknown numbers, each DOF's balance weighted by its own size.
 struct Moments {
-  Mat gram, own;
+  Mat gram;
   Vec right;
 };
 
 // What noise makes of a guess reaches over two smoothings on either side.
 Index beyond_noise_of(const Prepared& r) { return 4 * r.smooth_half + 1; }
 
-// delayed: the balance as it was some samples before is the instrument, else the balance itself.
+// The unknown numbers that act on a DOF.
+std::vector<Index> acting_on(size_t dof, const System& system, const Model& model, const std::vector<size_t>& unknown) {
+  std::vector<Index> list;
+  const int end = static_cast<int>(dof) + 1;
+  for (size_t i = 0; i < unknown.size(); ++i) {
+    const Term& t = model[unknown[i]].term;
+    const bool there = t.link >= 0 ? system.links[static_cast<size_t>(t.link)].a == end ||
+                                         system.links[static_cast<size_t>(t.link)].b == end
+                                   : t.dof + 1 == end;
+    if (there) list.push_back(static_cast<Index>(i));
+  }
+  return list;
+}
+
+Mat solved(const Mat& gram, const Mat& right) {
+  const Vec scale = gram.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
+  Mat a = scale.asDiagonal() * gram * scale.asDiagonal();
+  a.diagonal().array() += 1e-6;
+  return scale.asDiagonal() * a.ldlt().solve(scale.asDiagonal() * right);
+}
+
+// Least squares shrinks what noise is added to: an inertia that nothing drives, with all its links, to nought. The motion a while
+// before and after has another noise, and the force has none of the motion's: what they tell of each column stands for it.
+Mat instruments_of(const Mat& rows, const std::vector<Vec>& forces, Index lag) {
+  const Index count = rows.rows() - 2 * lag, p = rows.cols();
+  Mat z(count, 2 * p + 3 * static_cast<Index>(forces.size()));
+  z.leftCols(p) = rows.topRows(count), z.middleCols(p, p) = rows.bottomRows(count);
+  Index at = 2 * p;
+  for (const Vec& f : forces)
+    for (Index from : {Index{0}, lag, 2 * lag}) z.col(at++) = f.segment(from, count);
+  return z;
+}
+
+// instruments: of the columns, not the columns themselves.
 void add_moments(const System& system, const Prepared& r, const Model& model, const std::vector<size_t>& unknown,
-                 bool delayed, Moments& m) {
+                 bool instruments, Moments& m) {
   const Balance balance(system, r, model, unknown);
-  const Index p = static_cast<Index>(unknown.size()), n = static_cast<Index>(system.dofs());
-  const Index stride = std::max<Index>(1, r.samples / kMostRows), lag = delayed ? beyond_noise_of(r) : 0;
-  std::vector<Mat> rows(static_cast<size_t>(n), Mat(r.samples / stride + 1, p));
-  std::vector<Mat> before(delayed ? rows : std::vector<Mat>());
-  std::vector<Vec> target(static_cast<size_t>(n), Vec(r.samples / stride + 1));
-  Mat columns(n, p), earlier(n, p);
-  Vec given(n), ignored(n);
-  Index count = 0;
-  for (Index k = 2 + lag; k + 2 < r.samples; k += stride, ++count) {
-    balance.at(k, columns, given);
-    if (delayed) balance.at(k - lag, earlier, ignored);
-    for (Index d = 0; d < n; ++d) {
-      rows[static_cast<size_t>(d)].row(count) = columns.row(d), target[static_cast<size_t>(d)][count] = given[d];
-      if (delayed) before[static_cast<size_t>(d)].row(count) = earlier.row(d);
+  const Index stride = std::max<Index>(1, r.samples / kMostRows), count = (r.samples - 4 + stride - 1) / stride;
+  const Index lag = instruments ? (beyond_noise_of(r) + stride - 1) / stride : 0;
+  std::vector<std::vector<Index>> acting;
+  std::vector<Mat> rows;
+  std::vector<Vec> target, forces;
+  for (size_t d = 0; d < system.dofs(); ++d) {
+    acting.push_back(acting_on(d, system, model, unknown));
+    rows.push_back(Mat(count, static_cast<Index>(acting[d].size()))), target.push_back(Vec(count));
+    if (r.force[d].size()) forces.push_back(Vec::Map(r.force[d].data() + 2, count, Eigen::InnerStride<>(stride)));
+  }
+  Mat columns(static_cast<Index>(system.dofs()), static_cast<Index>(unknown.size()));
+  Vec given(columns.rows());
+  for (Index i = 0; i < count; ++i) {
+    balance.at(2 + i * stride, columns, given);
+    for (size_t d = 0; d < rows.size(); ++d) {
+      target[d][i] = given[static_cast<Index>(d)];
+      for (size_t j = 0; j < acting[d].size(); ++j)
+        rows[d](i, static_cast<Index>(j)) = columns(static_cast<Index>(d), acting[d][j]);
     }
   }
-  for (Index d = 0; d < n; ++d) {
-    const auto a = rows[static_cast<size_t>(d)].topRows(count);
-    const auto z = (delayed ? before : rows)[static_cast<size_t>(d)].topRows(count);
-    const auto b = target[static_cast<size_t>(d)].head(count);
+  for (size_t d = 0; d < rows.size(); ++d) {
+    if (acting[d].empty() || count <= 2 * lag) continue;
+    const Mat a = rows[d].middleRows(lag, count - 2 * lag);
+    const Vec b = target[d].segment(lag, count - 2 * lag);
     // weighted by the size of the forces on this DOF
     double size = b.squaredNorm() + 1e-300;
     if (b.squaredNorm() <= 0) size = std::max(1e-300, a.colwise().squaredNorm().maxCoeff());
-    m.gram += z.transpose() * a / size, m.right += z.transpose() * b / size;
-    if (delayed) m.own += a.colwise().squaredNorm().transpose().asDiagonal().toDenseMatrix() / size;
+    Mat told = a;
+    if (instruments) {
+      const Mat z = instruments_of(rows[d], forces, lag);
+      told = z * solved(z.transpose() * z, z.transpose() * a);
+    }
+    const Mat gram = told.transpose() * told / size;
+    const Vec right = told.transpose() * b / size;
+    for (size_t i = 0; i < acting[d].size(); ++i) {
+      m.right[acting[d][i]] += right[static_cast<Index>(i)];
+      for (size_t j = 0; j < acting[d].size(); ++j)
+        m.gram(acting[d][i], acting[d][j]) += gram(static_cast<Index>(i), static_cast<Index>(j));
+    }
   }
-  if (!delayed) m.own = m.gram;
 }
 
-// Least squares shrinks what noise is added to: an inertia that nothing drives, with all its links, to nought. The motion of a
-// while before has another noise.
 bool any_mass(const Model& model, const std::vector<size_t>& unknown) {
   return std::any_of(unknown.begin(), unknown.end(), [&](size_t i) { return model[i].term.kind == Kind::kMass; });
 }
@@ -179,19 +223,14 @@ void start_values(const System& system, const std::vector<Prepared>& records, Mo
     if (!model[i].known) unknown.push_back(i);
   if (unknown.empty()) return;
   const Index p = static_cast<Index>(unknown.size());
-  const bool delayed = any_mass(model, unknown);
-  Moments m{Mat::Zero(p, p), Mat::Zero(p, p), Vec::Zero(p)};
-  for (const Prepared& r : records) add_moments(system, r, model, unknown, delayed, m);
-  const Vec scale = m.own.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
-  Mat a = scale.asDiagonal() * m.gram * scale.asDiagonal();
-  a.diagonal().array() += 1e-6;
-  const Vec b = scale.asDiagonal() * m.right;
-  const Vec z = delayed ? Vec(a.fullPivLu().solve(b)) : Vec(a.ldlt().solve(b));
+  Moments m{Mat::Zero(p, p), Vec::Zero(p)};
+  for (const Prepared& r : records) add_moments(system, r, model, unknown, any_mass(model, unknown), m);
+  const Vec values = solved(m.gram, m.right);
   // what must be positive and is not starts from a tenth of what its column could carry alone
   for (Index i = 0; i < p; ++i) {
     ModelTerm& t = model[unknown[static_cast<size_t>(i)]];
-    double value = z[i] * scale[i];
-    if (positive(t.term.kind) && value <= 0) value = 0.1 * std::abs(m.right[i]) * scale[i] * scale[i];
+    double value = values[i];
+    if (positive(t.term.kind) && value <= 0) value = 0.1 * std::abs(m.right[i]) / std::max(1e-300, m.gram(i, i));
     if ((t.term.kind == Kind::kViscous || t.term.kind == Kind::kCoulomb) && value < 0) value = 0;
     t.value = value;
   }
