@@ -125,6 +125,9 @@ Diagnosis diagnose(const rig_file::RigModel& rig, const std::vector<host_sim::Re
       answer_by_runs(asked, task, say, wrong == runs::Wrong::kNo ? nullptr : &numbers, choice);
     round_jumps(task, records, choice);
     runs::answer(task, choice, d);
+    // what the free runs lose in noise and the rows see beside nothing else is there
+    if (d.verdict == Verdict::kNone && say.trace_alone && !runs::near_enough(task, choice))
+      d.verdict = Verdict::kUnknown;
   }
   runs::name_holds(task, d);
   if (d.verdict != Verdict::kUnknown) runs::name_force_hum(task, choice.final, d);

@@ -74,7 +74,7 @@ struct Diagnosis {
   }
   // The free run misses much, and what is left over the fitted stretches is noise: a force that is mostly noise does that.
   bool noise_hides() const {
-    return verdict == Verdict::kUnknown && causes.empty() && cannot_describe.empty() && baseline_misfit < kStillNoise;
+    return verdict == Verdict::kUnknown && causes.empty() && cannot_describe.empty() && leaves_noise_alone();
   }
   // Whether what the rig as given leaves is noise, and looks like nothing else.
   bool leaves_noise_alone() const { return baseline_misfit < kStillNoise && unknown_trace.empty(); }

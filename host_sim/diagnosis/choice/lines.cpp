@@ -9,14 +9,6 @@ namespace {
 constexpr Index kNear = 4;     // bins on either side that one realisation of a noise is averaged over
 constexpr Index kLeakage = 2;  // bins that a line between two of them spreads over, on either side
 
-bool of_mains(double hertz, double bin_Hz) {
-  for (double mains : {50.0, 60.0}) {
-    const double order = std::round(hertz / mains);
-    if (order >= 1 && std::abs(hertz - order * mains) < kMainsWidth_Hz * order + 2 * bin_Hz) return true;
-  }
-  return false;
-}
-
 double level_of(const Vec& power, Index from, Index to) {
   std::vector<double> list;
   for (Index k = std::max<Index>(1, from); k <= std::min(power.size() - 1, to); ++k) list.push_back(power[k]);
@@ -51,6 +43,14 @@ bool stands_alone(const Vec& power, Index peak) {
 }
 
 }  // namespace
+
+bool of_mains(double hertz, double bin_Hz) {
+  for (double mains : {50.0, 60.0}) {
+    const double order = std::round(hertz / mains);
+    if (order >= 1 && std::abs(hertz - order * mains) < kMainsWidth_Hz * order + 2 * bin_Hz) return true;
+  }
+  return false;
+}
 
 double median(std::vector<double> v) {
   if (v.empty()) return 0;

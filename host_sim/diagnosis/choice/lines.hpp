@@ -14,6 +14,9 @@ constexpr double kOneOfThem = 3;  // times the hum of any other channel, each ov
 
 double median(std::vector<double> values);
 
+// Whether a frequency is that of the mains or a multiple, as near as a spectrum of such bins tells.
+bool of_mains(double hertz, double bin_Hz);
+
 // Highest lines between two bins over the median level around them, or over what the drives' noise makes there if that is
 // more; mains left out. `driving`: spectra of what drives the rig.
 void highest_lines(const Vec& power, const Vec& by_drives, Index from, Index to, double bin_Hz,

@@ -45,9 +45,9 @@ struct Scan {
   Outsider best;
 
   double base() const { return rows.absolute() ? 60 : 150; }
-  void consider(double gain, double threshold, const std::string& description) {
+  void consider(double gain, double threshold, const std::string& description, double hertz = 0) {
     const double score = gain / std::max(1.0, (fit.chi2 - gain) / fit.dof);
-    if (score - threshold > best.score - best.threshold) best = {score, threshold, description};
+    if (score - threshold > best.score - best.threshold) best = {score, threshold, description, hertz};
   }
   // Gains of pairs of columns (a cosine and its sine) at one place.
   std::vector<double> pair_gains(const Place& place, const std::vector<Column>& columns) const {
@@ -65,7 +65,7 @@ struct Scan {
   }
   void tones() {
     for (const Tone& t : rows.loudest_tones(fit.projection->residual()))
-      consider(t.gain, base(), "a tone of " + number(t.hertz) + " Hz on dof " + std::to_string(t.dof + 1));
+      consider(t.gain, base(), "a tone of " + number(t.hertz) + " Hz on dof " + std::to_string(t.dof + 1), t.hertz);
   }
   void link(int l) {
     Term term;

@@ -11,6 +11,7 @@ struct Outsider {
   double score = 0;  // fall of chi-squared over the noise that remains
   double threshold = 60;
   std::string description;  // "a tone of 27.4 Hz on dof 1"
+  double hertz = 0;         // of a tone
   bool present() const { return score > threshold; }
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "../choice/lines.hpp"
 #include "outsiders.hpp"
 
 namespace diagnosis {
@@ -57,9 +58,12 @@ bool far_beyond_noise(const Rows& rows, const SearchResult& found) {
 Remainder remainder_of(Rows& rows, const CandidateBank& bank, const SearchResult& found) {
   const double drop = (found.base_fit.chi2 - found.fit.chi2) / found.fit.dof;
   const double most = rows.absolute() ? 0.4 + 0.003 * drop : 0.6 + 0.01 * drop;
-  Remainder left{found.fit.ratio() - 1 < most && !far_beyond_noise(rows, found), ""};
+  Remainder left{found.fit.ratio() - 1 < most && !far_beyond_noise(rows, found), "", false};
   const Outsider outsider = outsider_of(rows, bank, found);
-  if (outsider.present()) left = {false, outsider.description};
+  const FusedRecord& f = rows.records()[0];
+  const double ratio_beside = found.fit.chi2 / (found.fit.dof + outsider.score);
+  if (outsider.present())
+    left = {false, outsider.description, ratio_beside - 1 < most && !runs::of_mains(outsider.hertz, f.bin_Hz())};
   return left;
 }
 

@@ -12,6 +12,8 @@ bool far_beyond_noise(const Rows& rows, const SearchResult& found);
 struct Remainder {
   bool noise_only = true;
   std::string trace;  // of something outside the vocabulary, where there is a plain one
+  // Beside it only noise is left: what the rows take for noise is noise, and the trace is none of it. A hum is no trace.
+  bool trace_alone = false;
 };
 // Leaves the rows' weights settled on the model.
 Remainder remainder_of(Rows& rows, const CandidateBank& bank, const SearchResult& found);

@@ -73,7 +73,7 @@ RowsSay ask_rows(const System& system, const Asked& asked) {
   d.baseline_misfit = found.base_fit.ratio(), d.extended_misfit = found.fit.ratio();
   const Remainder remainder = remainder_of(*bench.rows, *bench.bank, found);
   say.noise_only = remainder.noise_only;
-  d.unknown_trace = remainder.trace;
+  d.unknown_trace = remainder.trace, say.trace_alone = remainder.trace_alone;
   if (!say.noise_only) return say;
   say.faults.insert(say.faults.end(), alone.faults.begin(), alone.faults.end());
   Rows& rows = *bench.rows;

@@ -1,0 +1,36 @@
+// What the equations' rows see beside noise and no effect of the vocabulary makes: the rig file does not explain it.
+#include <gtest/gtest.h>
+
+#include "draw.hpp"
+#include "host_sim/diagnosis/choice/lines.hpp"
+#include "two_masses.hpp"
+
+namespace {
+
+// 5 % of noise in every channel; rms of the hidden force 0.05 to 0.18 of the damping force.
+diagnosis::Diagnosis answer_to(uint64_t seed, hidden::Hide hide) {
+  hidden::Settings settings;
+  settings.hide = hide, settings.noise = 0.05, settings.rho_low = 0.05, settings.rho_high = 0.18;
+  const hidden::Draw draw = hidden::make_draw(seed, settings);
+  return diagnosis::diagnose(draw.rig, {draw.record}, {});
+}
+
+// A foreign tone of 0.053 of the damping force moves no channel beyond a tenth of its noise.
+TEST(TraceBesideNoise, IsUnknown) {
+  const diagnosis::Diagnosis d = answer_to(8600004, hidden::Hide::kOutside);
+  EXPECT_EQ(two_masses::said(d), "unknown");
+  EXPECT_NE(d.unknown_trace.find("tone of 21.8 Hz"), std::string::npos) << d.unknown_trace;
+  EXPECT_FALSE(d.noise_hides());
+}
+
+TEST(TraceBesideNoise, IsNotThereWhereNothingIsHidden) {
+  EXPECT_EQ(two_masses::said(answer_to(8600004, hidden::Hide::kNothing)), "none");
+}
+
+// The mains are in the room, not in the rig: 49.95 Hz too, and 119.9 Hz, in bins of 0.05 Hz.
+TEST(TraceBesideNoise, IsNoHum) {
+  for (const double hertz : {50.0, 49.95, 119.9}) EXPECT_TRUE(diagnosis::runs::of_mains(hertz, 0.05)) << hertz;
+  for (const double hertz : {49.5, 55.0, 21.8}) EXPECT_FALSE(diagnosis::runs::of_mains(hertz, 0.05)) << hertz;
+}
+
+}  // namespace
