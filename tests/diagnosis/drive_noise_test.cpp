@@ -70,6 +70,20 @@ TEST(DriveNoise, OfACleanHammerIsNone) {
   EXPECT_FALSE(drives_have_noise({p}));
 }
 
+// The load cell of a shaker that is off reads its zero and 0.1 N of noise. A torque of 0.2 N rms in such noise may be off for good.
+TEST(DriveNoise, OfAnIdleLoadCellIsNoLastingError) {
+  std::mt19937_64 random(8);
+  std::normal_distribution<double> normal;
+  std::vector<double> idle, noisy;
+  for (size_t i = 0; i < 4000; ++i) {
+    idle.push_back(0.3 + 0.1 * normal(random));
+    noisy.push_back(idle.back() + 0.2 * std::sqrt(2) * std::sin(kTwoPi * 10 * 1e-3 * static_cast<double>(i)));
+  }
+  EXPECT_EQ(lasting_error_of_force(prepared(idle), 0), 0);
+  EXPECT_FALSE(drives_are_much_noise({prepared(idle)}));
+  EXPECT_NEAR(lasting_error_of_force(prepared(noisy), 0), 0.1 / 8, 0.002);
+}
+
 hidden_rig::Draw drawn(uint64_t seed, const char* condition, const char* sensors, const char* hidden) {
   hidden_rig::Settings settings;
   settings.condition = condition, settings.sensors = sensors, settings.hidden = hidden, settings.rho_low = 0.1;

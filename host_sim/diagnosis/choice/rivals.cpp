@@ -82,7 +82,9 @@ void weigh_rivals(const Task& task, const std::function<void(double)>& progress,
       mine.candidate = own.candidates[0], mine.z = own.z, choice.final = on_all(task, choice.final, own.state);
       keep_shape(choice.final.model, mine.candidate);
     }
-    mine.share = share_of(own, noise);
+    // what the rig as given leaves beside the band of its motion is not all noise: no more is than what is left beside the cause
+    const double left_noise = own.error * noise_share(left_by(task.system, task.records, own.state), own.state.fit);
+    mine.share = share_of(own, std::min(noise, left_noise));
     std::sort(as_good.begin(), as_good.end(),
               [](const Attempt& a, const Attempt& b) { return whole_error(a) < whole_error(b); });
     for (const Attempt& t : as_good) mine.rivals.push_back(Rival{t.candidates[0], t.error / own.error});

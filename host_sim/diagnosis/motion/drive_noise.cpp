@@ -12,6 +12,8 @@ constexpr double kMuchNoise = 0.25;
 // Of its noise. A servo's torque that was recorded beside its command was off by 0.11 of its noise, more at one level and less at
 // another.
 constexpr double kLasting = 0.125;
+constexpr double kIdle =
+    0.5;  // of its noise: a load cell that nothing pushes shows no more, and has nothing to be off by
 
 }  // namespace
 
@@ -31,7 +33,9 @@ Prepared DriveNoise::added_to(const Prepared& record) {
 double lasting_error_of_force(const Prepared& record, size_t dof) {
   const Vec& force = record.force[dof];
   if (force.size() == 0) return 0;
-  const double noise = noise_of_force(record, dof) * std::sqrt(record.step_s / record.read_every_s);
+  const double left_noise = noise_of_force(record, dof), about_mean = rms_about_mean(force);
+  if (about_mean * about_mean < (1 + kIdle * kIdle) * left_noise * left_noise) return 0;
+  const double noise = left_noise * std::sqrt(record.step_s / record.read_every_s);
   const double rms = std::sqrt(force.squaredNorm() / static_cast<double>(force.size()));
   return noise > kMuchNoise * rms ? kLasting * noise : 0;
 }
