@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "../motion/drive_noise.hpp"
+#include "elastic_doubt.hpp"
 
 namespace diagnosis::runs {
 namespace {
@@ -75,6 +76,8 @@ class Moved {
 std::vector<Determined> determined_beside_drives(const Task& task, const State& state) {
   std::vector<Determined> found = determined(state.fit, state.model);
   if (found.empty() || massless(task.system.rig)) return found;
+  const Vec doubt = elastic_doubt(task, state.model);
+  for (size_t i = 0; i < found.size(); ++i) found[i].std = std::hypot(found[i].std, doubt[static_cast<Index>(i)]);
   for (size_t dof = 0; dof < task.records[0].force.size(); ++dof) {
     const auto any = [&](const Prepared& p) { return lasting_error_of_force(p, dof) > 0; };
     if (std::none_of(task.records.begin(), task.records.end(), any)) continue;

@@ -10,9 +10,6 @@ namespace {
 bool is_stiffness(Kind kind) { return kind == Kind::kStiffness; }
 bool is_friction(Kind kind) { return kind == Kind::kCoulomb || kind == Kind::kMissingCoulomb; }
 
-// Of a mass or a spring: sampling and smoothing leave this share of its force wrong, noise or not.
-constexpr double kKnownElastic = 3e-5;
-
 // What the model has of a kind at the place of a term.
 double present(const std::vector<ActiveTerm>& model, Kind kind, const Term& t) {
   double sum = 0;

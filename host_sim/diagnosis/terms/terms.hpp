@@ -8,6 +8,9 @@
 
 namespace diagnosis {
 
+// Of a mass or a spring: sampling, and smoothing or the steps of a simulation, leave this share of its force wrong, noise or not.
+constexpr double kKnownElastic = 3e-5;
+
 enum class Kind {
   // of every rig file
   kMass,
