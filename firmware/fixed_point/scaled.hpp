@@ -71,3 +71,8 @@ int64_t to_fixed(const Scaled& a, int32_t fraction_bits);
 int32_t log2_floor(const Scaled& a);
 
 }  // namespace firmware
+
+#if defined(__x86_64__)
+#define FIRMWARE_STEPS_IN_PLACE
+#include "firmware/fixed_point/scaled_steps.hpp"
+#endif

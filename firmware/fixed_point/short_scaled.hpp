@@ -27,9 +27,9 @@ constexpr int bits_of_sum(int count) {
   return bits;
 }
 
-// Sum of a(i) * b(i), 0 <= i < count, both of ShortScaled; count below 2^16.
+// Sum of a(i) * b(i), 0 <= i < count, both of ShortScaled; count below 2^16. In two passes, which look at each number twice.
 template <typename A, typename B>
-Scaled sum_of_products(int count, A a, B b) {
+Scaled sum_in_two_passes(int count, A a, B b) {
   int32_t largest = INT32_MIN;
   for (int i = 0; i < count; ++i) {
     const ShortScaled x = a(i), y = b(i);
@@ -45,6 +45,38 @@ Scaled sum_of_products(int count, A a, B b) {
     if (shift < 63 && shift >= 0) sum += (static_cast<int64_t>(x.mantissa) * y.mantissa) >> shift;
   }
   return Scaled::from_int(sum, largest);
+}
+
+// The same, where there is room to keep count <= kMost products: each number is looked up once, and no branch depends on it.
+template <int kMost, typename A, typename B>
+Scaled sum_of_kept(int count, A a, B b) {
+  int64_t product[kMost];
+  int32_t exponent[kMost], largest = INT32_MIN;
+  for (int i = 0; i < count; ++i) {
+    const ShortScaled x = a(i), y = b(i);
+    product[i] = static_cast<int64_t>(x.mantissa) * y.mantissa;
+    exponent[i] = x.exponent + y.exponent;
+    const int32_t counts = product[i] != 0 ? exponent[i] : INT32_MIN;
+    largest = counts > largest ? counts : largest;
+  }
+  if (largest == INT32_MIN) return {};
+  largest += bits_of_sum(count);
+  int64_t sum = 0;
+  for (int i = 0; i < count; ++i) {
+    const auto shift = static_cast<uint32_t>(largest - exponent[i]);  // of a product that is 0 anything
+    const int64_t shifted = product[i] >> (shift & 63u);
+    sum += shift < 63 ? shifted : 0;
+  }
+  return Scaled::from_int(sum, largest);
+}
+
+template <int kMost, typename A, typename B>
+Scaled sum_of_products(int count, A a, B b) {
+#ifdef FIRMWARE_STEPS_IN_PLACE
+  return sum_of_kept<kMost>(count, a, b);
+#else
+  return sum_in_two_passes(count, a, b);
+#endif
 }
 
 }  // namespace firmware

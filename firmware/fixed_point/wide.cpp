@@ -56,7 +56,7 @@ uint64_t short_quotient(uint64_t numerator, uint64_t denominator, int bits) {
 }
 #endif
 
-uint64_t divide_fraction(uint64_t numerator, uint64_t denominator) {
+uint64_t divide_by_steps(uint64_t numerator, uint64_t denominator) {
   const int shift = leading_zeros(denominator);
   const uint64_t d = denominator << shift, n = numerator << shift;
   const uint64_t inverse = reciprocal(d);

@@ -1,5 +1,5 @@
-// Exact 64-bit division and square root from 32-bit multiplications: the two steps of scaled.cpp that a small processor
-// has no instruction for. One path on every machine, so that the bits are the same everywhere.
+// Exact 64-bit division and square root from 32-bit multiplications: the two steps of block-floating arithmetic that a small
+// processor has no instruction for. A PC divides with the instruction that it has: the floor is the floor.
 //
 // Both start from a reciprocal of some 15 bits, double its digits by Newton's steps (errors stated in wide.cpp), and end
 // with the exact remainder: what comes out is the floor, never an approximation of it.
@@ -33,8 +33,18 @@ inline uint64_t short_quotient(uint64_t numerator, uint64_t denominator, int) { 
 uint64_t short_quotient(uint64_t numerator, uint64_t denominator, int bits);
 #endif
 
-// floor(numerator * 2^62 / denominator) for numerator < denominator, 2^61 <= denominator < 2^63.
-uint64_t divide_fraction(uint64_t numerator, uint64_t denominator);
+// floor(numerator * 2^62 / denominator) for numerator < denominator, 2^61 <= denominator < 2^63: by multiplications alone, and with
+// the instruction for it where there is one.
+uint64_t divide_by_steps(uint64_t numerator, uint64_t denominator);
+inline uint64_t divide_fraction(uint64_t numerator, uint64_t denominator) {
+#if defined(__x86_64__) && !defined(FIRMWARE_WITHOUT_INT128)
+  uint64_t quotient, rest;  // the dividend's upper half, numerator / 4, is below the denominator
+  __asm__("divq %4" : "=a"(quotient), "=d"(rest) : "a"(numerator << 62), "d"(numerator >> 2), "r"(denominator) : "cc");
+  return quotient;
+#else
+  return divide_by_steps(numerator, denominator);
+#endif
+}
 
 // 2^30 / sqrt(z / 2^32) for 2^30 <= z < 2^32, off by less than 2^-28 of itself.
 uint32_t reciprocal_root(uint32_t z);

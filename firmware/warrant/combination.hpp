@@ -19,7 +19,7 @@ class Combination {
   }
   Scaled of(const ScoreTable& table, int stretch) const {
     report_work(100 + 50 * count_);
-    return sum_of_products(
+    return sum_of_products<kMost>(
         count_, [&](int i) { return coefficient_[i]; }, [&](int i) { return table.number(stretch, value_[i]); });
   }
 

@@ -56,18 +56,25 @@ void ScoreTest::add_scores(Combination<kMostProbeSums>& combination, const Scale
   add_sums(combination, factor);
 }
 
-// Function of the time that the probe drifts with, at the middle of a stretch; s.
-Scaled ScoreTest::time(int s) const {
+// Time in the middle of a stretch since its level's start; s.
+Scaled ScoreTest::middle(int s) const {
   const Stretch& stretch = sums_->table().stretch(s);
-  const Scaled since =
-      configuration_->sample_period_s * Scaled::ratio(static_cast<int64_t>(stretch.time), stretch.blocks);
+  return configuration_->sample_period_s * Scaled::ratio(static_cast<int64_t>(stretch.time), stretch.blocks);
+}
+
+// Function of the time that the probe drifts with. end: the middle of its level's last stretch.
+Scaled ScoreTest::time(int s, const Scaled& end) const {
+  const Scaled since = middle(s);
   if (probe_->drift != Drift::kSettles) return since;
-  int level = 0;
-  while (level_begin_[level + 1] <= s) ++level;
-  const Stretch& last = sums_->table().stretch(level_begin_[level + 1] - 1);
-  const Scaled end = configuration_->sample_period_s * Scaled::ratio(static_cast<int64_t>(last.time), last.blocks);
   const Scaled most = end + scale_by_power_of_two(end, -3), half = since + scale_by_power_of_two(end, -3);
   return half.is_zero() ? since : since * most / half;
+}
+
+void ScoreTest::keep_times() {
+  for (int level = 0; level < levels_; ++level) {
+    const Scaled end = end_of(level);
+    for (int s = level_begin_[level]; s < level_begin_[level + 1]; ++s) left_[s] = time(s, end);
+  }
 }
 
 // Sum of a value's raw sums over a level; power: of the time in it where the probe's force grows with time.
@@ -77,7 +84,7 @@ Scaled ScoreTest::total(int level, int value, int power) const {
   if (!probe_->drifts()) return table.sum(from, to, place);
   Scaled sum;
   for (int s = from; s < to; ++s) {
-    const Scaled since = time(s);
+    const Scaled& since = left_[s];  // keep_times()
     sum = sum + table.value(s, place) * (power == 2 ? since * since : since);
   }
   return sum;

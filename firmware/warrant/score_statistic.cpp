@@ -92,7 +92,8 @@ void ScoreTest::add_bent_base(int level) {
 // beside the effect's own share h of the information. Returns the sum of the shares that they take up.
 Scaled ScoreTest::give_back_level(int level, const ProbeScore& result) {
   const ScoreTable& table = sums_->table();
-  const Scaled one = Scaled::from_int(1), least = Scaled::from_int(1, -2), part = one / result.information;
+  const Scaled one = Scaled::from_int(1), least = Scaled::from_int(1, -2), part = one / result.information,
+               end = end_of(level);
   uint8_t unknown_of[kMostBaseSums];
   int count = 0;
   Scaled lost;
@@ -107,7 +108,7 @@ Scaled ScoreTest::give_back_level(int level, const ProbeScore& result) {
     for (int k = 0; k < place_->columns; ++k) {
       const int value = place_->equations + k;
       g[place_->unknown[k]] = column_weight_[k] * unit_[value] * table.value(s, probe_->first_value + value);
-      if (probe_->drifts()) g[place_->unknown[k]] = g[place_->unknown[k]] * time(s);
+      if (probe_->drifts()) g[place_->unknown[k]] = g[place_->unknown[k]] * time(s, end);
     }
     for (int i = 0; i < count; ++i) g[unknown_of[i]] = g[unknown_of[i]] - base_sum_.term(table, s, i);
     report_work(150 * count);
@@ -148,12 +149,12 @@ void ScoreTest::score_level(int level) {
   ShortScaled share[kMaxUnknowns];
   for (int k = 0; k < unknowns_; ++k) share[k] = short_scaled(share_[k]);
   for (int s = level_begin_[level]; s < level_begin_[level + 1]; ++s, report_work(600 + 100 * unknowns_)) {
-    const Scaled base = sum_of_products(
+    const Scaled base = sum_of_products<kMaxUnknowns>(
         unknowns_, [&](int k) { return share[k]; }, [&](int k) { return base_score_[s][k]; });
     psi_[s] = score_sum_.of(table, s);
     d_[s] = column_sum_.of(table, s);
     if (probe_->drifts()) {
-      const Scaled since = time(s);
+      const Scaled& since = left_[s];
       psi_[s] *= since;
       d_[s] = (d_[s] + own_weight * table.value(s, probe_->first_value + own) * since) * since;
     }
@@ -237,6 +238,7 @@ void ScoreTest::test(int number) {
   const Probe& probe = sums_->plan().probe[number];
   ProbeScore& result = score_[number] = ProbeScore{};
   open(probe);
+  if (probe.drifts()) keep_times();
   const int own = place_->equations + place_->columns;
   for (int level = 0; level < levels_; ++level) own_square_[number] += total(level, own, 2);
   own_square_[number] *= unit_[own];
@@ -287,6 +289,7 @@ bool ScoreTest::conclude(ProbeScore& result) {
 
 void ScoreTest::judge_by_scatter(ProbeScore& result) {
   const Scaled one = Scaled::from_int(1), least = Scaled::from_int(1, -2), part = one / result.information;
+  const Scaled doubtful = doubtful_score();  // while left_ still holds the times
   for (int s = 0; s < stretches_; ++s, report_work(200)) {
     left_[s] = psi_[s] - result.effect * d_[s];
     result.scatter += square(left_[s]);
@@ -294,16 +297,16 @@ void ScoreTest::judge_by_scatter(ProbeScore& result) {
     if (rest < one) left_[s] = left_[s] / (rest < least ? least : rest);
   }
   const Scaled freedom = result.freedom;
-  weigh_up(result, Scaled{});
+  weigh_up(result, Scaled{}, doubtful);
   if (!near_chance(result)) return;
   result.freedom = freedom;
   Scaled lost;
   for (int level = 0; level < levels_; ++level) lost += give_back_level(level, result);
-  weigh_up(result, lost);
+  weigh_up(result, lost, doubtful);
 }
 
-// Deviation and Wald statistics from left_; lost: stretches that the estimated coefficients took up.
-void ScoreTest::weigh_up(ProbeScore& result, const Scaled& lost) {
+// Deviation and Wald statistics from left_; lost: stretches that the estimated coefficients took up; doubtful: doubtful_score().
+void ScoreTest::weigh_up(ProbeScore& result, const Scaled& lost, const Scaled& doubtful) {
   Scaled sum_psi;
   for (int s = 0; s < stretches_; ++s) sum_psi += psi_[s];
   const Scaled even = even_variance(result, lost), single = result.freedom;
@@ -311,7 +314,7 @@ void ScoreTest::weigh_up(ProbeScore& result, const Scaled& lost) {
   Scaled doubt;  // what of the score may be noise that signals share, beyond what is taken out
   for (int k = 0; k < unknowns_; ++k)
     if (!share_[k].is_zero()) doubt += share_[k] * base_doubt_[k];
-  doubt = abs(doubtful_score() - doubt);
+  doubt = abs(doubtful - doubt);
   const Scaled sure = abs(sum_psi) > doubt ? abs(sum_psi) - doubt : Scaled{};
   result.std = deviation / result.information;
   result.wald = quotient(sum_psi.is_negative() ? -sure : sure, deviation);

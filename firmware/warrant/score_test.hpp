@@ -89,7 +89,10 @@ class ScoreTest {
   void take_level(int level);
   void add_scores(Combination<kMostProbeSums>& combination, const Scaled* equation) const;
   void add_sums(Combination<kMostProbeSums>& combination, const Scaled* factor) const;
-  Scaled time(int stretch) const;
+  Scaled middle(int stretch) const;
+  Scaled end_of(int level) const { return middle(level_begin_[level + 1] - 1); }
+  Scaled time(int stretch, const Scaled& end) const;
+  void keep_times();
   Scaled total(int level, int value, int power) const;
   Scaled column_total(int level, int column) const;
   Scaled doubtful_score();
@@ -115,7 +118,7 @@ class ScoreTest {
   void each_base_sum(int level, Take take) const;
   void add_bent_base(int level);
   Scaled give_back_level(int level, const ProbeScore& result);
-  void weigh_up(ProbeScore& result, const Scaled& lost);
+  void weigh_up(ProbeScore& result, const Scaled& lost, const Scaled& doubtful);
   bool near_chance(const ProbeScore& score) const;
   void keep_bends(int probe);
   void keep_bend_of_shape(int probe);
@@ -146,6 +149,7 @@ class ScoreTest {
   Scaled share_[kMaxUnknowns], bend_[kMaxUnknowns], sum_own_;
   Combination<kMostProbeSums> score_sum_, column_sum_;
   Combination<kMostBaseSums> base_sum_;
+  // Scores, their information, what the effect leaves of them; before that, of a probe that drifts, the stretches' times.
   Scaled psi_[kMostStretches], d_[kMostStretches], left_[kMostStretches];
   ProbeScore score_[kMaxProbes];
   Scaled own_square_[kMaxProbes];  // sum of own forces squared, SI

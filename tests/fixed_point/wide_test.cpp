@@ -14,9 +14,12 @@ constexpr uint64_t kOne = 1;
 
 // quotient = floor(n 2^62 / d) means  quotient d <= n 2^62 < (quotient + 1) d.
 void expect_quotient(uint64_t numerator, uint64_t denominator) {
-  const Integer quotient = divide_fraction(numerator, denominator), dividend = static_cast<Integer>(numerator) << 62;
-  ASSERT_TRUE(quotient * denominator <= dividend && dividend < (quotient + 1) * denominator)
-      << numerator << " / " << denominator;
+  const Integer dividend = static_cast<Integer>(numerator) << 62;
+  for (const auto divide : {divide_fraction, divide_by_steps}) {
+    const Integer quotient = divide(numerator, denominator);
+    ASSERT_TRUE(quotient * denominator <= dividend && dividend < (quotient + 1) * denominator)
+        << numerator << " / " << denominator;
+  }
 }
 
 // The nearest root r of s has  r^2 - r < s <= r^2 + r  (half way between two roots lies no whole number).

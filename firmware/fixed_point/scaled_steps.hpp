@@ -1,0 +1,217 @@
+// The steps of block-floating arithmetic. On a PC they stand wherever they are used (scaled.hpp includes this), for a call and the
+// way there and back through memory take longer than the steps do; on a board they stand once, in scaled.cpp: there flash counts.
+// The 128-bit steps are in wide.hpp.
+#pragma once
+#include "firmware/fixed_point/magnitude.hpp"
+#include "firmware/fixed_point/scaled.hpp"
+#include "firmware/fixed_point/wide.hpp"
+#include "firmware/fixed_point/work_meter.hpp"
+
+#ifdef FIRMWARE_STEPS_IN_PLACE
+#define FIRMWARE_STEP [[gnu::always_inline]] inline
+#define FIRMWARE_STEP_APART FIRMWARE_STEP
+#define FIRMWARE_STEP_OF_STEPS FIRMWARE_STEP
+#else
+#define FIRMWARE_STEP
+#define FIRMWARE_STEP_APART [[gnu::noinline]] static
+#define FIRMWARE_STEP_OF_STEPS static
+#endif
+
+namespace firmware {
+namespace scaled_steps {
+
+constexpr int kMantissaBits = 62;  // |mantissa| < 2^62
+constexpr int32_t kExponentLimit = 1 << 20;
+// What they take on a small processor, for what is done in slices.
+constexpr int32_t kProductWork = 150, kQuotientWork = 800, kRootWork = 1000;
+constexpr int64_t kLargestMantissa = (int64_t{1} << kMantissaBits) - 1;
+
+inline int64_t with_sign(uint64_t value, bool negative) {
+  return negative ? -static_cast<int64_t>(value) : static_cast<int64_t>(value);
+}
+
+// Places that a number below 2^64 may move up, or (negative) has to move down, to its normal form; value != 0.
+inline int places_up(uint64_t value) { return __builtin_clzll(value) - (64 - kMantissaBits); }
+
+// A mantissa in its normal form, its exponent saturated.
+[[gnu::always_inline]] inline Scaled limited(uint64_t value, int32_t exponent, bool negative) {
+  if (exponent > kExponentLimit) return {with_sign(static_cast<uint64_t>(kLargestMantissa), negative), kExponentLimit};
+  if (exponent < -kExponentLimit) return {};
+  return {with_sign(value, negative), exponent};
+}
+
+// value * 2^exponent with value < 2^64, brought to the normal form; rounds to nearest when bits are dropped.
+FIRMWARE_STEP_OF_STEPS Scaled normalised(uint64_t value, int32_t exponent, bool negative) {
+  if (value == 0) return {};
+  const int shift = places_up(value);
+  if (shift >= 0) {
+    value <<= shift;
+  } else {
+    const int drop = -shift;
+    value = (value >> drop) + ((value >> (drop - 1)) & 1u);
+    if (value >> kMantissaBits) {
+      value >>= 1;
+      ++exponent;
+    }
+  }
+  return limited(value, exponent - shift, negative);
+}
+
+// Mantissas of 62 bits, larger_exponent - smaller_exponent = distance >= 0.
+#if UINTPTR_MAX > UINT32_MAX
+// Without a branch that depends on the numbers: which way they go is chance, and a wide processor loses more by a wrong guess
+// than by all the steps.
+[[gnu::always_inline]] inline Scaled aligned_sum(int64_t larger, int32_t exponent, int64_t smaller, int32_t distance) {
+  if (distance > kMantissaBits) return {larger, exponent};
+  const int64_t sum = larger + ((((smaller * 2) >> distance) + 1) >> 1);  // to nearest
+  if (sum == 0) return {};
+  const uint64_t value = magnitude(sum);  // below 2^63
+  const int grown = static_cast<int>(value >> kMantissaBits);
+  const int shift = grown != 0 ? 0 : places_up(value);
+  uint64_t normal = ((value >> grown) + (value & static_cast<uint64_t>(grown))) << shift;
+  exponent += grown - shift;
+  const int rounded_up = static_cast<int>(normal >> kMantissaBits);
+  normal >>= rounded_up;
+  return limited(normal, exponent + rounded_up, sum < 0);
+}
+#else
+[[gnu::always_inline]] inline Scaled aligned_sum(int64_t larger, int32_t exponent, int64_t smaller, int32_t distance) {
+  if (distance > kMantissaBits) return {larger, exponent};
+  if (distance > 0) smaller = ((smaller >> (distance - 1)) + 1) >> 1;  // to nearest
+  const int64_t sum = larger + smaller;
+  if (is_surely_normal(sum)) return {sum, exponent};
+  if (sum == 0) return {};
+  uint64_t value = magnitude(sum);  // below 2^63
+  const int shift = places_up(value);
+  if (shift >= 0) {
+    value <<= shift;
+    exponent -= shift;
+  } else {
+    value = (value >> 1) + (value & 1u);
+    ++exponent;
+    if (value >> kMantissaBits) {
+      value >>= 1;
+      ++exponent;
+    }
+  }
+  return limited(value, exponent, sum < 0);
+}
+#endif
+
+[[gnu::always_inline]] inline Scaled any_sum(int64_t a, int32_t a_exponent, int64_t b, int32_t b_exponent) {
+  const int32_t distance = a_exponent - b_exponent;
+  const bool swap = distance < 0;
+  return aligned_sum(swap ? b : a, swap ? b_exponent : a_exponent, swap ? a : b, swap ? -distance : distance);
+}
+
+// Of two normal mantissas.
+[[gnu::always_inline]] inline Scaled product(uint64_t a, uint64_t b, int32_t exponent, bool negative) {
+  const Wide product = multiply(a, b);                             // 2^122 <= product < 2^124
+  const uint64_t top = (product.high << 4) | (product.low >> 60);  // product / 2^60, 2^62 <= top < 2^64
+  exponent += 61;
+#if UINTPTR_MAX > UINT32_MAX
+  const int large = static_cast<int>(top >> 63);
+  uint64_t value = (top >> (1 + large)) + ((top >> large) & 1u);  // to nearest; 2^61 <= value <= 2^63
+  exponent += large;
+#else
+  uint64_t value = (top >> 1) + (top & 1u);  // to nearest; 2^61 <= value <= 2^63
+  if (top >> 63) {
+    value = (top >> 2) + ((top >> 1) & 1u);
+    ++exponent;
+  }
+#endif
+  if (value >> kMantissaBits) {  // rounded up to the next power of two
+    value >>= 1;
+    ++exponent;
+  }
+  return limited(value, exponent, negative);
+}
+
+FIRMWARE_STEP_APART Scaled unreported_product(const Scaled& a, const Scaled& b) {
+  if (a.mantissa == 0 || b.mantissa == 0) return {};
+  return product(magnitude(a.mantissa), magnitude(b.mantissa), a.exponent + b.exponent,
+                 (a.mantissa < 0) != (b.mantissa < 0));
+}
+[[gnu::noinline, gnu::cold]] inline Scaled reported_product(const Scaled& a, const Scaled& b) {
+  report_work(kProductWork);
+  return unreported_product(a, b);
+}
+
+}  // namespace scaled_steps
+
+FIRMWARE_STEP Scaled Scaled::from_int(int64_t value, int32_t exponent) {
+  return scaled_steps::normalised(magnitude(value), exponent, value < 0);
+}
+
+FIRMWARE_STEP Scaled Scaled::of(int64_t value) { return from_int(value, 0); }
+FIRMWARE_STEP Scaled Scaled::of(int32_t value) { return from_int(int64_t{value}, 0); }
+FIRMWARE_STEP Scaled Scaled::ratio_of(int64_t numerator, int64_t denominator) {
+  return of(numerator) / of(denominator);
+}
+FIRMWARE_STEP Scaled Scaled::ratio_of(int32_t numerator, int32_t denominator) {
+  return of(numerator) / of(denominator);
+}
+
+FIRMWARE_STEP Scaled operator+(const Scaled& a, const Scaled& b) {
+  if (a.mantissa == 0) return b;
+  if (b.mantissa == 0) return a;
+  return scaled_steps::any_sum(a.mantissa, a.exponent, b.mantissa, b.exponent);
+}
+
+FIRMWARE_STEP Scaled operator-(const Scaled& a) { return {-a.mantissa, a.exponent}; }
+FIRMWARE_STEP Scaled operator-(const Scaled& a, const Scaled& b) {
+  if (a.mantissa == 0) return -b;
+  if (b.mantissa == 0) return a;
+  return scaled_steps::any_sum(a.mantissa, a.exponent, -b.mantissa, b.exponent);
+}
+
+FIRMWARE_STEP Scaled operator*(const Scaled& a, const Scaled& b) {
+  return work_meter == nullptr ? scaled_steps::unreported_product(a, b) : scaled_steps::reported_product(a, b);
+}
+
+FIRMWARE_STEP Scaled times(const Scaled& a, int64_t n) {
+  if (a.mantissa == 0 || n == 0) return {};
+  const uint64_t value = magnitude(n);
+  const int shift = scaled_steps::places_up(value);
+  return scaled_steps::product(magnitude(a.mantissa), value << shift, a.exponent - shift, (a.mantissa < 0) != (n < 0));
+}
+
+FIRMWARE_STEP Scaled operator/(const Scaled& a, const Scaled& b) {
+  report_work(scaled_steps::kQuotientWork);
+  if (a.mantissa == 0) return {};
+  const bool negative = (a.mantissa < 0) != (b.mantissa < 0);
+  if (b.mantissa == 0)
+    return {scaled_steps::with_sign(static_cast<uint64_t>(scaled_steps::kLargestMantissa), a.mantissa < 0),
+            scaled_steps::kExponentLimit};
+  // Normal mantissas differ by less than a factor of 2: halving a, where needed, makes a proper fraction of at least 1/2.
+  const uint64_t numerator = magnitude(a.mantissa);
+  const int halve = numerator >= magnitude(b.mantissa) ? 1 : 0;
+  const uint64_t quotient = divide_fraction(numerator, magnitude(b.mantissa) << halve);
+  return scaled_steps::normalised(quotient, a.exponent - b.exponent - scaled_steps::kMantissaBits + halve, negative);
+}
+
+FIRMWARE_STEP void operator+=(Scaled& a, const Scaled& b) { a = a + b; }
+FIRMWARE_STEP void operator-=(Scaled& a, const Scaled& b) { a = a - b; }
+FIRMWARE_STEP void operator*=(Scaled& a, const Scaled& b) { a = a * b; }
+FIRMWARE_STEP void operator/=(Scaled& a, const Scaled& b) { a = a / b; }
+
+FIRMWARE_STEP Scaled abs(const Scaled& a) { return a.mantissa < 0 ? -a : a; }
+
+FIRMWARE_STEP Scaled scale_by_power_of_two(const Scaled& a, int32_t power) {
+  return a.mantissa == 0 ? a : scaled_steps::normalised(magnitude(a.mantissa), a.exponent + power, a.mantissa < 0);
+}
+
+// Of two normal numbers of one sign the larger exponent is farther from 0.
+FIRMWARE_STEP bool operator<(const Scaled& a, const Scaled& b) {
+  const bool one_sign = a.mantissa != 0 && b.mantissa != 0 && (a.mantissa < 0) == (b.mantissa < 0);
+  if (one_sign && a.exponent != b.exponent) return (a.exponent < b.exponent) != (a.mantissa < 0);
+  return a.mantissa < b.mantissa;
+}
+FIRMWARE_STEP bool operator>(const Scaled& a, const Scaled& b) { return b < a; }
+FIRMWARE_STEP bool operator<=(const Scaled& a, const Scaled& b) { return !(b < a); }
+FIRMWARE_STEP bool operator>=(const Scaled& a, const Scaled& b) { return !(a < b); }
+FIRMWARE_STEP bool operator==(const Scaled& a, const Scaled& b) {
+  return a.mantissa == b.mantissa && (a.mantissa == 0 || a.exponent == b.exponent);
+}
+
+}  // namespace firmware
