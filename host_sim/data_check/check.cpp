@@ -173,10 +173,14 @@ RecordReport check_record(const Record& record, const rig_file::RigModel* model,
   if (has_fault(report)) return report;  // what follows compares channels: one that is broken would be blamed on others
   Record middle;
   const Record& compared = middle_of(record, middle);
-  std::set<int> dofs;
-  for (const Channel& channel : compared.channels)
-    if (dofs.insert(channel.dof).second) attach(check_kinematics(compared, channel.dof, rotates(channel)), report);
-  attach(check_exchanged(compared), report);
+  {
+    Integrals integrals;
+    std::set<int> dofs;
+    for (const Channel& channel : compared.channels)
+      if (dofs.insert(channel.dof).second)
+        attach(check_kinematics(compared, channel.dof, rotates(channel), integrals), report);
+    attach(check_exchanged(compared, integrals), report);
+  }
   if (model != nullptr && !has_fault(report)) attach(check_rig_balance(compared, *model), report);
   if (!has_fault(report))
     if (auto work = find_negative_work(compared, drive)) attach({std::move(*work)}, report);

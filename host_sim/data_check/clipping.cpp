@@ -118,11 +118,10 @@ FlatTops flat_tops(const Channel& channel, const Statistics& statistics, double 
        bottom = tops_at(values, runs_at(values, statistics.lowest, 0.0, -1.0), -1.0);
   const bool at_limit_high = upper_limit > lower_limit && statistics.highest >= upper_limit && top.samples > 1;
   const bool at_limit_low = upper_limit > lower_limit && statistics.lowest <= lower_limit && bottom.samples > 1;
-  const bool curved = !piecewise_straight(values, statistics);
   const bool noisy = beyond_chance(top, statistics, values.size()) || beyond_chance(bottom, statistics, values.size());
   const auto judge = [&](Tops& tops, bool at_limit, double level, double sign) {
     if (at_limit || beyond_chance(tops, statistics, values.size())) return;
-    if (curved && cut_off(tops, statistics, 0.0)) return;
+    if (cut_off(tops, statistics, 0.0) && !piecewise_straight(values, statistics)) return;
     tops = band > 0.0 && channel.quantity != Quantity::kForce
                ? tops_at(values, runs_at(values, level, band, sign), sign)
                : Tops();

@@ -30,19 +30,21 @@ struct Crossing {
   double own = 0.0;      // correlation, the larger of both; where each fits the other's
 };
 
-Crossing crossing(const Record& record, Quantity lower, Quantity upper, int i, int j) {
+Crossing crossing(const Record& record, Quantity lower, Quantity upper, int i, int j, Integrals& integrals) {
   const Channel *li = record.find(lower, i), *lj = record.find(lower, j);
   const Channel *ui = record.find(upper, i), *uj = record.find(upper, j);
   Crossing result;
   if (li == nullptr || lj == nullptr || ui == nullptr || uj == nullptr || rotates(*li) != rotates(*lj)) return result;
   result.known = true;
-  const double T = record.sample_period_s;
+  const auto agree = [&](const Channel* one, const Channel* other) {
+    return agreement(*one, *other, record.sample_period_s, integrals);
+  };
   // Motions of two DOFs seldom agree, and then nothing else needs to be looked at.
-  double crossed = agreement(*li, *uj, T);
+  double crossed = agree(li, uj);
   if (!(crossed > kFitsOther)) return result;
-  crossed = std::min(crossed, agreement(*lj, *ui, T));
+  crossed = std::min(crossed, agree(lj, ui));
   if (!(crossed > kFitsOther)) return result;
-  result.own = std::max(agreement(*li, *ui, T), agreement(*lj, *uj, T));
+  result.own = std::max(agree(li, ui), agree(lj, uj));
   result.crossed = 1.0 - result.own * result.own > kBetterThanOwn * (1.0 - crossed * crossed);
   return result;
 }
@@ -59,7 +61,7 @@ Finding exchanged(const Record& record, Quantity quantity, const Quantity* or_el
 
 }  // namespace
 
-std::vector<Finding> check_exchanged(const Record& record) {
+std::vector<Finding> check_exchanged(const Record& record, Integrals& integrals) {
   std::set<int> dofs;
   for (const Channel& channel : record.channels)
     if (channel.quantity != Quantity::kForce) dofs.insert(channel.dof);
@@ -67,7 +69,8 @@ std::vector<Finding> check_exchanged(const Record& record) {
   for (auto i = dofs.begin(); i != dofs.end(); ++i)
     for (auto j = std::next(i); j != dofs.end(); ++j) {
       Crossing pair[3];  // without displacement, without velocity, without acceleration
-      for (int q = 0; q < 3; ++q) pair[q] = crossing(record, kMotion[q == 0 ? 1 : 0], kMotion[q == 2 ? 1 : 2], *i, *j);
+      for (int q = 0; q < 3; ++q)
+        pair[q] = crossing(record, kMotion[q == 0 ? 1 : 0], kMotion[q == 2 ? 1 : 2], *i, *j, integrals);
       for (int q = 0; q < 3; ++q) {
         const Crossing &a = pair[(q + 1) % 3], &b = pair[(q + 2) % 3];  // both hold the quantity q
         if (a.known && b.known && a.crossed && b.crossed)

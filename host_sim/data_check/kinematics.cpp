@@ -23,33 +23,16 @@ constexpr int kDelays = 3;            // samples that a channel may be late with
 using Values = Eigen::Map<const Eigen::ArrayXd>;
 Values view(const double* values, size_t count) { return {values, static_cast<Eigen::Index>(count)}; }
 
-// Running integrals by trapezoids, in steps: sums[i] from the first value to the i-th, `mean` taken off each.
-void sum_up(const std::vector<double>& values, double mean, std::vector<double>& sums) {
-  sums.resize(values.size());
-  double sum = 0.0;
-  for (size_t i = 0; i < values.size(); ++i) {
-    const double half = 0.5 * (values[i] - mean);
-    sums[i] = sum += half;
-    sum += half;
-  }
-}
-
 // Both sides of one pair of channels, over one span after the other. What the spans have in common is summed once.
 class Sides {
  public:
   std::vector<double> from_lower, of_upper;  // centred at sample h + i, for every i or some
 
-  Sides(const Channel& lower, const Channel& upper, double sample_period_s)
+  Sides(const Channel& lower, const Channel& upper, double sample_period_s, Integrals& integrals)
       : lower_(lower.values),
         twice_(static_cast<int>(upper.quantity) - static_cast<int>(lower.quantity) == 2),
-        T_(sample_period_s) {
-    const auto mean = [](const std::vector<double>& values) { return view(values.data(), values.size()).mean(); };
-    sum_up(upper.values, mean(upper.values), integral_);
-    if (!twice_) return;
-    std::vector<double> once;
-    once.swap(integral_);
-    sum_up(once, mean(once), integral_);
-  }
+        T_(sample_period_s),
+        integral_(integrals.of(upper, twice_)) {}
 
   size_t samples() const { return lower_.size(); }
 
@@ -88,7 +71,7 @@ class Sides {
   const std::vector<double>& lower_;
   bool twice_;
   double T_;
-  std::vector<double> integral_;  // of the upper channel's, once or twice
+  const std::vector<double>& integral_;  // of the upper channel's, once or twice
 };
 
 struct Moments {
@@ -160,13 +143,30 @@ std::optional<Blame> blame_unit(const Comparison& pair, bool rotating) {
 
 }  // namespace
 
-double agreement(const Channel& lower, const Channel& upper, double sample_period_s) {
-  Sides sides(lower, upper, sample_period_s);
+const std::vector<double>& Integrals::of(const Channel& channel, bool twice) {
+  const auto [entry, fresh] = made_.try_emplace({&channel, twice});
+  std::vector<double>& sums = entry->second;
+  if (!fresh) return sums;
+  const std::vector<double>& values = twice ? of(channel, false) : channel.values;
+  const double mean = view(values.data(), values.size()).mean();
+  sums.resize(values.size());
+  double sum = 0.0;
+  for (size_t i = 0; i < values.size(); ++i) {
+    const double half = 0.5 * (values[i] - mean);
+    sums[i] = sum += half;
+    sum += half;
+  }
+  return sums;
+}
+
+double agreement(const Channel& lower, const Channel& upper, double sample_period_s, Integrals& integrals) {
+  Sides sides(lower, upper, sample_period_s, integrals);
   return std::abs(best_span(sides).correlation);
 }
 
-std::optional<Comparison> compare(const Channel& lower, const Channel& upper, double sample_period_s) {
-  Sides sides(lower, upper, sample_period_s);
+std::optional<Comparison> compare(const Channel& lower, const Channel& upper, double sample_period_s,
+                                  Integrals& integrals) {
+  Sides sides(lower, upper, sample_period_s, integrals);
   const BestSpan span = best_span(sides);
   if (span.h == 0) return std::nullopt;
   Comparison best;
@@ -183,14 +183,14 @@ std::optional<Comparison> compare(const Channel& lower, const Channel& upper, do
   return best;
 }
 
-std::vector<Finding> check_kinematics(const Record& record, int dof, bool rotating) {
+std::vector<Finding> check_kinematics(const Record& record, int dof, bool rotating, Integrals& integrals) {
   constexpr Quantity kMotion[] = {Quantity::kDisplacement, Quantity::kVelocity, Quantity::kAcceleration};
   std::vector<Comparison> pairs;
   for (int i = 0; i < 3; ++i)
     for (int j = i + 1; j < 3; ++j) {
       const Channel *lower = record.find(kMotion[i], dof), *upper = record.find(kMotion[j], dof);
       if (lower == nullptr || upper == nullptr) continue;
-      if (const auto pair = compare(*lower, *upper, record.sample_period_s)) pairs.push_back(*pair);
+      if (const auto pair = compare(*lower, *upper, record.sample_period_s, integrals)) pairs.push_back(*pair);
     }
   const auto name = [&](Quantity quantity) { return record.find(quantity, dof)->name; };
   // With three channels the one that two pairs complain about; else the one that differentiates more.

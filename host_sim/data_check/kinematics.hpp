@@ -6,11 +6,23 @@
 //   (x[i+h] - 2 x[i] + x[i-h]) / (h T)^2 = mean of a over the span, weighted by a triangle
 // Both sides are compared over the whole record at the span where they agree best.
 #pragma once
+#include <map>
+#include <utility>
 #include <vector>
 
 #include "host_sim/data_check/data_check.hpp"
 
 namespace host_sim::data_check {
+
+// Running integrals of channels, once and twice, by trapezoids and in steps, means taken off: made when they are first asked for, as
+// each channel is compared with many. The channels outlive this.
+class Integrals {
+ public:
+  const std::vector<double>& of(const Channel& channel, bool twice);
+
+ private:
+  std::map<std::pair<const Channel*, bool>, std::vector<double>> made_;
+};
 
 struct Comparison {
   Quantity lower = Quantity::kDisplacement, upper = Quantity::kVelocity;  // upper: once or twice differentiated
@@ -22,12 +34,13 @@ struct Comparison {
 };
 
 // Nothing where the record is too short to say (less than 30 independent spans).
-std::optional<Comparison> compare(const Channel& lower, const Channel& upper, double sample_period_s);
+std::optional<Comparison> compare(const Channel& lower, const Channel& upper, double sample_period_s,
+                                  Integrals& integrals);
 
 // The magnitude of that correlation alone; 0 where the record is too short to say.
-double agreement(const Channel& lower, const Channel& upper, double sample_period_s);
+double agreement(const Channel& lower, const Channel& upper, double sample_period_s, Integrals& integrals);
 
 // Polarity, unit and lateness of the channels of one DOF (or of the base).
-std::vector<Finding> check_kinematics(const Record& record, int dof, bool rotating);
+std::vector<Finding> check_kinematics(const Record& record, int dof, bool rotating, Integrals& integrals);
 
 }  // namespace host_sim::data_check

@@ -36,13 +36,22 @@ FIRMWARE_WIDER_VECTORS void amplitudes_at(const std::vector<double>& windowed,
                    static_cast<double>(windowed.size());
 }
 
+// The last one that was asked for is kept: all channels of a record are as long.
+const std::vector<double>& hann_window(size_t count) {
+  thread_local std::vector<double> window;
+  if (window.size() == count) return window;
+  window.resize(count);
+  const std::complex<double> turn = std::polar(1.0, 2.0 * kPi / static_cast<double>(count));
+  std::complex<double> at = 1.0;
+  for (size_t i = 0; i < count; ++i, at *= turn) window[i] = 0.5 - 0.5 * at.real();
+  return window;
+}
+
 // Without its mean, under a Hann window.
 std::vector<double> windowed_start(const std::vector<double>& values, double mean) {
   std::vector<double> windowed(std::min(values.size(), kMostSamples));
-  const std::complex<double> turn = std::polar(1.0, 2.0 * kPi / static_cast<double>(windowed.size()));
-  std::complex<double> window = 1.0;
-  for (size_t i = 0; i < windowed.size(); ++i, window *= turn)
-    windowed[i] = (values[i] - mean) * (0.5 - 0.5 * window.real());
+  const std::vector<double>& window = hann_window(windowed.size());
+  for (size_t i = 0; i < windowed.size(); ++i) windowed[i] = (values[i] - mean) * window[i];
   return windowed;
 }
 

@@ -123,8 +123,10 @@ std::vector<Gap> spikes_in(const std::vector<double>& x, const Statistics& stati
 // Stretches of one value between jumps.
 std::vector<Gap> dropouts_in(const std::vector<double>& x, const Statistics& statistics) {
   std::vector<Gap> gaps;
+  const std::vector<Run> runs = equal_runs(x, kWidest + 1);
+  if (runs.empty()) return gaps;
   const std::vector<double> misfit = misfits(x);
-  for (const Run& run : equal_runs(x, kWidest + 1)) {
+  for (const Run& run : runs) {
     const size_t last = run.first + run.length - 1;
     if (run.first < 4 || last + 4 >= x.size()) continue;
     const double in = off_left(x, run.first), out = off_right(x, last);

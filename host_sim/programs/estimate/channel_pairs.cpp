@@ -107,7 +107,8 @@ Pair compare_pair(const std::vector<Record>& records, int dof) {
   double delay_weight = 0.0, gain_weight = 0.0;
   for (const Record& record : records) {
     const Channel &x = *record.find(Quantity::kDisplacement, dof), &a = *record.find(Quantity::kAcceleration, dof);
-    const auto found = data_check::compare(x, a, record.sample_period_s);
+    data_check::Integrals integrals;
+    const auto found = data_check::compare(x, a, record.sample_period_s, integrals);
     const auto gain = gain_of(x.values, a.values, record.sample_period_s);
     if (!found || !gain || !(found->late_std_s > 0.0) || !(gain->std > 0.0) || found->turned) continue;
     const double by_delay = 1.0 / (found->late_std_s * found->late_std_s), by_gain = 1.0 / (gain->std * gain->std);
