@@ -84,80 +84,126 @@ void fit_signals_to(const std::vector<Record>& records, const std::vector<rig_fi
   rig_file::plan_signals(configuration, rig_file::measure_ranges(configuration, samples));
 }
 
-// Replays the records on a board of fakes: one level each, the frames of the controller into the log.
-class Feed {
+// The records one after the other, one level each, as a board's core takes them: as fast as it can, and one solve at the end.
+class CoreAlone {
  public:
-  Feed(ReplayBoard& board, const EstimationOptions& options, size_t total)
-      : board_(board), options_(options), total_(total) {
+  explicit CoreAlone(const firmware::CoreConfiguration& configuration)
+      : core_(std::make_unique<firmware::EstimatorCore>(configuration)) {}
+
+  void begin_level() { core_->begin_level(); }
+  void push(const firmware::RawSample& sample, uint64_t) { core_->push(sample); }
+  void end_level() { core_->end_level(); }
+  void finish(uint64_t) { core_->solve(); }
+
+  const firmware::EstimatorCore& core() const { return *core_; }
+  const firmware::Estimates& estimates() const { return core_->estimates(); }
+
+ private:
+  std::unique_ptr<firmware::EstimatorCore> core_;  // large: not for the stack
+};
+
+// The same on a whole board of fakes, the frames of its controller into a log.
+class WholeBoard {
+ public:
+  explicit WholeBoard(const firmware::ControllerConfiguration& configuration)
+      : log_(text_, "can0"), board_(configuration, [this](const hal::CanFrame& frame) { log_.write(frame); }) {
     board_.run_at(0);
   }
 
-  void record(const Record& record, const std::vector<rig_file::ChannelCalibration>& calibrations) {
-    RecordSampleSource source(record, calibrations);
-    firmware::RawSample sample;
-    board_.begin_level();
-    while (source.read(sample) == hal::SampleResult::kSample) {
-      sample.sequence = static_cast<uint32_t>(done_++);  // between two records nothing is missed
-      time_ns_ = static_cast<uint64_t>(std::llround(static_cast<double>(done_) * record.sample_period_s * 1e9));
-      board_.push(sample, time_ns_);
-      if (done_ % kProgressSamples == 0 && options_.progress)
-        options_.progress(static_cast<double>(done_) / static_cast<double>(total_));
-    }
-    board_.end_level();
-  }
+  void begin_level() { board_.begin_level(); }
+  void push(const firmware::RawSample& sample, uint64_t time_ns) { board_.push(sample, time_ns); }
+  void end_level() { board_.end_level(); }
   // One more heartbeat and status, which says DONE.
-  void finish() {
-    board_.finish(time_ns_);
-    board_.run_at(time_ns_ + kHeartbeat_ns);
+  void finish(uint64_t time_ns) {
+    board_.finish(time_ns);
+    board_.run_at(time_ns + kHeartbeat_ns);
   }
+
+  const firmware::EstimatorCore& core() const { return board_.core(); }
+  const firmware::Estimates& estimates() const { return *board_.controller().estimates(); }
+  std::string frames() const { return text_.str(); }
 
  private:
   static constexpr uint64_t kHeartbeat_ns = 100000000;
-  static constexpr size_t kProgressSamples = 4096;
 
-  ReplayBoard& board_;
-  const EstimationOptions& options_;
-  size_t total_, done_ = 0;
-  uint64_t time_ns_ = 0;
+  std::ostringstream text_;
+  can_log::LogWriter log_;
+  ReplayBoard board_;
 };
 
-Estimation estimate_as_told(const rig_file::RigModel& model, const std::vector<Record>& records,
-                            const EstimationOptions& options) {
-  const std::vector<rig_file::ChannelCalibration> calibrations = calibrate(records, model);
+size_t samples_of(const std::vector<Record>& records) {
+  size_t samples = 0;
+  for (const Record& record : records) samples += record.samples();
+  return samples;
+}
+
+template <typename Target>
+void feed(const std::vector<Record>& records, const std::vector<rig_file::ChannelCalibration>& calibrations,
+          const EstimationOptions& options, Target& target) {
+  constexpr size_t kProgressSamples = 4096;
+  const size_t total = samples_of(records);
+  size_t done = 0;
+  uint64_t time_ns = 0;
+  for (const Record& record : records) {
+    RecordSampleSource source(record, calibrations);
+    firmware::RawSample sample;
+    target.begin_level();
+    while (source.read(sample) == hal::SampleResult::kSample) {
+      sample.sequence = static_cast<uint32_t>(done++);  // between two records nothing is missed
+      time_ns = static_cast<uint64_t>(std::llround(static_cast<double>(done) * record.sample_period_s * 1e9));
+      target.push(sample, time_ns);
+      if (done % kProgressSamples == 0 && options.progress)
+        options.progress(static_cast<double>(done) / static_cast<double>(total));
+    }
+    target.end_level();
+  }
+  target.finish(time_ns);
+}
+
+// The configuration of the core for these records.
+firmware::CoreConfiguration configuration_for(const rig_file::RigModel& model, const std::vector<Record>& records,
+                                              const std::vector<rig_file::ChannelCalibration>& calibrations,
+                                              const EstimationOptions& options) {
   firmware::CoreConfiguration configuration =
       rig_file::compile_rig(model, records.front().sample_period_s, calibrations);
   fit_signals_to(records, calibrations, configuration);
   configuration.window = window_of(records, options);
   configuration.probe_products_per_sample = firmware::kAllProbes;  // no next sample waits
   configuration.corrects_channels = false;                         // see correct_channels()
-  std::ostringstream log_text;
-  can_log::LogWriter log(log_text, "can0");
-  firmware::ControllerConfiguration controller =
-      board_configuration(model, configuration, records.front().sample_period_s);
-  if (!options.frames) controller.node.window_samples = UINT32_MAX;
-  ReplayBoard board(controller, [&](const hal::CanFrame& frame) {
-    if (options.frames) log.write(frame);
-  });
-  size_t samples = 0;
-  for (const Record& record : records) samples += record.samples();
-  Feed feed(board, options, samples);
-  for (const Record& record : records) feed.record(record, calibrations);
-  feed.finish();
-  const firmware::Estimates& estimates = *board.controller().estimates();
+  return configuration;
+}
 
-  Estimation estimation;
-  estimation.result = result_of(model, estimates, records);
-  estimation.result.covariance = covariance_of(estimation.result, board.core());
-  estimation.result.samples = samples;
-  estimation.result.sample_rate_Hz = 1.0 / records.front().sample_period_s;
-  estimation.result.levels = static_cast<unsigned>(records.size());
-  estimation.result.integrates = configuration.high_pass_order > 0;
-  estimation.result.health = board.core().health();
-  if (const std::string plan = rig_file::describe_plan(configuration); !plan.empty())
-    estimation.result.notes.push_back(plan);
+template <typename Target>
+EstimateResult result_from(const rig_file::RigModel& model, const std::vector<Record>& records,
+                           const firmware::CoreConfiguration& configuration, const Target& target) {
+  EstimateResult result = result_of(model, target.estimates(), records);
+  result.covariance = covariance_of(result, target.core());
+  result.samples = samples_of(records);
+  result.sample_rate_Hz = 1.0 / records.front().sample_period_s;
+  result.levels = static_cast<unsigned>(records.size());
+  result.integrates = configuration.high_pass_order > 0;
+  result.health = target.core().health();
+  if (const std::string plan = rig_file::describe_plan(configuration); !plan.empty()) result.notes.push_back(plan);
   for (const std::string& name : rig_file::simulator_only_effects(model))
-    estimation.result.notes.push_back(name + " is known to the simulator only; the energy equations leave it out");
-  estimation.frames = log_text.str();
+    result.notes.push_back(name + " is known to the simulator only; the energy equations leave it out");
+  return result;
+}
+
+Estimation estimate_as_told(const rig_file::RigModel& model, const std::vector<Record>& records,
+                            const EstimationOptions& options) {
+  const std::vector<rig_file::ChannelCalibration> calibrations = calibrate(records, model);
+  const firmware::CoreConfiguration configuration = configuration_for(model, records, calibrations, options);
+  Estimation estimation;
+  if (!options.frames) {
+    CoreAlone core(configuration);
+    feed(records, calibrations, options, core);
+    estimation.result = result_from(model, records, configuration, core);
+    return estimation;
+  }
+  WholeBoard board(board_configuration(model, configuration, records.front().sample_period_s));
+  feed(records, calibrations, options, board);
+  estimation.result = result_from(model, records, configuration, board);
+  estimation.frames = board.frames();
   return estimation;
 }
 

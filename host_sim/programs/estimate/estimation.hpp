@@ -13,7 +13,7 @@ namespace host_sim {
 struct EstimationOptions {
   // Known period of the excitation: windows are then whole cycles. Without it they are arbitrary intervals (Eq. 12a).
   std::optional<double> excitation_Hz;
-  // The frames of a board are wanted: it estimates once a second. Else only where a record ends.
+  // The frames of a board are wanted: it estimates once a second. Else its core alone is asked, once at the end.
   bool frames = true;
   std::function<void(double)> progress;  // called with the share done, 0 to 1
 };

@@ -46,9 +46,10 @@ class CsvParser {
     std::string_view rest = layout_.data;
     for (line_ = layout_.data_line; !rest.empty(); ++line_) {
       const std::string_view row = take_line(rest);
-      if (is_comment(row)) {
+      const bool numbers = !row.empty() && begins_number(row.front());
+      if (!numbers && is_comment(row)) {
         comments_.push_back(samples_);
-      } else if (is_blank(row)) {
+      } else if (!numbers && is_blank(row)) {
         if (rest.find_first_not_of(" \t\r\n") != std::string_view::npos)
           refuse(line_, "is blank, expected " + std::to_string(columns_.size()) + " numbers");
         break;
@@ -145,9 +146,11 @@ class CsvParser {
       if (target.values == nullptr) {
         skip_field(position, end);
       } else {
-        const bool time = target.values == &time_s_;
         double value = 0.0;
-        if (!time || !take_clock(position, end, value)) value = number(position, end, target) * target.factor;
+        if (take_plain(position, end, value))
+          value *= target.factor;
+        else if (target.values != &time_s_ || !take_clock(position, end, value))
+          value = number(position, end, target) * target.factor;
         target.values->push_back(value);
       }
       const bool last = column + 1 == count;
@@ -160,6 +163,17 @@ class CsvParser {
                    std::to_string(count) + " numbers separated by " + separator_word(separator));
       if (!last) ++position;
     }
+  }
+
+  static bool begins_number(char c) { return static_cast<unsigned char>(c - '0') < 10 || c == '-'; }
+
+  // A number with nothing around it, as nearly all fields are. False: it is looked at more closely, from where it begins.
+  bool take_plain(const char*& position, const char* end, double& value) const {
+    if (layout_.decimal_comma || position == end || !begins_number(*position)) return false;
+    const auto [stop, error] = read_decimal(position, end, value);
+    if (error != std::errc() || !at_field_end(stop, end) || !std::isfinite(value)) return false;
+    position = stop;
+    return true;
   }
 
   // A time of day, perhaps with a date, as seconds since the first row's. Past midnight without a date it goes on.

@@ -74,16 +74,30 @@ double power_of_2(int exponent) {
 }
 
 #if defined(__SIZEOF_INT128__)
+// floor(upper 2^63 / below), upper and below from 2^63 on, and whether anything is left.
+inline uint64_t divided(uint64_t upper, uint64_t below, bool& rest) {
+#if defined(__x86_64__)
+  uint64_t whole, left;  // the upper half, upper / 2, is below the divisor
+  __asm__("divq %4" : "=a"(whole), "=d"(left) : "a"(upper << 63), "d"(upper >> 1), "r"(below) : "cc");
+  rest = left != 0;
+  return whole;
+#else
+  __extension__ using Wide = unsigned __int128;
+  const Wide numerator = static_cast<Wide>(upper) << 63;
+  const uint64_t whole = static_cast<uint64_t>(numerator / below);
+  rest = static_cast<Wide>(whole) * below != numerator;
+  return whole;
+#endif
+}
+
 // The nearest double, ties to even: the quotient by 5^places to 63 bits or 64, whose last bit says whether anything is left. The
 // conversion of 64 bits to 53 rounds once, and powers of two change no digit.
 double quotient(const Decimal& decimal) {
   const uint64_t divisor = kPowersOf5[static_cast<size_t>(decimal.places)];
   const int up = __builtin_clzll(decimal.digits), up_divisor = __builtin_clzll(divisor);
-  __extension__ using Wide = unsigned __int128;
-  const Wide numerator = static_cast<Wide>(decimal.digits << up) << 63;
-  const uint64_t below = divisor << up_divisor;
-  uint64_t whole = static_cast<uint64_t>(numerator / below);
-  if (static_cast<Wide>(whole) * below != numerator) whole |= 1;
+  bool rest = false;
+  uint64_t whole = divided(decimal.digits << up, divisor << up_divisor, rest);
+  if (rest) whole |= 1;
   return static_cast<double>(whole) * power_of_2(up_divisor - up - 63 - decimal.places);
 }
 constexpr bool kDivides = true;
@@ -100,7 +114,7 @@ std::from_chars_result read_decimal(const char* first, const char* last, double&
   if (negative) ++at;
   Decimal decimal;
   const char* const start = at;
-  take_digits(at, last, decimal.digits);
+  for (; at != last && digit(*at); ++at) decimal.digits = 10 * decimal.digits + static_cast<uint64_t>(*at - '0');
   auto count = at - start;
   if (at != last && *at == '.') {
     const char* const point = at++;
