@@ -18,7 +18,8 @@ TaylorStep::TaylorStep(const Equations& equations, const Excitation& excitation)
       masses_(equations.masses()),
       nodes_(masses_ + 2),
       x_(static_cast<size_t>(kMost + 1) * nodes_, 0.0),
-      net_(x_.size(), 0.0),
+      drive_(x_.size(), 0.0),
+      net_(masses_),
       body_sum_(nodes_),
       body_mass_(nodes_) {
   std::vector<double> stiffness(nodes_, 0.0), viscous(nodes_, 0.0);
@@ -33,6 +34,14 @@ TaylorStep::TaylorStep(const Equations& equations, const Excitation& excitation)
       viscous[end] += std::fabs(link.viscous);
     }
     links_.push_back(link);
+  }
+  force_.resize(links_.size());
+  for (size_t i = 0; i < masses_; ++i) {
+    for (size_t l = 0; l < links_.size(); ++l) {
+      if (links_[l].a == i) ends_.push_back({l, 1.0});
+      if (links_[l].b == i) ends_.push_back({l, -1.0});
+    }
+    ends_of_.push_back(ends_.size());
   }
   double fastest = 0.0;  // Gershgorin: no eigenvalue of M^-1 K is above 2 sum of k / m
   for (size_t i = 0; i < masses_; ++i) {
@@ -52,13 +61,12 @@ double TaylorStep::smooth_until(double t_s) const {
   return base_.signal == nullptr ? until : std::min(until, base_.signal->smooth_until(t_s));
 }
 
-// Of the excitation; what the last step left in the rows that it came to is taken away.
 void TaylorStep::set_drives(double t_s, double step_s) {
-  std::fill(net_row(0), net_row(std::max(order_, driven_)), 0.0);
+  std::fill(drive_row(0), drive_row(driven_), 0.0);
   driven_ = 0;
   for (Drive& drive : drives_) {
     const int count = drive.signal->expand(t_s, step_s, kMost, drive.c);
-    for (int k = 0; k < count; ++k) net_row(k)[drive.node] = drive.c[k];
+    for (int k = 0; k < count; ++k) drive_row(k)[drive.node] = drive.c[k];
     driven_ = std::max(driven_, count);
   }
   if (base_.signal == nullptr) return;
@@ -66,33 +74,43 @@ void TaylorStep::set_drives(double t_s, double step_s) {
   for (int k = 0; k <= kMost; ++k) row(k)[masses_ + 1] = k < count ? base_.c[k] : 0.0;
 }
 
-// Of the k-th coefficients.
-template <bool first>
+// Of the k-th coefficients, on the masses. A link's force is made once, and each mass sums up in a register what is at its ends.
 void TaylorStep::net_forces(int k, const Modes& modes) {
-  const double *x = row(k), *next = row(k + 1);
-  double* const net = net_row(k);
+  const double *x = row(k), *next = row(k + 1), *drive = drive_row(k);
   const double per_s = static_cast<double>(k + 1) / step_s_;
   for (size_t l = 0; l < links_.size(); ++l) {
     const Link& link = links_[l];
-    double force = link.stiffness * (x[link.a] - x[link.b]) + link.viscous * per_s * (next[link.a] - next[link.b]);
-    if constexpr (first) force += link.friction * static_cast<double>(modes.rate_sign[l]);
-    net[link.a] -= force;
-    net[link.b] += force;
+    force_[l] = link.stiffness * (x[link.a] - x[link.b]) + link.viscous * per_s * (next[link.a] - next[link.b]);
+  }
+  if (k == 0)
+    for (size_t l = 0; l < links_.size(); ++l)
+      force_[l] += links_[l].friction * static_cast<double>(modes.rate_sign[l]);
+  const End* end = ends_.data();
+  for (size_t i = 0; i < masses_; ++i) {
+    double net = drive[i];
+    for (const End* const last = ends_.data() + ends_of_[i]; end != last; ++end) net -= end->sign * force_[end->link];
+    net_[i] = net;
   }
 }
 
 // next = factor M^-1 net; masses that are tied together move alike, and with the ground or the base where these are among them.
-void TaylorStep::accelerate(const double* net, double factor, double* next) {
-  if (body_.empty()) {
-    for (size_t i = 0; i < masses_; ++i) next[i] = factor * net[i] / mass_[i];
-    return;
+// Returns the largest.
+double TaylorStep::accelerate(double factor, double* next) {
+  double largest = 0.0;
+  if (!body_.empty()) {
+    std::fill(body_sum_.begin(), body_sum_.end(), 0.0);
+    for (size_t i = 0; i < masses_; ++i) body_sum_[body_[i]] += net_[i];
   }
-  std::fill(body_sum_.begin(), body_sum_.end(), 0.0);
-  for (size_t i = 0; i < masses_; ++i) body_sum_[body_[i]] += net[i];
   for (size_t i = 0; i < masses_; ++i) {
-    const bool on_ground = body_[i] == body_[masses_], on_base = body_[i] == body_[masses_ + 1];
-    next[i] = on_ground ? 0.0 : on_base ? next[masses_ + 1] : factor * body_sum_[body_[i]] / body_mass_[body_[i]];
+    if (body_.empty()) {
+      next[i] = factor * net_[i] / mass_[i];
+    } else {
+      const bool on_ground = body_[i] == body_[masses_], on_base = body_[i] == body_[masses_ + 1];
+      next[i] = on_ground ? 0.0 : on_base ? next[masses_ + 1] : factor * body_sum_[body_[i]] / body_mass_[body_[i]];
+    }
+    largest = std::max(largest, std::fabs(next[i]));
   }
+  return largest;
 }
 
 bool TaylorStep::expand(double t_s, double step_s, const double* y, const Modes& modes, const MotionScale& scale) {
@@ -110,11 +128,8 @@ bool TaylorStep::expand(double t_s, double step_s, const double* y, const Modes&
   const double rounding = kRounding * std::min(scale.displacement, scale.velocity * step_s);
   int small = 0;
   for (int k = 0; k + 2 <= kMost; ++k) {
-    k == 0 ? net_forces<true>(k, modes) : net_forces<false>(k, modes);
-    double* const next = row(k + 2);
-    accelerate(net_row(k), step_s * step_s / static_cast<double>((k + 1) * (k + 2)), next);
-    double largest = 0.0;
-    for (size_t i = 0; i < masses_; ++i) largest = std::max(largest, std::fabs(next[i]));
+    net_forces(k, modes);
+    const double largest = accelerate(step_s * step_s / static_cast<double>((k + 1) * (k + 2)), row(k + 2));
     small = largest * static_cast<double>(k + 2) <= rounding ? small + 1 : 0;
     order_ = k + 2;
     if (small >= 2 && order_ >= kFirstJudged) return true;

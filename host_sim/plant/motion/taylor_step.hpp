@@ -40,11 +40,14 @@ class TaylorStep {
   static constexpr int kMost = 32;  // order of the series
   double* row(int k) { return &x_[static_cast<size_t>(k) * nodes_]; }
   const double* row(int k) const { return &x_[static_cast<size_t>(k) * nodes_]; }
-  double* net_row(int k) { return &net_[static_cast<size_t>(k) * nodes_]; }
+  struct End {  // of a link, at a mass
+    size_t link;
+    double sign;
+  };
+  double* drive_row(int k) { return &drive_[static_cast<size_t>(k) * nodes_]; }
   void set_drives(double t_s, double step_s);
-  template <bool first>
   void net_forces(int k, const Modes& modes);
-  void accelerate(const double* net, double factor, double* next);
+  double accelerate(double factor, double* next);
 
   const Equations& equations_;
   size_t masses_, nodes_;  // masses, ground, base
@@ -52,9 +55,13 @@ class TaylorStep {
   std::vector<Drive> drives_;
   Drive base_{};
   double longest_step_s_, step_s_ = 1.0;
-  int order_ = 1, driven_ = 0;                                 // of the series; rows that the drives stand in
-  std::vector<double> mass_, x_, net_, body_sum_, body_mass_;  // x_, net_: a row of nodes for every order
-  std::vector<size_t> body_;                                   // empty: nothing is stuck
+  int order_ = 1, driven_ = 0;            // of the series; rows that the drives stand in
+  std::vector<double> mass_, x_, drive_;  // x_, drive_: a row of nodes for every order
+  std::vector<double> force_, net_;       // of the order at hand: of the links, on the masses
+  std::vector<End> ends_;                 // of one mass after the other, in the links' order
+  std::vector<size_t> ends_of_;           // where those of a mass end
+  std::vector<double> body_sum_, body_mass_;
+  std::vector<size_t> body_;  // empty: nothing is stuck
 };
 
 }  // namespace host_sim
