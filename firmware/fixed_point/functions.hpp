@@ -14,3 +14,8 @@ Q30 sine_of_turns(uint32_t turns);
 Q30 exp2_of_minus(Fixed<int64_t, 26> x);
 
 }  // namespace firmware
+
+#if defined(__x86_64__)
+#define FIRMWARE_FUNCTIONS_IN_PLACE
+#include "firmware/fixed_point/exponential.hpp"
+#endif

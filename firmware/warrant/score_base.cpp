@@ -28,7 +28,8 @@ void ScoreTest::weigh(int number) {
     one[e] = Scaled::from_int(1);
     score_sum_.clear();
     add_scores(score_sum_, one);
-    for (int s = 0; s < stretches_; ++s, report_work(300)) residual[e][s] = score_sum_.of(sums_->table(), s);
+    report_work(300 * stretches_);
+    score_sum_.of_all(sums_->table(), 0, stretches_, residual[e]);
   }
   for (int level = 0; level < levels_; ++level) weigh_level(place, level, number);
 }

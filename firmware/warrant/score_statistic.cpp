@@ -11,7 +11,7 @@ constexpr int kLeastShareLog2 = -6;  // of a force, not taken up by the estimate
 
 // Stretches that show what noise does, each with at least 2^-10 of the mean information: below, rounding and products of noise.
 constexpr int kFewestForEven = 16, kLeastInformationLog2 = -10;
-constexpr int kMostInGroup = 8, kLeastGroups = 5;
+constexpr int kGroupSizes = 3, kLeastGroups = 5;  // 2, 4 and 8 stretches
 
 Scaled square(Scaled value) { return value * value; }
 Scaled quotient(Scaled a, Scaled b) { return b.is_zero() ? Scaled{} : a / b; }
@@ -148,19 +148,20 @@ void ScoreTest::score_level(int level) {
   add_bent_base(level);
   ShortScaled share[kMaxUnknowns];
   for (int k = 0; k < unknowns_; ++k) share[k] = short_scaled(share_[k]);
-  for (int s = level_begin_[level]; s < level_begin_[level + 1]; ++s, report_work(600 + 100 * unknowns_)) {
+  const int from = level_begin_[level], to = level_begin_[level + 1];
+  score_sum_.of_all(table, from, to, psi_);
+  column_sum_.of_all(table, from, to, d_);
+  for (int s = from; s < to; ++s, report_work(600 + 100 * unknowns_)) {
     const Scaled base = sum_of_products<kMaxUnknowns>(
         unknowns_, [&](int k) { return share[k]; }, [&](int k) { return base_score_[s][k]; });
-    psi_[s] = score_sum_.of(table, s);
-    d_[s] = column_sum_.of(table, s);
     if (probe_->drifts()) {
       const Scaled& since = left_[s];
       psi_[s] *= since;
       d_[s] = (d_[s] + own_weight * table.value(s, probe_->first_value + own) * since) * since;
     }
     psi_[s] -= base;
-    d_[s] += base_sum_.of(table, s);
   }
+  base_sum_.add_all(table, from, to, d_);
   sum_own_ += own_weight * total(level, own, 2);
 }
 
@@ -195,26 +196,33 @@ void ScoreTest::keep_blind(const Probe& probe) {
 // Variance of the sum of the stretches' shares. Neighbours that err alike (slow noise in derived signals) show it in the sums of
 // 2, 4 and 8 of them: where these scatter by more than independent ones do in one of 40 cases, 1 + 2 sqrt(2 / groups), they are
 // what is independent, and there are so many fewer of them.
+// All sums go through the stretches side by side: each waits for nothing but itself.
 Scaled ScoreTest::variance_of_sum(const Scaled* share, Scaled& freedom) const {
-  Scaled variance;
-  for (int s = 0; s < stretches_; ++s) variance += square(share[s]);
-  const Scaled single = variance, stretches = freedom;
-  for (int size = 2; size <= kMostInGroup; size *= 2) {
-    const Scaled groups = stretches / Scaled::from_int(size);
-    if (groups < Scaled::from_int(kLeastGroups)) break;
-    Scaled squares, sum;
-    int in_group = 0;
-    for (int s = 0; s < stretches_; ++s, report_work(80)) {
-      sum += share[s];
-      if (++in_group < size && s + 1 < stretches_ && level_of_[s + 1] == level_of_[s]) continue;
-      squares += square(sum);
-      sum = Scaled{};
-      in_group = 0;
+  Scaled groups[kGroupSizes];
+  int sizes = 0;
+  for (; sizes < kGroupSizes; ++sizes) {
+    groups[sizes] = freedom / Scaled::from_int(2 << sizes);
+    if (groups[sizes] < Scaled::from_int(kLeastGroups)) break;
+  }
+  Scaled single, squares[kGroupSizes], sum[kGroupSizes];
+  int in_group[kGroupSizes] = {};
+  for (int s = 0; s < stretches_; ++s, report_work(80 * (1 + sizes))) {
+    single += square(share[s]);
+    const bool ends = s + 1 == stretches_ || level_of_[s + 1] != level_of_[s];
+    for (int i = 0; i < sizes; ++i) {
+      sum[i] += share[s];
+      if (++in_group[i] < 2 << i && !ends) continue;
+      squares[i] += square(sum[i]);
+      sum[i] = Scaled{};
+      in_group[i] = 0;
     }
-    const Scaled most = single * (Scaled::from_int(1) + sqrt(Scaled::from_int(8) / groups));
-    if (squares < most || squares < variance) continue;
-    variance = squares;
-    freedom = groups;
+  }
+  Scaled variance = single;
+  for (int i = 0; i < sizes; ++i) {
+    const Scaled most = single * (Scaled::from_int(1) + sqrt(Scaled::from_int(8) / groups[i]));
+    if (squares[i] < most || squares[i] < variance) continue;
+    variance = squares[i];
+    freedom = groups[i];
   }
   return variance;
 }

@@ -83,21 +83,21 @@ void ScoreTable::drop() {
 }
 
 void ScoreTable::append_row() {
-  for (int v = 0; v < values_; ++v) put((count_ - 1) * values_ + v, {});
+  for (int v = 0; v < values_; ++v) put(place(count_ - 1, v), {});
 }
 
 // To the last stretch.
 void ScoreTable::add_exact(const int64_t* sums) {
-  const int row = (count_ - 1) * values_;
+  const int last = count_ - 1;
   if (plan_ == nullptr)
-    for (int v = 0; v < values_; ++v) add_to(row + v, sums[v], 0);
+    for (int v = 0; v < values_; ++v) add_to(place(last, v), sums[v], 0);
   for (int j = 0; plan_ != nullptr && j < plan_->summed_count; ++j) {
     const Probe& probe = plan_->probe[j];
     const ProbeExponents exponents(*plan_, probe, scale_[probe.place]);
     const int values = plan_->values(probe);
     for (int v = 0; v < values; ++v)
       if (sums[probe.first_value + v] != 0)
-        add_to(row + probe.first_value + v, sums[probe.first_value + v], exponents.of(v));
+        add_to(place(last, probe.first_value + v), sums[probe.first_value + v], exponents.of(v));
   }
 }
 
@@ -132,10 +132,10 @@ void ScoreTable::begin_merge() {
 void ScoreTable::merge_some(int numbers) {
   while (merging_ && numbers > 0) {
     const Row& row = merged_[row_];
-    const int to = row_ * values_, from = row.from * values_;
+    const int from = row.from;
     const int end = next_value_ + numbers < values_ ? next_value_ + numbers : values_;
     for (int v = next_value_; v < end; ++v)
-      put(to + v, row.pair ? number_at(from + v) + number_at(from + values_ + v) : number_at(from + v));
+      put(place(row_, v), row.pair ? number(from, v) + number(from + 1, v) : number(from, v));
     report_work(100 * (end - next_value_));
     numbers -= end - next_value_;
     next_value_ = end;

@@ -48,10 +48,13 @@ class ScoreTable {
   int stretches() const { return count_; }
   int levels() const { return level_; }
   const Stretch& stretch(int s) const { return stretch_[s]; }
-  ShortScaled number(int s, int value) const { return number_at(s * values_ + value); }
+  ShortScaled number(int s, int value) const { return number_at(place(s, value)); }
   Scaled value(int s, int value) const { return long_scaled(number(s, value)); }
   // Over stretches [from, to), exact to 2^-53 of the largest of them.
   Scaled sum(int from, int to, int value) const;
+  // The value's numbers of all stretches, one after the other.
+  const int32_t* mantissas(int value) const { return mantissa_ + place(0, value); }
+  const int8_t* exponents(int value) const { return exponent_ + place(0, value); }
 
  private:
   struct Row {  // of the merged table: made of one stretch, or of it and the next one
@@ -65,12 +68,13 @@ class ScoreTable {
   void end_merge();
   void append_row();
   void add_exact(const int64_t* sums);
-  ShortScaled number_at(int place) const { return {mantissa_[place], exponent_[place]}; }
-  void put(int place, ShortScaled number) {
-    mantissa_[place] = number.mantissa;
-    exponent_[place] = static_cast<int8_t>(number.exponent);  // whole numbers of 2^-84, below 2^140
+  int place(int s, int value) const { return value * room_ + s; }
+  ShortScaled number_at(int at) const { return {mantissa_[at], exponent_[at]}; }
+  void put(int at, ShortScaled number) {
+    mantissa_[at] = number.mantissa;
+    exponent_[at] = static_cast<int8_t>(number.exponent);  // whole numbers of 2^-84, below 2^140
   }
-  void add_to(int place, int64_t sum, int exponent) { put(place, number_at(place) + short_scaled(sum, exponent)); }
+  void add_to(int at, int64_t sum, int exponent) { put(at, number_at(at) + short_scaled(sum, exponent)); }
 
   const ProbePlan* plan_ = nullptr;
   const PlaceScale* scale_ = nullptr;

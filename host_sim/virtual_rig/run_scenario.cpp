@@ -115,7 +115,7 @@ RunResult run_scenario(const Scenario& scenario, uint64_t seed, ProgressSink& si
   result.samples = feed.pushed();
   result.sample_rate_Hz = scenario.sample_rate_Hz;
   result.health = board.core().health();
-  result.measured = rig.measured();
+  result.measured = rig.take_measured();
   judge_by_resimulation(rig.scenario(), result);
   return result;
 }

@@ -1,6 +1,7 @@
 // The simulated rig as the board sees it: converter codes one sample after the other, and the clock that they set.
 #pragma once
 #include <memory>
+#include <utility>
 
 #include "hal/interface/clock.hpp"
 #include "hal/interface/sample_source.hpp"
@@ -37,6 +38,7 @@ class VirtualRig : public hal::SampleSource, public hal::MonotonicClock {
   size_t total_samples() const { return total_; }
   const Scenario& scenario() const { return scenario_; }
   const MeasuredLevels& measured() const { return measured_; }
+  MeasuredLevels take_measured() { return std::move(measured_); }  // nothing can be read any more
 
  private:
   void open_level();

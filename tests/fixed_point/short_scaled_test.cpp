@@ -90,7 +90,8 @@ TEST(ShortScaled, SumOfKeptProductsHasTheSameBits) {
       if (random() % 4 == 0) a[i] = ShortScaled{};
       if (random() % 8 == 0) b[i] = ShortScaled{0, static_cast<int16_t>(random() % 2000)};
     }
-    const auto one = [&](int i) { return a[i]; }, other = [&](int i) { return b[i]; };
+    const auto one = [&](int i) { return a[i]; };
+    const auto other = [&](int i) { return b[i]; };
     const Scaled kept = sum_of_kept<40>(count, one, other), twice = sum_in_two_passes(count, one, other);
     ASSERT_EQ(kept.mantissa, twice.mantissa);
     ASSERT_EQ(kept.exponent, twice.exponent);

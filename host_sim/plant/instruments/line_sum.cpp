@@ -1,6 +1,9 @@
 #include "host_sim/plant/instruments/line_sum.hpp"
 
+#include <algorithm>
 #include <cmath>
+
+#include "firmware/fixed_point/wider_vectors.hpp"
 
 namespace host_sim {
 namespace {
@@ -16,7 +19,9 @@ double turns(double factor, double m) {
 }  // namespace
 
 LineSum::LineSum(size_t lines, size_t count, double first_turns, double spacing_turns)
-    : lines_(lines), count_(count), first_turns_(first_turns), half_spacing_turns_(0.5 * spacing_turns) {
+    : lines_(lines), count_(count), half_spacing_turns_(0.5 * spacing_turns) {
+  for (size_t m = 0; m < std::max(lines, count); ++m) chirp_.push_back(chirp(0.0, m));
+  for (size_t n = 0; n < count; ++n) chirp_from_first_.push_back(chirp(first_turns, n));
   while (length_ < lines + count) length_ *= 2;
   turn_.re.resize(length_);
   turn_.im.resize(length_);
@@ -30,7 +35,7 @@ LineSum::LineSum(size_t lines, size_t count, double first_turns, double spacing_
   kernel_.re.assign(length_, 0.0);
   kernel_.im.assign(length_, 0.0);
   const auto put = [this](size_t place, size_t m) {
-    const std::complex<double> back = std::conj(chirp(0.0, m));
+    const std::complex<double> back = std::conj(chirp_[m]);
     kernel_.re[place] = back.real(), kernel_.im[place] = back.imag();
   };
   for (size_t m = 0; m < count; ++m) put(m, m);
@@ -47,7 +52,7 @@ std::complex<double> LineSum::chirp(double first_turns, size_t m) const {
 std::vector<std::complex<double>> LineSum::of(const std::vector<std::complex<double>>& amplitude) const {
   Parts work{std::vector<double>(length_, 0.0), std::vector<double>(length_, 0.0)};
   for (size_t k = 0; k < lines_; ++k) {
-    const std::complex<double> turned = amplitude[k] * chirp(0.0, k);
+    const std::complex<double> turned = amplitude[k] * chirp_[k];
     work.re[k] = turned.real();
     work.im[k] = turned.imag();
   }
@@ -60,11 +65,11 @@ std::vector<std::complex<double>> LineSum::of(const std::vector<std::complex<dou
   transform_back(work);
   std::vector<std::complex<double>> sum(count_);
   for (size_t n = 0; n < count_; ++n)
-    sum[n] = std::complex<double>(work.re[n], work.im[n]) * chirp(first_turns_, n) / static_cast<double>(length_);
+    sum[n] = std::complex<double>(work.re[n], work.im[n]) * chirp_from_first_[n] / static_cast<double>(length_);
   return sum;
 }
 
-void LineSum::transform(Parts& of) const {
+FIRMWARE_WIDER_VECTORS void LineSum::transform(Parts& of) const {
   for (size_t half = length_ / 2; half >= 1; half /= 2)
     for (size_t begin = 0; begin < length_; begin += 2 * half) {
       double* __restrict a = &of.re[begin], * __restrict b = a + half;
@@ -80,7 +85,7 @@ void LineSum::transform(Parts& of) const {
     }
 }
 
-void LineSum::transform_back(Parts& of) const {
+FIRMWARE_WIDER_VECTORS void LineSum::transform_back(Parts& of) const {
   for (size_t half = 1; half < length_; half *= 2)
     for (size_t begin = 0; begin < length_; begin += 2 * half) {
       double* __restrict a = &of.re[begin], * __restrict b = a + half;

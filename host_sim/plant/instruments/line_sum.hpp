@@ -22,7 +22,8 @@ class LineSum {
   void transform_back(Parts& of) const;                            // from there, times the length
 
   size_t lines_, count_, length_ = 1;
-  double first_turns_, half_spacing_turns_;
+  double half_spacing_turns_;
+  std::vector<std::complex<double>> chirp_, chirp_from_first_;
   Parts turn_;    // exp(-pi i j / half) at half + j, for every half < length
   Parts kernel_;  // transformed
 };

@@ -76,8 +76,10 @@ rig_file::ChannelCalibration calibrate_channel(const Scenario& scenario, const C
 }
 
 Record only(const std::vector<Channel>& wanted, const Record& simulated) {
-  Record record = simulated;
-  record.channels.clear();
+  Record record;
+  record.file = simulated.file;
+  record.sample_period_s = simulated.sample_period_s;
+  record.start_s = simulated.start_s;
   for (const Channel& channel : wanted) {
     record.channels.push_back(channel);
     const Channel* source = simulated.find(channel.quantity, channel.dof);
