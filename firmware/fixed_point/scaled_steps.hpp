@@ -34,10 +34,54 @@ inline int64_t with_sign(uint64_t value, bool negative) {
 inline int places_up(uint64_t value) { return __builtin_clzll(value) - (64 - kMantissaBits); }
 
 // A mantissa in its normal form, its exponent saturated.
-[[gnu::always_inline]] inline Scaled limited(uint64_t value, int32_t exponent, bool negative) {
+inline Scaled saturated(uint64_t value, int32_t exponent, bool negative) {
   if (exponent > kExponentLimit) return {with_sign(static_cast<uint64_t>(kLargestMantissa), negative), kExponentLimit};
   if (exponent < -kExponentLimit) return {};
   return {with_sign(value, negative), exponent};
+}
+
+#if UINTPTR_MAX > UINT32_MAX
+[[gnu::always_inline]] inline Scaled limited(uint64_t value, int32_t exponent, bool negative) {
+  const uint32_t above_least = static_cast<uint32_t>(exponent) + static_cast<uint32_t>(kExponentLimit);
+  if (__builtin_expect(above_least > 2 * static_cast<uint32_t>(kExponentLimit), 0))
+    return saturated(value, exponent, negative);
+  return {with_sign(value, negative), exponent};
+}
+
+// value * 2^exponent with 0 < value < 2^63, brought to the normal form. Without a branch that depends on the numbers: which way they go
+// is chance, and a wide processor loses more by a wrong guess than by all the steps. All bits but one stand above the binary point
+// first; of a value that had to move up the last bit is 0, and nothing is rounded.
+[[gnu::always_inline]] inline Scaled brought_to_form(uint64_t value, int32_t exponent, bool negative) {
+  const int up = __builtin_clzll(value) - 1;
+  uint64_t normal = ((value << up) + 1) >> 1;  // to nearest; 2^61 <= normal <= 2^62
+  exponent += 1 - up;
+  if (__builtin_expect(static_cast<long>(normal >> kMantissaBits), 0)) {  // rounded up to the next power of two
+    normal >>= 1;
+    ++exponent;
+  }
+  return limited(normal, exponent, negative);
+}
+
+// value * 2^exponent with value < 2^64; rounds to nearest when bits are dropped.
+FIRMWARE_STEP_OF_STEPS Scaled normalised(uint64_t value, int32_t exponent, bool negative) {
+  if (value == 0) return {};
+  if (value >> 63) {
+    value = (value >> 2) + ((value >> 1) & 1u);
+    exponent += 2;
+  }
+  return brought_to_form(value, exponent, negative);
+}
+
+// Mantissas of 62 bits, larger_exponent - smaller_exponent = distance >= 0.
+[[gnu::always_inline]] inline Scaled aligned_sum(int64_t larger, int32_t exponent, int64_t smaller, int32_t distance) {
+  if (distance > kMantissaBits) return {larger, exponent};
+  const int64_t sum = larger + ((((smaller * 2) >> distance) + 1) >> 1);  // to nearest
+  if (sum == 0) return {};
+  return brought_to_form(magnitude(sum), exponent, sum < 0);
+}
+#else
+[[gnu::always_inline]] inline Scaled limited(uint64_t value, int32_t exponent, bool negative) {
+  return saturated(value, exponent, negative);
 }
 
 // value * 2^exponent with value < 2^64, brought to the normal form; rounds to nearest when bits are dropped.
@@ -58,23 +102,6 @@ FIRMWARE_STEP_OF_STEPS Scaled normalised(uint64_t value, int32_t exponent, bool 
 }
 
 // Mantissas of 62 bits, larger_exponent - smaller_exponent = distance >= 0.
-#if UINTPTR_MAX > UINT32_MAX
-// Without a branch that depends on the numbers: which way they go is chance, and a wide processor loses more by a wrong guess
-// than by all the steps.
-[[gnu::always_inline]] inline Scaled aligned_sum(int64_t larger, int32_t exponent, int64_t smaller, int32_t distance) {
-  if (distance > kMantissaBits) return {larger, exponent};
-  const int64_t sum = larger + ((((smaller * 2) >> distance) + 1) >> 1);  // to nearest
-  if (sum == 0) return {};
-  const uint64_t value = magnitude(sum);  // below 2^63
-  const int grown = static_cast<int>(value >> kMantissaBits);
-  const int shift = grown != 0 ? 0 : places_up(value);
-  uint64_t normal = ((value >> grown) + (value & static_cast<uint64_t>(grown))) << shift;
-  exponent += grown - shift;
-  const int rounded_up = static_cast<int>(normal >> kMantissaBits);
-  normal >>= rounded_up;
-  return limited(normal, exponent + rounded_up, sum < 0);
-}
-#else
 [[gnu::always_inline]] inline Scaled aligned_sum(int64_t larger, int32_t exponent, int64_t smaller, int32_t distance) {
   if (distance > kMantissaBits) return {larger, exponent};
   if (distance > 0) smaller = ((smaller >> (distance - 1)) + 1) >> 1;  // to nearest
@@ -106,15 +133,16 @@ FIRMWARE_STEP_OF_STEPS Scaled normalised(uint64_t value, int32_t exponent, bool 
 
 // Of two normal mantissas.
 [[gnu::always_inline]] inline Scaled product(uint64_t a, uint64_t b, int32_t exponent, bool negative) {
-  const Wide product = multiply(a, b);                             // 2^122 <= product < 2^124
-  const uint64_t top = (product.high << 4) | (product.low >> 60);  // product / 2^60, 2^62 <= top < 2^64
   exponent += 61;
 #if UINTPTR_MAX > UINT32_MAX
+  const uint64_t top = multiply(a << 2, b << 2).high;  // product / 2^60, 2^62 <= top < 2^64
   const int large = static_cast<int>(top >> 63);
-  uint64_t value = (top >> (1 + large)) + ((top >> large) & 1u);  // to nearest; 2^61 <= value <= 2^63
+  uint64_t value = ((top >> large) + 1) >> 1;  // to nearest; 2^61 <= value <= 2^62
   exponent += large;
 #else
-  uint64_t value = (top >> 1) + (top & 1u);  // to nearest; 2^61 <= value <= 2^63
+  const Wide product = multiply(a, b);                             // 2^122 <= product < 2^124
+  const uint64_t top = (product.high << 4) | (product.low >> 60);  // product / 2^60, 2^62 <= top < 2^64
+  uint64_t value = (top >> 1) + (top & 1u);                        // to nearest; 2^61 <= value <= 2^63
   if (top >> 63) {
     value = (top >> 2) + ((top >> 1) & 1u);
     ++exponent;
