@@ -135,6 +135,19 @@ TEST_F(Estimate, SameInputSameBytes) {
   EXPECT_GT(workspace_.read("a.log").size(), 1000u);
 }
 
+// With a log a whole board solves once a second, without one its core does at the end alone.
+TEST_F(Estimate, TheLogChangesNothing) {
+  workspace_.write("other.csv", free_decay(2600));
+  std::vector<std::string> arguments = {"estimate", "--rig", "rig.toml", "--data", "data.csv", "other.csv", "--json"};
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), arguments.begin(), arguments.end());
+    return host_sim(more);
+  };
+  ASSERT_EQ(with({"alone.json"}).status, 0);
+  ASSERT_EQ(with({"logged.json", "--log", "out.log"}).status, 0);
+  EXPECT_EQ(workspace_.read("alone.json"), workspace_.read("logged.json"));
+}
+
 TEST_F(Estimate, SeveralRecordsAreLevelsOfOneEstimate) {
   const auto result =
       host_sim({"estimate", "--rig", "rig.toml", "--data", "data.csv", "--data", "data.csv", "--json", "out.json"});

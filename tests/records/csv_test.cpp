@@ -55,6 +55,33 @@ TEST(Csv, LeavesOutALastLineThatBreaksOff) {
   EXPECT_THROW(host_sim::parse_csv("t_s,force_1_N\n0,1\n1\n2,3", "d.csv", chain(1)), host_sim::DataFileError);
 }
 
+// However a number stands in its field, beside fields that hold digits alone.
+TEST(Csv, ANumberMayStandInAnyWay) {
+  const std::string head = "t_s,force_1_N,displacement_1_m\n0,1,-0.25\n1,", tail = "\n2,3,0.5\n3,4,0.75\n";
+  for (const char* field :
+       {"2,0.5", " 2 ,\t0.5 ", "+2,+.5", "\"2\",\"0.5\"", "2e0,5E-1", "0002,000.500", "2.,.5", "20e-1,0.05e1",
+        "2.0000000000000000000000000,0.50000000000000000000000000", "\"+2\" , \"5e-1\"", "2,0.5,"}) {
+    const auto record = host_sim::parse_csv(head + field + tail, "d.csv", chain(1));
+    EXPECT_EQ(record.find(Quantity::kForce, 1)->values, (std::vector<double>{1, 2, 3, 4})) << field;
+    EXPECT_EQ(record.find(Quantity::kDisplacement, 1)->values, (std::vector<double>{-0.25, 0.5, 0.5, 0.75})) << field;
+  }
+  for (const char* field : {"2,-inf", "2,inf", "2,1e999", "2,5abc", "2,-", "2,--5", "2,0.5.5", "2,0x1p3", "2,1e",
+                            "nan,0.5", "2,-nan", "2,0 5", "2", "2,0.5,7"})
+    EXPECT_THROW(host_sim::parse_csv(head + field + tail, "d.csv", chain(1)), host_sim::DataFileError) << field;
+}
+
+// The same with semicolons and decimal commas, where a number of digits alone has neither.
+TEST(Csv, ANumberMayHaveItsCommaInAnyWay) {
+  const std::string head = "t_s;force_1_N;displacement_1_m\r\n0;1;-0,25\r\n1;", tail = "\r\n2;3;0,5\r\n3;4;0,75\r\n";
+  for (const char* field : {"2;0,5", " 2 ; 0,5", "+2,0;,5", "\"2,0\";\"0,5\"", "2e0;5E-1", "2,;5,0e-1"}) {
+    const auto record = host_sim::parse_csv(head + field + tail, "d.csv", chain(1));
+    EXPECT_EQ(record.find(Quantity::kForce, 1)->values, (std::vector<double>{1, 2, 3, 4})) << field;
+    EXPECT_EQ(record.find(Quantity::kDisplacement, 1)->values, (std::vector<double>{-0.25, 0.5, 0.5, 0.75})) << field;
+  }
+  for (const char* field : {"2;0.5", "2;0,5,5", "2;-inf"})
+    EXPECT_THROW(host_sim::parse_csv(head + field + tail, "d.csv", chain(1)), host_sim::DataFileError) << field;
+}
+
 // 0.9 % off is a clock's jitter, 1.1 % a fault: on line 4 stands the sample whose step is long.
 TEST(Csv, StepMayVaryByOnePercent) {
   const auto text = [](const char* third) {

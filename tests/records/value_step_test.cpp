@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
+#include <vector>
 
 namespace {
 
@@ -63,6 +65,35 @@ TEST(ValueStep, OfRampsThatTurnSmoothlyIsNone) {
                                  : -std::sin(M_PI * (phase - 3)) / M_PI);
   }
   EXPECT_EQ(value_step(values), 0.0);
+}
+
+// What the steps are counts, not where they stand: a counter's beside one step a thousand times smaller, and steps that differ in
+// their last bits alone.
+TEST(ValueStep, DoesNotDependOnTheOrderOfTheSteps) {
+  std::mt19937 random(9);
+  std::vector<double> counter, alike = {std::ldexp(1.0, -20)};
+  for (int i = 0; i < 6000; ++i) {
+    const double between = static_cast<double>(random() % 1000) / 1000.0;  // 9 or 10, 18 or 19, 27 or 28, 36 or 37 ...
+    counter.push_back(std::floor(100.0 / 11 * static_cast<double>(1 + random() % 30) + between));
+    alike.push_back(1.0 + std::ldexp(static_cast<double>(random() % 4096), -40));
+  }
+  const auto step_of = [](const std::vector<double>& steps) {
+    std::vector<double> values = {0.0};  // to and fro, so that each step comes out of the difference as it went in
+    for (size_t i = 0; i < steps.size(); ++i) {
+      values.push_back(steps[i]);
+      values.push_back(0.0);
+    }
+    return value_step(values);
+  };
+  for (std::vector<double>* steps : {&counter, &alike}) {
+    std::sort(steps->begin(), steps->end());
+    const double sorted = step_of(*steps);
+    for (int turn = 0; turn < 3; ++turn) {
+      std::shuffle(steps->begin(), steps->end(), random);
+      EXPECT_NEAR(step_of(*steps), sorted, 1e-9 * sorted);
+    }
+  }
+  EXPECT_NEAR(step_of(counter), 100.0 / 11, 0.01);
 }
 
 }  // namespace
