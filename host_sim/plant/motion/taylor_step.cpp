@@ -4,6 +4,11 @@
 #include <cmath>
 #include <limits>
 
+// A rig has few links and masses: vectors of them take longer to begin.
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC optimize("no-tree-loop-vectorize")
+#endif
+
 namespace host_sim {
 namespace {
 
@@ -42,6 +47,7 @@ TaylorStep::TaylorStep(const Equations& equations, const Excitation& excitation)
       if (links_[l].b == i) ends_.push_back({l, -1.0});
     }
     ends_of_.push_back(ends_.size());
+    two_ends_ = two_ends_ && ends_.size() == 2 * ends_of_.size();
   }
   double fastest = 0.0;  // Gershgorin: no eigenvalue of M^-1 K is above 2 sum of k / m
   for (size_t i = 0; i < masses_; ++i) {
@@ -75,7 +81,7 @@ void TaylorStep::set_drives(double t_s, double step_s) {
 }
 
 // Of the k-th coefficients, on the masses. A link's force is made once, and each mass sums up in a register what is at its ends.
-void TaylorStep::net_forces(int k, const Modes& modes) {
+inline void TaylorStep::net_forces(int k, const Modes& modes) {
   const double *x = row(k), *next = row(k + 1), *drive = drive_row(k);
   const double per_s = static_cast<double>(k + 1) / step_s_;
   for (size_t l = 0; l < links_.size(); ++l) {
@@ -86,16 +92,22 @@ void TaylorStep::net_forces(int k, const Modes& modes) {
     for (size_t l = 0; l < links_.size(); ++l)
       force_[l] += links_[l].friction * static_cast<double>(modes.rate_sign[l]);
   const End* end = ends_.data();
+  const double* const force = force_.data();
+  if (two_ends_) {
+    for (size_t i = 0; i < masses_; ++i, end += 2)
+      net_[i] = drive[i] - end[0].sign * force[end[0].link] - end[1].sign * force[end[1].link];
+    return;
+  }
   for (size_t i = 0; i < masses_; ++i) {
     double net = drive[i];
-    for (const End* const last = ends_.data() + ends_of_[i]; end != last; ++end) net -= end->sign * force_[end->link];
+    for (const End* const last = ends_.data() + ends_of_[i]; end != last; ++end) net -= end->sign * force[end->link];
     net_[i] = net;
   }
 }
 
 // next = factor M^-1 net; masses that are tied together move alike, and with the ground or the base where these are among them.
 // Returns the largest.
-double TaylorStep::accelerate(double factor, double* next) {
+inline double TaylorStep::accelerate(double factor, double* next) {
   double largest = 0.0;
   if (!body_.empty()) {
     std::fill(body_sum_.begin(), body_sum_.end(), 0.0);

@@ -59,6 +59,7 @@ class TaylorStep {
   std::vector<double> mass_, x_, drive_;  // x_, drive_: a row of nodes for every order
   std::vector<double> force_, net_;       // of the order at hand: of the links, on the masses
   std::vector<End> ends_;                 // of one mass after the other, in the links' order
+  bool two_ends_ = true;                  // every mass has two, as in a chain between walls
   std::vector<size_t> ends_of_;           // where those of a mass end
   std::vector<double> body_sum_, body_mass_;
   std::vector<size_t> body_;  // empty: nothing is stuck
