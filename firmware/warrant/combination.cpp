@@ -67,7 +67,7 @@ struct Four {
 
 int combine(const ShortScaled* coefficient, const uint16_t* value, int count, const ScoreTable& table, int from, int to,
             Scaled* sums) {
-  static const bool wide = __builtin_cpu_supports("avx2") != 0;
+  const bool wide = __builtin_cpu_supports("avx2") != 0;
   for (; wide && from + 8 <= to; from += 8) combine_eight(coefficient, value, count, table, from, sums);
   return from;
 }
