@@ -43,18 +43,23 @@ double zero_of(const Record& record, const Channel& acceleration, const Channel&
   return std::fabs(mean) > kBeyondChance * error ? mean : 0.0;
 }
 
+// Of an acceleration that has another motion of its DOF beside it.
+double zero_of_channel(const Record& record, const Channel& channel) {
+  if (channel.quantity != Quantity::kAcceleration) return 0.0;
+  const Channel* motion = record.find(Quantity::kVelocity, channel.dof);
+  if (motion == nullptr) motion = record.find(Quantity::kDisplacement, channel.dof);
+  return motion == nullptr ? 0.0 : zero_of(record, channel, *motion);
+}
+
 }  // namespace
 
-std::vector<std::string> take_off_accelerometer_zeros(std::vector<Record>& records) {
+std::vector<std::string> take_off_accelerometer_zeros(SharedRecords& records) {
   std::map<std::string, double> largest;
-  for (Record& record : records)
-    for (Channel& channel : record.channels) {
-      if (channel.quantity != Quantity::kAcceleration) continue;
-      const Channel* motion = record.find(Quantity::kVelocity, channel.dof);
-      if (motion == nullptr) motion = record.find(Quantity::kDisplacement, channel.dof);
-      if (motion == nullptr) continue;
-      const double zero = zero_of(record, channel, *motion);
+  for (size_t r = 0; r < records.get().size(); ++r)
+    for (size_t c = 0; c < records.get()[r].channels.size(); ++c) {
+      const double zero = zero_of_channel(records.get()[r], records.get()[r].channels[c]);
       if (zero == 0.0) continue;
+      Channel& channel = records.own()[r].channels[c];
       for (double& value : channel.values) value -= zero;
       double& most = largest[channel.name];
       if (std::fabs(zero) > std::fabs(most)) most = zero;

@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "host_sim/records/record.hpp"
+#include "host_sim/programs/estimate/shared_records.hpp"
 
 namespace host_sim {
 
 // Takes the zero off every acceleration that has a velocity or displacement of its DOF (or of the base) beside it, each record its
 // own, where it is beyond what the scatter over the record makes. Returns what to say of each channel, of its largest.
-std::vector<std::string> take_off_accelerometer_zeros(std::vector<Record>& records);
+std::vector<std::string> take_off_accelerometer_zeros(SharedRecords& records);
 
 }  // namespace host_sim

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <future>
+#include <utility>
 
 #include "hal/rig_file/rig_reader.hpp"
 #include "host_sim/data_check/release.hpp"
@@ -12,6 +13,7 @@
 #include "host_sim/programs/estimate/estimation.hpp"
 #include "host_sim/programs/estimate/model_export.hpp"
 #include "host_sim/programs/estimate/rest_position.hpp"
+#include "host_sim/programs/estimate/shared_records.hpp"
 #include "host_sim/programs/estimate/slow_motion.hpp"
 #include "host_sim/programs/results/result_json.hpp"
 #include "host_sim/programs/results/result_table.hpp"
@@ -57,18 +59,19 @@ void show_more(const EstimateArguments& arguments, const rig_file::RigModel& mod
   }
 }
 
-// The check of the data beside the estimation where the records are short enough to be kept twice, for the estimation counts them
-// from their position of rest; before it where they are long.
+// The check of the data beside the estimation where the records are short enough to be kept twice, should the estimation change them
+// (it counts them from their position of rest); before it where they are long.
 class DataCheck {
  public:
-  DataCheck(const std::vector<Record>& records, const rig_file::RigModel& model, const DataArguments& arguments)
+  DataCheck(const SharedRecords& records, const rig_file::RigModel& model, const DataArguments& arguments)
       : arguments_(arguments) {
     size_t values = 0;
-    for (const Record& record : records) values += record.samples() * record.channels.size();
+    for (const Record& record : records.get()) values += record.samples() * record.channels.size();
     if (values > kKeptTwice)
-      report_ = require_sound(records, model, arguments);
+      report_ = require_sound(records.get(), model, arguments);
     else
-      running_ = std::async(std::launch::async, [records, &model] { return data_check::check(records, &model); });
+      running_ = std::async(std::launch::async,
+                            [kept = records.as_they_are(), &model] { return data_check::check(*kept, &model); });
   }
   // Throws CannotAnswer where the data have faults.
   const data_check::Report& require() {
@@ -97,11 +100,12 @@ class DataCheck {
 void estimate(const EstimateArguments& arguments) {
   const rig_file::RigModel model = rig_file::read_rig_file(arguments.rig);
   rig_file::require_unknowns(model);
-  std::vector<Record> records = read_data(arguments.data, model, arguments.reading);
-  require_same_channels(records);
+  std::vector<Record> read = read_data(arguments.data, model, arguments.reading);
+  require_same_channels(read);
   ResultTarget json(arguments.json), log(arguments.log);
   std::FILE* const people = human_stream(json, log);
-  std::vector<std::string> notes = data_check::keep_decays(records);
+  std::vector<std::string> notes = data_check::keep_decays(read);
+  SharedRecords records(std::move(read));
   DataCheck check(records, model, arguments.reading);
 
   EstimationOptions options;
@@ -111,7 +115,7 @@ void estimate(const EstimateArguments& arguments) {
   const auto estimate_all = [&] {
     ProgressBar bar("estimating");
     options.progress = [&bar](double share) { bar.show(share); };
-    estimation = estimate_records(model, records, options);
+    estimation = estimate_records(model, records.get(), options);
   };
   check.beside([&] {
     for (const auto& told : {count_from_rest(records), take_off_accelerometer_zeros(records)})
@@ -119,12 +123,12 @@ void estimate(const EstimateArguments& arguments) {
     if (const std::string slow = average_slow_motion(records); !slow.empty()) notes.push_back(slow);
     estimate_all();
   });
-  if (data_check::turn_over(check.require(), records)) estimate_all();
+  if (data_check::turn_over(check.require(), records.own())) estimate_all();
   estimation.result.notes.insert(estimation.result.notes.end(), notes.begin(), notes.end());
   print_table(people, model, estimation.result);
   json.deliver(to_text(to_json(estimation.result)));
   log.deliver(estimation.frames);
-  show_more(arguments, model, records, estimation, check.require(), people);
+  show_more(arguments, model, records.get(), estimation, check.require(), people);
   const std::string missing = unanswered(estimation.result);
   if (!missing.empty()) throw CannotAnswer(missing);
 }

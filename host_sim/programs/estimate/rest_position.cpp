@@ -26,18 +26,17 @@ Moments moments(const std::vector<Record>& records, size_t channel) {
 
 }  // namespace
 
-std::vector<std::string> count_from_rest(std::vector<Record>& records) {
+std::vector<std::string> count_from_rest(SharedRecords& records) {
   std::vector<std::string> notes;
-  if (records.empty()) return notes;
-  for (size_t c = 0; c < records.front().channels.size(); ++c) {
-    const Channel& first = records.front().channels[c];
-    if (first.quantity != Quantity::kDisplacement) continue;
-    const Moments m = moments(records, c);
+  if (records.get().empty()) return notes;
+  for (size_t c = 0; c < records.get().front().channels.size(); ++c) {
+    if (records.get().front().channels[c].quantity != Quantity::kDisplacement) continue;
+    const Moments m = moments(records.get(), c);
     if (!(std::fabs(m.mean) > kOneSide * m.rms)) continue;
-    for (Record& record : records)
+    for (Record& record : records.own())
       for (double& value : record.channels[c].values) value -= m.mean;
     notes.push_back(fmt::format("{} never comes to its zero: counted from its mean, {:.4g}, as the position of rest",
-                                first.name, m.mean));
+                                records.get().front().channels[c].name, m.mean));
   }
   return notes;
 }

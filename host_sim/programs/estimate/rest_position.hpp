@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "host_sim/records/record.hpp"
+#include "host_sim/programs/estimate/shared_records.hpp"
 
 namespace host_sim {
 
 // Takes out of every displacement or angle the mean over all records where the motion stays on one side of zero: where the mean is
 // over twice the root mean square about it. Returns what to say of each.
-std::vector<std::string> count_from_rest(std::vector<Record>& records);
+std::vector<std::string> count_from_rest(SharedRecords& records);
 
 }  // namespace host_sim

@@ -76,10 +76,11 @@ size_t largest_mean(const std::vector<Record>& records) {
 
 }  // namespace
 
-std::string average_slow_motion(std::vector<Record>& records) {
-  if (records.empty() || !displacement_alone(records.front())) return {};
-  const size_t size = largest_mean(records);
+std::string average_slow_motion(SharedRecords& shared) {
+  if (shared.get().empty() || !displacement_alone(shared.get().front())) return {};
+  const size_t size = largest_mean(shared.get());
   if (size < 2) return {};
+  std::vector<Record>& records = shared.own();
   for (Record& record : records) {
     for (Channel& channel : record.channels) channel.values = means(channel.values, size);
     record.start_s += 0.5 * static_cast<double>(size - 1) * record.sample_period_s;

@@ -7,12 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "host_sim/records/record.hpp"
+#include "host_sim/programs/estimate/shared_records.hpp"
 
 namespace host_sim {
 
 // Replaces the samples by means of so many that the motion stays within some twentieth of the new rate, where there is neither a
 // velocity nor an acceleration. Returns what to say of it; empty: the records are as they were.
-std::string average_slow_motion(std::vector<Record>& records);
+std::string average_slow_motion(SharedRecords& records);
 
 }  // namespace host_sim
