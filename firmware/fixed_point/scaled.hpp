@@ -47,6 +47,7 @@ Scaled operator+(const Scaled& a, const Scaled& b);
 Scaled operator-(const Scaled& a, const Scaled& b);
 Scaled operator-(const Scaled& a);
 Scaled operator*(const Scaled& a, const Scaled& b);
+Scaled square(const Scaled& a);
 Scaled times(const Scaled& a, int64_t n);  // a * Scaled::from_int(n) with fewer steps; |n| < 2^62
 Scaled operator/(const Scaled& a,
                  const Scaled& b);  // b == 0 gives the largest value with a's sign: callers test is_zero() first

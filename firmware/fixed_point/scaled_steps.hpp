@@ -197,6 +197,8 @@ FIRMWARE_STEP Scaled operator*(const Scaled& a, const Scaled& b) {
   return work_meter == nullptr ? scaled_steps::unreported_product(a, b) : scaled_steps::reported_product(a, b);
 }
 
+FIRMWARE_STEP Scaled square(const Scaled& a) { return a * a; }
+
 FIRMWARE_STEP Scaled times(const Scaled& a, int64_t n) {
   if (a.mantissa == 0 || n == 0) return {};
   const uint64_t value = magnitude(n);

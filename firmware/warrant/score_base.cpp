@@ -7,7 +7,6 @@ namespace {
 
 constexpr int kLeastForWeights = 8;  // stretches of a level that show its own scatter
 
-Scaled square(Scaled value) { return value * value; }
 Scaled quotient(Scaled a, Scaled b) { return b.is_zero() ? Scaled{} : a / b; }
 
 }  // namespace

@@ -13,7 +13,6 @@ constexpr int kLeastShareLog2 = -6;  // of a force, not taken up by the estimate
 constexpr int kFewestForEven = 16, kLeastInformationLog2 = -10;
 constexpr int kGroupSizes = 3, kLeastGroups = 5;  // 2, 4 and 8 stretches
 
-Scaled square(Scaled value) { return value * value; }
 Scaled quotient(Scaled a, Scaled b) { return b.is_zero() ? Scaled{} : a / b; }
 
 }  // namespace

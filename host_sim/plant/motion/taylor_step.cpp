@@ -153,9 +153,13 @@ void TaylorStep::state(double theta, double* y) const {
   for (size_t i = 0; i < masses_; ++i) {
     const double* x = row(order_) + i;
     double value = 0.0, rate = 0.0, k = order_;
-    for (int left = order_; left > 0; --left, k -= 1.0, x -= nodes_) {
-      value = value * theta + *x;
-      rate = rate * theta + k * *x;
+    if (theta == 1.0) {  // nearly always: the step's end
+      for (int left = order_; left > 0; --left, k -= 1.0, x -= nodes_) value += *x, rate += k * *x;
+    } else {
+      for (int left = order_; left > 0; --left, k -= 1.0, x -= nodes_) {
+        value = value * theta + *x;
+        rate = rate * theta + k * *x;
+      }
     }
     y[i] = value * theta + *x;
     y[masses_ + i] = rate / step_s_;
