@@ -50,6 +50,14 @@ if measured bench_core; then
     else
       echo "SKIPPED: no host_sim or no numpy."
     fi
+    echo
+    echo "## \`run\` beside real time"
+    echo
+    if [ -x "$bin/host_sim" ]; then
+      python3 tests/bench/run_speed.py "$bin/host_sim"
+    else
+      echo "SKIPPED: no host_sim."
+    fi
   } > build/host/speed.md
   mv build/host/speed.md docs/speed.md
 fi
