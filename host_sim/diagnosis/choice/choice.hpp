@@ -64,8 +64,11 @@ struct Left {
   double worst() const { return in_band.size() ? in_band.maxCoeff() : 0; }
 };
 // Whether more than noise is left: more in the band of the motion than beside it, and not of a colour that noise may
-// have. Numbers that are vouched for ask for less than what sends the search on: kByChance.
-bool beyond_noise(const Left& left, double deviate = kSure);
+// have.
+bool beyond_noise(const Left& left);
+// Whether numbers beside named causes are not vouched for: more than noise is left, or more than coloured noise makes and
+// nothing says that it is none.
+bool may_bend_numbers(const Left& left);
 
 struct Choice {
   double periods = 0;  // of a window

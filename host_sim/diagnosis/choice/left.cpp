@@ -185,11 +185,23 @@ Left left_by(const System& system, const std::vector<Prepared>& records, const S
   return left;
 }
 
-bool beyond_noise(const Left& left, double deviate) {
+namespace {
+
+bool goes_with_motion(const Left& left, double deviate) {
+  return left.with_motion.z > deviate || left.with_loudness.z > deviate;
+}
+
+}  // namespace
+
+bool beyond_noise(const Left& left) {
   if (left.foreign_line > kLine) return true;
-  const bool knows_motion = left.with_motion.z > deviate || left.with_loudness.z > deviate;
+  const bool knows_motion = goes_with_motion(left, kSure);
   return left.worst() > (left.with_motion.known || knows_motion ? kSurelyNoise : kBeyondNoise) &&
          (knows_motion || !left.with_motion.known);
+}
+
+bool may_bend_numbers(const Left& left) {
+  return beyond_noise(left) || (left.worst() > kBeyondNoise && goes_with_motion(left, kByChance));
 }
 
 double noise_share(const Left& left, const Fitted& fit) {
