@@ -1,5 +1,6 @@
 #include "shown.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "../candidates/candidates.hpp"
@@ -9,6 +10,9 @@ namespace {
 
 // Pitches that the way has to hold: along less of a sine a cubic spring is as good a story.
 constexpr double kRepeats = 1.5;
+// Periods of the motion that a drift has to take: coefficient, drift and time constant are three numbers, and each period shows
+// one damping.
+constexpr double kDriftPeriods = 3;
 constexpr double kOneMotion = 0.9;      // correlation of two channels that see the same motion
 constexpr double kContradiction = 0.1;  // between two gains of a channel: noise and filters make less
 
@@ -27,6 +31,12 @@ bool bends_slowly(const Task& task, const Term& presliding) {
     if (2 * presliding.shape > rms * p.step_s * p.step_s) return true;
   }
   return false;
+}
+
+bool drifts(const Task& task, const Term& damper) {
+  if (damper.shape <= 0) return true;  // all the time, or from record to record
+  return std::any_of(task.records.begin(), task.records.end(),
+                     [&](const Prepared& p) { return damper.shape > kDriftPeriods * p.period_s; });
 }
 
 const MotionTrace* channel_of(const Prepared& p, int dof, int quantity) {
@@ -75,6 +85,8 @@ bool shown(const Task& task, const ModelTerm& t) {
   switch (t.term.kind) {
     case Kind::kPresliding:
       return bends_slowly(task, t.term);
+    case Kind::kDriftingViscous:
+      return drifts(task, t.term);
     case Kind::kCogging:
       return kRepeats * t.term.shape < way_of(task.system, task.records, t.term.link);
     case Kind::kChannelGain:
