@@ -11,11 +11,10 @@ Scaled table(int freedom) { return Scaled::ratio(kTable_1e4[freedom - 1], 10000)
 }  // namespace
 
 Scaled student_quantile_95(Scaled freedom) {
-  const int64_t whole = to_fixed(freedom, 0);
   if (freedom <= Scaled::from_int(1)) return table(1);
   if (freedom < Scaled::from_int(kTableSize)) {
-    int below = static_cast<int>(whole);
-    if (Scaled::from_int(below) > freedom) --below;
+    int below = 1;
+    while (below + 2 <= kTableSize && Scaled::from_int(below + 1) <= freedom) ++below;
     const Scaled part = freedom - Scaled::from_int(below);
     return table(below) + part * (table(below + 1) - table(below));
   }

@@ -21,14 +21,13 @@ void ScoreTest::weigh(int number) {
     if (plan.probe[j].place == number && (found < 0 || plan.probe[j].form == wanted)) found = j;
   if (found < 0) return;
   open(plan.probe[found]);
-  Scaled* const residual[] = {psi_, d_};
   for (int e = 0; e < place.equations; ++e) {
     Scaled one[kPlaceEquations];
     one[e] = Scaled::from_int(1);
     score_sum_.clear();
     add_scores(score_sum_, one);
     report_work(300 * stretches_);
-    score_sum_.of_all(sums_->table(), 0, stretches_, residual[e]);
+    score_sum_.of_all(sums_->table(), 0, stretches_, e == 0 ? psi_ : d_);
   }
   for (int level = 0; level < levels_; ++level) weigh_level(place, level, number);
 }
