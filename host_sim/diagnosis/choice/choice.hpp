@@ -66,8 +66,8 @@ struct Left {
 // Whether more than noise is left: more in the band of the motion than beside it, and not of a colour that noise may
 // have.
 bool beyond_noise(const Left& left);
-// Whether numbers beside named causes are not vouched for: more than noise is left, or more than coloured noise makes and
-// nothing says that it is none.
+// Whether numbers beside named causes are not vouched for: more than noise is left, or more than white noise makes by far and two
+// deviations say that it goes with the motion.
 bool may_bend_numbers(const Left& left);
 
 struct Choice {

@@ -4,8 +4,9 @@
 
 namespace diagnosis::runs {
 
-// What a model leaves, in the band of the motion over beside it: 0.95 to 1.05 on complete drawn rigs in white noise. Up to
-// three times more coloured noise may have (AR(0.8) has); whether it is noise says the motion, which noise does not know.
+// What a model leaves, in the band of the motion over beside it: 0.95 to 1.05 on complete drawn rigs in white noise. Coloured
+// noise has more (AR(0.8) 30 to 40 where the motion is slow for the sampling rate): whether it is noise says the motion, which noise
+// does not know.
 constexpr double kSurelyNoise =
     1.3;  // nothing is asked up to here: bands of a hundred lines scatter by that, three deviations
 constexpr double kBeyondNoise = 3;  // where there are too few windows to ask
