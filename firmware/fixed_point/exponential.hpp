@@ -3,7 +3,7 @@
 #pragma once
 #include "firmware/fixed_point/functions.hpp"
 
-#ifdef FIRMWARE_FUNCTIONS_IN_PLACE
+#ifdef FIRMWARE_IN_PLACE
 #define FIRMWARE_FUNCTION [[gnu::always_inline]] inline
 #else
 #define FIRMWARE_FUNCTION

@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "firmware/fixed_point/fixed.hpp"
+#include "firmware/fixed_point/in_place.hpp"
 
 namespace firmware {
 
@@ -15,7 +16,6 @@ Q30 exp2_of_minus(Fixed<int64_t, 26> x);
 
 }  // namespace firmware
 
-#if defined(__x86_64__)
-#define FIRMWARE_FUNCTIONS_IN_PLACE
+#ifdef FIRMWARE_IN_PLACE
 #include "firmware/fixed_point/exponential.hpp"
 #endif

@@ -10,6 +10,8 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "firmware/fixed_point/in_place.hpp"
+
 namespace firmware {
 
 #pragma pack(push, 4)  // 12 bytes, not 16: a core holds hundreds to thousands of them
@@ -51,6 +53,7 @@ Scaled square(const Scaled& a);
 Scaled times(const Scaled& a, int64_t n);  // a * Scaled::from_int(n) with fewer steps; |n| < 2^62
 Scaled operator/(const Scaled& a,
                  const Scaled& b);  // b == 0 gives the largest value with a's sign: callers test is_zero() first
+Scaled quotient(const Scaled& a, const Scaled& b);  // a / b; of b == 0 it is 0
 // In place, which takes fewer instructions than a = a + b where that is asked for.
 void operator+=(Scaled& a, const Scaled& b);
 void operator-=(Scaled& a, const Scaled& b);
@@ -73,7 +76,6 @@ int32_t log2_floor(const Scaled& a);
 
 }  // namespace firmware
 
-#if defined(__x86_64__)
-#define FIRMWARE_STEPS_IN_PLACE
+#ifdef FIRMWARE_IN_PLACE
 #include "firmware/fixed_point/scaled_steps.hpp"
 #endif

@@ -7,7 +7,7 @@
 #include "firmware/fixed_point/wide.hpp"
 #include "firmware/fixed_point/work_meter.hpp"
 
-#ifdef FIRMWARE_STEPS_IN_PLACE
+#ifdef FIRMWARE_IN_PLACE
 #define FIRMWARE_STEP [[gnu::always_inline]] inline
 #define FIRMWARE_STEP_APART FIRMWARE_STEP
 #define FIRMWARE_STEP_OF_STEPS FIRMWARE_STEP
@@ -219,6 +219,8 @@ FIRMWARE_STEP Scaled operator/(const Scaled& a, const Scaled& b) {
   const uint64_t quotient = divide_fraction(numerator, magnitude(b.mantissa) << halve);
   return scaled_steps::normalised(quotient, a.exponent - b.exponent - scaled_steps::kMantissaBits + halve, negative);
 }
+
+FIRMWARE_STEP Scaled quotient(const Scaled& a, const Scaled& b) { return b.is_zero() ? Scaled{} : a / b; }
 
 FIRMWARE_STEP void operator+=(Scaled& a, const Scaled& b) { a = a + b; }
 FIRMWARE_STEP void operator-=(Scaled& a, const Scaled& b) { a = a - b; }

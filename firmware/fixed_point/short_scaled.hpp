@@ -72,7 +72,7 @@ Scaled sum_of_kept(int count, A a, B b) {
 
 template <int kMost, typename A, typename B>
 Scaled sum_of_products(int count, A a, B b) {
-#ifdef FIRMWARE_STEPS_IN_PLACE
+#ifdef FIRMWARE_IN_PLACE
   return sum_of_kept<kMost>(count, a, b);
 #else
   return sum_in_two_passes(count, a, b);

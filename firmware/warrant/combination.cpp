@@ -1,7 +1,7 @@
 // Combinations of many stretches on a PC: eight side by side, where the processor has vectors of 256 bits.
 #include "firmware/warrant/combination.hpp"
 
-#ifdef FIRMWARE_STEPS_IN_PLACE
+#ifdef FIRMWARE_IN_PLACE
 #include <immintrin.h>
 
 namespace firmware {

@@ -5,7 +5,7 @@
 
 namespace firmware {
 
-#ifdef FIRMWARE_STEPS_IN_PLACE
+#ifdef FIRMWARE_IN_PLACE
 // Of stretches from `from` on, to sums[from] and on: the sum of coefficient i times value i, i below count. Some of them side by side;
 // returns the first that is left, before `to`. The numbers are those of sum_of_products.
 int combine(const ShortScaled* coefficient, const uint16_t* value, int count, const ScoreTable& table, int from, int to,
@@ -31,13 +31,13 @@ class Combination {
   }
   // Of the stretches [from, to), to sums[from] and on.
   void of_all(const ScoreTable& table, int from, int to, Scaled* sums) const {
-#ifdef FIRMWARE_STEPS_IN_PLACE
+#ifdef FIRMWARE_IN_PLACE
     from = combine(coefficient_, value_, count_, table, from, to, sums);
 #endif
     for (int s = from; s < to; ++s) sums[s] = of(table, s);
   }
   void add_all(const ScoreTable& table, int from, int to, Scaled* sums) const {
-#ifdef FIRMWARE_STEPS_IN_PLACE
+#ifdef FIRMWARE_IN_PLACE
     Scaled added[kMostStretches];
     of_all(table, from, to, added);
     for (int s = from; s < to; ++s) sums[s] += added[s];

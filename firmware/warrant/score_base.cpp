@@ -7,8 +7,6 @@ namespace {
 
 constexpr int kLeastForWeights = 8;  // stretches of a level that show its own scatter
 
-Scaled quotient(Scaled a, Scaled b) { return b.is_zero() ? Scaled{} : a / b; }
-
 }  // namespace
 
 // From the scores of the place's rate (on a DOF, of its acceleration).

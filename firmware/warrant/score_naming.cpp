@@ -42,7 +42,6 @@ bool beyond(const ProbeScore& score, Chance chance, Scaled share) {
   return chance != Chance::kOfFinding || abs(score.wald) > limit(score.freedom, Chance::kBearsOut) * share;
 }
 
-Scaled quotient(Scaled a, Scaled b) { return b.is_zero() ? Scaled{} : a / b; }
 Scaled plain_limit(Scaled freedom) {
   const Scaled most = sqrt(freedom + Scaled::from_int(1)) * Scaled::ratio(kPlainPercent, 100);
   return most < Scaled::from_int(kPlainLimit) ? most : Scaled::from_int(kPlainLimit);

@@ -13,8 +13,6 @@ constexpr int kLeastShareLog2 = -6;  // of a force, not taken up by the estimate
 constexpr int kFewestForEven = 16, kLeastInformationLog2 = -10;
 constexpr int kGroupSizes = 3, kLeastGroups = 5;  // 2, 4 and 8 stretches
 
-Scaled quotient(Scaled a, Scaled b) { return b.is_zero() ? Scaled{} : a / b; }
-
 }  // namespace
 
 // How the score of each estimated term answers to the probe's force at a level: only equations that both stand in.

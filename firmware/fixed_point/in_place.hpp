@@ -1,0 +1,7 @@
+// Whether small functions stand wherever they are used: on a PC, where a call takes longer than they do. On a board they stand once,
+// for there flash counts.
+#pragma once
+
+#if defined(__x86_64__)
+#define FIRMWARE_IN_PLACE
+#endif
