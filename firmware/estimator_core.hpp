@@ -59,8 +59,7 @@ class EstimatorCore {
 #endif
   // False: the configuration needs more products of columns or conservative unknowns than this core has room for.
   bool fits() const { return sums_.complete() && fits_; }
-  // A level of n samples makes a window of n - margin_samples() sample intervals: filters and end corrections look further.
-  int margin_samples() const { return kLevelMarginSamples + conditioning_.history_samples(); }
+  int margin_samples() const { return conditioning_.margin_samples(); }  // of a level, that are in no window
 
  private:
   void choose_block();

@@ -36,6 +36,8 @@ class Conditioning {
   // Moves every signal's positions [count, count + kept) to the frame's start.
   void move_frame(Frame& frame, int count, int kept) const;
   int history_samples() const { return history_samples_; }  // samples at a level's start that give no output
+  // A level of n samples makes a window of n - margin_samples() sample intervals: filters and end corrections look further.
+  int margin_samples() const { return kLevelMarginSamples + history_samples_; }
   // The measured channel is read with these taps from the next level on; number: 0 to kMostShifted - 1, in order.
   void shift(int number, int node, Quantity quantity, const ShiftTaps& taps);
   void shift_nothing();

@@ -5,7 +5,6 @@
 #include <memory>
 #include <numeric>
 
-#include "firmware/acquisition/columns.hpp"
 #include "firmware/conditioning/conditioning.hpp"
 #include "hal/rig_file/compile_rig.hpp"
 #include "hal/rig_file/first_batches.hpp"
@@ -65,7 +64,7 @@ Scenario with_room_for_filters(const Scenario& scenario) {
       rig_file::compile_rig(scenario.rig, scenario.sample_period_s(), calibrations);
   const auto filters = std::make_unique<firmware::Conditioning>();  // a whole core takes longer to make than to ask
   filters->configure(configuration);
-  const auto margin = static_cast<size_t>(firmware::kLevelMarginSamples + filters->history_samples());
+  const auto margin = static_cast<size_t>(filters->margin_samples());
   Scenario result = scenario;
   for (ExcitationLevel& level : result.levels)
     level.run_out_samples = std::max(kRunOutSamples, margin - std::min(margin, level.settle_samples));
