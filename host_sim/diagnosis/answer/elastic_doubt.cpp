@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../motion/link_motion.hpp"
+
 namespace diagnosis::runs {
 namespace {
 
@@ -24,23 +26,12 @@ struct Moving {
   std::vector<double> u, w, a, elastic;
 
   Moving(const Task& task, const Model& model) : a(task.system.dofs()), elastic(task.system.dofs()) {
-    const size_t dofs = task.system.dofs();
     for (const rig_file::Link& l : task.system.links) {
       Rms of_u, of_w;
-      for (const Prepared& p : task.records) {
-        const auto relative = [&](Vec Guess::*of) -> Vec {
-          const auto end = [&](int at) -> Vec {
-            if (at == rig_file::kGround) return Vec::Zero(p.samples);
-            const Vec& y = p.guess[at == rig_file::kBase ? dofs : static_cast<size_t>(at - 1)].*of;
-            return y.size() > 0 ? y : Vec(Vec::Zero(p.samples));
-          };
-          return end(l.a) - end(l.b);
-        };
-        of_u.add(relative(&Guess::x)), of_w.add(relative(&Guess::v));
-      }
+      for (const Prepared& p : task.records) of_u.add(motion_of(l, p, &Guess::x)), of_w.add(motion_of(l, p, &Guess::v));
       u.push_back(of_u.value()), w.push_back(of_w.value());
     }
-    for (size_t d = 0; d < dofs; ++d) {
+    for (size_t d = 0; d < a.size(); ++d) {
       Rms of_a;
       for (const Prepared& p : task.records) of_a.add(p.guess[d].a);
       a[d] = of_a.value();

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../motion/link_motion.hpp"
+
 namespace diagnosis::runs {
 namespace {
 
@@ -54,15 +56,10 @@ double laws_apart(const Task& task, const Model& before, const Model& after) {
     Change elastic, dissipative;
     for (size_t r = 0; r < task.training; ++r) {
       const Prepared& p = task.records[r];
-      const auto end = [&](int dof, Index k, bool rate) {
-        if (dof == rig_file::kGround) return 0.0;
-        const Guess& g = p.guess[dof == rig_file::kBase ? p.guess.size() - 1 : static_cast<size_t>(dof - 1)];
-        return g.given ? (rate ? g.v : g.x)[k] : 0.0;
-      };
+      const Vec u = motion_of(link, p, &Guess::x), w = motion_of(link, p, &Guess::v);
       for (Index k = 0; k < p.samples; ++k) {
-        const double u = end(link.a, k, false) - end(link.b, k, false), w = end(link.a, k, true) - end(link.b, k, true);
-        const LinkForce old = force_at(before, static_cast<int>(l), u, w, p.time_s(k), p),
-                        now = force_at(after, static_cast<int>(l), u, w, p.time_s(k), p);
+        const LinkForce old = force_at(before, static_cast<int>(l), u[k], w[k], p.time_s(k), p),
+                        now = force_at(after, static_cast<int>(l), u[k], w[k], p.time_s(k), p);
         elastic.add(old.elastic, now.elastic), dissipative.add(old.dissipative, now.dissipative);
       }
     }

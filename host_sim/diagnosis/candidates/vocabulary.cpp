@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../motion/link_motion.hpp"
 #include "candidates.hpp"
 #include "hal/rig_file/effect_words.hpp"
 #include "host_sim/vocabulary/held_in_place.hpp"
@@ -21,17 +22,9 @@ struct Extent {
 
 Extent extent_of(const System& s, const std::vector<Prepared>& records, size_t link) {
   Extent e;
-  const rig_file::Link& l = s.links[link];
   for (const Prepared& p : records) {
-    const auto end = [&](int dof, bool rate) -> const Vec* {
-      if (dof == rig_file::kGround) return nullptr;
-      const Guess& g = p.guess[dof == rig_file::kBase ? s.dofs() : static_cast<size_t>(dof - 1)];
-      return g.given ? (rate ? &g.v : &g.x) : nullptr;
-    };
     for (bool rate : {false, true}) {
-      Vec d = Vec::Zero(p.samples);
-      if (const Vec* a = end(l.a, rate)) d += *a;
-      if (const Vec* b = end(l.b, rate)) d -= *b;
+      const Vec d = motion_of(s.links[link], p, rate ? &Guess::v : &Guess::x);
       const double rms = std::sqrt(d.squaredNorm() / static_cast<double>(d.size()));
       if (rate)
         e.w_rms = std::max(e.w_rms, rms);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "../candidates/candidates.hpp"
+#include "../motion/link_motion.hpp"
 
 namespace diagnosis::runs {
 namespace {
@@ -21,12 +22,7 @@ constexpr double kContradiction = 0.1;  // between two gains of a channel: noise
 bool bends_slowly(const Task& task, const Term& presliding) {
   const rig_file::Link& l = task.system.links[static_cast<size_t>(presliding.link)];
   for (const Prepared& p : task.records) {
-    Vec a = Vec::Zero(p.samples);
-    for (const int end : {l.a, l.b}) {
-      if (end == rig_file::kGround) continue;
-      const Guess& g = p.guess[end == rig_file::kBase ? p.guess.size() - 1 : static_cast<size_t>(end - 1)];
-      if (g.given) a += (end == l.a ? 1.0 : -1.0) * g.a;
-    }
+    const Vec a = motion_of(l, p, &Guess::a);
     const double rms = std::sqrt(a.squaredNorm() / static_cast<double>(a.size()));
     if (2 * presliding.shape > rms * p.step_s * p.step_s) return true;
   }
