@@ -1,11 +1,8 @@
 #include "host_sim/records/value_step.hpp"
 
 #include <algorithm>
-#include <array>
+#include <boost/sort/spreadsort/float_sort.hpp>
 #include <cmath>
-#include <cstdint>
-#include <cstring>
-#include <utility>
 
 namespace host_sim {
 namespace {
@@ -18,48 +15,6 @@ constexpr double kAll = 0.99, kMost = 0.95;  // of the steps are whole: beside a
 // Of a unit, the decimal that it was rounded to: steps by chance then lie at three tenths of all places, and 20 of them
 // all there are no chance. Beyond so many units a step says no more.
 constexpr double kPlaceOfUnit = 0.15, kMostMultiples = 32.0;
-
-// What is out of place moves to it; false where that takes more than so many steps, and not all has been done.
-bool insert_in_order(std::vector<uint64_t>& bits, size_t most_steps) {
-  for (size_t i = 1; i < bits.size(); ++i) {
-    const uint64_t one = bits[i];
-    size_t to = i;
-    for (; to > 0 && bits[to - 1] > one; --to) bits[to] = bits[to - 1];
-    bits[to] = one;
-    if (i - to > most_steps) return false;
-    most_steps -= i - to;
-  }
-  return true;
-}
-
-// Sorts numbers above zero, whose bits are in the same order: by the 22 first bits in which they differ, eleven after eleven, where no
-// branch depends on a number (comparisons guess wrong every other time); then little is left out of place.
-void sort_sizes(std::vector<double>& sizes) {
-  constexpr int kBits = 11;
-  constexpr size_t kDigits = size_t{1} << kBits, kStepsEach = 8;
-  static_assert(sizeof(double) == sizeof(uint64_t));
-  const size_t count = sizes.size();
-  if (count < 2) return;
-  std::vector<uint64_t> from(count), to(count);
-  std::memcpy(from.data(), sizes.data(), count * sizeof(double));
-  const auto [lowest, highest] = std::minmax_element(from.begin(), from.end());
-  const uint64_t least = *lowest;
-  int shift = 0;
-  while ((*highest - least) >> shift >> (2 * kBits) != 0) ++shift;
-  const auto first = [=](uint64_t bits) { return (bits - least) >> shift & (kDigits - 1); };
-  const auto second = [=](uint64_t bits) { return (bits - least) >> (shift + kBits); };
-  std::array<uint32_t, kDigits> first_begin{}, second_begin{};
-  for (const uint64_t bits : from) ++first_begin[first(bits)], ++second_begin[second(bits)];
-  uint32_t before = 0, before_second = 0;
-  for (size_t digit = 0; digit < kDigits; ++digit) {
-    before += std::exchange(first_begin[digit], before);
-    before_second += std::exchange(second_begin[digit], before_second);
-  }
-  for (const uint64_t bits : from) to[first_begin[first(bits)]++] = bits;
-  for (const uint64_t bits : to) from[second_begin[second(bits)]++] = bits;
-  if (!insert_in_order(from, kStepsEach * count)) std::sort(from.begin(), from.end());  // nearly all alike
-  std::memcpy(sizes.data(), from.data(), count * sizeof(double));
-}
 
 // Differences between neighbours that are more than the rounding of the values.
 std::vector<double> steps_of(const std::vector<double>& values) {
@@ -95,7 +50,7 @@ double whole_unit(const std::vector<double>& steps, double unit, double share) {
 // multiples of it but for `place`, the last decimal. The first guess is off by a place; multiples tell it ever better.
 double rounded_unit(const std::vector<double>& steps) {
   std::vector<double> sorted = steps;
-  sort_sizes(sorted);
+  boost::sort::spreadsort::float_sort(sorted.begin(), sorted.end());
   const double smallest = sorted.front();
   double place = smallest;
   for (size_t i = 1; i < sorted.size(); ++i)
@@ -123,7 +78,7 @@ double usual_step(const std::vector<double>& steps) {
   std::vector<double> some;
   const size_t stride = steps.size() / kLooked + 1;
   for (size_t i = 0; i < steps.size(); i += stride) some.push_back(steps[i]);
-  sort_sizes(some);
+  boost::sort::spreadsort::float_sort(some.begin(), some.end());
   const auto alike = static_cast<size_t>(kOftenest * static_cast<double>(some.size()));
   for (size_t i = 0; i + alike < some.size(); ++i)
     if (some[i + alike] <= 1.001 * some[i]) return some[i + alike / 2];
