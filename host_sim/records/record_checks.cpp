@@ -30,17 +30,16 @@ bool take_rounded_times(const std::vector<double>& time_s, Record& record) {
   return true;
 }
 
-// Of a clock that is read when rows arrive, many at a time: what to do about it; empty where times are not so.
+// Of times that never fall: what to do where a clock was read as rows arrived, many at a time; empty where they are not so.
 std::string of_arrival(const std::vector<double>& time_s) {
   size_t repeated = 0;
   for (size_t i = 1; i < time_s.size(); ++i) repeated += time_s[i] == time_s[i - 1];
   const double duration_s = time_s.back() - time_s.front();
   const bool bursts = static_cast<double>(repeated) > kBursts * static_cast<double>(time_s.size());
-  if (!bursts || !std::is_sorted(time_s.begin(), time_s.end()) || !(duration_s > 0)) return "";
+  if (!bursts || !(duration_s > 0)) return "";
   return fmt::format(
       "; {} of {} rows bear the time of the row before, as of a clock that is read when they arrive. Where the samples "
-      "are even, "
-      "--sample-rate takes them so (here {:.4g} a second on the mean)",
+      "are even, --sample-rate takes them so (here {:.4g} a second on the mean)",
       repeated, time_s.size(), static_cast<double>(time_s.size() - 1) / duration_s);
 }
 
@@ -68,15 +67,14 @@ void set_time_base(const std::vector<double>& time_s, const std::function<size_t
          std::abs(time_s[uneven] - time_s[uneven - 1] - usual) <= kStepTolerance * usual)
     ++uneven;
   if (uneven < time_s.size() && !take_rounded_times(time_s, record)) {
-    const bool rises = std::is_sorted(time_s.begin(), time_s.end());
-    const std::string arrival = of_arrival(time_s);
+    std::string remedy = usual > 0.0 ? fmt::format("; --resample {:.4g} interpolates", 1.0 / usual) : "";
+    if (!std::is_sorted(time_s.begin(), time_s.end()))
+      remedy = "; the rows are not in the order of time: sort them";
+    else if (const std::string arrival = of_arrival(time_s); !arrival.empty())
+      remedy = arrival;
     throw DataFileError(record.file, line_of(uneven),
                         "t_s steps by " + seconds(time_s[uneven] - time_s[uneven - 1]) + ", expected a constant step" +
-                            (usual > 0.0 ? " of " + seconds(usual) + " within 1 %" : " above 0") +
-                            (!arrival.empty() ? arrival
-                             : !rises         ? "; the rows are not in the order of time: sort them"
-                             : usual > 0.0    ? fmt::format("; --resample {:.4g} interpolates", 1.0 / usual)
-                                              : ""));
+                            (usual > 0.0 ? " of " + seconds(usual) + " within 1 %" : " above 0") + remedy);
   }
   record.start_s = time_s.front();
   if (uneven == time_s.size())
@@ -85,12 +83,14 @@ void set_time_base(const std::vector<double>& time_s, const std::function<size_t
 }
 
 void keep_times(const std::vector<double>& time_s, const std::function<size_t(size_t)>& line_of, Record& record) {
-  const std::string arrival = time_s.empty() ? "" : of_arrival(time_s);
-  for (size_t i = 1; i < time_s.size(); ++i)
-    if (!(time_s[i] > time_s[i - 1]))
-      throw DataFileError(record.file, line_of(i),
-                          "t_s steps by " + seconds(time_s[i] - time_s[i - 1]) + ", expected times that rise" +
-                              (arrival.empty() ? ": sort the rows" : arrival));
+  for (size_t i = 1; i < time_s.size(); ++i) {
+    if (time_s[i] > time_s[i - 1]) continue;
+    const bool never_falls = std::is_sorted(time_s.begin(), time_s.end());
+    const std::string arrival = never_falls ? of_arrival(time_s) : "";
+    throw DataFileError(record.file, line_of(i),
+                        "t_s steps by " + seconds(time_s[i] - time_s[i - 1]) + ", expected times that rise" +
+                            (arrival.empty() ? ": sort the rows" : arrival));
+  }
   record.time_s = time_s;
 }
 

@@ -187,6 +187,12 @@ void skip_blank_and_comment_lines(CsvLayout& layout) {
   }
 }
 
+// "-----+-----" or "=====": what is drawn below the names.
+bool is_ruled(std::string_view line) {
+  return (line.find("---") != std::string_view::npos || line.find("===") != std::string_view::npos) &&
+         line.find_first_not_of("-=+|: \t\r,;") == std::string_view::npos;
+}
+
 bool commas_are_points(const CsvLayout& layout) {
   if (layout.separator == ',') return false;
   constexpr int kRowsLookedAt = 100;
@@ -240,12 +246,6 @@ std::string_view take_line(std::string_view& rest) {
 }
 
 bool is_blank(std::string_view line) { return line.find_first_not_of(" \t\r") == std::string_view::npos; }
-
-// "-----+-----" or "=====": what is drawn below the names.
-bool is_ruled(std::string_view line) {
-  return (line.find("---") != std::string_view::npos || line.find("===") != std::string_view::npos) &&
-         line.find_first_not_of("-=+|: \t\r,;") == std::string_view::npos;
-}
 
 bool is_comment(std::string_view line) {
   const size_t first = line.find_first_not_of(" \t\"");
