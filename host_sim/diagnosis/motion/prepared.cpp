@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "../record/fourier.hpp"
 #include "../record/motion.hpp"
-#include "fused.hpp"
+#include "band.hpp"
+#include "guess.hpp"
 #include "host_sim/records/value_step.hpp"
+#include "windowed_force.hpp"
 
 namespace diagnosis::runs {
 
@@ -26,155 +27,7 @@ double white_noise_sum(const Vec& y) {
 namespace {
 
 constexpr double kSamplesPerTop = 24;  // of the fastest motion: one Runge-Kutta step each is right to 1e-4
-constexpr double kPowerBelowTop = 0.999;
-constexpr double kPowerOfDisplacement = 0.9999;  // its velocity, on which friction acts, is faster
 constexpr Index kLeast = 100;
-constexpr double kOutside = 0.01;           // of a motion's square sum: a tenth of its amplitude, where it goes on
-constexpr double kMedianOfNormal = 0.6745;  // of a normal law's magnitude, per standard deviation
-constexpr double kBlowOverNoise = 30;       // a random force reaches 5 times what its median says
-constexpr double kBlowsShare = 0.2;         // of the samples, at most
-
-// Where a record is rest for the most part, the part that holds all but a hundredth of its motion's square sum; else all of it. A taper over
-// the whole of a short decay takes the decay itself away.
-Vec moving_part(const Vec& y) {
-  std::vector<double> order(y.data(), y.data() + y.size());
-  std::nth_element(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(order.size() / 2), order.end());
-  const double middle = order[order.size() / 2], noise = white_noise_sum(y) / static_cast<double>(y.size());
-  Vec sum(y.size());
-  double so_far = 0;
-  for (Index i = 0; i < y.size(); ++i) sum[i] = so_far += (y[i] - middle) * (y[i] - middle) - noise;
-  Index from = 0, to = y.size();
-  while (from < to && sum[from] < kOutside / 2 * so_far) ++from;
-  while (to > from + 1 && sum[to - 2] > (1 - kOutside / 2) * so_far) --to;
-  const bool mostly_rest = so_far > 0 && 2 * (to - from) < y.size() && to - from >= kLeast;
-  return mostly_rest ? Vec(y.segment(from, to - from)) : y;
-}
-
-// About its mean under a Hann taper of unit mean square: what its spectrum shows at high frequencies is not that of the ends.
-Vec tapered(const Vec& y) {
-  Vec w = y.array() - y.mean();
-  for (Index i = 0; i < w.size(); ++i)
-    w[i] *= (0.5 - 0.5 * std::cos(kTwoPi * static_cast<double>(i) / static_cast<double>(w.size()))) / std::sqrt(0.375);
-  return w;
-}
-
-// Frequency below which nearly all power above the noise floor lies.
-double top_frequency(const Vec& whole, double step_s, bool displacement) {
-  const Vec y = moving_part(whole);
-  const size_t n = fast_length(static_cast<size_t>(y.size()));
-  const Vec p = Fourier(n).forward(tapered(y.head(static_cast<Index>(n)))).cwiseAbs2();
-  std::vector<double> upper(p.data() + p.size() / 2, p.data() + p.size());
-  std::nth_element(upper.begin(), upper.begin() + static_cast<std::ptrdiff_t>(upper.size() / 2), upper.end());
-  const double floor = upper[upper.size() / 2] / kMedianOfSpread;
-  // smoothed over 9 bins, less the floor
-  double total = 0;
-  Vec net = Vec::Zero(p.size());
-  for (Index i = 0; i < p.size(); ++i) {
-    const Index a = std::max<Index>(0, i - 4), b = std::min(p.size() - 1, i + 4);
-    const double level = p.segment(a, b - a + 1).mean();
-    net[i] = level > 4 * floor ? level - floor : 0;
-    total += net[i];
-  }
-  double sum = 0;
-  for (Index i = 0; i < p.size(); ++i) {
-    sum += net[i];
-    if (sum >= (displacement ? kPowerOfDisplacement : kPowerBelowTop) * total)
-      return static_cast<double>(std::max<Index>(i, 2)) / (static_cast<double>(n) * step_s);
-  }
-  return 0.5 / step_s;
-}
-
-// Low-pass of windowed-sinc shape for thinning out by `by`; ends are left out (3 by samples each).
-Vec thinned(const Vec& y, int by) {
-  if (by <= 1) return y;
-  const Index half = 3 * by;
-  Vec kernel(2 * half + 1);
-  for (Index i = -half; i <= half; ++i) {
-    const double t = static_cast<double>(i) / by * 0.8, s = i == 0 ? 1 : std::sin(kTwoPi / 2 * t) / (kTwoPi / 2 * t);
-    kernel[i + half] =
-        s * (0.54 + 0.46 * std::cos(kTwoPi / 2 * static_cast<double>(i) / static_cast<double>(half + 1)));
-  }
-  kernel /= kernel.sum();
-  const Index count = (y.size() - 2 * half - 1) / by + 1;
-  Vec out(count);
-  for (Index i = 0; i < count; ++i) out[i] = kernel.dot(y.segment(i * by, 2 * half + 1));
-  return out;
-}
-
-// Local cubic over 2 half + 1 samples: value and slope of the record (Savitzky and Golay).
-void smooth_cubic(const Vec& y, Index half, double step_s, Vec* value, Vec* slope) {
-  const Index n = y.size();
-  double s2 = 0, s4 = 0, s6 = 0;
-  for (Index i = -half; i <= half; ++i) {
-    const double q = static_cast<double>(i * i);
-    s2 += q, s4 += q * q, s6 += q * q * q;
-  }
-  const double s0 = static_cast<double>(2 * half + 1), d0 = s0 * s4 - s2 * s2, d1 = s2 * s6 - s4 * s4;
-  if (value) value->resize(n);
-  if (slope) slope->resize(n);
-  for (Index c = 0; c < n; ++c) {
-    const Index m = std::clamp(c, half, n - 1 - half);
-    double a0 = 0, a1 = 0, a2 = 0, a3 = 0;
-    for (Index i = -half; i <= half; ++i) {
-      const double t = static_cast<double>(i), q = t * t, f = y[m + i];
-      a0 += f * (s4 - s2 * q) / d0, a2 += f * (s0 * q - s2) / d0;
-      a1 += f * t * (s6 - s4 * q) / d1, a3 += f * t * (s2 * q - s4) / d1;
-    }
-    const double t = static_cast<double>(c - m);
-    if (value) (*value)[c] = a0 + t * (a1 + t * (a2 + t * a3));
-    if (slope) (*slope)[c] = (a1 + t * (2 * a2 + 3 * t * a3)) / step_s;
-  }
-}
-
-// The straight line that fits a stretch best, at one of its samples.
-double line_at(const Vec& y, Index from, Index count, Index at) {
-  const double middle = 0.5 * static_cast<double>(count - 1), n = static_cast<double>(count);
-  double slope = 0;
-  for (Index i = 0; i < count; ++i) slope += (static_cast<double>(i) - middle) * y[from + i];
-  slope /= std::max(1.0, n * (n * n - 1) / 12);
-  return y.segment(from, count).mean() + slope * (static_cast<double>(at - from) - middle);
-}
-
-// Integrates and takes off what is slower than two periods: a moving mean, at the ends a straight line.
-Vec integrated(const Vec& y, double step_s, Index slow) {
-  Vec z(y.size());
-  z[0] = 0;
-  for (Index i = 1; i < y.size(); ++i) z[i] = z[i - 1] + 0.5 * step_s * (y[i] + y[i - 1]);
-  Vec sums(z.size() + 1);
-  sums[0] = 0;
-  for (Index i = 0; i < z.size(); ++i) sums[i + 1] = sums[i] + z[i];
-  const Index n = z.size(), half = std::max<Index>(1, std::min(slow, (n - 1) / 2)), whole = 2 * half + 1;
-  Vec out(n);
-  for (Index i = half; i + half < n; ++i)
-    out[i] = z[i] - (sums[i + half + 1] - sums[i - half]) / static_cast<double>(whole);
-  const double first = line_at(z, 0, whole, 0), last = line_at(z, n - whole, whole, n - 1);
-  const double inner = line_at(z, 0, whole, half), outer = line_at(z, n - whole, whole, n - 1 - half);
-  for (Index i = 0; i < half; ++i) {
-    const double share = static_cast<double>(i) / static_cast<double>(half);
-    out[i] = z[i] - (first + share * (inner - first)), out[n - 1 - i] = z[n - 1 - i] - (last + share * (outer - last));
-  }
-  return out;
-}
-
-Guess guess_of(const std::vector<const Vec*>& measured, double step_s, Index half, Index slow) {
-  Guess g;
-  g.given = true;
-  if (measured[0]) {
-    smooth_cubic(*measured[0], half, step_s, &g.x, &g.v);
-  }
-  if (measured[1]) {
-    smooth_cubic(*measured[1], half, step_s, &g.v, &g.a);
-    if (!measured[0]) g.x = integrated(*measured[1], step_s, slow);
-  }
-  if (measured[2]) {
-    g.a = *measured[2];
-    if (!measured[0] && !measured[1]) {
-      g.v = integrated(Vec(g.a.array() - g.a.mean()), step_s, slow), g.x = integrated(g.v, step_s, slow);
-    }
-  }
-  if (g.a.size() == 0) smooth_cubic(g.v, half, step_s, nullptr, &g.a);
-  return g;
-}
 
 bool driven(const Prepared& p) {
   const auto acts = [](const Vec& y) { return y.size() > 0 && y.cwiseAbs().maxCoeff() > 0; };
@@ -213,50 +66,6 @@ Needs needs_of(const host_sim::Record& record) {
   const double most = static_cast<double>(record.samples()) / 4000;  // short work as it is
   needs.by = std::max(1, static_cast<int>(std::min(wanted, most)));
   return needs;
-}
-
-// A force and what the force window of modal testing takes off it.
-struct Windowed {
-  Vec force, off;
-  Vec blow;  // 1 where a blow is, 0 between; empty: no window
-};
-
-// The force window of modal testing: between the blows of a hammer the force is nought, and what its channel shows there is noise,
-// which would drive the simulated rig. Everything farther than a blow's own length from any blow becomes the channel's median.
-Windowed windowed(const Vec& f) {
-  const auto median_of = [](Vec y) {
-    std::nth_element(y.begin(), y.begin() + y.size() / 2, y.end());
-    return y[y.size() / 2];
-  };
-  const double zero = median_of(f), sigma = median_of((f.array() - zero).abs()) / kMedianOfNormal;
-  const auto quiet = [&](Index i) { return std::abs(f[i] - zero) <= kNoiseReaches * sigma; };
-  Index loud = 0;
-  for (Index i = 0; i < f.size(); ++i) loud += !quiet(i);
-  const double peak = (f.array() - zero).abs().maxCoeff();
-  if (!(peak > kBlowOverNoise * sigma) || static_cast<double>(loud) > kBlowsShare * static_cast<double>(f.size()))
-    return {f, {}, {}};
-  Windowed w{f, Vec::Zero(f.size()), Vec::Zero(f.size())};
-  for (Index i = 0; i < f.size();) {
-    Index to = i;
-    while (to < f.size() && !quiet(to)) ++to;
-    // lone samples beyond the noise are noise
-    const Index reach = to - i, from = std::max<Index>(0, i - reach), until = std::min(f.size(), to + reach);
-    if (reach > 1) w.blow.segment(from, until - from).setOnes();
-    i = to + 1;
-  }
-  for (Index i = 0; i < f.size(); ++i)
-    if (w.blow[i] == 0) w.force[i] = zero, w.off[i] = f[i] - zero;
-  return w;
-}
-
-// Standard deviation of a windowed force's noise, sample by sample: what shows between the blows is in them too.
-Vec noise_in_blows(const Windowed& w, int by) {
-  if (w.blow.size() == 0) return {};
-  const Vec off = thinned(w.off, by);
-  Vec blow = thinned(w.blow, by);
-  for (double& share : blow) share = share > 0.5 ? 1 : 0;
-  const double quiet = static_cast<double>(blow.size()) - blow.sum();
-  return std::sqrt(off.squaredNorm() / std::max(1.0, quiet)) * blow;
 }
 
 double period_of(const Prepared& p) {
@@ -331,19 +140,6 @@ void renew_motion(Prepared& p) {
   p.guess.push_back({});
   renew_base(p);
   p.period_s = period_of(p);
-}
-
-void renew_base(Prepared& p) {
-  if (!p.base.given()) return;
-  const auto measured = [&](size_t quantity) {
-    return p.base.reading[quantity].size() ? &p.base.reading[quantity] : nullptr;
-  };
-  const bool slower = measured(0) || measured(1);
-  p.guess.back() = measured(2) && slower
-                       ? fused_by_acceleration(measured(0), measured(1), *measured(2), p.step_s)
-                       : guess_of({measured(0), measured(1), measured(2)}, p.step_s, p.smooth_half, p.slow_half);
-  if (measured(2) && slower && !measured(0)) p.guess.back().x = integrated(p.guess.back().v, p.step_s, p.slow_half);
-  if (p.base.ridden) p.guess.back().x.setZero(), p.guess.back().v.setZero();
 }
 
 Prepared prepare(const rig_file::RigModel& rig, const host_sim::Record& record) {

@@ -1,0 +1,16 @@
+// The band of a motion, and readings thinned out to what it needs.
+#pragma once
+#include "prepared.hpp"
+
+namespace diagnosis::runs {
+
+// About its mean under a Hann taper of unit mean square: what its spectrum shows at high frequencies is not that of the ends.
+Vec tapered(const Vec& y);
+
+// Frequency below which nearly all power above the noise floor lies.
+double top_frequency(const Vec& reading, double step_s, bool displacement);
+
+// Low-pass of windowed-sinc shape for thinning out by `by`; ends are left out (3 by samples each).
+Vec thinned(const Vec& y, int by);
+
+}  // namespace diagnosis::runs
