@@ -70,6 +70,19 @@ double top_frequency(const Vec& reading, double step_s, bool displacement) {
   return 0.5 / step_s;
 }
 
+double lowest_frequency(const Vec& reading, double step_s, int integrals) {
+  NetPower net = net_power(reading, step_s);
+  net.bins[0] = 0;
+  for (Index i = 1; i < net.bins.size(); ++i) net.bins[i] /= std::pow(static_cast<double>(i), 2 * integrals);
+  const double total = net.bins.sum();
+  double sum = 0;
+  for (Index i = 1; i < net.bins.size(); ++i) {
+    sum += net.bins[i];
+    if (sum > (1 - kNearlyAll) * total) return static_cast<double>(i) / net.length_s;
+  }
+  return 1 / net.length_s;
+}
+
 Vec thinned(const Vec& y, int by) {
   if (by <= 1) return y;
   const Index half = 3 * by;

@@ -10,6 +10,10 @@ Vec tapered(const Vec& y);
 // Frequency below which nearly all power above the noise floor lies.
 double top_frequency(const Vec& reading, double step_s, bool displacement);
 
+// Frequency above which nearly all power of the displacement lies that a velocity (integrals: 1) or an acceleration (2) makes, above the
+// noise floor.
+double lowest_frequency(const Vec& reading, double step_s, int integrals);
+
 // Low-pass of windowed-sinc shape for thinning out by `by`; ends are left out (3 by samples each).
 Vec thinned(const Vec& y, int by);
 

@@ -39,25 +39,34 @@ double line_at(const Vec& y, Index from, Index count, Index at) {
   return y.segment(from, count).mean() + slope * (static_cast<double>(at - from) - middle);
 }
 
+Vec without_drift(const Vec& z, Index slow) { return z - slow_part(z, slow); }
+
 }  // namespace
 
-// What is slower is a moving mean, at the ends a straight line.
-Vec integrated(const Vec& y, double step_s, Index slow) {
-  Vec z(y.size());
+// Of the cubic through four samples.
+Vec integral(const Vec& y, double step_s) {
+  const Index n = y.size();
+  Vec z(n);
   z[0] = 0;
-  for (Index i = 1; i < y.size(); ++i) z[i] = z[i - 1] + 0.5 * step_s * (y[i] + y[i - 1]);
+  for (Index i = 1; i < n; ++i) {
+    const double before = y[std::max<Index>(0, i - 2)], after = y[std::min(n - 1, i + 1)];
+    z[i] = z[i - 1] + step_s * (13 * (y[i - 1] + y[i]) - before - after) / 24;
+  }
+  return z;
+}
+
+Vec slow_part(const Vec& z, Index slow) {
   Vec sums(z.size() + 1);
   sums[0] = 0;
   for (Index i = 0; i < z.size(); ++i) sums[i + 1] = sums[i] + z[i];
   const Index n = z.size(), half = std::max<Index>(1, std::min(slow, (n - 1) / 2)), whole = 2 * half + 1;
   Vec out(n);
-  for (Index i = half; i + half < n; ++i)
-    out[i] = z[i] - (sums[i + half + 1] - sums[i - half]) / static_cast<double>(whole);
+  for (Index i = half; i + half < n; ++i) out[i] = (sums[i + half + 1] - sums[i - half]) / static_cast<double>(whole);
   const double first = line_at(z, 0, whole, 0), last = line_at(z, n - whole, whole, n - 1);
   const double inner = line_at(z, 0, whole, half), outer = line_at(z, n - whole, whole, n - 1 - half);
   for (Index i = 0; i < half; ++i) {
     const double share = static_cast<double>(i) / static_cast<double>(half);
-    out[i] = z[i] - (first + share * (inner - first)), out[n - 1 - i] = z[n - 1 - i] - (last + share * (outer - last));
+    out[i] = first + share * (inner - first), out[n - 1 - i] = last + share * (outer - last);
   }
   return out;
 }
@@ -70,12 +79,13 @@ Guess guess_of(const std::vector<const Vec*>& measured, double step_s, Index hal
   }
   if (measured[1]) {
     smooth_cubic(*measured[1], half, step_s, &g.v, &g.a);
-    if (!measured[0]) g.x = integrated(*measured[1], step_s, slow);
+    if (!measured[0]) g.x = without_drift(integral(*measured[1], step_s), slow);
   }
   if (measured[2]) {
     g.a = *measured[2];
     if (!measured[0] && !measured[1]) {
-      g.v = integrated(Vec(g.a.array() - g.a.mean()), step_s, slow), g.x = integrated(g.v, step_s, slow);
+      g.v = without_drift(integral(Vec(g.a.array() - g.a.mean()), step_s), slow);
+      g.x = without_drift(integral(g.v, step_s), slow);
     }
   }
   if (g.a.size() == 0) smooth_cubic(g.v, half, step_s, nullptr, &g.a);

@@ -8,7 +8,9 @@ namespace diagnosis::runs {
 // integrated has what is slower than 2 slow + 1 samples taken off.
 Guess guess_of(const std::vector<const Vec*>& measured, double step_s, Index half, Index slow);
 
-// The integral, with what is slower than 2 slow + 1 samples taken off.
-Vec integrated(const Vec& y, double step_s, Index slow);
+Vec integral(const Vec& y, double step_s);
+
+// What is slower than 2 slow + 1 samples: a moving mean, at the ends a straight line.
+Vec slow_part(const Vec& z, Index slow);
 
 }  // namespace diagnosis::runs

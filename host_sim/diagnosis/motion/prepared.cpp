@@ -117,6 +117,7 @@ Prepared prepare_by(const rig_file::RigModel& rig, const host_sim::Record& recor
   p.smooth_half = std::clamp<Index>(static_cast<Index>(0.15 / (p.top_Hz * p.step_s)), 2, p.samples / 8);
   p.slow_half = std::clamp<Index>(static_cast<Index>(8 / (p.top_Hz * p.step_s)), 8, p.samples / 3);
   p.base.ridden = rides_on_base(rig, p);
+  tell_drift(p);
   renew_motion(p);
   return p;
 }

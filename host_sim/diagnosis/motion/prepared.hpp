@@ -33,6 +33,7 @@ struct Guess {  // of one DOF; base: after the last DOF
 // DOFs move against it, under its inertial forces. Its displacement, which would have to be integrated twice, is not needed.
 struct Base {
   std::array<Vec, 3> reading;  // displacement, velocity, acceleration; empty: not measured
+  Index slow_half = 0;         // samples that the drift of what is integrated is averaged over, either way
   bool ridden = false;  // displacements and velocities of DOFs are against it; accelerations are against the ground
   bool given() const { return reading[0].size() + reading[1].size() + reading[2].size() > 0; }
 };
@@ -68,6 +69,8 @@ std::vector<Prepared> prepare_all(const rig_file::RigModel& rig, const std::vect
 // The guesses of all DOFs and of the base from their readings, and the motion's period. Throws CannotAnswer where a DOF has no
 // motion channel.
 void renew_motion(Prepared& record);
+// The base's slow_half, from the slowest motion in its readings.
+void tell_drift(Prepared& record);
 // The guess of the base from its readings.
 void renew_base(Prepared& record);
 

@@ -12,6 +12,7 @@ bool is_linear(Kind kind);  // a mass, a spring, a damper
 struct Dynamics {
   enum class Others { kAlike, kNone };
   Eigen::MatrixXd mass, stiffness, viscous;
+  Eigen::VectorXd base_stiffness, base_viscous;  // what the motion of the base does to each DOF
   Dynamics(const System& system, const std::vector<ActiveTerm>& model, Others others);
 };
 

@@ -43,21 +43,25 @@ struct Dampers {
   }
 };
 
-// D V D^H over the bins, D = K - w^2 M + j w C, for variances V of the displacements (one column per DOF).
+// D V D^H over the bins, D = K - w^2 M + j w C, for variances V of the displacements (one column per DOF, then the base).
 Triangle spread(const Dynamics& d, const Series& omega, const Eigen::MatrixXd& variance) {
-  const Eigen::Index n = d.mass.rows();
+  const Eigen::Index n = d.mass.rows(), columns = n + 1;
+  Eigen::MatrixXd mass(n, columns), stiffness(n, columns), viscous(n, columns);
+  mass << d.mass, Eigen::VectorXd::Zero(n);
+  stiffness << d.stiffness, d.base_stiffness;
+  viscous << d.viscous, d.base_viscous;
   const auto spring = [&](Eigen::Index j, Eigen::Index l) {
-    return d.stiffness(j, l) - omega.array().square() * d.mass(j, l);
+    return stiffness(j, l) - omega.array().square() * mass(j, l);
   };
-  const auto damper = [&](Eigen::Index j, Eigen::Index l) { return omega.array() * d.viscous(j, l); };
+  const auto damper = [&](Eigen::Index j, Eigen::Index l) { return omega.array() * viscous(j, l); };
   const auto tied = [&](Eigen::Index j, Eigen::Index l) {
-    return d.stiffness(j, l) != 0 || d.mass(j, l) != 0 || d.viscous(j, l) != 0;
+    return stiffness(j, l) != 0 || mass(j, l) != 0 || viscous(j, l) != 0;
   };
   Triangle sum;
   for (Eigen::Index j = 0; j < n; ++j)
     for (Eigen::Index k = 0; k <= j; ++k) {
       sum.push_back(Spectrum::Zero(omega.size()));
-      for (Eigen::Index l = 0; l < n; ++l) {
+      for (Eigen::Index l = 0; l < columns; ++l) {
         if (!tied(j, l) || !tied(k, l)) continue;
         const auto v = variance.col(l).array();
         sum.back().real().array() += v * (spring(j, l) * spring(k, l) + damper(j, l) * damper(k, l));
@@ -84,8 +88,8 @@ void Rows::weight(const std::vector<ActiveTerm>& model) {
       act(known, place_of_link(system_, l), doubt_[r][l] + floor);
     }
     const Series omega = Series::LinSpaced(bins(r), f.omega(f.first_bin), f.omega(f.last_bin));
-    Eigen::MatrixXd variance(bins(r), n);
-    for (Eigen::Index j = 0; j < n; ++j)
+    Eigen::MatrixXd variance = Eigen::MatrixXd::Zero(bins(r), n + 1);
+    for (Eigen::Index j = 0; j < n + (f.motion.back().measured ? 1 : 0); ++j)
       variance.col(j) = f.motion[static_cast<size_t>(j)].variance.segment(f.first_bin, bins(r));
     Triangle covariance = spread(dynamics, omega, variance);
     for (Eigen::Index j = 0; j < n; ++j) {
