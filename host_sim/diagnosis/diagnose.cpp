@@ -9,6 +9,7 @@
 #include "answer/trifles.hpp"
 #include "answer/undetermined.hpp"
 #include "choice/held_force.hpp"
+#include "choice/leaves_tone.hpp"
 #include "choice/mains_hum.hpp"
 #include "choice/rounded_jumps.hpp"
 #include "choice/wrong_numbers.hpp"
@@ -77,6 +78,12 @@ void answer_by_runs(const Asked& asked, const runs::Task& task, const RowsSay& s
     choice = renumbered;
 }
 
+// What the free runs lose in noise and the rows see beside nothing else is there.
+bool trace_is_there(const runs::Task& task, const RowsSay& say, const runs::Choice& choice) {
+  return say.trace_alone && !runs::near_enough(task, choice) &&
+         (say.trace_Hz == 0 || runs::leaves_tone(task, choice.final, say.trace_Hz));
+}
+
 // Numbers of the rig as given beside the accelerometers' rounding of friction's jumps. A cause may stand for what they round: where one
 // is named it is not asked.
 void round_jumps(const runs::Task& task, std::vector<runs::Prepared>& records, runs::Choice& choice) {
@@ -125,9 +132,7 @@ Diagnosis diagnose(const rig_file::RigModel& rig, const std::vector<host_sim::Re
       answer_by_runs(asked, task, say, wrong == runs::Wrong::kNo ? nullptr : &numbers, choice);
     round_jumps(task, records, choice);
     runs::answer(task, choice, d);
-    // what the free runs lose in noise and the rows see beside nothing else is there
-    if (d.verdict == Verdict::kNone && say.trace_alone && !runs::near_enough(task, choice))
-      d.verdict = Verdict::kUnknown;
+    if (d.verdict == Verdict::kNone && trace_is_there(task, say, choice)) d.verdict = Verdict::kUnknown;
   }
   runs::name_holds(task, d);
   if (d.verdict != Verdict::kUnknown) runs::name_force_hum(task, choice.final, d);

@@ -3,6 +3,7 @@
 
 #include "draw.hpp"
 #include "host_sim/diagnosis/choice/lines.hpp"
+#include "tests/hidden_rig/draw.hpp"
 #include "two_masses.hpp"
 
 namespace {
@@ -25,6 +26,21 @@ TEST(TraceBesideNoise, IsUnknown) {
 
 TEST(TraceBesideNoise, IsNotThereWhereNothingIsHidden) {
   EXPECT_EQ(two_masses::said(answer_to(8600004, hidden::Hide::kNothing)), "none");
+}
+
+// Driven by sines, friction repeats with them: what the rows round of it near reversals is a tone of an odd multiple. Runs do not round
+// it, and leave none.
+TEST(TraceBesideNoise, RoundedFrictionIsNoTone) {
+  struct Case {
+    const char *condition, *sensors;
+    uint64_t seed;
+  };
+  for (const Case& c : {Case{"stepped_sine", "xva", 16850001}, Case{"sine_records", "v", 16950004}}) {
+    hidden_rig::Settings settings;
+    settings.condition = c.condition, settings.sensors = c.sensors;
+    const hidden_rig::Draw draw = hidden_rig::make_draw(c.seed, settings);
+    EXPECT_EQ(two_masses::said(diagnosis::diagnose(draw.rig, draw.records, {})), "none") << c.condition;
+  }
 }
 
 // The mains are in the room, not in the rig: 49.95 Hz too, and 119.9 Hz, in bins of 0.05 Hz.

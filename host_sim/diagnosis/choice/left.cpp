@@ -4,9 +4,7 @@
 #include <cmath>
 #include <memory>
 
-#include "../fit/run_windows.hpp"
-#include "../motion/drive_noise.hpp"
-#include "../record/fourier.hpp"
+#include "leftovers.hpp"
 #include "lines.hpp"
 #include "most_noise.hpp"
 #include "with_motion.hpp"
@@ -16,28 +14,6 @@ namespace {
 
 constexpr double kAlike = 4;  // times, of power: halves of a line that noise of a 25th of it shakes differ by less
 constexpr double kAboveMotion = 1.4;  // times its highest frequency: the band that shows noise alone
-
-// What such noise makes of a window's run beside its free state.
-Vec response(Evaluator& noisy, Window w, const WindowRun& run, size_t lane) {
-  WindowRun other;
-  w.record = 0;
-  if (!noisy.run(w, false, false, other, lane)) return Vec::Zero(run.residual.size());
-  Vec difference = other.residual - run.residual;
-  const Mat states = run.slopes.leftCols(run.nuisances);
-  if (states.cols() > 0) {
-    const Vec scale = states.colwise().norm().cwiseMax(1e-300).cwiseInverse();
-    const Mat unit = states * scale.asDiagonal();
-    Mat a = unit.transpose() * unit;
-    a.diagonal().array() += 1e-9;
-    difference -= unit * a.llt().solve(unit.transpose() * difference);
-  }
-  return difference;
-}
-
-Vec spectrum(const std::vector<double>& rows) {
-  const size_t n = fast_length(rows.size());
-  return Fourier(n).forward(Vec::Map(rows.data(), static_cast<Index>(n))).cwiseAbs2() / static_cast<double>(n);
-}
 
 // What drives the rig, laid end to end as the residuals are.
 std::vector<Vec> drives(const std::vector<Prepared>& records, const std::vector<Window>& windows) {
@@ -53,55 +29,6 @@ std::vector<Vec> drives(const std::vector<Prepared>& records, const std::vector<
     if (!rows.empty()) list.push_back(spectrum(rows));
   }
   return list;
-}
-
-// What the model leaves of each channel, windows end to end, and what noise of the drives would make of it.
-struct Leftovers {
-  std::vector<std::vector<double>> rows, pushed;
-  std::vector<size_t> ends;  // of each record's part of the rows
-  bool massless = false;
-};
-
-// The records as noise of what drives them makes them, each by itself.
-struct NoisyRecords {
-  std::vector<std::vector<Prepared>> records;
-  std::vector<std::unique_ptr<Evaluator>> evaluators;
-  NoisyRecords(const System& system, const std::vector<Prepared>& clean, const State& state) : records(clean.size()) {
-    DriveNoise noise;
-    for (size_t r = 0; r < clean.size(); ++r) {
-      records[r].push_back(noise.added_to(clean[r]));
-      evaluators.push_back(std::make_unique<Evaluator>(system, state.model, records[r]));
-    }
-  }
-};
-
-// False where a run does not stay finite.
-bool run_all(const System& system, const std::vector<Prepared>& records, const State& state, Leftovers& out) {
-  Evaluator evaluator(system, state.model, records);
-  const size_t channels = evaluator.traces(0).size();
-  out.massless = evaluator.massless();
-  out.rows.resize(channels), out.pushed.resize(channels);
-  std::vector<Window> windows = state.seen;
-  std::stable_sort(windows.begin(), windows.end(),
-                   [](const Window& a, const Window& b) { return a.record < b.record; });
-  const bool force_noise = drives_have_noise(records), pushes = force_noise && !out.massless;
-  const NoisyRecords noisy(system, pushes ? records : std::vector<Prepared>{}, state);
-  std::vector<Vec> rows(windows.size()), pushed(windows.size());
-  const bool finite = run_windows(evaluator, windows, force_noise, [&](size_t i, const WindowRun& run, size_t lane) {
-    rows[i] = run.residual;
-    pushed[i] =
-        pushes ? response(*noisy.evaluators[windows[i].record], windows[i], run, lane) : Vec::Zero(run.residual.size());
-  });
-  out.ends.assign(records.size(), 0);
-  for (const Window& w : windows)
-    for (size_t r = w.record; r < out.ends.size(); ++r) out.ends[r] += static_cast<size_t>(w.length);
-  for (size_t i = 0; i < windows.size() && finite; ++i)
-    for (size_t c = 0; c < channels; ++c) {
-      const Index at = static_cast<Index>(c) * windows[i].length;
-      out.rows[c].insert(out.rows[c].end(), rows[i].data() + at, rows[i].data() + at + windows[i].length);
-      out.pushed[c].insert(out.pushed[c].end(), pushed[i].data() + at, pushed[i].data() + at + windows[i].length);
-    }
-  return finite;
 }
 
 // The mains do not die away with the motion: both halves hold as much of it.
@@ -139,7 +66,7 @@ Hum hum_of(const Leftovers& over, size_t channel, double step_s, const std::vect
 Left left_by(const System& system, const std::vector<Prepared>& records, const State& state) {
   Left left;
   Leftovers over;
-  if (!run_all(system, records, state, over)) return left;
+  if (!leave_over(system, records, state, over)) return left;
   const std::vector<std::vector<double>>&rows = over.rows, &pushed = over.pushed;
   const size_t channels = rows.size();
   left.noise = Vec::Zero(static_cast<Index>(channels)), left.in_band = left.sensor_noise = left.noise;

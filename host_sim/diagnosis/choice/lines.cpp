@@ -15,18 +15,6 @@ double level_of(const Vec& power, Index from, Index to) {
   return median(list) / kMedianOfSpread;
 }
 
-// A line stands above the levels on both its sides; the edge of a band stands above that of one.
-// made: what else is known to be there, on average; empty: nothing.
-double over_level_around(const Vec& power, Index i, const Vec& made = {}) {
-  double level =
-      std::max(level_of(power, i - kAround, i - kLeakage - 1), level_of(power, i + kLeakage + 1, i + kAround));
-  if (made.size() > 0) {
-    const Index from = std::max<Index>(1, i - kNear), to = std::min(made.size() - 1, i + kNear);
-    level = std::max(level, made.segment(from, to - from + 1).mean());
-  }
-  return power[i] / std::max(1e-300, level);
-}
-
 bool any_drives(const std::vector<Vec>& driving, Index i) {
   return std::any_of(driving.begin(), driving.end(), [&](const Vec& p) {
     return i >= 1 && i + 1 < p.size() &&
@@ -43,6 +31,16 @@ bool stands_alone(const Vec& power, Index peak) {
 }
 
 }  // namespace
+
+double over_level_around(const Vec& power, Index i, const Vec& made) {
+  double level =
+      std::max(level_of(power, i - kAround, i - kLeakage - 1), level_of(power, i + kLeakage + 1, i + kAround));
+  if (made.size() > 0) {
+    const Index from = std::max<Index>(1, i - kNear), to = std::min(made.size() - 1, i + kNear);
+    level = std::max(level, made.segment(from, to - from + 1).mean());
+  }
+  return power[i] / std::max(1e-300, level);
+}
 
 bool of_mains(double hertz, double bin_Hz) {
   for (double mains : {50.0, 60.0}) {

@@ -17,6 +17,10 @@ double median(std::vector<double> values);
 // Whether a frequency is that of the mains or a multiple, as near as a spectrum of such bins tells.
 bool of_mains(double hertz, double bin_Hz);
 
+// Power of a bin over the higher of the levels on its two sides, or over what else is known to be there on average (made; empty:
+// nothing) if that is more: a line stands above both, the edge of a band above one.
+double over_level_around(const Vec& power, Index bin, const Vec& made = {});
+
 // Highest lines between two bins over the median level around them, or over what the drives' noise makes there if that is
 // more; mains left out. `driving`: spectra of what drives the rig.
 void highest_lines(const Vec& power, const Vec& by_drives, Index from, Index to, double bin_Hz,

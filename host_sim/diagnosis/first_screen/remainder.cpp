@@ -11,8 +11,8 @@ namespace {
 constexpr double kFarBeyondNoise = 4;  // chi-squared per degree of freedom
 constexpr double kSlowUncertain =
     0.003;  // of a strong effect's chi-squared where the slow motion it makes is not measured
-constexpr double kBesideFrictionShape =
-    5;  // of an outsider's threshold: the shape of friction near reversals is never quite met
+// Of an outsider's threshold: the shape of friction near reversals is never quite met.
+constexpr double kBesideFrictionShape = 5;
 
 // What friction leaves near reversals repeats with the elongation, which is at its ends there: no trace unless it shows
 // with the reversals set aside.
@@ -63,7 +63,8 @@ Remainder remainder_of(Rows& rows, const CandidateBank& bank, const SearchResult
   const FusedRecord& f = rows.records()[0];
   const double ratio_beside = found.fit.chi2 / (found.fit.dof + outsider.score);
   if (outsider.present())
-    left = {false, outsider.description, ratio_beside - 1 < most && !runs::of_mains(outsider.hertz, f.bin_Hz())};
+    left = {false, outsider.description, ratio_beside - 1 < most && !runs::of_mains(outsider.hertz, f.bin_Hz()),
+            outsider.hertz};
   return left;
 }
 

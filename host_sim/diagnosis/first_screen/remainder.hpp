@@ -14,6 +14,7 @@ struct Remainder {
   std::string trace;  // of something outside the vocabulary, where there is a plain one
   // Beside it only noise is left: what the rows take for noise is noise, and the trace is none of it. A hum is no trace.
   bool trace_alone = false;
+  double trace_Hz = 0;  // of a tone
 };
 // Leaves the rows' weights settled on the model.
 Remainder remainder_of(Rows& rows, const CandidateBank& bank, const SearchResult& found);

@@ -1,0 +1,11 @@
+// Whether a tone that the rows see shows in free runs.
+#pragma once
+#include "choice.hpp"
+
+namespace diagnosis::runs {
+
+// Rows and runs err in different ways: rows round friction at its reversals, which repeats with a drive of sines; runs do not. A tone
+// that is there shows in both. In some channel of a record, beyond what one in a hundred records of noise have there.
+bool leaves_tone(const Task& task, const State& state, double hertz);
+
+}  // namespace diagnosis::runs

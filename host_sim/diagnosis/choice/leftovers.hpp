@@ -1,0 +1,22 @@
+// Residuals of a model's windows.
+#pragma once
+#include <vector>
+
+#include "choice.hpp"
+
+namespace diagnosis::runs {
+
+// What the model leaves of each channel, windows end to end, and what noise of the drives would make of it.
+struct Leftovers {
+  std::vector<std::vector<double>> rows, pushed;
+  std::vector<size_t> ends;  // of each record's part of the rows
+  bool massless = false;
+};
+
+// False where a run does not stay finite.
+bool leave_over(const System& system, const std::vector<Prepared>& records, const State& state, Leftovers& out);
+
+// Power of each bin, as white noise has its variance.
+Vec spectrum(const std::vector<double>& rows);
+
+}  // namespace diagnosis::runs
