@@ -86,10 +86,24 @@ bool trace_is_there(const runs::Task& task, const RowsSay& say, const runs::Choi
 
 // Numbers of the rig as given beside the accelerometers' rounding of friction's jumps. A cause may stand for what they round: where one
 // is named it is not asked.
-void round_jumps(const runs::Task& task, std::vector<runs::Prepared>& records, runs::Choice& choice) {
-  if (!choice.named.empty() || !runs::round_jumps(task, records, choice.final)) return;
+bool round_jumps(const runs::Task& task, std::vector<runs::Prepared>& records, runs::Choice& choice) {
+  if (!choice.named.empty() || !runs::round_jumps(task, records, choice.final)) return false;
   choice.base = choice.final;
   choice.base_left = choice.final_left = runs::left_by(task.system, task.records, choice.final);
+  return true;
+}
+
+// What free runs say, with numbers beside rounded jumps; also where causes were taken back that may have stood for them.
+void answer(const runs::Task& task, std::vector<runs::Prepared>& records, runs::Choice& choice, Diagnosis& d) {
+  const Diagnosis before = d;
+  round_jumps(task, records, choice);
+  runs::answer(task, choice, d);
+  if (!d.causes.empty() || choice.named.empty()) return;
+  runs::Choice alone = choice;
+  alone.named.clear(), alone.final = alone.base, alone.final_left = alone.base_left;
+  if (!round_jumps(task, records, alone)) return;
+  d = before, choice = alone;
+  runs::answer(task, choice, d);
 }
 
 }  // namespace
@@ -130,8 +144,7 @@ Diagnosis diagnose(const rig_file::RigModel& rig, const std::vector<host_sim::Re
       choice = numbers;
     else if (!right)
       answer_by_runs(asked, task, say, wrong == runs::Wrong::kNo ? nullptr : &numbers, choice);
-    round_jumps(task, records, choice);
-    runs::answer(task, choice, d);
+    answer(task, records, choice, d);
     if (d.verdict == Verdict::kNone && trace_is_there(task, say, choice)) d.verdict = Verdict::kUnknown;
   }
   runs::name_holds(task, d);
