@@ -3,6 +3,7 @@
 
 #include "advice.hpp"
 #include "answer/common_lag.hpp"
+#include "answer/filtered_motion.hpp"
 #include "answer/force_hum.hpp"
 #include "answer/hum.hpp"
 #include "answer/rows_borne_out.hpp"
@@ -106,15 +107,12 @@ void answer(const runs::Task& task, std::vector<runs::Prepared>& records, runs::
   runs::answer(task, choice, d);
 }
 
-}  // namespace
-
-Diagnosis diagnose(const rig_file::RigModel& rig, const std::vector<host_sim::Record>& training,
-                   const std::vector<host_sim::Record>& holdout, const Options& options) {
-  if (training.empty()) throw CannotAnswer("no record to diagnose");
+// lag_s: of all motion channels, that was taken out; 0: none.
+Diagnosis judged(const Asked& asked, double& lag_s) {
+  const auto& [rig, training, holdout, options] = asked;
   const auto progress = [&](double share) {
-    if (options.progress) options.progress(share);
+    if (asked.options.progress) asked.options.progress(share);
   };
-  const Asked asked{rig, training, holdout, options};
   const System system = make_system(rig);
   std::vector<runs::Prepared> records = runs::prepare_all(rig, training, holdout);
   const bool kept_moving = runs::moving_share(records) > kKeptMoving;
@@ -149,7 +147,7 @@ Diagnosis diagnose(const rig_file::RigModel& rig, const std::vector<host_sim::Re
   }
   runs::name_holds(task, d);
   if (d.verdict != Verdict::kUnknown) runs::name_force_hum(task, choice.final, d);
-  runs::say_common_lag(task, d);
+  lag_s = runs::say_common_lag(task, d);
   runs::say_shared_hum(task, d);
   runs::drop_undetermined(d);
   runs::drop_trifles(task, d);
@@ -159,6 +157,22 @@ Diagnosis diagnose(const rig_file::RigModel& rig, const std::vector<host_sim::Re
   for (const std::string& advice : advice_for(d)) d.advice.push_back(advice);
   progress(1);
   return d;
+}
+
+}  // namespace
+
+Diagnosis diagnose(const rig_file::RigModel& rig, const std::vector<host_sim::Record>& training,
+                   const std::vector<host_sim::Record>& holdout, const Options& options) {
+  if (training.empty()) throw CannotAnswer("no record to diagnose");
+  double lag_s = 0;
+  const Diagnosis behind_lag = judged({rig, training, holdout, options}, lag_s);
+  if (lag_s == 0 || !behind_lag.causes.empty()) return behind_lag;
+  const double corner_Hz = runs::corner_of_motion_Hz(rig, training, holdout, lag_s);
+  if (corner_Hz == 0) return behind_lag;
+  const std::vector<host_sim::Record> fitted = runs::forces_behind(training, corner_Hz),
+                                      unseen = runs::forces_behind(holdout, corner_Hz);
+  const Options silent{options.top_of_band, nullptr};
+  return runs::of_lag_and_filter(behind_lag, judged({rig, fitted, unseen, silent}, lag_s), corner_Hz);
 }
 
 }  // namespace diagnosis

@@ -18,14 +18,14 @@ bool lag_of_motion(const Cause& c, double longest_s) {
 
 }  // namespace
 
-void say_common_lag(const Task& task, Diagnosis& d) {
+double say_common_lag(const Task& task, Diagnosis& d) {
   double top_Hz = 0;
   for (const Prepared& p : task.records) top_Hz = std::max(top_Hz, p.top_Hz);
-  if (task.records[0].traces.size() < 2 || !(top_Hz > 0)) return;  // of one channel alone it is the channel's
+  if (task.records[0].traces.size() < 2 || !(top_Hz > 0)) return 0;  // of one channel alone it is the channel's
   double lag_s = 0;
   for (const Cause& c : d.causes)
     if (lag_of_motion(c, kLongestLag / top_Hz)) lag_s = std::max(lag_s, -c.parameters[0].value);
-  if (lag_s == 0) return;
+  if (lag_s == 0) return 0;
   d.causes.erase(std::remove_if(d.causes.begin(), d.causes.end(),
                                 [&](const Cause& c) { return lag_of_motion(c, kLongestLag / top_Hz); }),
                  d.causes.end());
@@ -35,10 +35,11 @@ void say_common_lag(const Task& task, Diagnosis& d) {
                 "before the rig is judged",
                 1e3 * lag_s);
   d.advice.push_back(text);
-  if (!d.causes.empty()) return;
+  if (!d.causes.empty()) return lag_s;
   d.ambiguous_with.clear();
-  d.baseline.parameters = d.extended.parameters;
+  d.baseline = d.extended;
   d.verdict = d.verdict == Verdict::kPartly ? Verdict::kUnknown : Verdict::kNone;
+  return lag_s;
 }
 
 }  // namespace diagnosis::runs

@@ -6,7 +6,7 @@ namespace diagnosis::runs {
 
 // A force channel that reads early is none: nothing is read before it happens. Where all motion channels lag the force by
 // what an anti-alias filter in front of them alone does, that is said, stays taken out of the numbers and the extended rig, and
-// is no cause.
-void say_common_lag(const Task& task, Diagnosis& d);
+// is no cause. Returns it, s; 0 where there is none.
+double say_common_lag(const Task& task, Diagnosis& d);
 
 }  // namespace diagnosis::runs
