@@ -14,6 +14,7 @@
 #include "choice/mains_hum.hpp"
 #include "choice/rounded_jumps.hpp"
 #include "choice/wrong_numbers.hpp"
+#include "record/riding.hpp"
 
 namespace diagnosis {
 
@@ -159,13 +160,11 @@ Diagnosis judged(const Asked& asked, double& lag_s) {
   return d;
 }
 
-}  // namespace
-
-Diagnosis diagnose(const rig_file::RigModel& rig, const std::vector<host_sim::Record>& training,
-                   const std::vector<host_sim::Record>& holdout, const Options& options) {
-  if (training.empty()) throw CannotAnswer("no record to diagnose");
+// Also where all motion channels lag the force.
+Diagnosis judged_behind_filters(const Asked& asked) {
+  const auto& [rig, training, holdout, options] = asked;
   double lag_s = 0;
-  const Diagnosis behind_lag = judged({rig, training, holdout, options}, lag_s);
+  const Diagnosis behind_lag = judged(asked, lag_s);
   if (lag_s == 0 || !behind_lag.causes.empty()) return behind_lag;
   const double corner_Hz = runs::corner_of_motion_Hz(rig, training, holdout, lag_s);
   if (corner_Hz == 0) return behind_lag;
@@ -173,6 +172,16 @@ Diagnosis diagnose(const rig_file::RigModel& rig, const std::vector<host_sim::Re
                                       unseen = runs::forces_behind(holdout, corner_Hz);
   const Options silent{options.top_of_band, nullptr};
   return runs::of_lag_and_filter(behind_lag, judged({rig, fitted, unseen, silent}, lag_s), corner_Hz);
+}
+
+}  // namespace
+
+Diagnosis diagnose(const rig_file::RigModel& rig, const std::vector<host_sim::Record>& training,
+                   const std::vector<host_sim::Record>& holdout, const Options& options) {
+  if (training.empty()) throw CannotAnswer("no record to diagnose");
+  if (!on_measured_base(rig, training)) return judged_behind_filters({rig, training, holdout, options});
+  const std::vector<host_sim::Record> riding_training = riding(rig, training), riding_holdout = riding(rig, holdout);
+  return judged_behind_filters({rig, riding_training, riding_holdout, options});
 }
 
 }  // namespace diagnosis

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "../record/motion.hpp"
+#include "../record/riding.hpp"
 #include "band.hpp"
 #include "guess.hpp"
 #include "host_sim/records/value_step.hpp"
@@ -33,11 +34,6 @@ bool driven(const Prepared& p) {
   const auto acts = [](const Vec& y) { return y.size() > 0 && y.cwiseAbs().maxCoeff() > 0; };
   return std::any_of(p.force.begin(), p.force.end(), acts) ||
          std::any_of(p.base.reading.begin(), p.base.reading.end(), acts);
-}
-
-bool touches_ground(const rig_file::RigModel& rig) {
-  return std::any_of(rig.links.begin(), rig.links.end(),
-                     [](const rig_file::Link& l) { return l.a == rig_file::kGround || l.b == rig_file::kGround; });
 }
 
 // Only accelerations are known, and only against the base do they say where a DOF is.

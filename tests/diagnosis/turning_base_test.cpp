@@ -1,0 +1,128 @@
+// Two inertias on a shaft whose end is turned: the speed that is imposed swings about 30 rad/s.
+// The plant here is its own: fourth-order Runge-Kutta.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "two_masses.hpp"
+
+namespace {
+
+using namespace two_masses;
+
+constexpr double kTwoPi = 6.283185307179586;
+constexpr double kRate_Hz = 1000, kDuration_s = 20, kSpeed_rad_s = 30;
+constexpr int kFiner = 10, kSines = 40;
+constexpr double kInertia[] = {0.05, 0.03}, kStiffness[] = {180, 120}, kViscous[] = {0.12, 0.09};
+
+// The end of the shaft: 40 sines of 1 to 25 Hz, each of 0.12 rad/s, about a speed.
+class End {
+ public:
+  explicit End(std::mt19937_64& random) {
+    std::uniform_real_distribution<double> phase(0, kTwoPi), hertz(1, 25);
+    for (int i = 0; i < kSines; ++i) omega_.push_back(kTwoPi * hertz(random)), phase_.push_back(phase(random));
+  }
+  double speed(double t) const {
+    double sum = kSpeed_rad_s;
+    for (size_t i = 0; i < omega_.size(); ++i) sum += 0.12 * std::sin(omega_[i] * t + phase_[i]);
+    return sum;
+  }
+  double angle(double t) const {
+    double sum = kSpeed_rad_s * t;
+    for (size_t i = 0; i < omega_.size(); ++i)
+      sum -= 0.12 / omega_[i] * (std::cos(omega_[i] * t + phase_[i]) - std::cos(phase_[i]));
+    return sum;
+  }
+
+ private:
+  std::vector<double> omega_, phase_;
+};
+
+State slope_of(const State& s, double angle, double speed) {
+  const double first = kStiffness[0] * (s.x[0] - angle) + kViscous[0] * (s.v[0] - speed);
+  const double second = kStiffness[1] * (s.x[1] - s.x[0]) + kViscous[1] * (s.v[1] - s.v[0]);
+  State out;
+  out.x[0] = s.v[0], out.x[1] = s.v[1];
+  out.v[0] = (second - first) / kInertia[0], out.v[1] = -second / kInertia[1];
+  return out;
+}
+
+State added(const State& s, double h, const State& d) {
+  State out = s;
+  for (int i = 0; i < 2; ++i) out.x[i] += h * d.x[i], out.v[i] += h * d.v[i];
+  return out;
+}
+
+State step(const End& end, const State& s, double t, double h) {
+  const auto rate = [&](const State& at, double when) { return slope_of(at, end.angle(when), end.speed(when)); };
+  const State a = rate(s, t), b = rate(added(s, h / 2, a), t + h / 2), c = rate(added(s, h / 2, b), t + h / 2),
+              d = rate(added(s, h, c), t + h);
+  return added(added(added(added(s, h / 6, a), h / 3, b), h / 3, c), h / 6, d);
+}
+
+struct Sensors {
+  bool end_by_angle, inertias_by_angle;
+};
+
+// A thousandth (angles) or a hundredth (speeds) of noise, of what swings, in every channel.
+host_sim::Record record_of(const Sensors& sensors) {
+  std::mt19937_64 random(7);
+  const End end(random);
+  const auto samples = static_cast<int>(kRate_Hz * kDuration_s);
+  const double h = 1 / (kRate_Hz * kFiner);
+  const double angle_noise = 1e-5, speed_noise = 6e-3;  // the end swings by 0.54 rad/s and some 10 mrad
+  std::normal_distribution<double> normal;
+  std::vector<double> values[3];
+  State s;
+  s.v[0] = s.v[1] = kSpeed_rad_s;
+  for (int k = 0; k < samples; ++k) {
+    const double t = k / kRate_Hz;
+    const auto read = [&](bool angle, double x, double v) {
+      return angle ? x + angle_noise * normal(random) : v + speed_noise * normal(random);
+    };
+    values[0].push_back(read(sensors.end_by_angle, end.angle(t), end.speed(t)));
+    for (int i = 0; i < 2; ++i) values[i + 1].push_back(read(sensors.inertias_by_angle, s.x[i], s.v[i]));
+    for (int i = 0; i < kFiner; ++i) s = step(end, s, t + i * h, h);
+  }
+  host_sim::Record record;
+  record.file = "shaft.csv", record.sample_period_s = 1 / kRate_Hz;
+  for (int c = 0; c < 3; ++c) {
+    const bool angle = c == 0 ? sensors.end_by_angle : sensors.inertias_by_angle;
+    const std::string place = c == 0 ? "base" : std::to_string(c);
+    host_sim::Channel made;
+    made.name = angle ? "angle_" + place + "_rad" : "angular_velocity_" + place + "_rad_s";
+    made.quantity = angle ? host_sim::Quantity::kDisplacement : host_sim::Quantity::kVelocity;
+    made.dof = c == 0 ? rig_file::kBase : c, made.values = values[c];
+    record.channels.push_back(made);
+  }
+  return record;
+}
+
+rig_file::RigModel rig() {
+  rig_file::RigModel made;
+  for (int i = 0; i < 2; ++i) {
+    made.dofs.emplace_back();
+    made.dofs.back().mass_kg.value = kInertia[i], made.dofs.back().rotating = true;
+    rig_file::Link link;
+    link.a = i + 1, link.b = i == 0 ? rig_file::kBase : i;
+    link.stiffness_N_m.value = kStiffness[i], link.viscous_N_s_m.estimate = true;
+    made.links.push_back(link);
+  }
+  return made;
+}
+
+// Speeds alone have no angle to start from, an angle of the end has turned 95 times by the end of the record: neither is the rig's.
+TEST(TurningBase, TheRigIsWhatSwingsAboutItsSpeed) {
+  for (const Sensors& sensors : {Sensors{false, false}, Sensors{true, false}, Sensors{true, true}}) {
+    const diagnosis::Diagnosis d = diagnosis::diagnose(rig(), {record_of(sensors)}, {});
+    EXPECT_EQ(said(d), "none") << sensors.end_by_angle << sensors.inertias_by_angle;
+    ASSERT_EQ(d.baseline.parameters.size(), 2u) << sensors.end_by_angle << sensors.inertias_by_angle;
+    for (size_t i = 0; i < 2; ++i) {
+      EXPECT_NEAR(d.baseline.parameters[i].value, kViscous[i], 0.02 * kViscous[i]) << i;
+      EXPECT_NEAR(d.baseline.parameters[i].value, kViscous[i], 4 * d.baseline.parameters[i].std) << i;
+    }
+  }
+}
+
+}  // namespace
