@@ -16,6 +16,10 @@ constexpr double kRate_Hz = 1000, kDuration_s = 20, kSpeed_rad_s = 30;
 constexpr int kFiner = 10, kSines = 40;
 constexpr double kInertia[] = {0.05, 0.03}, kStiffness[] = {180, 120}, kViscous[] = {0.12, 0.09};
 
+struct Turned {
+  double angle = 0, speed = kSpeed_rad_s;
+};
+
 // The end of the shaft: 40 sines of 1 to 25 Hz, each of 0.12 rad/s, about a speed.
 class End {
  public:
@@ -23,42 +27,27 @@ class End {
     std::uniform_real_distribution<double> phase(0, kTwoPi), hertz(1, 25);
     for (int i = 0; i < kSines; ++i) omega_.push_back(kTwoPi * hertz(random)), phase_.push_back(phase(random));
   }
-  double speed(double t) const {
-    double sum = kSpeed_rad_s;
-    for (size_t i = 0; i < omega_.size(); ++i) sum += 0.12 * std::sin(omega_[i] * t + phase_[i]);
-    return sum;
-  }
-  double angle(double t) const {
-    double sum = kSpeed_rad_s * t;
-    for (size_t i = 0; i < omega_.size(); ++i)
-      sum -= 0.12 / omega_[i] * (std::cos(omega_[i] * t + phase_[i]) - std::cos(phase_[i]));
-    return sum;
+  Turned at(double t) const {
+    Turned turned;
+    turned.angle = kSpeed_rad_s * t;
+    for (size_t i = 0; i < omega_.size(); ++i) {
+      turned.speed += 0.12 * std::sin(omega_[i] * t + phase_[i]);
+      turned.angle -= 0.12 / omega_[i] * (std::cos(omega_[i] * t + phase_[i]) - std::cos(phase_[i]));
+    }
+    return turned;
   }
 
  private:
   std::vector<double> omega_, phase_;
 };
 
-State slope_of(const State& s, double angle, double speed) {
-  const double first = kStiffness[0] * (s.x[0] - angle) + kViscous[0] * (s.v[0] - speed);
+State slope_of(const State& s, const Turned& end) {
+  const double first = kStiffness[0] * (s.x[0] - end.angle) + kViscous[0] * (s.v[0] - end.speed);
   const double second = kStiffness[1] * (s.x[1] - s.x[0]) + kViscous[1] * (s.v[1] - s.v[0]);
   State out;
   out.x[0] = s.v[0], out.x[1] = s.v[1];
   out.v[0] = (second - first) / kInertia[0], out.v[1] = -second / kInertia[1];
   return out;
-}
-
-State added(const State& s, double h, const State& d) {
-  State out = s;
-  for (int i = 0; i < 2; ++i) out.x[i] += h * d.x[i], out.v[i] += h * d.v[i];
-  return out;
-}
-
-State step(const End& end, const State& s, double t, double h) {
-  const auto rate = [&](const State& at, double when) { return slope_of(at, end.angle(when), end.speed(when)); };
-  const State a = rate(s, t), b = rate(added(s, h / 2, a), t + h / 2), c = rate(added(s, h / 2, b), t + h / 2),
-              d = rate(added(s, h, c), t + h);
-  return added(added(added(added(s, h / 6, a), h / 3, b), h / 3, c), h / 6, d);
 }
 
 struct Sensors {
@@ -78,12 +67,16 @@ host_sim::Record record_of(const Sensors& sensors) {
   s.v[0] = s.v[1] = kSpeed_rad_s;
   for (int k = 0; k < samples; ++k) {
     const double t = k / kRate_Hz;
+    const Turned now = end.at(t);
     const auto read = [&](bool angle, double x, double v) {
       return angle ? x + angle_noise * normal(random) : v + speed_noise * normal(random);
     };
-    values[0].push_back(read(sensors.end_by_angle, end.angle(t), end.speed(t)));
+    values[0].push_back(read(sensors.end_by_angle, now.angle, now.speed));
     for (int i = 0; i < 2; ++i) values[i + 1].push_back(read(sensors.inertias_by_angle, s.x[i], s.v[i]));
-    for (int i = 0; i < kFiner; ++i) s = step(end, s, t + i * h, h);
+    for (int i = 0; i < kFiner; ++i) {
+      const double at = t + i * h;
+      s = stepped(s, h, end.at(at), end.at(at + h / 2), end.at(at + h), slope_of);
+    }
   }
   host_sim::Record record;
   record.file = "shaft.csv", record.sample_period_s = 1 / kRate_Hz;

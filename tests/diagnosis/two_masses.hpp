@@ -19,8 +19,8 @@ inline State moved(const State& s, const State& slope, double h) {
 }
 
 // Fourth-order Runge-Kutta over h. slope(state, drive); drive at the start, in the middle and at the end of the step.
-template <typename Slope>
-State stepped(const State& s, double h, double start, double middle, double end, Slope slope) {
+template <typename Drive, typename Slope>
+State stepped(const State& s, double h, const Drive& start, const Drive& middle, const Drive& end, Slope slope) {
   const State k1 = slope(s, start), k2 = slope(moved(s, k1, h / 2), middle), k3 = slope(moved(s, k2, h / 2), middle),
               k4 = slope(moved(s, k3, h), end);
   return moved(moved(moved(moved(s, k1, h / 6), k2, h / 3), k3, h / 3), k4, h / 6);

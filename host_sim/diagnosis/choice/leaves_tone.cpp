@@ -30,12 +30,9 @@ bool leaves_tone(const Task& task, const State& state, double hertz) {
   if (!leave_over(task.system, task.records, state, over)) return true;
   double highest = 0;
   size_t looked_at = 0;
-  for (const std::vector<double>& rows : over.rows)
-    for (size_t r = 0, from = 0; r < over.ends.size(); from = over.ends[r++]) {
-      if (from == over.ends[r]) continue;
-      const auto begin = rows.begin();
-      const std::vector<double> own(begin + static_cast<std::ptrdiff_t>(from),
-                                    begin + static_cast<std::ptrdiff_t>(over.ends[r]));
+  for (size_t channel = 0; channel < over.rows.size(); ++channel)
+    for (const std::vector<double>& own : over.rows_by_record(channel)) {
+      if (own.empty()) continue;
       highest = std::max(highest, line_at(own, hertz, task.records[0].step_s));
       looked_at += 2 * kBeside + 1;
     }

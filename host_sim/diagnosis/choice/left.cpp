@@ -1,8 +1,6 @@
 // What a model leaves: noise, or something that goes with the motion.
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <memory>
 
 #include "leftovers.hpp"
 #include "lines.hpp"
@@ -49,10 +47,9 @@ bool lasts(const std::vector<double>& rows, double mains_Hz, double step_s) {
 // A channel's hum, the largest of its records': the mains are in every one of them. From one to the next its phase jumps.
 Hum hum_of(const Leftovers& over, size_t channel, double step_s, const std::vector<std::vector<Vec>>& driving) {
   Hum largest;
-  for (size_t r = 0, from = 0; r < over.ends.size(); from = over.ends[r++]) {
-    const auto begin = over.rows[channel].begin();
-    const std::vector<double> own(begin + static_cast<std::ptrdiff_t>(from),
-                                  begin + static_cast<std::ptrdiff_t>(over.ends[r]));
+  const std::vector<std::vector<double>> records = over.rows_by_record(channel);
+  for (size_t r = 0; r < records.size(); ++r) {
+    const std::vector<double>& own = records[r];
     if (own.empty()) continue;
     const Hum hum = hum_in(spectrum(own), fast_length(own.size()), step_s, driving[r]);
     if (hum.amplitude == 0 || !lasts(own, hum.hertz, step_s)) return {};

@@ -70,6 +70,14 @@ bool leave_over(const System& system, const std::vector<Prepared>& records, cons
   return finite;
 }
 
+std::vector<std::vector<double>> Leftovers::rows_by_record(size_t channel) const {
+  std::vector<std::vector<double>> list;
+  const auto begin = rows[channel].begin();
+  for (size_t r = 0, from = 0; r < ends.size(); from = ends[r++])
+    list.emplace_back(begin + static_cast<std::ptrdiff_t>(from), begin + static_cast<std::ptrdiff_t>(ends[r]));
+  return list;
+}
+
 Vec spectrum(const std::vector<double>& rows) {
   const size_t n = fast_length(rows.size());
   return Fourier(n).forward(Vec::Map(rows.data(), static_cast<Index>(n))).cwiseAbs2() / static_cast<double>(n);

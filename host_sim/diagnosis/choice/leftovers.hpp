@@ -11,6 +11,7 @@ struct Leftovers {
   std::vector<std::vector<double>> rows, pushed;
   std::vector<size_t> ends;  // of each record's part of the rows
   bool massless = false;
+  std::vector<std::vector<double>> rows_by_record(size_t channel) const;  // none of a record without windows
 };
 
 // False where a run does not stay finite.

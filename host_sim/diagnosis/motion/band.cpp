@@ -10,7 +10,6 @@ namespace {
 constexpr double kNearlyAll = 0.999;
 constexpr double kPowerOfDisplacement = 0.9999;  // its velocity, on which friction acts, is faster
 constexpr double kOutside = 0.01;                // of a motion's square sum: a tenth of its amplitude, where it goes on
-constexpr Index kLeast = 100;
 
 // Where a record is rest for the most part, the part that holds all but a hundredth of its motion's square sum; else all of it. A taper over
 // the whole of a short decay takes the decay itself away.

@@ -3,14 +3,12 @@
 #include "guess.hpp"
 
 namespace diagnosis::runs {
-
 namespace {
 
 // Of the slowest motion. It drives the rig, to its amplitude: what the mean over so many takes of it, in two passes, is below
 // 1 / (10 pi)^2, a thousandth.
 constexpr double kPeriodsOfDrift = 10;
-
-Vec without_drift(Vec z, Index slow) { return z - slow_part(slow_part(z, slow), slow); }
+constexpr int kPasses = 2;
 
 }  // namespace
 
@@ -28,12 +26,11 @@ void renew_base(Prepared& p) {
     return p.base.reading[quantity].size() ? &p.base.reading[quantity] : nullptr;
   };
   Guess& base = p.guess.back();
-  const bool slower = measured(0) || measured(1);
-  base = measured(2) && slower
+  const Drift drift{p.base.slow_half, kPasses};
+  base = measured(2) && (measured(0) || measured(1))
              ? fused_by_acceleration(measured(0), measured(1), *measured(2), p.step_s)
-             : guess_of({measured(0), measured(1), measured(2)}, p.step_s, p.smooth_half, p.slow_half);
-  if (!slower) base.v = without_drift(integral(Vec(base.a.array() - base.a.mean()), p.step_s), p.base.slow_half);
-  if (!measured(0)) base.x = without_drift(integral(base.v, p.step_s), p.base.slow_half);
+             : guess_of({measured(0), measured(1), measured(2)}, p.step_s, p.smooth_half, drift);
+  if (measured(1) && !measured(0)) base.x = without_drift(integral(base.v, p.step_s), drift);
   if (p.base.ridden) base.x.setZero(), base.v.setZero();
 }
 

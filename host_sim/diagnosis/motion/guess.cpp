@@ -39,22 +39,7 @@ double line_at(const Vec& y, Index from, Index count, Index at) {
   return y.segment(from, count).mean() + slope * (static_cast<double>(at - from) - middle);
 }
 
-Vec without_drift(const Vec& z, Index slow) { return z - slow_part(z, slow); }
-
-}  // namespace
-
-// Of the cubic through four samples.
-Vec integral(const Vec& y, double step_s) {
-  const Index n = y.size();
-  Vec z(n);
-  z[0] = 0;
-  for (Index i = 1; i < n; ++i) {
-    const double before = y[std::max<Index>(0, i - 2)], after = y[std::min(n - 1, i + 1)];
-    z[i] = z[i - 1] + step_s * (13 * (y[i - 1] + y[i]) - before - after) / 24;
-  }
-  return z;
-}
-
+// A moving mean, at the ends a straight line.
 Vec slow_part(const Vec& z, Index slow) {
   Vec sums(z.size() + 1);
   sums[0] = 0;
@@ -71,7 +56,15 @@ Vec slow_part(const Vec& z, Index slow) {
   return out;
 }
 
-Guess guess_of(const std::vector<const Vec*>& measured, double step_s, Index half, Index slow) {
+}  // namespace
+
+Vec without_drift(const Vec& z, const Drift& drift) {
+  Vec slow = z;
+  for (int pass = 0; pass < drift.passes; ++pass) slow = slow_part(slow, drift.half);
+  return z - slow;
+}
+
+Guess guess_of(const std::vector<const Vec*>& measured, double step_s, Index half, const Drift& drift) {
   Guess g;
   g.given = true;
   if (measured[0]) {
@@ -79,13 +72,13 @@ Guess guess_of(const std::vector<const Vec*>& measured, double step_s, Index hal
   }
   if (measured[1]) {
     smooth_cubic(*measured[1], half, step_s, &g.v, &g.a);
-    if (!measured[0]) g.x = without_drift(integral(*measured[1], step_s), slow);
+    if (!measured[0]) g.x = without_drift(integral(*measured[1], step_s), drift);
   }
   if (measured[2]) {
     g.a = *measured[2];
     if (!measured[0] && !measured[1]) {
-      g.v = without_drift(integral(Vec(g.a.array() - g.a.mean()), step_s), slow);
-      g.x = without_drift(integral(g.v, step_s), slow);
+      g.v = without_drift(integral(Vec(g.a.array() - g.a.mean()), step_s), drift);
+      g.x = without_drift(integral(g.v, step_s), drift);
     }
   }
   if (g.a.size() == 0) smooth_cubic(g.v, half, step_s, nullptr, &g.a);

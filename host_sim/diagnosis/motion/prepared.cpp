@@ -17,8 +17,6 @@ bool massless(const rig_file::RigModel& rig) {
                      [](const rig_file::Dof& d) { return !d.mass_kg.estimate && d.mass_kg.value == 0; });
 }
 
-double rms_about_mean(const Vec& y) { return std::sqrt((y.array() - y.mean()).square().mean()); }
-
 double white_noise_sum(const Vec& y) {
   const Index n = y.size() - 3;
   if (n < 1) return 0;
@@ -28,7 +26,6 @@ double white_noise_sum(const Vec& y) {
 namespace {
 
 constexpr double kSamplesPerTop = 24;  // of the fastest motion: one Runge-Kutta step each is right to 1e-4
-constexpr Index kLeast = 100;
 
 bool driven(const Prepared& p) {
   const auto acts = [](const Vec& y) { return y.size() > 0 && y.cwiseAbs().maxCoeff() > 0; };
@@ -131,7 +128,7 @@ void renew_motion(Prepared& p) {
                          "; measure one of them");
     Vec against_base;
     if (p.base.ridden) against_base = *measured[2] - p.base.reading[2], measured[2] = &against_base;
-    p.guess.push_back(guess_of(measured, p.step_s, p.smooth_half, p.slow_half));
+    p.guess.push_back(guess_of(measured, p.step_s, p.smooth_half, {p.slow_half}));
     if (p.base.ridden) p.guess.back().a += p.base.reading[2];
   }
   p.guess.push_back({});

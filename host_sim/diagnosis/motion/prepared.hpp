@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "../record/fourier.hpp"
+#include "../record/series.hpp"
 #include "hal/rig_file/rig_model.hpp"
 #include "host_sim/records/record.hpp"
 
@@ -15,6 +15,8 @@ namespace diagnosis::runs {
 using Vec = Eigen::VectorXd;
 using Mat = Eigen::MatrixXd;
 using Index = Eigen::Index;
+
+constexpr Index kLeast = 100;  // samples of motion that a record is judged by
 
 struct MotionTrace {
   int dof = 0;       // from 0
@@ -77,7 +79,6 @@ void renew_base(Prepared& record);
 // Without any mass the force is not what drives the motion but what answers it.
 bool massless(const rig_file::RigModel& rig);
 
-double rms_about_mean(const Vec& y);
 // Sum of squares of white noise in `y`, from its third differences: they have 20 times its variance (1 + 9 + 9 + 1). Over
 // size - 3 values.
 double white_noise_sum(const Vec& y);

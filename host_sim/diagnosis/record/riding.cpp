@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fourier.hpp"
+#include "series.hpp"
 
 namespace diagnosis {
 namespace {
@@ -15,8 +15,6 @@ constexpr double kTravels = 10;  // times what a displacement is off its line: a
 
 auto mapped(const std::vector<double>& y) { return Series::Map(y.data(), static_cast<Eigen::Index>(y.size())); }
 
-double rms_about(const Series& y, double mean) { return std::sqrt((y.array() - mean).square().mean()); }
-
 // Mean speed of a base that runs on: more than it swings by; 0 where it stays.
 double running_speed(const host_sim::Record& r) {
   if (const Channel* place = r.find(Quantity::kDisplacement, rig_file::kBase)) {
@@ -24,12 +22,12 @@ double running_speed(const host_sim::Record& r) {
     const double duration_s = r.sample_period_s * static_cast<double>(x.size() - 1);
     const Series about_s = Series::LinSpaced(x.size(), -0.5 * duration_s, 0.5 * duration_s);
     const double slope = about_s.dot(x) / about_s.squaredNorm();
-    return std::abs(slope) * duration_s > kTravels * rms_about(x - slope * about_s, x.mean()) ? slope : 0;
+    return std::abs(slope) * duration_s > kTravels * rms_about_mean(x - slope * about_s) ? slope : 0;
   }
   const Channel* speed = r.find(Quantity::kVelocity, rig_file::kBase);
   if (!speed) return 0;
   const double mean = mapped(speed->values).mean();
-  return std::abs(mean) > rms_about(mapped(speed->values), mean) ? mean : 0;
+  return std::abs(mean) > rms_about_mean(mapped(speed->values)) ? mean : 0;
 }
 
 bool springs_everywhere(const rig_file::RigModel& rig) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "motion.hpp"
+#include "series.hpp"
 
 namespace diagnosis {
 namespace {
@@ -14,17 +15,6 @@ constexpr double kSlowShare = 0.05;  // of a displacement's rms: what it has bel
 
 using Motion = std::array<Series, 3>;  // displacement, velocity, acceleration over time
 using Spectra3 = std::array<Spectrum, 3>;
-
-// Running integral, exact for cubics.
-Series integral(const Series& y, double period_s) {
-  const Eigen::Index n = y.size();
-  const auto at = [&](Eigen::Index i) { return y[std::clamp<Eigen::Index>(i, 0, n - 1)]; };
-  Series sum(n);
-  sum[0] = 0;
-  for (Eigen::Index i = 1; i < n; ++i)
-    sum[i] = sum[i - 1] + period_s / 24 * (13 * (at(i - 1) + y[i]) - at(i - 2) - at(i + 1));
-  return sum;
-}
 
 // An integral about its mean in each ramp, the only places where it is needed.
 Series integral_in_ramps(const Series& y, const FusedRecord& f) {
