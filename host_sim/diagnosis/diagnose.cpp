@@ -110,11 +110,11 @@ void answer(const runs::Task& task, std::vector<runs::Prepared>& records, runs::
 
 // lag_s: of all motion channels, that was taken out; 0: none.
 Diagnosis judged(const Asked& asked, double& lag_s) {
-  const auto& [rig, training, holdout, options] = asked;
+  const auto& [rig, training, holdout, options, ground_known] = asked;
   const auto progress = [&](double share) {
     if (asked.options.progress) asked.options.progress(share);
   };
-  const System system = make_system(rig);
+  const System system = make_system(rig, ground_known);
   std::vector<runs::Prepared> records = runs::prepare_all(rig, training, holdout);
   const bool kept_moving = runs::moving_share(records) > kKeptMoving;
   // The last swings of a decay are too small to bear anything out: of several decays the last is the unseen one.
@@ -162,7 +162,7 @@ Diagnosis judged(const Asked& asked, double& lag_s) {
 
 // Also where all motion channels lag the force.
 Diagnosis judged_behind_filters(const Asked& asked) {
-  const auto& [rig, training, holdout, options] = asked;
+  const auto& [rig, training, holdout, options, ground_known] = asked;
   double lag_s = 0;
   const Diagnosis behind_lag = judged(asked, lag_s);
   if (lag_s == 0 || !behind_lag.causes.empty()) return behind_lag;
@@ -171,7 +171,7 @@ Diagnosis judged_behind_filters(const Asked& asked) {
   const std::vector<host_sim::Record> fitted = runs::forces_behind(training, corner_Hz),
                                       unseen = runs::forces_behind(holdout, corner_Hz);
   const Options silent{options.top_of_band, nullptr};
-  return runs::of_lag_and_filter(behind_lag, judged({rig, fitted, unseen, silent}, lag_s), corner_Hz);
+  return runs::of_lag_and_filter(behind_lag, judged({rig, fitted, unseen, silent, ground_known}, lag_s), corner_Hz);
 }
 
 }  // namespace
@@ -181,7 +181,7 @@ Diagnosis diagnose(const rig_file::RigModel& rig, const std::vector<host_sim::Re
   if (training.empty()) throw CannotAnswer("no record to diagnose");
   if (!on_measured_base(rig, training)) return judged_behind_filters({rig, training, holdout, options});
   const std::vector<host_sim::Record> riding_training = riding(rig, training), riding_holdout = riding(rig, holdout);
-  return judged_behind_filters({rig, riding_training, riding_holdout, options});
+  return judged_behind_filters({rig, riding_training, riding_holdout, options, !base_runs_on(training)});
 }
 
 }  // namespace diagnosis

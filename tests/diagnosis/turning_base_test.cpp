@@ -111,6 +111,9 @@ TEST(TurningBase, TheRigIsWhatSwingsAboutItsSpeed) {
     const diagnosis::Diagnosis d = diagnosis::diagnose(rig(), {record_of(sensors)}, {});
     EXPECT_EQ(said(d), "none") << sensors.end_by_angle << sensors.inertias_by_angle;
     ASSERT_EQ(d.baseline.parameters.size(), 2u) << sensors.end_by_angle << sensors.inertias_by_angle;
+    for (const diagnosis::DetectionLimit& limit :
+         d.minimum_detectable)  // how fast it is against the ground nobody asked
+      EXPECT_EQ(limit.where.find("-0"), std::string::npos) << limit.effect << " on " << limit.where;
     for (size_t i = 0; i < 2; ++i) {
       EXPECT_NEAR(d.baseline.parameters[i].value, kViscous[i], 0.02 * kViscous[i]) << i;
       EXPECT_NEAR(d.baseline.parameters[i].value, kViscous[i], 4 * d.baseline.parameters[i].std) << i;

@@ -12,6 +12,7 @@ struct Asked {
   const std::vector<host_sim::Record>& training;
   const std::vector<host_sim::Record>& holdout;
   const Options& options;
+  bool ground_known = true;  // false: motion counts from a base that runs on
 };
 
 // A term with its coefficient.

@@ -60,6 +60,10 @@ bool on_measured_base(const rig_file::RigModel& rig, const std::vector<host_sim:
   });
 }
 
+bool base_runs_on(const std::vector<host_sim::Record>& records) {
+  return std::any_of(records.begin(), records.end(), [](const host_sim::Record& r) { return running_speed(r) != 0; });
+}
+
 std::vector<host_sim::Record> riding(const rig_file::RigModel& rig, std::vector<host_sim::Record> records) {
   for (host_sim::Record& r : records) {
     if (const double speed = running_speed(r)) count_from_base(speed, springs_everywhere(rig), r);

@@ -88,11 +88,11 @@ bool kind_of_word(const std::string& word, Kind* kind) {
   return false;
 }
 
-System make_system(const rig_file::RigModel& rig) {
+System make_system(const rig_file::RigModel& rig, bool ground_known) {
   System s{rig, rig.links, rig.links.size()};
   const int n = static_cast<int>(rig.dofs.size());
   for (int a = 1; a <= n; ++a)
-    for (int b = 0; b <= n; ++b) {
+    for (int b = ground_known ? rig_file::kGround : 1; b <= n; ++b) {
       if (b == a || (b != 0 && b < a)) continue;
       bool present = false;
       for (const rig_file::Link& l : rig.links) present = present || (l.a == a && l.b == b) || (l.a == b && l.b == a);

@@ -94,7 +94,8 @@ struct System {
   size_t known_links = 0;  // links.size() of the rig file
   size_t dofs() const { return rig.dofs.size(); }
 };
-System make_system(const rig_file::RigModel& rig);
+// ground_known: links to the ground that the rig file lacks may be told.
+System make_system(const rig_file::RigModel& rig, bool ground_known = true);
 
 // Elongation and rate of a link, from the linear or the smoothed motion. The base is the motion after the last DOF.
 struct LinkMotion {
