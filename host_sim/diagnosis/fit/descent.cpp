@@ -142,7 +142,7 @@ class Descent {
     for (Window& w : windows_) w.state = evaluator_->carried_state(w);
     now_ = pass_over(*evaluator_, windows_, nullptr, false);
     if (!now_.ok && started_afresh(*evaluator_, windows_)) now_ = pass_over(*evaluator_, windows_, nullptr, false);
-    if (now_.ok) weights_ = weights_of_slopes_ = weights_now();
+    if (now_.ok) weights_ = weights_now();
     return now_.ok;
   }
   // Until a step brings nothing; false where slopes do not stay finite.
@@ -157,7 +157,7 @@ class Descent {
   // Whether windows took states that may lie in lower valleys.
   bool carry_on() {
     if (!has_friction(model_) || !carried_on(*evaluator_, weights_, windows_)) return false;
-    weights_of_slopes_ = weights_, sloped_ = false;
+    sloped_ = false;
     return true;
   }
   const Vec& weights() const { return weights_; }
@@ -166,7 +166,7 @@ class Descent {
  private:
   Vec weights_now() const { return now_.mean_square.cwiseSqrt().cwiseInverse(); }
   bool make_slopes() {
-    now_ = pass_over(*evaluator_, windows_, &weights_of_slopes_, true), ++passes_;
+    now_ = pass_over(*evaluator_, windows_, &weights_, true), ++passes_;
     return sloped_ = now_.ok;
   }
   Vec change_of(const Mat& gram, const Vec& score) const {
@@ -210,7 +210,7 @@ class Descent {
     const double fall = whole || only_states_ ? now_.cost - next.cost : kSettled;
     model_ = trial, windows_ = moved, now_ = std::move(next), sloped_ = false;
     if (other) evaluator_ = std::make_unique<Evaluator>(system_, model_, records_);
-    weights_of_slopes_ = weights_, weights_ = weights_now();
+    weights_ = weights_now();
     damping_ = std::max(1e-6, damping_ / 10);
     return fall;
   }
@@ -224,7 +224,7 @@ class Descent {
   WindowsPass now_;
   bool sloped_ = false;
   size_t passes_ = 0;
-  Vec weights_, weights_of_slopes_;
+  Vec weights_;
   double damping_ = 1e-4;
 };
 
