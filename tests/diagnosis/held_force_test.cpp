@@ -45,18 +45,23 @@ TEST(HeldForce, ActsUntilTheNextSample) {
 }
 
 enum class Between { kHeld, kSmooth };
+// What drives the rig and what is read of it: accelerations, and where they are asked for displacements.
+struct Driven {
+  int tones = 6;
+  bool displacement = false;
+};
 
-// 2 kg, 20 kN/m (16 Hz) and 30 N s/m under six tones, 1 kHz, the acceleration alone, `late_s` late, with a noise of 0.2 %.
-// Fourth-order Runge-Kutta, eight steps a sample.
-host_sim::Record record_of(Between between, double late_s) {
+// 2 kg, 20 kN/m (16 Hz) and 30 N s/m under tones, 1 kHz, the acceleration `late_s` late, with a noise of 0.2 %, the displacement as
+// it is. Fourth-order Runge-Kutta, eight steps a sample.
+host_sim::Record record_of(Between between, double late_s, const Driven& driven = {}) {
   std::mt19937_64 random(31);
   std::normal_distribution<double> normal;
   host_sim::Record r;
   r.file = "mass.csv", r.sample_period_s = 1e-3;
-  std::vector<double> a, f;
-  const auto smooth = [](double t) {
+  std::vector<double> a, f, x;
+  const auto smooth = [&](double t) {
     double sum = 0;
-    for (int i = 0; i < 6; ++i) sum += 6 * std::cos(6.283185307179586 * (7.3 + 4.17 * i) * t + 1.9 * i * i);
+    for (int i = 0; i < driven.tones; ++i) sum += 6 * std::cos(6.283185307179586 * (7.3 + 4.17 * i) * t + 1.9 * i * i);
     return sum;
   };
   two_masses::State s;
@@ -72,7 +77,7 @@ host_sim::Record record_of(Between between, double late_s) {
       const double at = t + k * h;
       if (i >= 0 && k == 0) f.push_back(smooth(t));
       const double now = between == Between::kHeld ? smooth(t) : smooth(at);
-      if (i >= 0 && k == 0) a.push_back(slope(s, now).v[0]);
+      if (i >= 0 && k == 0) a.push_back(slope(s, now).v[0]), x.push_back(s.x[0]);
       const bool held = between == Between::kHeld;
       s = two_masses::stepped(s, h, now, held ? now : smooth(at + h / 2), held ? now : smooth(at + h), slope);
     }
@@ -85,6 +90,7 @@ host_sim::Record record_of(Between between, double late_s) {
   for (double& value : read) value += 0.002 * std::sqrt(square) * normal(random);
   r.channels = {{"acceleration_1_m_s2", host_sim::Quantity::kAcceleration, 1, read},
                 {"force_1_N", host_sim::Quantity::kForce, 1, f}};
+  if (driven.displacement) r.channels.push_back({"displacement_1_m", host_sim::Quantity::kDisplacement, 1, x});
   return r;
 }
 
@@ -112,6 +118,27 @@ TEST(HeldForce, NeitherASmoothForceNorALateAccelerometerIsOne) {
   const diagnosis::Diagnosis late = diagnosis::diagnose(rig(), {record_of(Between::kSmooth, 0.001)}, {});
   EXPECT_EQ(said(late).find("force_hold"), std::string::npos) << said(late);
   EXPECT_EQ(late.force_between_samples, "smooth");
+}
+
+// First-order noise: 0.8 of it stays from sample to sample, of variance 1 with new parts of 0.6: 0.6^2 / (1 - 0.8^2).
+void add_coloured_noise(std::vector<double>& values, double share, std::mt19937_64& random) {
+  std::normal_distribution<double> normal;
+  double square = 0, noise = 0;
+  for (double value : values) square += value * value / static_cast<double>(values.size());
+  for (double& value : values) noise = 0.8 * noise + 0.6 * normal(random), value += share * std::sqrt(square) * noise;
+}
+
+// 3 % less spring than the rig file says makes the motion late or early, as a hold makes it late.
+TEST(HeldForce, AWrongSpringIsNoHold) {
+  rig_file::RigModel stiffer = rig();
+  stiffer.links[0].stiffness_N_m = {2e4 / 0.97, false};
+  host_sim::Record record = record_of(Between::kSmooth, 0, {12, true});
+  std::mt19937_64 random(77);
+  for (host_sim::Channel& channel : record.channels) add_coloured_noise(channel.values, 0.01, random);
+  const diagnosis::Diagnosis d = diagnosis::diagnose(stiffer, {record}, {});
+  EXPECT_EQ(said(d), "explained, stiffness_error on link 1-0");
+  const diagnosis::Parameter error = parameter_of(d.extended, "stiffness_error[1-0]");
+  EXPECT_NEAR(error.value, 2e4 - 2e4 / 0.97, 3 * error.std);
 }
 
 }  // namespace

@@ -7,6 +7,8 @@
 namespace diagnosis::runs {
 namespace {
 
+constexpr size_t kSinglesTried = 5;  // as many as a search tries first
+
 // What could be taken for a hold: delays of the forces, and of the channels where they act.
 std::vector<Candidate> delays_of(const std::vector<Prepared>& records) {
   std::vector<Candidate> list;
@@ -27,34 +29,67 @@ std::vector<Candidate> delays_of(const std::vector<Prepared>& records) {
   return list;
 }
 
-}  // namespace
+// Of a short record a window or two are by far the loudest: as a share of their own, as attempts in another's place are judged.
+double better_by(const State& than, const State& now) {
+  return std::max(paired_z(than.fit, now.fit), paired_share_z(than.fit, now.fit));
+}
 
-bool held_force(const Task& task, std::vector<Prepared>& records, const Choice& choice) {
-  const std::vector<Candidate> delays = delays_of(records);
-  const double noise = noise_share(choice.base_left, choice.base.fit);
-  if (delays.empty() || !choice.base.fit.ok) return false;
+// The windows with a held force, beside a model that was fitted with a smooth one; it is smooth again afterwards.
+Attempt with_hold(const Task& task, std::vector<Prepared>& records, const State& beside) {
   const auto hold = [&](bool held) {
     for (Prepared& p : records) p.held = held;
   };
   Attempt with;
-  with.state = choice.base;
+  with.state = beside;
   hold(true);
   settle(task, with.state, kTrialSteps);
   hold(false);
-  if (!with.state.fit.ok) return false;
-  with.error = error_over(with.state.fit, choice.base.fit);
-  with.unseen = error_over(with.state.unseen_fit, choice.base.unseen_fit);
-  // of a short record a window or two are by far the loudest: as a share of their own, as attempts in another's place are judged
-  const double z = std::max(paired_z(choice.base.fit, with.state.fit), paired_share_z(choice.base.fit, with.state.fit));
-  if (!(z > (noise < kMostlyNoise ? kSure : kNamed)) || !unseen_agrees(with) || share_of(with, noise) < kShare)
-    return false;
-  for (const Candidate& c : delays) {
-    const Attempt late = attempt(task, choice.base, {c}, {{0.0}}, kTrialSteps);
-    const double better =
-        std::max(paired_z(late.state.fit, with.state.fit), paired_share_z(late.state.fit, with.state.fit));
-    if (late.state.fit.ok && !(better > kByChance)) return false;
+  if (!with.state.fit.ok) return with;
+  with.error = error_over(with.state.fit, beside.fit);
+  with.unseen = error_over(with.state.unseen_fit, beside.unseen_fit);
+  return with;
+}
+
+bool pays(const Attempt& with, const State& beside, double noise) {
+  return with.state.fit.ok && better_by(beside, with.state) > (noise < kMostlyNoise ? kSure : kNamed) &&
+         unseen_agrees(with) && share_of(with, noise) >= kShare;
+}
+
+// The one cause that leaves least beside the rig as given, of those that the linearisation promises most.
+Attempt best_single(const Task& task, const State& base, const Left& left, double noise) {
+  const std::vector<Candidate> all =
+      candidates_beside(task.system, base.model, task.records, left.worst() > kPlainlyLeft);
+  const Screen s = screen(task.system, task.records, base.model, base.seen, base.fit, all, 0);
+  Attempt best;
+  size_t tried = 0;
+  for (const Screened& one : s.singles) {
+    if (tried++ == kSinglesTried) break;
+    const Attempt other = attempt(task, base, all, one, noise);
+    if (!other.state.fit.ok || other.rounds || !unseen_agrees(other)) continue;
+    if (!best.state.fit.ok || whole_error(other) < whole_error(best)) best = other;
   }
-  hold(true);
+  return best;
+}
+
+}  // namespace
+
+bool held_force(const Task& task, std::vector<Prepared>& records, const Choice& choice) {
+  const std::vector<Candidate> delays = delays_of(records);
+  const State& base = choice.base;
+  const double noise = noise_share(choice.base_left, base.fit);
+  if (delays.empty() || !base.fit.ok) return false;
+  const Attempt with = with_hold(task, records, base);
+  if (!pays(with, base, noise)) return false;
+  for (const Candidate& c : delays) {
+    const Attempt late = attempt(task, base, {c}, {{0.0}}, kTrialSteps);
+    if (late.state.fit.ok && !(better_by(late.state, with.state) > kByChance)) return false;
+  }
+  const Attempt other = best_single(task, base, choice.base_left, noise);
+  if (other.state.fit.ok && better_by(with.state, other.state) > kByChance) {
+    const double left_noise = noise_share(left_by(task.system, task.records, other.state), other.state.fit);
+    if (!pays(with_hold(task, records, other.state), other.state, left_noise)) return false;
+  }
+  for (Prepared& p : records) p.held = true;
   return true;
 }
 
