@@ -94,6 +94,28 @@ TEST(Hum, OfAllChannelsIsTheRooms) {
   EXPECT_TRUE(rig.with(0.1, 0.08, true).advice.empty());  // the rig may answer so to what drives it
 }
 
+// One motion channel alone has nothing beside it but the force: 2 s of 20 Hz with a fiftieth of 50 Hz, which is a share of
+// 0.02 / sqrt((1 + 0.02^2) / 2) = 0.0283 of its rms. A hum of a tenth of the velocity is over three times as much, one of 0.08 is not.
+TEST(Hum, OfTheOnlyMotionChannelIsWeighedAgainstTheForce) {
+  OneDof rig;
+  rig.records[0].traces.erase(rig.records[0].traces.begin());
+  rig.records[0].step_s = 1e-3;
+  const auto verdict = [&](double of_velocity) {
+    Diagnosis d;
+    name_hum(Task{rig.system, rig.records, 1}, {{50, of_velocity, 30, false}}, d);
+    return d.verdict;
+  };
+  EXPECT_EQ(verdict(0.08), Verdict::kExplained);  // nothing is beside it
+  Vec force(2000);
+  for (Index i = 0; i < force.size(); ++i) {
+    const double turns = 1e-3 * static_cast<double>(i) * 6.283185307179586;
+    force[i] = std::sin(20 * turns) + 0.02 * std::sin(50 * turns);
+  }
+  rig.records[0].force = {force};
+  EXPECT_EQ(verdict(0.1), Verdict::kExplained);
+  EXPECT_EQ(verdict(0.08), Verdict::kNone);
+}
+
 // Three decays x = x0 exp(-s t) cos(w t) of one mass, measured by its displacement alone, with a sine of 59.95 Hz that has another phase
 // in each record: m 2 kg, s 0.75 1/s, w 30 rad/s, so c = 2 m s = 3 N s/m.
 diagnosis::Diagnosis of_decays(double hum_m, double hum_dies_1_s = 0) {

@@ -97,6 +97,11 @@ Wave borne_out_by_motion(const Task& task, const State& fitted, size_t dof, doub
 
 }  // namespace
 
+double wave_share_of_force(const Vec& force, double step_s, double nominal_Hz) {
+  const double rms = force.size() ? rms_about_mean(force) : 0;
+  return rms > 0 ? wave_near(force, step_s, nominal_Hz).amplitude() / rms : 0;
+}
+
 void name_force_hum(const Task& task, const State& fitted, Diagnosis& d) {
   if (!fitted.fit.ok || massless(fitted.model)) return;
   for (size_t dof = 0; dof < task.system.dofs(); ++dof)

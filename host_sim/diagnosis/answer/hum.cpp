@@ -6,6 +6,7 @@
 
 #include "../choice/lines.hpp"
 #include "../terms/naming.hpp"
+#include "force_hum.hpp"
 #include "trifles.hpp"
 
 namespace diagnosis::runs {
@@ -23,6 +24,14 @@ Cause cause_of(const MotionTrace& t, const Hum& hum) {
   c.parameters.push_back({"mains_hum[" + t.channel + "]", hum.amplitude, unit_of(t), 0, true});
   c.parameters.push_back({"mains_frequency[" + t.channel + "]", hum.hertz, "Hz", 0, false});
   return c;
+}
+
+// What a motion channel's hum is weighed against where no other motion channel is: the most that a force has of it.
+double most_of_forces(const Task& task, double hertz) {
+  double most = 0;
+  for (const Prepared& p : task.records)
+    for (const Vec& force : p.force) most = std::max(most, wave_share_of_force(force, p.step_s, hertz));
+  return most;
 }
 
 }  // namespace
@@ -44,6 +53,7 @@ void name_hum(const Task& task, const std::vector<Hum>& hum, Diagnosis& d) {
   double next = 0;
   for (size_t i = 0; i < share.size(); ++i)
     if (i != worst) next = std::max(next, share[i]);
+  if (share.size() == 1) next = most_of_forces(task, hum[worst].hertz);
   const bool borne_out = std::any_of(traces.begin(), traces.end(), [&](const MotionTrace& t) {
     return t.dof == traces[worst].dof && t.quantity != traces[worst].quantity;
   });

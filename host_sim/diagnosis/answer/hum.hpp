@@ -6,7 +6,8 @@ namespace diagnosis::runs {
 
 // A hum of one motion channel beside others that have none, or far less, is that channel's fault and named; one that all
 // channels share is the room's: it is said, and no cause. Where something drives the rig at that frequency a second channel
-// of the DOF has to bear it out; of a channel that is alone nobody can tell. hum: per channel.
+// of the DOF has to bear it out; of a channel that is alone nobody can tell. What is weighed against the only motion channel are the
+// forces. hum: per channel.
 void name_hum(const Task& task, const std::vector<Hum>& hum, Diagnosis& d);
 
 // Hum that two or more channels were named for is the room's too, where it is not far more of one's signal than of any other's.
