@@ -259,8 +259,7 @@ void answer(const Task& task, const Choice& choice, Diagnosis& d) {
     d.verdict = noise || motion_error(task, choice.base) < kAsGoodAsRight ? Verdict::kNone : Verdict::kUnknown;
   }
   if (choice.base_fits_nothing && choice.named.empty()) say_cannot_describe(task, choice, d);
-  if (!massless(task.system.rig))  // without masses what is left are forces
-    name_hum(task, choice.hum_taken.empty() ? choice.final_left.hum : choice.hum_taken, d);
+  name_hum(task, choice, d);
   keep_rejected(d);
 }
 

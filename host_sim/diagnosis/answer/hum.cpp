@@ -36,6 +36,11 @@ double most_of_forces(const Task& task, double hertz) {
 
 }  // namespace
 
+void name_hum(const Task& task, const Choice& choice, Diagnosis& d) {
+  if (massless(choice.final.model)) return;  // without masses what is left are forces
+  name_hum(task, choice.hum_taken.empty() ? choice.final_left.hum : choice.hum_taken, d);
+}
+
 void name_hum(const Task& task, const std::vector<Hum>& hum, Diagnosis& d) {
   const std::vector<MotionTrace>& traces = task.records[0].traces;
   if (hum.size() != traces.size()) return;
@@ -58,7 +63,9 @@ void name_hum(const Task& task, const std::vector<Hum>& hum, Diagnosis& d) {
     return t.dof == traces[worst].dof && t.quantity != traces[worst].quantity;
   });
   if (share[worst] > kOneOfThem * next && (borne_out || !hum[worst].driven)) {
-    d.causes.push_back(cause_of(traces[worst], hum[worst]));
+    const Cause c = cause_of(traces[worst], hum[worst]);
+    const auto same = [&](const Cause& o) { return o.effect == c.effect && o.where == c.where; };
+    if (std::none_of(d.causes.begin(), d.causes.end(), same)) d.causes.push_back(c);
     if (d.verdict == Verdict::kNone) d.verdict = Verdict::kExplained;
     return;
   }

@@ -9,6 +9,8 @@ namespace diagnosis::runs {
 // of the DOF has to bear it out; of a channel that is alone nobody can tell. What is weighed against the only motion channel are the
 // forces. hum: per channel.
 void name_hum(const Task& task, const std::vector<Hum>& hum, Diagnosis& d);
+// That which was taken out before the last fit, or else what it left.
+void name_hum(const Task& task, const Choice& choice, Diagnosis& d);
 
 // Hum that two or more channels were named for is the room's too, where it is not far more of one's signal than of any other's.
 void say_shared_hum(const Task& task, Diagnosis& d);

@@ -6,6 +6,7 @@
 #include "../choice/horizon.hpp"
 #include "../choice/rounded_jumps.hpp"
 #include "../terms/naming.hpp"
+#include "hum.hpp"
 #include "rows_outdone.hpp"
 #include "run_limits.hpp"
 
@@ -133,6 +134,8 @@ bool answered_by_rows(const Asked& asked, const Task& task, std::vector<Prepared
   for (Cause& c : d.causes) take_numbers(numbers, !held, c.parameters);
   raise_limits(task, choice.base, d.minimum_detectable);
   compare_unseen(task, choice.base, with_them, !d.causes.empty(), choice.base_left.sensor_noise, d);
+  choice.final = with_them, choice.final_left = left_by(task.system, task.records, with_them);
+  name_hum(task, choice, d);  // of one channel: the rows see what channels of a DOF contradict each other in
   return true;
 }
 
