@@ -139,11 +139,22 @@ bool answered_by_rows(const Asked& asked, const Task& task, std::vector<Prepared
   return true;
 }
 
+// One after the other, the strongest first: what a large fault leaves to the channels beside it is none of theirs.
 void adopt_faults(const Task& task, const std::vector<SensorFault>& faults, Choice& choice) {
-  Found found;
+  Found found, kept;
   add_faults(faults, found);
-  if (!found.list.empty() && borne_out(task, choice.base, found.list, found.values))
-    adopt(task, found.list, found.values, choice);
+  for (size_t i = 0; i < found.list.size(); ++i) {
+    Found with = kept;
+    with.add(found.list[i], found.values[i]);
+    if (borne_out(task, choice.base, with.list, with.values)) kept = with;
+  }
+  const size_t before = choice.named.size();
+  if (!kept.list.empty()) adopt(task, kept.list, kept.values, choice);
+  const std::vector<MotionTrace>& traces = task.records[0].traces;
+  for (size_t i = before; i < choice.named.size(); ++i)
+    choice.named[i].of_channels = std::count_if(traces.begin(), traces.end(), [&](const MotionTrace& t) {
+                                    return t.dof == choice.named[i].candidate.terms[0].dof;
+                                  }) > 1;
 }
 
 }  // namespace diagnosis::runs

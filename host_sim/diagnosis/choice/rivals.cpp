@@ -24,6 +24,12 @@ bool without(const Task& task, const Choice& choice, const State& base, size_t o
   return rest.fit.ok;
 }
 
+// What channels of a DOF contradict each other in is that fault of one of them: no effect of the rig stands in its place.
+bool may_stand_for(const Named& mine, const Term& other) {
+  const Term& fault = mine.candidate.terms[0];
+  return !mine.of_channels || (other.kind == fault.kind && other.dof == fault.dof);
+}
+
 }  // namespace
 
 void weigh_rivals(const Task& task, const std::function<void(double)>& progress, Choice& choice) {
@@ -54,7 +60,9 @@ void weigh_rivals(const Task& task, const std::function<void(double)>& progress,
       if (others.size() >= kRivalsTried) break;
       const bool named = std::any_of(choice.named.begin(), choice.named.end(),
                                      [&](const Named& n) { return n.candidate.same_place(all[one.candidate]); });
-      if (named || one.z < kByChance || 1 - one.gain > kMuchWorse * (1 - best_gain) + noise) continue;
+      if (named || !may_stand_for(mine, all[one.candidate].terms[0]) || one.z < kByChance ||
+          1 - one.gain > kMuchWorse * (1 - best_gain) + noise)
+        continue;
       others.push_back(attempt(task, rest, all, one, noise));
     }
     const auto bristles = std::find_if(others.begin(), others.end(), is_bristles);
