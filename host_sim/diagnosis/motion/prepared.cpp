@@ -183,30 +183,4 @@ double noise_of_force(const Prepared& p, size_t dof) {
   return p.force[dof].size() ? noise_along_force(p, dof).maxCoeff() : 0;
 }
 
-double between(const Vec& y, Index sample, double share) {
-  const Index n = y.size();
-  if (n < 6) return y[std::clamp<Index>(sample, 0, n - 1)];
-  const Index first = std::clamp<Index>(sample - 2, 0, n - 6);
-  const double t = static_cast<double>(sample - first) + share;
-  double sum = 0;
-  constexpr double kDenominator[6] = {-120, 24, -12, 12, -24, 120};
-  for (int i = 0; i < 6; ++i) {
-    double product = 1;
-    for (int j = 0; j < 6; ++j)
-      if (j != i) product *= t - j;
-    sum += y[first + i] * product / kDenominator[i];
-  }
-  return sum;
-}
-
-Vec delayed(const Vec& y, double samples) {
-  Vec out(y.size());
-  for (Index i = 0; i < y.size(); ++i) {
-    const double t = std::clamp(static_cast<double>(i) - samples, 0.0, static_cast<double>(y.size() - 1));
-    const Index k = std::min<Index>(static_cast<Index>(t), y.size() - 1);
-    out[i] = between(y, k, t - static_cast<double>(k));
-  }
-  return out;
-}
-
 }  // namespace diagnosis::runs

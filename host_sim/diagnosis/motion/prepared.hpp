@@ -92,9 +92,4 @@ double noise_level(const Vec& drive);
 Vec noise_along_force(const Prepared& record, size_t dof);
 double noise_of_force(const Prepared& record, size_t dof);
 
-// Delays `y` by a whole or broken number of samples (six-point interpolation; ends repeat).
-Vec delayed(const Vec& y, double samples);
-// Value between samples: six-point Lagrange.
-double between(const Vec& y, Index sample, double share);
-
 }  // namespace diagnosis::runs

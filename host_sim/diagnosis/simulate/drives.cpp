@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../motion/between_samples.hpp"
 #include "simulator.hpp"
 
 // What acts from outside, between the samples too: forces and the base.
@@ -12,15 +13,8 @@ double Simulator::drive_at(const Vec& fine, double r) const {
   return f0 + r * (-3 * f0 + 4 * f1 - f2) + r * r * (2 * f0 - 4 * f1 + 2 * f2);
 }
 
-// Between samples, two instants to a substep.
-Vec Simulator::finer(const Vec& y) const {
-  const Index per = 2 * substeps_;
-  Vec out((record_.samples - 1) * per + 1);
-  for (Index k = 0; k < record_.samples; ++k)
-    for (Index j = 0; j < (k + 1 < record_.samples ? per : 1); ++j)
-      out[k * per + j] = j == 0 ? y[k] : between(y, k, static_cast<double>(j) / static_cast<double>(per));
-  return out;
-}
+// Two instants to a substep.
+Vec Simulator::finer(const Vec& y) const { return runs::finer(y, 2 * substeps_); }
 
 // Channels that read late: the base was there earlier.
 void Simulator::upsample_base(const Model& model) {

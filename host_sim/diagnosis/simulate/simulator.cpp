@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../motion/between_samples.hpp"
+
 namespace diagnosis::runs {
 namespace {
 
