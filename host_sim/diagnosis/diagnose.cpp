@@ -149,7 +149,7 @@ Diagnosis judged(const Asked& asked, double& lag_s) {
   runs::name_holds(task, d);
   if (d.verdict != Verdict::kUnknown) runs::name_force_hum(task, choice.final, d);
   lag_s = runs::say_common_lag(task, d);
-  runs::say_shared_hum(task, d);
+  runs::say_shared_hum(task, choice, d);
   runs::drop_undetermined(d);
   runs::drop_trifles(task, d);
   compare_nothing(d);

@@ -202,7 +202,7 @@ TEST(Hum, FarMoreOfOneSignalIsThatChannels) {
       c.parameters = {{name, value, "", 0, true}};
       d.causes.push_back(c), d.extended.parameters.push_back(c.parameters[0]);
     }
-    say_shared_hum(Task{rig.system, rig.records, 1}, d);
+    say_shared_hum(Task{rig.system, rig.records, 1}, {}, d);
     return d;
   };
   const Diagnosis one = named(0.01, 0.1);
@@ -223,15 +223,56 @@ TEST(Hum, NamedForTwoChannelsIsTheRooms) {
   Cause c;
   c.effect = "mains_hum", c.where = "channel force_1_N";
   d.causes = {c};
-  say_shared_hum(task, d);
+  say_shared_hum(task, {}, d);
   EXPECT_EQ(d.causes.size(), 1u);
   c.where = "channel acceleration_1_m_s2";
   d.causes.push_back(c);
   d.ambiguous_with = {{"mains_hum", "channel displacement_1_m"}};
-  say_shared_hum(task, d);
+  say_shared_hum(task, {}, d);
   EXPECT_TRUE(d.causes.empty());
   EXPECT_TRUE(d.ambiguous_with.empty());
   EXPECT_EQ(d.verdict, Verdict::kNone);
+}
+
+// The rows tell a force's hum from its DOF's by nothing but one frequency. What the simulation leaves tells: as much in every
+// channel is the room's; what a force makes of them is far more of one.
+TEST(Hum, OfAForceIsTheRoomsWhereEveryMotionChannelHasAsMuch) {
+  const OneDof rig;
+  const Task task{rig.system, rig.records, 1};
+  const auto verdict = [&](double of_velocity) {
+    Diagnosis d;
+    d.verdict = Verdict::kExplained;
+    d.causes.resize(1);
+    d.causes[0].effect = "mains_hum", d.causes[0].where = "channel force_1_N";
+    Choice choice;
+    choice.final_left.hum = {{50, 0.004, 30, true}, {50, of_velocity, 30, true}};
+    say_shared_hum(task, choice, d);
+    EXPECT_EQ(d.advice.size(), d.causes.empty() ? 1u : 0u);
+    return d.verdict;
+  };
+  EXPECT_EQ(verdict(0.004), Verdict::kNone);
+  EXPECT_EQ(verdict(0.0119), Verdict::kNone);       // three times as much
+  EXPECT_EQ(verdict(0.0121), Verdict::kExplained);  // more
+  EXPECT_EQ(verdict(0), Verdict::kExplained);
+}
+
+// One frequency and one motion channel: it, the force or both.
+TEST(Hum, OfAForceOrTheOnlyMotionChannelIsNobodysFault) {
+  OneDof rig;
+  const auto said = [&] {
+    Diagnosis d;
+    d.verdict = Verdict::kAmbiguous;
+    d.causes.resize(1);
+    d.causes[0].effect = "mains_hum", d.causes[0].where = "channel force_1_N";
+    d.ambiguous_with = {{"mains_hum", "channel displacement_1_m"}};
+    say_shared_hum(Task{rig.system, rig.records, 1}, {}, d);
+    return d;
+  };
+  EXPECT_EQ(said().verdict, Verdict::kAmbiguous);  // the velocity could have told
+  rig.records[0].traces.pop_back();
+  EXPECT_EQ(said().verdict, Verdict::kNone);
+  EXPECT_TRUE(said().ambiguous_with.empty());
+  EXPECT_EQ(said().advice.size(), 1u);
 }
 
 }  // namespace

@@ -12,6 +12,8 @@
 namespace diagnosis::runs {
 namespace {
 
+constexpr const char* kHumTold = "a hum of";
+
 std::string unit_of(const MotionTrace& t) {
   constexpr const char *kUnits[] = {"m", "m/s", "m/s^2"}, *kAngles[] = {"rad", "rad/s", "rad/s^2"};
   return (t.channel.find("_rad") != std::string::npos ? kAngles : kUnits)[t.quantity];
@@ -26,6 +28,26 @@ Cause cause_of(const MotionTrace& t, const Hum& hum) {
   return c;
 }
 
+// Per channel, 0 below a trifle.
+std::vector<double> shares_of_signals(const std::vector<MotionTrace>& traces, const std::vector<Hum>& hum) {
+  std::vector<double> shares(traces.size());
+  for (size_t i = 0; i < traces.size(); ++i) {
+    const double rms = rms_about_mean(traces[i].y);
+    shares[i] = rms > 0 ? hum[i].amplitude / rms : 0;
+    if (shares[i] < kTrifle) shares[i] = 0;
+  }
+  return shares;
+}
+
+// Every motion channel has as much of it. What a force answers to, or is said to, falls off from mass to mass, and from one
+// quantity to the next.
+bool alike_in_all(const std::vector<MotionTrace>& traces, const std::vector<Hum>& hum) {
+  if (traces.size() < 2 || hum.size() != traces.size()) return false;
+  const std::vector<double> shares = shares_of_signals(traces, hum);
+  const auto [least, most] = std::minmax_element(shares.begin(), shares.end());
+  return *least > 0 && *most <= kOneOfThem * *least;
+}
+
 // What a motion channel's hum is weighed against where no other motion channel is: the most that a force has of it.
 double most_of_forces(const Task& task, double hertz) {
   double most = 0;
@@ -36,21 +58,21 @@ double most_of_forces(const Task& task, double hertz) {
 
 }  // namespace
 
+const std::vector<Hum>& hum_seen(const Choice& choice) {
+  return choice.hum_taken.empty() ? choice.final_left.hum : choice.hum_taken;
+}
+
 void name_hum(const Task& task, const Choice& choice, Diagnosis& d) {
   if (massless(choice.final.model)) return;  // without masses what is left are forces
-  name_hum(task, choice.hum_taken.empty() ? choice.final_left.hum : choice.hum_taken, d);
+  name_hum(task, hum_seen(choice), d);
 }
 
 void name_hum(const Task& task, const std::vector<Hum>& hum, Diagnosis& d) {
   const std::vector<MotionTrace>& traces = task.records[0].traces;
   if (hum.size() != traces.size()) return;
   size_t worst = 0, with_hum = 0;
-  std::vector<double> share(traces.size());  // of the signal
+  const std::vector<double> share = shares_of_signals(traces, hum);
   for (size_t i = 0; i < traces.size(); ++i) {
-    const Vec& y = traces[i].y;
-    const double rms = rms_about_mean(y);
-    share[i] = rms > 0 ? hum[i].amplitude / rms : 0;
-    if (share[i] < kTrifle) share[i] = 0;
     with_hum += share[i] > 0;
     if (share[i] > share[worst]) worst = i;
   }
@@ -71,9 +93,8 @@ void name_hum(const Task& task, const std::vector<Hum>& hum, Diagnosis& d) {
   }
   if (hum[worst].driven) return;
   char text[120];
-  std::snprintf(text, sizeof text,
-                "a hum of %.0f Hz lies on %zu of %zu motion channels: it is left out of the judgement",
-                hum[worst].hertz, with_hum, traces.size());
+  std::snprintf(text, sizeof text, "%s %.0f Hz lies on %zu of %zu motion channels: it is left out of the judgement",
+                kHumTold, hum[worst].hertz, with_hum, traces.size());
   d.advice.push_back(text);
 }
 
@@ -122,17 +143,24 @@ std::string worst_of_all(const Task& task, const Diagnosis& d) {
 
 }  // namespace
 
-void say_shared_hum(const Task& task, Diagnosis& d) {
-  const auto channels = std::count_if(d.causes.begin(), d.causes.end(), is_hum);
-  if (channels < 2) return;
-  const std::string worst = worst_of_all(task, d);
+void say_shared_hum(const Task& task, const Choice& choice, Diagnosis& d) {
+  const std::vector<MotionTrace>& traces = task.records[0].traces;
+  const auto named = std::count_if(d.causes.begin(), d.causes.end(), is_hum);
+  const auto rivals = std::count_if(d.ambiguous_with.begin(), d.ambiguous_with.end(),
+                                    [](const NamedPlace& p) { return p.effect == "mains_hum"; });
+  const bool alike = alike_in_all(traces, hum_seen(choice));
+  const auto channels = traces.size() == 1 ? named + rivals : named;  // it or the force, or both
+  if (named == 0 || (channels < 2 && !alike)) return;
+  const std::string worst = alike || traces.size() == 1 ? "" : worst_of_all(task, d);
   take_back(d, [&](const Cause& c) { return is_hum(c) && c.where != worst; });
   if (!worst.empty()) return;
   d.ambiguous_with.erase(std::remove_if(d.ambiguous_with.begin(), d.ambiguous_with.end(),
                                         [](const NamedPlace& p) { return p.effect == "mains_hum"; }),
                          d.ambiguous_with.end());
-  d.advice.push_back("mains hum lies on " + std::to_string(channels) +
-                     " channels or more: it is the room's, and left out of the judgement");
+  const auto told = [](const std::string& text) { return text.rfind(kHumTold, 0) == 0; };
+  if (std::none_of(d.advice.begin(), d.advice.end(), told))
+    d.advice.push_back("mains hum lies on " + std::to_string(channels) +
+                       " channels or more: it is the room's, and left out of the judgement");
   d.settle();
   if (!d.causes.empty()) return;
   d.baseline.parameters = d.extended.parameters;

@@ -12,7 +12,9 @@ void name_hum(const Task& task, const std::vector<Hum>& hum, Diagnosis& d);
 // That which was taken out before the last fit, or else what it left.
 void name_hum(const Task& task, const Choice& choice, Diagnosis& d);
 
-// Hum that two or more channels were named for is the room's too, where it is not far more of one's signal than of any other's.
-void say_shared_hum(const Task& task, Diagnosis& d);
+// Hum that two or more channels were named for is the room's too, where it is not far more of one's signal than of any other's; and
+// that of one, a force's too, where the simulation leaves as much of it in every motion channel. The only motion channel does not tell
+// its own hum from the force's, nor either from that of both.
+void say_shared_hum(const Task& task, const Choice& choice, Diagnosis& d);
 
 }  // namespace diagnosis::runs
