@@ -13,6 +13,7 @@ namespace diagnosis::runs {
 namespace {
 
 constexpr const char* kHumTold = "a hum of";
+constexpr double kAsLoudAsNoise = 2;  // misfit of a hum that has the power of all noise
 
 std::string unit_of(const MotionTrace& t) {
   constexpr const char *kUnits[] = {"m", "m/s", "m/s^2"}, *kAngles[] = {"rad", "rad/s", "rad/s^2"};
@@ -46,6 +47,20 @@ bool alike_in_all(const std::vector<MotionTrace>& traces, const std::vector<Hum>
   const std::vector<double> shares = shares_of_signals(traces, hum);
   const auto [least, most] = std::minmax_element(shares.begin(), shares.end());
   return *least > 0 && *most <= kOneOfThem * *least;
+}
+
+// Whether the force of the channel's DOF holds as much of a wave as would show as that hum where it does not act: mass times
+// acceleration, as springs matter little that far above the motion. Then the channel is not told from the force's.
+bool force_may_have_it(const Task& task, const MotionTrace& t, const Hum& hum) {
+  const size_t dof = static_cast<size_t>(t.dof);
+  if (dof >= task.system.rig.dofs.size()) return false;
+  const double by_rate = std::pow(kTwoPi * hum.hertz, 2 - t.quantity);
+  const double needed = hum.amplitude * by_rate * task.system.rig.dofs[dof].mass_kg.value;
+  double held = 0;
+  for (const Prepared& p : task.records)
+    if (p.force[dof].size())
+      held = std::max(held, wave_share_of_force(p.force[dof], p.step_s, hum.hertz) * rms_about_mean(p.force[dof]));
+  return held > 0 && held * kOneOfThem > needed;
 }
 
 // What a motion channel's hum is weighed against where no other motion channel is: the most that a force has of it.
@@ -87,8 +102,13 @@ void name_hum(const Task& task, const std::vector<Hum>& hum, Diagnosis& d) {
   if (share[worst] > kOneOfThem * next && (borne_out || !hum[worst].driven)) {
     const Cause c = cause_of(traces[worst], hum[worst]);
     const auto same = [&](const Cause& o) { return o.effect == c.effect && o.where == c.where; };
-    if (std::none_of(d.causes.begin(), d.causes.end(), same)) d.causes.push_back(c);
+    if (std::any_of(d.causes.begin(), d.causes.end(), same)) return;
+    d.causes.push_back(c);
     if (d.verdict == Verdict::kNone) d.verdict = Verdict::kExplained;
+    if (borne_out || !force_may_have_it(task, traces[worst], hum[worst])) return;
+    const size_t dof = static_cast<size_t>(traces[worst].dof);
+    d.ambiguous_with.push_back({c.effect, "channel " + force_channel(task.system.rig, dof)});
+    if (d.verdict == Verdict::kExplained) d.verdict = Verdict::kAmbiguous;
     return;
   }
   if (hum[worst].driven) return;
@@ -149,9 +169,10 @@ void say_shared_hum(const Task& task, const Choice& choice, Diagnosis& d) {
   const auto rivals = std::count_if(d.ambiguous_with.begin(), d.ambiguous_with.end(),
                                     [](const NamedPlace& p) { return p.effect == "mains_hum"; });
   const bool alike = alike_in_all(traces, hum_seen(choice));
-  const auto channels = traces.size() == 1 ? named + rivals : named;  // it or the force, or both
+  const bool quiet = traces.size() == 1 && d.baseline_misfit < kAsLoudAsNoise;
+  const auto channels = quiet ? named + rivals : named;  // the only one or the force, or both
   if (named == 0 || (channels < 2 && !alike)) return;
-  const std::string worst = alike || traces.size() == 1 ? "" : worst_of_all(task, d);
+  const std::string worst = alike || quiet ? "" : worst_of_all(task, d);
   take_back(d, [&](const Cause& c) { return is_hum(c) && c.where != worst; });
   if (!worst.empty()) return;
   d.ambiguous_with.erase(std::remove_if(d.ambiguous_with.begin(), d.ambiguous_with.end(),

@@ -13,6 +13,8 @@
 namespace diagnosis::runs {
 namespace {
 
+bool is_force_hum(Kind kind) { return kind >= Kind::kForceHumCos50 && kind <= Kind::kForceHumSin60; }
+
 struct Found {
   std::vector<Candidate> list;
   std::vector<std::vector<double>> values;
@@ -38,7 +40,7 @@ void add_faults(const std::vector<SensorFault>& faults, Found& found) {
 void add_terms(const Model& model, const RowsSay& say, Found& found) {
   for (size_t k = 0; k < say.terms.size(); ++k) {
     const Term& t = say.terms[k];
-    if (t.kind >= Kind::kForceHumCos50 && t.kind <= Kind::kForceHumSin60) continue;
+    if (is_force_hum(t.kind)) continue;
     Candidate c;
     c.terms = {t};
     if (t.kind == Kind::kBacklash || t.kind == Kind::kPresliding)
@@ -135,7 +137,10 @@ bool answered_by_rows(const Asked& asked, const Task& task, std::vector<Prepared
   raise_limits(task, choice.base, d.minimum_detectable);
   compare_unseen(task, choice.base, with_them, !d.causes.empty(), choice.base_left.sensor_noise, d);
   choice.final = with_them, choice.final_left = left_by(task.system, task.records, with_them);
-  name_hum(task, choice, d);  // of one channel: the rows see what channels of a DOF contradict each other in
+  // Of one channel: the rows see what channels of a DOF contradict each other in. A force's hum that they name is in the runs.
+  const bool of_force =
+      std::any_of(say.terms.begin(), say.terms.end(), [](const Term& t) { return is_force_hum(t.kind); });
+  if (!of_force) name_hum(task, choice, d);
   return true;
 }
 
