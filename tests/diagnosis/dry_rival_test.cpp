@@ -6,6 +6,8 @@
 #include <random>
 
 #include "host_sim/diagnosis/choice/attempt.hpp"
+#include "tests/hidden_rig/draw.hpp"
+#include "two_masses.hpp"
 
 namespace {
 
@@ -73,5 +75,14 @@ void exchange(bool own_friction) {
 
 TEST(DryRival, OfBristlesLeavesOtherCausesAlone) { exchange(false); }
 TEST(DryRival, OfBristlesInTheRigsOwnFrictionGivesThatBack) { exchange(true); }
+
+// The rig's own friction follows as well as bristles in its place and brings nothing itself: neither is named. Masses and springs are
+// unknown, velocities measured.
+TEST(DryRival, ThatIsTheRigsOwnFrictionAndBringsNothingIsNoCause) {
+  hidden_rig::Settings settings;
+  settings.condition = "masses_springs_unknown", settings.sensors = "v";
+  const hidden_rig::Draw draw = hidden_rig::make_draw(34200003, settings);
+  EXPECT_EQ(two_masses::said(diagnose(draw.rig, draw.records, {})), "none");
+}
 
 }  // namespace

@@ -54,8 +54,12 @@ Round round_of(const Task& task, const State& now, size_t already, const Left& l
   if (!singles.empty() && is_bristles(singles[0])) {
     const Attempt dry = without_bristles(task, now, singles[0]);
     if (dry.state.fit.ok && !clearly_better(singles[0], dry, noise)) {
-      if (dry.candidates.empty()) round.stuck = whole_error(dry) < kPays, round.unstuck = dry.state;
-      singles.insert(singles.begin(), dry);
+      if (!dry.candidates.empty())
+        singles.insert(singles.begin(), dry);
+      else if (whole_error(dry) < kPays)
+        round.stuck = true, round.unstuck = dry.state;
+      else
+        singles.erase(singles.begin());  // the rig's own friction follows as well, and brings nothing: nor do they
     }
   }
   if (round.stuck) return round;
