@@ -74,5 +74,6 @@ if measured warrant_bench; then "$bin/warrant_bench" --page docs/warrant.md --dr
 if measured diagnosis_report; then "$bin/diagnosis_report" --jobs "$(nproc)" docs/diagnosis.md; fi
 if measured limit_report; then "$bin/limit_report" --draws 10 --out docs/detection_limits.md; fi
 if measured condition_report; then
-  "$bin/condition_report" --draws 20 --table docs/diagnosis_conditions.md --raw docs/conditions_raw.txt
+  python3 tests/diagnosis/conditions.py "$bin/condition_report" build/host/conditions --draws 20 --first-seed 1 --jobs "$(nproc)"
+  python3 tests/diagnosis/conditions.py --page build/host/conditions docs/diagnosis_conditions.md docs/conditions_raw.txt
 fi
