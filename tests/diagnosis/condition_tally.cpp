@@ -121,6 +121,25 @@ bool hides_from_sensors(const Draw& draw) {
   return !draw.hidden.empty() && draw.hidden[0].effect == "force_offset" && !shows_place(draw.records[0]);
 }
 
+// Numbers that the rig file leaves open hold what is hidden in them; and where it gives no mass and no spring, all of them grow with a
+// gain of the force, and the motion stays.
+bool hides_in_open_numbers(const Draw& draw) {
+  if (draw.hidden.empty()) return false;
+  const std::string &word = draw.hidden[0].effect, &where = draw.hidden[0].where;
+  bool any_given = false, open = false;
+  for (size_t d = 0; d < draw.rig.dofs.size(); ++d) {
+    const bool estimated = draw.rig.dofs[d].mass_kg.estimate;
+    any_given = any_given || !estimated;
+    open = open || (estimated && word == "mass_error" && where == "dof " + std::to_string(d + 1));
+  }
+  for (const rig_file::Link& l : draw.rig.links) {
+    any_given = any_given || !l.stiffness_N_m.estimate;
+    const std::string name = "link " + std::to_string(l.a) + "-" + std::to_string(l.b);
+    open = open || (l.stiffness_N_m.estimate && word == "stiffness_error" && where == name);
+  }
+  return open || (!any_given && word == "sensor_gain" && where.rfind("channel force", 0) == 0);
+}
+
 }  // namespace
 
 const char* outcome_word(Outcome outcome) {
@@ -200,7 +219,7 @@ Said ask(const std::string& condition, const std::string& sensors, bool hides, u
           !effect.empty() ? effect : words[static_cast<size_t>(dice.below(static_cast<int>(words.size())))];
     try {
       draw = make_draw(seed, settings);
-      if (effect.empty() && hides_from_sensors(draw)) continue;
+      if (effect.empty() && (hides_from_sensors(draw) || hides_in_open_numbers(draw))) continue;
       break;
     } catch (const std::runtime_error&) {
       if (attempt > 20) throw;
