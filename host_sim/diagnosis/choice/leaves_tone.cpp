@@ -39,4 +39,15 @@ bool leaves_tone(const Task& task, const State& state, double hertz) {
   return highest > std::log(static_cast<double>(looked_at) / kByChanceOfAll);
 }
 
+bool leaves_repetition(const Task& task, const State& state, int link) {
+  if (!state.fit.ok) return true;
+  std::vector<Candidate> list = candidates_beside(task.system, state.model, task.records, false);
+  list.erase(
+      std::remove_if(list.begin(), list.end(),
+                     [&](const Candidate& c) { return c.terms[0].kind != Kind::kCogging || c.terms[0].link != link; }),
+      list.end());
+  const Screen s = screen(task.system, task.records, state.model, state.seen, state.fit, list, 0);
+  return std::any_of(s.singles.begin(), s.singles.end(), [](const Screened& one) { return one.z > kSure; });
+}
+
 }  // namespace diagnosis::runs

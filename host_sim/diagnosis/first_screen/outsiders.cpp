@@ -45,9 +45,9 @@ struct Scan {
   Outsider best;
 
   double base() const { return rows.absolute() ? 60 : 150; }
-  void consider(double gain, double threshold, const std::string& description, double hertz = 0) {
+  void consider(double gain, double threshold, const std::string& description, double hertz = 0, int repeats_on = -1) {
     const double score = gain / std::max(1.0, (fit.chi2 - gain) / fit.dof);
-    if (score - threshold > best.score - best.threshold) best = {score, threshold, description, hertz};
+    if (score - threshold > best.score - best.threshold) best = {score, threshold, description, hertz, repeats_on};
   }
   // Gains of pairs of columns (a cosine and its sine) at one place.
   std::vector<double> pair_gains(const Place& place, const std::vector<Column>& columns) const {
@@ -103,7 +103,7 @@ struct Scan {
     const std::vector<double> gains = pair_gains(rows.place(term), columns);
     for (size_t i = 0; i < gains.size(); ++i)
       consider(gains[i], threshold,
-               "a force of " + place + " that repeats with the elongation, pitch near " + number(pitches[i]));
+               "a force of " + place + " that repeats with the elongation, pitch near " + number(pitches[i]), 0, l);
   }
 };
 

@@ -12,6 +12,7 @@ struct Outsider {
   double threshold = 60;
   std::string description;  // "a tone of 27.4 Hz on dof 1"
   double hertz = 0;         // of a tone
+  int repeats_on = -1;      // the link with whose elongation it repeats; none: -1
   bool present() const { return score > threshold; }
 };
 

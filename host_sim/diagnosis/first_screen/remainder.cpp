@@ -64,7 +64,7 @@ Remainder remainder_of(Rows& rows, const CandidateBank& bank, const SearchResult
   const double ratio_beside = found.fit.chi2 / (found.fit.dof + outsider.score);
   if (outsider.present())
     left = {false, outsider.description, ratio_beside - 1 < most && !runs::of_mains(outsider.hertz, f.bin_Hz()),
-            outsider.hertz};
+            outsider.hertz, outsider.repeats_on};
   return left;
 }
 

@@ -15,6 +15,7 @@ struct Remainder {
   // Beside it only noise is left: what the rows take for noise is noise, and the trace is none of it. A hum is no trace.
   bool trace_alone = false;
   double trace_Hz = 0;  // of a tone
+  int trace_link = -1;  // with whose elongation it repeats; none: -1
 };
 // Leaves the rows' weights settled on the model.
 Remainder remainder_of(Rows& rows, const CandidateBank& bank, const SearchResult& found);

@@ -74,7 +74,7 @@ RowsSay ask_rows(const System& system, const Asked& asked) {
   const Remainder remainder = remainder_of(*bench.rows, *bench.bank, found);
   say.noise_only = remainder.noise_only;
   d.unknown_trace = remainder.trace, say.trace_alone = remainder.trace_alone;
-  say.trace_Hz = remainder.trace_Hz;
+  say.trace_Hz = remainder.trace_Hz, say.trace_link = remainder.trace_link;
   if (!say.noise_only) return say;
   say.faults.insert(say.faults.end(), alone.faults.begin(), alone.faults.end());
   Rows& rows = *bench.rows;

@@ -29,6 +29,7 @@ struct RowsSay {
   bool noise_only = false;
   bool trace_alone = false;         // of something outside the vocabulary, beside noise
   double trace_Hz = 0;              // of a tone
+  int trace_link = -1;              // with whose elongation it repeats; none: -1
   std::vector<SensorFault> faults;  // of motion channels, already taken out; of a DOF's only channel where noise_only
   std::vector<Term> terms;          // that it names beside the rig's own
   std::vector<double> values;
