@@ -13,6 +13,9 @@
 namespace diagnosis::runs {
 namespace {
 
+// Periods of a window: in shorter ones the free start follows whatever the rig does, and numbers are hardly determined.
+constexpr double kLeastTelling = 1;
+
 bool is_force_hum(Kind kind) { return kind >= Kind::kForceHumCos50 && kind <= Kind::kForceHumSin60; }
 
 struct Found {
@@ -114,7 +117,8 @@ bool answered_by_rows(const Asked& asked, const Task& task, std::vector<Prepared
   say.asked = true;
   choice.noise_is_enough = say.noise_only && say.terms.empty();  // with its terms is not without them
   d.unknown_trace = say.d.unknown_trace;
-  if (choice.base_fits_nothing && !followed_with(task, say, choice)) return false;
+  const bool tells = !choice.base_fits_nothing && choice.periods >= kLeastTelling;
+  if (!tells && !followed_with(task, say, choice) && choice.base_fits_nothing) return false;
   State with_them;
   if (!stands(task, choice, say, with_them)) {
     for (const Cause& c : say.d.causes)
