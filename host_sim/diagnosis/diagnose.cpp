@@ -10,7 +10,7 @@
 #include "answer/trifles.hpp"
 #include "answer/undetermined.hpp"
 #include "choice/held_force.hpp"
-#include "choice/leaves_tone.hpp"
+#include "choice/leaves_trace.hpp"
 #include "choice/mains_hum.hpp"
 #include "choice/rounded_jumps.hpp"
 #include "choice/wrong_numbers.hpp"

@@ -4,6 +4,13 @@
 
 namespace diagnosis::runs {
 
+constexpr const char* kHumTold = "a hum of";  // how the advice on it begins
+
+// Of what the simulation leaves, or what was taken out before the last fit; per motion channel.
+const std::vector<Hum>& hum_seen(const Choice& choice);
+// Amplitudes over the channels' rms, 0 below a trifle.
+std::vector<double> shares_of_signals(const std::vector<MotionTrace>& traces, const std::vector<Hum>& hum);
+
 // A hum of one motion channel beside others that have none, or far less, is that channel's fault and named; one that all
 // channels share is the room's: it is said, and no cause. Where something drives the rig at that frequency a second channel
 // of the DOF has to bear it out; of a channel that is alone nobody can tell. What is weighed against the only motion channel are the

@@ -1,4 +1,4 @@
-#include "leaves_tone.hpp"
+#include "leaves_trace.hpp"
 
 #include <algorithm>
 #include <cmath>
