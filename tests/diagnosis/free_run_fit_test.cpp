@@ -152,27 +152,6 @@ TEST(FreeRun, StatesBesideGivenNumbersWeighChannelsByWhatTheyLeave) {
   EXPECT_NEAR(windows[0].state[0], 1, 1e-4);
 }
 
-// A velocity that is read 0.12 s late at 1 Hz, three quarters of a radian: two terms of a series in the delay miss
-// (2 pi 0.12)^2 / 6 of it, a tenth.
-TEST(FreeRun, ALargeDelayIsNoShortSeries) {
-  Rig rig(300);
-  Term late = on_dof(Kind::kChannelDelay, 0);
-  late.quantity = 1;
-  rig.add(late, 0, false);
-  Prepared& p = rig.records[0];
-  p.traces.push_back({0, 1, "velocity_1_m_s", Vec::Zero(300)});
-  for (Index k = 0; k < 300; ++k) {
-    const double turn = 2 * kPi * p.time_s(k);
-    p.traces[0].y[k] = p.guess[0].x[k] = std::cos(turn);
-    p.guess[0].v[k] = -2 * kPi * std::sin(turn);
-    p.traces[1].y[k] = -2 * kPi * std::sin(turn - 2 * kPi * 0.12);
-  }
-  std::vector<Window> windows(1);
-  windows[0].length = 300;
-  ASSERT_TRUE(fit(rig.system, rig.records, rig.model, windows, 12).ok);
-  EXPECT_NEAR(rig.model[2].value, 0.12, 2e-3);
-}
-
 // A damping of 1 - v^2 N s/m drives what is faster than 1 m/s: from 5 m/s, v' = -v + v^3 runs away within 0.02 s. A window whose
 // state was fitted beside another law is started from the measured motion, and follows it.
 TEST(FreeRun, AStateOutOfTheLawsReachIsForgotten) {

@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "../motion/between_samples.hpp"
 #include "in_parallel.hpp"
 #include "rounding.hpp"
 
@@ -28,18 +27,6 @@ Vec slope_of(const Vec& h, double step_s) {
       out[i] = (h[b] - h[a]) / (static_cast<double>(b - a) * step_s);
     }
   }
-  return out;
-}
-
-// A row that is read `late_s` after it was; what came before it, or comes behind it, from its slopes at the ends.
-Vec read_late(const Vec& h, double late_s, double step_s) {
-  const double samples = late_s / step_s;
-  Vec out = delayed(h, samples);
-  const Index beyond = std::min<Index>(h.size(), static_cast<Index>(std::ceil(std::abs(samples))));
-  if (beyond == 0) return out;
-  const Vec slope = slope_of(h, step_s), curve = slope_of(slope, step_s);
-  const Index from = samples > 0 ? 0 : h.size() - beyond;
-  for (Index i = from; i < from + beyond; ++i) out[i] = h[i] - late_s * slope[i] + 0.5 * late_s * late_s * curve[i];
   return out;
 }
 
@@ -238,8 +225,9 @@ void Evaluator::faults(const Window& w, bool slopes, Mat& h, WindowRun& out) con
       Vec unit;
       const double at = t.value;
       if (kind == Kind::kChannelDelay || kind == Kind::kForceDelay) {
-        const Vec late = read_late(clean, at, record.step_s);
-        reading += late - clean, unit = -slope_of(late, record.step_s);
+        unit = -slope_of(clean, record.step_s);
+        reading += at * unit - 0.5 * at * at * slope_of(unit, record.step_s);
+        unit -= at * slope_of(unit, record.step_s);
       } else {
         if (kind == Kind::kChannelGain || kind == Kind::kForceGain) unit = clean;
         if (kind == Kind::kHumCos || kind == Kind::kHumSin) {
