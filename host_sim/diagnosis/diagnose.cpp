@@ -82,9 +82,10 @@ void answer_by_runs(const Asked& asked, const runs::Task& task, const RowsSay& s
 
 // What the free runs lose in noise and the rows see beside nothing else is there.
 bool trace_is_there(const runs::Task& task, const RowsSay& say, const runs::Choice& choice) {
-  return say.trace_alone && !runs::near_enough(task, choice) &&
-         (say.trace_Hz == 0 || runs::leaves_tone(task, choice.final, say.trace_Hz)) &&
-         (say.trace_link < 0 || runs::leaves_repetition(task, choice.final, say.trace_link));
+  const Remainder& left = say.left;
+  return left.trace_alone && !runs::near_enough(task, choice) &&
+         (left.trace_Hz == 0 || runs::leaves_tone(task, choice.final, left.trace_Hz)) &&
+         (left.trace_link < 0 || runs::leaves_repetition(task, choice.final, left.trace_link));
 }
 
 // Numbers of the rig as given beside the accelerometers' rounding of friction's jumps. A cause may stand for what they round: where one

@@ -1,5 +1,6 @@
 // What a rig file gets wrong about measured data: which effect, where, how strong, and what naming it gains.
 #pragma once
+#include <algorithm>
 #include <array>
 #include <functional>
 #include <nlohmann/json_fwd.hpp>
@@ -67,6 +68,10 @@ struct Diagnosis {
   Verdict verdict = Verdict::kNone;
   bool baseline_fits() const { return verdict == Verdict::kNone; }
   bool extended_fits() const { return verdict != Verdict::kUnknown && verdict != Verdict::kPartly && !more_remains; }
+  bool names(const std::string& effect, const std::string& where) const {
+    return std::any_of(causes.begin(), causes.end(),
+                       [&](const Cause& c) { return c.effect == effect && c.where == where; });
+  }
   // Where no rival is left after all.
   void settle() {
     if (verdict == Verdict::kAmbiguous && ambiguous_with.empty())

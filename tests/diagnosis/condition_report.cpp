@@ -3,7 +3,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
-#include <fstream>
 #include <iostream>
 
 #include "condition_tally.hpp"
@@ -21,15 +20,13 @@ int main(int argc, char** argv) try {
   int draws = 3;
   uint64_t first_seed = 1;
   std::vector<std::string> only;
-  std::string table, raw, sensors, effect, hidden = "both";
+  std::string sensors, effect, hidden = "both";
   app.add_option("--draws", draws, "with nothing hidden and as many with one effect, per condition");
   app.add_option("--first-seed", first_seed, "of the first draw");
   app.add_option("--conditions", only, "only these, comma between")->delimiter(',');
   app.add_option("--sensors", sensors, "only these: xva, xa, x, a, v or mixed");
   app.add_option("--hidden", hidden, "both, nothing or one");
   app.add_option("--effect", effect, "only this word is hidden");
-  app.add_option("--table", table, "file for the table; left out: the terminal");
-  app.add_option("--raw", raw, "file for every draw");
   CLI11_PARSE(app, argc, argv);
   std::vector<Said> all;
   for (const hidden_rig::Condition& c : hidden_rig::conditions()) {
@@ -52,17 +49,8 @@ int main(int argc, char** argv) try {
                   << std::flush;
       }
   }
-  if (!raw.empty()) {
-    std::ofstream out(raw);
-    write_raw(out, all);
-  }
-  if (table.empty()) {
-    write_table(std::cout, all, draws, first_seed);
-    return 0;
-  }
-  std::ofstream out(table);
-  write_table(out, all, draws, first_seed);
-  return out.good() ? 0 : 1;
+  write_table(std::cout, all);
+  return 0;
 } catch (const std::exception& e) {
   std::cerr << "condition_report: " << e.what() << "\n";
   return 2;

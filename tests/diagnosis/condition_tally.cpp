@@ -134,8 +134,8 @@ bool hides_in_open_numbers(const Draw& draw) {
   }
   for (const rig_file::Link& l : draw.rig.links) {
     any_given = any_given || !l.stiffness_N_m.estimate;
-    const std::string name = "link " + std::to_string(l.a) + "-" + std::to_string(l.b);
-    open = open || (l.stiffness_N_m.estimate && word == "stiffness_error" && where == name);
+    open =
+        open || (l.stiffness_N_m.estimate && word == "stiffness_error" && where == "link " + rig_file::link_label(l));
   }
   return open || (!any_given && word == "sensor_gain" && where.rfind("channel force", 0) == 0);
 }
@@ -239,20 +239,7 @@ Said ask(const std::string& condition, const std::string& sensors, bool hides, u
   return said;
 }
 
-void write_raw(std::ostream& out, const std::vector<Said>& all) {
-  for (const Said& s : all)
-    out << outcome_word(s.outcome) << " " << s.condition << " " << s.sensors << " " << s.seed << " "
-        << (s.hides ? "hides" : "nothing") << "; " << s.text << "\n";
-}
-
-void write_table(std::ostream& out, const std::vector<Said>& all, int draws, uint64_t first_seed) {
-  out << "# Conditions\n\nWritten by `build/host/bin/condition_report --draws " << draws << " --first-seed "
-      << first_seed << "`: " << draws << " rigs with nothing hidden and " << draws
-      << " with one effect (rms 0.1 to 0.6 of its link's damping force)\nin each condition of "
-         "`build/host/bin/hidden_rig_files "
-         "--list`; sensors xva, xa, x, a, v and mixed in turn. The generator shares no code\nwith the simulator or the "
-         "diagnosis. In a set: one of at most four alternatives. Every draw: "
-         "[conditions_raw.txt](conditions_raw.txt).\n\n";
+void write_table(std::ostream& out, const std::vector<Said>& all) {
   print_rows(out, "condition", all, [](const Said& s) -> const std::string& { return s.condition; });
   out << "\n";
   print_rows(out, "sensors", all, [](const Said& s) -> const std::string& { return s.sensors; });

@@ -1,4 +1,4 @@
-// What the diagnosis says of rigs drawn under a condition, and the page that counts it.
+// What the diagnosis says of rigs drawn under a condition, and the tables that count it.
 #pragma once
 #include <iosfwd>
 #include <map>
@@ -35,7 +35,7 @@ Outcome judge(const Draw& draw, diagnosis::Diagnosis answer);
 Said ask(const std::string& condition, const std::string& sensors, bool hides, uint64_t seed,
          const std::string& effect = "");
 
-void write_raw(std::ostream& out, const std::vector<Said>& all);
-void write_table(std::ostream& out, const std::vector<Said>& all, int draws, uint64_t first_seed);
+// By condition and by sensors; conditions.py reads it.
+void write_table(std::ostream& out, const std::vector<Said>& all);
 
 }  // namespace hidden_rig

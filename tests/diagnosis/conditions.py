@@ -35,7 +35,10 @@ def ask(report, directory, condition, hidden, draws, first_seed):
 
 def asked(report, directory, conditions, draws, first_seed, jobs):
     directory.mkdir(parents=True, exist_ok=True)
-    (directory / "asked.txt").write_text(f"--draws {draws} --first-seed {first_seed}")
+    told, what = directory / "asked.txt", f"--draws {draws} --first-seed {first_seed}"
+    if told.exists() and told.read_text() != what:
+        sys.exit(f"{directory} holds the answers to {told.read_text()}: another directory, please")
+    told.write_text(what)
     with ThreadPoolExecutor(jobs) as pool:
         for job in [pool.submit(ask, report, directory, c, h, draws, first_seed) for c in conditions
                     for h in ("nothing", "one")]:

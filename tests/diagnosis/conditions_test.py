@@ -31,6 +31,8 @@ def main():
         assert sorted((here / "asked").read_text().splitlines()) == [
             "--draws 2 --first-seed 7 --conditions calm --hidden nothing",
             "--draws 2 --first-seed 7 --conditions calm --hidden one"], (here / "asked").read_text()
+        other = subprocess.run([*ask[:-3], "8", *ask[-2:]], cwd=here, capture_output=True, text=True)
+        assert other.returncode == 1 and "holds the answers to --draws 2 --first-seed 7" in other.stderr, other
         page, raw = here / "page.md", here / "raw.txt"
         page.write_text("before\n<!-- tables: written by tests/diagnosis/conditions.py -->\nearlier\n<!-- end of tables -->\nbehind\n")
         subprocess.run([sys.executable, script, "--page", str(here / "said"), str(page), str(raw)], check=True)

@@ -21,7 +21,7 @@ void expect_alone(const diagnosis::Diagnosis& d, const char* effect, const char*
   EXPECT_TRUE(d.ambiguous_with.empty()) << d.ambiguous_with[0].effect << " on " << d.ambiguous_with[0].where;
 }
 
-// 1 ms late in blows that reach 200 Hz: half a turn there is no small delay, and what its slope misses looks like gains of a part in a
+// 1 ms late in blows that reach 200 Hz: a fifth of a turn there is no small delay, and what its slope misses looks like gains of a part in a
 // thousand of the other two.
 TEST(FaultRivals, ALargeDelayIsNotLostForWhatItLeavesToOthers) {
   expect_alone(answer_to(28200002, "sensor_delay"), "sensor_delay", "channel velocity_2_m_s");

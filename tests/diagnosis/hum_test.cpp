@@ -55,11 +55,14 @@ TEST(Hum, TheEdgeOfTheForcesBandDrivesNoLine) {
   EXPECT_TRUE(hum_in(power_of(2, 50), kSamples, 1e-3, {power_of(1, 50)}).driven);
 }
 
-// One DOF with displacement and velocity of unit variance.
+// One DOF of 2 kg with displacement and velocity of unit variance.
 struct OneDof {
   System system;
   std::vector<Prepared> records = std::vector<Prepared>(1);
   OneDof() {
+    system.rig.dofs.resize(1);
+    system.rig.dofs[0].mass_kg.value = 2;
+    records[0].step_s = 1e-3, records[0].force = {Vec::Zero(2)};
     Vec y(2);
     y << -1, 1;
     records[0].traces = {{0, 0, "displacement_1_m", y}, {0, 1, "velocity_1_m_s", y}};
@@ -99,7 +102,6 @@ TEST(Hum, OfAllChannelsIsTheRooms) {
 TEST(Hum, OfTheOnlyMotionChannelIsWeighedAgainstTheForce) {
   OneDof rig;
   rig.records[0].traces.erase(rig.records[0].traces.begin());
-  rig.records[0].step_s = 1e-3;
   const auto verdict = [&](double of_velocity) {
     Diagnosis d;
     name_hum(Task{rig.system, rig.records, 1}, {{50, of_velocity, 30, false}}, d);
@@ -280,10 +282,7 @@ TEST(Hum, OfAForceOrTheOnlyMotionChannelIsNobodysFault) {
 // with 1 N of it may be that within three times, one with 0.6 N not; nor may it be where the velocity is measured too.
 TEST(Hum, OfAMotionChannelHasAForceForARivalThatMayHaveAsMuch) {
   OneDof rig;
-  rig.system.rig.dofs.resize(1);
-  rig.system.rig.dofs[0].mass_kg.value = 2;
   Prepared& p = rig.records[0];
-  p.step_s = 1e-3;
   const MotionTrace velocity = p.traces[1];
   Vec elsewhere(2);
   elsewhere << -1, 1;

@@ -233,8 +233,7 @@ void name_holds(const Task& task, Diagnosis& d) {
     if (task.records[0].force[dof].size() == 0) continue;
     Cause c;
     c.effect = "force_hold", c.where = "channel " + force_channel(task.system.rig, dof), c.taken_out = true;
-    const auto same = [&](const Cause& o) { return o.effect == c.effect && o.where == c.where; };
-    if (std::none_of(d.causes.begin(), d.causes.end(), same)) d.causes.push_back(c);
+    if (!d.names(c.effect, c.where)) d.causes.push_back(c);
     d.force_between_samples = "steps";
   }
   if (task.records[0].held && d.verdict == Verdict::kNone) d.verdict = Verdict::kExplained;

@@ -97,9 +97,8 @@ Wave borne_out_by_motion(const Task& task, const State& fitted, size_t dof, doub
 
 }  // namespace
 
-double wave_share_of_force(const Vec& force, double step_s, double nominal_Hz) {
-  const double rms = force.size() ? rms_about_mean(force) : 0;
-  return rms > 0 ? wave_near(force, step_s, nominal_Hz).amplitude() / rms : 0;
+double wave_of_force(const Vec& force, double step_s, double nominal_Hz) {
+  return force.size() ? wave_near(force, step_s, nominal_Hz).amplitude() : 0;
 }
 
 void name_force_hum(const Task& task, const State& fitted, Diagnosis& d) {
@@ -110,8 +109,7 @@ void name_force_hum(const Task& task, const State& fitted, Diagnosis& d) {
       for (const Prepared& p : task.records)
         if (p.force[dof].size()) over = std::max(over, line_near(p.force[dof], p.step_s, nominal_Hz));
       const std::string channel = force_channel(task.system.rig, dof);
-      const auto same = [&](const Cause& c) { return c.effect == "mains_hum" && c.where == "channel " + channel; };
-      if (over < kLine || std::any_of(d.causes.begin(), d.causes.end(), same)) continue;
+      if (over < kLine || d.names("mains_hum", "channel " + channel)) continue;
       const Wave hum = borne_out_by_motion(task, fitted, dof, nominal_Hz);
       if (hum.amplitude() == 0) continue;
       Cause c;

@@ -30,21 +30,21 @@ Cause cause_of(const MotionTrace& t, const Hum& hum) {
 // acceleration, as springs matter little that far above the motion. Then the channel is not told from the force's.
 bool force_may_have_it(const Task& task, const MotionTrace& t, const Hum& hum) {
   const size_t dof = static_cast<size_t>(t.dof);
-  if (dof >= task.system.rig.dofs.size()) return false;
   const double by_rate = std::pow(kTwoPi * hum.hertz, 2 - t.quantity);
   const double needed = hum.amplitude * by_rate * task.system.rig.dofs[dof].mass_kg.value;
   double held = 0;
-  for (const Prepared& p : task.records)
-    if (p.force[dof].size())
-      held = std::max(held, wave_share_of_force(p.force[dof], p.step_s, hum.hertz) * rms_about_mean(p.force[dof]));
+  for (const Prepared& p : task.records) held = std::max(held, wave_of_force(p.force[dof], p.step_s, hum.hertz));
   return held > 0 && held * kOneOfThem > needed;
 }
 
-// What a motion channel's hum is weighed against where no other motion channel is: the most that a force has of it.
+// What a motion channel's hum is weighed against where no other motion channel is: the most that a force has of it, over its rms.
 double most_of_forces(const Task& task, double hertz) {
   double most = 0;
   for (const Prepared& p : task.records)
-    for (const Vec& force : p.force) most = std::max(most, wave_share_of_force(force, p.step_s, hertz));
+    for (const Vec& force : p.force) {
+      const double rms = force.size() ? rms_about_mean(force) : 0;
+      if (rms > 0) most = std::max(most, wave_of_force(force, p.step_s, hertz) / rms);
+    }
   return most;
 }
 
@@ -88,8 +88,7 @@ void name_hum(const Task& task, const std::vector<Hum>& hum, Diagnosis& d) {
   });
   if (share[worst] > kOneOfThem * next && (borne_out || !hum[worst].driven)) {
     const Cause c = cause_of(traces[worst], hum[worst]);
-    const auto same = [&](const Cause& o) { return o.effect == c.effect && o.where == c.where; };
-    if (std::any_of(d.causes.begin(), d.causes.end(), same)) return;
+    if (d.names(c.effect, c.where)) return;
     d.causes.push_back(c);
     if (d.verdict == Verdict::kNone) d.verdict = Verdict::kExplained;
     if (borne_out || !force_may_have_it(task, traces[worst], hum[worst])) return;

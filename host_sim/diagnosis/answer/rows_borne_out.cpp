@@ -13,11 +13,6 @@
 namespace diagnosis::runs {
 namespace {
 
-// Periods of a window: in shorter ones the free start follows whatever the rig does, and numbers are hardly determined.
-constexpr double kLeastTelling = 1;
-
-bool is_force_hum(Kind kind) { return kind >= Kind::kForceHumCos50 && kind <= Kind::kForceHumSin60; }
-
 struct Found {
   std::vector<Candidate> list;
   std::vector<std::vector<double>> values;
@@ -64,7 +59,7 @@ Found found_by(const Model& model, const RowsSay& say) {
 
 bool stands(const Task& task, const Choice& fitted, const RowsSay& say, State& with_them) {
   with_them = fitted.base;
-  if (!say.noise_only) return false;
+  if (!say.left.noise_only) return false;
   const Found found = found_by(fitted.base.model, say);
   if (found.list.empty()) return true;
   return borne_out(task, fitted.base, found.list, found.values, &with_them) &&
@@ -85,7 +80,7 @@ bool followed_with(const Task& task, const RowsSay& say, Choice& choice) {
   over_long.base_left = left_by(task.system, task.records, over_long.base);
   over_long.base_fits_nothing = false;
   choice = over_long;
-  if (!say.noise_only) adopt(task, found.list, found.values, choice);  // there is more to look for
+  if (!say.left.noise_only) adopt(task, found.list, found.values, choice);  // there is more to look for
   return true;
 }
 
@@ -96,14 +91,16 @@ bool any_contradicts(const std::vector<diagnosis::Parameter>& rows, const std::v
   return false;
 }
 
-// The runs' error has valleys beside the lowest: fitted from the rows' numbers, where that leaves less.
-void from_rows(const Task& task, const RowsSay& say, State& fitted) {
+// The runs' error has valleys beside the lowest: fitted from the rows' numbers, where that leaves less. True where it does.
+bool from_rows(const Task& task, const RowsSay& say, State& fitted) {
   State other = fitted;
   for (ModelTerm& t : other.model)
     for (const Valued& a : say.model)
       if (!t.known && t.host < 0 && a.term.same_place(t.term)) t.value = a.value, t.term.shape = a.term.shape;
   settle(task, other, kBaseSteps);
-  if (other.fit.ok && (!fitted.fit.ok || other.fit.cost < fitted.fit.cost)) fitted = other;
+  if (!other.fit.ok || (fitted.fit.ok && !(other.fit.cost < fitted.fit.cost))) return false;
+  fitted = other;
+  return true;
 }
 
 }  // namespace
@@ -115,9 +112,9 @@ bool answered_by_rows(const Asked& asked, const Task& task, std::vector<Prepared
   } catch (const CannotAnswer&) {  // too few rows: the free runs alone
   }
   say.asked = true;
-  choice.noise_is_enough = say.noise_only && say.terms.empty();  // with its terms is not without them
+  choice.noise_is_enough = say.left.noise_only && say.terms.empty();  // with its terms is not without them
   d.unknown_trace = say.d.unknown_trace;
-  const bool tells = !choice.base_fits_nothing && choice.periods >= kLeastTelling;
+  const bool tells = !choice.base_fits_nothing && choice.periods >= kLeastPeriods;
   if (!tells && !followed_with(task, say, choice) && choice.base_fits_nothing) return false;
   State with_them;
   if (!stands(task, choice, say, with_them)) {
@@ -126,10 +123,11 @@ bool answered_by_rows(const Asked& asked, const Task& task, std::vector<Prepared
     return false;
   }
   d = say.d;
-  round_jumps(task, records, with_them);
+  const bool rounded = round_jumps(task, records, with_them);
   // a force that is held between its samples is none of the free runs' terms
   const bool held = d.force_between_samples == "steps" && !task.records[0].held;
-  if (any_contradicts(d.extended.parameters, numbers_of(task, with_them))) from_rows(task, say, with_them);
+  const bool refitted =
+      any_contradicts(d.extended.parameters, numbers_of(task, with_them)) && from_rows(task, say, with_them);
   const std::vector<diagnosis::Parameter> numbers = numbers_of(task, with_them);
   if (!held && any_contradicts(d.extended.parameters, numbers)) {
     d.extended_rig = written_rig(task, with_them);
@@ -140,7 +138,9 @@ bool answered_by_rows(const Asked& asked, const Task& task, std::vector<Prepared
   for (Cause& c : d.causes) take_numbers(numbers, !held, c.parameters);
   raise_limits(task, choice.base, d.minimum_detectable);
   compare_unseen(task, choice.base, with_them, !d.causes.empty(), choice.base_left.sensor_noise, d);
-  choice.final = with_them, choice.final_left = left_by(task.system, task.records, with_them);
+  const bool as_given = !rounded && !refitted && found_by(choice.base.model, say).list.empty();
+  choice.final = with_them;
+  choice.final_left = as_given ? choice.base_left : left_by(task.system, task.records, with_them);
   // Of one channel: the rows see what channels of a DOF contradict each other in. A force's hum that they name is in the runs.
   const bool of_force =
       std::any_of(say.terms.begin(), say.terms.end(), [](const Term& t) { return is_force_hum(t.kind); });

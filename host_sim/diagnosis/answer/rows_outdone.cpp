@@ -12,8 +12,6 @@ bool runs_alone_know(Kind kind) {
   return kind == Kind::kDeadBand || kind == Kind::kCogging || kind == Kind::kMissingGravity;
 }
 
-constexpr size_t kSinglesTried = 5;  // as many as a search of its own would try first
-
 // What causes leave that were fitted by `with_them`, as an attempt of their own.
 Attempt left_by_causes(const Choice& fitted, const std::vector<Candidate>& causes, const State& with_them) {
   Attempt own;
@@ -36,7 +34,7 @@ bool outdone(const Task& task, const Choice& fitted, const std::vector<Candidate
   size_t tried = 0;
   return std::any_of(s.singles.begin(), s.singles.end(), [&](const Screened& one) {
     const bool alone_known = runs_alone_know(others[one.candidate].terms[0].kind);
-    if (hopeless(one.gain, 1, noise) || (!alone_known && (causes.size() == 1 || ++tried > kSinglesTried))) return false;
+    if (hopeless(one.gain, 1, noise) || (!alone_known && (causes.size() == 1 || ++tried > kShortList))) return false;
     const Attempt other = attempt(task, base, others, one, noise);
     if (!other.state.fit.ok || !(other.z > kSure) || !unseen_agrees(other)) return false;
     return causes.size() > 1 ? !clearly_better(own, other, noise) : clearly_better(other, own, noise);

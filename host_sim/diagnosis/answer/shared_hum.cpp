@@ -7,8 +7,6 @@
 namespace diagnosis::runs {
 namespace {
 
-constexpr double kAsLoudAsNoise = 2;  // misfit of a hum that has the power of all noise
-
 // Every motion channel has as much of it. What a force answers to, or is said to, falls off from mass to mass, and from one
 // quantity to the next.
 bool alike_in_all(const std::vector<MotionTrace>& traces, const std::vector<Hum>& hum) {
@@ -18,7 +16,7 @@ bool alike_in_all(const std::vector<MotionTrace>& traces, const std::vector<Hum>
   return *least > 0 && *most <= kOneOfThem * *least;
 }
 
-bool is_hum(const Cause& c) { return c.effect == "mains_hum"; }
+constexpr auto is_hum = [](const auto& cause_or_rival) { return cause_or_rival.effect == "mains_hum"; };
 
 // Of the channel's signal; 0 where it is none of the records'.
 double share_of_signal(const Task& task, const Cause& c) {
@@ -64,17 +62,15 @@ std::string worst_of_all(const Task& task, const Diagnosis& d) {
 void say_shared_hum(const Task& task, const Choice& choice, Diagnosis& d) {
   const std::vector<MotionTrace>& traces = task.records[0].traces;
   const auto named = std::count_if(d.causes.begin(), d.causes.end(), is_hum);
-  const auto rivals = std::count_if(d.ambiguous_with.begin(), d.ambiguous_with.end(),
-                                    [](const NamedPlace& p) { return p.effect == "mains_hum"; });
+  const auto rivals = std::count_if(d.ambiguous_with.begin(), d.ambiguous_with.end(), is_hum);
   const bool alike = alike_in_all(traces, hum_seen(choice));
-  const bool quiet = traces.size() == 1 && d.baseline_misfit < kAsLoudAsNoise;
+  const bool quiet = traces.size() == 1 && d.baseline_misfit < kStillNoise;
   const auto channels = quiet ? named + rivals : named;  // the only one or the force, or both
   if (named == 0 || (channels < 2 && !alike)) return;
   const std::string worst = alike || quiet ? "" : worst_of_all(task, d);
   take_back(d, [&](const Cause& c) { return is_hum(c) && c.where != worst; });
   if (!worst.empty()) return;
-  d.ambiguous_with.erase(std::remove_if(d.ambiguous_with.begin(), d.ambiguous_with.end(),
-                                        [](const NamedPlace& p) { return p.effect == "mains_hum"; }),
+  d.ambiguous_with.erase(std::remove_if(d.ambiguous_with.begin(), d.ambiguous_with.end(), is_hum),
                          d.ambiguous_with.end());
   const size_t lies_on = alike ? traces.size() : static_cast<size_t>(channels);
   const auto told = [](const std::string& text) { return text.rfind(kHumTold, 0) == 0; };

@@ -24,6 +24,8 @@ struct Attempt {
 constexpr double kMostlyNoise =
     0.5;  // of the squared residual: above it chance is the rival, below it other causes are
 
+constexpr size_t kShortList = 5;  // causes that a search tries first, those that the linearisation promises most of
+
 constexpr double kPlainlyLeft = 2;  // in the band of the motion over beside it: so much is worth a search among pitches
 
 // Of what is still to be explained, that a cause has to take: seen, and where chance is no rival unseen too.

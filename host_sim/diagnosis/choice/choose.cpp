@@ -16,9 +16,8 @@ constexpr double kFurtherShare = 2e-3;  // of what the causes named before have 
 // Of a further number of a cause: a tenth of the squared error, which unseen windows hardly tell; over windows so short that
 // what is flexible follows anything, half as much again.
 constexpr double kWorth = 1.1, kWorthOverShort = 1.5;
-constexpr double kLongDecay = 16;    // periods: an error of 1 % in a frequency is one radian at its end
-constexpr double kLeastPeriods = 1;  // of a window: its start and what damps it are one less
-constexpr double kTogether = 0.5;    // of what one cause leaves, that dampers which drift together may
+constexpr double kLongDecay = 16;  // periods: an error of 1 % in a frequency is one radian at its end
+constexpr double kTogether = 0.5;  // of what one cause leaves, that dampers which drift together may
 constexpr double kNearEnough_percent =
     0.3;                                 // of the motion, free run on unseen data: sensors are not better calibrated
 constexpr double kRight_percent = 0.05;  // where noise may hide a cause: no sensor tells it from the truth

@@ -7,8 +7,6 @@
 namespace diagnosis::runs {
 namespace {
 
-constexpr size_t kSinglesTried = 5;  // as many as a search tries first
-
 // What could be taken for a hold: delays of the forces, and of the channels where they act.
 std::vector<Candidate> delays_of(const std::vector<Prepared>& records) {
   std::vector<Candidate> list;
@@ -63,7 +61,7 @@ Attempt best_single(const Task& task, const State& base, const Left& left, doubl
   Attempt best;
   size_t tried = 0;
   for (const Screened& one : s.singles) {
-    if (tried++ == kSinglesTried) break;
+    if (tried++ == kShortList) break;
     const Attempt other = attempt(task, base, all, one, noise);
     if (!other.state.fit.ok || other.rounds || !unseen_agrees(other)) continue;
     if (!best.state.fit.ok || whole_error(other) < whole_error(best)) best = other;

@@ -4,7 +4,8 @@
 
 namespace diagnosis::runs {
 
-constexpr double kShorter = 4;  // times: where valleys of a window's error are as much wider
+constexpr double kLeastPeriods = 1;  // of a window that tells: its start and what damps it are one less
+constexpr double kShorter = 4;       // times: where valleys of a window's error are as much wider
 
 // Lays windows of so many periods over the records, fitted ones and unseen ones; every second, third ... of them where
 // they hold more samples than `most`. The model is not touched.

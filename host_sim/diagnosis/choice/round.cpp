@@ -7,7 +7,7 @@ namespace diagnosis::runs {
 namespace {
 
 constexpr double kPlainGain = 0.1;  // of the squared error: worth a fit though it shows in one burst alone
-constexpr size_t kShortList = 5, kPairs = 40, kPairTrials = 8, kPairTrialsInNoise = 2;
+constexpr size_t kPairs = 40, kPairTrials = 8, kPairTrialsInNoise = 2;
 constexpr double kPairRows = 4e4;   // samples that a search among pairs may simulate
 constexpr double kAsPromising = 4;  // of what a pair leaves, as the linearisation has it
 

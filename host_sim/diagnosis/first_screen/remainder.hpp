@@ -10,7 +10,7 @@ namespace diagnosis {
 bool far_beyond_noise(const Rows& rows, const SearchResult& found);
 
 struct Remainder {
-  bool noise_only = true;
+  bool noise_only = false;
   std::string trace;  // of something outside the vocabulary, where there is a plain one
   // Beside it only noise is left: what the rows take for noise is noise, and the trace is none of it. A hum is no trace.
   bool trace_alone = false;

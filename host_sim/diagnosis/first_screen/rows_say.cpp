@@ -42,8 +42,7 @@ void report_holds(const rig_file::RigModel& rig, const std::vector<FusedRecord>&
     for (size_t dof : f.held) {
       Cause c;
       c.effect = "force_hold", c.where = "channel " + force_channel(rig, dof), c.taken_out = true;
-      const auto same = [&](const Cause& o) { return o.effect == c.effect && o.where == c.where; };
-      if (std::none_of(d.causes.begin(), d.causes.end(), same)) d.causes.push_back(c);
+      if (!d.names(c.effect, c.where)) d.causes.push_back(c);
     }
   }
 }
@@ -71,11 +70,9 @@ RowsSay ask_rows(const System& system, const Asked& asked) {
   report_holds(asked.rig, owner->records, d);
   Bench& bench = *owner;
   d.baseline_misfit = found.base_fit.ratio(), d.extended_misfit = found.fit.ratio();
-  const Remainder remainder = remainder_of(*bench.rows, *bench.bank, found);
-  say.noise_only = remainder.noise_only;
-  d.unknown_trace = remainder.trace, say.trace_alone = remainder.trace_alone;
-  say.trace_Hz = remainder.trace_Hz, say.trace_link = remainder.trace_link;
-  if (!say.noise_only) return say;
+  say.left = remainder_of(*bench.rows, *bench.bank, found);
+  d.unknown_trace = say.left.trace;
+  if (!say.left.noise_only) return say;
   say.faults.insert(say.faults.end(), alone.faults.begin(), alone.faults.end());
   Rows& rows = *bench.rows;
   report_terms(system, rows, found, d);

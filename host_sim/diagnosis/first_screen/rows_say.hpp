@@ -3,6 +3,7 @@
 #include "../diagnosis.hpp"
 #include "../sensors/sensor_check.hpp"
 #include "../terms/terms.hpp"
+#include "remainder.hpp"
 
 namespace diagnosis {
 
@@ -26,12 +27,10 @@ struct Valued {
 struct RowsSay {
   Diagnosis d;
   bool asked = false;
-  bool noise_only = false;
-  bool trace_alone = false;         // of something outside the vocabulary, beside noise
-  double trace_Hz = 0;              // of a tone
-  int trace_link = -1;              // with whose elongation it repeats; none: -1
-  std::vector<SensorFault> faults;  // of motion channels, already taken out; of a DOF's only channel where noise_only
-  std::vector<Term> terms;          // that it names beside the rig's own
+  Remainder left;  // beside what it names
+  std::vector<SensorFault>
+      faults;               // of motion channels, already taken out; of a DOF's only channel where noise is left
+  std::vector<Term> terms;  // that it names beside the rig's own
   std::vector<double> values;
   std::vector<Valued> model;  // with them, beside the rig's own
 };

@@ -13,8 +13,10 @@ double Simulator::drive_at(const Vec& fine, double r) const {
   return f0 + r * (-3 * f0 + 4 * f1 - f2) + r * r * (2 * f0 - 4 * f1 + 2 * f2);
 }
 
-// Two instants to a substep.
-Vec Simulator::finer(const Vec& y) const { return runs::finer(y, 2 * substeps_); }
+// Two instants to a substep, of a channel that reads late.
+Vec Simulator::upsampled(const Vec& y, double late_s) const {
+  return finer(late_s != 0 ? delayed(y, -late_s / record_.step_s) : y, 2 * substeps_);
+}
 
 // Channels that read late: the base was there earlier.
 void Simulator::upsample_base(const Model& model) {
@@ -23,7 +25,7 @@ void Simulator::upsample_base(const Model& model) {
   double late = 0;
   for (const ModelTerm& t : model)
     if (t.term.kind == Kind::kBaseDelay) late += t.value;
-  const auto made = [&](const Vec& y) { return finer(late != 0 ? delayed(y, -late / record_.step_s) : y); };
+  const auto made = [&](const Vec& y) { return upsampled(y, late); };
   base_a_ = made(base.a);
   if (!record_.base.ridden) base_x_ = made(base.x), base_v_ = made(base.v);
   if (by_base_delay_ < 0) return;
@@ -49,7 +51,7 @@ void Simulator::upsample(const Model& model) {
     for (const ModelTerm& t : model)
       if (t.term.kind == Kind::kForceDelay && t.term.dof == static_cast<int>(d)) late += t.value;
     // a channel that reads late: the true force came earlier
-    fine_.push_back(finer(late != 0 ? delayed(record_.force[d], -late / record_.step_s) : record_.force[d]));
+    fine_.push_back(upsampled(record_.force[d], late));
   }
   const double h = record_.step_s / (2 * substeps_);
   for (ForceFault& f : faults_) {

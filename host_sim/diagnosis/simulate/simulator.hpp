@@ -71,7 +71,7 @@ class Simulator {
   void compile(const System& system, const Model& model);
   void upsample(const Model& model);
   void upsample_base(const Model& model);
-  Vec finer(const Vec& y) const;
+  Vec upsampled(const Vec& y, double late_s) const;
   Outside outside(double share) const;  // of the present substep
   // Of what drives the rig, on the fine instants: held from sample to sample, or the parabola through the present substep.
   double drive_at(const Vec& fine, double share) const;
