@@ -8,6 +8,7 @@
 #include "host_sim/data_check/clipping.hpp"
 #include "host_sim/data_check/data_check.hpp"
 #include "host_sim/data_check/dead.hpp"
+#include "host_sim/data_check/duplicate.hpp"
 #include "host_sim/data_check/exchanged.hpp"
 #include "host_sim/data_check/excitation.hpp"
 #include "host_sim/data_check/growth.hpp"
@@ -122,7 +123,7 @@ bool has_fault(const RecordReport& report, const char* kind = nullptr) {
 bool is_in(const std::vector<Record>& kept, const Finding& fault, const rig_file::RigModel* model) {
   return std::any_of(kept.begin(), kept.end(), [&](const Record& part) {
     std::vector<Statistics> statistics;
-    for (const Channel& channel : part.channels) statistics.push_back(statistics_of(channel.values));
+    for (const Channel& channel : part.channels) statistics.push_back(statistics_of(channel));
     for (size_t i = 0; i < part.channels.size(); ++i)
       for (const Finding& finding : report_of(part, statistics, i, model).findings)
         if (finding.kind == fault.kind && finding.channel == fault.channel && finding.weight == Weight::kFault)
@@ -153,7 +154,8 @@ const Record& middle_of(const Record& record, Record& part) {
   for (const Channel& channel : record.channels) {
     const auto begin = channel.values.begin() + static_cast<std::ptrdiff_t>(first);
     part.channels.push_back({channel.name, channel.quantity, channel.dof,
-                             std::vector<double>(begin, begin + static_cast<std::ptrdiff_t>(count))});
+                             std::vector<double>(begin, begin + static_cast<std::ptrdiff_t>(count)),
+                             channel.recorded_step});
   }
   return part;
 }
@@ -163,12 +165,13 @@ RecordReport check_record(const Record& record, const rig_file::RigModel* model,
   RecordReport report{record.file, record.samples(), 1.0 / record.sample_period_s, {}, {}};
   std::vector<std::optional<Finding>> dead = find_dead(record, elsewhere);
   std::vector<Statistics> statistics;
-  for (const Channel& channel : record.channels) statistics.push_back(statistics_of(channel.values));
+  for (const Channel& channel : record.channels) statistics.push_back(statistics_of(channel));
   for (size_t i = 0; i < record.channels.size(); ++i)
     report.channels.push_back(report_of(record, statistics, i, model));
   if (has_fault(report)) forgive_what_is_left_out(record, model, report);
   for (size_t i = 0; i < record.channels.size(); ++i)
     if (dead[i]) report.channels[i].findings.push_back(std::move(*dead[i]));
+  attach(find_duplicates(record), report);
   if (auto jitter = find_jitter(record)) report.findings.push_back(std::move(*jitter));
   if (has_fault(report)) return report;  // what follows compares channels: one that is broken would be blamed on others
   Record middle;

@@ -11,7 +11,11 @@ namespace {
 constexpr double kChance = 1e-4;        // of one record to show this without a fault
 constexpr size_t kFewestNoisyRuns = 6;  // slopes amid noise are means over that many
 constexpr size_t kFewestRuns = 3;       // one or two flat tops may be anything
-constexpr double kFaultShare = 0.002;   // of all samples; below it estimates suffer less than their intervals
+// Of the slope next to a run, what a smooth turn may have kept by that count: beside the top of a sine of w radians a sample w^2, a
+// fifth with 14 samples a period. A parabola that is cut off keeps four fifths.
+constexpr double kTurnsAnyway = 0.2;
+constexpr size_t kFewestFlat = 3;      // samples: of fewer any sine's top is made that is symmetric to them
+constexpr double kFaultShare = 0.002;  // of all samples; below it estimates suffer less than their intervals
 
 struct Tops {
   size_t samples = 0, runs = 0, longest = 0;
@@ -40,7 +44,8 @@ std::optional<double> slope_at_end(const std::vector<double>& values, const Run&
   const auto at = [&](std::ptrdiff_t spans) { return values[static_cast<size_t>(next + side * span * spans)]; };
   const double width = static_cast<double>(span), near = sign * (at(0) - at(1)) / width,
                far = sign * (at(1) - at(2)) / width;
-  return near - (far - near) * (0.5 + 0.5 * width) / width;
+  const double end = near - (far - near) * (0.5 + 0.5 * width) / width;
+  return end < kTurnsAnyway * near ? 0.0 : end;
 }
 
 Tops tops_at(const std::vector<double>& values, const std::vector<Run>& runs, double sign) {
@@ -76,7 +81,8 @@ bool beyond_chance(const Tops& tops, const Statistics& statistics, size_t count)
 
 // A smooth turn is no higher than the band that it is looked at in; in a band of noise, two samples are no flat stretch.
 bool cut_off(const Tops& tops, const Statistics& statistics, double band) {
-  if (tops.runs < kFewestRuns || (band > 0.0 && tops.samples < 3 * tops.runs)) return false;
+  if (tops.runs < kFewestRuns || tops.longest < kFewestFlat || (band > 0.0 && tops.samples < 3 * tops.runs))
+    return false;
   return tops.missing > std::max(1.5 * band, 3.0 * std::max(statistics.resolution, statistics.noise));
 }
 
@@ -137,7 +143,7 @@ FlatTops flat_tops(const Channel& channel, const Statistics& statistics, double 
 }  // namespace
 
 std::vector<Run> clipped_runs(const Channel& channel) {
-  FlatTops tops = flat_tops(channel, statistics_of(channel.values), 0.0, 0.0);
+  FlatTops tops = flat_tops(channel, statistics_of(channel), 0.0, 0.0);
   std::vector<Run> runs = std::move(tops.top.where);
   runs.insert(runs.end(), tops.bottom.where.begin(), tops.bottom.where.end());
   std::sort(runs.begin(), runs.end(), [](const Run& a, const Run& b) { return a.first < b.first; });

@@ -57,7 +57,8 @@ MeanAndRms mean_and_rms(const std::vector<double>& values) {
   return {mean, std::sqrt((of - mean).square().mean())};
 }
 
-Statistics statistics_of(const std::vector<double>& values) {
+Statistics statistics_of(const Channel& channel) {
+  const std::vector<double>& values = channel.values;
   Statistics s;
   if (values.empty()) return s;
   const MeanAndRms first = mean_and_rms(values);
@@ -69,7 +70,7 @@ Statistics statistics_of(const std::vector<double>& values) {
   if (s.lowest == s.highest) return s;
   const auto [bottom, top] = quantiles(values, 0.001, 0.999);
   s.range = top - bottom;
-  s.resolution = value_step(values);
+  s.resolution = value_step(channel);
   const auto [fourth, sixth] = noise_of(values);
   s.noise = std::max(fourth, s.resolution / std::sqrt(12.0));
   s.noisy = sixth > 0.5 * fourth && fourth > 0.3 * s.resolution;  // a smooth signal's sixth differences vanish

@@ -4,6 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include "host_sim/records/record.hpp"
+
 namespace host_sim::data_check {
 
 struct Statistics {
@@ -21,7 +23,7 @@ struct MeanAndRms {
 };
 MeanAndRms mean_and_rms(const std::vector<double>& values);  // 0 of nothing
 
-Statistics statistics_of(const std::vector<double>& values);
+Statistics statistics_of(const Channel& channel);
 
 // Runs of at least `shortest` equal values.
 struct Run {

@@ -13,6 +13,7 @@ struct Channel {
   Quantity quantity = Quantity::kDisplacement;
   int dof = 1;  // from 1; rig_file::kBase (-1) for the moving base
   std::vector<double> values;
+  double recorded_step = 0.0;  // of interpolated values: the step in which they were recorded; else 0
 };
 
 struct Record {

@@ -9,6 +9,7 @@
 #include "host_sim/records/data_file_error.hpp"
 #include "host_sim/records/even_times.hpp"
 #include "host_sim/records/record_checks.hpp"
+#include "host_sim/records/value_step.hpp"
 
 namespace host_sim {
 namespace {
@@ -80,7 +81,8 @@ Record part_at(const Record& record, const std::vector<double>& time_s, const Pa
   const auto count = static_cast<size_t>((time_s[part.end - 1] - out.start_s) * rate_Hz * (1.0 + 1e-12)) + 1;
   std::vector<Range> ranges;
   for (const Channel& channel : record.channels) {
-    out.channels.push_back({channel.name, channel.quantity, channel.dof, std::vector<double>(count)});
+    out.channels.push_back(
+        {channel.name, channel.quantity, channel.dof, std::vector<double>(count), value_step(channel)});
     ranges.push_back(range_of(channel.values));
   }
   size_t before = part.first;  // the last sample that is not after t

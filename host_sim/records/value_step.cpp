@@ -97,4 +97,8 @@ double value_step(const std::vector<double>& values) {
   return rounded_unit(steps);
 }
 
+double value_step(const Channel& channel) {
+  return channel.recorded_step > 0.0 ? channel.recorded_step : value_step(channel.values);
+}
+
 }  // namespace host_sim

@@ -105,6 +105,7 @@ TEST(Faults, AreCalledByTheirNames) {
     std::vector<double>& x = made::values(record, kX1);
     for (size_t i = 0; i < x.size(); ++i) x[i] += 2e-5 * std::sin(12.9898 * static_cast<double>(i * i % 7919));
   };
+  const auto copy = [](Record& record) { made::values(record, "displacement_2_m") = made::values(record, kX1); };
   made::Options coarse = with("x", made::Drive::kRandom, 0.0);
   coarse.encoder_m = 1e-4;
   const Fault faults[] = {
@@ -147,6 +148,8 @@ TEST(Faults, AreCalledByTheirNames) {
       {"displacements alone in mm", with("x"), all_times('d', 1e3), "unit", "force_1_N", true,
        "all motion channels are in mm"},
       {"accelerometers alone in g", with("a"), all_times('a', 1 / 9.80665), "unit", kA1, true, "g"},
+      {"one column logged twice", with("x"), copy, "duplicate", "displacement_2_m", true,
+       "holds the very samples of displacement_1_m"},
       {"clipped amid noise", with("xva"), clip(kA1, 0.5), "clipped", kA1},
       {"clipped displacement amid noise", with("x"), clip(kX1, 0.6), "clipped", kX1},
       {"clipped without noise", with("x", made::Drive::kTwoTones, 0.0), clip(kX1, 0.7), "clipped", kX1},

@@ -9,11 +9,14 @@
 #include "host_sim/data_check/data_check.hpp"
 #include "host_sim/data_check/to_json.hpp"
 #include "host_sim/ingestion/record_reader.hpp"
+#include "host_sim/records/resample.hpp"
+#include "host_sim/records/value_step.hpp"
 #include "tests/data_check/made_records.hpp"
 #include "tests/host_sim/run_program.hpp"
 
 namespace {
 
+using host_sim::Channel;
 using host_sim::Record;
 using host_sim::data_check::check;
 using host_sim::data_check::Report;
@@ -115,6 +118,45 @@ TEST(Quiet, AStopInFrictionAtItsFarthest) {
     record.channels = {*record.find(host_sim::Quantity::kForce, 1), *record.find(host_sim::Quantity::kDisplacement, 1)};
     const std::string said = doubts(check({record}, nullptr));
     EXPECT_EQ(said.find("clipped"), std::string::npos) << "seed " << seed << ": " << said;
+  }
+}
+
+// An encoder of 0.002 rad on a swing of 1.6 rad that turns within 20 rad/s^2, read by a PC at uneven times: around each turn
+// it stands on one step for sqrt(8 * 0.002 / 20) = 28 ms, 14 samples. Interpolated onto even steps these are tops of a channel
+// whose steps no longer show; they were recorded in steps, and nothing is clipped.
+TEST(Quiet, AnEncoderThatTurnsAndWasInterpolated) {
+  for (unsigned seed = 1; seed <= 8; ++seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> late_s(0.0, 3e-5);
+    std::normal_distribution<double> shake(0.0, 1e-4);
+    Record uneven;
+    uneven.file = "swing.csv", uneven.sample_period_s = 0.002;
+    Channel angle{"angle_1_rad", host_sim::Quantity::kDisplacement, 1, {}};
+    for (size_t k = 0; k < 3000; ++k) {
+      const double t = 0.002 * static_cast<double>(k) + late_s(random);
+      const double place = 1.6 * std::exp(-0.1 * t) * std::cos(3.5 * t + 0.1 * seed) + shake(random);
+      uneven.time_s.push_back(t);
+      angle.values.push_back(0.002 * std::nearbyint(place / 0.002));
+    }
+    uneven.channels = {angle};
+    const std::vector<Record> even = host_sim::resampled(uneven, 500.0);
+    ASSERT_EQ(even.size(), 1u);
+    EXPECT_NEAR(host_sim::value_step(even[0].channels[0]), 0.002, 1e-5);
+    EXPECT_EQ(doubts(check(even, nullptr)), "") << "seed " << seed;
+  }
+}
+
+// A commanded sine of 250 samples a period, without noise: both samples at its top are alike to the last digit. So they are where
+// it has 12 and 6 samples a period.
+TEST(Quiet, ACommandedSineTurnsBetweenTwoSamples) {
+  for (const double period : {250.0, 12.0, 6.0}) {
+    Record record = made::record({});
+    std::vector<double>& force = made::values(record, "force_1_N");
+    for (size_t k = 0; k < force.size(); ++k)
+      force[k] = 1e-10 * std::nearbyint(2.5e10 * std::sin(2.0 * M_PI * (static_cast<double>(k) + 0.5) / period));
+    record.channels = {*record.find(host_sim::Quantity::kForce, 1), *record.find(host_sim::Quantity::kDisplacement, 1)};
+    const std::string said = doubts(check({record}, nullptr));
+    EXPECT_EQ(said.find("clipped"), std::string::npos) << period << " samples: " << said;
   }
 }
 

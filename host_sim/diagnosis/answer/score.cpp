@@ -97,7 +97,9 @@ Score score_unseen(const Task& task, const State& state, const Vec* noise) {
         for (const MotionTrace& t : p.traces)
           if (t.dof == static_cast<int>(d) && (!measured || t.quantity < measured->quantity)) {
             measured = &t;
-            if (noise && noise->size()) noise_of[d] = noise_in(t.y, (*noise)[static_cast<Index>(&t - p.traces.data())]);
+            noise_of[d] = t.rounding_variance();
+            if (noise && noise->size())
+              noise_of[d] = std::max(noise_of[d], noise_in(t.y, (*noise)[static_cast<Index>(&t - p.traces.data())]));
           }
         const Mat& simulated = of_quantity(run, measured->quantity);
         if (compared) driven[d].add(of_quantity(other, measured->quantity).row(i), simulated.row(i));

@@ -178,7 +178,11 @@ double error_over_motion(const Task& task, const State& s, bool links_too, Of of
       relative[i].add(y(across[i].first) - y(across[i].second), r(across[i].first) - r(across[i].second));
   }
   double worst = 0;
-  for (const MotionSums& m : own) worst = std::max(worst, std::sqrt(of(m) / std::max(1e-300, m.motion)));
+  for (size_t c = 0; c < own.size(); ++c) {
+    const double rounding = traces[c].rounding_variance() * own[c].count, motion = own[c].motion - rounding;
+    if (motion < kShown * rounding) continue;  // a DOF that rests, but for a step of its encoder: nothing to follow
+    worst = std::max(worst, std::sqrt(std::max(0.0, of(own[c]) - rounding) / std::max(1e-300, motion)));
+  }
   for (const MotionSums& m : relative) {
     const double noise = m.noise_sum(), motion = m.motion - noise;
     if (motion > kShown * noise) worst = std::max(worst, std::sqrt(std::max(0.0, of(m) - noise) / motion));

@@ -18,8 +18,10 @@ constexpr double kOneMotion = 0.9;      // correlation of two channels that see 
 constexpr double kContradiction = 0.1;  // between two gains of a channel: noise and filters make less
 
 // Whether a link's bristles take longer than a sample to bend from a reversal on (half a t^2 at its rms acceleration). What
-// a friction force does within one sample is what filters and thinning make of its jump.
+// a friction force does within one sample is what filters and thinning make of its jump. Where a force is measured against an
+// imposed motion no simulation stands between: a filter's lag is the force's delay then, and that is its rival.
 bool bends_slowly(const Task& task, const Term& presliding) {
+  if (massless(task.system.rig)) return true;
   const rig_file::Link& l = task.system.links[static_cast<size_t>(presliding.link)];
   for (const Prepared& p : task.records) {
     const Vec a = motion_of(l, p, &Guess::a);

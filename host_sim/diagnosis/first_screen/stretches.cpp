@@ -18,7 +18,8 @@ host_sim::Record part_of(const host_sim::Record& record, size_t first, size_t co
   part.start_s = record.start_s + static_cast<double>(first) * record.sample_period_s;
   for (const host_sim::Channel& c : record.channels) {
     const auto begin = c.values.begin() + static_cast<std::ptrdiff_t>(first);
-    part.channels.push_back({c.name, c.quantity, c.dof, {begin, begin + static_cast<std::ptrdiff_t>(count)}});
+    part.channels.push_back(
+        {c.name, c.quantity, c.dof, {begin, begin + static_cast<std::ptrdiff_t>(count)}, c.recorded_step});
   }
   return part;
 }

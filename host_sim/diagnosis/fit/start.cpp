@@ -215,6 +215,18 @@ bool any_mass(const Model& model, const std::vector<size_t>& unknown) {
   return std::any_of(unknown.begin(), unknown.end(), [&](size_t i) { return model[i].term.kind == Kind::kMass; });
 }
 
+// Nothing of that kind can be nought: what came out so, at a DOF that neither a force nor its own motion tells of, starts as the
+// mean of its likes in the rig.
+void fill_from_likes(Model& model) {
+  for (ModelTerm& t : model) {
+    if (t.known || !positive(t.term.kind) || t.value > 0) continue;
+    double sum = 0, count = 0;
+    for (const ModelTerm& like : model)
+      if (like.term.kind == t.term.kind && like.value > 0) sum += like.value, ++count;
+    if (count > 0) t.value = sum / count;
+  }
+}
+
 }  // namespace
 
 void start_values(const System& system, const std::vector<Prepared>& records, Model& model) {
@@ -234,6 +246,7 @@ void start_values(const System& system, const std::vector<Prepared>& records, Mo
     if ((t.term.kind == Kind::kViscous || t.term.kind == Kind::kCoulomb) && value < 0) value = 0;
     t.value = value;
   }
+  fill_from_likes(model);
 }
 
 }  // namespace diagnosis::runs

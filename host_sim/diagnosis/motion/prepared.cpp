@@ -97,7 +97,7 @@ Prepared prepare_by(const rig_file::RigModel& rig, const host_sim::Record& recor
     if (c.dof == rig_file::kBase)
       p.base.reading[static_cast<size_t>(quantity)] = series(c);
     else if (c.dof >= 1 && c.dof <= n)
-      p.traces.push_back({c.dof - 1, quantity, c.name, series(c), host_sim::value_step(c.values)});
+      p.traces.push_back({c.dof - 1, quantity, c.name, series(c), host_sim::value_step(c)});
   }
   for (const MotionTrace& t : p.traces) p.samples = t.y.size();
   // Where nothing drives the motion its middle is free anyway: runs start from it, wherever the sensor has its zero.

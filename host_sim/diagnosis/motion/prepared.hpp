@@ -24,6 +24,7 @@ struct MotionTrace {
   std::string channel;
   Vec y;            // SI units
   double step = 0;  // in which its values change, an encoder's; 0: none shows
+  double rounding_variance() const { return step * step / 12; }
 };
 
 struct Guess {  // of one DOF; base: after the last DOF
