@@ -34,7 +34,7 @@ const Mat& of_quantity(const WindowRun& run, int quantity) {
   return quantity == 0 ? run.x : quantity == 1 ? run.v : run.a;
 }
 
-// The zero of an accelerometer is free: it reads a part of gravity.
+// The zero of an accelerometer is free (it reads a part of gravity), and that of a gyroscope.
 void without_mean(Vec& y) { y.array() -= y.mean(); }
 
 double capped(double percent) { return std::isfinite(percent) ? std::min(percent, kMostPercent) : kMostPercent; }
@@ -107,7 +107,7 @@ Score score_unseen(const Task& task, const State& state, const Vec* noise) {
         Vec reading = measured->y.segment(w.from, w.length);
         Vec alike = reading - run.residual.segment((measured - p.traces.data()) * w.length, w.length);
         Vec acceleration = g.a.segment(w.from, w.length), simulated_a = run.a.row(i);
-        if (measured->quantity == 2) without_mean(alike), without_mean(reading);
+        if (measured->quantity > 0 && evaluator.has_offset(*measured)) without_mean(alike), without_mean(reading);
         if (accelerometer) without_mean(acceleration), without_mean(simulated_a);
         x[d].add(alike, reading);
         v[d].add(run.v.row(i), g.v.segment(w.from, w.length));

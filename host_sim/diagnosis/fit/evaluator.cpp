@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "host_sim/vocabulary/held_in_place.hpp"
 #include "in_parallel.hpp"
 #include "rounding.hpp"
 
@@ -33,7 +34,11 @@ Vec slope_of(const Vec& h, double step_s) {
 }  // namespace
 
 Evaluator::Evaluator(const System& system, const Model& model, const std::vector<Prepared>& records)
-    : system_(system), model_(model), records_(records), dofs_(static_cast<Index>(system.dofs())) {
+    : system_(system),
+      model_(model),
+      records_(records),
+      held_(vocabulary::held_in_place(system.rig)),
+      dofs_(static_cast<Index>(system.dofs())) {
   of_lanes_.resize(lanes() - 1);
   for (Simulators& of_lane : of_lanes_) of_lane.resize(records.size());
   for (const Prepared& p : records) {

@@ -41,12 +41,12 @@ class Evaluator {
   // False where the run does not stay finite. keep: transitions too, for candidates. Runs of different lanes (in_parallel.hpp) may
   // be under way at the same time; the model they are of must be what it was.
   bool run(const Window& w, bool slopes, bool keep, WindowRun& out, size_t lane = 0);
+  // Channels whose zero is free in every window: accelerations, displacements that nothing drives (where a sensor's zero and a
+  // constant force are the same), and velocities of what nothing drives and springs hold in its place: a gyroscope's.
+  bool has_offset(const MotionTrace& t) const { return t.quantity == 2 || (!driven_ && (t.quantity == 0 || held_)); }
   void moved(const Window& w, const Vec& change, Vec& state) const;  // state after a change of the nuisances
 
  private:
-  // Channels whose zero is free in every window: accelerations, and displacements that nothing drives (where a sensor's
-  // zero and a constant force are the same).
-  bool has_offset(const MotionTrace& t) const { return t.quantity == 2 || (t.quantity == 0 && !driven_); }
   bool simulate(Simulator& s, const Window& w, bool slopes, bool keep, WindowRun& out) const;
   Simulator& simulator(size_t record, size_t lane);
   void from_motion(const Window& w, bool slopes, WindowRun& out) const;
@@ -65,6 +65,7 @@ class Evaluator {
   };
   std::vector<MotionForces> forces_;  // per record, without masses
   bool sound_ = true, massless_ = false, driven_ = false;
+  const bool held_;
   Index parameters_ = 0, dofs_ = 0;
 };
 
