@@ -111,14 +111,21 @@ void print_rows(std::ostream& out, const std::string& first, const std::vector<S
   print(out, "all", total);
 }
 
-// Springs that are straight lines and dry friction do not know where their middle is: only a displacement shows a constant force.
+// Springs that are straight lines and dry friction do not know where their middle is: only a displacement shows a constant force, and
+// not where nothing drives the rig: there it is the displacement's zero.
 bool hides_from_sensors(const Draw& draw) {
+  const auto drives = [](const host_sim::Channel& c) {
+    return c.quantity == host_sim::Quantity::kForce || c.dof == rig_file::kBase;
+  };
+  const std::vector<host_sim::Channel>& channels = draw.records[0].channels;
+  const bool driven = std::any_of(channels.begin(), channels.end(), drives);
   const auto shows_place = [](const host_sim::Record& r) {
     return std::any_of(r.channels.begin(), r.channels.end(), [](const host_sim::Channel& c) {
       return c.quantity == host_sim::Quantity::kDisplacement && c.dof != rig_file::kBase;
     });
   };
-  return !draw.hidden.empty() && draw.hidden[0].effect == "force_offset" && !shows_place(draw.records[0]);
+  return !draw.hidden.empty() && draw.hidden[0].effect == "force_offset" &&
+         !(driven && shows_place(draw.records[0]));
 }
 
 // Numbers that the rig file leaves open hold what is hidden in them; and where it gives no mass and no spring, all of them grow with a

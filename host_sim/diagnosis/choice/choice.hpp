@@ -28,6 +28,7 @@ struct Named {
   bool of_numbers = false;       // the rig file has it wrong by much: beside it as given rivals say nothing
   double unseen_deviations = 0;  // by which unseen windows gain more than by chance
   bool of_channels = false;      // a sensor's fault that channels of its DOF show among themselves, whatever the rig is
+  std::vector<Candidate> outdone = {};  // that wanted a further cause where this one does alone: no rivals
 };
 
 // Whether what is left goes with the motion of its own window, or as well with that of any other: with_motion().

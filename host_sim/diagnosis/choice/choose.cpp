@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "../answer/answer.hpp"
 #include "../fit/start.hpp"
@@ -103,11 +104,51 @@ void drop_needless(const Task& task, const Fitted& base, State& now, std::vector
   }
 }
 
+// What stood beside the cause named last, and what left about as little as that one.
+struct PassedOver {
+  State beside;
+  std::vector<Candidate> candidates;
+  int complexity = 0;  // of the cause that was named
+};
+
+// A cause was passed over for one that did as well, and that now wants a further one: alone it may do as well as the two (a gap
+// beside a wrong spring whose misfit an end stop mends). Nothing where none does.
+struct Alone {
+  State state;
+  Candidate candidate;
+  std::vector<Candidate> outdone;  // of those passed over
+};
+std::optional<Alone> alone_as_good(const Task& task, const PassedOver& passed, const State& both, int further,
+                                   double worth) {
+  if (passed.candidates.empty()) return {};
+  const Left left = left_by(task.system, task.records, passed.beside);
+  const State part = part_of(task, passed.beside, noise_share(left, passed.beside.fit));
+  std::optional<Alone> best;
+  std::vector<Candidate> outdone;
+  for (const Candidate& candidate : passed.candidates) {
+    const Attempt alone =
+        attempt(task, part, {candidate}, {std::vector<double>(candidate.terms.size(), 0.0)}, kBaseSteps);
+    if (!alone.state.fit.ok || alone.rounds) continue;
+    const State whole = on_all(task, passed.beside, alone.state);
+    // a number for each cause, and its shapes
+    const double may_leave = std::pow(worth, passed.complexity + further + 1 - alone.complexity);
+    if (!whole.fit.ok || error_over(whole.fit, both.fit) > may_leave ||
+        error_over(whole.unseen_fit, both.unseen_fit) > may_leave) {
+      outdone.push_back(candidate);
+      continue;
+    }
+    if (!best || error_over(whole.fit, best->state.fit) < 1) best = Alone{whole, candidate, {}};
+  }
+  if (best) keep_shape(best->state.model, best->candidate), best->outdone = outdone;
+  return best;
+}
+
 // Names causes one after the other, over the windows of choice.final; worth: as in round_of().
 void search(const Task& task, double worth, Choice& choice, const std::function<void(double)>& progress) {
   State now = choice.final;
+  PassedOver passed;
   bool warmed = false;
-  size_t freed = 0;
+  size_t freed = 0, exchanged = 0;
   const size_t most = choice.named.size() + kMostCauses;
   while (choice.named.size() < most) {
     const double left = error_over(now.fit, choice.base.fit);
@@ -130,6 +171,17 @@ void search(const Task& task, double worth, Choice& choice, const std::function<
     }
     if (!round.found) break;
     if (!choice.named.empty() && takes_little(left, left * round.best.error)) break;
+    State with = on_all(task, now, round.best.state);
+    const auto alone =
+        exchanged < kMostCauses ? alone_as_good(task, passed, with, round.best.complexity, worth) : std::nullopt;
+    if (alone) {
+      ++exchanged;
+      Named& last = choice.named.back();
+      last.outdone = alone->outdone, last.outdone.push_back(last.candidate), last.candidate = alone->candidate;
+      now = alone->state, passed = {};
+      continue;
+    }
+    passed = {now, round.passed_over, round.best.complexity};
     for (Candidate c : round.best.candidates) {
       keep_shape(round.best.state.model, c);
       choice.named.push_back(Named{c,
@@ -140,7 +192,7 @@ void search(const Task& task, double worth, Choice& choice, const std::function<
                                    false,
                                    round.best.unseen_deviations});
     }
-    now = on_all(task, now, round.best.state);
+    now = with;
     progress(static_cast<double>(choice.named.size()) / static_cast<double>(most));
   }
   drop_needless(task, choice.base.fit, now, choice.named);

@@ -24,6 +24,11 @@ bool without(const Task& task, const Choice& choice, const State& base, size_t o
   return rest.fit.ok;
 }
 
+// Alone it left what this one does not.
+bool outdone(const Named& mine, const Candidate& other) {
+  return std::any_of(mine.outdone.begin(), mine.outdone.end(), [&](const Candidate& c) { return c.same_place(other); });
+}
+
 // What channels of a DOF contradict each other in is that fault of one of them: no effect of the rig stands in its place.
 bool may_stand_for(const Named& mine, const Term& other) {
   const Term& fault = mine.candidate.terms[0];
@@ -60,8 +65,8 @@ void weigh_rivals(const Task& task, const std::function<void(double)>& progress,
       if (others.size() >= kRivalsTried) break;
       const bool named = std::any_of(choice.named.begin(), choice.named.end(),
                                      [&](const Named& n) { return n.candidate.same_place(all[one.candidate]); });
-      if (named || !may_stand_for(mine, all[one.candidate].terms[0]) || one.z < kByChance ||
-          1 - one.gain > kMuchWorse * (1 - best_gain) + noise)
+      if (named || outdone(mine, all[one.candidate]) || !may_stand_for(mine, all[one.candidate].terms[0]) ||
+          one.z < kByChance || 1 - one.gain > kMuchWorse * (1 - best_gain) + noise)
         continue;
       others.push_back(attempt(task, rest, all, one, noise));
     }

@@ -78,6 +78,12 @@ Round round_of(const Task& task, const State& now, size_t already, const Left& l
     round.best = *first, round.found = true;
     for (auto t = first + 1; t < singles.end(); ++t)  // the other is its rival
       if (t->complexity < round.best.complexity && as_good(*t, *first, worth) && stands(*t)) round.best = *t;
+    for (const Attempt& t : singles) {
+      if (!t.state.fit.ok || t.rounds || t.candidates[0].same_place(round.best.candidates[0])) continue;
+      if (whole_error(t) > worth * whole_error(round.best)) continue;
+      round.passed_over.push_back(t.candidates[0]);
+      keep_shape(t.state.model, round.passed_over.back());
+    }
   }
   // two that help only together: where no single does, or where they leave half of what the best single with its best
   // partner does
@@ -120,7 +126,7 @@ Round round_of(const Task& task, const State& now, size_t already, const Left& l
     if (!best || better) best = &t;
   }
   if (best && (!round.found || whole_error(*best) < 0.5 * whole_error(round.best)))
-    round.best = *best, round.found = true;
+    round.best = *best, round.found = true, round.passed_over.clear();
   return round;
 }
 

@@ -7,6 +7,7 @@ namespace diagnosis::runs {
 struct Round {
   Attempt best;
   bool found = false;
+  std::vector<Candidate> passed_over;  // others that leave about as little as `best`; as they were fitted
   bool stuck = false;  // the model beside had settled in a valley of its error: `unstuck` is it in a lower one
   State unstuck;
 };
