@@ -112,20 +112,20 @@ void print_rows(std::ostream& out, const std::string& first, const std::vector<S
 }
 
 // Springs that are straight lines and dry friction do not know where their middle is: only a displacement shows a constant force, and
-// not where nothing drives the rig: there it is the displacement's zero.
+// not where nothing drives the rig: there it is the displacement's zero. And the one channel of a rig that nothing drives may be late,
+// or have a gain: the motion is as good a one a little later, and all forces grow with it.
 bool hides_from_sensors(const Draw& draw) {
-  const auto drives = [](const host_sim::Channel& c) {
-    return c.quantity == host_sim::Quantity::kForce || c.dof == rig_file::kBase;
-  };
+  if (draw.hidden.empty()) return false;
   const std::vector<host_sim::Channel>& channels = draw.records[0].channels;
-  const bool driven = std::any_of(channels.begin(), channels.end(), drives);
-  const auto shows_place = [](const host_sim::Record& r) {
-    return std::any_of(r.channels.begin(), r.channels.end(), [](const host_sim::Channel& c) {
-      return c.quantity == host_sim::Quantity::kDisplacement && c.dof != rig_file::kBase;
-    });
-  };
-  return !draw.hidden.empty() && draw.hidden[0].effect == "force_offset" &&
-         !(driven && shows_place(draw.records[0]));
+  const auto any = [&](auto is) { return std::any_of(channels.begin(), channels.end(), is); };
+  const bool driven = any(
+      [](const host_sim::Channel& c) { return c.quantity == host_sim::Quantity::kForce || c.dof == rig_file::kBase; });
+  const bool shows_place = any([](const host_sim::Channel& c) {
+    return c.quantity == host_sim::Quantity::kDisplacement && c.dof != rig_file::kBase;
+  });
+  const std::string& word = draw.hidden[0].effect;
+  if (word == "sensor_delay" || word == "sensor_gain") return !driven && channels.size() == 1;
+  return word == "force_offset" && !(driven && shows_place);
 }
 
 // Numbers that the rig file leaves open hold what is hidden in them; and where it gives no mass and no spring, all of them grow with a

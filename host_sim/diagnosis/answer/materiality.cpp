@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../choice/attempt.hpp"
 #include "laws_apart.hpp"
 
 namespace diagnosis::runs {
@@ -31,6 +32,16 @@ double gain_of(const Fitted& now, const Fitted& before, const Vec& noise = Vec()
   return std::sqrt(1 / least);
 }
 
+// Whether unseen windows are too quiet to gain kLeastGain by what is named, though it acted on one channel alone; and gain it, as far as
+// half of it can be told from noise.
+bool gains_what_it_can(const Choice& choice) {
+  const State &now = choice.final, &before = choice.base;
+  const double acts = expected_unseen(now, before.model.size());
+  const bool too_quiet =
+      acts * static_cast<double>(now.unseen_fit.mean_square.size()) < 1 - 1 / (kLeastGain * kLeastGain);
+  return too_quiet && error_over(now.unseen_fit, before.unseen_fit) < 1 - 0.5 * acts;
+}
+
 // By how much the windows gain. Unseen ones may be mostly noise (the end of a decay): where those of the fit gain, it is
 // enough that of what is not noise in the others as much is gained.
 double windows_gain(const Choice& choice) {
@@ -38,8 +49,8 @@ double windows_gain(const Choice& choice) {
   const double seen = gain_of(now.fit, before.fit), unseen = gain_of(now.unseen_fit, before.unseen_fit),
                beyond_noise = gain_of(now.unseen_fit, before.unseen_fit, choice.final_left.noise);
   // what acts at large motion alone does not show in the end of a decay
-  const bool hidden =
-      std::any_of(choice.named.begin(), choice.named.end(), [](const Named& n) { return !n.shows_unseen; });
+  const bool hidden = gains_what_it_can(choice) || std::any_of(choice.named.begin(), choice.named.end(),
+                                                               [](const Named& n) { return !n.shows_unseen; });
   return std::max(unseen, hidden ? seen : std::min(seen, beyond_noise));
 }
 

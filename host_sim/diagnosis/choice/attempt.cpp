@@ -27,25 +27,6 @@ double least_z(const Attempt& a, size_t added_from) {
   return least;
 }
 
-// Share of the unseen windows' squared residual that the added coefficients move.
-double expected_unseen(const Attempt& a, size_t added_from) {
-  const std::vector<Parameter> p = parameters_of(a.state.model);
-  double sum = 0, rows = 0;
-  for (const Window& w : a.state.unseen) rows += static_cast<double>(w.length);
-  rows *= static_cast<double>(a.state.unseen_fit.mean_square.size());
-  for (const Mat& gram : a.state.unseen_fit.gram)
-    for (size_t i = 0; i < p.size(); ++i) {
-      if (p[i].shape) continue;
-      const ModelTerm& t = a.state.model[p[i].term];
-      const bool hosted =
-          std::any_of(a.state.model.begin() + static_cast<std::ptrdiff_t>(added_from), a.state.model.end(),
-                      [&](const ModelTerm& m) { return m.host == static_cast<int>(p[i].term); });
-      if (p[i].term >= added_from || hosted)
-        sum += t.value * t.value * gram(static_cast<Index>(i), static_cast<Index>(i));
-    }
-  return rows > 0 ? sum / rows : 0;
-}
-
 // What each part of the unseen windows leaves less than beside the model alone, in variances of what that leaves.
 std::vector<double> gained_unseen(const Fitted& before, const Fitted& now) {
   std::vector<double> list;
@@ -85,6 +66,23 @@ Fitted all_blocks(const State& s) {
 }
 
 }  // namespace
+
+double expected_unseen(const State& s, size_t added_from) {
+  const std::vector<Parameter> p = parameters_of(s.model);
+  double sum = 0, rows = 0;
+  for (const Window& w : s.unseen) rows += static_cast<double>(w.length);
+  rows *= static_cast<double>(s.unseen_fit.mean_square.size());
+  for (const Mat& gram : s.unseen_fit.gram)
+    for (size_t i = 0; i < p.size(); ++i) {
+      if (p[i].shape) continue;
+      const ModelTerm& t = s.model[p[i].term];
+      const bool hosted = std::any_of(s.model.begin() + static_cast<std::ptrdiff_t>(added_from), s.model.end(),
+                                      [&](const ModelTerm& m) { return m.host == static_cast<int>(p[i].term); });
+      if (p[i].term >= added_from || hosted)
+        sum += t.value * t.value * gram(static_cast<Index>(i), static_cast<Index>(i));
+    }
+  return rows > 0 ? sum / rows : 0;
+}
 
 void settle(const Task& task, State& s, int steps) {
   s.fit = fit(task.system, task.records, s.model, s.seen, steps);
@@ -175,7 +173,8 @@ void judge(const Task& task, const State& beside, bool hosted, Attempt& a) {
   if (!a.state.fit.ok || a.rounds) return;
   a.z = std::min(1e300, least_z(a, beside.model.size()));
   a.unseen_deviations = a.candidates.size() == 1 ? deviations_unseen(beside, a) : 0;
-  a.shows_unseen = !a.state.unseen_fit.ok || 1 - a.unseen > kShows || expected_unseen(a, beside.model.size()) > kShows;
+  a.shows_unseen =
+      !a.state.unseen_fit.ok || 1 - a.unseen > kShows || expected_unseen(a.state, beside.model.size()) > kShows;
   // what acts in another's place has no coefficient of its own: what it brings, block by block
   // (of a sweep two or three are by far the loudest: as a share of their own)
   if (hosted) a.z = std::min(a.z, std::max(paired_z(beside.fit, a.state.fit), paired_share_z(beside.fit, a.state.fit)));

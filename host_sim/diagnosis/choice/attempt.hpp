@@ -66,6 +66,8 @@ bool unseen_agrees(const Attempt& a);
 // the numbers beside which it was put out of its interval; or is beyond doubt where unseen windows cannot tell. Else nobody
 // would act on it.
 bool matters(const State& beside, const Attempt& a);
+// Share of the unseen windows' squared residual that the coefficients of the terms from `added_from` on move.
+double expected_unseen(const State& state, size_t added_from);
 // A candidate as it was fitted: with its shape, one term.
 void keep_shape(const Model& fitted, Candidate& candidate);
 // Squared error on all windows, over that of the model beside.
