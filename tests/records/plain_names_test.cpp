@@ -82,6 +82,11 @@ TEST(PlainNames, StandForNothingWhereTheySayTooLittle) {
   EXPECT_NE(refusal("t [s],Acceleration a_x [m/s^2],Acceleration a_y [m/s^2]\n0,1,1\n1,1,1\n", one_dof(false))
                 .find("--column acceleration_1=\"Acceleration a_x [m/s^2]\""),
             std::string::npos);
+  // all of them at once, to be copied
+  EXPECT_NE(
+      refusal("time,position,velocity,torque\n0,1,1,1\n1,1,1,1\n", one_dof(true))
+          .find("--column angle_1=\"position\" --column angular_velocity_1=\"velocity\" --column torque_1=\"torque\""),
+      std::string::npos);
   EXPECT_NE(refusal("time,y\n0,1\n1,1\n", one_dof(true)).find("--column angle_1=NAME"), std::string::npos);
   EXPECT_NE(refusal("time,Force (N),Force (kN)\n0,1,1\n1,1,1\n", one_dof(false)).find("names no channel"),
             std::string::npos);

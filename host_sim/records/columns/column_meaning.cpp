@@ -280,6 +280,7 @@ bool means_channel(const std::string& head, const rig_file::RigModel& model, con
 }
 
 std::string plain_name_hint(const std::vector<Column>& columns, const rig_file::RigModel& model) {
+  std::string hint;
   for (const Column& column : columns) {
     const HeadParts head = split_head(column.head);
     auto plain = parse_plain_name(head.name, "");
@@ -288,8 +289,11 @@ std::string plain_name_hint(const std::vector<Column>& columns, const rig_file::
     rig_file::ChannelName channel = plain->channel;
     if (!model.dofs.empty()) channel.rotating = model.dofs[0].rotating;
     const std::string name = rig_file::format_channel_name(channel), dof = "_1";
-    return "--column " + name.substr(0, name.find(dof) + dof.size()) + "=\"" + trimmed_text(column.head) + "\"";
+    const std::string option = "--column " + name.substr(0, name.find(dof) + dof.size()) + "=";
+    if (hint.find(option) != std::string::npos) continue;  // a quantity twice: the first of its columns
+    hint += (hint.empty() ? "" : " ") + option + "\"" + trimmed_text(column.head) + "\"";
   }
+  if (!hint.empty()) return hint;
   return !model.dofs.empty() && model.dofs[0].rotating ? "--column angle_1=NAME" : "--column displacement_1=NAME";
 }
 

@@ -40,7 +40,7 @@ ColumnPlan plan_columns(const std::vector<Column>& columns, const rig_file::RigM
 // Does the head name a channel, perhaps with a foreign unit or misspelt, or a column that the user chose?
 bool means_channel(const std::string& head, const rig_file::RigModel& model, const ReadingOptions& options);
 
-// What to type for the first column whose head is a quantity's word: --column angle_1="angle".
+// What to type for the columns whose heads are quantities' words: --column angle_1="angle" --column torque_1="torque".
 std::string plain_name_hint(const std::vector<Column>& columns, const rig_file::RigModel& model);
 
 }  // namespace host_sim

@@ -113,7 +113,7 @@ class CsvParser {
       heads += (heads.empty() ? "" : ", ") + quoted(trimmed_text(column.head));
     refuse(layout_.header_line, "names no channel (" + heads +
                                     "), expected t_s and at least one such as displacement_1_m, or " +
-                                    plain_name_hint(layout_.columns, model_) + " for a column with a name of its own");
+                                    plain_name_hint(layout_.columns, model_) + " for columns with names of their own");
   }
 
   void reserve() {
