@@ -4,6 +4,7 @@
 #include "firmware/identification/bias_check.hpp"
 #include "firmware/identification/excitation_check.hpp"
 #include "firmware/identification/noise_doubt.hpp"
+#include "firmware/identification/open_scale.hpp"
 #include "firmware/identification/regressor_noise.hpp"
 #include "firmware/identification/skew.hpp"
 #include "firmware/identification/uncertainty.hpp"
@@ -120,6 +121,7 @@ void identify(const CoreConfiguration& configuration, const BatchTable& table, I
       estimates.inseparable = true;
     estimates.unresolved[k] = fit.identifiability().unresolved[k];
   }
+  doubt_beside_open_scale(configuration, estimates);
   give_advice(list, table, configuration, estimates);
 }
 
