@@ -121,7 +121,7 @@ void identify(const CoreConfiguration& configuration, const BatchTable& table, I
       estimates.inseparable = true;
     estimates.unresolved[k] = fit.identifiability().unresolved[k];
   }
-  doubt_beside_open_scale(configuration, estimates);
+  doubt_beside_open_scale(configuration, list, estimates);
   give_advice(list, table, configuration, estimates);
 }
 

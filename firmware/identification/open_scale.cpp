@@ -23,16 +23,6 @@ bool scale_is_open(const CoreConfiguration& configuration, const Estimates& esti
   return open;
 }
 
-bool joined(const CoreConfiguration& configuration, int dof, int other) {
-  for (int t = 0; t < configuration.term_count; ++t) {
-    const Term& term = configuration.terms[t];
-    if (term.kind != TermKind::kMass && term.unknown >= 0 && acts_on(configuration, term, dof) &&
-        acts_on(configuration, term, other))
-      return true;
-  }
-  return false;
-}
-
 void doubt(const CoreConfiguration& configuration, int dof, Estimates& estimates) {
   for (int t = 0; t < configuration.term_count; ++t) {
     const Term& term = configuration.terms[t];
@@ -44,12 +34,11 @@ void doubt(const CoreConfiguration& configuration, int dof, Estimates& estimates
 
 }  // namespace
 
-void doubt_beside_open_scale(const CoreConfiguration& configuration, Estimates& estimates) {
-  for (int dof = 0; dof < configuration.dof_count; ++dof) {
+void doubt_beside_open_scale(const CoreConfiguration& configuration, const EquationList& list, Estimates& estimates) {
+  for (int dof = 0; dof < list.dof_count; ++dof) {
     if (!scale_is_open(configuration, estimates, dof)) continue;
-    doubt(configuration, dof, estimates);
-    for (int other = 0; other < configuration.dof_count; ++other)
-      if (other != dof && joined(configuration, dof, other)) doubt(configuration, other, estimates);
+    for (int other = 0; other < list.dof_count; ++other)
+      if ((list.neighbours[dof] >> other & 1) != 0) doubt(configuration, other, estimates);
   }
 }
 

@@ -7,10 +7,11 @@
 #pragma once
 #include "firmware/configuration/configuration.hpp"
 #include "firmware/identification/estimate.hpp"
+#include "firmware/identification/rows.hpp"
 
 namespace firmware {
 
-// BIAS_SUSPECT in place of VALID for every coefficient that acts on a DOF which a link of unknown terms joins to one of such a scale.
-void doubt_beside_open_scale(const CoreConfiguration& configuration, Estimates& estimates);
+// BIAS_SUSPECT in place of VALID for every coefficient that acts on a DOF of such a scale or on one that a link joins to it.
+void doubt_beside_open_scale(const CoreConfiguration& configuration, const EquationList& list, Estimates& estimates);
 
 }  // namespace firmware

@@ -81,8 +81,7 @@ Record part_at(const Record& record, const std::vector<double>& time_s, const Pa
   const auto count = static_cast<size_t>((time_s[part.end - 1] - out.start_s) * rate_Hz * (1.0 + 1e-12)) + 1;
   std::vector<Range> ranges;
   for (const Channel& channel : record.channels) {
-    out.channels.push_back(
-        {channel.name, channel.quantity, channel.dof, std::vector<double>(count), value_step(channel)});
+    out.channels.push_back({channel.name, channel.quantity, channel.dof, std::vector<double>(count)});
     ranges.push_back(range_of(channel.values));
   }
   size_t before = part.first;  // the last sample that is not after t
@@ -122,6 +121,10 @@ std::vector<Record> resampled(const Record& record, double rate_Hz) {
   for (const Part& part : parts_of(time_s, step)) {
     make_even(time_s, part);
     records.push_back(part_at(record, time_s, part, rate_Hz));
+  }
+  for (size_t c = 0; c < record.channels.size(); ++c) {
+    const double step_of_values = value_step(record.channels[c]);
+    for (Record& part : records) part.channels[c].recorded_step = step_of_values;
   }
   if (records.empty())
     throw DataFileError(record.file, 0, fmt::format("has no {} samples without a gap", kFewestSamples));

@@ -13,6 +13,7 @@ using firmware::TermKind;
 // Unknowns: 0 to 2 the masses, 3 and 4 the springs 0 - 1 and 1 - 2, 5 a damper of mass 0 and ground.
 struct Chain {
   std::unique_ptr<firmware::CoreConfiguration> configuration = std::make_unique<firmware::CoreConfiguration>();
+  firmware::EquationList list;
   firmware::Estimates estimates;
   Chain() {
     firmware::CoreConfiguration& c = *configuration;
@@ -23,6 +24,8 @@ struct Chain {
     c.links[2].node_a = 0, c.links[2].node_b = firmware::kGroundNode;
     for (uint8_t d = 0; d < 3; ++d) add(TermKind::kMass, d);
     add(TermKind::kStiffness, 0), add(TermKind::kStiffness, 1), add(TermKind::kViscous, 2);
+    list.dof_count = 3;
+    list.neighbours[0] = 0b011, list.neighbours[1] = 0b111, list.neighbours[2] = 0b110;
     estimates.unknown_count = 6;
     for (int k = 0; k < 6; ++k) estimates.parameters[k].status = EstimateStatus::kValid;
   }
@@ -33,7 +36,7 @@ struct Chain {
   void not_found(int unknown) { estimates.parameters[unknown].status = EstimateStatus::kIllConditioned; }
   // v: VALID, b: BIAS_SUSPECT, i: ILL_CONDITIONED
   std::string told() {
-    firmware::doubt_beside_open_scale(*configuration, estimates);
+    firmware::doubt_beside_open_scale(*configuration, list, estimates);
     std::string text;
     for (int k = 0; k < 6; ++k)
       text += estimates.parameters[k].status == EstimateStatus::kValid         ? 'v'

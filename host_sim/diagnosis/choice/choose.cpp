@@ -106,7 +106,7 @@ void drop_needless(const Task& task, const Fitted& base, State& now, std::vector
 
 // What stood beside the cause named last, and what left about as little as that one.
 struct PassedOver {
-  State beside;
+  State beside, part;  // and the part of its windows over which they were tried
   std::vector<Candidate> candidates;
   int complexity = 0;  // of the cause that was named
 };
@@ -121,13 +121,11 @@ struct Alone {
 std::optional<Alone> alone_as_good(const Task& task, const PassedOver& passed, const State& both, int further,
                                    double worth) {
   if (passed.candidates.empty()) return {};
-  const Left left = left_by(task.system, task.records, passed.beside);
-  const State part = part_of(task, passed.beside, noise_share(left, passed.beside.fit));
   std::optional<Alone> best;
   std::vector<Candidate> outdone;
   for (const Candidate& candidate : passed.candidates) {
     const Attempt alone =
-        attempt(task, part, {candidate}, {std::vector<double>(candidate.terms.size(), 0.0)}, kBaseSteps);
+        attempt(task, passed.part, {candidate}, {std::vector<double>(candidate.terms.size(), 0.0)}, kBaseSteps);
     if (!alone.state.fit.ok || alone.rounds) continue;
     const State whole = on_all(task, passed.beside, alone.state);
     // a number for each cause, and its shapes
@@ -181,7 +179,7 @@ void search(const Task& task, double worth, Choice& choice, const std::function<
       now = alone->state, passed = {};
       continue;
     }
-    passed = {now, round.passed_over, round.best.complexity};
+    passed = {now, part, round.passed_over, round.best.complexity};
     for (Candidate c : round.best.candidates) {
       keep_shape(round.best.state.model, c);
       choice.named.push_back(Named{c,

@@ -33,8 +33,7 @@ const char* reason(EstimateStatus status, const EstimateResult& result) {
   if (hidden_by_noise(status, result))
     return result.integrates
                ? "hidden by noise: a motion that is integrated from rates does not show what is slow, nor where "
-                 "friction "
-                 "changes its direction; measure the displacement as well"
+                 "friction changes its direction; measure the displacement as well"
                : "hidden by noise: the energies of these data scatter as much as they are; raise the level, "
                  "measure velocity or acceleration as well, or filter all channels alike and record slower";
   switch (status) {
