@@ -69,10 +69,10 @@ std::optional<Finding> find_growth(const Record& record) {
   const double part_s = static_cast<double>(record.samples()) * record.sample_period_s / kParts;
   return Finding{
       "work", Weight::kFault, motion->name,
-      fmt::format("grows by itself: its mean square is {:.2g} times as large in the {:.3g} s from {:.3g} s on as in "
-                  "those from {:.3g} s on, and no force is recorded: what drives the rig has to be in the file",
-                  growth.times, part_s, record.start_s + static_cast<double>(growth.to) * part_s,
-                  record.start_s + static_cast<double>(growth.from) * part_s),
+      fmt::format("grows by itself: its mean square is {:.2g} times as large in the {:.3g} s from {} s on as in "
+                  "those from {} s on, and no force is recorded: what drives the rig has to be in the file",
+                  growth.times, part_s, said_instant_s(record, static_cast<double>(growth.to * record.samples() / kParts)),
+                  said_instant_s(record, static_cast<double>(growth.from * record.samples() / kParts))),
       growth.times};
 }
 

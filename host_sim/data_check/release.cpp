@@ -199,9 +199,7 @@ namespace {
 std::optional<Finding> finding_of(const Record& record, const std::vector<DecaySpan>& decays) {
   if (decays.empty() || (decays.size() == 1 && decays[0].from == 0 && decays[0].to == record.samples()))
     return std::nullopt;
-  const auto at = [&](size_t sample) {
-    return fmt::format("{:.3g}", record.start_s + static_cast<double>(sample) * record.sample_period_s);
-  };
+  const auto at = [&](size_t sample) { return said_instant_s(record, static_cast<double>(sample)); };
   std::string list;
   for (const DecaySpan& d : decays) list += (list.empty() ? "" : ", ") + at(d.from) + " to " + at(d.to) + " s";
   const bool clipped = std::any_of(decays.begin(), decays.end(), [](const DecaySpan& d) { return d.clipped; });

@@ -1,6 +1,8 @@
 #include "host_sim/data_check/statistics.hpp"
 
 #include <Eigen/Core>
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -38,6 +40,13 @@ std::pair<double, double> noise_of(const std::vector<double>& values) {
 }
 
 }  // namespace
+
+std::string said_instant_s(const Record& record, double sample) {
+  const double length_s = static_cast<double>(record.samples()) * record.sample_period_s;
+  const double end_s = std::abs(record.start_s) + length_s;
+  const int digits = std::clamp(3 + static_cast<int>(std::ceil(std::log10(end_s / length_s))), 3, 15);
+  return fmt::format("{:.{}g}", record.start_s + sample * record.sample_period_s, digits);
+}
 
 std::vector<Run> equal_runs(const std::vector<double>& values, size_t shortest) {
   std::vector<Run> runs;

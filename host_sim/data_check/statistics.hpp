@@ -1,6 +1,7 @@
 // What one channel says about itself.
 #pragma once
 #include <cstddef>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -24,6 +25,9 @@ struct MeanAndRms {
 MeanAndRms mean_and_rms(const std::vector<double>& values);  // 0 of nothing
 
 Statistics statistics_of(const Channel& channel);
+
+// When a sample was taken, in s, to a thousandth of the record's length.
+std::string said_instant_s(const Record& record, double sample);
 
 // Runs of at least `shortest` equal values.
 struct Run {

@@ -87,8 +87,9 @@ std::vector<std::string> advice_for(const Diagnosis& d) {
     say("what is left looks faintly like " + d.unknown_trace +
         ", too little to bend a number: record at a higher level");
   else if (d.verdict == Verdict::kNone)
-    say((d.leaves_noise_alone() ? "nothing beyond measurement noise: " : "") +
-        std::string("to see weaker effects than those listed, record longer or at a higher level"));
+    say(std::string(d.leaves_noise_alone() ? "nothing beyond measurement noise: " : "") +
+        (d.minimum_detectable.empty() ? "to see weaker effects, " : "to see weaker effects than those listed, ") +
+        "record longer or at a higher level");
   bool offset = false, fault = false;  // that no strength would show
   for (const DetectionLimit& l : d.minimum_detectable) {
     offset = offset || (std::isinf(l.strength) && l.effect == "force_offset");

@@ -13,6 +13,7 @@ namespace host_sim {
 namespace {
 
 constexpr double kStepTolerance = 0.01;
+constexpr double kLongestTest_s = 1e6;  // eleven days: times from there on are of a calendar
 constexpr double kBursts = 0.05;  // of the rows: lone rows that are written twice are fewer
 
 std::string seconds(double value) { return fmt::format("{:.6g} s", value); }
@@ -41,6 +42,14 @@ std::string of_arrival(const std::vector<double>& time_s) {
       "; {} of {} rows bear the time of the row before, as of a clock that is read when they arrive. Where the samples "
       "are even, --sample-rate takes them so (here {:.4g} a second on the mean)",
       repeated, time_s.size(), static_cast<double>(time_s.size() - 1) / duration_s);
+}
+
+// What stands for the date in the times, as in seconds since 1970: it is said once, and the record starts at 0. Nought where the
+// times are a test's own.
+double take_clock(const std::vector<double>& time_s, Record& record) {
+  if (time_s.empty() || std::abs(time_s.front()) < kLongestTest_s) return 0.0;
+  record.notes.push_back(fmt::format("time counted from {:.15g} s", time_s.front()));
+  return time_s.front();
 }
 
 }  // namespace
@@ -76,7 +85,7 @@ void set_time_base(const std::vector<double>& time_s, const std::function<size_t
                         "t_s steps by " + seconds(time_s[uneven] - time_s[uneven - 1]) + ", expected a constant step" +
                             (usual > 0.0 ? " of " + seconds(usual) + " within 1 %" : " above 0") + remedy);
   }
-  record.start_s = time_s.front();
+  record.start_s = time_s.front() - take_clock(time_s, record);
   if (uneven == time_s.size())
     record.sample_period_s = (time_s.back() - time_s.front()) / static_cast<double>(time_s.size() - 1);
   record.time_jitter_s = line_through(time_s, counted(time_s.size())).rms;
@@ -92,6 +101,8 @@ void keep_times(const std::vector<double>& time_s, const std::function<size_t(si
                             (arrival.empty() ? ": sort the rows" : arrival));
   }
   record.time_s = time_s;
+  const double clock_s = take_clock(time_s, record);
+  for (double& t : record.time_s) t -= clock_s;
 }
 
 void require_motion_channels(const Record& record, const rig_file::RigModel& model) {
@@ -119,7 +130,8 @@ void require_same_channels(const Record& first, const std::vector<Record>& recor
     if (std::abs(record.sample_period_s / first.sample_period_s - 1.0) > kStepTolerance)
       throw DataFileError(record.file, 0,
                           "sampled every " + seconds(record.sample_period_s) + ", expected " +
-                              seconds(first.sample_period_s) + " as in " + first.file);
+                              seconds(first.sample_period_s) + " as in " + first.file +
+                              " (--resample brings them to one rate)");
     for (const Channel& channel : first.channels)
       if (record.find(channel.quantity, channel.dof) == nullptr)
         throw DataFileError(record.file, 0,

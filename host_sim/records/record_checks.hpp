@@ -13,6 +13,7 @@ namespace host_sim {
 // a rig without DOFs stands for "no rig file" and has use for every channel.
 Channel channel_of_name(const std::string& name, const rig_file::RigModel& model, const std::string& file, size_t line);
 
+// Times beyond eleven days (seconds since 1970) are counted from the first, with a note.
 // Sets start, sample period and jitter from the sample times; line_of(i) is where sample i stands. A step that is off by
 // more than 1 % from the usual (median) step throws DataFileError with its line, unless all times are those of even
 // steps rounded to their last decimal, as milliseconds are at 1024 Hz (even_times).

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdio>
 #include <functional>
 #include <random>
 
@@ -177,6 +178,20 @@ TEST(Release, RecordsBeginThereAndSaySo) {
   const size_t led = before[1].samples() - records[1].samples();
   EXPECT_NEAR(records[1].start_s, 0.01 * static_cast<double>(led), 1e-12);
   EXPECT_EQ(records[1].channels[0].values.front(), before[1].channels[0].values[led]);
+}
+
+// An hour into a logger's day, to a hundredth of a second: not "3.6e+03".
+TEST(Release, IsToldInTheRecordsOwnTime) {
+  Record record = record_of([](double t) { return t < 1.5 ? std::min(1.0, 2 * t) : decay(t - 1.5, 3); });
+  record.start_s = 3600;
+  const auto decays = host_sim::data_check::free_decays(record);
+  ASSERT_EQ(decays.size(), 1u);
+  char from[32];
+  std::snprintf(from, sizeof from, "from %.2f", 3600 + 0.01 * static_cast<double>(decays[0].from));
+  const std::string told = host_sim::data_check::find_release(record)->detail, want = from;
+  const size_t zeros = want.find_last_not_of('0') + 1;
+  EXPECT_NE(told.find(want.substr(0, zeros)), std::string::npos) << told;
+  EXPECT_NE(told.find(" to 3612 s"), std::string::npos) << told;
 }
 
 }  // namespace

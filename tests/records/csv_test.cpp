@@ -96,6 +96,17 @@ TEST(Csv, StepMayVaryByOnePercent) {
   }
 }
 
+// Seconds since 1970: 2 ms steps; the reports' axes would hold nothing but the year.
+TEST(Csv, ACalendarsSecondsAreCountedFromTheFirst) {
+  const std::string text = "t_s,displacement_1_m\n1732550003.250,1\n1732550003.252,2\n1732550003.254,3\n";
+  const auto record = host_sim::parse_csv(text, "d.csv", chain(1));
+  EXPECT_EQ(record.start_s, 0.0);
+  EXPECT_NEAR(record.sample_period_s, 2e-3, 2.4e-7);  // a double has that step there
+  ASSERT_FALSE(record.notes.empty());
+  EXPECT_EQ(record.notes.back(), "time counted from 1732550003.25 s");
+  EXPECT_EQ(host_sim::parse_csv("t_s,displacement_1_m\n3600,1\n3601,2\n", "d.csv", chain(1)).start_s, 3600.0);
+}
+
 TEST(Csv, WrittenRecordReadsBackToTheSameNumbers) {
   const auto record =
       host_sim::parse_csv("t_s,angle_1_rad\n10.1,0.1\n10.2,-3.3333333333333335e-07\n10.3,1e300\n", "d.csv",

@@ -43,6 +43,7 @@ TEST(PlainNames, AreAQuantityAndItsUnit) {
                       {"Force", "", "force_1_N"},
                       {"AngVel", "rad/s", "angular_velocity_1_rad_s"},
                       {"acc", "g", "acceleration_1_m_s2"},
+                      {"Disp", "mm", "displacement_1_m"},
                       {"force_ref", "", ""},
                       {"force_N", "N", ""},  // a unit twice
                       {"Load", "%", ""},
@@ -96,6 +97,34 @@ TEST(PlainNames, StandForNothingWhereTheySayTooLittle) {
   auto two = one_dof(false);
   two.dofs.push_back(two.dofs[0]);
   EXPECT_NE(refusal("time,Position (m)\n0,1\n1,1\n", two).find("names no channel"), std::string::npos);
+}
+
+// Who says of one column what it is still has the others; 2 kN are 2000 N, 1 g is 9.80665 m/s^2.
+TEST(PlainNames, StandBesideWhatTheUserSays) {
+  const char* text = "Time [s];Force [kN];LVDT 2 [mm];Disp [mm];Acc [g]\n0;2;5;7;1\n1;2;5;7;1\n";
+  ReadingOptions options;
+  options.columns = {{"displacement_1", "LVDT 2 [mm]"}};
+  const Record record = host_sim::parse_csv(text, "d.csv", one_dof(false), options);
+  ASSERT_EQ(record.channels.size(), 3u);
+  EXPECT_DOUBLE_EQ(record.find(Quantity::kForce, 1)->values[1], 2000);
+  EXPECT_DOUBLE_EQ(record.find(Quantity::kDisplacement, 1)->values[1], 5e-3);
+  EXPECT_DOUBLE_EQ(record.find(Quantity::kAcceleration, 1)->values[1], 9.80665);
+  EXPECT_EQ(record.notes.back(), "ignored: \"Disp [mm]\"");
+}
+
+// A channel that the user does not trust, by any name that the file may have for it.
+TEST(PlainNames, MayBeLeftOut) {
+  ReadingOptions options;
+  options.columns = {{"acceleration_1", ""}};
+  for (const char* name : {"Acc [g]", "acceleration_1_m_s2", "acceleration_1_g"}) {
+    const bool own = std::string(name) != "Acc [g]";
+    const std::string text =
+        std::string("Time [s];") + (own ? "force_1_N;" : "Force [N];") + name + "\n0;2;1\n1;2;1\n";
+    const Record record = host_sim::parse_csv(text, "d.csv", one_dof(false), options);
+    ASSERT_EQ(record.channels.size(), 1u) << name;
+    EXPECT_EQ(record.channels[0].quantity, Quantity::kForce) << name;
+    EXPECT_EQ(record.notes.back(), "ignored: \"" + std::string(name) + "\"");
+  }
 }
 
 TEST(PlainNames, UnitsMayStandBehindASlash) {

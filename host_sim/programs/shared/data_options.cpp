@@ -16,6 +16,10 @@ namespace {
 ReadingOptions::Choices choices(const char* option, const std::vector<std::string>& texts) {
   ReadingOptions::Choices result;
   for (const std::string& text : texts) {
+    if (std::string(option) == "--column" && text.size() > 1 && text.back() == '=') {  // a channel left out
+      result.push_back({text.substr(0, text.size() - 1), ""});
+      continue;
+    }
     try {
       result.push_back(parse_choice(text));
     } catch (const std::invalid_argument& error) {
@@ -29,7 +33,8 @@ ReadingOptions::Choices choices(const char* option, const std::vector<std::strin
 
 void add_data_options(CLI::App& command, DataArguments& arguments) {
   command.add_option("--column", arguments.columns,
-                     "CHANNEL=NAME: the data file's column of that name is this channel; may be repeated");
+                     "CHANNEL=NAME: the data file's column of that name is this channel (CHANNEL= leaves the channel out); may be "
+                     "repeated");
   command.add_option("--unit", arguments.units, "CHANNEL=UNIT: the unit that column is in; may be repeated");
   command.add_option("--sensitivity", arguments.sensitivities,
                      "CHANNEL=VALUE: of a sensor whose column is a voltage, as in acceleration_1=\"100 mV/g\"");

@@ -50,7 +50,7 @@ class Planner {
     plan_.uses.resize(columns.size());
     check_choices(columns);
     for (size_t i = 0; i < columns.size(); ++i) use(columns, i);
-    if (model_.dofs.size() <= 1 && no_channel()) take_plain(columns);
+    if (model_.dofs.size() <= 1 && !own_names_) take_plain(columns);
     take_time(columns);
     note_ignored(columns);
     return std::move(plan_);
@@ -66,6 +66,7 @@ class Planner {
   void check_choices(const std::vector<Column>& columns) const {
     for (const auto& [channel, head] : options_.columns) {
       if (!is_time_choice(channel)) require_channel(full_name(channel));
+      if (head.empty()) continue;
       const auto count = std::count_if(columns.begin(), columns.end(),
                                        [text = &head](const Column& column) { return is_head(column, *text); });
       if (count == 1) continue;
@@ -90,7 +91,7 @@ class Planner {
     const HeadParts head = split_head(columns[i].head);
     const std::string& unit = columns[i].unit.empty() ? head.unit : columns[i].unit;
     for (const auto& [channel, text] : options_.columns)
-      if (is_head(columns[i], text)) {
+      if (!text.empty() && is_head(columns[i], text)) {
         if (is_time_choice(channel)) {
           time_column_ = i;
         } else {
@@ -99,11 +100,16 @@ class Planner {
         return;
       }
     for (const rig_file::ChannelEntry& entry : model_.channels)
-      if (!entry.column.empty() && is_head(columns[i], entry.column))
-        return take(i, columns[i], *rig_file::parse_channel_name(entry.name), unit, true);
+      if (!entry.column.empty() && is_head(columns[i], entry.column)) {
+        const ChannelName channel = *rig_file::parse_channel_name(entry.name);
+        if (!is_left_out(channel)) take(i, columns[i], channel, unit, true);
+        return;
+      }
     if (const auto channel = rig_file::parse_channel_name(head.name)) {
       const Dimension dimension = dimension_of(channel->quantity, channel->rotating);
       require_channel(head.name);
+      own_names_ = true;
+      if (is_left_out(*channel)) return;
       if (const auto said = find_unit(unit, dimension); said && said->to_si != 1.0)
         refuse("column " + quoted(head.name) + " has the unit " + quoted(unit) + ", expected " + si_unit(dimension) +
                " as its name says, or a name that ends on the unit, as in displacement_1_mm");
@@ -115,13 +121,21 @@ class Planner {
     if (shaped_like_channel(head.name)) require_channel(head.name);  // and says what was expected
   }
 
-  bool no_channel() const {
-    return std::none_of(plan_.uses.begin(), plan_.uses.end(),
-                        [](const ColumnUse& use) { return use.kind == ColumnUse::Kind::kChannel; });
+  bool is_taken(const ChannelName& channel) const {
+    return std::any_of(plan_.uses.begin(), plan_.uses.end(), [&](const ColumnUse& use) {
+      return use.kind == ColumnUse::Kind::kChannel && use.channel.name == rig_file::format_channel_name(channel);
+    });
   }
 
-  // A rig of one DOF, or none known, and a file without any channel's name: "Position (m)" is the only displacement there is.
-  // A word without a unit, or one that stands twice, says too little.
+  // The user wants it left out: --column velocity_1=
+  bool is_left_out(const ChannelName& channel) const {
+    return std::any_of(options_.columns.begin(), options_.columns.end(), [&](const auto& choice) {
+      return choice.second.empty() && full_name(choice.first) == rig_file::format_channel_name(channel);
+    });
+  }
+
+  // A rig of one DOF, or none known, and a file whose names are no channels': "Position (m)" is the only displacement there is,
+  // where the user said of no other column that it is it. A word without a unit, or one that stands twice, says too little.
   void take_plain(const std::vector<Column>& columns) {
     std::vector<std::optional<PlainName>> plain;
     for (const Column& column : columns) {
@@ -132,7 +146,9 @@ class Planner {
       if (other_kind || (plain.back() && plain.back()->unit.empty())) plain.back().reset();
     }
     for (size_t i = 0; i < columns.size(); ++i) {
-      if (!plain[i]) continue;
+      if (!plain[i] || plan_.uses[i].kind == ColumnUse::Kind::kChannel ||
+          is_taken(plain[i]->channel) || is_left_out(plain[i]->channel))
+        continue;
       const auto same = std::count_if(plain.begin(), plain.end(), [&](const std::optional<PlainName>& p) {
         return p && p->channel.quantity == plain[i]->channel.quantity &&
                p->channel.rotating == plain[i]->channel.rotating;
@@ -143,6 +159,8 @@ class Planner {
 
   // "displacement_1_mm", or "displacement_1" with a unit elsewhere.
   void take_loose(size_t i, const Column& column, const NamedChannel& loose, const std::string& unit) {
+    own_names_ = true;
+    if (is_left_out(loose.channel)) return;
     const std::string name = rig_file::format_channel_name(loose.channel);
     const Dimension dimension = dimension_of(loose.channel.quantity, loose.channel.rotating);
     if (!loose.suffix.empty()) {
@@ -250,6 +268,7 @@ class Planner {
   const std::string& file_;
   size_t line_;
   size_t time_column_ = kNone;
+  bool own_names_ = false;  // the file names channels as the rig does
   ColumnPlan plan_;
 };
 
@@ -271,7 +290,7 @@ bool means_channel(const std::string& head, const rig_file::RigModel& model, con
     return (text == parts.name || text == trimmed_text(head));
   };
   for (const auto& [channel, text] : options.columns)
-    if (is(trimmed_text(text))) return true;
+    if (!text.empty() && is(trimmed_text(text))) return true;
   for (const rig_file::ChannelEntry& entry : model.channels)
     if (is(trimmed_text(entry.column))) return true;
   const auto plain = parse_plain_name(parts.name, parts.unit);

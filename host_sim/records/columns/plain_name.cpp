@@ -17,6 +17,7 @@ struct Word {
 constexpr Word kWords[] = {{"position", Quantity::kDisplacement, false},
                            {"pos", Quantity::kDisplacement, false},
                            {"displacement", Quantity::kDisplacement, false},
+                           {"disp", Quantity::kDisplacement, false},
                            {"deflection", Quantity::kDisplacement, false},
                            {"elongation", Quantity::kDisplacement, false},
                            {"travel", Quantity::kDisplacement, false},

@@ -14,7 +14,7 @@ struct PlainName {
 
 // name, unit: the parts of the head, the unit perhaps of a row of units. Nothing where the name is no quantity's word
 // (position, displacement, deflection, elongation, travel, stroke, angle, velocity, speed, acceleration, force, load,
-// torque, some with "angular" before them, and pos, vel, angvel, acc, accel), or where the unit measures something else.
+// torque, some with "angular" before them, and pos, disp, vel, angvel, acc, accel), or where the unit measures something else.
 std::optional<PlainName> parse_plain_name(const std::string& name, const std::string& unit);
 
 }  // namespace host_sim

@@ -10,7 +10,7 @@ struct ReadingOptions {
   // Channel and text, in the order of the command line. A channel is named with or without its unit: "force_1" or
   // "force_1_N"; the time is "t" or "t_s".
   using Choices = std::vector<std::pair<std::string, std::string>>;
-  Choices columns;              // the column that holds it: "Chan 3"
+  Choices columns;              // the column that holds it: "Chan 3"; empty: the channel is left out
   Choices units;                // the unit it is in: "g"
   Choices sensitivities;        // of a sensor whose column is a voltage: "100 mV/g"
   double sample_rate_Hz = 0.0;  // 0: the file says
