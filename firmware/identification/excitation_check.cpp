@@ -67,6 +67,21 @@ bool is_damping(const Term& term) {
   return term.kind != TermKind::kMass && has_one_sign(term) && !is_conservative(term.kind);
 }
 
+// The signs of a mass's and a spring's work tell nothing of a motion about another place than zero (an arm held out, a shaft that
+// runs on). What dissipates at the link tells that it moves; of a mass a link to the ground, as one to a neighbour may move by that alone.
+bool dissipates(const EquationList& list, const BatchTable& table, const CoreConfiguration& configuration,
+                const Term& what) {
+  for (int t = 0; t < configuration.term_count; ++t) {
+    const Term& other = configuration.terms[t];
+    if (other.unknown < 0 || !is_damping(other)) continue;
+    const LinkConfiguration& link = configuration.links[other.place];
+    const bool there = what.kind == TermKind::kMass ? link.node_a == what.place && link.node_b == kGroundNode
+                                                    : other.place == what.place;
+    if (there && adds_up(list, table, other)) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 bool is_undetermined(const EquationList& list, const BatchTable& table, const CoreConfiguration& configuration,
@@ -100,7 +115,8 @@ bool is_excited(const EquationList& list, const BatchTable& table, const CoreCon
                 int unknown) {
   const Term* term = term_of(configuration, unknown);
   if (term == nullptr) return false;
-  if (has_one_sign(*term)) return adds_up(list, table, *term);
+  if (has_one_sign(*term))
+    return adds_up(list, table, *term) || (!is_damping(*term) && dissipates(list, table, configuration, *term));
   bool judged = false;
   for (int t = 0; t < configuration.term_count; ++t) {
     const Term& other = configuration.terms[t];

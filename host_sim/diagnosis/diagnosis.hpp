@@ -22,6 +22,7 @@ struct Parameter {
   double std = 0;  // 0: given or a shape
   bool estimated = true;
   bool undetermined = false;  // its interval is wider than all that it is a part of
+  bool may_be_bent = false;   // by a cause that may be there: Diagnosis::possible
 };
 
 struct NamedPlace {
@@ -37,6 +38,13 @@ struct Cause {
   double significance = 0;      // fall of chi-squared per unit of the noise that remains
   bool taken_out = false;       // of the record, before the rig is judged: a fault of a motion channel
   std::vector<NamedPlace> rivals = {};  // that explain as much in its place; of a cause among several only where known
+};
+
+// A cause that is beyond chance, but takes too little of what is left to be named.
+struct PossibleCause {
+  NamedPlace place;
+  double explains_percent = 0;    // of the residual's excess over noise
+  std::vector<Parameter> bends;   // what numbers of the rig as given would be beside it, where it takes them out of their intervals
 };
 
 struct DetectionLimit {
@@ -85,6 +93,7 @@ struct Diagnosis {
   bool leaves_noise_alone() const { return baseline_misfit < kStillNoise && unknown_trace.empty(); }
   std::vector<Cause> causes;
   std::vector<NamedPlace> ambiguous_with;  // every cause's rivals
+  std::vector<PossibleCause> possible;     // where none is named; the best first
   std::vector<Cause> rejected;             // fitted better, simulated worse on held-out data
   ModelScore baseline, extended;
   std::vector<double> gain;               // baseline / extended NRMSE per DOF

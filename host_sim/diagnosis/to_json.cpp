@@ -66,6 +66,12 @@ json to_json(const Diagnosis& d) {
   j["ambiguous_with"] = to_json(d.ambiguous_with);
   j["causes"] = j["minimum_detectable"] = j["rejected"] = json::array();
   for (const Cause& c : d.causes) j["causes"].push_back(to_json(c));
+  j["possible"] = json::array();
+  for (const PossibleCause& c : d.possible)
+    j["possible"].push_back({{"effect", c.place.effect},
+                             {"where", c.place.where},
+                             {"explains_percent", c.explains_percent},
+                             {"bends", to_json(c.bends)}});
   for (const Cause& c : d.rejected) j["rejected"].push_back(to_json(c));
   for (const DetectionLimit& l : d.minimum_detectable)
     j["minimum_detectable"].push_back({{"effect", l.effect},

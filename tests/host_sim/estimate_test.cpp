@@ -192,6 +192,32 @@ TEST_F(Estimate, ASlowMotionAboutAnArbitraryZeroIsAveraged) {
   EXPECT_NE(result.output.find("taken as means of"), std::string::npos) << result.output;
 }
 
+// An arm of 1.5 kg m^2 and 10.5 N m that a motor swings about straight up, 3 s to and fro: the angle is 3.14 at the mean, and gravity
+// pulls to where it is zero, not to there. tau = 1.5 a + 10.5 sin(u) + 1 w + 1.2 sgn(w), u = 3.14 + 0.8 sin + 0.3 sin.
+TEST_F(Estimate, GravityPullsToTheAnglesOwnZero) {
+  workspace_.write("arm.toml",
+                   "schema = \"rig/1\"\nname = \"arm\"\n[[dof]]\ninertia_kg_m2 = 1.5\n[[link]]\nbetween = [1, 0]\n"
+                   "viscous_N_m_s_rad = \"estimate\"\ncoulomb_N_m = \"estimate\"\ngravity_torque_N_m = \"estimate\"\n");
+  std::string text = "t_s,angle_1_rad,angular_velocity_1_rad_s,angular_acceleration_1_rad_s2,torque_1_N_m\n";
+  const double w1 = 2.094395102393195, w2 = 5.3;
+  for (int i = 0; i < 12000; ++i) {
+    char row[128];
+    const double t = 5e-3 * i, u = 3.14 + 0.8 * std::sin(w1 * t) + 0.3 * std::sin(w2 * t),
+                 v = 0.8 * w1 * std::cos(w1 * t) + 0.3 * w2 * std::cos(w2 * t),
+                 a = -0.8 * w1 * w1 * std::sin(w1 * t) - 0.3 * w2 * w2 * std::sin(w2 * t);
+    std::snprintf(row, sizeof row, "%.3f,%.9g,%.9g,%.9g,%.9g\n", t, u, v, a,
+                  1.5 * a + 10.5 * std::sin(u) + v + std::copysign(1.2, v));
+    text += row;
+  }
+  workspace_.write("arm.csv", text);
+  const auto result = host_sim({"estimate", "--rig", "arm.toml", "--data", "arm.csv", "--json", "out.json"});
+  ASSERT_EQ(result.status, 0) << result.errors << result.output;
+  const auto out = json("out.json");
+  EXPECT_NEAR(value(out, "gravity_torque[1-0]"), 10.5, 0.2);
+  EXPECT_NEAR(value(out, "viscous[1-0]"), 1.0, 0.05);
+  EXPECT_EQ(result.output.find("position of rest"), std::string::npos) << result.output;
+}
+
 TEST_F(Estimate, TooFewSamplesCannotAnswer) {
   workspace_.write("short.csv", free_decay(60));
   const auto result = host_sim({"estimate", "--rig", "rig.toml", "--data", "short.csv", "--json", "out.json"});

@@ -102,6 +102,24 @@ TEST(Status, WorkWithoutASignIsNotExcited) {
   EXPECT_EQ(t.status(1), EstimateStatus::kNoExcitation);
 }
 
+// An arm held out, a shaft that runs on: the mass's work is now lent and now given back, 3 J each, and adds up to nothing. The damper
+// to the ground takes 2 J every time: so it moves. One to a neighbour may move by the neighbour alone.
+TEST(Status, WhatDissipatesToTheGroundTellsThatAMassMoves) {
+  for (const bool ground : {true, false}) {
+    HandTable t(2, {TermKind::kMass, TermKind::kViscous}, {{0}, {0, 1}});
+    t.link(0, ground ? firmware::kGroundNode : 1);
+    for (int k = 0; k < t.configuration.term_count; ++k) t.configuration.terms[k].place = 0;
+    t.level(false);
+    for (int b = 0; b < 12; ++b) {
+      const double lent = b % 2 ? 3.0 : -3.0;
+      t.batch({{{lent, 2}, 5 * lent + 6}, {{0}, 0}});
+    }
+    t.identify();
+    EXPECT_EQ(t.status(0) == EstimateStatus::kNoExcitation, !ground);
+    EXPECT_NE(t.status(1), EstimateStatus::kNoExcitation);
+  }
+}
+
 TEST(Status, SaturatedLevelMarksAll) {
   HandTable t = two_dampers();
   t.level(true);

@@ -121,6 +121,22 @@ TEST(DiagnosisPage, AnEmptyDiagnosisIsStillAPage) {
   EXPECT_TRUE(contains(diagnosis_page(data), "No effect in the vocabulary explains"));
 }
 
+// What may be there is said, and what it would do; two of several.
+TEST(DiagnosisPage, SaysWhatMayBeThere) {
+  DiagnosisReportData data;
+  data.verdict = "none", data.leaves_noise_alone = false;
+  data.possible = {{"quadratic_damping", "link 1-0", 13.0, "viscous[1-0]", "0.0292 N s/m"},
+                   {"cubic_damping", "link 1-0", 12.6, "", ""},
+                   {"backlash", "link 1-0", 11.0, "", ""}};
+  EXPECT_EQ(verdict_details(data),
+            "What is left beyond measurement noise may be quadratic damping on link 1-0 or cubic damping on link 1-0, though too "
+            "little of it to be sure; viscous[1-0] would then be 0.0292 N s/m.");
+  data.verdict = "unknown";
+  EXPECT_EQ(verdict_details(data),
+            "No effect in the vocabulary explains what is left; nearest comes quadratic damping on link 1-0, which takes 13 % of "
+            "it.");
+}
+
 TEST(RunPage, HasEveryPart) {
   const std::string page = run_page(made_up::run());
   expect_offline(page);

@@ -184,6 +184,25 @@ void say_noise_of_drives(const Task& task, const Score& score, Diagnosis& d) {
   d.advice.push_back(text);
 }
 
+// Causes that may be there, and which numbers of the rig as given they would take out of their intervals.
+void say_possible(const Task& task, const Choice& choice, Diagnosis& d) {
+  if (!d.causes.empty() || !choice.named.empty() || !beyond_noise(choice.base_left)) return;
+  for (const Nearly& n : choice.nearly) {
+    PossibleCause possible{{word_of(n.candidate.terms[0].kind), place(task, n.candidate.terms[0])},
+                           std::clamp(100 * n.share, 0.0, 100.0),
+                           {}};
+    const std::vector<diagnosis::Parameter> beside = all_parameters(task, active(n.model, {}));
+    for (diagnosis::Parameter& p : d.baseline.parameters) {
+      const auto other = std::find_if(beside.begin(), beside.end(), [&](const auto& o) { return o.name == p.name; });
+      if (other == beside.end() || !(p.std > 0) || std::abs(other->value - p.value) <= 1.96 * p.std) continue;
+      p.may_be_bent = true;
+      possible.bends.push_back(*other);
+    }
+    d.possible.push_back(possible);
+  }
+  d.extended.parameters = d.baseline.parameters;
+}
+
 }  // namespace
 
 double compare_unseen(const Task& task, const State& base, const State& with_causes, bool any_cause, const Vec& noise,
@@ -257,6 +276,7 @@ void answer(const Task& task, const Choice& choice, Diagnosis& d) {
     withdraw_causes(task, base, d);
     d.verdict = noise || motion_error(task, choice.base) < kAsGoodAsRight ? Verdict::kNone : Verdict::kUnknown;
   }
+  if (!choice.base_fits_nothing) say_possible(task, choice, d);
   if (choice.base_fits_nothing && choice.named.empty()) say_cannot_describe(task, choice, d);
   name_hum(task, choice, d);
   keep_rejected(d);

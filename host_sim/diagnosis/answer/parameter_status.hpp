@@ -16,7 +16,7 @@ inline bool impossible(const Parameter& p) {
 // Status of a fitted parameter: where the model leaves more than noise, its numbers have taken up some of that.
 inline const char* status_word(const Parameter& p, bool model_fits) {
   if (p.undetermined) return "ILL_CONDITIONED";
-  return model_fits && !impossible(p) ? "VALID" : "BIAS_SUSPECT";
+  return model_fits && !impossible(p) && !p.may_be_bent ? "VALID" : "BIAS_SUSPECT";
 }
 
 }  // namespace diagnosis

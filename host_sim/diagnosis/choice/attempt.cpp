@@ -51,6 +51,15 @@ double deviations_unseen(const State& beside, const Attempt& a) {
   return std::sqrt(std::max(0.0, sum / a.state.unseen_fit.memory));
 }
 
+// Noise's share of what a model leaves of unseen windows over that of seen ones: channel by channel, as one may be noise alone while
+// another shows what is missing. Where the noise is not known: as of one channel.
+double quieter_of(const State& beside) {
+  if (!beside.unseen_fit.ok) return 1;
+  if (beside.noise.size() == 0) return error_over(beside.fit, beside.unseen_fit);
+  const auto share = [&](const Fitted& f) { return beside.noise.cwiseQuotient(f.mean_square).cwiseMin(1.0).mean(); };
+  return share(beside.unseen_fit) / std::max(1e-12, share(beside.fit));
+}
+
 // As share_of(), on unseen windows: where they are quieter noise is more of what is left there.
 double unseen_share_of(const Attempt& a, double noise) {
   return (1 - a.unseen) / std::max(1e-12, 1 - std::min(std::min(1.0, noise * a.quieter), a.unseen));
@@ -104,7 +113,7 @@ State part_of(const Task& task, const State& whole, double noise) {
   const size_t every = std::min(static_cast<size_t>(rows / kEnoughRows), shortest / (2 * kEnoughWindows));
   if (noise > kMostlyNoise || every < 2) return whole;
   State part;
-  part.model = whole.model;
+  part.model = whole.model, part.noise = whole.noise;
   for (size_t i = 0; i < whole.seen.size(); i += every) part.seen.push_back(whole.seen[i]);
   for (size_t i = 0; i < whole.unseen.size(); i += every) part.unseen.push_back(whole.unseen[i]);
   settle(task, part, kTrialSteps);
@@ -162,7 +171,7 @@ namespace {
 // What a settled attempt brings, and whether chance could bring it.
 void judge(const Task& task, const State& beside, bool hosted, Attempt& a) {
   a.error = error_over(a.state.fit, beside.fit), a.unseen = error_over(a.state.unseen_fit, beside.unseen_fit);
-  a.quieter = beside.unseen_fit.ok ? error_over(beside.fit, beside.unseen_fit) : 1;
+  a.quieter = quieter_of(beside);
   for (size_t i = beside.model.size(); i < a.state.model.size(); ++i) {
     if (shown(task, a.state.model[i])) continue;
     if (a.state.model[i].term.kind == Kind::kPresliding)
@@ -173,8 +182,8 @@ void judge(const Task& task, const State& beside, bool hosted, Attempt& a) {
   if (!a.state.fit.ok || a.rounds) return;
   a.z = std::min(1e300, least_z(a, beside.model.size()));
   a.unseen_deviations = a.candidates.size() == 1 ? deviations_unseen(beside, a) : 0;
-  a.shows_unseen =
-      !a.state.unseen_fit.ok || 1 - a.unseen > kShows || expected_unseen(a.state, beside.model.size()) > kShows;
+  a.expected_unseen = expected_unseen(a.state, beside.model.size());
+  a.shows_unseen = !a.state.unseen_fit.ok || 1 - a.unseen > kShows || a.expected_unseen > kShows;
   // what acts in another's place has no coefficient of its own: what it brings, block by block
   // (of a sweep two or three are by far the loudest: as a share of their own)
   if (hosted) a.z = std::min(a.z, std::max(paired_z(beside.fit, a.state.fit), paired_share_z(beside.fit, a.state.fit)));
@@ -343,15 +352,21 @@ bool passes(const Attempt& a, size_t already, double noise) {
   const bool borne_out = already == 0 && noise >= kMostlyNoise && a.unseen_deviations > kSure;
   if (!a.shows_unseen && !borne_out)  // then it has to explain nearly all by itself
     return unseen_agrees(a) && a.z > kNamed * std::sqrt(n) && share_of(a, noise) > std::max(least, 1 - kShare);
-  if (noise < kMostlyNoise && unseen_share_of(a, noise) < least) return false;
-  const bool plain =
-      noise * std::max(1.0, a.quieter) < kMostlyNoise && unseen_share_of(a, noise) > 0.5 * share_of(a, noise);
+  // unseen windows are too quiet for what takes nearly all of the others (a decay's end): it is enough that they gain
+  const bool too_quiet = a.expected_unseen < kShows && share_of(a, noise) > 1 - kShare;
+  if (noise < kMostlyNoise && !too_quiet && unseen_share_of(a, noise) < least) return false;
+  const bool again = too_quiet || unseen_share_of(a, noise) > 0.5 * share_of(a, noise);
+  const bool plain = noise * std::max(1.0, a.quieter) < kMostlyNoise && again;
   // something is missing, and two tests that know nothing of each other say what: 5 % twice is as rare as kSure once
   const bool twice = already == 0 && plain && a.unseen_deviations > kByChance;
   return a.z > (twice                ? kByChance
                 : plain || borne_out ? kSure
                                      : kNamed * std::sqrt(n)) &&
          share_of(a, noise) > least && unseen_agrees(a);
+}
+
+bool nearly(const Attempt& a) {
+  return a.state.fit.ok && !a.rounds && a.candidates.size() == 1 && a.z > kSure && a.unseen < 1 && whole_error(a) < kPays;
 }
 
 bool leaves_much_more(const Attempt& a, const Attempt& than, double noise) {

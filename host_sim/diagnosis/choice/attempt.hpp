@@ -8,12 +8,13 @@ struct Attempt {
   std::vector<Candidate> candidates;
   State state;
   double error = 1e300, unseen = 1e300;  // squared, over that of the model beside which they were put
-  double quieter = 1;                    // squared error of that model on seen windows over that on unseen ones
+  double quieter = 1;                    // noise's share of that model's squared error on unseen windows over that on seen ones
   double z = 0;                          // of the least significant candidate
   int complexity = 0;                    // numbers beside the coefficients
   // Whether unseen windows can tell: what it would bring there, as a share of their squared residual, is more than
   // chance.
   bool shows_unseen = true;
+  double expected_unseen = 0;  // share of their squared residual that its own numbers move
   // Of one cause alone: by how many standard deviations unseen windows gain more than noise would give, at least. It was fixed
   // before they were asked: chance has one try.
   double unseen_deviations = 0;
@@ -78,6 +79,8 @@ double share_of(const Attempt& a, double noise);
 State rounded(const Task& task, const State& beside, const std::vector<Attempt>& tried);
 // Whether it may be named; already: causes named before it.
 bool passes(const Attempt& a, size_t already, double noise);
+// Whether it is beyond chance, pays, and unseen windows agree.
+bool nearly(const Attempt& a);
 // How much less the second leaves than the first, paired over blocks, as a normal deviate.
 double paired_z(const Fitted& first, const Fitted& second);
 // The same of each block's own share, so that a loud one counts as a quiet one.

@@ -12,6 +12,7 @@ struct State {
   Model model;
   std::vector<Window> seen, unseen;
   Fitted fit, unseen_fit;
+  Vec noise = {};  // of each channel, mean square, as left_by() has it; empty: not asked
 };
 
 struct Rival {
@@ -29,6 +30,14 @@ struct Named {
   double unseen_deviations = 0;  // by which unseen windows gain more than by chance
   bool of_channels = false;      // a sensor's fault that channels of its DOF show among themselves, whatever the rig is
   std::vector<Candidate> outdone = {};  // that wanted a further cause where this one does alone: no rivals
+};
+
+// A cause that was not named: it takes too little of what is left, or unseen data do not say enough. Yet it is beyond chance, they
+// agree, and it pays.
+struct Nearly {
+  Candidate candidate;
+  Model model;       // the rig's numbers beside it
+  double share = 0;  // of what is not noise, that it takes
 };
 
 // Whether what is left goes with the motion of its own window, or as well with that of any other: with_motion().
@@ -76,6 +85,7 @@ struct Choice {
   double periods = 0;  // of a window
   State base, final;
   std::vector<Named> named;
+  std::vector<Nearly> nearly;  // beside what is named, over these windows; the best first
   Left base_left, final_left;
   Screen last_screen;  // beside the final model
   std::vector<Candidate> last_candidates;

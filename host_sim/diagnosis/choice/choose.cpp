@@ -153,6 +153,7 @@ void search(const Task& task, double worth, Choice& choice, const std::function<
     if (!choice.named.empty() && takes_little(left, 0)) break;  // no cause could take that much
     const Left remains = left_by(task.system, task.records, now);
     const double noise = noise_share(remains, now.fit);
+    now.noise = remains.noise;
     const State part = part_of(task, now, noise);
     Round round = round_of(task, part, choice.named.size(), remains, noise, worth, choice);
     if (round.stuck) {

@@ -63,6 +63,9 @@ Round round_of(const Task& task, const State& now, size_t already, const Left& l
     }
   }
   if (round.stuck) return round;
+  choice.nearly.clear();
+  for (const Attempt& t : singles)
+    if (nearly(t)) choice.nearly.push_back({t.candidates[0], t.state.model, share_of(t, noise)});
   const State beside = rounded(task, now, singles);
   // Where filters round the jumps of friction, damping laws that change with the rate look like that: they have to be there
   // beside it too.

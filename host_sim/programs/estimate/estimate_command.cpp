@@ -118,7 +118,7 @@ void estimate(const EstimateArguments& arguments) {
     estimation = estimate_records(model, records.get(), options);
   };
   check.beside([&] {
-    for (const auto& told : {count_from_rest(records), take_off_accelerometer_zeros(records)})
+    for (const auto& told : {count_from_rest(model, records), take_off_accelerometer_zeros(records)})
       notes.insert(notes.end(), told.begin(), told.end());
     if (const std::string slow = average_slow_motion(records); !slow.empty()) notes.push_back(slow);
     estimate_all();

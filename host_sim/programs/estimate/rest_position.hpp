@@ -6,12 +6,14 @@
 #include <string>
 #include <vector>
 
+#include "hal/rig_file/rig_model.hpp"
 #include "host_sim/programs/estimate/shared_records.hpp"
 
 namespace host_sim {
 
 // Takes out of every displacement or angle the mean over all records where the motion stays on one side of zero: where the mean is
-// over twice the root mean square about it. Returns what to say of each.
-std::vector<std::string> count_from_rest(SharedRecords& records);
+// over twice the root mean square about it. Not the angle of a driven arm with a gravity torque: that is G sin(u) of the angle as
+// it is. Returns what to say of each.
+std::vector<std::string> count_from_rest(const rig_file::RigModel& model, SharedRecords& records);
 
 }  // namespace host_sim

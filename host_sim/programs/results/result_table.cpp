@@ -117,7 +117,8 @@ std::string format_table(const EstimateResult& result, bool colours, int width) 
       const std::string cell = padded(column.cells[row], last ? 0 : column.width(), column.right);
       text += last ? coloured(cell, colour_of(result.parameters[row].status), colours) + "\n" : cell + gap;
     }
-  text += wrapped(warrant_text(result.warrant), width, "  ") + "\n";
+  for (const std::string& line : {warrant_text(result.warrant), after_suspicion(result.warrant)})
+    if (!line.empty()) text += wrapped(line, width, "  ") + "\n";
   std::istringstream fit(format_fit(result));
   for (std::string line; std::getline(fit, line);) text += wrapped(line, width, "  ") + "\n";
   for (const std::string& note : result.notes) text += wrapped("note: " + note, width, "  ") + "\n";

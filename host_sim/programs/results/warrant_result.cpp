@@ -83,6 +83,12 @@ WarrantResult warrant_of(const rig_file::RigModel& model, const firmware::Warran
   return result;
 }
 
+std::string after_suspicion(const WarrantResult& warrant) {
+  if (warrant.named.effect.empty() || warrant.explained) return "";
+  return "what to do: host_sim diagnose asks the same data whether that is it; --extended-rig FILE writes a rig file that has it, "
+         "for the next estimate";
+}
+
 std::string warrant_text(const WarrantResult& warrant) {
   if (warrant.named.effect.empty())
     return warrant.tested ? "the board finds nothing that the rig file lacks"

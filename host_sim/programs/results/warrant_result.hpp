@@ -27,5 +27,7 @@ struct WarrantResult {
 WarrantResult warrant_of(const rig_file::RigModel& model, const firmware::Warrant& warrant);
 // One line, ends without a line break.
 std::string warrant_text(const WarrantResult& warrant);
+// How to go on where something is suspected; empty elsewhere.
+std::string after_suspicion(const WarrantResult& warrant);
 
 }  // namespace host_sim

@@ -118,6 +118,12 @@ DiagnosisReportData findings_of(const rig_file::RigModel& rig, const std::vector
   for (const diagnosis::Cause& cause : found.causes) data.causes.push_back(cause_of(cause));
   for (const diagnosis::NamedPlace& place : found.ambiguous_with)
     data.ambiguous_with.push_back({place.effect, place.where});
+  for (const diagnosis::PossibleCause& c : found.possible) {
+    data.possible.push_back({c.place.effect, c.place.where, c.explains_percent, "", ""});
+    if (c.bends.empty()) continue;
+    data.possible.back().bends = c.bends[0].name;
+    data.possible.back().to = text(c.bends[0].value, "%.3g ") + c.bends[0].unit;
+  }
   data.parameters = changes(found);
   data.gains = gains(found);
   data.candidates = candidates(found);

@@ -88,6 +88,13 @@ struct Detectable {
       std::numeric_limits<double>::quiet_NaN();  // rms of its force; not of a motion sensor's fault
 };
 
+// A cause that may be there, and the first number that it would bend: "viscous[1-0]", "0.029 N s/m".
+struct PossibleCause {
+  std::string effect, where;
+  double explains_percent = 0.0;
+  std::string bends, to;  // empty: none
+};
+
 struct DiagnosisReportData {
   std::string rig_name;
   std::vector<std::string> files;  // data files
@@ -98,6 +105,7 @@ struct DiagnosisReportData {
   bool noise_hides = false;        // nothing is explained, and what is left is noise
   std::string cannot_describe;     // a sentence where the rig file is no model of the recording at all; else empty
   std::vector<Cause> causes;
+  std::vector<PossibleCause> possible;  // where none is named
   std::vector<std::pair<std::string, std::string>> ambiguous_with;  // effect, where; of every cause
   std::vector<DofView> dofs;
   std::vector<LinkView> links;

@@ -161,6 +161,33 @@ bool tells_nothing(const DiagnosisReportData& data) {
                      [](const ParameterChange& p) { return p.status == "ILL_CONDITIONED"; });
 }
 
+// What may be there and was not named, two at most.
+std::string possible_text(const DiagnosisReportData& data) {
+  std::vector<std::string> words;
+  for (const PossibleCause& c : data.possible)
+    if (words.size() < 2) words.push_back(cause_text(c.effect, c.where));
+  return listed(words, "or");
+}
+
+// Of a rig file that explains the measurement.
+std::string rest_text(const DiagnosisReportData& data) {
+  const auto bends = std::find_if(data.possible.begin(), data.possible.end(), [](const auto& c) { return !c.bends.empty(); });
+  if (bends != data.possible.end())
+    return "What is left beyond measurement noise may be " + possible_text(data) + ", though too little of it to be sure; " +
+           bends->bends + " would then be " + bends->to + ".";
+  return data.leaves_noise_alone
+             ? "Nothing is left beyond measurement noise that these data could show."
+             : "What is left beyond measurement noise neither helps to predict unseen data nor moves a coefficient.";
+}
+
+std::string nothing_explains_text(const DiagnosisReportData& data) {
+  const std::string none = "No effect in the vocabulary explains what is left";
+  if (data.possible.empty()) return none + ".";
+  char share[64];
+  std::snprintf(share, sizeof share, ", which takes %.0f %% of it.", data.possible.front().explains_percent);
+  return none + "; nearest comes " + cause_text(data.possible.front().effect, data.possible.front().where) + share;
+}
+
 }  // namespace
 
 std::string verdict_headline(const DiagnosisReportData& data) {
@@ -187,17 +214,14 @@ std::string verdict_details(const DiagnosisReportData& data) {
     return joined({"They determine none of its coefficients, and no effect that could be missing is seen.",
                    missed.empty() ? "" : "Its simulation misses " + missed + " on unseen data."});
   }
-  if (data.verdict == "none")
-    return data.leaves_noise_alone
-               ? "Nothing is left beyond measurement noise that these data could show."
-               : "What is left beyond measurement noise neither helps to predict unseen data nor moves a coefficient.";
+  if (data.verdict == "none") return rest_text(data);
   if (data.verdict == "ambiguous") return ambiguous_details(data);
   if (!data.cannot_describe.empty()) return data.cannot_describe;
   const std::string missed = missed_text(data.gains, !data.causes.empty());
   if (data.causes.empty())
     return joined({missed.empty() ? "" : "Its simulation misses " + missed + " on unseen data.",
                    data.noise_hides ? "What is left is no more than the noise of the channels makes of it."
-                                    : "No effect in the vocabulary explains what is left."});
+                                    : nothing_explains_text(data)});
   const std::string remains = missed.empty() ? "What remains" : "What remains, " + missed + ",";
   const std::string remainder = data.verdict == "partly" ? remains + " is beyond noise; its cause is not known."
                                 : data.verdict == "unknown"
