@@ -119,7 +119,8 @@ FlatTops flat_tops(const Channel& channel, const Statistics& statistics, double 
   const std::vector<double>& values = channel.values;
   if (statistics.lowest == statistics.highest) return {};
   // What saturates in front of the noise (an amplifier) is flat within the noise: three deviations to each side.
-  const double band = statistics.noisy ? 6.0 * statistics.noise : 0.0;
+  // Not where the converter's step makes the noise: a speed that is held looks so, by turns on either side of a step.
+  const double band = statistics.noisy && statistics.noise > statistics.resolution ? 6.0 * statistics.noise : 0.0;
   Tops top = tops_at(values, runs_at(values, statistics.highest, 0.0, 1.0), 1.0),
        bottom = tops_at(values, runs_at(values, statistics.lowest, 0.0, -1.0), -1.0);
   const bool at_limit_high = upper_limit > lower_limit && statistics.highest >= upper_limit && top.samples > 1;

@@ -146,6 +146,27 @@ TEST(Quiet, AnEncoderThatTurnsAndWasInterpolated) {
   }
 }
 
+// A motor at 50 samples a second, whose speed is what a counter adds in a sample, in steps of 2.35 rad/s: it follows the steps of its
+// command within 0.1 s and runs on at one of a few speeds, on either side of a step by turns. The highest of them is no end of a range.
+TEST(Quiet, ASpeedThatIsHeldOnACoarseCounter) {
+  for (unsigned seed = 1; seed <= 8; ++seed) {
+    std::mt19937 random(seed);
+    Channel force{"torque_1_N_m", host_sim::Quantity::kForce, 1, {}}, speed{"angular_velocity_1_rad_s", host_sim::Quantity::kVelocity, 1, {}};
+    double v = 0.0, place = 0.0, command = 0.0;
+    for (size_t k = 0; k < 4800; ++k) {
+      if (k % 60 == 0) command = 55.0 + 8.3 * static_cast<double>(random() % 6);
+      v += 0.2 * (command - v);
+      const double before = std::floor(place / 2.35);
+      place += v;
+      force.values.push_back(0.05 * command), speed.values.push_back(2.35 * (std::floor(place / 2.35) - before));
+    }
+    Record record;
+    record.file = "motor.csv", record.sample_period_s = 0.02, record.channels = {force, speed};
+    const std::string said = doubts(check({record}, nullptr));
+    EXPECT_EQ(said.find("clipped"), std::string::npos) << "seed " << seed << ": " << said;
+  }
+}
+
 // A commanded sine of 250 samples a period, without noise: both samples at its top are alike to the last digit. So they are where
 // it has 12 and 6 samples a period.
 TEST(Quiet, ACommandedSineTurnsBetweenTwoSamples) {
