@@ -22,7 +22,7 @@ struct Parameter {
   double std = 0;  // 0: given or a shape
   bool estimated = true;
   bool undetermined = false;  // its interval is wider than all that it is a part of
-  bool may_be_bent = false;   // by a cause that may be there: Diagnosis::possible
+  bool may_be_bent = false;   // by a cause that may be there (Diagnosis::possible), or by what makes its neighbour impossible
 };
 
 struct NamedPlace {

@@ -43,6 +43,14 @@ TEST(UndeterminedNumbers, NarrowIntervalsAreValid) {
   EXPECT_TRUE(OneLink().with(0.1, 2, 0.2).advice.empty());
 }
 
+// Friction of -1 N +- 0.39 N cannot be, and the damper beside it holds what that lacks.
+TEST(UndeterminedNumbers, WhatStandsBesideAnImpossibleNumberIsNotVouchedFor) {
+  const Diagnosis d = OneLink().with(0.1, -1, 0.2);
+  EXPECT_EQ(statuses(d), "BIAS_SUSPECT BIAS_SUSPECT ");
+  ASSERT_EQ(d.advice.size(), 1u);
+  EXPECT_EQ(d.advice[0].rfind("coulomb[1-0] below nought cannot be", 0), 0u);
+}
+
 // Friction of 0 +- 0.39 N beside 1.5 N is an answer: there is hardly any.
 TEST(UndeterminedNumbers, NearlyNoughtBesideMoreIsValid) {
   EXPECT_EQ(statuses(OneLink().with(0.1, 0, 0.2)), "VALID VALID ");

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "parameter_status.hpp"
+
 namespace diagnosis::runs {
 namespace {
 
@@ -52,14 +54,36 @@ void mark(const Task& task, std::vector<diagnosis::Parameter>& list) {
   }
 }
 
+bool dissipates(const std::string& name) {
+  for (const char* word : {"viscous", "coulomb", "damping", "stribeck"})
+    if (name.find(word) != std::string::npos) return true;
+  return false;
+}
+
+// What dissipates beside an impossible number that does, on its link, shares what bends that.
+void mark_company(std::vector<diagnosis::Parameter>& list) {
+  const auto place = [](const std::string& name) { return (dissipates(name) ? "" : "-") + name.substr(name.find('[')); };
+  for (const diagnosis::Parameter& wrong : list) {
+    if (wrong.undetermined || !impossible(wrong)) continue;
+    for (diagnosis::Parameter& p : list) p.may_be_bent = p.may_be_bent || (p.std > 0 && place(p.name) == place(wrong.name));
+  }
+}
+
 }  // namespace
 
 void mark_undetermined(const Task& task, Diagnosis& d) {
-  mark(task, d.baseline.parameters), mark(task, d.extended.parameters);
-  std::string names;
+  for (std::vector<diagnosis::Parameter>* list : {&d.baseline.parameters, &d.extended.parameters})
+    mark(task, *list), mark_company(*list);
+  std::string names, below;
   const std::vector<diagnosis::Parameter>& told = d.causes.empty() ? d.baseline.parameters : d.extended.parameters;
   for (const diagnosis::Parameter& p : told)
-    if (p.undetermined) names += (names.empty() ? "" : ", ") + p.name;
+    if (p.undetermined)
+      names += (names.empty() ? "" : ", ") + p.name;
+    else if (impossible(p))
+      below += (below.empty() ? "" : ", ") + p.name;
+  if (!below.empty())
+    d.advice.push_back(below + " below nought cannot be: something that is missing, or a motion too quiet for its noise, has gone "
+                               "into it; fit without it, and look whether unseen data are followed as well");
   if (!names.empty())
     d.advice.push_back("these records do not tell " + names +
                        ": record more of the motion (a decay from its start, several of them, or a driven record)");

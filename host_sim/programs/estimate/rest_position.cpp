@@ -8,7 +8,9 @@
 namespace host_sim {
 namespace {
 
+constexpr double kPi = 3.14159265358979323846;
 constexpr double kOneSide = 2.0;  // rms about the mean: a sine whose mean is 1.4 of it just touches zero
+constexpr double kOff = 0.02;     // of the rms: three periods of a decay tell where it rests to 0.3 % of its amplitude
 
 struct Moments {
   double mean = 0, rms = 0;
@@ -25,16 +27,47 @@ Moments moments(const std::vector<Record>& records, size_t channel) {
   return {mean, std::sqrt(squares / count)};
 }
 
+bool any_force(const Record& record) {
+  return std::any_of(record.channels.begin(), record.channels.end(),
+                     [](const Channel& c) { return c.quantity == Quantity::kForce; });
+}
+
 // Gravity pulls to where the angle is zero, whatever the mean: a driven arm need not swing about there. Left alone it comes to rest.
 bool is_held_off(const rig_file::RigModel& model, const Record& record, int dof) {
-  const bool driven = std::any_of(record.channels.begin(), record.channels.end(),
-                                  [](const Channel& c) { return c.quantity == Quantity::kForce; });
   const auto is_gravity = [](const rig_file::Effect& e) { return e.kind == "missing_gravity_torque"; };
-  return driven && std::any_of(model.links.begin(), model.links.end(), [&](const rig_file::Link& link) {
+  return any_force(record) && std::any_of(model.links.begin(), model.links.end(), [&](const rig_file::Link& link) {
            const bool weighs = link.gravity_torque_N_m.estimate || link.gravity_torque_N_m.value != 0 ||
                                std::any_of(link.effects.begin(), link.effects.end(), is_gravity);
            return weighs && link.a == dof;
          });
+}
+
+// Where a rig that nothing drives rests: the mean of its displacement, weighted with the square of its speed, so that what stands
+// still does not count, and with a bell over the record, so that parts of a period at its ends do not.
+Moments about_rest(const std::vector<Record>& records, size_t channel) {
+  double sum = 0, squares = 0, weights = 0;
+  for (const Record& record : records) {
+    const std::vector<double>& y = record.channels[channel].values;
+    for (size_t k = 1; k + 1 < y.size(); ++k) {
+      const double bell = std::sin(kPi * (static_cast<double>(k) + 0.5) / static_cast<double>(y.size()));
+      const double weight = bell * bell * (y[k + 1] - y[k - 1]) * (y[k + 1] - y[k - 1]);
+      sum += weight * y[k], squares += weight * y[k] * y[k], weights += weight;
+    }
+  }
+  if (!(weights > 0)) return {};
+  const double mean = sum / weights;
+  return {mean, std::sqrt(std::max(0.0, squares / weights - mean * mean))};
+}
+
+// Laws that tell one direction from the other, or a base that moves: the mean is then no place of rest.
+bool rests_at_its_mean(const rig_file::RigModel& model, const Record& record) {
+  if (any_force(record)) return false;
+  for (const Channel& channel : record.channels)
+    if (channel.dof == rig_file::kBase) return false;
+  for (const rig_file::Link& link : model.links)
+    for (const rig_file::Effect& e : link.effects)
+      if (e.kind == "quadratic_stiffness" || e.kind == "force_offset" || e.kind == "asymmetric_viscous") return false;
+  return true;
 }
 
 }  // namespace
@@ -42,15 +75,20 @@ bool is_held_off(const rig_file::RigModel& model, const Record& record, int dof)
 std::vector<std::string> count_from_rest(const rig_file::RigModel& model, SharedRecords& records) {
   std::vector<std::string> notes;
   if (records.get().empty()) return notes;
+  const bool free = rests_at_its_mean(model, records.get().front());
   for (size_t c = 0; c < records.get().front().channels.size(); ++c) {
     if (records.get().front().channels[c].quantity != Quantity::kDisplacement) continue;
     if (is_held_off(model, records.get().front(), records.get().front().channels[c].dof)) continue;
-    const Moments m = moments(records.get(), c);
-    if (!(std::fabs(m.mean) > kOneSide * m.rms)) continue;
+    const std::string& name = records.get().front().channels[c].name;
+    const Moments all = moments(records.get(), c), swing = free ? about_rest(records.get(), c) : all;
+    const bool one_side = std::fabs(all.mean) > kOneSide * all.rms;
+    if (!one_side && !(free && std::fabs(swing.mean) > kOff * swing.rms)) continue;
     for (Record& record : records.own())
-      for (double& value : record.channels[c].values) value -= m.mean;
-    notes.push_back(fmt::format("{} never comes to its zero: counted from its mean, {:.4g}, as the position of rest",
-                                records.get().front().channels[c].name, m.mean));
+      for (double& value : record.channels[c].values) value -= swing.mean;
+    notes.push_back(one_side
+                        ? fmt::format("{} never comes to its zero: counted from its mean, {:.4g}, as the position of rest",
+                                      name, swing.mean)
+                        : fmt::format("{} swings about {:.4g}: counted from there, as the position of rest", name, swing.mean));
   }
   return notes;
 }
