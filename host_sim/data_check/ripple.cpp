@@ -18,7 +18,7 @@ constexpr size_t kFewestParts = 16, kLongestPart = 1024, kShortestPart = 128;  /
 constexpr double kAboveAround = 3.0;  // the mean of 16 spectra is that by chance in one of 3e7 bins
 constexpr double kMotionShare = 0.99, kAboveMotion = 5.0;
 constexpr double kLeastShare = 0.01, kMostShare = 0.2;  // of the force's power
-constexpr size_t kLine = 3, kAround = 24;               // bins to each side
+constexpr size_t kLine = 3, kAround = 24, kBelow = 8;   // bins to each side
 
 double sum_of(const std::vector<double>& power, size_t from, size_t to) {
   return std::accumulate(power.begin() + static_cast<std::ptrdiff_t>(from),
@@ -47,12 +47,15 @@ std::vector<double> mean_spectrum(const std::vector<double>& values, size_t part
   return mean;
 }
 
-// Median of the bins beside one and its neighbours.
+// Median of the bins beside one and its neighbours; or of the nearest below it, where that is more: a spectrum that falls (friction's,
+// whose sign jumps) stands above what follows everywhere, and is no line.
 double around(const std::vector<double>& power, size_t bin) {
-  std::vector<double> beside;
-  for (size_t k = bin > kAround ? bin - kAround : 1; k < std::min(power.size(), bin + kAround + 1); ++k)
+  std::vector<double> beside, below;
+  for (size_t k = bin > kAround ? bin - kAround : 1; k < std::min(power.size(), bin + kAround + 1); ++k) {
     if (k + kLine < bin || k > bin + kLine) beside.push_back(power[k]);
-  return quantile(beside, 0.5);
+    if (k + kLine < bin && k + kLine + kBelow >= bin) below.push_back(power[k]);
+  }
+  return std::max(quantile(beside, 0.5), below.empty() ? 0.0 : quantile(below, 0.5));
 }
 
 bool acts_on_mass(const Channel& force, const rig_file::RigModel& model) {

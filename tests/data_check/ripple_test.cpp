@@ -65,4 +65,22 @@ TEST(Ripple, IsNeitherNoiseNorExcitationNorADampersAnswer) {
   }
 }
 
+// A joint that is turned to and fro every 10 s, read 100 times a second: its torque is friction of 3 N m, whose sign jumps, and a little
+// of its damper. A square's harmonics fall with the frequency and stand far above the motion, and are no ripple.
+TEST(Ripple, IsNotTheJumpsOfFriction) {
+  for (unsigned seed = 1; seed <= 8; ++seed) {
+    std::mt19937 random(seed);
+    std::normal_distribution<double> noise(0.0, 0.1);
+    Record record;
+    record.file = "joint.csv", record.sample_period_s = 0.01;
+    record.channels = {{"force_1_N", Quantity::kForce, 1, {}}, {"velocity_1_m_s", Quantity::kVelocity, 1, {}}};
+    for (int i = 0; i < 6000; ++i) {
+      const double v = std::cos(2 * M_PI * 0.1 * 0.01 * i + 0.3 * seed);
+      record.channels[0].values.push_back(std::copysign(3.0, v) + 0.5 * v + noise(random));
+      record.channels[1].values.push_back(v + 1e-3 * noise(random));
+    }
+    EXPECT_TRUE(told(record, rig("\"estimate\"")).empty()) << seed;
+  }
+}
+
 }  // namespace
