@@ -71,7 +71,8 @@ std::optional<Finding> find_growth(const Record& record) {
       "work", Weight::kFault, motion->name,
       fmt::format("grows by itself: its mean square is {:.2g} times as large in the {:.3g} s from {} s on as in "
                   "those from {} s on, and no force is recorded: what drives the rig has to be in the file",
-                  growth.times, part_s, said_instant_s(record, static_cast<double>(growth.to * record.samples() / kParts)),
+                  growth.times, part_s,
+                  said_instant_s(record, static_cast<double>(growth.to * record.samples() / kParts)),
                   said_instant_s(record, static_cast<double>(growth.from * record.samples() / kParts))),
       growth.times};
 }

@@ -1,8 +1,8 @@
 #include "host_sim/data_check/statistics.hpp"
 
-#include <Eigen/Core>
 #include <fmt/format.h>
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <utility>

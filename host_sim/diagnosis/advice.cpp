@@ -78,7 +78,8 @@ std::vector<std::string> advice_for(const Diagnosis& d) {
   if (d.verdict == Verdict::kUnknown && !d.unknown_trace.empty())
     say("the residual looks like " + d.unknown_trace + ", which is none of the named effects");
   if (d.noise_hides())
-    say("noise hides what may be missing: measure the force with less noise, at a higher level or for longer");
+    say(d.driven ? "noise hides what may be missing: measure the force with less noise, at a higher level or for longer"
+                 : "noise hides what may be missing: let it go from farther, or measure with less noise");
   else if (d.verdict == Verdict::kUnknown || d.verdict == Verdict::kPartly)
     say("a force remains that no effect of the vocabulary explains: look at the residual against elongation, rate and "
         "time, "

@@ -129,6 +129,7 @@ Diagnosis judged(const Asked& asked, double& lag_s) {
   if (!hum.empty()) choice = runs::rig_fitted(task), choice.hum_taken = std::move(hum);
   progress(0.3);
   Diagnosis d;
+  d.driven = runs::forced(records) || records[0].guess.back().given;
   RowsSay say;
   const bool right = !runs::massless(rig) && runs::right(task, choice);
   const bool rows_can_tell =
@@ -152,7 +153,7 @@ Diagnosis judged(const Asked& asked, double& lag_s) {
   if (d.verdict != Verdict::kUnknown) runs::name_force_hum(task, choice.final, d);
   lag_s = runs::say_common_lag(task, d);
   runs::say_shared_hum(task, choice, d);
-  runs::drop_undetermined(d);
+  runs::drop_undetermined(d, runs::motion_error(task, choice.base) < runs::kFollows);
   runs::drop_trifles(task, d);
   compare_nothing(d);
   state_rivals(d);

@@ -22,7 +22,8 @@ struct Parameter {
   double std = 0;  // 0: given or a shape
   bool estimated = true;
   bool undetermined = false;  // its interval is wider than all that it is a part of
-  bool may_be_bent = false;   // by a cause that may be there (Diagnosis::possible), or by what makes its neighbour impossible
+  bool may_be_bent =
+      false;  // by a cause that may be there (Diagnosis::possible), or by what makes its neighbour impossible
 };
 
 struct NamedPlace {
@@ -43,8 +44,9 @@ struct Cause {
 // A cause that is beyond chance, but takes too little of what is left to be named.
 struct PossibleCause {
   NamedPlace place;
-  double explains_percent = 0;    // of the residual's excess over noise
-  std::vector<Parameter> bends;   // what numbers of the rig as given would be beside it, where it takes them out of their intervals
+  double explains_percent = 0;  // of the residual's excess over noise
+  std::vector<Parameter>
+      bends;  // what numbers of the rig as given would be beside it, where it takes them out of their intervals
 };
 
 struct DetectionLimit {
@@ -105,6 +107,7 @@ struct Diagnosis {
   std::string unknown_trace;                     // what the unexplained force looks like, where it leaves a plain trace
   double baseline_misfit = 0;                    // chi-squared per degree of freedom: 1 is noise alone
   double extended_misfit = 0;
+  bool driven = true;         // by a force that is measured, or by a base
   bool more_remains = false;  // beside the named causes, whichever of a set they are: more than noise
   rig_file::RigModel extended_rig;
   std::vector<RankedCandidate> ranked;  // the first twelve, best first

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kStepTolerance = 0.01;
 constexpr double kLongestTest_s = 1e6;  // eleven days: times from there on are of a calendar
-constexpr double kBursts = 0.05;  // of the rows: lone rows that are written twice are fewer
+constexpr double kBursts = 0.05;        // of the rows: lone rows that are written twice are fewer
 
 std::string seconds(double value) { return fmt::format("{:.6g} s", value); }
 

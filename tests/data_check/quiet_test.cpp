@@ -151,7 +151,8 @@ TEST(Quiet, AnEncoderThatTurnsAndWasInterpolated) {
 TEST(Quiet, ASpeedThatIsHeldOnACoarseCounter) {
   for (unsigned seed = 1; seed <= 8; ++seed) {
     std::mt19937 random(seed);
-    Channel force{"torque_1_N_m", host_sim::Quantity::kForce, 1, {}}, speed{"angular_velocity_1_rad_s", host_sim::Quantity::kVelocity, 1, {}};
+    Channel force{"torque_1_N_m", host_sim::Quantity::kForce, 1, {}},
+        speed{"angular_velocity_1_rad_s", host_sim::Quantity::kVelocity, 1, {}};
     double v = 0.0, place = 0.0, command = 0.0;
     for (size_t k = 0; k < 4800; ++k) {
       if (k % 60 == 0) command = 55.0 + 8.3 * static_cast<double>(random() % 6);

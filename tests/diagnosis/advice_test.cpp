@@ -23,6 +23,16 @@ TEST(Advice, NothingBeyondNoiseIsSaidWhereOnlyNoiseIsLeft) {
   EXPECT_TRUE(says(d, "to see weaker effects"));
 }
 
+// A decay has no force to measure better.
+TEST(Advice, OfADecayAsksForNoForce) {
+  Diagnosis d;
+  d.verdict = Verdict::kUnknown, d.baseline_misfit = 1;
+  EXPECT_TRUE(says(d, "measure the force with less noise"));
+  d.driven = false;
+  EXPECT_FALSE(says(d, "force"));
+  EXPECT_TRUE(says(d, "let it go from farther"));
+}
+
 TEST(Advice, AFaintTraceIsToldBesideNone) {
   Diagnosis d;
   d.verdict = Verdict::kNone, d.baseline_misfit = 1.2, d.unknown_trace = "a tone of 18.9 Hz on dof 1";

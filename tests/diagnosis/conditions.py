@@ -3,7 +3,8 @@
 
   conditions.py CONDITION_REPORT DIR --draws 20 --first-seed 1 [--conditions a,b] [--jobs N]
                                       asks; what is in DIR already is not asked again
-  conditions.py --page DIR PAGE RAW   writes its tables between the marks of PAGE, and every draw to RAW
+  conditions.py --page DIR PAGE RAW   writes its tables between the marks of PAGE, and every draw to RAW; conditions that PAGE has and
+                                      DIR does not stay as they are
 
 DIR gets what condition_report says, one file for each condition and for what is hidden: random_1pct.nothing, random_1pct.one; and
 what was asked for: asked.txt."""
@@ -20,6 +21,9 @@ ROW = re.compile(r"^\| all \|(.*)\|$")
 BEGIN, END = "<!-- tables: written by tests/diagnosis/conditions.py -->", "<!-- end of tables -->"
 HEAD = ("| {} | nothing hidden: `none` | `unknown` | hidden: exact | in a set | missed | wrong | refused |"
         " intervals that hold, %: nothing hidden | one effect | median s | longest s |\n" + "|---" * 12 + "|")
+
+
+SENSORS = ("| sensors | nothing hidden: `none` | `unknown` | hidden: exact | in a set | missed | wrong | refused |\n" + "|---" * 8 + "|")
 
 
 def ask(report, directory, condition, hidden, draws, first_seed):
@@ -65,24 +69,54 @@ def row(name, nothing, one, holding):
     return "| " + " | ".join(str(c) for c in cells) + " |"
 
 
-def tables(directory):
-    nothing, one, rows = [], [], []
+def told_before(page, raw):
+    """Rows of the first table of a page, and the draws of RAW, each by its condition."""
+    rows, draws = {}, {}
+    for line in page.split(BEGIN)[1].split(END)[0].split("| sensors |")[0].splitlines():
+        if match := re.match(r"\| `(\w+)` \|", line):
+            rows[match[1]] = line
+    for line in raw.read_text().splitlines() if raw.exists() else []:
+        word, condition, sensors, seed, text = line.split(" ", 4)
+        draws.setdefault(condition, []).append((word, condition, sensors, seed, text))
+    return rows, draws
+
+
+def all_row(rows, nothing, one):
+    """Over all conditions; the draws of earlier ones have no times of their own, their rows have."""
+    cells = row("all", nothing, one, ("", "")).split("|")
+    times = [[float(cell) for cell in line.split("|")[-3:-1]] for line in rows]
+    cells[-3] = f" {sorted(t[0] for t in times)[len(times) // 2]:.2f} "
+    cells[-2] = f" {max(t[1] for t in times):.1f} "
+    return "|".join(cells)
+
+
+def tables(directory, page, raw):
+    nothing, one, rows = [], [], {}
+    before_rows, before_draws = told_before(page, raw)
     for path in sorted(directory.glob("*.nothing")):
         own, held = draws_of(path)
         hidden, held_one = draws_of(path.with_suffix(".one")) if path.with_suffix(".one").exists() else ([], "-")
-        rows.append(row(f"`{path.stem}`", own, hidden, (held, held_one)))
+        rows[path.stem] = row(f"`{path.stem}`", own, hidden, (held, held_one))
         nothing += own
         one += hidden
+    for condition in before_rows.keys() - rows.keys():
+        rows[condition] = before_rows[condition]
+        for draw in before_draws.get(condition, []):
+            (nothing if "hidden: nothing" in draw[4] else one).append((*draw, 0.0))
+    nothing.sort(key=lambda draw: (draw[1], int(draw[3])))
+    one.sort(key=lambda draw: (draw[1], int(draw[3])))
+    rows = [rows[name] for name in sorted(rows)]
     lines = [f"Written by `tests/diagnosis/conditions.py build/host/bin/condition_report DIR {(directory / 'asked.txt').read_text()}`",
              f"and `--page`: {len(nothing)} draws with nothing hidden, {len(one)} with one effect, in {len(rows)} conditions.", "",
-             HEAD.format("condition"), *rows, row("all", nothing, one, ("", "")), "", HEAD.format("sensors")]
+             HEAD.format("condition"), *rows, all_row(rows, nothing, one), "", SENSORS]
     for sensors in ("xva", "xa", "x", "a", "v", "mixed"):
-        lines.append(row(f"`{sensors}`", [d for d in nothing if d[2] == sensors], [d for d in one if d[2] == sensors], ("", "")))
+        cells = row(f"`{sensors}`", [d for d in nothing if d[2] == sensors], [d for d in one if d[2] == sensors], ("", "")).split("|")
+        lines.append("|".join(cells[:9]) + "|")
     return "\n".join(lines), nothing + one
 
 
 def write_page(directory, page, raw):
-    text, draws = tables(directory)
+    text, draws = tables(directory, page.read_text(), raw)
     before, rest = page.read_text().split(BEGIN)
     page.write_text(before + BEGIN + "\n" + text + "\n" + END + rest.split(END)[1])
     raw.write_text("".join(" ".join(draw[:5]) + "\n" for draw in draws))

@@ -30,8 +30,8 @@ TEST(PossibleCause, NoiseOfOneChannelIsNotThatOfAnother) {
 using Force = double (*)(double t, double x, double v);
 
 // One DOF let go, by steps of a 20th of a sample. Friction takes what speed it can in a step.
-host_sim::Record decay(double mass, double coulomb, double start, double rate_Hz, double duration_s, double noise, Force force,
-                       host_sim::Quantity quantity) {
+host_sim::Record decay(double mass, double coulomb, double start, double rate_Hz, double duration_s, double noise,
+                       Force force, host_sim::Quantity quantity) {
   std::mt19937 random(3);
   std::normal_distribution<double> normal;
   host_sim::Record record;
@@ -42,7 +42,8 @@ host_sim::Record decay(double mass, double coulomb, double start, double rate_Hz
   double x = start, v = 0;
   for (int k = 0; k < static_cast<int>(rate_Hz * duration_s); ++k) {
     const double t = k / rate_Hz, a = force(t, x, v) / mass;
-    record.channels[0].values.push_back((quantity == host_sim::Quantity::kDisplacement ? x : a) + noise * normal(random));
+    record.channels[0].values.push_back((quantity == host_sim::Quantity::kDisplacement ? x : a) +
+                                        noise * normal(random));
     for (int i = 0; i < kFiner; ++i) {
       x += 0.5 * h * v;
       v += h * force(t + (i + 0.5) * h, x, v) / mass;
@@ -67,14 +68,16 @@ rig_file::RigModel one_wheel(double stiffness) {
 TEST(PossibleCause, IsNamedThoughTheQuietEndCannotShowIt) {
   const host_sim::Record record = [] {
     host_sim::Record r = decay(
-        1.9e-3, 2e-5, 2.4, 10, 60, 2e-3, [](double, double x, double v) { return -0.02 * x + 1e-4 * x * x * x - 2.5e-4 * v; },
+        1.9e-3, 2e-5, 2.4, 10, 60, 2e-3,
+        [](double, double x, double v) { return -0.02 * x + 1e-4 * x * x * x - 2.5e-4 * v; },
         host_sim::Quantity::kDisplacement);
     r.channels[0].name = "displacement_1_m";
     return r;
   }();
   const diagnosis::Diagnosis d = diagnosis::diagnose(one_wheel(0.02), {record}, {});
   EXPECT_TRUE(told(d, {"cubic_stiffness", "link 1-0"})) << two_masses::said(d);
-  for (const diagnosis::Cause& c : d.causes) EXPECT_NE(c.effect, "sensor_gain");  // of the only channel, and nothing drives
+  for (const diagnosis::Cause& c : d.causes)
+    EXPECT_NE(c.effect, "sensor_gain");  // of the only channel, and nothing drives
   for (const diagnosis::NamedPlace& p : d.ambiguous_with) EXPECT_NE(p.effect, "sensor_gain");
 }
 
@@ -85,7 +88,8 @@ TEST(PossibleCause, TakesTheWarrantFromWhatItWouldBend) {
   host_sim::Record record = decay(
       1, 0, 0.08, 250, 80, 2e-3,
       [](double t, double x, double v) {
-        return -716 * (1 + 2e-3 * std::sin(kTwoPi * t / 23) * std::sin(kTwoPi * t / 41)) * x - 0.03 * v - 0.02 * v * std::abs(v);
+        return -716 * (1 + 2e-3 * std::sin(kTwoPi * t / 23) * std::sin(kTwoPi * t / 41)) * x - 0.03 * v -
+               0.02 * v * std::abs(v);
       },
       host_sim::Quantity::kAcceleration);
   record.channels[0].name = "acceleration_1_m_s2";

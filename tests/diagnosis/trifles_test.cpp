@@ -91,14 +91,21 @@ TEST(Undetermined, ACauseWhoseIntervalContainsNoughtIsTakenBack) {
   for (const Verdict verdict : {Verdict::kExplained, Verdict::kPartly, Verdict::kAmbiguous}) {
     Diagnosis d;
     d.verdict = verdict, d.causes = {drag(-1.95, 1)}, d.ambiguous_with = {{"stribeck", "link 1-0"}};
-    drop_undetermined(d);
+    drop_undetermined(d, true);
     EXPECT_TRUE(d.causes.empty());
     EXPECT_TRUE(d.ambiguous_with.empty());
     EXPECT_EQ(d.verdict, verdict == Verdict::kExplained ? Verdict::kNone : Verdict::kUnknown);
   }
+  // what the rig as given does not follow at all lacks something, whatever it is
+  for (const bool follows : {true, false}) {
+    Diagnosis d;
+    d.verdict = Verdict::kExplained, d.causes = {drag(-1.95, 1)}, d.baseline_misfit = 40, d.gain = {0.3};
+    drop_undetermined(d, follows);
+    EXPECT_EQ(d.verdict, follows ? Verdict::kNone : Verdict::kUnknown);
+  }
   Diagnosis d;
   d.verdict = Verdict::kExplained, d.causes = {drag(-1.97, 1), drag(5, 0)};
-  drop_undetermined(d);
+  drop_undetermined(d, true);
   ASSERT_EQ(d.causes.size(), 1u) << "the second says what the first has said";
   EXPECT_EQ(d.causes[0].parameters[0].value, -1.97);
   EXPECT_EQ(d.verdict, Verdict::kExplained);

@@ -118,8 +118,7 @@ TEST(PlainNames, MayBeLeftOut) {
   options.columns = {{"acceleration_1", ""}};
   for (const char* name : {"Acc [g]", "acceleration_1_m_s2", "acceleration_1_g"}) {
     const bool own = std::string(name) != "Acc [g]";
-    const std::string text =
-        std::string("Time [s];") + (own ? "force_1_N;" : "Force [N];") + name + "\n0;2;1\n1;2;1\n";
+    const std::string text = std::string("Time [s];") + (own ? "force_1_N;" : "Force [N];") + name + "\n0;2;1\n1;2;1\n";
     const Record record = host_sim::parse_csv(text, "d.csv", one_dof(false), options);
     ASSERT_EQ(record.channels.size(), 1u) << name;
     EXPECT_EQ(record.channels[0].quantity, Quantity::kForce) << name;

@@ -129,11 +129,13 @@ TEST(DiagnosisPage, SaysWhatMayBeThere) {
                    {"cubic_damping", "link 1-0", 12.6, "", ""},
                    {"backlash", "link 1-0", 11.0, "", ""}};
   EXPECT_EQ(verdict_details(data),
-            "What is left beyond measurement noise may be quadratic damping on link 1-0 or cubic damping on link 1-0, though too "
+            "What is left beyond measurement noise may be quadratic damping on link 1-0 or cubic damping on link 1-0, "
+            "though too "
             "little of it to be sure; viscous[1-0] would then be 0.0292 N s/m.");
   data.verdict = "unknown";
   EXPECT_EQ(verdict_details(data),
-            "No effect in the vocabulary explains what is left; nearest comes quadratic damping on link 1-0, which takes 13 % of "
+            "No effect in the vocabulary explains what is left; nearest comes quadratic damping on link 1-0, which "
+            "takes 13 % of "
             "it.");
 }
 

@@ -172,7 +172,8 @@ constexpr double kMuchOfIt = 0.5;  // of what a free run misses: then nothing el
 
 // Noise of a force that is simulated drives the rig: what the run misses by that no model can mend.
 void say_noise_of_drives(const Task& task, const Score& score, Diagnosis& d) {
-  if (score.worst_percent < kHalfOfVariance || score.by_drives_percent < kMuchOfIt * score.worst_percent) return;
+  if (!d.driven || score.worst_percent < kHalfOfVariance || score.by_drives_percent < kMuchOfIt * score.worst_percent)
+    return;
   char text[320];
   std::snprintf(text, sizeof text,
                 "noise or ripple of the channel that drives the rig alone makes such a run miss %.0f %%: the intervals "
@@ -274,7 +275,10 @@ void answer(const Task& task, const Choice& choice, Diagnosis& d) {
   d.verdict = verdict_of(task, choice, noise, worst_free_run, d);
   if (immaterial(task, choice, noise, worst_free_run, base, full, d)) {
     withdraw_causes(task, base, d);
-    d.verdict = noise || motion_error(task, choice.base) < kAsGoodAsRight ? Verdict::kNone : Verdict::kUnknown;
+    // what runs astray was needed all the same, where the rig alone leaves more than noise
+    const bool needed = worst_free_run > 100 && beyond_noise(choice.base_left);
+    d.verdict =
+        (noise && !needed) || motion_error(task, choice.base) < kAsGoodAsRight ? Verdict::kNone : Verdict::kUnknown;
   }
   if (!choice.base_fits_nothing) say_possible(task, choice, d);
   if (choice.base_fits_nothing && choice.named.empty()) say_cannot_describe(task, choice, d);

@@ -6,6 +6,8 @@
 namespace diagnosis::runs {
 namespace {
 
+constexpr double kGains = 1.05;  // on unseen data: a twentieth less missed is nothing that anybody acts on
+
 // What the cause's first number is an error of; 0: of nothing that is given.
 double given(const System& system, const Cause& c) {
   if (c.effect == "sensor_gain") return 1;
@@ -51,7 +53,7 @@ bool may_be_nought(const Cause& c) {
 
 }  // namespace
 
-void drop_undetermined(Diagnosis& d) {
+void drop_undetermined(Diagnosis& d, bool base_follows) {
   const Verdict before = d.verdict;
   const bool any = !d.causes.empty();
   for (size_t i = 0; i < d.causes.size();) {
@@ -65,10 +67,12 @@ void drop_undetermined(Diagnosis& d) {
     else
       ++i;
   }
-  // What had only noise left is right as far as these data can tell; else something is missing.
+  // What had only noise left is right as far as these data can tell, where the rig as given does no worse; else something is missing.
   if (any && d.causes.empty()) {
+    const bool no_gain = std::all_of(d.gain.begin(), d.gain.end(), [](double gain) { return gain < kGains; });
+    const bool as_good = d.leaves_noise_alone() || (base_follows && no_gain);
     d.ambiguous_with.clear();
-    d.verdict = before == Verdict::kExplained ? Verdict::kNone : Verdict::kUnknown;
+    d.verdict = before == Verdict::kExplained && as_good ? Verdict::kNone : Verdict::kUnknown;
   }
   d.settle();
 }

@@ -15,6 +15,8 @@ constexpr double kAttenuation = 2;
 void drop_trifles(const Task& task, Diagnosis& d);
 
 // Takes back every cause whose 95 % interval contains nought, and what is said twice.
-void drop_undetermined(Diagnosis& d);
+// base_follows: the rig as given follows the motion over its windows; where it does not something is missing, though none
+// of these.
+void drop_undetermined(Diagnosis& d, bool base_follows);
 
 }  // namespace diagnosis::runs

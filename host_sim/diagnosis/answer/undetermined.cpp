@@ -62,10 +62,13 @@ bool dissipates(const std::string& name) {
 
 // What dissipates beside an impossible number that does, on its link, shares what bends that.
 void mark_company(std::vector<diagnosis::Parameter>& list) {
-  const auto place = [](const std::string& name) { return (dissipates(name) ? "" : "-") + name.substr(name.find('[')); };
+  const auto place = [](const std::string& name) {
+    return (dissipates(name) ? "" : "-") + name.substr(name.find('['));
+  };
   for (const diagnosis::Parameter& wrong : list) {
     if (wrong.undetermined || !impossible(wrong)) continue;
-    for (diagnosis::Parameter& p : list) p.may_be_bent = p.may_be_bent || (p.std > 0 && place(p.name) == place(wrong.name));
+    for (diagnosis::Parameter& p : list)
+      p.may_be_bent = p.may_be_bent || (p.std > 0 && place(p.name) == place(wrong.name));
   }
 }
 
@@ -82,8 +85,10 @@ void mark_undetermined(const Task& task, Diagnosis& d) {
     else if (impossible(p))
       below += (below.empty() ? "" : ", ") + p.name;
   if (!below.empty())
-    d.advice.push_back(below + " below nought cannot be: something that is missing, or a motion too quiet for its noise, has gone "
-                               "into it; fit without it, and look whether unseen data are followed as well");
+    d.advice.push_back(
+        below +
+        " below nought cannot be: something that is missing, or a motion too quiet for its noise, has gone "
+        "into it; fit without it, and look whether unseen data are followed as well");
   if (!names.empty())
     d.advice.push_back("these records do not tell " + names +
                        ": record more of the motion (a decay from its start, several of them, or a driven record)");

@@ -14,9 +14,11 @@ constexpr double kShows = 0.02;       // of unseen windows' squared residual: le
 constexpr double kNoHarm = 1.01;      // of their squared residual, where they cannot show it
 constexpr double kSmallStart = 0.3;   // of the value that the linearisation gives
 constexpr double kPromised = 0.8;     // of the linearisation's gain, that a fit should reach
-constexpr double kThird = 1.0 / 3;    // of the share that a cause has to take
-constexpr int kFirstSteps = 3;        // with shapes held
-constexpr double kAsFound = 1.3;      // of the error over a part of the windows, that over all of them may be
+constexpr double kLeastSureShare =
+    0.2;                            // of what is still to be explained, where seen and unseen windows are both sure
+constexpr double kThird = 1.0 / 3;  // of the share that a cause has to take
+constexpr int kFirstSteps = 3;      // with shapes held
+constexpr double kAsFound = 1.3;    // of the error over a part of the windows, that over all of them may be
 
 double least_z(const Attempt& a, size_t added_from) {
   const std::vector<Determined> d = determined(a.state.fit, a.state.model);
@@ -357,6 +359,9 @@ bool passes(const Attempt& a, size_t already, double noise) {
   if (noise < kMostlyNoise && !too_quiet && unseen_share_of(a, noise) < least) return false;
   const bool again = too_quiet || unseen_share_of(a, noise) > 0.5 * share_of(a, noise);
   const bool plain = noise * std::max(1.0, a.quieter) < kMostlyNoise && again;
+  // beside something larger that nobody knows
+  const bool surely = plain && already == 0 && a.z > kSure && a.unseen_deviations > kSure;
+  if (surely && share_of(a, noise) > kLeastSureShare) return true;
   // something is missing, and two tests that know nothing of each other say what: 5 % twice is as rare as kSure once
   const bool twice = already == 0 && plain && a.unseen_deviations > kByChance;
   return a.z > (twice                ? kByChance
@@ -366,7 +371,8 @@ bool passes(const Attempt& a, size_t already, double noise) {
 }
 
 bool nearly(const Attempt& a) {
-  return a.state.fit.ok && !a.rounds && a.candidates.size() == 1 && a.z > kSure && a.unseen < 1 && whole_error(a) < kPays;
+  return a.state.fit.ok && !a.rounds && a.candidates.size() == 1 && a.z > kSure && a.unseen < 1 &&
+         whole_error(a) < kPays;
 }
 
 bool leaves_much_more(const Attempt& a, const Attempt& than, double noise) {

@@ -8,9 +8,9 @@ struct Attempt {
   std::vector<Candidate> candidates;
   State state;
   double error = 1e300, unseen = 1e300;  // squared, over that of the model beside which they were put
-  double quieter = 1;                    // noise's share of that model's squared error on unseen windows over that on seen ones
-  double z = 0;                          // of the least significant candidate
-  int complexity = 0;                    // numbers beside the coefficients
+  double quieter = 1;  // noise's share of that model's squared error on unseen windows over that on seen ones
+  double z = 0;        // of the least significant candidate
+  int complexity = 0;  // numbers beside the coefficients
   // Whether unseen windows can tell: what it would bring there, as a share of their squared residual, is more than
   // chance.
   bool shows_unseen = true;

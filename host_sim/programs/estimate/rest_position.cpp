@@ -85,10 +85,11 @@ std::vector<std::string> count_from_rest(const rig_file::RigModel& model, Shared
     if (!one_side && !(free && std::fabs(swing.mean) > kOff * swing.rms)) continue;
     for (Record& record : records.own())
       for (double& value : record.channels[c].values) value -= swing.mean;
-    notes.push_back(one_side
-                        ? fmt::format("{} never comes to its zero: counted from its mean, {:.4g}, as the position of rest",
-                                      name, swing.mean)
-                        : fmt::format("{} swings about {:.4g}: counted from there, as the position of rest", name, swing.mean));
+    notes.push_back(
+        one_side
+            ? fmt::format("{} never comes to its zero: counted from its mean, {:.4g}, as the position of rest", name,
+                          swing.mean)
+            : fmt::format("{} swings about {:.4g}: counted from there, as the position of rest", name, swing.mean));
   }
   return notes;
 }

@@ -85,7 +85,8 @@ WarrantResult warrant_of(const rig_file::RigModel& model, const firmware::Warran
 
 std::string after_suspicion(const WarrantResult& warrant) {
   if (warrant.named.effect.empty() || warrant.explained) return "";
-  return "what to do: host_sim diagnose asks the same data whether that is it; --extended-rig FILE writes a rig file that has it, "
+  return "what to do: host_sim diagnose asks the same data whether that is it; --extended-rig FILE writes a rig file "
+         "that has it, "
          "for the next estimate";
 }
 

@@ -32,9 +32,10 @@ ReadingOptions::Choices choices(const char* option, const std::vector<std::strin
 }  // namespace
 
 void add_data_options(CLI::App& command, DataArguments& arguments) {
-  command.add_option("--column", arguments.columns,
-                     "CHANNEL=NAME: the data file's column of that name is this channel (CHANNEL= leaves the channel out); may be "
-                     "repeated");
+  command.add_option(
+      "--column", arguments.columns,
+      "CHANNEL=NAME: the data file's column of that name is this channel (CHANNEL= leaves the channel out); may be "
+      "repeated");
   command.add_option("--unit", arguments.units, "CHANNEL=UNIT: the unit that column is in; may be repeated");
   command.add_option("--sensitivity", arguments.sensitivities,
                      "CHANNEL=VALUE: of a sensor whose column is a voltage, as in acceleration_1=\"100 mV/g\"");

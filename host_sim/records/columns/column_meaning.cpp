@@ -146,8 +146,8 @@ class Planner {
       if (other_kind || (plain.back() && plain.back()->unit.empty())) plain.back().reset();
     }
     for (size_t i = 0; i < columns.size(); ++i) {
-      if (!plain[i] || plan_.uses[i].kind == ColumnUse::Kind::kChannel ||
-          is_taken(plain[i]->channel) || is_left_out(plain[i]->channel))
+      if (!plain[i] || plan_.uses[i].kind == ColumnUse::Kind::kChannel || is_taken(plain[i]->channel) ||
+          is_left_out(plain[i]->channel))
         continue;
       const auto same = std::count_if(plain.begin(), plain.end(), [&](const std::optional<PlainName>& p) {
         return p && p->channel.quantity == plain[i]->channel.quantity &&

@@ -171,10 +171,11 @@ std::string possible_text(const DiagnosisReportData& data) {
 
 // Of a rig file that explains the measurement.
 std::string rest_text(const DiagnosisReportData& data) {
-  const auto bends = std::find_if(data.possible.begin(), data.possible.end(), [](const auto& c) { return !c.bends.empty(); });
+  const auto bends =
+      std::find_if(data.possible.begin(), data.possible.end(), [](const auto& c) { return !c.bends.empty(); });
   if (bends != data.possible.end())
-    return "What is left beyond measurement noise may be " + possible_text(data) + ", though too little of it to be sure; " +
-           bends->bends + " would then be " + bends->to + ".";
+    return "What is left beyond measurement noise may be " + possible_text(data) +
+           ", though too little of it to be sure; " + bends->bends + " would then be " + bends->to + ".";
   return data.leaves_noise_alone
              ? "Nothing is left beyond measurement noise that these data could show."
              : "What is left beyond measurement noise neither helps to predict unseen data nor moves a coefficient.";
