@@ -70,11 +70,9 @@ std::vector<Candidate> candidates_beside(const System& s, const Model& model, co
   };
   const bool held = vocabulary::held_in_place(s.rig);
   double duration_s = 0, fastest_Hz = 0, slowest_s = 0;
-  bool any_force = false;
   for (const Prepared& p : records) {
     duration_s = std::max(duration_s, p.time_s(p.samples)), fastest_Hz = std::max(fastest_Hz, p.top_Hz);
     slowest_s = std::max(slowest_s, p.period_s);
-    for (const Vec& f : p.force) any_force = any_force || f.size() > 0;
   }
   const bool scale_known =
       std::any_of(model.begin(), model.end(), [](const ModelTerm& t) { return t.known && !t.added && t.value != 0; });
@@ -157,7 +155,7 @@ std::vector<Candidate> candidates_beside(const System& s, const Model& model, co
       if (!measures(records, dof, q)) continue;
       Term gain = on_dof(Kind::kChannelGain, dof), delay = on_dof(Kind::kChannelDelay, dof);
       gain.quantity = delay.quantity = q;
-      if (records[0].traces.size() > 1 || (scale_known && (any_force || based))) add({gain}, 0), add({delay}, 0);
+      if (scale_known || records[0].traces.size() > 1) add({gain}, 0), add({delay}, 0);
     }
   }
   return list;

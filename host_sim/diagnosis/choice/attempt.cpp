@@ -16,6 +16,7 @@ constexpr double kSmallStart = 0.3;   // of the value that the linearisation giv
 constexpr double kPromised = 0.8;     // of the linearisation's gain, that a fit should reach
 constexpr double kLeastSureShare =
     0.2;                            // of what is still to be explained, where seen and unseen windows are both sure
+constexpr double kMostGain = 0.2;   // error of a calibration
 constexpr double kThird = 1.0 / 3;  // of the share that a cause has to take
 constexpr int kFirstSteps = 3;      // with shapes held
 constexpr double kAsFound = 1.3;    // of the error over a part of the windows, that over all of them may be
@@ -170,11 +171,20 @@ double paired_share_z(const Fitted& before, const Fitted& after) {
 
 namespace {
 
+// The only channel of a rig that nothing drives tells its own gain by the bend of a law alone. More than a calibration may be
+// off is that law, not the gain.
+bool is_no_calibration(const Task& task, const ModelTerm& t) {
+  const Prepared& p = task.records[0];
+  return t.term.kind == Kind::kChannelGain && std::abs(t.value) > kMostGain && p.traces.size() == 1 &&
+         !forced(task.records) && !p.guess.back().given;
+}
+
 // What a settled attempt brings, and whether chance could bring it.
 void judge(const Task& task, const State& beside, bool hosted, Attempt& a) {
   a.error = error_over(a.state.fit, beside.fit), a.unseen = error_over(a.state.unseen_fit, beside.unseen_fit);
   a.quieter = quieter_of(beside);
   for (size_t i = beside.model.size(); i < a.state.model.size(); ++i) {
+    if (is_no_calibration(task, a.state.model[i])) a.state.fit.ok = false;
     if (shown(task, a.state.model[i])) continue;
     if (a.state.model[i].term.kind == Kind::kPresliding)
       a.rounds = true;
@@ -355,7 +365,7 @@ bool passes(const Attempt& a, size_t already, double noise) {
   if (!a.shows_unseen && !borne_out)  // then it has to explain nearly all by itself
     return unseen_agrees(a) && a.z > kNamed * std::sqrt(n) && share_of(a, noise) > std::max(least, 1 - kShare);
   // unseen windows are too quiet for what takes nearly all of the others (a decay's end): it is enough that they gain
-  const bool too_quiet = a.expected_unseen < kShows && share_of(a, noise) > 1 - kShare;
+  const bool too_quiet = already == 0 && a.expected_unseen < kShows && share_of(a, noise) > 1 - kShare;
   if (noise < kMostlyNoise && !too_quiet && unseen_share_of(a, noise) < least) return false;
   const bool again = too_quiet || unseen_share_of(a, noise) > 0.5 * share_of(a, noise);
   const bool plain = noise * std::max(1.0, a.quieter) < kMostlyNoise && again;
