@@ -9,8 +9,6 @@
 namespace diagnosis::runs {
 namespace {
 
-constexpr double kLeastGain = 1.05;  // on unseen data: a twentieth less missed is not a number that anybody acts on
-
 // Whether one of the rig's own coefficients leaves the interval that it had without the causes.
 bool moved(const std::vector<ActiveTerm>& before, const std::vector<ActiveTerm>& after) {
   for (size_t i = 0; i < before.size() && i < after.size(); ++i)

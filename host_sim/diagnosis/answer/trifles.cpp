@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "materiality.hpp"
+
 namespace diagnosis::runs {
 namespace {
-
-constexpr double kGains = 1.05;  // on unseen data: a twentieth less missed is nothing that anybody acts on
 
 // What the cause's first number is an error of; 0: of nothing that is given.
 double given(const System& system, const Cause& c) {
@@ -69,7 +69,7 @@ void drop_undetermined(Diagnosis& d, bool base_follows) {
   }
   // What had only noise left is right as far as these data can tell, where the rig as given does no worse; else something is missing.
   if (any && d.causes.empty()) {
-    const bool no_gain = std::all_of(d.gain.begin(), d.gain.end(), [](double gain) { return gain < kGains; });
+    const bool no_gain = std::all_of(d.gain.begin(), d.gain.end(), [](double gain) { return gain < kLeastGain; });
     const bool as_good = d.leaves_noise_alone() || (base_follows && no_gain);
     d.ambiguous_with.clear();
     d.verdict = before == Verdict::kExplained && as_good ? Verdict::kNone : Verdict::kUnknown;
