@@ -10,7 +10,7 @@
 // Kinematic discrepancies: identities that hold for any rig, so what they show is sensor noise and skew alone.
 //   velocity weights:  kinetic = integral(q a) - (v_end^2 - v_start^2) / 2       per unit mass
 //                      elastic = integral(q x) - (x_end^2 - x_start^2) / 2       per unit stiffness to ground
-//   displacement:      kinetic = integral(x a) + integral(v v) - [x v]           elastic = 0
+//   displacement:      kinetic = integral(x a) + integral(v v) - [x v]
 // They let the identification choose, per DOF, between the integral form and the end-point form of the kinetic and elastic
 // energy (or mix them: they are control variates), and measure skew: elastic = -tau_xv * integral(v^2), likewise v against a.
 //
@@ -46,15 +46,19 @@ PackedScaled operator+(PackedScaled a,
 struct BatchDof {
   PackedScaled rhs[kWeights];
   PackedScaled kinetic_discrepancy[kWeights];
-  PackedScaled elastic_discrepancy[kWeights];
-  PackedScaled kinetic_end;          // (v_end^2 - v_start^2) / 2, per unit mass
-  PackedScaled elastic_end;          // (x_end^2 - x_start^2) / 2, per unit stiffness
-  PackedScaled velocity_square;      // integral of v^2 dt
+  PackedScaled elastic_discrepancy[kWeights];  // of the velocity weights; the third place is displacement_square()
+  PackedScaled kinetic_end;                    // (v_end^2 - v_start^2) / 2, per unit mass
+  PackedScaled elastic_end;                    // (x_end^2 - x_start^2) / 2, per unit stiffness
+  PackedScaled velocity_square;                // integral of v^2 dt
   PackedScaled velocity_instrument;  // integral of v z dt: velocity_square minus this is the noise energy of v
   // integral of v times the weight of the velocity row: velocity_instrument without the samples in which a friction has no
   // clear sign
   PackedScaled weight_square;
   PackedScaled acceleration_square;  // integral of a^2 dt, 0 where a is not measured
+
+  // Integral of x times the weight of the displacement row dt; only where that weight is summed.
+  PackedScaled& displacement_square() { return elastic_discrepancy[kWeights - 1]; }
+  const PackedScaled& displacement_square() const { return elastic_discrepancy[kWeights - 1]; }
 };
 
 struct Batch {

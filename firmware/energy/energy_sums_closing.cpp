@@ -117,10 +117,12 @@ void EnergySums::close_weight(int i, int q, Batch& batch) {
   if (q != kDisplacement) {
     if (products.has_acceleration) dof.kinetic_discrepancy[q] = pack(integral(products.acceleration[q]) - kinetic_end_);
     if (products.has_displacement) dof.elastic_discrepancy[q] = pack(integral(products.displacement[q]) - elastic_end_);
-  } else if (products.has_displacement && products.has_acceleration) {
+    return;
+  }
+  dof.displacement_square() = pack(integral(products.displacement[q]));
+  if (products.has_displacement && products.has_acceleration)
     dof.kinetic_discrepancy[q] = pack(integral(products.acceleration[q]) + integral(products.velocity_instrument) -
                                       unit_x * unit_v * Scaled::from_int(x1 * v1 - x0 * v0));
-  }
 }
 
 void EnergySums::close_dof(int i, Batch& batch) const {

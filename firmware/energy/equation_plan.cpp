@@ -22,7 +22,9 @@ class Planner {
     products.clear_signs_only = products.has_acceleration && weights_ > 1 && has_friction(i);
     for (int q = 0; q < weights_; ++q) {
       products.force[q] = weighted(i, q, i, Quantity::kForce);
-      products.displacement[q] = kinematic(i, q, Quantity::kDisplacement);
+      products.displacement[q] = q == static_cast<int>(Weight::kDisplacement)
+                                     ? weighted(i, q, i, Quantity::kDisplacement)
+                                     : kinematic(i, q, Quantity::kDisplacement);
       products.acceleration[q] = kinematic(i, q, Quantity::kAcceleration);
     }
     products.velocity_square = weighted(i, 0, i, Quantity::kVelocity);

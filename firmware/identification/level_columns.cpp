@@ -4,6 +4,8 @@ namespace firmware {
 namespace {
 
 constexpr int kSystematicDeviations = 4;  // a control variate whose mean is this far from zero is not noise
+// The difference of two rows that are nearly one has their rounding: 2^-28 and this are a third of what a batch leaves.
+constexpr int kLeastShareLog2 = -8;
 
 void remove_mean(Scaled* values, int count) {
   Scaled sum;
@@ -33,14 +35,16 @@ void LevelColumns::load(const EquationList& list, const RowLayout& layout, const
   list_ = &list;
   layout_ = &layout;
   level_ = &level;
-  for (int i = 0; i < list.dof_count; ++i) {
-    load_scale(i);
-    for (int which = 0; with_controls && which < (list.displacement ? kControlsPerDof : 2); ++which) {
-      load_control(i, which);
-      judge_control(control(i, which));
+  for (int i = 0; i < list.dof_count; ++i) load_scale(i);
+  for (int e = 0; e < list.count; ++e) {
+    load_row_scale(e);
+    const int first = displacement_row(e) ? 2 : 0, behind = displacement_row(e) ? kControlsPerDof : 2;
+    for (int which = first; with_controls && which < behind; ++which) {
+      load_control(list.equation[e].dof, which);
+      judge_control(control(list.equation[e].dof, which));
     }
+    load_equation(e, parameters);
   }
-  for (int e = 0; e < list.count; ++e) load_equation(e, parameters);
 }
 
 void LevelColumns::load_scale(int dof) {
@@ -61,18 +65,50 @@ void LevelColumns::load_scale(int dof) {
   }
 }
 
+// The integral of x v is known over all samples: those that a friction without a clear sign leaves out have the smallest v.
+void LevelColumns::load_row_scale(int e) {
+  if (!displacement_row(e)) return;
+  const int dof = list_->equation[e].dof;
+  rows_used_[e] = level_->periodic ? rows_used_[dof] : 0;
+  for (int b = 0; b < batch_count() && !level_->periodic; ++b) {
+    displacement_scale_[b] = velocity_part_[b] = Scaled{};
+    if (inverse_scale_[b][dof].is_zero()) continue;
+    const BatchDof& batch = level_->batch[b].dof[dof];
+    const Scaled square = unpack(batch.displacement_square());
+    const Scaled overlap =
+        (unpack(batch.elastic_discrepancy[static_cast<int>(list_->equation[dof].weight)]) + unpack(batch.elastic_end)) *
+        inverse_scale_[b][dof];
+    const Scaled left = square - overlap * overlap;
+    if (left <= scale_by_power_of_two(square, kLeastShareLog2)) continue;
+    displacement_scale_[b] = inverse_root(left);
+    velocity_part_[b] = displacement_scale_[b] * overlap * inverse_scale_[b][dof];
+    ++rows_used_[e];
+  }
+}
+
+Scaled LevelColumns::weight_share(int e) const {
+  const int dof = list_->equation[e].dof;
+  if (!displacement_row(e) || motion_total_[dof].is_zero()) return Scaled::from_int(1);
+  Scaled sum;
+  for (int b = 0; b < batch_count(); ++b) sum += unpack(level_->batch[b].dof[dof].displacement_square());
+  return sum > Scaled{} ? sum / motion_total_[dof] : Scaled::from_int(1);
+}
+
 void LevelColumns::load_control(int dof, int which) {
   const int c = control(dof, which), n = level_->batch_count;
-  const int q = static_cast<int>(which == 2 ? Weight::kDisplacement : list_->equation[dof].weight);
+  const auto discrepancy = [&](const Batch& batch, int e) {
+    const BatchDof& there = batch.dof[dof];
+    const int q = static_cast<int>(list_->equation[e].weight);
+    return unpack(which == 1 ? there.elastic_discrepancy[q] : there.kinetic_discrepancy[q]);
+  };
   total_[c] = end_variance_[c] = Scaled{};
   for (int b = 0; b < n; ++b) {
-    const BatchDof& batch = level_->batch[b].dof[dof];
-    const Scaled value = unpack(which == 1 ? batch.elastic_discrepancy[q] : batch.kinetic_discrepancy[q]);
-    const Scaled ends = which == 2 ? Scaled{} : unpack(which == 1 ? batch.elastic_end : batch.kinetic_end);
-    number_[b] = level_->periodic ? value : value * inverse_scale_[b][dof];
+    number_[b] = scaled(b, which == 2 ? list_->dof_count + dof : dof, discrepancy);
     if (!level_->periodic) continue;
-    other_[b] = value + ends;
-    total_[c] += value;
+    const BatchDof& batch = level_->batch[b].dof[dof];
+    const Scaled ends = which == 2 ? Scaled{} : unpack(which == 1 ? batch.elastic_end : batch.kinetic_end);
+    other_[b] = number_[b] + ends;
+    total_[c] += number_[b];
   }
   if (level_->periodic && n > 1 && which != 2) {
     remove_mean(number_, n);
@@ -103,22 +139,28 @@ void LevelColumns::judge_control(int c) {
 }
 
 void LevelColumns::load_equation(int e, const Scaled* parameters) {
-  const Equation& equation = list_->equation[e];
-  const int q = static_cast<int>(equation.weight), n = batch_count();
+  const int n = batch_count();
+  const auto weight = [&](int equation) { return static_cast<int>(list_->equation[equation].weight); };
   energy_square_[e] = Scaled{};
   for (int k = first_term(e); k < behind_terms(e); ++k) {
-    for (int b = 0; b < n; ++b) number_[b] = scaled(b, equation.dof, unpack(level_->batch[b].column[q][k]));
+    const auto energy = [&](const Batch& batch, int row) { return unpack(batch.column[weight(row)][k]); };
+    for (int b = 0; b < n; ++b) number_[b] = scaled(b, e, energy);
     round(term(e, k));
     const Scaled& p = parameters[unknown_of(k)];
     energy_square_[e] += square(term(e, k)) * (p * p);
   }
-  for (int b = 0; b < n; ++b) number_[b] = scaled(b, equation.dof, unpack(level_->batch[b].dof[equation.dof].rhs[q]));
+  const int dof = list_->equation[e].dof;
+  const auto right_side = [&](const Batch& batch, int row) { return unpack(batch.dof[dof].rhs[weight(row)]); };
+  for (int b = 0; b < n; ++b) number_[b] = scaled(b, e, right_side);
   round(residual(e));  // for its square alone
   energy_square_[e] += square(residual(e));
   Scaled& total = total_[residual(e)];
   total = Scaled{};
+  const auto residual_of = [&](const Batch& batch, int row) {
+    return batch_residual(*layout_, batch, list_->equation[row], parameters);
+  };
   for (int b = 0; b < n; ++b) {
-    number_[b] = scaled(b, equation.dof, batch_residual(*layout_, level_->batch[b], equation, parameters));
+    number_[b] = scaled(b, e, residual_of);
     if (level_->periodic) total += number_[b];
   }
   if (level_->periodic && n > 1) remove_mean(number_, n);

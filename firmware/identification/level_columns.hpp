@@ -5,8 +5,12 @@
 // Periodic levels (one long row per equation): batches are equal repetitions; their deviations from the mean show the
 // noise, the row itself is the sum over the batches. Where batches are whole cycles the discrepancy without its end
 // points has the smaller scatter (the end-point noise of neighbouring batches cancels in the sum), so that form is used
-// for covariances. Other levels: every batch is a row, divided by sqrt(integral of v^2) of its DOF (to 2^-28: all that
-// stands in the row by the same number): white sensor noise times the weight v.
+// for covariances. Other levels: every batch is a row, divided by what white noise of its equation scatters it in proportion to: the
+// root of the integral of its weight squared (to 2^-28: all that stands in the row by the same number). Where a batch is shorter
+// than a period, the weights v and x of a DOF are no longer orthogonal in it, and noise scatters both rows together, with one sign
+// or the other. So the displacement row is taken with the part of x that is orthogonal to v in this batch,
+//   x - v (integral of x v) / (integral of v^2)
+// A batch that leaves less than 2^-kLeastShareLog2 of the integral of x^2 has no displacement row.
 //
 // Formats: kColumnBits for the largest number of a column (27 for 128 batches: 2^-28 of it is what rounding costs the
 // others), products below 2^54, their sums below 2^62. Residuals are formed before they are rounded, so that they have
@@ -36,8 +40,9 @@ class LevelColumns {
   template <typename Change>
   void load_changes(Change change) {
     for (int e = 0; e < list_->count; ++e) {
-      for (int b = 0; b < batch_count(); ++b)
-        number_[b] = scaled(b, list_->equation[e].dof, change(level_->batch[b], e));
+      load_row_scale(e);
+      const auto of_batch = [&](const Batch& batch, int equation) { return change(batch, equation); };
+      for (int b = 0; b < batch_count(); ++b) number_[b] = scaled(b, e, of_batch);
       round(residual(e));
     }
   }
@@ -45,7 +50,7 @@ class LevelColumns {
   bool periodic() const { return level_->periodic; }
   int batch_count() const { return level_->batch_count; }
   bool row_used(int batch, int dof) const { return used_[batch][dof]; }  // the DOF moves in this batch
-  int rows_used(int dof) const { return rows_used_[dof]; }
+  int rows_used(int e) const { return rows_used_[e]; }
 
   // Places of columns. Observables are controls and residuals.
   static int control(int dof, int which) { return kControlsPerDof * dof + which; }
@@ -74,12 +79,22 @@ class LevelColumns {
 
   Scaled motion_mean(int dof) const { return motion_mean_[dof]; }  // mean over batches of V = integral of v^2
   Scaled motion_total(int dof) const { return motion_total_[dof]; }
+  // Integral of the equation's weight squared in proportion to that of v^2, over the level; 1 for velocity rows.
+  Scaled weight_share(int e) const;
 
  private:
-  Scaled scaled(int batch, int dof, const Scaled& value) const {
-    return level_->periodic ? value : inverse_scale_[batch][dof] * value;
+  bool displacement_row(int e) const { return e >= list_->dof_count; }
+  // What value(batch, equation) gives to the row of equation e.
+  template <typename Value>
+  Scaled scaled(int b, int e, const Value& value) const {
+    const Batch& batch = level_->batch[b];
+    if (level_->periodic) return value(batch, e);
+    if (!displacement_row(e)) return inverse_scale_[b][list_->equation[e].dof] * value(batch, e);
+    if (displacement_scale_[b].is_zero()) return Scaled{};
+    return displacement_scale_[b] * value(batch, e) - velocity_part_[b] * value(batch, e - list_->dof_count);
   }
   void load_scale(int dof);
+  void load_row_scale(int e);
   void load_control(int dof, int which);
   void judge_control(int c);
   void load_equation(int e, const Scaled* parameters);
@@ -90,7 +105,7 @@ class LevelColumns {
   const RowLayout* layout_ = nullptr;
   const Level* level_ = nullptr;
   bool used_[kMaxBatches][kMaxDofs];
-  int rows_used_[kMaxDofs];
+  int rows_used_[kMaxEquations];
   bool valid_[kMaxControls];
   bool scatters_[kMaxEquations];
   Scaled inverse_scale_[kMaxBatches][kMaxDofs];  // 1 in periodic levels
@@ -101,6 +116,8 @@ class LevelColumns {
   Scaled energy_square_[kMaxEquations];
   Scaled motion_mean_[kMaxDofs], motion_total_[kMaxDofs];
   Scaled number_[kMaxBatches], other_[kMaxBatches];  // before they are rounded
+  // Of the displacement row that is being loaded: what it is multiplied by, and how much of the velocity row is taken off.
+  Scaled displacement_scale_[kMaxBatches], velocity_part_[kMaxBatches];
 };
 
 }  // namespace firmware

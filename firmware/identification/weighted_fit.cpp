@@ -15,8 +15,20 @@ Scaled column_square(const BatchTable& table, Weight weight, int n) {
   return sum;
 }
 
-// How much larger the energies of DOF i's displacement row are than those of its velocity row; 1 where they share
-// nothing.
+// Integral of x^2 over that of v^2; 1 where either is zero.
+Scaled displacement_share(const BatchTable& table, int dof) {
+  Scaled displacement, velocity;
+  for (int l = 0; l < table.level_count; ++l)
+    for (int b = 0; b < table.level[l].batch_count; ++b) {
+      const BatchDof& batch = table.level[l].batch[b].dof[dof];
+      displacement += unpack(batch.displacement_square());
+      velocity += unpack(batch.velocity_square);
+    }
+  return displacement > Scaled{} && velocity > Scaled{} ? displacement / velocity : Scaled::from_int(1);
+}
+
+// How much larger the energies of DOF i's displacement row are than those of its velocity row, each over the root of the integral
+// of its weight squared; 1 where they share nothing.
 Scaled displacement_ratio(const EquationList& list, const BatchTable& table, int dof) {
   Scaled largest;
   for (int n = table.layout.first[dof]; n < table.layout.first[dof + 1]; ++n) {
@@ -25,7 +37,7 @@ Scaled displacement_ratio(const EquationList& list, const BatchTable& table, int
     const Scaled ratio = sqrt(column_square(table, Weight::kDisplacement, n) / velocity);
     if (ratio > largest) largest = ratio;
   }
-  return largest.is_zero() ? Scaled::from_int(1) : largest;
+  return largest.is_zero() ? Scaled::from_int(1) : largest / sqrt(displacement_share(table, dof));
 }
 
 }  // namespace
@@ -51,9 +63,10 @@ void WeightedFit::start_weights() {
 }
 
 // What a row's square is in proportion to, in the level that is loaded.
-Scaled WeightedFit::motion_of(int dof) const {
+Scaled WeightedFit::motion_of(int e) const {
+  const int dof = list_->equation[e].dof;
   const Scaled mean = level_.motion_mean(dof);
-  return level_.periodic() ? level_.motion_total(dof) * mean : mean;
+  return level_.periodic() ? level_.motion_total(dof) * mean * level_.weight_share(e) : mean;
 }
 
 // Weights of the equations whose scatter the level shows.
@@ -63,7 +76,7 @@ void WeightedFit::measure_level(int l) {
     if (!whitening.measured) continue;
     noise_sum_ += whitening.relative_noise_square;
     ++noise_count_;
-    const Scaled motion = motion_of(list_->equation[e].dof);
+    const Scaled motion = motion_of(e);
     if (motion.is_zero()) continue;
     deviation_sum_[e] += whitening.deviation * whitening.deviation / motion;
     ++deviation_count_[e];
@@ -77,9 +90,8 @@ void WeightedFit::take_unmeasured(int l) {
   for (int e = 0; e < list_->count; ++e) {
     Whitening& whitening = whitening_[l][e];
     if (whitening.measured) continue;
-    const int dof = list_->equation[e].dof;
-    whitening.deviation = relative_deviation_[e] * sqrt(motion_of(dof));
-    if (level_.rows_used(dof) > 0 && !whitening.deviation.is_zero()) all_measured_ = false;
+    whitening.deviation = relative_deviation_[e] * sqrt(motion_of(e));
+    if (level_.rows_used(e) > 0 && !whitening.deviation.is_zero()) all_measured_ = false;
     add_equation(l, e);
   }
 }

@@ -35,7 +35,7 @@ class WeightedFit {
   void end_pass();
   void start_pass(bool new_equations);
   void weighted_pass();
-  Scaled motion_of(int dof) const;
+  Scaled motion_of(int e) const;
 
   const EquationList* list_ = nullptr;
   const BatchTable* table_ = nullptr;

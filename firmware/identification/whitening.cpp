@@ -72,7 +72,7 @@ Scaled regress(Scaled (*sums)[kSize], int predecessors, Scaled* coefficient) {
 
 Whitening measure_whitening(const EquationList& list, const LevelColumns& level, int e) {
   Whitening result;
-  const int dof = list.equation[e].dof, rows = level.rows_used(dof);
+  const int rows = level.rows_used(e);
   result.inflation = Scaled::from_int(1);
   // Rows that differ are fitted by the equation's own unknowns: what is left of so few more is no scatter.
   const int fitted = level.periodic() ? 0 : level.behind_terms(e) - level.first_term(e);
@@ -186,14 +186,9 @@ void reduce_rows(const EquationList& list, const LevelColumns& level, const Whit
     if (with_controls || whitening.observable[j] >= kMaxControls)
       summand[count++] = {level.column(whitening.observable[j]), -whitening.coefficient[j]};
   reduced.exponent[reduced.unknowns] = sum_columns(summand, count, batches, reduced.value[reduced.unknowns]);
-  reduced.rows = 0;
-  for (int b = 0; b < batches; ++b) {
-    if (level.row_used(b, dof)) {
-      ++reduced.rows;
-    } else {
-      for (int k = 0; k <= reduced.unknowns; ++k) reduced.value[k][b] = 0;
-    }
-  }
+  reduced.rows = level.rows_used(e);
+  for (int b = 0; b < batches; ++b)
+    for (int k = 0; k <= reduced.unknowns && !level.row_used(b, dof); ++k) reduced.value[k][b] = 0;
 }
 
 bool whitened_level_row(const EquationList& list, const LevelColumns& level, const Whitening& whitening, int e,

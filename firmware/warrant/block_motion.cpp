@@ -12,12 +12,6 @@ constexpr int kSignalBits = 23, kDerivedBits = 27;
 constexpr int kSlopeRestShift = 10;     // room for a channel whose unit is 1000 times another
 constexpr int kSlopeMantissaBits = 26;  // times 24 bits of code and 11 of the eight points: 61
 
-// Eight points, times 840: the slope per sample.
-int64_t slope_840(const int32_t* x) {
-  return 672 * (int64_t{x[1]} - x[-1]) - 168 * (int64_t{x[2]} - x[-2]) + 32 * (int64_t{x[3]} - x[-3]) -
-         3 * (int64_t{x[4]} - x[-4]);
-}
-
 }  // namespace
 
 bool measures_slope(const CoreConfiguration& configuration, Slope slope, int dof) {
@@ -51,8 +45,8 @@ void BlockMotion::configure(const CoreConfiguration& configuration, const Scaled
   for (int i = 0; i < configuration.dof_count; ++i) {
     const int row = signal_column(i, Quantity::kAcceleration);
     derives_acceleration_[i] = signal_unit_[row].is_zero();
-    if (derives_acceleration_[i])  // eight points, times 840, shifted by 7
-      signal_unit_[row] = signal_unit_[signal_column(i, Quantity::kVelocity)] * Scaled::from_int(128) /
+    if (derives_acceleration_[i])  // slope_840(), shifted
+      signal_unit_[row] = signal_unit_[signal_column(i, Quantity::kVelocity)] * Scaled::from_int(1 << kSlopeShift) /
                           (Scaled::from_int(840) * configuration.sample_period_s);
     acceleration_[i] = difference(Quantity::kAcceleration, i, kGroundNode);
     unit_[kAccelerationColumn + i] = unit_of(acceleration_[i]);
@@ -163,27 +157,26 @@ void BlockMotion::keep_tail() {
   filled_ = kKept;
 }
 
-// dv/dt from eight points, within the block.
+// dv/dt from eight points, within the block, and its instrument.
 void BlockMotion::fill_acceleration(int dof) {
-  const int32_t* v = signal_[signal_column(dof, Quantity::kVelocity)];
-  int32_t* a = signal_[signal_column(dof, Quantity::kAcceleration)];
-  for (int i = 0; i < kProbeSamples; ++i) {
-    if (i < kProbeLead || i + kProbeLead >= kProbeSamples) {
-      a[i] = 0;
-      continue;
-    }
-    a[i] = static_cast<int32_t>((slope_840(v + i) + 64) >> 7);
+  const int row = signal_column(dof, Quantity::kAcceleration);
+  const int32_t* v = signal(signal_column(dof, Quantity::kVelocity));
+  int32_t* a = signal_[row];
+  for (int i = 0; i < kProbeLead; ++i) a[i] = a[kProbeSamples - 1 - i] = 0;
+  for (int n = 0; n < kBlockSamples; ++n) {
+    a[kProbeLead + n] = static_cast<int32_t>((slope_840(v + n) + (1 << (kSlopeShift - 1))) >> kSlopeShift);
+    near_[row][n] = orthogonal_slope_q3(v + n);
   }
 }
 
 FIRMWARE_WIDER_VECTORS void BlockMotion::fill_neighbours() {
-  for (int i = 0; i < configuration_->dof_count; ++i)
-    if (derives_acceleration_[i]) fill_acceleration(i);
   for (int row = 0; row < kMaxNodes * kQuantities; ++row) {
     if (signal_unit_[row].is_zero()) continue;
     const int32_t* of = signal(row);
     for (int n = 0; n < kBlockSamples; ++n) near_[row][n] = between_neighbours_q3(of + n);
   }
+  for (int i = 0; i < configuration_->dof_count; ++i)
+    if (derives_acceleration_[i]) fill_acceleration(i);
 }
 
 // The friction's direction is not that of the sample before or after.

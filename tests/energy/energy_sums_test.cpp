@@ -156,6 +156,10 @@ TEST(EnergySums, AgreeWithLongDoubleSumsOfTheSameCodes) {
   const auto x1 = [&](size_t n) { return unit * s[n].code[0][1]; };
   near(sum.dof[0].elastic_discrepancy[0],
        integral([&](size_t n) { return v1(n) * x1(n); }) - 0.5L * (x1(samples - 4) * x1(samples - 4) - x1(3) * x1(3)));
+  const auto y = [&](size_t n) {
+    return clear[n] == 0 ? 0 : (4 * (x1(n - 1) + x1(n + 1)) - x1(n - 2) - x1(n + 2)) / 6;
+  };
+  if (layout.weight_count > 2) near(sum.dof[0].displacement_square(), integral([&](size_t n) { return y(n) * x1(n); }));
 }
 
 TEST(EnergySums, WithoutAccelerationTheKineticEnergyComesFromTheEndPoints) {

@@ -58,6 +58,12 @@ void HandTable::batch(const std::vector<DofEntry>& dofs) {
       dof.kinetic_discrepancy[q] = packed(entry.kinetic);
       dof.elastic_discrepancy[q] = packed(entry.elastic);
     }
+    const int x = static_cast<int>(Weight::kDisplacement);
+    for (size_t k = 0; k < entry.displacement.columns.size(); ++k)
+      batch.column[x][table->layout.first[i] + k] = packed(entry.displacement.columns[k]);
+    dof.rhs[x] = packed(entry.displacement.rhs);
+    dof.displacement_square() = packed(entry.displacement.square);
+    dof.elastic_end = packed(entry.elastic_end);
     dof.velocity_square = dof.velocity_instrument = dof.weight_square = packed(entry.motion);
     dof.acceleration_square = packed(entry.acceleration_square);
   }

@@ -18,6 +18,12 @@ struct DofEntry {
   double motion = 1.0;                  // integral of v^2, all of it free of noise
   double acceleration_square = 0.0;
   double plain_rhs_change = 0.0;  // plain rhs minus instrumented rhs
+  double elastic_end = 0.0;       // (x_end^2 - x_start^2) / 2
+  struct Displacement {           // row of the displacement weight, and the integral of x^2
+    std::vector<double> columns;
+    double rhs = 0.0, square = 0.0;
+  };
+  Displacement displacement = {};
 };
 
 class HandTable {

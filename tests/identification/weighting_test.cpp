@@ -107,3 +107,43 @@ TEST(Weighting, BatchAtRestIsLeftOut) {
   EXPECT_EQ(e.rows, 10u);
   EXPECT_NEAR(t.value(0), 5.0, 1e-9);
 }
+
+// One batch that is a part of a period: integrals of v^2 4, of x^2 5, of x v 2 (its discrepancy 0.5, its ends 1.5).
+//   velocity row (2, 1 | 3), displacement row (3, 1 | 2.5), each column k and the right-hand side.
+// The part of x that is orthogonal to v is x - v 2/4; its square has the integral 5 - 2^2/4 = 4. So the rows are
+//   (2, 1 | 3) / 2 = (1, 0.5 | 1.5)   and   ((3, 1 | 2.5) - 0.5 (2, 1 | 3)) / 2 = (1, 0.25 | 0.5).
+// The second batch moves with x = 2 v but for noise: x^2 16.05, v^2 4, x v 8: 0.05 of 16.05 is less than 2^-8. No such row.
+TEST(LevelColumns, DisplacementRowsAreOrthogonalToVelocityRowsInEveryBatch) {
+  HandTable t(1, {TermKind::kMass, TermKind::kViscous}, {{0}, {0}});
+  t.link(0, firmware::kGroundNode);
+  t.level(false);
+  hand::DofEntry partial{{2, 1}, 3.0, 0.0, 0.5, 4.0};
+  partial.displacement = {{3, 1}, 2.5, 5.0};
+  partial.elastic_end = 1.5;
+  hand::DofEntry along{{2, 1}, 3.0, 0.0, 0.0, 4.0};
+  along.displacement = {{4, 2}, 6.0, 16.05};
+  along.elastic_end = 8.0;
+  t.batch({partial});
+  t.batch({along});
+  const firmware::EquationList list = firmware::list_equations(t.configuration, *t.table);
+  ASSERT_EQ(list.count, 2);
+  const auto owner = std::make_unique<firmware::LevelColumns>();
+  firmware::LevelColumns& level = *owner;
+  const firmware::Scaled nought[firmware::kMaxUnknowns];
+  level.load(list, t.table->layout, t.table->level[0], nought, true);
+  const auto number = [&](int place, int batch) {
+    const firmware::WholeColumn column = level.column(place);
+    return rig_file::to_double(firmware::Scaled::from_int(column.value[batch], column.exponent));
+  };
+  constexpr double kRounding = 1e-7;
+  EXPECT_NEAR(number(level.term(0, 0), 0), 1.0, kRounding);
+  EXPECT_NEAR(number(level.term(0, 1), 0), 0.5, kRounding);
+  EXPECT_NEAR(number(level.residual(0), 0), 1.5, kRounding);
+  EXPECT_NEAR(number(level.term(1, 0), 0), 1.0, kRounding);
+  EXPECT_NEAR(number(level.term(1, 1), 0), 0.25, kRounding);
+  EXPECT_NEAR(number(level.residual(1), 0), 0.5, kRounding);
+  EXPECT_EQ(number(level.term(1, 0), 1), 0.0);
+  EXPECT_EQ(number(level.residual(1), 1), 0.0);
+  EXPECT_EQ(level.rows_used(0), 2);
+  EXPECT_EQ(level.rows_used(1), 1);
+}

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "firmware/energy/product_sums.hpp"
 #include "firmware/warrant/probe_force.hpp"
@@ -183,6 +184,26 @@ TEST(BlockMotion, NeighboursGiveAStraightLineBack) {
   EXPECT_NEAR(smoothed(d, between_neighbours_q3(x + 8), 0) * unit, 8000.0, 0.5);
   EXPECT_NEAR(slope(d, x, 8) * unit, 1000.0, 0.5);
   EXPECT_EQ(difference_at(d, x, x, 8) * unit, 123456.0);
+}
+
+// v = 1000 n codes: 1000 a sample, times 840 / 2^7 for the acceleration's code, and 8 for Q3. The noise that one sample k gives the
+// slope of eight points goes with what it gives the instrument: summed over the samples, nothing.
+TEST(Neighbours, ASlopeAndItsInstrumentShareNoNoise) {
+  int32_t ramp[16], one[16] = {};
+  for (int i = 0; i < 16; ++i) ramp[i] = 1000 * i;
+  EXPECT_EQ(slope_840(ramp + 8), 840000);
+  EXPECT_NEAR(orthogonal_slope_q3(ramp + 8), 8 * 840000 / 128.0, 1.0);
+  double shared = 0, slope_square = 0, instrument_square = 0;
+  for (int k = 4; k <= 12; ++k) {
+    one[k] = 1 << 20;
+    const double of_slope = std::ldexp(static_cast<double>(slope_840(one + 8)), -20),
+                 of_instrument = std::ldexp(orthogonal_slope_q3(one + 8), -20);
+    shared += of_slope * of_instrument;
+    slope_square += of_slope * of_slope;
+    instrument_square += of_instrument * of_instrument;
+    one[k] = 0;
+  }
+  EXPECT_NEAR(shared / std::sqrt(slope_square * instrument_square), 0.0, 1e-6);
 }
 
 }  // namespace
