@@ -38,8 +38,9 @@ void add_equation(const EquationList& list, const LevelColumns& level, const Whi
   }
 }
 
-// The shift that is left of p + shift. It converges, for what noise has added to the normal equations is less than what is there.
-void find_shift(const EquationList& list, const WeightedFit& fit, const Scaled* variance, Scaled* shift) {
+// The shift that is left of p + shift. It converges where what noise has added to the normal equations is less than what is there;
+// else the rows are noise, or what stands in their residuals is none. False: it does not.
+bool find_shift(const EquationList& list, const WeightedFit& fit, const Scaled* variance, Scaled* shift) {
   for (int turn = 0; turn < kTurns; ++turn) {
     Scaled pull[kMaxUnknowns], next[kMaxUnknowns];
     for (int k = 0; k < list.unknown_count; ++k) pull[k] = variance[k] * (fit.parameters()[k] + shift[k]);
@@ -49,8 +50,9 @@ void find_shift(const EquationList& list, const WeightedFit& fit, const Scaled* 
       settled = settled && scale_by_power_of_two(abs(next[k] - shift[k]), 4) <= abs(next[k]);
       shift[k] = next[k];
     }
-    if (settled) return;
+    if (settled) return true;
   }
+  return false;
 }
 
 }  // namespace
@@ -63,9 +65,13 @@ void take_out_regressor_noise(const EquationList& list, const BatchTable& table,
     const LevelColumns& level = fit.load_level(l);
     for (int e = 0; e < list.count; ++e) add_equation(list, level, fit.whitening(l, e), e, fit, variance);
   }
-  find_shift(list, fit, variance, shift);
+  const bool settled = find_shift(list, fit, variance, shift);
   for (int k = 0; k < list.unknown_count; ++k) {
     ParameterEstimate& parameter = estimates.parameters[k];
+    if (!settled && scale_by_power_of_two(abs(shift[k]), 2) >= parameter.std) {
+      widen(parameter, parameter.value);
+      continue;
+    }
     if (scale_by_power_of_two(abs(shift[k]), 2) < parameter.std) continue;  // less than 3 % of the interval
     parameter.value += shift[k];
     parameter.ci95_low += shift[k];

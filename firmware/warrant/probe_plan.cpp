@@ -77,7 +77,8 @@ class Planner {
   void candidates() {
     for (const Candidate& candidate : kOnLink)
       for (int p = 0; p < plan_.place_count; ++p)
-        if (plan_.place[p].kind == PlaceKind::kLink && !estimated(candidate.core, plan_.place[p].link))
+        if (plan_.place[p].kind == PlaceKind::kLink && !estimated(candidate.core, plan_.place[p].link) &&
+            !(candidate.form == Form::kElongation && sets_the_scale(TermKind::kStiffness, plan_.place[p].link)))
           add(p, candidate.form, candidate.cause, kNoQuantity, -1);
     for (int p = 0; p < plan_.place_count; ++p) {
       const Place& place = plan_.place[p];
@@ -95,7 +96,7 @@ class Planner {
       } else if (place.kind == PlaceKind::kDof) {
         // An acceleration that is made from velocities here shares their noise with its neighbours, and has no channel.
         if (c_.signals[place.node_a][static_cast<int>(Quantity::kAcceleration)].available) {
-          if (!estimated(kMass, place.node_a))
+          if (!estimated(kMass, place.node_a) && !sets_the_scale(TermKind::kMass, place.node_a))
             add(p, Form::kAcceleration, cause_of(EffectKind::kMassError), kNoQuantity, -1);
           add(p, Form::kJerk, cause_of(EffectKind::kSensorDelay), static_cast<uint8_t>(Quantity::kAcceleration), -1);
         }
@@ -149,6 +150,19 @@ class Planner {
       if (term.unknown < 0 && !term.value.is_zero() && sign_in(term, dof) != 0) return true;
     }
     return false;
+  }
+  // Where no force is measured and this is all that is known, motion tells ratios to it: whatever it is, the others go with it.
+  bool sets_the_scale(TermKind kind, int number) const {
+    bool it_does = false;
+    for (int t = 0; t < c_.term_count; ++t) {
+      const Term& term = c_.terms[t];
+      if (term.unknown >= 0 || term.value.is_zero()) continue;
+      if (term.kind != kind || term.place != number) return false;
+      it_does = true;
+    }
+    for (int i = 0; i < c_.dof_count; ++i)
+      if (c_.signals[i][static_cast<int>(Quantity::kForce)].available) return false;
+    return it_does;
   }
   bool share_a_neighbour(int a, int b) const {
     for (int n = 0; n < c_.dof_count; ++n)

@@ -19,6 +19,9 @@ constexpr double kFaultShare = 0.002;  // of all samples; below it estimates suf
 
 struct Tops {
   size_t samples = 0, runs = 0, longest = 0;
+  // Of those within the record that are entered or left with some speed: a rig that rests sheds it before, and one that is still to be
+  // driven, or has been, rests at the record's ends.
+  size_t longest_cut = 0;
   double missing =
       0.0;  // mean height that is cut off the longer runs, by the slopes with which they are entered and left
   std::vector<Run> where;
@@ -58,9 +61,11 @@ Tops tops_at(const std::vector<double>& values, const std::vector<Run>& runs, do
   }
   double counted = 0.0;
   for (const Run& run : runs) {
-    if (2 * run.length < tops.longest) continue;
     const auto entered = slope_at_end(values, run, sign, -1), left = slope_at_end(values, run, sign, 1);
-    if (!entered || !left) continue;
+    const bool at_end = run.first == 0 || run.first + run.length == values.size();
+    const bool sheds_speed = (entered || left) && entered.value_or(0.0) <= 0.0 && left.value_or(0.0) <= 0.0;
+    if (!at_end && !sheds_speed) tops.longest_cut = std::max(tops.longest_cut, run.length);
+    if (2 * run.length < tops.longest || !entered || !left) continue;
     // a parabola that rises with that slope over half the run turns at a quarter of their product
     tops.missing += std::min(*entered, *left) * static_cast<double>(run.length) / 4.0, counted += 1.0;
   }
@@ -71,12 +76,12 @@ Tops tops_at(const std::vector<double>& values, const std::vector<Run>& runs, do
 // Runs of L equal values at the very end of the range: expected number of chance is N p^(L-1). Where a step of the converter is
 // more than the noise, a smooth turn stays on its last step for as long as it is within it, and a stop in friction longer.
 bool beyond_chance(const Tops& tops, const Statistics& statistics, size_t count) {
-  if (!statistics.noisy || tops.longest < 4) return false;
+  if (!statistics.noisy || tops.longest_cut < 4) return false;
   if (statistics.resolution > statistics.noise &&
       (tops.runs < kFewestRuns || tops.missing < 1.5 * statistics.resolution))
     return false;
   const double p = std::clamp(statistics.repeats, 1e-3, 1.0);
-  return static_cast<double>(count) * std::pow(p, static_cast<double>(tops.longest - 1)) < kChance;
+  return static_cast<double>(count) * std::pow(p, static_cast<double>(tops.longest_cut - 1)) < kChance;
 }
 
 // A smooth turn is no higher than the band that it is looked at in; in a band of noise, two samples are no flat stretch.

@@ -103,6 +103,17 @@ Record part_at(const Record& record, const std::vector<double>& time_s, const Pa
   return out;
 }
 
+// A row for each mark that passed (a tooth, a magnet, a revolution): with every row the value grows or falls by one step, and is
+// exact at its instant. The step is then no resolution.
+bool counts_marks(const std::vector<double>& values) {
+  constexpr double kAlike = 1e-4;  // of the step: the decimals of the file
+  if (values.size() < 2) return false;
+  const double step = std::fabs(values[1] - values[0]);
+  for (size_t i = 1; i < values.size(); ++i)
+    if (std::fabs(std::fabs(values[i] - values[i - 1]) - step) > kAlike * step) return false;
+  return step > 0.0;
+}
+
 }  // namespace
 
 std::vector<Record> resampled(const Record& record, double rate_Hz) {
@@ -123,6 +134,7 @@ std::vector<Record> resampled(const Record& record, double rate_Hz) {
     records.push_back(part_at(record, time_s, part, rate_Hz));
   }
   for (size_t c = 0; c < record.channels.size(); ++c) {
+    if (counts_marks(record.channels[c].values)) continue;
     const double step_of_values = value_step(record.channels[c]);
     for (Record& part : records) part.channels[c].recorded_step = step_of_values;
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "../choice/most_noise.hpp"
 #include "../motion/drive_noise.hpp"
 #include "../terms/naming.hpp"
 #include "hum.hpp"
@@ -14,6 +15,7 @@ namespace diagnosis::runs {
 namespace {
 
 constexpr double kLikeAHold = 0.1;        // of half a sample
+constexpr double kNoNumber = 1e3;         // times what was fitted: of what only a sum is known
 constexpr double kHalfOfVariance = 70.7;  // NRMSE in percent
 
 // As the words and units of terms are kept. A backlash and what acts in another's place have that one's coefficient.
@@ -30,7 +32,8 @@ std::vector<ActiveTerm> active(const Model& model, const std::vector<Determined>
   }
   const std::vector<Parameter> parameters = runs::parameters_of(model);
   for (size_t i = 0; i < parameters.size() && i < found.size(); ++i)
-    if (!parameters[i].shape) list[parameters[i].term].std = found[i].std;
+    if (!parameters[i].shape)
+      list[parameters[i].term].std = found[i].std, list[parameters[i].term].alike = found[i].alike;
   for (size_t i = 0; i < model.size(); ++i)
     if (model[i].host >= 0) list[i].std = list[static_cast<size_t>(model[i].host)].std;
   return list;
@@ -67,7 +70,11 @@ std::vector<diagnosis::Parameter> all_parameters(const Task& task, const std::ve
   std::vector<diagnosis::Parameter> out;
   for (const ActiveTerm& a : list)
     if (a.added || !a.known)
-      for (const diagnosis::Parameter& p : parameters_of_cause(task, list, a)) out.push_back(p);
+      for (diagnosis::Parameter& p : parameters_of_cause(task, list, a)) {
+        p.undetermined = a.alike;
+        if (a.alike) p.std = std::max(p.std, kNoNumber * std::abs(p.value));
+        out.push_back(p);
+      }
   return out;
 }
 
@@ -270,7 +277,8 @@ void answer(const Task& task, const Choice& choice, Diagnosis& d) {
   d.extended_rig = written_rig(task, full);
   state_delays(d.causes, d.extended_rig);
   d.baseline_misfit = choice.base_left.worst(), d.extended_misfit = choice.final_left.worst();
-  const bool noise = choice.final.fit.ok && !beyond_noise(choice.final_left) && worst_free_run < kHalfOfVariance;
+  const bool noise = choice.final.fit.ok && !beyond_noise(choice.final_left) && worst_free_run < kHalfOfVariance &&
+                     (choice.final_left.worst() <= kSurelyNoise || motion_error(task, choice.final) < kFollows);
   d.more_remains = !choice.named.empty() && (!noise || may_bend_numbers(choice.final_left));
   d.verdict = verdict_of(task, choice, noise, worst_free_run, d);
   if (immaterial(task, choice, noise, worst_free_run, base, full, d)) {

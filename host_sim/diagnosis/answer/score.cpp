@@ -10,16 +10,17 @@ namespace diagnosis::runs {
 namespace {
 
 constexpr double kMostPercent = 1000;  // more says no more
-constexpr double kRestart_s = 1;       // where no spring holds a DOF in its place the run starts anew that often
+// Where no spring holds a DOF in its place the run starts anew that often; where it runs on, after a period of what is off its line.
+constexpr double kRestart_s = 1;
 
 struct Sums {
-  double error = 0, square = 0, sum = 0, count = 0;
+  double error = 0, square = 0, sum = 0, count = 0, travelling = 0;
   void add(const Vec& simulated, const Vec& measured) {
     error += (simulated - measured).squaredNorm(), square += measured.squaredNorm(), sum += measured.sum();
     count += static_cast<double>(measured.size());
   }
   double mean_error() const { return count > 0 ? error / count : 0; }
-  double variance() const { return square / count - std::pow(sum / count, 2); }
+  double variance() const { return travelling > 0 ? travelling / count : square / count - std::pow(sum / count, 2); }
   double ratio() const { return variance() > 0 ? error / count / variance() : 0; }  // mean square over variance
   bool shows(double noise) const { return variance() > kShown * noise; }
 };
@@ -60,8 +61,10 @@ Score score_unseen(const Task& task, const State& state, const Vec* noise) {
     WindowRun other;
     const Index all = span.to;
     const Index first = span.from + (apart ? 0 : static_cast<Index>(0.7 * static_cast<double>(all - span.from)));
+    const bool runs_on = std::any_of(p.traces.begin(), p.traces.end(), [](const MotionTrace& t) { return t.travels; });
+    const double part_s = runs_on ? std::max(kRestart_s, p.period_s) : kRestart_s;
     const Index part =
-        held || evaluator.massless() ? all - first : std::max<Index>(12, static_cast<Index>(kRestart_s / p.step_s));
+        held || evaluator.massless() ? all - first : std::max<Index>(12, static_cast<Index>(part_s / p.step_s));
     for (Index from = first; from + 12 <= all && finite; from += part) {
       Window w;
       w.record = r, w.from = from, w.length = std::min(part, all - from);
@@ -110,6 +113,7 @@ Score score_unseen(const Task& task, const State& state, const Vec* noise) {
         if (measured->quantity > 0 && evaluator.has_offset(*measured)) without_mean(alike), without_mean(reading);
         if (accelerometer) without_mean(acceleration), without_mean(simulated_a);
         x[d].add(alike, reading);
+        if (measured->travels) x[d].travelling += motion_square(p, *measured, w.from, w.length);
         v[d].add(run.v.row(i), g.v.segment(w.from, w.length));
         a[d].add(simulated_a, acceleration);
       }

@@ -35,7 +35,7 @@ bool reaches_beyond(const diagnosis::Parameter& p, double per_unit, double all) 
 void mark(const Task& task, std::vector<diagnosis::Parameter>& list) {
   for (diagnosis::Parameter& p : list)
     if (p.std > 0 && (p.name.rfind("mass[", 0) == 0 || p.name.rfind("stiffness[", 0) == 0))
-      p.undetermined = reaches_beyond(p, 1, std::abs(p.value));
+      p.undetermined = p.undetermined || reaches_beyond(p, 1, std::abs(p.value));
   for (size_t l = 0; l < task.system.known_links; ++l) {
     const rig_file::Link& link = task.system.links[l];
     const std::string label = "[" + rig_file::link_label(link) + "]";

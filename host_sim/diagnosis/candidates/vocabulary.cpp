@@ -175,7 +175,8 @@ Model joined(const Model& model, const Candidate& c, const std::vector<double>& 
     if (positive(t.term.kind) && t.value <= 0) t.value = 1e-3 * std::abs(t.value) + 1e-12;
     const Kind k = t.term.kind;
     t.shape_free = k == Kind::kBacklash || k == Kind::kEndStop || k == Kind::kStribeck || k == Kind::kPresliding ||
-                   k == Kind::kResonance || k == Kind::kCogging || (k == Kind::kDriftingViscous && t.term.shape > 0);
+                   k == Kind::kResonance || k == Kind::kCogging || k == Kind::kDeadBand ||
+                   (k == Kind::kDriftingViscous && t.term.shape > 0);
     t.shape2_free = k == Kind::kCogging || (k == Kind::kPresliding && t.term.shape2 > 0);
     if (t.host >= 0) t.value = out[static_cast<size_t>(t.host)].value;
     out.push_back(t);

@@ -134,9 +134,10 @@ namespace {
 // What windows add up to: of a channel, or of the difference of two.
 struct MotionSums {
   double error = 0, missed = 0, motion = 0, noise = 0, count = 0, third_differences = 0;
-  void add(const Vec& y, const Vec& residual) {
-    error += residual.squaredNorm(), missed += residual.sum(), motion += (y.array() - y.mean()).square().sum();
-    count += static_cast<double>(y.size());
+  void add(const Vec& y, const Vec& residual) { add((y.array() - y.mean()).square().sum(), residual); }
+  void add(double motion_square, const Vec& residual) {
+    error += residual.squaredNorm(), missed += residual.sum(), motion += motion_square;
+    count += static_cast<double>(residual.size());
     noise += white_noise_sum(residual),
         third_differences += static_cast<double>(std::max<Index>(0, residual.size() - 3));
   }
@@ -173,9 +174,11 @@ double error_over_motion(const Task& task, const State& s, bool links_too, Of of
     if (!e.run(w, false, false, run)) return 1e300;
     const auto y = [&](int c) { return e.traces(w.record)[static_cast<size_t>(c)].y.segment(w.from, w.length); };
     const auto r = [&](int c) { return run.residual.segment(c * w.length, w.length); };
-    for (size_t c = 0; c < traces.size(); ++c) own[c].add(y(static_cast<int>(c)), r(static_cast<int>(c)));
+    for (size_t c = 0; c < traces.size(); ++c)
+      own[c].add(motion_square(task.records[w.record], e.traces(w.record)[c], w.from, w.length),
+                 r(static_cast<int>(c)));
     for (size_t i = 0; i < across.size(); ++i)
-      relative[i].add(y(across[i].first) - y(across[i].second), r(across[i].first) - r(across[i].second));
+      relative[i].add(Vec(y(across[i].first) - y(across[i].second)), r(across[i].first) - r(across[i].second));
   }
   double worst = 0;
   for (size_t c = 0; c < own.size(); ++c) {

@@ -56,6 +56,8 @@ size_t parts_for(size_t windows) {
 
 namespace {
 
+constexpr double kAlike = 1e8;  // variance inflation: columns that differ by 10^-4
+
 // Inverse of the normal matrix; rows and columns of what is held are nought.
 Mat inverse_of(const Mat& total, const std::vector<bool>& held) {
   const Index p = total.rows();
@@ -106,6 +108,7 @@ std::vector<Determined> determined(const Fitted& fit, const Model& model) {
   for (Index i = 0; i < p; ++i) {
     const size_t k = static_cast<size_t>(i);
     Determined& d = list[k];
+    d.alike = !parameters[k].shape && total(i, i) * at_this_shape(i, i) > kAlike;
     for (size_t together : {std::min(kFiner, fit.parts), fit.parts}) {  // blocks, then windows
       if (together > kFiner && fit.gram.size() / together < kLeastWindows) continue;
       const Scatter s = scatter_of(fit, inverse, i, together);

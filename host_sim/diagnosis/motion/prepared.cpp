@@ -26,6 +26,7 @@ double white_noise_sum(const Vec& y) {
 namespace {
 
 constexpr double kSamplesPerTop = 24;  // of the fastest motion: one Runge-Kutta step each is right to 1e-4
+constexpr double kMostlySlow = 0.5;    // of the square of a velocity about its mean
 
 bool driven(const Prepared& p) {
   const auto acts = [](const Vec& y) { return y.size() > 0 && y.cwiseAbs().maxCoeff() > 0; };
@@ -61,13 +62,41 @@ Needs needs_of(const host_sim::Record& record) {
   return needs;
 }
 
+// Without a displacement the position is an integral.
+bool speed_alone(const Prepared& p, int dof) {
+  const auto measures = [&](int quantity) {
+    return std::any_of(p.traces.begin(), p.traces.end(),
+                       [&](const MotionTrace& t) { return t.dof == dof && t.quantity == quantity; });
+  };
+  return measures(1) && !measures(0);
+}
+
+bool runs_on(const Prepared& p, int dof) {
+  return std::any_of(p.traces.begin(), p.traces.end(), [&](const MotionTrace& t) { return t.dof == dof && t.travels; });
+}
+
+// What an integral without its drift does not hold is slower than that: of a shaft that runs down all there is. Its period is that of a
+// decay with the same slope.
+double slow_period(const Vec& v, const Drift& drift, double step_s) {
+  const Vec slow = v - without_drift(v, drift);
+  const double about = rms_about_mean(slow), whole = rms_about_mean(v);
+  if (!(about * about > kMostlySlow * whole * whole)) return 0;
+  const Index n = slow.size();
+  const double slope =
+      std::sqrt((slow.tail(n - 1) - slow.head(n - 1)).squaredNorm() / static_cast<double>(n - 1)) / step_s;
+  return slope > 0 ? kTwoPi * about / slope : 0;
+}
+
 double period_of(const Prepared& p) {
   double longest = 0;
   for (size_t i = 0; i < p.guess.size(); ++i) {
     const Guess& g = p.guess[i];
     if (!g.given) continue;
-    const double v = rms_about_mean(g.v), x = rms_about_mean(g.x);
+    const double v = rms_about_mean(g.v), x = runs_on(p, static_cast<int>(i))
+                                                  ? std::sqrt(square_off_line(g.x) / static_cast<double>(g.x.size()))
+                                                  : rms_about_mean(g.x);
     if (v > 0) longest = std::max(longest, kTwoPi * x / v);
+    if (speed_alone(p, static_cast<int>(i))) longest = std::max(longest, slow_period(g.v, {p.slow_half}, p.step_s));
   }
   return longest;
 }
@@ -100,6 +129,7 @@ Prepared prepare_by(const rig_file::RigModel& rig, const host_sim::Record& recor
       p.traces.push_back({c.dof - 1, quantity, c.name, series(c), host_sim::value_step(c)});
   }
   for (const MotionTrace& t : p.traces) p.samples = t.y.size();
+  for (MotionTrace& t : p.traces) t.travels = t.quantity == 0 && travels(t.y);
   // Where nothing drives the motion its middle is free anyway: runs start from it, wherever the sensor has its zero.
   if (!driven(p))
     for (MotionTrace& t : p.traces)
@@ -116,6 +146,14 @@ Prepared prepare_by(const rig_file::RigModel& rig, const host_sim::Record& recor
 }
 
 }  // namespace
+
+double motion_square(const Prepared& p, const MotionTrace& trace, Index from, Index length) {
+  const auto y = trace.y.segment(from, length);
+  if (!trace.travels) return (y.array() - y.mean()).square().sum();
+  const double of_speed =
+      rms_about_mean(p.guess[static_cast<size_t>(trace.dof)].v) * static_cast<double>(length) * p.step_s / kTwoPi;
+  return std::max(square_off_line(y), static_cast<double>(length) * of_speed * of_speed);
+}
 
 void renew_motion(Prepared& p) {
   p.guess.clear();

@@ -22,8 +22,9 @@ struct MotionTrace {
   int dof = 0;       // from 0
   int quantity = 0;  // 0 displacement, 1 velocity, 2 acceleration
   std::string channel;
-  Vec y;            // SI units
-  double step = 0;  // in which its values change, an encoder's; 0: none shows
+  Vec y;                 // SI units
+  double step = 0;       // in which its values change, an encoder's; 0: none shows
+  bool travels = false;  // a displacement that runs on: its motion is what is off a straight line, which needs no force
   double rounding_variance() const { return step * step / 12; }
 };
 
@@ -49,7 +50,7 @@ struct Prepared {
   // record has its mean as the coefficient, which is what a rig file can state.
   double middle_s = 0;
   Index samples = 0;
-  double period_s = 0;  // of the motion: 2 pi rms(x) / rms(v)
+  double period_s = 0;  // of the motion: 2 pi rms(x) / rms(v), of what runs on off its line
   double top_Hz = 0;    // highest frequency of the motion
   std::vector<MotionTrace> traces;
   std::vector<Vec> force;  // per DOF; empty: none
@@ -62,6 +63,10 @@ struct Prepared {
   Index smooth_half = 0, slow_half = 0;  // samples that the guesses are smoothed over, and their drift taken off
   double time_s(Index sample) const { return static_cast<double>(sample) * step_s; }
 };
+
+// Sum of squares of the motion of a stretch: about its mean. Of a place that travels it is what is off its line, or what the record's speed,
+// rms about its mean, would make of a period as long as the stretch: at constant speed nothing moves it off its line.
+double motion_square(const Prepared& record, const MotionTrace& trace, Index from, Index length);
 
 // Throws CannotAnswer where a DOF has no motion channel or the record is too short.
 Prepared prepare(const rig_file::RigModel& rig, const host_sim::Record& record);

@@ -11,18 +11,15 @@ namespace {
 using host_sim::Channel;
 using host_sim::Quantity;
 
-constexpr double kTravels = 10;  // times what a displacement is off its line: a table swings about a place
-
 auto mapped(const std::vector<double>& y) { return Series::Map(y.data(), static_cast<Eigen::Index>(y.size())); }
 
 // Mean speed of a base that runs on: more than it swings by; 0 where it stays.
 double running_speed(const host_sim::Record& r) {
   if (const Channel* place = r.find(Quantity::kDisplacement, rig_file::kBase)) {
     const Series x = mapped(place->values);
-    const double duration_s = r.sample_period_s * static_cast<double>(x.size() - 1);
-    const Series about_s = Series::LinSpaced(x.size(), -0.5 * duration_s, 0.5 * duration_s);
-    const double slope = about_s.dot(x) / about_s.squaredNorm();
-    return std::abs(slope) * duration_s > kTravels * rms_about_mean(x - slope * about_s) ? slope : 0;
+    const double half = 0.5 * static_cast<double>(x.size() - 1);
+    const Series about = Series::LinSpaced(x.size(), -half, half);
+    return travels(x) ? about.dot(x) / about.squaredNorm() / r.sample_period_s : 0;
   }
   const Channel* speed = r.find(Quantity::kVelocity, rig_file::kBase);
   if (!speed) return 0;

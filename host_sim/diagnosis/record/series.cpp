@@ -7,6 +7,29 @@ namespace diagnosis {
 
 double rms_about_mean(const Series& y) { return std::sqrt((y.array() - y.mean()).square().mean()); }
 
+namespace {
+
+// Per sample.
+double slope_of_line(const Series& y) {
+  const double half = 0.5 * static_cast<double>(y.size() - 1);
+  const Series at = Series::LinSpaced(y.size(), -half, half);
+  return y.size() > 1 ? at.dot(y) / at.squaredNorm() : 0;
+}
+
+}  // namespace
+
+double square_off_line(const Series& y) {
+  const double half = 0.5 * static_cast<double>(y.size() - 1);
+  const Series line = slope_of_line(y) * Series::LinSpaced(y.size(), -half, half);
+  return y.size() == 0 ? 0 : (y.array() - y.mean() - line.array()).square().sum();
+}
+
+bool travels(const Series& y) {
+  if (y.size() < 2) return false;
+  const double n = static_cast<double>(y.size());
+  return std::abs(slope_of_line(y)) * (n - 1) > kTravels * std::sqrt(square_off_line(y) / n);
+}
+
 Series integral(const Series& y, double period_s) {
   const Eigen::Index n = y.size();
   const auto at = [&](Eigen::Index i) { return y[std::clamp<Eigen::Index>(i, 0, n - 1)]; };

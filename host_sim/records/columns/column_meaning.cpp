@@ -260,6 +260,32 @@ class Planner {
       if (plan_.uses[i].kind == ColumnUse::Kind::kIgnored && !trimmed_text(columns[i].head).empty())
         heads += (heads.empty() ? "" : ", ") + quoted(trimmed_text(columns[i].head));
     if (!heads.empty()) plan_.notes.push_back("ignored: " + heads);
+    note_unread_force(columns);
+  }
+
+  // A file with columns in units of force of which none is read: what drives the rig is likely among them.
+  void note_unread_force(const std::vector<Column>& columns) {
+    const bool reads = std::any_of(plan_.uses.begin(), plan_.uses.end(), [](const ColumnUse& use) {
+      return use.kind == ColumnUse::Kind::kChannel && use.channel.quantity == Quantity::kForce;
+    });
+    for (size_t i = 0; i < columns.size() && !reads; ++i) {
+      if (plan_.uses[i].kind != ColumnUse::Kind::kIgnored || !in_force(columns[i])) continue;
+      const bool turns = !model_.dofs.empty() && model_.dofs.front().rotating;
+      plan_.notes.push_back("no force is read, and " + quoted(trimmed_text(columns[i].head)) +
+                            " is in a unit of force; if it drives the rig: --column " +
+                            (turns ? "torque_1=" : "force_1=") + quoted(trimmed_text(columns[i].head)));
+      return;
+    }
+  }
+
+  static bool in_force(const Column& column) {
+    const HeadParts head = split_head(column.head);
+    const std::string unit = column.unit.empty() ? head.unit : column.unit;
+    for (const Dimension dimension : {Dimension::kForce, Dimension::kTorque}) {
+      const auto known = unit.empty() ? std::nullopt : find_unit(unit, dimension);
+      if (known && known->dimension == dimension) return true;
+    }
+    return false;
   }
 
   static constexpr size_t kNone = static_cast<size_t>(-1);

@@ -102,13 +102,14 @@ std::optional<NamedChannel> parse_loose_name(const std::string& name) {
 
 bool is_time_name(const std::string& name, std::string& unit_suffix) {
   unit_suffix.clear();
-  const std::string low = lowered(name);
+  const std::string own = name.substr(std::min(name.find_first_not_of('_'), name.size()));  // __time
+  const std::string low = lowered(own);
   for (const char* word : {"t", "time", "zeit", "temps", "tiempo", "tempo", "timestamp", "time_stamp", "datetime",
                            "date_time", "date/time", "x_value", "relative_time", "elapsed_time", "abscissa"}) {
     const std::string stem = word;
     if (low == stem) return true;
     if (low.compare(0, stem.size() + 1, stem + "_") != 0) continue;
-    const auto unit = find_unit_suffix(name.substr(stem.size() + 1), Dimension::kTime);
+    const auto unit = find_unit_suffix(own.substr(stem.size() + 1), Dimension::kTime);
     if (!unit || unit->dimension != Dimension::kTime) continue;
     unit_suffix = unit->word;
     return true;
