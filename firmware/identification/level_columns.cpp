@@ -71,7 +71,7 @@ void LevelColumns::load_row_scale(int e) {
   const int dof = list_->equation[e].dof;
   rows_used_[e] = level_->periodic ? rows_used_[dof] : 0;
   for (int b = 0; b < batch_count() && !level_->periodic; ++b) {
-    displacement_scale_[b] = velocity_part_[b] = Scaled{};
+    displacement_scale_[b] = other_[b] = Scaled{};
     if (inverse_scale_[b][dof].is_zero()) continue;
     const BatchDof& batch = level_->batch[b].dof[dof];
     const Scaled square = unpack(batch.displacement_square());
@@ -81,7 +81,7 @@ void LevelColumns::load_row_scale(int e) {
     const Scaled left = square - overlap * overlap;
     if (left <= scale_by_power_of_two(square, kLeastShareLog2)) continue;
     displacement_scale_[b] = inverse_root(left);
-    velocity_part_[b] = displacement_scale_[b] * overlap * inverse_scale_[b][dof];
+    other_[b] = displacement_scale_[b] * overlap * inverse_scale_[b][dof];
     ++rows_used_[e];
   }
 }

@@ -83,7 +83,7 @@ class LevelColumns {
   Scaled weight_share(int e) const;
 
  private:
-  bool displacement_row(int e) const { return e >= list_->dof_count; }
+  bool displacement_row(int e) const { return kWeights > 2 && e >= list_->dof_count; }
   // What value(batch, equation) gives to the row of equation e.
   template <typename Value>
   Scaled scaled(int b, int e, const Value& value) const {
@@ -91,7 +91,7 @@ class LevelColumns {
     if (level_->periodic) return value(batch, e);
     if (!displacement_row(e)) return inverse_scale_[b][list_->equation[e].dof] * value(batch, e);
     if (displacement_scale_[b].is_zero()) return Scaled{};
-    return displacement_scale_[b] * value(batch, e) - velocity_part_[b] * value(batch, e - list_->dof_count);
+    return displacement_scale_[b] * value(batch, e) - other_[b] * value(batch, e - list_->dof_count);
   }
   void load_scale(int dof);
   void load_row_scale(int e);
@@ -105,7 +105,7 @@ class LevelColumns {
   const RowLayout* layout_ = nullptr;
   const Level* level_ = nullptr;
   bool used_[kMaxBatches][kMaxDofs];
-  int rows_used_[kMaxEquations];
+  uint16_t rows_used_[kMaxEquations];
   bool valid_[kMaxControls];
   bool scatters_[kMaxEquations];
   Scaled inverse_scale_[kMaxBatches][kMaxDofs];  // 1 in periodic levels
@@ -115,9 +115,10 @@ class LevelColumns {
   Scaled total_[kMaxObservables];
   Scaled energy_square_[kMaxEquations];
   Scaled motion_mean_[kMaxDofs], motion_total_[kMaxDofs];
-  Scaled number_[kMaxBatches], other_[kMaxBatches];  // before they are rounded
-  // Of the displacement row that is being loaded: what it is multiplied by, and how much of the velocity row is taken off.
-  Scaled displacement_scale_[kMaxBatches], velocity_part_[kMaxBatches];
+  // Before they are rounded; of a periodic level the same with its ends. Of the displacement row that is being loaded of another level:
+  // how much of the velocity row is taken off, and what it is multiplied by before.
+  Scaled number_[kMaxBatches], other_[kMaxBatches];
+  Scaled displacement_scale_[kWeights > 2 ? kMaxBatches : 1];
 };
 
 }  // namespace firmware

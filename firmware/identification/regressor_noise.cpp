@@ -4,6 +4,8 @@ namespace firmware {
 namespace {
 
 constexpr int kTurns = 16;  // of the shift that its own shift adds to
+// Times the value: a deviation of what noise may have taken to any part of itself.
+constexpr int kNothingKnownLog2 = 6;
 
 // Adds share_k / p_k^2 of one row, whose right-hand side is its residual, at that residual; weight: of its square.
 void add_row(const EquationList& list, const Row& row, const Scaled* p, const Scaled& weight, Scaled* variance) {
@@ -39,20 +41,26 @@ void add_equation(const EquationList& list, const LevelColumns& level, const Whi
 }
 
 // The shift that is left of p + shift. It converges where what noise has added to the normal equations is less than what is there;
-// else the rows are noise, or what stands in their residuals is none. False: it does not.
+// else the rows are noise, or what stands in their residuals is none. False: what a turn adds still grows.
 bool find_shift(const EquationList& list, const WeightedFit& fit, const Scaled* variance, Scaled* shift) {
+  Scaled added[kMaxUnknowns];
+  bool grows = false;
   for (int turn = 0; turn < kTurns; ++turn) {
     Scaled pull[kMaxUnknowns], next[kMaxUnknowns];
     for (int k = 0; k < list.unknown_count; ++k) pull[k] = variance[k] * (fit.parameters()[k] + shift[k]);
     fit.equations().apply_covariance(pull, next);
     bool settled = true;
+    grows = false;
     for (int k = 0; k < list.unknown_count; ++k) {
-      settled = settled && scale_by_power_of_two(abs(next[k] - shift[k]), 4) <= abs(next[k]);
+      const Scaled adds = abs(next[k] - shift[k]);
+      settled = settled && scale_by_power_of_two(adds, 4) <= abs(next[k]);
+      grows = grows || (turn > 0 && adds > added[k]);
+      added[k] = adds;
       shift[k] = next[k];
     }
     if (settled) return true;
   }
-  return false;
+  return !grows;
 }
 
 }  // namespace
@@ -65,11 +73,11 @@ void take_out_regressor_noise(const EquationList& list, const BatchTable& table,
     const LevelColumns& level = fit.load_level(l);
     for (int e = 0; e < list.count; ++e) add_equation(list, level, fit.whitening(l, e), e, fit, variance);
   }
-  const bool settled = find_shift(list, fit, variance, shift);
+  const bool converges = find_shift(list, fit, variance, shift);
   for (int k = 0; k < list.unknown_count; ++k) {
     ParameterEstimate& parameter = estimates.parameters[k];
-    if (!settled && scale_by_power_of_two(abs(shift[k]), 2) >= parameter.std) {
-      widen(parameter, parameter.value);
+    if (!converges && scale_by_power_of_two(abs(shift[k]), 2) >= parameter.std) {
+      widen(parameter, scale_by_power_of_two(parameter.value, kNothingKnownLog2));
       continue;
     }
     if (scale_by_power_of_two(abs(shift[k]), 2) < parameter.std) continue;  // less than 3 % of the interval

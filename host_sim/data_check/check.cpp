@@ -119,6 +119,13 @@ bool has_fault(const RecordReport& report, const char* kind = nullptr) {
          });
 }
 
+bool is_turned_over(const RecordReport& report) {
+  return std::any_of(report.channels.begin(), report.channels.end(), [](const ChannelReport& channel) {
+    return std::any_of(channel.findings.begin(), channel.findings.end(),
+                       [](const Finding& f) { return f.kind == "polarity"; });
+  });
+}
+
 // Whether a part of the record that estimate and diagnose keep has this fault too.
 bool is_in(const std::vector<Record>& kept, const Finding& fault, const rig_file::RigModel* model) {
   return std::any_of(kept.begin(), kept.end(), [&](const Record& part) {
@@ -185,7 +192,7 @@ RecordReport check_record(const Record& record, const rig_file::RigModel* model,
     attach(check_exchanged(compared, integrals), report);
   }
   if (model != nullptr && !has_fault(report)) attach(check_rig_balance(compared, *model), report);
-  if (!has_fault(report))
+  if (!has_fault(report) && !is_turned_over(report))
     if (auto work = find_negative_work(compared, drive)) attach({std::move(*work)}, report);
   if (!has_fault(report))
     if (auto growth = find_growth(record)) attach({std::move(*growth)}, report);

@@ -70,6 +70,13 @@ std::string names_of(const Change& change, const std::vector<const Channel*>& ch
 // Two changes that say the same of the equations, such as force in kN and motion in mm.
 bool same_statement(const Change& a, const Change& b) { return std::abs(std::log(a.left / b.left)) < 0.05; }
 
+// Then its sign is changed on the way in, as where it takes energy all the time (work.hpp).
+bool is_only_force(const std::vector<const Channel*>& channels, const Change& change) {
+  if (change.channels.size() != 1 || channels[change.channels.front()]->quantity != Quantity::kForce) return false;
+  return std::count_if(channels.begin(), channels.end(),
+                       [](const Channel* c) { return c->quantity == Quantity::kForce; }) == 1;
+}
+
 std::vector<Finding> findings_of(std::vector<Change> changes, const std::vector<const Channel*>& channels,
                                  double before) {
   std::sort(changes.begin(), changes.end(), [](const Change& a, const Change& b) { return a.left < b.left; });
@@ -104,6 +111,10 @@ std::vector<Finding> findings_of(std::vector<Change> changes, const std::vector<
                     : best.unit.empty()      ? std::string("is turned over")
                                              : "is in " + best.unit) +
                    or_else + ": " + share;
+  if (best.unit.empty() && or_else.empty() && is_only_force(channels, best)) {
+    finding.weight = Weight::kDoubt;
+    finding.detail += "; change the sign of the column (estimate and diagnose do)";
+  }
   return {finding};
 }
 

@@ -142,4 +142,61 @@ TEST(Csv, ReadsAMinuteOfTwelveChannelsAtOneKilohertzInTwoTenthsOfASecond) {
   EXPECT_LT(best_s, 0.2);
 }
 
+// A cubic in time is filled to the last digits from the two values before and the two behind; channels that are written by turns each
+// from their own. A gap of more than 3.5 usual steps parts the record.
+TEST(Csv, ValuesMissingBetweenOthersAreFilledWhereTheRecordIsInterpolated) {
+  const auto cubic = [](double t) { return 1 + t * (2 - t * (3 - t)); };
+  std::string text = "t_s,force_1_N,displacement_1_m\n";
+  const auto cell = [](double value, bool there) { return there ? std::to_string(value) : std::string(); };
+  for (int i = 0; i < 400; ++i) {
+    const double t = 0.01 * i;
+    const bool lost = i > 200 && i < 220;
+    text +=
+        std::to_string(t) + "," + cell(cubic(t), i % 2 == 0) + "," + cell(t, (i % 2 == 1 || i == 0) && !lost) + "\n";
+  }
+  host_sim::ReadingOptions options;
+  EXPECT_THROW(host_sim::parse_csv(text, "d.csv", chain(1), options), host_sim::DataFileError);
+  try {
+    host_sim::parse_csv(text, "d.csv", chain(1), options);
+  } catch (const host_sim::DataFileError& error) {
+    EXPECT_NE(std::string(error.what()).find("--resample 100 fills single values"), std::string::npos) << error.what();
+  }
+  options.resample_Hz = 100;
+  const host_sim::Record record = host_sim::parse_csv(text, "d.csv", chain(1), options);
+  const host_sim::Channel* force = record.find(host_sim::Quantity::kForce, 1);
+  ASSERT_NE(force, nullptr);
+  ASSERT_EQ(record.time_s.size(), force->values.size());
+  EXPECT_EQ(record.time_s.size(),
+            398u - 21u);  // rows 0 to 397, the last with both; of the gap from 199 to 221 the rows between go
+  for (size_t i = 0; i < record.time_s.size(); ++i)
+    EXPECT_NEAR(force->values[i], cubic(record.time_s[i]), 1e-5) << record.time_s[i];
+}
+
+TEST(Csv, OtherFormatsAreNamed) {
+  for (const auto& [begins, word] : {std::pair{"PK\x03\x04", "Excel"}, std::pair{"{\"a\": 1}", "JSON"}}) {
+    try {
+      host_sim::parse_csv(begins, "d.csv", chain(1));
+      FAIL() << word;
+    } catch (const host_sim::DataFileError& error) {
+      EXPECT_NE(std::string(error.what()).find(word), std::string::npos) << error.what();
+      EXPECT_NE(std::string(error.what()).find("save it as CSV"), std::string::npos) << error.what();
+    }
+  }
+}
+
+// Columns in units of force of which none is read are told, with the option that reads one.
+TEST(Csv, AForceThatIsNotReadIsTold) {
+  const auto notes = [](const std::string& text) {
+    std::string all;
+    for (const std::string& note : host_sim::parse_csv(text, "d.csv", chain(1)).notes) all += note + "\n";
+    return all;
+  };
+  const std::string rows = "0,1,2\n1,2,3\n2,3,4\n";
+  EXPECT_NE(
+      notes("t_s,friction force (kip),displacement_1_m\n" + rows).find("--column force_1=\"friction force (kip)\""),
+      std::string::npos);
+  EXPECT_EQ(notes("t_s,force_1_N,other (kip)\n" + rows).find("no force is read"), std::string::npos);
+  EXPECT_EQ(notes("t_s,temperature (K),displacement_1_m\n" + rows).find("no force is read"), std::string::npos);
+}
+
 }  // namespace

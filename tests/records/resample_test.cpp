@@ -167,4 +167,17 @@ TEST(Resample, TimesOfArrivalAskForTheSampleRate) {
   }
 }
 
+// A wheel whose revolutions are timed: the angle is exact where it is read, and between rows it is a line. An encoder that is read at
+// uneven times has its step as resolution.
+TEST(Resample, RowsThatCountMarksHaveNoResolution) {
+  Record wheel = made(uneven_times(200), [](double) { return 0.0; });
+  Record encoder = wheel;
+  for (size_t i = 0; i < 200; ++i) {
+    wheel.channels[0].values[i] = 0.5 * static_cast<double>(i);
+    encoder.channels[0].values[i] = 0.5 * std::round(3 * std::sin(0.1 * static_cast<double>(i)));
+  }
+  EXPECT_EQ(resampled(wheel, 100.0)[0].channels[0].recorded_step, 0.0);
+  EXPECT_NEAR(resampled(encoder, 100.0)[0].channels[0].recorded_step, 0.5, 1e-9);
+}
+
 }  // namespace

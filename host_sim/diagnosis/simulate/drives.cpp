@@ -64,6 +64,8 @@ void Simulator::upsample(const Model& model) {
             i + 2 < count && i > 1 ? (8 * (force[i + 1] - force[i - 1]) - (force[i + 2] - force[i - 2])) / (12 * h) : 0;
       else if (f.kind == Kind::kForceGain)
         slope[i] = -force[i];
+      else if (f.of_width)
+        slope[i] = std::abs(force[i]) < f.frequency ? 0 : -std::copysign(f.coefficient * f.frequency, force[i]);
       else if (f.kind == Kind::kDeadBand)
         slope[i] = -std::clamp(force[i], -f.frequency, f.frequency);
       else
@@ -74,7 +76,7 @@ void Simulator::upsample(const Model& model) {
     fine_slope_.push_back(slope);
   }
   for (size_t i = 0; i < faults_.size(); ++i) {
-    if (faults_[i].kind == Kind::kForceDelay) continue;
+    if (faults_[i].kind == Kind::kForceDelay || faults_[i].of_width) continue;
     for (const ModelTerm& t : model)
       if (t.term.kind == faults_[i].kind && t.term.dof == fine_node_[faults_[i].fine] &&
           t.term.shape == faults_[i].frequency)

@@ -87,7 +87,9 @@ void Simulator::compile(const System& system, const Model& model) {
     } else if (kind == Kind::kBaseDelay) {
       by_base_delay_ = by_value;
     } else if (of_force_sensor(kind)) {
-      faults_.push_back({kind, static_cast<size_t>(t.term.dof), t.term.shape, by_value});
+      const auto dof = static_cast<size_t>(t.term.dof);
+      faults_.push_back({kind, dof, t.term.shape, by_value, false, value});
+      if (kind == Kind::kDeadBand && by_shape >= 0) faults_.push_back({kind, dof, t.term.shape, by_shape, true, value});
     }
   }
   massless_ = runs::massless(model);

@@ -105,8 +105,10 @@ class Simulator {
   struct ForceFault {
     Kind kind;
     size_t fine;
-    double frequency;  // of a hum, Hz; of a dead band, N
-    Index by_value;
+    double frequency;    // of a hum, Hz; of a dead band, N
+    Index by_value;      // the parameter that its slope is by: the coefficient, or
+    bool of_width;       // the logarithm of a dead band's width,
+    double coefficient;  // beside this share of the band
   };
   std::vector<ForceFault> faults_;
   std::vector<Vec> fine_slope_;               // of faults_, on the same instants

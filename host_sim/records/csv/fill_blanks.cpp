@@ -34,6 +34,9 @@ void fill(const std::vector<double>& time_s, std::vector<double>& values, Filled
   std::vector<size_t> there;
   for (size_t row = 0; row < values.size(); ++row)
     if (!std::isnan(values[row])) there.push_back(row);
+  // where other columns end is not where this one does
+  for (size_t row = 0; row < values.size(); ++row)
+    if (there.empty() || row < there.front() || row > there.back()) result.keep[row] = false;
   const double longest = kLongestGap * usual_step(time_s, there);
   for (size_t i = 1; i < there.size(); ++i) {
     const bool fills = time_s[there[i]] - time_s[there[i - 1]] <= longest;

@@ -15,7 +15,7 @@ struct FilledBlanks {
 };
 
 // Fills each column from its own values: the cubic through the two before and the two behind, over gaps of at most kLongestGap of
-// its own usual steps. time_s: of the rows, s, increasing. The ends have values. A row in a longer gap of any column is not kept.
+// its own usual steps. time_s: of the rows, s, increasing. A row in a longer gap of any column, before its first or behind its last value, is not kept.
 FilledBlanks fill_blanks(const std::vector<double>& time_s, const std::vector<TableColumn>& columns);
 
 // Those of the rows that are kept.
