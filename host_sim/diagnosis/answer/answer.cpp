@@ -278,7 +278,7 @@ void answer(const Task& task, const Choice& choice, Diagnosis& d) {
   state_delays(d.causes, d.extended_rig);
   d.baseline_misfit = choice.base_left.worst(), d.extended_misfit = choice.final_left.worst();
   const bool noise = choice.final.fit.ok && !beyond_noise(choice.final_left) && worst_free_run < kHalfOfVariance &&
-                     (choice.final_left.worst() <= kSurelyNoise || motion_error(task, choice.final) < kFollows);
+                     (choice.final_left.worst() <= kSurelyNoise || motion_error(task, choice.final, false) < kFollows);
   d.more_remains = !choice.named.empty() && (!noise || may_bend_numbers(choice.final_left));
   d.verdict = verdict_of(task, choice, noise, worst_free_run, d);
   if (immaterial(task, choice, noise, worst_free_run, base, full, d)) {
