@@ -4,7 +4,7 @@ namespace firmware {
 namespace {
 
 constexpr int kSystematicDeviations = 4;  // a control variate whose mean is this far from zero is not noise
-// The difference of two rows that are nearly one has their rounding: 2^-28 and this are a third of what a batch leaves.
+// Of the integral of x^2. The difference of two rows that are nearly one has their rounding: 2^-28 of them is 2^-24 of what is left then.
 constexpr int kLeastShareLog2 = -8;
 
 void remove_mean(Scaled* values, int count) {
@@ -87,11 +87,7 @@ void LevelColumns::load_row_scale(int e) {
 }
 
 Scaled LevelColumns::weight_share(int e) const {
-  const int dof = list_->equation[e].dof;
-  if (!displacement_row(e) || motion_total_[dof].is_zero()) return Scaled::from_int(1);
-  Scaled sum;
-  for (int b = 0; b < batch_count(); ++b) sum += unpack(level_->batch[b].dof[dof].displacement_square());
-  return sum > Scaled{} ? sum / motion_total_[dof] : Scaled::from_int(1);
+  return displacement_row(e) ? displacement_share(level_, 1, list_->equation[e].dof) : Scaled::from_int(1);
 }
 
 void LevelColumns::load_control(int dof, int which) {

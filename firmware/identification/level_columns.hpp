@@ -41,8 +41,7 @@ class LevelColumns {
   void load_changes(Change change) {
     for (int e = 0; e < list_->count; ++e) {
       load_row_scale(e);
-      const auto of_batch = [&](const Batch& batch, int equation) { return change(batch, equation); };
-      for (int b = 0; b < batch_count(); ++b) number_[b] = scaled(b, e, of_batch);
+      for (int b = 0; b < batch_count(); ++b) number_[b] = scaled(b, e, change);
       round(residual(e));
     }
   }

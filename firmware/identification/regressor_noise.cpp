@@ -76,11 +76,11 @@ void take_out_regressor_noise(const EquationList& list, const BatchTable& table,
   const bool converges = find_shift(list, fit, variance, shift);
   for (int k = 0; k < list.unknown_count; ++k) {
     ParameterEstimate& parameter = estimates.parameters[k];
-    if (!converges && scale_by_power_of_two(abs(shift[k]), 2) >= parameter.std) {
+    if (scale_by_power_of_two(abs(shift[k]), 2) < parameter.std) continue;  // less than 3 % of the interval
+    if (!converges) {
       widen(parameter, scale_by_power_of_two(parameter.value, kNothingKnownLog2));
       continue;
     }
-    if (scale_by_power_of_two(abs(shift[k]), 2) < parameter.std) continue;  // less than 3 % of the interval
     parameter.value += shift[k];
     parameter.ci95_low += shift[k];
     parameter.ci95_high += shift[k];

@@ -77,6 +77,17 @@ Scaled batch_residual(const RowLayout& layout, const Batch& batch, Equation equa
   return residual;
 }
 
+Scaled displacement_share(const Level* level, int levels, int dof) {
+  Scaled displacement, velocity;
+  for (int l = 0; l < levels; ++l)
+    for (int b = 0; b < level[l].batch_count; ++b) {
+      const BatchDof& batch = level[l].batch[b].dof[dof];
+      displacement += unpack(batch.displacement_square());
+      velocity += unpack(batch.velocity_square);
+    }
+  return displacement > Scaled{} && velocity > Scaled{} ? displacement / velocity : Scaled::from_int(1);
+}
+
 bool moves(const BatchDof& dof, bool instrument, const Scaled& least_motion) {
   const Scaled energy = unpack(dof.velocity_square);
   if (energy <= least_motion) return false;

@@ -39,6 +39,8 @@ void clear_row(int unknowns, Row& row);
 void add_batch_row(const RowLayout& layout, const Batch& batch, Equation equation, Scaled factor, Row& row);
 // rhs - sum of column * p of one batch.
 Scaled batch_residual(const RowLayout& layout, const Batch& batch, Equation equation, const Scaled* parameters);
+// Integral of x^2 over that of v^2, over all batches of the levels; 1 where either is zero.
+Scaled displacement_share(const Level* level, int levels, int dof);
 // The DOF moves in this batch: over the least motion, 2^-34 of its mean motion energy in the level (a DOF held by friction
 // does not move), and with an instrument, whose noise is its own, the noise-free part of the energy is more than the noise.
 bool moves(const BatchDof& dof, bool instrument, const Scaled& least_motion);

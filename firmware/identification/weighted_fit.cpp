@@ -15,18 +15,6 @@ Scaled column_square(const BatchTable& table, Weight weight, int n) {
   return sum;
 }
 
-// Integral of x^2 over that of v^2; 1 where either is zero.
-Scaled displacement_share(const BatchTable& table, int dof) {
-  Scaled displacement, velocity;
-  for (int l = 0; l < table.level_count; ++l)
-    for (int b = 0; b < table.level[l].batch_count; ++b) {
-      const BatchDof& batch = table.level[l].batch[b].dof[dof];
-      displacement += unpack(batch.displacement_square());
-      velocity += unpack(batch.velocity_square);
-    }
-  return displacement > Scaled{} && velocity > Scaled{} ? displacement / velocity : Scaled::from_int(1);
-}
-
 // How much larger the energies of DOF i's displacement row are than those of its velocity row, each over the root of the integral
 // of its weight squared; 1 where they share nothing.
 Scaled displacement_ratio(const EquationList& list, const BatchTable& table, int dof) {
@@ -37,7 +25,8 @@ Scaled displacement_ratio(const EquationList& list, const BatchTable& table, int
     const Scaled ratio = sqrt(column_square(table, Weight::kDisplacement, n) / velocity);
     if (ratio > largest) largest = ratio;
   }
-  return largest.is_zero() ? Scaled::from_int(1) : largest / sqrt(displacement_share(table, dof));
+  return largest.is_zero() ? Scaled::from_int(1)
+                           : largest / sqrt(displacement_share(table.level, table.level_count, dof));
 }
 
 }  // namespace

@@ -187,8 +187,10 @@ void reduce_rows(const EquationList& list, const LevelColumns& level, const Whit
       summand[count++] = {level.column(whitening.observable[j]), -whitening.coefficient[j]};
   reduced.exponent[reduced.unknowns] = sum_columns(summand, count, batches, reduced.value[reduced.unknowns]);
   reduced.rows = level.rows_used(e);
-  for (int b = 0; b < batches; ++b)
-    for (int k = 0; k <= reduced.unknowns && !level.row_used(b, dof); ++k) reduced.value[k][b] = 0;
+  for (int b = 0; b < batches; ++b) {
+    if (level.row_used(b, dof)) continue;
+    for (int k = 0; k <= reduced.unknowns; ++k) reduced.value[k][b] = 0;
+  }
 }
 
 bool whitened_level_row(const EquationList& list, const LevelColumns& level, const Whitening& whitening, int e,

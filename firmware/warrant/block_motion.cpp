@@ -172,11 +172,14 @@ void BlockMotion::fill_acceleration(int dof) {
 FIRMWARE_WIDER_VECTORS void BlockMotion::fill_neighbours() {
   for (int row = 0; row < kMaxNodes * kQuantities; ++row) {
     if (signal_unit_[row].is_zero()) continue;
+    const int node = row / kQuantities;
+    if (node < kMaxDofs && derives_acceleration_[node] && row == signal_column(node, Quantity::kAcceleration)) {
+      fill_acceleration(node);
+      continue;
+    }
     const int32_t* of = signal(row);
     for (int n = 0; n < kBlockSamples; ++n) near_[row][n] = between_neighbours_q3(of + n);
   }
-  for (int i = 0; i < configuration_->dof_count; ++i)
-    if (derives_acceleration_[i]) fill_acceleration(i);
 }
 
 // The friction's direction is not that of the sample before or after.

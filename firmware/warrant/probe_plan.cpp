@@ -94,7 +94,7 @@ class Planner {
         add(p, Form::kRate, cause_of(EffectKind::kSensorDelay), measured_quantity(kBaseNode), -1);
         add(p, Form::kElongation, cause_of(EffectKind::kSensorGain), measured_quantity(kBaseNode), -1);
       } else if (place.kind == PlaceKind::kDof) {
-        // An acceleration that is made from velocities here shares their noise with its neighbours, and has no channel.
+        // An acceleration that is made from velocities here has no channel.
         if (c_.signals[place.node_a][static_cast<int>(Quantity::kAcceleration)].available) {
           if (!estimated(kMass, place.node_a) && !sets_the_scale(TermKind::kMass, place.node_a))
             add(p, Form::kAcceleration, cause_of(EffectKind::kMassError), kNoQuantity, -1);

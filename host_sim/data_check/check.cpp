@@ -109,21 +109,17 @@ void attach(std::vector<Finding> findings, RecordReport& report) {
   }
 }
 
-bool has_fault(const RecordReport& report, const char* kind = nullptr) {
-  const auto bad = [kind](const Finding& f) {
-    return f.weight == Weight::kFault && (kind == nullptr || f.kind == kind);
-  };
-  return std::any_of(report.findings.begin(), report.findings.end(), bad) ||
+template <typename Is>
+bool any_finding(const RecordReport& report, Is is) {
+  return std::any_of(report.findings.begin(), report.findings.end(), is) ||
          std::any_of(report.channels.begin(), report.channels.end(), [&](const ChannelReport& channel) {
-           return std::any_of(channel.findings.begin(), channel.findings.end(), bad);
+           return std::any_of(channel.findings.begin(), channel.findings.end(), is);
          });
 }
 
-bool is_turned_over(const RecordReport& report) {
-  return std::any_of(report.channels.begin(), report.channels.end(), [](const ChannelReport& channel) {
-    return std::any_of(channel.findings.begin(), channel.findings.end(),
-                       [](const Finding& f) { return f.kind == "polarity"; });
-  });
+bool has_fault(const RecordReport& report, const char* kind = nullptr) {
+  return any_finding(
+      report, [kind](const Finding& f) { return f.weight == Weight::kFault && (kind == nullptr || f.kind == kind); });
 }
 
 // Whether a part of the record that estimate and diagnose keep has this fault too.
@@ -192,7 +188,7 @@ RecordReport check_record(const Record& record, const rig_file::RigModel* model,
     attach(check_exchanged(compared, integrals), report);
   }
   if (model != nullptr && !has_fault(report)) attach(check_rig_balance(compared, *model), report);
-  if (!has_fault(report) && !is_turned_over(report))
+  if (!has_fault(report) && !any_finding(report, [](const Finding& f) { return f.kind == "polarity"; }))
     if (auto work = find_negative_work(compared, drive)) attach({std::move(*work)}, report);
   if (!has_fault(report))
     if (auto growth = find_growth(record)) attach({std::move(*growth)}, report);

@@ -8,6 +8,7 @@
 #include "hal/rig_file/channel_name.hpp"
 #include "host_sim/data_check/balance.hpp"
 #include "host_sim/data_check/unit_factors.hpp"
+#include "host_sim/data_check/work.hpp"
 
 namespace host_sim::data_check {
 namespace {
@@ -113,7 +114,7 @@ std::vector<Finding> findings_of(std::vector<Change> changes, const std::vector<
                    or_else + ": " + share;
   if (best.unit.empty() && or_else.empty() && is_only_force(channels, best)) {
     finding.weight = Weight::kDoubt;
-    finding.detail += "; change the sign of the column (estimate and diagnose do)";
+    finding.detail += std::string("; ") + kSignIsChanged;
   }
   return {finding};
 }

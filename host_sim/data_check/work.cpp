@@ -101,12 +101,10 @@ std::optional<Finding> find_negative_work(const Record& record, const Drive& dri
       "to give: ",
       which, work.power_factor);
   if (work.power_factor < kTurnedOver)
-    return Finding{
-        "polarity", name.empty() ? Weight::kFault : Weight::kDoubt, name,
-        seen + (name.empty()
-                    ? "force or motion is turned over; change the sign of one of the columns"
-                    : "force or motion is turned over; change the sign of the column (estimate and diagnose do)"),
-        work.power_factor};
+    return Finding{"polarity", name.empty() ? Weight::kFault : Weight::kDoubt, name,
+                   seen + "force or motion is turned over; " +
+                       (name.empty() ? "change the sign of one of the columns" : kSignIsChanged),
+                   work.power_factor};
   return Finding{"work", Weight::kDoubt, name, seen + "force or motion is turned over, or one of them is late",
                  work.power_factor};
 }

@@ -31,6 +31,14 @@ std::vector<double> counted(size_t samples) {
   return index;
 }
 
+void weights_at(const double* time_s, size_t points, double t, double* weight) {
+  for (size_t j = 0; j < points; ++j) {
+    weight[j] = 1.0;
+    for (size_t k = 0; k < points; ++k)
+      if (k != j) weight[j] *= (t - time_s[k]) / (time_s[j] - time_s[k]);
+  }
+}
+
 double median_step(const std::vector<double>& time_s) {
   std::vector<double> steps(time_s.size() - 1);
   for (size_t i = 0; i < steps.size(); ++i) steps[i] = time_s[i + 1] - time_s[i];

@@ -26,4 +26,7 @@ EvenTimes even_times(const std::vector<double>& time_s);
 // The usual step between times, the median; at least two of them.
 double median_step(const std::vector<double>& time_s);
 
+// Weights of so many samples at the instant t, of the polynomial that passes through them (Lagrange).
+void weights_at(const double* time_s, size_t points, double t, double* weight);
+
 }  // namespace host_sim

@@ -47,15 +47,6 @@ void make_even(std::vector<double>& time_s, const Part& part) {
   std::copy(even.time_s.begin(), even.time_s.end(), first);
 }
 
-// Weights of the six samples from `first` on at the instant t.
-void weights_at(const double* time_s, double t, double* weight) {
-  for (size_t j = 0; j < kPoints; ++j) {
-    weight[j] = 1.0;
-    for (size_t k = 0; k < kPoints; ++k)
-      if (k != j) weight[j] *= (t - time_s[k]) / (time_s[j] - time_s[k]);
-  }
-}
-
 // The polynomial leaves a flat top at its edges, and the top would be flat no more. So where a channel stays at its highest or
 // lowest value for three samples in a row (a smooth motion turns within two), what it reads ends there.
 struct Range {
@@ -91,7 +82,7 @@ Record part_at(const Record& record, const std::vector<double>& time_s, const Pa
     while (before + 1 < part.end && time_s[before + 1] <= t) ++before;
     const size_t wanted = before < part.first + kPoints / 2 - 1 ? part.first : before - (kPoints / 2 - 1);
     const size_t first = std::min(wanted, part.end - kPoints);
-    weights_at(&time_s[first], t, weight);
+    weights_at(&time_s[first], kPoints, t, weight);
     for (size_t c = 0; c < out.channels.size(); ++c) {
       // from one of the six on: six alike give that value to the last bit, and a channel that rests goes on resting
       const double* values = &record.channels[c].values[first];

@@ -43,12 +43,6 @@ int find(const Model& model, int link, std::initializer_list<Kind> kinds) {
   return -1;
 }
 
-bool measures(const std::vector<Prepared>& records, int dof, int quantity) {
-  for (const MotionTrace& t : records[0].traces)
-    if (t.dof == dof && t.quantity == quantity) return true;
-  return false;
-}
-
 }  // namespace
 
 double way_of(const System& s, const std::vector<Prepared>& records, int link) {
@@ -152,7 +146,7 @@ std::vector<Candidate> candidates_beside(const System& s, const Model& model, co
           if (share * rms > kNoiseReaches * noise) add({on_dof(Kind::kDeadBand, dof, share * rms)}, 1, 1);
     }
     for (int q = 0; q < 3 && mass >= 0; ++q) {
-      if (!measures(records, dof, q)) continue;
+      if (!trace_of(records[0], dof, q)) continue;
       Term gain = on_dof(Kind::kChannelGain, dof), delay = on_dof(Kind::kChannelDelay, dof);
       gain.quantity = delay.quantity = q;
       if (scale_known || records[0].traces.size() > 1) add({gain}, 0), add({delay}, 0);

@@ -37,12 +37,6 @@ bool drifts(const Task& task, const Term& damper) {
                      [&](const Prepared& p) { return damper.shape > kDriftPeriods * p.period_s; });
 }
 
-const MotionTrace* channel_of(const Prepared& p, int dof, int quantity) {
-  for (const MotionTrace& t : p.traces)
-    if (t.dof == dof && t.quantity == quantity) return &t;
-  return nullptr;
-}
-
 // Gain of a rate's channel over that of its integral's: what the rate adds up to over a quarter of a period against what the
 // other moves in that time. 0 where the two do not see one motion.
 double gain_ratio(const Prepared& p, const Vec& integral, const Vec& rate) {
@@ -64,9 +58,9 @@ double gain_ratio(const Prepared& p, const Vec& integral, const Vec& rate) {
 
 bool contradicted(const Task& task, const ModelTerm& gain) {
   for (const Prepared& p : task.records) {
-    const MotionTrace* own = channel_of(p, gain.term.dof, gain.term.quantity);
+    const MotionTrace* own = trace_of(p, gain.term.dof, gain.term.quantity);
     for (const int next : {gain.term.quantity - 1, gain.term.quantity + 1}) {
-      const MotionTrace* other = channel_of(p, gain.term.dof, next);
+      const MotionTrace* other = trace_of(p, gain.term.dof, next);
       if (!own || !other) continue;
       const bool rate = next < gain.term.quantity;
       const double ratio = rate ? gain_ratio(p, other->y, own->y) : gain_ratio(p, own->y, other->y);

@@ -62,19 +62,6 @@ Needs needs_of(const host_sim::Record& record) {
   return needs;
 }
 
-// Without a displacement the position is an integral.
-bool speed_alone(const Prepared& p, int dof) {
-  const auto measures = [&](int quantity) {
-    return std::any_of(p.traces.begin(), p.traces.end(),
-                       [&](const MotionTrace& t) { return t.dof == dof && t.quantity == quantity; });
-  };
-  return measures(1) && !measures(0);
-}
-
-bool runs_on(const Prepared& p, int dof) {
-  return std::any_of(p.traces.begin(), p.traces.end(), [&](const MotionTrace& t) { return t.dof == dof && t.travels; });
-}
-
 // What an integral without its drift does not hold is slower than that: of a shaft that runs down all there is. Its period is that of a
 // decay with the same slope.
 double slow_period(const Vec& v, const Drift& drift, double step_s) {
@@ -92,11 +79,13 @@ double period_of(const Prepared& p) {
   for (size_t i = 0; i < p.guess.size(); ++i) {
     const Guess& g = p.guess[i];
     if (!g.given) continue;
-    const double v = rms_about_mean(g.v), x = runs_on(p, static_cast<int>(i))
-                                                  ? std::sqrt(square_off_line(g.x) / static_cast<double>(g.x.size()))
-                                                  : rms_about_mean(g.x);
+    const int dof = static_cast<int>(i);
+    const MotionTrace* place = trace_of(p, dof, 0);
+    const double v = rms_about_mean(g.v);
+    const double x = place && place->travels ? std::sqrt(square_off_line(g.x) / static_cast<double>(g.x.size()))
+                                             : rms_about_mean(g.x);
     if (v > 0) longest = std::max(longest, kTwoPi * x / v);
-    if (speed_alone(p, static_cast<int>(i))) longest = std::max(longest, slow_period(g.v, {p.slow_half}, p.step_s));
+    if (!place && trace_of(p, dof, 1)) longest = std::max(longest, slow_period(g.v, {p.slow_half}, p.step_s));
   }
   return longest;
 }
@@ -146,6 +135,12 @@ Prepared prepare_by(const rig_file::RigModel& rig, const host_sim::Record& recor
 }
 
 }  // namespace
+
+const MotionTrace* trace_of(const Prepared& p, int dof, int quantity) {
+  for (const MotionTrace& t : p.traces)
+    if (t.dof == dof && t.quantity == quantity) return &t;
+  return nullptr;
+}
 
 double motion_square(const Prepared& p, const MotionTrace& trace, Index from, Index length) {
   const auto y = trace.y.segment(from, length);

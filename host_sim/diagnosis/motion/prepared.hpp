@@ -64,6 +64,9 @@ struct Prepared {
   double time_s(Index sample) const { return static_cast<double>(sample) * step_s; }
 };
 
+// The reading of that quantity of a DOF, from 0; nullptr: not measured.
+const MotionTrace* trace_of(const Prepared& record, int dof, int quantity);
+
 // Sum of squares of the motion of a stretch: about its mean. Of a place that travels it is what is off its line, or what the record's speed,
 // rms about its mean, would make of a period as long as the stretch: at constant speed nothing moves it off its line.
 double motion_square(const Prepared& record, const MotionTrace& trace, Index from, Index length);

@@ -17,9 +17,7 @@ auto mapped(const std::vector<double>& y) { return Series::Map(y.data(), static_
 double running_speed(const host_sim::Record& r) {
   if (const Channel* place = r.find(Quantity::kDisplacement, rig_file::kBase)) {
     const Series x = mapped(place->values);
-    const double half = 0.5 * static_cast<double>(x.size() - 1);
-    const Series about = Series::LinSpaced(x.size(), -half, half);
-    return travels(x) ? about.dot(x) / about.squaredNorm() / r.sample_period_s : 0;
+    return travels(x) ? slope_of_line(x) / r.sample_period_s : 0;
   }
   const Channel* speed = r.find(Quantity::kVelocity, rig_file::kBase);
   if (!speed) return 0;

@@ -9,18 +9,21 @@ double rms_about_mean(const Series& y) { return std::sqrt((y.array() - y.mean())
 
 namespace {
 
-// Per sample.
-double slope_of_line(const Series& y) {
-  const double half = 0.5 * static_cast<double>(y.size() - 1);
-  const Series at = Series::LinSpaced(y.size(), -half, half);
-  return y.size() > 1 ? at.dot(y) / at.squaredNorm() : 0;
+// Places of n samples about their middle.
+Series about_middle(Eigen::Index n) {
+  const double half = 0.5 * static_cast<double>(n - 1);
+  return Series::LinSpaced(n, -half, half);
 }
 
 }  // namespace
 
+double slope_of_line(const Series& y) {
+  const Series at = about_middle(y.size());
+  return y.size() > 1 ? at.dot(y) / at.squaredNorm() : 0;
+}
+
 double square_off_line(const Series& y) {
-  const double half = 0.5 * static_cast<double>(y.size() - 1);
-  const Series line = slope_of_line(y) * Series::LinSpaced(y.size(), -half, half);
+  const Series line = slope_of_line(y) * about_middle(y.size());
   return y.size() == 0 ? 0 : (y.array() - y.mean() - line.array()).square().sum();
 }
 

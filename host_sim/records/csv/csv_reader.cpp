@@ -16,26 +16,11 @@
 #include "host_sim/records/csv/fill_blanks.hpp"
 #include "host_sim/records/csv/text_encoding.hpp"
 #include "host_sim/records/data_file_error.hpp"
+#include "host_sim/records/even_times.hpp"
 #include "host_sim/records/record_checks.hpp"
 
 namespace host_sim {
 namespace {
-
-// Files of other programs that people take for tables of text, by how they begin; nullptr: none of these.
-const char* other_format(std::string_view content) {
-  constexpr struct {
-    std::string_view begins;
-    const char* is;
-  } kOthers[] = {{"PK\x03\x04", "an Excel workbook or another archive"},
-                 {"\xD0\xCF\x11\xE0", "an old Excel workbook"},
-                 {"TDSm", "a TDMS file"},
-                 {"{", "JSON"},
-                 {"[{", "JSON"},
-                 {"%PDF", "a PDF"}};
-  for (const auto& other : kOthers)
-    if (content.substr(0, other.begins.size()) == other.begins) return other.is;
-  return nullptr;
-}
 
 std::string quoted(std::string_view text) {
   std::string result = "\"";
@@ -296,25 +281,13 @@ class CsvParser {
     return line;
   }
 
-  // The usual time between rows, as samples a second; 0 where there is none.
-  double usual_rate_Hz() const {
-    std::vector<double> steps;
-    for (size_t i = 1; i < time_s_.size(); ++i) steps.push_back(time_s_[i] - time_s_[i - 1]);
-    if (steps.empty()) return 0.0;
-    const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-    std::nth_element(steps.begin(), middle, steps.end());
-    return *middle > 0.0 ? 1.0 / *middle : 0.0;
-  }
-
   [[noreturn]] void refuse_blank(const BlankEnds& blank) const {
-    const double rate_Hz = usual_rate_Hz();
-    refuse(line_of(blank.gap.empty() ? 0 : blank.gap_row),
-           "column " + (blank.gap.empty() ? blank.names : blank.gap) + " is " + quoted(blank_) +
-               ", expected a finite number" +
-               (blank.gap.empty() || rate_Hz <= 0.0 ? std::string()
-                                                    : fmt::format("; --resample {:.4g} fills single values that are "
-                                                                  "missing",
-                                                                  rate_Hz)));
+    const bool between = !blank.gap.empty();
+    std::string expected = ", expected a finite number";
+    if (const double step_s = between && time_s_.size() > 1 ? median_step(time_s_) : 0.0; step_s > 0.0)
+      expected += fmt::format("; --resample {:.4g} fills single values that are missing", 1.0 / step_s);
+    refuse(line_of(between ? blank.gap_row : 0),
+           "column " + (between ? blank.gap : blank.names) + " is " + quoted(blank_) + expected);
   }
 
   // Of what is to be interpolated anyway. Each channel from its own values; rows in a long gap go.
@@ -330,19 +303,19 @@ class CsvParser {
   }
 
   // Rows at the ends that lack a value go; one that lacks it between is refused, or filled where the record is interpolated.
-  void leave_out_blank_ends() {
+  void treat_blanks() {
     std::vector<TableColumn> table;
     for (Channel& channel : record_.channels) table.push_back({channel.name, &channel.values});
     const BlankEnds blank = find_blank_ends(table);
     const bool fills = options_.resample_Hz > 0.0 && !time_s_.empty();
     if ((!blank.gap.empty() && !fills) || blank.first == blank.end) refuse_blank(blank);
-    const size_t gone = blank.at_start + blank.at_end;
-    if (gone > 0) leave_out_ends(blank);
+    leave_out_ends(blank);
     if (!blank.gap.empty()) fill_between(table);
   }
 
   void leave_out_ends(const BlankEnds& blank) {
     const size_t gone = blank.at_start + blank.at_end;
+    if (gone == 0) return;
     for (Channel& channel : record_.channels) keep_rows(blank.first, blank.end, channel.values);
     if (!time_s_.empty()) keep_rows(blank.first, blank.end, time_s_);
     left_out_ = blank.at_start, samples_ -= gone;
@@ -351,7 +324,7 @@ class CsvParser {
   }
 
   void finish() {
-    if (samples_ > 0) leave_out_blank_ends();
+    if (samples_ > 0) treat_blanks();
     if (options_.sample_rate_Hz > 0.0) {
       if (samples_ < 2) refuse(0, "holds " + std::to_string(samples_) + " samples, expected at least 2");
       record_.sample_period_s = 1.0 / options_.sample_rate_Hz;

@@ -3,51 +3,35 @@
 #include <algorithm>
 #include <cmath>
 
+#include "host_sim/records/even_times.hpp"
 #include "host_sim/records/resample.hpp"
 
 namespace host_sim {
 namespace {
 
-double usual_step(const std::vector<double>& time_s, const std::vector<size_t>& there) {
-  std::vector<double> steps;
-  for (size_t i = 1; i < there.size(); ++i) steps.push_back(time_s[there[i]] - time_s[there[i - 1]]);
-  if (steps.empty()) return 0.0;
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::nth_element(steps.begin(), middle, steps.end());
-  return *middle;
-}
-
-// Lagrange through the points `there[first]` to `there[end - 1]`.
-double through(const std::vector<double>& time_s, const std::vector<double>& values, const std::vector<size_t>& there,
-               size_t first, size_t end, double t) {
-  double sum = 0.0;
-  for (size_t j = first; j < end; ++j) {
-    double weight = 1.0;
-    for (size_t k = first; k < end; ++k)
-      if (k != j) weight *= (t - time_s[there[k]]) / (time_s[there[j]] - time_s[there[k]]);
-    sum += weight * values[there[j]];
-  }
-  return sum;
-}
+constexpr size_t kPoints = 4;
 
 void fill(const std::vector<double>& time_s, std::vector<double>& values, FilledBlanks& result) {
   std::vector<size_t> there;
+  std::vector<double> there_s;
   for (size_t row = 0; row < values.size(); ++row)
-    if (!std::isnan(values[row])) there.push_back(row);
+    if (!std::isnan(values[row])) there.push_back(row), there_s.push_back(time_s[row]);
   // where other columns end is not where this one does
   for (size_t row = 0; row < values.size(); ++row)
     if (there.empty() || row < there.front() || row > there.back()) result.keep[row] = false;
-  const double longest = kLongestGap * usual_step(time_s, there);
+  if (there.size() < 2) return;
+  const double longest = kLongestGap * median_step(there_s);
   for (size_t i = 1; i < there.size(); ++i) {
-    const bool fills = time_s[there[i]] - time_s[there[i - 1]] <= longest;
+    const bool fills = there_s[i] - there_s[i - 1] <= longest;
+    const size_t first = i >= 2 ? i - 2 : 0, points = std::min(i + 2, there.size()) - first;
     for (size_t row = there[i - 1] + 1; row < there[i]; ++row) {
-      if (fills) {
-        const size_t first = i >= 2 ? i - 2 : 0, end = std::min(i + 2, there.size());
-        values[row] = through(time_s, values, there, first, end, time_s[row]);
-        ++result.filled;
-      } else {
-        result.keep[row] = false;
-      }
+      result.keep[row] = result.keep[row] && fills;
+      if (!fills) continue;
+      double weight[kPoints], sum = 0.0;
+      weights_at(&there_s[first], points, time_s[row], weight);
+      for (size_t j = 0; j < points; ++j) sum += weight[j] * values[there[first + j]];
+      values[row] = sum;
+      ++result.filled;
     }
   }
 }

@@ -67,4 +67,19 @@ std::string_view as_utf8(std::string_view content, std::string& buffer) {
   return content;
 }
 
+const char* other_format(std::string_view content) {
+  constexpr struct {
+    std::string_view begins;
+    const char* is;
+  } kOthers[] = {{"PK\x03\x04", "an Excel workbook or another archive"},
+                 {"\xD0\xCF\x11\xE0", "an old Excel workbook"},
+                 {"TDSm", "a TDMS file"},
+                 {"{", "JSON"},
+                 {"[{", "JSON"},
+                 {"%PDF", "a PDF"}};
+  for (const auto& other : kOthers)
+    if (content.substr(0, other.begins.size()) == other.begins) return other.is;
+  return nullptr;
+}
+
 }  // namespace host_sim

@@ -10,4 +10,7 @@ namespace host_sim {
 // change.
 std::string_view as_utf8(std::string_view content, std::string& buffer);
 
+// Files of other programs that people take for tables of text, by how they begin; nullptr: none of these.
+const char* other_format(std::string_view content);
+
 }  // namespace host_sim
