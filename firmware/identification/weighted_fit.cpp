@@ -43,8 +43,9 @@ ReducedRows& WeightedFit::reduce(const Whitening& whitening, int e, bool with_co
 
 void WeightedFit::start_weights() {
   for (int e = 0; e < list_->count; ++e)
-    relative_deviation_[e] =
-        e < list_->dof_count ? Scaled::from_int(1) : displacement_ratio(*list_, *table_, e - list_->dof_count);
+    relative_deviation_[e] = kWeights < 3 || e < list_->dof_count
+                                 ? Scaled::from_int(1)
+                                 : displacement_ratio(*list_, *table_, e - list_->dof_count);
   for (int l = 0; l < table_->level_count; ++l)
     for (int e = 0; e < list_->count; ++e) whitening_[l][e] = Whitening{};
   for (int k = 0; k < list_->unknown_count; ++k) parameters_[k] = Scaled{};
