@@ -26,7 +26,9 @@ double white_noise_sum(const Vec& y) {
 namespace {
 
 constexpr double kSamplesPerTop = 24;  // of the fastest motion: one Runge-Kutta step each is right to 1e-4
-constexpr double kMostlySlow = 0.5;    // of the square of a velocity about its mean
+// Of the motion of its ends, that of a link: where it is less, the part of their power that thinning may lose can be a hundredth of its own.
+constexpr double kTogether = 0.1;
+constexpr double kMostlySlow = 0.5;  // of the square of a velocity about its mean
 
 bool driven(const Prepared& p) {
   const auto acts = [](const Vec& y) { return y.size() > 0 && y.cwiseAbs().maxCoeff() > 0; };
@@ -48,14 +50,35 @@ struct Needs {
   int by = 1;
   double top_Hz = 0;
 };
-Needs needs_of(const host_sim::Record& record) {
+
+const host_sim::Channel* channel_of(const host_sim::Record& record, int dof, host_sim::Quantity quantity) {
+  const auto found = std::find_if(record.channels.begin(), record.channels.end(),
+                                  [&](const host_sim::Channel& c) { return c.dof == dof && c.quantity == quantity; });
+  return found == record.channels.end() ? nullptr : &*found;
+}
+
+Vec values_of(const host_sim::Channel& c) { return Vec::Map(c.values.data(), static_cast<Index>(c.values.size())); }
+
+// What moves a shaft is lost in the spectra of its ends where they turn together.
+double top_of_link(const rig_file::Link& link, const host_sim::Record& record, host_sim::Quantity quantity) {
+  const host_sim::Channel *a = channel_of(record, link.a, quantity), *b = channel_of(record, link.b, quantity);
+  if (link.a < 1 || link.b < 1 || !a || !b) return 0;
+  const Vec end = values_of(*a), between = end - values_of(*b);
+  if (rms_about_mean(between) > kTogether * rms_about_mean(end)) return 0;
+  return top_frequency(between, record.sample_period_s, quantity == host_sim::Quantity::kDisplacement);
+}
+
+Needs needs_of(const rig_file::RigModel& rig, const host_sim::Record& record) {
   Needs needs;
   for (const host_sim::Channel& c : record.channels) {
     if (c.quantity == host_sim::Quantity::kForce) continue;
-    const Vec y = Vec::Map(c.values.data(), static_cast<Index>(c.values.size()));
-    needs.top_Hz = std::max(needs.top_Hz,
-                            top_frequency(y, record.sample_period_s, c.quantity == host_sim::Quantity::kDisplacement));
+    needs.top_Hz = std::max(needs.top_Hz, top_frequency(values_of(c), record.sample_period_s,
+                                                        c.quantity == host_sim::Quantity::kDisplacement));
   }
+  for (const rig_file::Link& link : rig.links)
+    for (const auto quantity :
+         {host_sim::Quantity::kDisplacement, host_sim::Quantity::kVelocity, host_sim::Quantity::kAcceleration})
+      needs.top_Hz = std::max(needs.top_Hz, top_of_link(link, record, quantity));
   const double wanted = 1 / (record.sample_period_s * kSamplesPerTop * needs.top_Hz);
   const double most = static_cast<double>(record.samples()) / 4000;  // short work as it is
   needs.by = std::max(1, static_cast<int>(std::min(wanted, most)));
@@ -96,14 +119,12 @@ Prepared prepare_by(const rig_file::RigModel& rig, const host_sim::Record& recor
   p.step_s = record.sample_period_s * needs.by;
   p.read_every_s = record.sample_period_s;
   p.top_Hz = needs.top_Hz;
-  const auto series = [&](const host_sim::Channel& c) {
-    return thinned(Vec::Map(c.values.data(), static_cast<Index>(c.values.size())), needs.by);
-  };
+  const auto series = [&](const host_sim::Channel& c) { return thinned(values_of(c), needs.by); };
   const int n = static_cast<int>(rig.dofs.size());
   p.force.resize(static_cast<size_t>(n)), p.noise_in_blows.resize(static_cast<size_t>(n));
   for (const host_sim::Channel& c : record.channels) {
     if (c.quantity == host_sim::Quantity::kForce && c.dof >= 1 && c.dof <= n) {
-      const Vec raw = Vec::Map(c.values.data(), static_cast<Index>(c.values.size()));
+      const Vec raw = values_of(c);
       const Windowed f = massless(rig) ? Windowed{raw, {}, {}} : windowed(raw);
       const size_t d = static_cast<size_t>(c.dof - 1);
       p.force[d] = thinned(f.force, needs.by), p.noise_in_blows[d] = noise_in_blows(f, needs.by);
@@ -170,7 +191,7 @@ void renew_motion(Prepared& p) {
 }
 
 Prepared prepare(const rig_file::RigModel& rig, const host_sim::Record& record) {
-  return prepare_by(rig, record, needs_of(record));
+  return prepare_by(rig, record, needs_of(rig, record));
 }
 
 std::vector<Prepared> prepare_all(const rig_file::RigModel& rig, const std::vector<host_sim::Record>& training,
@@ -181,7 +202,7 @@ std::vector<Prepared> prepare_all(const rig_file::RigModel& rig, const std::vect
   std::vector<Needs> needs;
   double step_s = 1e300;
   for (const host_sim::Record* r : records) {
-    needs.push_back(needs_of(*r));
+    needs.push_back(needs_of(rig, *r));
     step_s = std::min(step_s, r->sample_period_s * needs.back().by);
   }
   std::vector<Prepared> list;
