@@ -14,6 +14,7 @@ constexpr double kRepeats = 1.5;
 // Periods of the motion that a drift has to take: coefficient, drift and time constant are three numbers, and each period shows
 // one damping.
 constexpr double kDriftPeriods = 3;
+constexpr double kBeyondBand = 0.05;    // of a force's samples: as many as show the end of a band
 constexpr double kOneMotion = 0.9;      // correlation of two channels that see the same motion
 constexpr double kContradiction = 0.1;  // between two gains of a channel: noise and filters make less
 
@@ -29,6 +30,21 @@ bool bends_slowly(const Task& task, const Term& presliding) {
     if (2 * presliding.shape > rms * p.step_s * p.step_s) return true;
   }
   return false;
+}
+
+// Bristles that bend all along a link's way never slide: they are a spring.
+bool slides(const Task& task, const Term& presliding) {
+  return presliding.shape < way_of(task.system, task.records, presliding.link);
+}
+
+// A force that its dead band holds nearly all the time is smaller than its reading, and nothing shows the band's end.
+bool leaves_its_band(const Task& task, const Term& band) {
+  double beyond = 0, all = 0;
+  for (const Prepared& p : task.records) {
+    const Vec& f = p.force[static_cast<size_t>(band.dof)];
+    beyond += static_cast<double>((f.array().abs() > band.shape).count()), all += static_cast<double>(f.size());
+  }
+  return beyond > kBeyondBand * all;
 }
 
 bool drifts(const Task& task, const Term& damper) {
@@ -76,7 +92,9 @@ bool contradicted(const Task& task, const ModelTerm& gain) {
 bool shown(const Task& task, const ModelTerm& t) {
   switch (t.term.kind) {
     case Kind::kPresliding:
-      return bends_slowly(task, t.term);
+      return bends_slowly(task, t.term) && slides(task, t.term);
+    case Kind::kDeadBand:
+      return leaves_its_band(task, t.term);
     case Kind::kDriftingViscous:
       return drifts(task, t.term);
     case Kind::kCogging:

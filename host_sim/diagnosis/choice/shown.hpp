@@ -4,8 +4,9 @@
 
 namespace diagnosis::runs {
 
-// False for bristles that bend within a sample, for a damper that has settled before it can be seen to drift, for a pitch of which
-// the way holds too little to see it repeat, and for a channel's gain that the next quantity of its DOF contradicts.
+// False for bristles that bend within a sample or all along their link's way, for a dead band that the force hardly leaves, for a
+// damper that has settled before it can be seen to drift, for a pitch of which the way holds too little to see it repeat, and for a
+// channel's gain that the next quantity of its DOF contradicts.
 bool shown(const Task& task, const ModelTerm& term);
 
 }  // namespace diagnosis::runs

@@ -9,10 +9,13 @@ namespace diagnosis::runs {
 // Without masses the motion is given and the forces follow. Rates near zero have half a sign (slopes stay bounded).
 void Simulator::forces_of_motion(const Mat& x, const Mat& v, const Mat& a, Mat& force, std::vector<Mat>& slopes) const {
   const Index n = nodes_, count = x.cols();
-  (void)a;
   force.setZero(n, count);
   slopes.assign(static_cast<size_t>(parameters_), Mat());
   for (Mat& m : slopes) m.setZero(n, count);
+  for (Index node = 0; node < n; ++node) {  // a carriage that the rig file lacks
+    force.row(node) += mass_[node] * a.row(node);
+    for (const Index p : by_mass_[static_cast<size_t>(node)]) slopes[static_cast<size_t>(p)].row(node) += a.row(node);
+  }
   for (const Element& e : elements_) {
     const auto end = [&](const Mat& m, int i, Index k) { return i >= 0 ? m(i, k) : 0.0; };
     double z = 0, z_slope = 0, before = 0;

@@ -18,10 +18,8 @@ std::vector<Parameter> parameters_of(const Model& model) {
 }
 
 bool massless(const Model& model) {
-  return std::none_of(model.begin(), model.end(), [](const ModelTerm& t) {
-    const bool inertia = t.term.kind == Kind::kMass || t.term.kind == Kind::kMassError;
-    return inertia && (t.value > 0 || (t.term.kind == Kind::kMass && !t.known));
-  });
+  return std::none_of(model.begin(), model.end(),
+                      [](const ModelTerm& t) { return t.term.kind == Kind::kMass && (t.value > 0 || !t.known); });
 }
 
 bool positive(Kind kind) {
