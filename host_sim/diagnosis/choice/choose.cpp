@@ -42,12 +42,34 @@ bool near_enough(const Task& task, const Choice& choice) {
           missed_percent(task, choice.base) < kNearEnough_percent);
 }
 
+namespace {
+
+// Dry friction makes valleys of a window's error, and where the first values are poor the nearest is not the lowest. The rig without its
+// unknown frictions is followed from farther away; from there they start at nought. What it follows where the rig with them
+// from its own first values followed nothing is gone on from.
+void from_smooth_start(const Task& task, const Model& start, State& s, double& periods) {
+  const auto unknown_friction = [](const ModelTerm& t) { return t.term.kind == Kind::kCoulomb && !t.known; };
+  if (massless(start) || follows(task, s) || std::none_of(start.begin(), start.end(), unknown_friction)) return;
+  State smooth;
+  smooth.model = start;
+  for (ModelTerm& t : smooth.model)
+    if (unknown_friction(t)) t.known = true, t.value = 0;
+  const double reached = horizon(task, smooth, longest_horizon(task.records), false);
+  for (size_t i = 0; i < start.size(); ++i) smooth.model[i].known = start[i].known;
+  smooth.fit = fit(task.system, task.records, smooth.model, smooth.seen, kBaseSteps);
+  if (follows(task, smooth)) s = smooth, periods = reached;
+}
+
+}  // namespace
+
 Choice rig_fitted(const Task& task) {
   Choice choice;
   State now;
   now.model = rig_as_given(task.system, task.records);
   start_values(task.system, task.records, now.model);
+  const Model start = now.model;
   choice.periods = horizon(task, now, longest_horizon(task.records), massless(now.model));
+  from_smooth_start(task, start, now, choice.periods);
   settle_unseen(task, now);
   choice.base = choice.final = now;
   if (now.fit.ok) choice.base_left = choice.final_left = left_by(task.system, task.records, now);

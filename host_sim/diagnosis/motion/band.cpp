@@ -9,6 +9,7 @@ namespace {
 
 constexpr double kNearlyAll = 0.999;
 constexpr double kPowerOfDisplacement = 0.9999;  // its velocity, on which friction acts, is faster
+constexpr Index kHalfSmooth = 4;                 // bins to either side
 constexpr double kOutside = 0.01;                // of a motion's square sum: a tenth of its amplitude, where it goes on
 
 // Where a record is rest for the most part, the part that holds all but a hundredth of its motion's square sum; else all of it. A taper over
@@ -30,18 +31,19 @@ Vec moving_part(const Vec& y) {
 struct NetPower {
   Vec bins;
   double length_s = 0;  // bin i: i / length_s
+  double floor = 0;
 };
 
-// Power above the noise floor, which is that of the upper half of the spectrum; smoothed over 9 bins.
+// Power above the noise floor, which is that of the upper half of the spectrum; smoothed over 9 bins, over fewer at the ends.
 NetPower net_power(const Vec& y, double step_s) {
   const size_t n = fast_length(static_cast<size_t>(y.size()));
   const Vec p = Fourier(n).forward(tapered(y.head(static_cast<Index>(n)))).cwiseAbs2();
   std::vector<double> upper(p.data() + p.size() / 2, p.data() + p.size());
   std::nth_element(upper.begin(), upper.begin() + static_cast<std::ptrdiff_t>(upper.size() / 2), upper.end());
   const double floor = upper[upper.size() / 2] / kMedianOfSpread;
-  NetPower net{Vec::Zero(p.size()), static_cast<double>(n) * step_s};
+  NetPower net{Vec::Zero(p.size()), static_cast<double>(n) * step_s, floor};
   for (Index i = 0; i < p.size(); ++i) {
-    const Index a = std::max<Index>(0, i - 4), b = std::min(p.size() - 1, i + 4);
+    const Index a = std::max<Index>(0, i - kHalfSmooth), b = std::min(p.size() - 1, i + kHalfSmooth);
     const double level = p.segment(a, b - a + 1).mean();
     net.bins[i] = level > 4 * floor ? level - floor : 0;
   }
@@ -67,6 +69,19 @@ double top_frequency(const Vec& reading, double step_s, bool displacement) {
       return static_cast<double>(std::max<Index>(i, 2)) / net.length_s;
   }
   return 0.5 / step_s;
+}
+
+double slowest_above_noise(const Vec& reading, double step_s, int integrals) {
+  const NetPower net = net_power(moving_part(reading), step_s);
+  const auto integrated = [&](Index i) { return std::pow(static_cast<double>(i), -2 * integrals); };
+  double lost = 0, noise = 0, least = 1e300;  // of the lowest bins what nine show: of fewer noise may show as much
+  for (Index i = 1; i < net.bins.size(); ++i) noise += net.floor * integrated(i);
+  Index best = 1;
+  for (Index i = 1; i < net.bins.size(); ++i) {
+    if (lost + noise < least) least = lost + noise, best = i;
+    lost += net.bins[std::max(i, kHalfSmooth)] * integrated(i), noise -= net.floor * integrated(i);
+  }
+  return static_cast<double>(best) / net.length_s;
 }
 
 double lowest_frequency(const Vec& reading, double step_s, int integrals) {

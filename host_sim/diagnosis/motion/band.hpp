@@ -14,6 +14,10 @@ double top_frequency(const Vec& reading, double step_s, bool displacement);
 // noise floor.
 double lowest_frequency(const Vec& reading, double step_s, int integrals);
 
+// Frequency from which on an integral of a velocity (integrals: 1) or an acceleration (2) is to be kept: what it loses of the motion below
+// and what it keeps of the noise above are the least together.
+double slowest_above_noise(const Vec& reading, double step_s, int integrals);
+
 // Low-pass of windowed-sinc shape for thinning out by `by`; ends are left out (3 by samples each).
 Vec thinned(const Vec& y, int by);
 

@@ -28,6 +28,8 @@ namespace {
 constexpr double kSamplesPerTop = 24;  // of the fastest motion: one Runge-Kutta step each is right to 1e-4
 // Of the motion of its ends, that of a link: where it is less, the part of their power that thinning may lose can be a hundredth of its own.
 constexpr double kTogether = 0.1;
+constexpr double kSlowPeriods =
+    1;  // of the slowest that is kept: it loses nothing of it, and two thirds of what is half as fast
 constexpr double kMostlySlow = 0.5;  // of the square of a velocity about its mean
 
 bool driven(const Prepared& p) {
@@ -83,6 +85,17 @@ Needs needs_of(const rig_file::RigModel& rig, const host_sim::Record& record) {
   const double most = static_cast<double>(record.samples()) / 4000;  // short work as it is
   needs.by = std::max(1, static_cast<int>(std::min(wanted, most)));
   return needs;
+}
+
+// Half of what the drift of integrated motion is averaged over, of the DOF that is slowest. What is slower is noise that integration raises:
+// of a decay of one frequency it was the larger part of the displacement.
+double slow_s(const Prepared& p) {
+  double longest = 0;
+  for (const MotionTrace& t : p.traces) {
+    if (trace_of(p, t.dof, 0) || (t.quantity == 2 && trace_of(p, t.dof, 1))) continue;
+    longest = std::max(longest, kSlowPeriods / slowest_above_noise(t.y, p.step_s, t.quantity));
+  }
+  return longest > 0 ? longest : 1e300;
 }
 
 // What an integral without its drift does not hold is slower than that: of a shaft that runs down all there is. Its period is that of a
@@ -148,7 +161,7 @@ Prepared prepare_by(const rig_file::RigModel& rig, const host_sim::Record& recor
     throw CannotAnswer(record.file + ": " + std::to_string(record.samples()) +
                        " samples; a diagnosis needs at least 400");
   p.smooth_half = std::clamp<Index>(static_cast<Index>(0.15 / (p.top_Hz * p.step_s)), 2, p.samples / 8);
-  p.slow_half = std::clamp<Index>(static_cast<Index>(8 / (p.top_Hz * p.step_s)), 8, p.samples / 3);
+  p.slow_half = std::clamp<Index>(static_cast<Index>(std::min(8 / p.top_Hz, slow_s(p)) / p.step_s), 8, p.samples / 3);
   p.base.ridden = rides_on_base(rig, p);
   tell_drift(p);
   renew_motion(p);
