@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "../choice/attempt.hpp"
+#include "../terms/naming.hpp"
 
 namespace diagnosis::runs {
 namespace {
@@ -31,13 +32,19 @@ bool outdone(const Task& task, const Choice& fitted, const std::vector<Candidate
   const std::vector<Candidate> others =
       candidates_beside(task.system, base.model, task.records, fitted.base_left.worst() > kPlainlyLeft);
   const Screen s = screen(task.system, task.records, base.model, base.seen, base.fit, others, 0);
+  const auto simpler = [&](const Candidate& c) {
+    return causes.size() == 1 && c.terms[0].link == causes[0].terms[0].link && shape_name(c.terms[0].kind).empty() &&
+           !shape_name(causes[0].terms[0].kind).empty();
+  };
   size_t tried = 0;
   return std::any_of(s.singles.begin(), s.singles.end(), [&](const Screened& one) {
-    const bool alone_known = runs_alone_know(others[one.candidate].terms[0].kind);
-    if (hopeless(one.gain, 1, noise) || (!alone_known && (causes.size() == 1 || ++tried > kShortList))) return false;
+    const bool alone_known = runs_alone_know(others[one.candidate].terms[0].kind),
+               fewer = simpler(others[one.candidate]);
+    const bool asked = alone_known || ((causes.size() > 1 || fewer) && ++tried <= kShortList);
+    if (hopeless(one.gain, 1, noise) || !asked) return false;
     const Attempt other = attempt(task, base, others, one, noise);
     if (!other.state.fit.ok || !(other.z > kSure) || !unseen_agrees(other)) return false;
-    return causes.size() > 1 ? !clearly_better(own, other, noise) : clearly_better(other, own, noise);
+    return causes.size() > 1 || fewer ? !clearly_better(own, other, noise) : clearly_better(other, own, noise);
   });
 }
 

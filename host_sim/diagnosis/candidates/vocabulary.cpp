@@ -43,6 +43,11 @@ int find(const Model& model, int link, std::initializer_list<Kind> kinds) {
   return -1;
 }
 
+bool has_known(const Model& model, Kind kind, int link) {
+  const int at = find(model, link, {kind});
+  return at >= 0 && model[static_cast<size_t>(at)].known;
+}
+
 }  // namespace
 
 double way_of(const System& s, const std::vector<Prepared>& records, int link) {
@@ -85,7 +90,8 @@ std::vector<Candidate> candidates_beside(const System& s, const Model& model, co
     const bool hysteretic = find(model, l, {Kind::kPresliding}) >= 0;
     if (viscous < 0 || model[static_cast<size_t>(viscous)].known)
       add({on_link(Kind::kMissingViscous, l)}, 0, viscous < 0 ? 1 : 0);
-    if (friction < 0 && !hysteretic) add({on_link(Kind::kMissingCoulomb, l)}, 0, 1);
+    if (!hysteretic && (friction < 0 || model[static_cast<size_t>(friction)].known))
+      add({on_link(Kind::kMissingCoulomb, l)}, 0, friction < 0 ? 1 : 0);
     if (!listed) continue;
     if (spring < 0 || model[static_cast<size_t>(spring)].known) add({on_link(Kind::kStiffnessError, l)}, 0);
     for (Kind k : {Kind::kForceOffset, Kind::kAsymmetricViscous, Kind::kQuadraticDamping, Kind::kCubicStiffness,
@@ -167,7 +173,9 @@ Model joined(const Model& model, const Candidate& c, const std::vector<double>& 
       if (t.value > 0) t.term.shape2 = std::atan2(value[1], value[0]);
       i = c.terms.size();
     }
-    if (positive(t.term.kind) && t.value <= 0) t.value = 1e-3 * std::abs(t.value) + 1e-12;
+    t.corrects = (t.term.kind == Kind::kMissingViscous && has_known(model, Kind::kViscous, t.term.link)) ||
+                 (t.term.kind == Kind::kMissingCoulomb && has_known(model, Kind::kCoulomb, t.term.link));
+    if (positive(t.term.kind) && !t.corrects && t.value <= 0) t.value = 1e-3 * std::abs(t.value) + 1e-12;
     const Kind k = t.term.kind;
     t.shape_free = k == Kind::kBacklash || k == Kind::kEndStop || k == Kind::kStribeck || k == Kind::kPresliding ||
                    k == Kind::kResonance || k == Kind::kCogging || k == Kind::kDeadBand ||

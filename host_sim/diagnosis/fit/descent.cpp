@@ -41,7 +41,7 @@ void step_parameters(Model& model, const Vec& change) {
       t.term.shape *= std::exp(std::clamp(d, -kLongestStep, kLongestStep));
     } else {
       const double next = t.value + d;
-      t.value = positive(t.term.kind) && t.value > 0 ? std::max(next, kLeastShare * t.value) : next;
+      t.value = positive(t.term.kind) && !t.corrects && t.value > 0 ? std::max(next, kLeastShare * t.value) : next;
     }
   }
 }

@@ -57,12 +57,15 @@ bool CandidateBank::prepare(const std::vector<ActiveTerm>& model, Candidate& c) 
   const Term& t = c.term();
   c.threshold = threshold_;
   if (!observable(model, t)) return false;
+  bool beside_known = false;  // a damper or a friction that the rig file states: it may be too large as well
   for (const ActiveTerm& a : model) {
     const Term& other = a.term;
     if (other.same_place(t)) return false;
     if (other.link == t.link && t.link >= 0) {
-      if (t.kind == Kind::kMissingViscous && other.kind == Kind::kViscous && !a.known) return false;
-      if (t.kind == Kind::kMissingCoulomb && other.kind == Kind::kCoulomb) return false;
+      const bool corrects = (t.kind == Kind::kMissingViscous && other.kind == Kind::kViscous) ||
+                            (t.kind == Kind::kMissingCoulomb && other.kind == Kind::kCoulomb);
+      if (corrects && !a.known) return false;
+      beside_known = beside_known || corrects;
       if (t.kind == Kind::kStiffnessError && other.kind == Kind::kStiffness && !a.known) return false;
     }
     if (t.kind == Kind::kMassError && other.kind == Kind::kMass && other.dof == t.dof && !a.known) return false;
@@ -100,7 +103,7 @@ bool CandidateBank::prepare(const std::vector<ActiveTerm>& model, Candidate& c) 
       return true;
     case Kind::kMissingViscous:
     case Kind::kMissingCoulomb:
-      c.coefficient_sign = 1;
+      c.coefficient_sign = beside_known ? 0 : 1;
       return true;
     default:
       return true;

@@ -13,6 +13,7 @@ struct ModelTerm {
   double std = 0;    // 0: not fitted
   bool known = true;
   bool added = false;        // not of the rig file
+  bool corrects = false;     // a number that the rig file states, of a kind that is positive: of either sign
   bool shape_free = false;   // term.shape is fitted too, in its logarithm
   bool shape2_free = false;  // term.shape2 too: a phase as it is, a time constant in its logarithm
   int host = -1;             // acts in place of this term's force, with its coefficient

@@ -114,6 +114,13 @@ void state_delays(const std::vector<Cause>& causes, rig_file::RigModel& rig) {
   }
 }
 
+namespace {
+
+// What was missing, beside what the rig file states.
+void correct(rig_file::Coefficient& c, double by) { c = {(c.estimate ? 0 : c.value) + by, true}; }
+
+}  // namespace
+
 rig_file::RigModel extended_rig(const System& s, const std::vector<ActiveTerm>& model) {
   rig_file::RigModel rig = s.rig;
   std::vector<rig_file::Link> extra(s.links.begin() + static_cast<std::ptrdiff_t>(s.known_links), s.links.end());
@@ -129,9 +136,9 @@ rig_file::RigModel extended_rig(const System& s, const std::vector<ActiveTerm>& 
     const size_t l = static_cast<size_t>(t.link);
     rig_file::Link& link = l < s.known_links ? rig.links[l] : extra[l - s.known_links];
     if (t.kind == Kind::kMissingViscous)
-      link.viscous_N_s_m = {a.value, true};
+      correct(link.viscous_N_s_m, a.value);
     else if (t.kind == Kind::kMissingCoulomb)
-      link.coulomb_N = {a.value, true};
+      correct(link.coulomb_N, a.value);
     else if (t.kind == Kind::kStiffnessError)
       link.stiffness_N_m.value += a.value;
     else
