@@ -1,6 +1,7 @@
 #include "rows_outdone.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "../choice/attempt.hpp"
 #include "../terms/naming.hpp"
@@ -44,7 +45,10 @@ bool outdone(const Task& task, const Choice& fitted, const std::vector<Candidate
     if (hopeless(one.gain, 1, noise) || !asked) return false;
     const Attempt other = attempt(task, base, others, one, noise);
     if (!other.state.fit.ok || !(other.z > kSure) || !unseen_agrees(other)) return false;
-    return causes.size() > 1 || fewer ? !clearly_better(own, other, noise) : clearly_better(other, own, noise);
+    if (causes.size() == 1 && !fewer) return clearly_better(other, own, noise);
+    const size_t more = causes.size() > 1 ? causes.size() - 1 : 1;  // numbers
+    return !clearly_better(own, other, noise) ||
+           whole_error(other) < std::pow(kWorth, static_cast<double>(more)) * whole_error(own);
   });
 }
 

@@ -25,6 +25,9 @@ struct Attempt {
 constexpr double kMostlyNoise =
     0.5;  // of the squared residual: above it chance is the rival, below it other causes are
 
+// Of a further number of a cause, or a further cause: a tenth of the squared error, which unseen windows hardly tell.
+constexpr double kWorth = 1.1;
+
 constexpr size_t kShortList = 5;  // causes that a search tries first, those that the linearisation promises most of
 
 constexpr double kPlainlyLeft = 2;  // in the band of the motion over beside it: so much is worth a search among pitches

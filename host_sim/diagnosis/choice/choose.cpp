@@ -14,9 +14,8 @@ namespace {
 
 constexpr size_t kMostCauses = 4;
 constexpr double kFurtherShare = 2e-3;  // of what the causes named before have brought, that a further one must
-// Of a further number of a cause: a tenth of the squared error, which unseen windows hardly tell; over windows so short that
-// what is flexible follows anything, half as much again.
-constexpr double kWorth = 1.1, kWorthOverShort = 1.5;
+// Of a further number of a cause, over windows so short that what is flexible follows anything: half as much again.
+constexpr double kWorthOverShort = 1.5;
 constexpr double kLongDecay = 16;  // periods: an error of 1 % in a frequency is one radian at its end
 constexpr double kTogether = 0.5;  // of what one cause leaves, that dampers which drift together may
 constexpr double kNearEnough_percent =
