@@ -7,7 +7,7 @@
 #include "answer/force_hum.hpp"
 #include "answer/hum.hpp"
 #include "answer/rows_borne_out.hpp"
-#include "answer/sole_number.hpp"
+#include "answer/scale.hpp"
 #include "answer/trifles.hpp"
 #include "answer/undetermined.hpp"
 #include "choice/held_force.hpp"
@@ -156,7 +156,7 @@ Diagnosis judged(const Asked& asked, double& lag_s) {
   runs::say_shared_hum(task, choice, d);
   runs::drop_undetermined(d, runs::motion_error(task, choice.base) < runs::kFollows);
   runs::drop_trifles(task, d);
-  runs::say_sole_number(task, d);
+  runs::say_scale(task, d);
   compare_nothing(d);
   state_rivals(d);
   runs::mark_undetermined(task, d);

@@ -7,6 +7,7 @@
 #include "../choice/most_noise.hpp"
 #include "../motion/drive_noise.hpp"
 #include "../terms/naming.hpp"
+#include "between_rivals.hpp"
 #include "hum.hpp"
 #include "lasting_error.hpp"
 #include "materiality.hpp"
@@ -288,6 +289,7 @@ void answer(const Task& task, const Choice& choice, Diagnosis& d) {
     d.verdict =
         (noise && !needed) || motion_error(task, choice.base) < kAsGoodAsRight ? Verdict::kNone : Verdict::kUnknown;
   }
+  if (!d.causes.empty()) mark_between_rivals(task, choice, d);
   if (!choice.base_fits_nothing) say_possible(task, choice, d);
   if (choice.base_fits_nothing && choice.named.empty()) say_cannot_describe(task, choice, d);
   name_hum(task, choice, d);

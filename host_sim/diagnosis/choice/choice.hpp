@@ -15,9 +15,15 @@ struct State {
   Vec noise = {};  // of each channel, mean square, as left_by() has it; empty: not asked
 };
 
+struct Move {
+  Term term;
+  double by = 0;  // SI units
+};
+
 struct Rival {
   Candidate candidate;
-  double error = 0;  // squared error over that of the model named
+  double error = 0;              // squared error over that of the model named
+  std::vector<Move> moves = {};  // by how much the rig's unknown numbers are other beside it
 };
 
 struct Named {

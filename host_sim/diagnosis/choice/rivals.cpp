@@ -35,6 +35,15 @@ bool may_stand_for(const Named& mine, const Term& other) {
   return !mine.of_channels || (other.kind == fault.kind && other.dof == fault.dof);
 }
 
+// Both go on from `rest`, whose terms come first.
+std::vector<Move> moves_between(const Model& rest, const Attempt& named, const Attempt& rival) {
+  std::vector<Move> list;
+  for (size_t i = 0; i < rest.size(); ++i)
+    if (!rest[i].known && !rest[i].added && rest[i].host < 0)
+      list.push_back({rest[i].term, rival.state.model[i].value - named.state.model[i].value});
+  return list;
+}
+
 }  // namespace
 
 void weigh_rivals(const Task& task, const std::function<void(double)>& progress, Choice& choice) {
@@ -100,7 +109,8 @@ void weigh_rivals(const Task& task, const std::function<void(double)>& progress,
     mine.share = share_of(own, std::min(noise, left_noise));
     std::sort(as_good.begin(), as_good.end(),
               [](const Attempt& a, const Attempt& b) { return whole_error(a) < whole_error(b); });
-    for (const Attempt& t : as_good) mine.rivals.push_back(Rival{t.candidates[0], t.error / own.error});
+    for (const Attempt& t : as_good)
+      mine.rivals.push_back(Rival{t.candidates[0], t.error / own.error, moves_between(rest.model, own, t)});
     progress(static_cast<double>(i + 1) / static_cast<double>(choice.named.size()));
   }
 }

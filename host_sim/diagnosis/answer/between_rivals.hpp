@@ -1,0 +1,14 @@
+// What of a rig's numbers hangs on which of several causes it is.
+#pragma once
+#include "answer.hpp"
+
+namespace diagnosis::runs {
+
+// A number that one of the equals of a named cause would take out of its interval is not vouched for; what it would be is told.
+void mark_between_rivals(const Task& task, const Choice& choice, Diagnosis& d);
+
+// The same of every unknown number where a rig has but two things that set its scale, and a rival says that it is the other: they are
+// all by one factor.
+void mark_scaled(const Task& task, double factor, Diagnosis& d);
+
+}  // namespace diagnosis::runs
