@@ -92,6 +92,7 @@ std::vector<Candidate> candidates_beside(const System& s, const Model& model, co
       add({on_link(Kind::kMissingViscous, l)}, 0, viscous < 0 ? 1 : 0);
     if (!hysteretic && (friction < 0 || model[static_cast<size_t>(friction)].known))
       add({on_link(Kind::kMissingCoulomb, l)}, 0, friction < 0 ? 1 : 0);
+    if (!listed && spring < 0) add({on_link(Kind::kStiffnessError, l)}, 0, 1);  // a hose, a cable, a beam
     if (!listed) continue;
     if (spring < 0 || model[static_cast<size_t>(spring)].known) add({on_link(Kind::kStiffnessError, l)}, 0);
     for (Kind k : {Kind::kForceOffset, Kind::kAsymmetricViscous, Kind::kQuadraticDamping, Kind::kCubicStiffness,
