@@ -1,6 +1,7 @@
 #include "host_sim/programs/estimate/rest_position.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -70,6 +71,26 @@ bool rests_at_its_mean(const rig_file::RigModel& model, const Record& record) {
   return true;
 }
 
+// Where each record of a free rig rests, where they do not rest alike: a zero that was set anew, a string that was hung up again. Empty
+// where they do.
+std::vector<double> own_rests(const std::vector<Record>& records, size_t channel) {
+  std::vector<double> rests;
+  double largest = 0;
+  for (const Record& record : records) {
+    const Moments own = about_rest({record}, channel);
+    rests.push_back(own.mean), largest = std::max(largest, own.rms);
+  }
+  const auto [least, most] = std::minmax_element(rests.begin(), rests.end());
+  return *most - *least > kOff * largest ? rests : std::vector<double>{};
+}
+
+std::string said_of_rests(const std::string& name, const std::vector<double>& rests) {
+  std::vector<std::string> places;
+  for (double rest : rests) places.push_back(fmt::format("{:.4g}", rest));
+  return fmt::format("{} swings about {}, record by record: each counted from its own, as the position of rest", name,
+                     fmt::join(places, ", "));
+}
+
 }  // namespace
 
 std::vector<std::string> count_from_rest(const rig_file::RigModel& model, SharedRecords& records) {
@@ -80,6 +101,13 @@ std::vector<std::string> count_from_rest(const rig_file::RigModel& model, Shared
     if (records.get().front().channels[c].quantity != Quantity::kDisplacement) continue;
     if (is_held_off(model, records.get().front(), records.get().front().channels[c].dof)) continue;
     const std::string& name = records.get().front().channels[c].name;
+    const std::vector<double> rests = free ? own_rests(records.get(), c) : std::vector<double>{};
+    for (size_t r = 0; r < rests.size(); ++r)
+      for (double& value : records.own()[r].channels[c].values) value -= rests[r];
+    if (!rests.empty()) {
+      notes.push_back(said_of_rests(name, rests));
+      continue;
+    }
     const Moments all = moments(records.get(), c), swing = free ? about_rest(records.get(), c) : all;
     const bool one_side = std::fabs(all.mean) > kOneSide * all.rms;
     if (!one_side && !(free && std::fabs(swing.mean) > kOff * swing.rms)) continue;
