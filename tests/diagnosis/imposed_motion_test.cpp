@@ -70,4 +70,29 @@ TEST(ImposedMotion, AWrongMassAndAWrongGainAreOneAnotherWhereNothingElseIsKnown)
   EXPECT_FALSE(among(d, "drive_dead_band")) << said(d);
 }
 
+// A weight of 150 N hangs on the load cell and dry friction of 4 N bends over 4 mm before it slides: dz = (s - z) |dx| / 4 mm. Beside the
+// weight, a thousand times the square of all that moves, no further cause was asked for.
+TEST(ImposedMotion, BesideALargeConstantForceFrictionIsStillNamed) {
+  host_sim::Record bristles = record();
+  std::vector<double>& force = bristles.channels[0].values;
+  const std::vector<double>& speed = bristles.channels[2].values;
+  std::mt19937_64 random(6);
+  std::normal_distribution<double> normal;
+  double z = 1;
+  for (size_t k = 0; k < force.size(); ++k) {
+    const double sign = speed[k] < 0 ? -1 : 1;
+    z = sign + (z - sign) * std::exp(-std::abs(speed[k]) * 1e-3 / 0.004);
+    force[k] = 150 + 10 * speed[k] + 4 * z + 0.05 * normal(random);
+  }
+  rig_file::RigModel rig;
+  rig.dofs.resize(1), rig.links.resize(1);
+  rig.links[0].a = 1;
+  rig.links[0].viscous_N_s_m.estimate = rig.links[0].coulomb_N.estimate = true;
+  const diagnosis::Diagnosis d = diagnosis::diagnose(rig, {bristles}, {});
+  EXPECT_TRUE(among(d, "force_offset")) << said(d);
+  EXPECT_TRUE(among(d, "presliding_hysteresis")) << said(d);
+  EXPECT_NEAR(value_of(d.extended, "force_offset[1-0]"), 150, 0.5);
+  EXPECT_NEAR(value_of(d.extended, "viscous[1-0]"), 10, 1);
+}
+
 }  // namespace

@@ -101,14 +101,29 @@ State without(const Task& task, const State& now, const Named& n) {
   return s;
 }
 
-// What a further cause takes of the rig's error as given is less than a share of what the others take.
-bool takes_little(double error_before, double error_with) {
-  return error_before - error_with < kFurtherShare * (1 - error_before);
+// Of the rig's error as given, what all the motion would make: more than all where the rig is about right, a part of it where a constant
+// force is the error.
+double motion_over_error(const Task& task, const State& base) {
+  const Evaluator e(task.system, base.model, task.records);
+  double sum = 0;
+  const Index channels = base.fit.mean_square.size();
+  for (Index c = 0; c < channels; ++c) {
+    double motion = 0;
+    for (size_t r = 0; r < task.records.size(); ++r)
+      motion = std::max(motion, rms_about_mean(e.traces(r)[static_cast<size_t>(c)].y));
+    sum += motion * motion / base.fit.mean_square[c];
+  }
+  return sum / static_cast<double>(std::max<Index>(1, channels));
+}
+
+// What a further cause takes of the rig's error as given is less than a share of what the others take, of the motion at most.
+bool takes_little(double error_before, double error_with, double motion) {
+  return error_before - error_with < kFurtherShare * std::min(1 - error_before, motion);
 }
 
 // Causes that the later ones have made needless: without them the windows are followed as well, as far as chance can tell, or so
 // nearly that as further causes they would not have been named.
-void drop_needless(const Task& task, const Fitted& base, State& now, std::vector<Named>& named) {
+void drop_needless(const Task& task, const State& base, State& now, std::vector<Named>& named) {
   for (size_t i = 0; named.size() > 1 && now.fit.ok && i < named.size();) {
     if (!stands_alone(now, named[i])) {
       ++i;
@@ -116,7 +131,8 @@ void drop_needless(const Task& task, const Fitted& base, State& now, std::vector
     }
     const State fewer = without(task, now, named[i]);
     if (!fewer.fit.ok || (paired_z(fewer.fit, now.fit) > kByChance &&
-                          !takes_little(error_over(fewer.fit, base), error_over(now.fit, base)))) {
+                          !takes_little(error_over(fewer.fit, base.fit), error_over(now.fit, base.fit),
+                                        motion_over_error(task, base)))) {
       ++i;
       continue;
     }
@@ -169,9 +185,10 @@ void search(const Task& task, double worth, Choice& choice, const std::function<
   bool warmed = false;
   size_t freed = 0, exchanged = 0;
   const size_t most = choice.named.size() + kMostCauses;
+  const double motion = motion_over_error(task, choice.base);
   while (choice.named.size() < most) {
     const double left = error_over(now.fit, choice.base.fit);
-    if (!choice.named.empty() && takes_little(left, 0)) break;  // no cause could take that much
+    if (!choice.named.empty() && takes_little(left, 0, motion)) break;  // no cause could take that much
     const Left remains = left_by(task.system, task.records, now);
     const double noise = noise_share(remains, now.fit);
     now.noise = remains.noise;
@@ -190,7 +207,7 @@ void search(const Task& task, double worth, Choice& choice, const std::function<
         round.best = warm, round.found = warmed = true;
     }
     if (!round.found) break;
-    if (!choice.named.empty() && takes_little(left, left * round.best.error)) break;
+    if (!choice.named.empty() && takes_little(left, left * round.best.error, motion)) break;
     State with = on_all(task, now, round.best.state);
     const auto alone =
         exchanged < kMostCauses ? alone_as_good(task, passed, with, round.best.complexity, worth) : std::nullopt;
@@ -215,7 +232,7 @@ void search(const Task& task, double worth, Choice& choice, const std::function<
     now = with;
     progress(static_cast<double>(choice.named.size()) / static_cast<double>(most));
   }
-  drop_needless(task, choice.base.fit, now, choice.named);
+  drop_needless(task, choice.base, now, choice.named);
   choice.final = now;
 }
 
