@@ -47,7 +47,7 @@ std::string quantity_unit(const std::string& channel) {
 }
 
 std::string text_of(const Drive& drive) {
-  if (drive.channel.empty()) return "free decay: nothing drives the rig";
+  if (drive.channel.empty()) return "no force and no base is recorded: taken as a free decay";
   const std::string level = fmt::format("{}: {:.4g} {} rms, ", drive.channel, drive.rms, quantity_unit(drive.channel));
   if (drive.lines_Hz.empty())
     return level + fmt::format("{:.3g} to {:.3g} Hz (90 % of its power)", drive.from_Hz, drive.to_Hz);
