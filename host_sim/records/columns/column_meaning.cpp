@@ -59,7 +59,10 @@ class Planner {
  private:
   [[noreturn]] void refuse(const std::string& problem) const { throw DataFileError(file_, line_, problem); }
 
-  static bool is_head(const Column& column, const std::string& text) {
+  // By its name, or by its place from 1, "#5": names may be there twice, or empty.
+  static bool is_head(const std::vector<Column>& columns, size_t i, const std::string& text) {
+    const Column& column = columns[i];
+    if (text == "#" + std::to_string(i + 1)) return true;
     return trimmed_text(column.head) == trimmed_text(text) || split_head(column.head).name == trimmed_text(text);
   }
 
@@ -67,13 +70,16 @@ class Planner {
     for (const auto& [channel, head] : options_.columns) {
       if (!is_time_choice(channel)) require_channel(full_name(channel));
       if (head.empty()) continue;
-      const auto count = std::count_if(columns.begin(), columns.end(),
-                                       [text = &head](const Column& column) { return is_head(column, *text); });
-      if (count == 1) continue;
+      std::vector<size_t> found;
+      for (size_t i = 0; i < columns.size(); ++i)
+        if (is_head(columns, i, head)) found.push_back(i + 1);
+      if (found.size() == 1) continue;
+      if (!found.empty())
+        refuse(fmt::format("has {} columns {} for {}, expected one: take it by its place, {}=#{} or {}=#{}",
+                           found.size(), quoted(head), channel, channel, found[0], channel, found[1]));
       std::string heads;
       for (const Column& column : columns) heads += (heads.empty() ? "" : ", ") + quoted(trimmed_text(column.head));
-      refuse((count == 0 ? "has no column " : "has more than one column ") + quoted(head) + " for " + channel +
-             ", expected one of " + heads);
+      refuse("has no column " + quoted(head) + " for " + channel + ", expected one of " + heads);
     }
     for (const auto* choices : {&options_.units, &options_.sensitivities})
       for (const auto& [channel, text] : *choices)
@@ -91,7 +97,7 @@ class Planner {
     const HeadParts head = split_head(columns[i].head);
     const std::string& unit = columns[i].unit.empty() ? head.unit : columns[i].unit;
     for (const auto& [channel, text] : options_.columns)
-      if (!text.empty() && is_head(columns[i], text)) {
+      if (!text.empty() && is_head(columns, i, text)) {
         if (is_time_choice(channel)) {
           time_column_ = i;
         } else {
@@ -100,7 +106,7 @@ class Planner {
         return;
       }
     for (const rig_file::ChannelEntry& entry : model_.channels)
-      if (!entry.column.empty() && is_head(columns[i], entry.column)) {
+      if (!entry.column.empty() && is_head(columns, i, entry.column)) {
         const ChannelName channel = *rig_file::parse_channel_name(entry.name);
         if (!is_left_out(channel)) take(i, columns[i], channel, unit, true);
         return;

@@ -213,7 +213,7 @@ class CsvParser {
   double number(const char*& position, const char* end, const Target& target) {
     const char* const start = position;
     skip_blanks(position, end);
-    if (target.values != &time_s_ && take_blank(position, end)) return std::numeric_limits<double>::quiet_NaN();
+    if (take_blank(position, end)) return std::numeric_limits<double>::quiet_NaN();
     const bool in_quotes = position != end && *position == '"';
     if (in_quotes) ++position;
     if (position != end && *position == '+') ++position;
@@ -302,6 +302,25 @@ class CsvParser {
         (blanks.left_out > 0 ? ", " + std::to_string(blanks.left_out) + " rows in longer gaps left out" : ""));
   }
 
+  // A table beside a longer one ends before the file does.
+  void leave_out_rest() {
+    const auto nothing = [](double value) { return std::isnan(value); };
+    size_t end = time_s_.size();
+    while (end > 0 && nothing(time_s_[end - 1]) &&
+           std::all_of(record_.channels.begin(), record_.channels.end(),
+                       [&](const Channel& channel) { return nothing(channel.values[end - 1]); }))
+      --end;
+    const auto gap = std::find_if(time_s_.begin(), time_s_.begin() + static_cast<std::ptrdiff_t>(end), nothing);
+    if (gap != time_s_.begin() + static_cast<std::ptrdiff_t>(end))
+      refuse(line_of(static_cast<size_t>(gap - time_s_.begin())), "its time is \"\", expected a finite number");
+    if (end == time_s_.size()) return;
+    record_.notes.push_back("left out: " + std::to_string(time_s_.size() - end) +
+                            " rows at the end that hold nothing of it");
+    for (Channel& channel : record_.channels) keep_rows(0, end, channel.values);
+    keep_rows(0, end, time_s_);
+    samples_ = end;
+  }
+
   // Rows at the ends that lack a value go; one that lacks it between is refused, or filled where the record is interpolated.
   void treat_blanks() {
     std::vector<TableColumn> table;
@@ -324,6 +343,7 @@ class CsvParser {
   }
 
   void finish() {
+    if (!time_s_.empty()) leave_out_rest();
     if (samples_ > 0) treat_blanks();
     if (options_.sample_rate_Hz > 0.0) {
       if (samples_ < 2) refuse(0, "holds " + std::to_string(samples_) + " samples, expected at least 2");
