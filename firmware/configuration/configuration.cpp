@@ -2,6 +2,8 @@
 
 namespace firmware {
 
+CoreConfiguration::CoreConfiguration() = default;
+
 void copy_measured_signals(CoreConfiguration& configuration) {
   for (int node = 0; node < kMaxNodes; ++node) {
     for (int quantity = 0; quantity < kQuantities; ++quantity) {

@@ -109,6 +109,10 @@ struct ProbeNoise {
 };
 
 struct CoreConfiguration {
+  // Out of line, so that one of static storage is filled at start: its initial values take no room in flash.
+  CoreConfiguration();
+  struct AtCompileTime {};
+  constexpr explicit CoreConfiguration(AtCompileTime) {}
   uint8_t dof_count = 0;
   uint8_t link_count = 0;
   uint8_t term_count = 0;

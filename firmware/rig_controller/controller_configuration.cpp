@@ -15,7 +15,7 @@ constexpr uint32_t kVersion = 0x52433037;  // "RC07": changes with the list of f
 
 // Every filter at its longest (a fused velocity's two are shorter together); everything else has one length. Version before it and check sum behind it.
 constexpr size_t longest_encoding() {
-  ControllerConfiguration longest;
+  ControllerConfiguration longest{CoreConfiguration(CoreConfiguration::AtCompileTime()), {}, {}, {}};
   longest.core.shares_probe_noise = true;
   longest.core.sign_half_length = kSignFilterHalf;
   longest.core.dof_count = kMaxDofs;
