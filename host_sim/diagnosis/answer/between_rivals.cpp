@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "../choice/attempt.hpp"
 #include "../fit/start.hpp"
 #include "../terms/naming.hpp"
 
@@ -38,6 +39,7 @@ std::string words(const NamedPlace& p) {
 void mark_between_rivals(const Task& task, const Choice& choice, Diagnosis& d) {
   for (const Named& named : choice.named)
     for (const Rival& r : named.rivals) {
+      if (r.error > kWorth) continue;  // listed to be on the safe side, and no equal
       const NamedPlace place{word_of(r.candidate.terms[0].kind), place_of(task.system, r.candidate.terms[0], {})};
       for (const Move& m : r.moves) {
         const std::string name = parameter_name(task.system, m.term);

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "../choice/attempt.hpp"
-#include "../terms/naming.hpp"
 
 namespace diagnosis::runs {
 namespace {
@@ -33,9 +32,10 @@ bool outdone(const Task& task, const Choice& fitted, const std::vector<Candidate
   const std::vector<Candidate> others =
       candidates_beside(task.system, base.model, task.records, fitted.base_left.worst() > kPlainlyLeft);
   const Screen s = screen(task.system, task.records, base.model, base.seen, base.fit, others, 0);
+  // friction that falls with the rate, where friction that does not may do
   const auto simpler = [&](const Candidate& c) {
-    return causes.size() == 1 && c.terms[0].link == causes[0].terms[0].link && shape_name(c.terms[0].kind).empty() &&
-           !shape_name(causes[0].terms[0].kind).empty();
+    return causes.size() == 1 && causes[0].terms[0].kind == Kind::kStribeck &&
+           c.terms[0].kind == Kind::kMissingCoulomb && c.terms[0].link == causes[0].terms[0].link;
   };
   size_t tried = 0;
   return std::any_of(s.singles.begin(), s.singles.end(), [&](const Screened& one) {

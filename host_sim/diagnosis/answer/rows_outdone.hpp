@@ -5,8 +5,8 @@
 namespace diagnosis::runs {
 
 // Whether one cause that the rows cannot name (a dead band of the drive, cogging, a missing gravity torque) follows the windows
-// clearly better than their cause does, or as well as their several; or a simpler one on the same link as well as theirs, which has
-// a shape (dry friction, where they say that it falls with the rate). with_them: fitted with the rows' causes beside the rig as
+// clearly better than their cause does, or as well as their several; or dry friction follows them as
+// well as friction that falls with the rate. with_them: fitted with the rows' causes beside the rig as
 // given, fitted.base.
 bool outdone(const Task& task, const Choice& fitted, const std::vector<Candidate>& causes, const State& with_them);
 

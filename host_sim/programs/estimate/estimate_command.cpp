@@ -15,6 +15,7 @@
 #include "host_sim/programs/estimate/rest_position.hpp"
 #include "host_sim/programs/estimate/shared_records.hpp"
 #include "host_sim/programs/estimate/slow_motion.hpp"
+#include "host_sim/programs/estimate/swing_of_rate.hpp"
 #include "host_sim/programs/results/result_json.hpp"
 #include "host_sim/programs/results/result_table.hpp"
 #include "host_sim/programs/shared/above_nought.hpp"
@@ -124,6 +125,8 @@ void estimate(const EstimateArguments& arguments) {
     estimate_all();
   });
   if (data_check::turn_over(check.require(), records.own())) estimate_all();
+  const std::vector<std::string> bent = doubt_bent_gravity(model, records.get(), estimation.result.parameters);
+  notes.insert(notes.end(), bent.begin(), bent.end());
   estimation.result.notes.insert(estimation.result.notes.end(), notes.begin(), notes.end());
   print_table(people, model, estimation.result);
   json.deliver(to_text(to_json(estimation.result)));
