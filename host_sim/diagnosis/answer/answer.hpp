@@ -19,6 +19,9 @@ bool contradicts(const diagnosis::Parameter& rows, const diagnosis::Parameter& r
 void take_numbers(const std::vector<diagnosis::Parameter>& runs, bool values_too,
                   std::vector<diagnosis::Parameter>& parameters);
 
+// The contract's word and place of a term: "link 1-2", "dof 3", "channel displacement_2_m".
+NamedPlace named_place(const Task& task, const Term& term);
+
 // The rig file with the causes of a model that it can state.
 rig_file::RigModel written_rig(const Task& task, const State& fitted);
 

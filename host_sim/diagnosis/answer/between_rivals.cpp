@@ -36,16 +36,47 @@ std::string words(const NamedPlace& p) {
 
 }  // namespace
 
+namespace {
+
+void mark(const Task& task, const Rival& r, Diagnosis& d) {
+  if (r.error > kWorth) return;  // listed to be on the safe side, and no equal
+  const std::string rival = words(named_place(task, r.candidate.terms[0]));
+  for (const Move& m : r.moves) {
+    const std::string name = parameter_name(task.system, m.term);
+    if (bent(d, name, m.by)) tell(d, name, m.by, rival);
+  }
+}
+
+}  // namespace
+
+void mark_rows_rivals(const Task& task, const Choice& fitted, const State& with_it, Diagnosis& d) {
+  const State& base = fitted.base;
+  if (d.ambiguous_with.empty() || !with_it.fit.ok) return;
+  const double noise = noise_share(fitted.base_left, base.fit);
+  const std::vector<Candidate> all = candidates_beside(task.system, base.model, task.records, false);
+  const auto is_equal = [&](const Candidate& c) {
+    const NamedPlace place = named_place(task, c.terms[0]);
+    return std::find(d.ambiguous_with.begin(), d.ambiguous_with.end(), place) != d.ambiguous_with.end();
+  };
+  std::vector<Candidate> tried;
+  for (const Screened& one : screen(task.system, task.records, base.model, base.seen, base.fit, all, 0).singles) {
+    const Candidate& c = all[one.candidate];
+    const auto same = [&](const Candidate& o) { return o.same_place(c); };
+    if (!is_equal(c) || std::any_of(tried.begin(), tried.end(), same)) continue;
+    tried.push_back(c);
+    const Attempt rival = attempt(task, base, all, one, noise);
+    if (!rival.state.fit.ok) continue;
+    std::vector<Move> moves;
+    for (size_t i = 0; i < base.model.size(); ++i)
+      if (!base.model[i].known && base.model[i].host < 0)
+        moves.push_back({base.model[i].term, rival.state.model[i].value - with_it.model[i].value});
+    mark(task, {c, error_over(rival.state.fit, with_it.fit), moves}, d);
+  }
+}
+
 void mark_between_rivals(const Task& task, const Choice& choice, Diagnosis& d) {
   for (const Named& named : choice.named)
-    for (const Rival& r : named.rivals) {
-      if (r.error > kWorth) continue;  // listed to be on the safe side, and no equal
-      const NamedPlace place{word_of(r.candidate.terms[0].kind), place_of(task.system, r.candidate.terms[0], {})};
-      for (const Move& m : r.moves) {
-        const std::string name = parameter_name(task.system, m.term);
-        if (bent(d, name, m.by)) tell(d, name, m.by, words(place));
-      }
-    }
+    for (const Rival& r : named.rivals) mark(task, r, d);
 }
 
 void mark_scaled(const Task& task, double factor, Diagnosis& d) {

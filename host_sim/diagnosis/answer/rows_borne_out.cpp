@@ -6,6 +6,7 @@
 #include "../choice/horizon.hpp"
 #include "../choice/rounded_jumps.hpp"
 #include "../terms/naming.hpp"
+#include "between_rivals.hpp"
 #include "hum.hpp"
 #include "rows_outdone.hpp"
 #include "run_limits.hpp"
@@ -136,6 +137,7 @@ bool answered_by_rows(const Asked& asked, const Task& task, std::vector<Prepared
   take_numbers(numbers, !held, d.extended.parameters);
   if (say.terms.empty()) d.baseline.parameters = d.extended.parameters;
   for (Cause& c : d.causes) take_numbers(numbers, !held, c.parameters);
+  if (found_by(choice.base.model, say).list.size() == 1) mark_rows_rivals(task, choice, with_them, d);
   raise_limits(task, choice.base, d.minimum_detectable);
   compare_unseen(task, choice.base, with_them, !d.causes.empty(), choice.base_left.sensor_noise, d);
   const bool as_given = !rounded && !refitted && found_by(choice.base.model, say).list.empty();
