@@ -215,25 +215,6 @@ bool any_mass(const Model& model, const std::vector<size_t>& unknown) {
   return std::any_of(unknown.begin(), unknown.end(), [&](size_t i) { return model[i].term.kind == Kind::kMass; });
 }
 
-// Least squares where no damper and no friction drives: the one that would do so most, in units of its column, is nought, and the others
-// are solved for again.
-Vec without_driving(const Moments& m, const Model& model, const std::vector<size_t>& unknown) {
-  Moments left = m;
-  for (;;) {
-    Vec values = solved(left.gram, left.right);
-    Index most = -1;
-    double least = 0;
-    for (Index i = 0; i < values.size(); ++i) {
-      const Kind kind = model[unknown[static_cast<size_t>(i)]].term.kind;
-      const double size = values[i] * std::sqrt(m.gram(i, i));
-      if ((kind == Kind::kViscous || kind == Kind::kCoulomb) && left.gram(i, i) > 0 && size < least)
-        least = size, most = i;
-    }
-    if (most < 0) return values;
-    left.gram.row(most).setZero(), left.gram.col(most).setZero(), left.right[most] = 0;
-  }
-}
-
 // Nothing of that kind can be nought: what came out so, at a DOF that neither a force nor its own motion tells of, starts as the
 // mean of its likes in the rig.
 void fill_from_likes(Model& model) {
@@ -256,12 +237,13 @@ void start_values(const System& system, const std::vector<Prepared>& records, Mo
   const Index p = static_cast<Index>(unknown.size());
   Moments m{Mat::Zero(p, p), Vec::Zero(p)};
   for (const Prepared& r : records) add_moments(system, r, model, unknown, any_mass(model, unknown), m);
-  const Vec values = without_driving(m, model, unknown);
+  const Vec values = solved(m.gram, m.right);
   // what must be positive and is not starts from a tenth of what its column could carry alone
   for (Index i = 0; i < p; ++i) {
     ModelTerm& t = model[unknown[static_cast<size_t>(i)]];
     double value = values[i];
     if (positive(t.term.kind) && value <= 0) value = 0.1 * std::abs(m.right[i]) / std::max(1e-300, m.gram(i, i));
+    if ((t.term.kind == Kind::kViscous || t.term.kind == Kind::kCoulomb) && value < 0) value = 0;
     t.value = value;
   }
   fill_from_likes(model);
