@@ -222,23 +222,33 @@ const char* const kPendulum =
     "schema = \"rig/1\"\nname = \"pendulum\"\n[[dof]]\ninertia_kg_m2 = 1.0\n[[link]]\nbetween = [1, 0]\n"
     "gravity_torque_N_m = \"estimate\"\nviscous_N_m_s_rad = \"estimate\"\n";
 
+// A pendulum of G N m and c N m s/rad per unit inertia, let go at u rad, as rows of the time and what reading(u, w) says. 3000 steps a second or
+// more.
+template <typename Reading>
+std::string swing_of(double G, double c, double u, double rate_Hz, int samples, const Reading& reading) {
+  std::string text;
+  double w = 0.0;
+  const int steps = static_cast<int>(std::ceil(3000.0 / rate_Hz));
+  const double h = 1 / (rate_Hz * steps);
+  for (int i = 0; i < samples; ++i) {
+    char row[64];
+    std::snprintf(row, sizeof row, "%.4f,%.6f\n", i / rate_Hz, reading(u, w));
+    text += row;
+    for (int k = 0; k < steps; ++k) {
+      u += 0.5 * h * w;
+      w += h * (-G * std::sin(u) - c * w);
+      u += 0.5 * h * w;
+    }
+  }
+  return text;
+}
+
 // A pendulum of a video, G = 19.5 N m, c = 0.02, whose angle reads `zero_rad` where it hangs.
 std::string video_of_a_pendulum(double zero_rad, uint32_t seed) {
   std::mt19937 random(seed);
   std::normal_distribution<double> normal;
-  std::string text = "t_s,angle_1_rad\n";
-  double u = 0.3, w = 0.0;
-  for (int i = 0; i < 3600; ++i) {
-    char row[64];
-    std::snprintf(row, sizeof row, "%.4f,%.6f\n", i / 30.0, zero_rad + u + 0.0006 * normal(random));
-    text += row;
-    for (int k = 0; k < 100; ++k) {
-      u += 0.5 / 3000.0 * w;
-      w += (-19.5 * std::sin(u) - 0.02 * w) / 3000.0;
-      u += 0.5 / 3000.0 * w;
-    }
-  }
-  return text;
+  return "t_s,angle_1_rad\n" +
+         swing_of(19.5, 0.02, 0.3, 30, 3600, [&](double u, double) { return zero_rad + u + 0.0006 * normal(random); });
 }
 
 // A tenth of its swing. What it swings about is where it rests.
@@ -268,19 +278,8 @@ TEST_F(Estimate, DecaysThatRestApartAreCountedFromTheirOwn) {
 std::string gyroscope_of_a_pendulum(double angle_rad) {
   std::mt19937 random(1);
   std::normal_distribution<double> normal;
-  std::string text = "t_s,angular_velocity_1_rad_s\n";
-  double u = angle_rad, w = 0.0;
-  for (int i = 0; i < 6000; ++i) {
-    char row[64];
-    std::snprintf(row, sizeof row, "%.2f,%.6f\n", i / 100.0, w + 0.005 * normal(random));
-    text += row;
-    for (int k = 0; k < 50; ++k) {
-      u += 0.5 / 5000.0 * w;
-      w += (-9.8 * std::sin(u) - 0.05 * w) / 5000.0;
-      u += 0.5 / 5000.0 * w;
-    }
-  }
-  return text;
+  return "t_s,angular_velocity_1_rad_s\n" +
+         swing_of(9.8, 0.05, angle_rad, 100, 6000, [&](double, double w) { return w + 0.005 * normal(random); });
 }
 
 // Behind the high-pass of an integrated angle sin(u) is another law: let go at 2.2 rad the torque came out as 8.2 +- 0.2 N m, VALID. At 0.3 rad

@@ -98,8 +98,7 @@ void add_rivals(const Task& task, const Named& named, Cause& c, Diagnosis& d) {
   for (const Rival& r : named.rivals) {
     const NamedPlace other = named_place(task, r.candidate.terms[0]);
     c.rivals.push_back(other);
-    if (std::find(d.ambiguous_with.begin(), d.ambiguous_with.end(), other) == d.ambiguous_with.end())
-      d.ambiguous_with.push_back(other);
+    list_equal(other, d);
   }
 }
 
@@ -215,6 +214,11 @@ void say_possible(const Task& task, const Choice& choice, Diagnosis& d) {
 }  // namespace
 
 NamedPlace named_place(const Task& task, const Term& term) { return {word_of(term.kind), place(task, term)}; }
+
+void list_equal(const NamedPlace& place, Diagnosis& d) {
+  if (std::find(d.ambiguous_with.begin(), d.ambiguous_with.end(), place) == d.ambiguous_with.end())
+    d.ambiguous_with.push_back(place);
+}
 
 double compare_unseen(const Task& task, const State& base, const State& with_causes, bool any_cause, const Vec& noise,
                       Diagnosis& d) {

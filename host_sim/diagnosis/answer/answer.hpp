@@ -21,6 +21,8 @@ void take_numbers(const std::vector<diagnosis::Parameter>& runs, bool values_too
 
 // The contract's word and place of a term: "link 1-2", "dof 3", "channel displacement_2_m".
 NamedPlace named_place(const Task& task, const Term& term);
+// Adds it to the equals of what is named, once.
+void list_equal(const NamedPlace& place, Diagnosis& d);
 
 // The rig file with the causes of a model that it can state.
 rig_file::RigModel written_rig(const Task& task, const State& fitted);

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "../choice/attempt.hpp"
+#include "../choice/round.hpp"
 #include "../fit/start.hpp"
 #include "../terms/naming.hpp"
 
@@ -12,20 +12,10 @@ namespace diagnosis::runs {
 namespace {
 
 // Marks it where that is beyond its interval.
-bool bent(Diagnosis& d, const std::string& name, double by) {
-  bool any = false;
-  for (diagnosis::Parameter& p : d.extended.parameters)
-    if (p.name == name && p.std > 0 && std::abs(by) > 1.96 * p.std) p.may_be_bent = any = true;
-  return any;
-}
-
-void tell(Diagnosis& d, const std::string& name, double by, const std::string& rival) {
-  const auto own = std::find_if(d.extended.parameters.begin(), d.extended.parameters.end(),
-                                [&](const diagnosis::Parameter& p) { return p.name == name; });
-  char text[240];
-  std::snprintf(text, sizeof text, "%s is %.4g with the cause named, %.4g with %s in its place", name.c_str(),
-                own->value, own->value + by, rival.c_str());
-  d.advice.push_back(text);
+bool bent(diagnosis::Parameter& p, double by) {
+  const bool beyond = p.std > 0 && std::abs(by) > 1.96 * p.std;
+  p.may_be_bent = p.may_be_bent || beyond;
+  return beyond;
 }
 
 std::string words(const NamedPlace& p) {
@@ -34,17 +24,17 @@ std::string words(const NamedPlace& p) {
   return effect + " on " + p.where;
 }
 
-}  // namespace
-
-namespace {
-
 void mark(const Task& task, const Rival& r, Diagnosis& d) {
   if (r.error > kWorth) return;  // listed to be on the safe side, and no equal
   const std::string rival = words(named_place(task, r.candidate.terms[0]));
-  for (const Move& m : r.moves) {
-    const std::string name = parameter_name(task.system, m.term);
-    if (bent(d, name, m.by)) tell(d, name, m.by, rival);
-  }
+  for (const Move& m : r.moves)
+    for (diagnosis::Parameter& p : d.extended.parameters) {
+      if (p.name != parameter_name(task.system, m.term) || !bent(p, m.by)) continue;
+      char text[240];
+      std::snprintf(text, sizeof text, "%s is %.4g with the cause named, %.4g with %s in its place", p.name.c_str(),
+                    p.value, p.value + m.by, rival.c_str());
+      d.advice.push_back(text);
+    }
 }
 
 }  // namespace
@@ -54,23 +44,13 @@ void mark_rows_rivals(const Task& task, const Choice& fitted, const State& with_
   if (d.ambiguous_with.empty() || !with_it.fit.ok) return;
   const double noise = noise_share(fitted.base_left, base.fit);
   const std::vector<Candidate> all = candidates_beside(task.system, base.model, task.records, false);
-  const auto is_equal = [&](const Candidate& c) {
-    const NamedPlace place = named_place(task, c.terms[0]);
-    return std::find(d.ambiguous_with.begin(), d.ambiguous_with.end(), place) != d.ambiguous_with.end();
-  };
-  std::vector<Candidate> tried;
   for (const Screened& one : screen(task.system, task.records, base.model, base.seen, base.fit, all, 0).singles) {
     const Candidate& c = all[one.candidate];
-    const auto same = [&](const Candidate& o) { return o.same_place(c); };
-    if (!is_equal(c) || std::any_of(tried.begin(), tried.end(), same)) continue;
-    tried.push_back(c);
-    const Attempt rival = attempt(task, base, all, one, noise);
-    if (!rival.state.fit.ok) continue;
-    std::vector<Move> moves;
-    for (size_t i = 0; i < base.model.size(); ++i)
-      if (!base.model[i].known && base.model[i].host < 0)
-        moves.push_back({base.model[i].term, rival.state.model[i].value - with_it.model[i].value});
-    mark(task, {c, error_over(rival.state.fit, with_it.fit), moves}, d);
+    const NamedPlace place = named_place(task, c.terms[0]);
+    if (std::find(d.ambiguous_with.begin(), d.ambiguous_with.end(), place) == d.ambiguous_with.end()) continue;
+    const State rival = attempt(task, base, all, one, noise).state;
+    if (!rival.fit.ok) continue;
+    mark(task, {c, error_over(rival.fit, with_it.fit), moves_between(base.model, with_it.model, rival.model)}, d);
   }
 }
 
@@ -80,11 +60,9 @@ void mark_between_rivals(const Task& task, const Choice& choice, Diagnosis& d) {
 }
 
 void mark_scaled(const Task& task, double factor, Diagnosis& d) {
-  for (const ModelTerm& t : rig_as_given(task.system, task.records)) {
-    const std::string name = parameter_name(task.system, t.term);
-    for (const diagnosis::Parameter& p : d.extended.parameters)
-      if (!t.known && p.name == name) bent(d, name, (factor - 1) * p.value);
-  }
+  for (const ModelTerm& t : rig_as_given(task.system, task.records))
+    for (diagnosis::Parameter& p : d.extended.parameters)
+      if (!t.known && p.name == parameter_name(task.system, t.term)) bent(p, (factor - 1) * p.value);
 }
 
 }  // namespace diagnosis::runs

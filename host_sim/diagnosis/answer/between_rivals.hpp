@@ -7,8 +7,9 @@ namespace diagnosis::runs {
 // A number that one of the equals of a named cause would take out of its interval is not vouched for; what it would be is told.
 void mark_between_rivals(const Task& task, const Choice& choice, Diagnosis& d);
 
-// The same where the rows named one cause and its equals, each fitted by free runs. base: the rig as given; with_it: beside the cause.
-void mark_rows_rivals(const Task& task, const Choice& base, const State& with_it, Diagnosis& d);
+// The same where the rows named one cause and its equals, each fitted by free runs beside the rig as given, fitted.base.
+// with_it: fitted with the cause.
+void mark_rows_rivals(const Task& task, const Choice& fitted, const State& with_it, Diagnosis& d);
 
 // The same of every unknown number where a rig has but two things that set its scale, and a rival says that it is the other: they are
 // all by one factor.

@@ -137,10 +137,11 @@ bool answered_by_rows(const Asked& asked, const Task& task, std::vector<Prepared
   take_numbers(numbers, !held, d.extended.parameters);
   if (say.terms.empty()) d.baseline.parameters = d.extended.parameters;
   for (Cause& c : d.causes) take_numbers(numbers, !held, c.parameters);
-  if (found_by(choice.base.model, say).list.size() == 1) mark_rows_rivals(task, choice, with_them, d);
+  const size_t found = found_by(choice.base.model, say).list.size();
+  if (found == 1) mark_rows_rivals(task, choice, with_them, d);
   raise_limits(task, choice.base, d.minimum_detectable);
   compare_unseen(task, choice.base, with_them, !d.causes.empty(), choice.base_left.sensor_noise, d);
-  const bool as_given = !rounded && !refitted && found_by(choice.base.model, say).list.empty();
+  const bool as_given = !rounded && !refitted && found == 0;
   choice.final = with_them;
   choice.final_left = as_given ? choice.base_left : left_by(task.system, task.records, with_them);
   // Of one channel: the rows see what channels of a DOF contradict each other in. A force's hum that they name is in the runs.

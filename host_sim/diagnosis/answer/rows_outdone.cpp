@@ -46,7 +46,7 @@ bool outdone(const Task& task, const Choice& fitted, const std::vector<Candidate
     const Attempt other = attempt(task, base, others, one, noise);
     if (!other.state.fit.ok || !(other.z > kSure) || !unseen_agrees(other)) return false;
     if (causes.size() == 1 && !fewer) return clearly_better(other, own, noise);
-    const size_t more = causes.size() > 1 ? causes.size() - 1 : 1;  // numbers
+    const size_t more = std::max<size_t>(1, causes.size() - 1);  // numbers
     return !clearly_better(own, other, noise) ||
            whole_error(other) < std::pow(kWorth, static_cast<double>(more)) * whole_error(own);
   });

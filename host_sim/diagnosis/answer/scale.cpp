@@ -4,7 +4,6 @@
 #include <cstdio>
 
 #include "../fit/start.hpp"
-#include "../terms/naming.hpp"
 #include "between_rivals.hpp"
 
 namespace diagnosis::runs {
@@ -16,10 +15,6 @@ struct Setter {
   double given = 0;  // of a number; 0: a force
 };
 
-Setter setter_of(const System& system, const Term& error, double given) {
-  return {{word_of(error.kind), place_of(system, error, {})}, given};
-}
-
 // Masses, springs and forces; anything else that the rig file knows makes them more than can stand for one another.
 std::vector<Setter> setters_of(const Task& task) {
   std::vector<Setter> list;
@@ -28,11 +23,11 @@ std::vector<Setter> setters_of(const Task& task) {
     const bool mass = t.term.kind == Kind::kMass;
     if (!mass && t.term.kind != Kind::kStiffness) return {};
     const Term error = mass ? on_dof(Kind::kMassError, t.term.dof) : on_link(Kind::kStiffnessError, t.term.link);
-    list.push_back(setter_of(task.system, error, t.value));
+    list.push_back({named_place(task, error), t.value});
   }
   for (size_t dof = 0; dof < task.records[0].force.size(); ++dof)
     if (task.records[0].force[dof].size() > 0)
-      list.push_back(setter_of(task.system, on_dof(Kind::kForceGain, static_cast<int>(dof)), 0));
+      list.push_back({named_place(task, on_dof(Kind::kForceGain, static_cast<int>(dof)))});
   return list;
 }
 
@@ -45,9 +40,7 @@ void say_scale(const Task& task, Diagnosis& d) {
   const auto is_named = [&](const Setter& s) { return cause.effect == s.error.effect && cause.where == s.error.where; };
   const auto own = std::find_if(setters.begin(), setters.end(), is_named);
   if (own == setters.end() || cause.parameters.empty()) return;
-  const NamedPlace& other = setters[own == setters.begin() ? 1 : 0].error;
-  if (std::find(d.ambiguous_with.begin(), d.ambiguous_with.end(), other) == d.ambiguous_with.end())
-    d.ambiguous_with.push_back(other);
+  list_equal(setters[own == setters.begin() ? 1 : 0].error, d);
   d.verdict = Verdict::kAmbiguous;
   // a number by which it is off, or a force's gain, is all that the others would be off by, the other way round
   const double off = cause.parameters[0].value, wrong = own->given != 0 ? 1 + off / own->given : 1 + off;

@@ -139,8 +139,8 @@ std::vector<Candidate> candidates_beside(const System& s, const Model& model, co
       }
     }
     const bool forced = records[0].force[d].size() > 0;
-    if (forced && massless(model)) add({on_dof(Kind::kMassError, dof)}, 0);  // between the load cell and the link
     if (forced) {
+      if (massless(model)) add({on_dof(Kind::kMassError, dof)}, 0);  // between the load cell and the link
       if (scale_known && mass >= 0) add({on_dof(Kind::kForceGain, dof)}, 0);
       add({on_dof(Kind::kForceDelay, dof)}, 0);
       double rms = 0, noise = 0;

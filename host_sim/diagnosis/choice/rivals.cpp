@@ -35,16 +35,15 @@ bool may_stand_for(const Named& mine, const Term& other) {
   return !mine.of_channels || (other.kind == fault.kind && other.dof == fault.dof);
 }
 
-// Both go on from `rest`, whose terms come first.
-std::vector<Move> moves_between(const Model& rest, const Attempt& named, const Attempt& rival) {
+}  // namespace
+
+std::vector<Move> moves_between(const Model& rest, const Model& named, const Model& rival) {
   std::vector<Move> list;
   for (size_t i = 0; i < rest.size(); ++i)
     if (!rest[i].known && !rest[i].added && rest[i].host < 0)
-      list.push_back({rest[i].term, rival.state.model[i].value - named.state.model[i].value});
+      list.push_back({rest[i].term, rival[i].value - named[i].value});
   return list;
 }
-
-}  // namespace
 
 void weigh_rivals(const Task& task, const std::function<void(double)>& progress, Choice& choice) {
   if (choice.named.empty()) return;
@@ -110,7 +109,8 @@ void weigh_rivals(const Task& task, const std::function<void(double)>& progress,
     std::sort(as_good.begin(), as_good.end(),
               [](const Attempt& a, const Attempt& b) { return whole_error(a) < whole_error(b); });
     for (const Attempt& t : as_good)
-      mine.rivals.push_back(Rival{t.candidates[0], t.error / own.error, moves_between(rest.model, own, t)});
+      mine.rivals.push_back(
+          Rival{t.candidates[0], t.error / own.error, moves_between(rest.model, own.state.model, t.state.model)});
     progress(static_cast<double>(i + 1) / static_cast<double>(choice.named.size()));
   }
 }

@@ -53,17 +53,11 @@ struct Needs {
   double top_Hz = 0;
 };
 
-const host_sim::Channel* channel_of(const host_sim::Record& record, int dof, host_sim::Quantity quantity) {
-  const auto found = std::find_if(record.channels.begin(), record.channels.end(),
-                                  [&](const host_sim::Channel& c) { return c.dof == dof && c.quantity == quantity; });
-  return found == record.channels.end() ? nullptr : &*found;
-}
-
 Vec values_of(const host_sim::Channel& c) { return Vec::Map(c.values.data(), static_cast<Index>(c.values.size())); }
 
 // What moves a shaft is lost in the spectra of its ends where they turn together.
 double top_of_link(const rig_file::Link& link, const host_sim::Record& record, host_sim::Quantity quantity) {
-  const host_sim::Channel *a = channel_of(record, link.a, quantity), *b = channel_of(record, link.b, quantity);
+  const host_sim::Channel *a = record.find(quantity, link.a), *b = record.find(quantity, link.b);
   if (link.a < 1 || link.b < 1 || !a || !b) return 0;
   const Vec end = values_of(*a), between = end - values_of(*b);
   if (rms_about_mean(between) > kTogether * rms_about_mean(end)) return 0;

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "host_sim/programs/estimate/weighs.hpp"
+
 namespace host_sim {
 namespace {
 
@@ -35,29 +37,35 @@ bool any_force(const Record& record) {
 
 // Gravity pulls to where the angle is zero, whatever the mean: a driven arm need not swing about there. Left alone it comes to rest.
 bool is_held_off(const rig_file::RigModel& model, const Record& record, int dof) {
-  const auto is_gravity = [](const rig_file::Effect& e) { return e.kind == "missing_gravity_torque"; };
-  return any_force(record) && std::any_of(model.links.begin(), model.links.end(), [&](const rig_file::Link& link) {
-           const bool weighs = link.gravity_torque_N_m.estimate || link.gravity_torque_N_m.value != 0 ||
-                               std::any_of(link.effects.begin(), link.effects.end(), is_gravity);
-           return weighs && link.a == dof;
-         });
+  return any_force(record) && std::any_of(model.links.begin(), model.links.end(),
+                                          [&](const rig_file::Link& link) { return weighs(link) && link.a == dof; });
 }
 
 // Where a rig that nothing drives rests: the mean of its displacement, weighted with the square of its speed, so that what stands
 // still does not count, and with a bell over the record, so that parts of a period at its ends do not.
-Moments about_rest(const std::vector<Record>& records, size_t channel) {
-  double sum = 0, squares = 0, weights = 0;
-  for (const Record& record : records) {
-    const std::vector<double>& y = record.channels[channel].values;
+class Rest {
+ public:
+  void add(const std::vector<double>& y) {
     for (size_t k = 1; k + 1 < y.size(); ++k) {
       const double bell = std::sin(kPi * (static_cast<double>(k) + 0.5) / static_cast<double>(y.size()));
       const double weight = bell * bell * (y[k + 1] - y[k - 1]) * (y[k + 1] - y[k - 1]);
-      sum += weight * y[k], squares += weight * y[k] * y[k], weights += weight;
+      sum_ += weight * y[k], squares_ += weight * y[k] * y[k], weights_ += weight;
     }
   }
-  if (!(weights > 0)) return {};
-  const double mean = sum / weights;
-  return {mean, std::sqrt(std::max(0.0, squares / weights - mean * mean))};
+  Moments moments() const {
+    if (!(weights_ > 0)) return {};
+    const double mean = sum_ / weights_;
+    return {mean, std::sqrt(std::max(0.0, squares_ / weights_ - mean * mean))};
+  }
+
+ private:
+  double sum_ = 0, squares_ = 0, weights_ = 0;
+};
+
+Moments about_rest(const std::vector<Record>& records, size_t channel) {
+  Rest rest;
+  for (const Record& record : records) rest.add(record.channels[channel].values);
+  return rest.moments();
 }
 
 // Laws that tell one direction from the other, or a base that moves: the mean is then no place of rest.
@@ -74,10 +82,13 @@ bool rests_at_its_mean(const rig_file::RigModel& model, const Record& record) {
 // Where each record of a free rig rests, where they do not rest alike: a zero that was set anew, a string that was hung up again. Empty
 // where they do.
 std::vector<double> own_rests(const std::vector<Record>& records, size_t channel) {
+  if (records.size() == 1) return {};
   std::vector<double> rests;
   double largest = 0;
   for (const Record& record : records) {
-    const Moments own = about_rest({record}, channel);
+    Rest rest;
+    rest.add(record.channels[channel].values);
+    const Moments own = rest.moments();
     rests.push_back(own.mean), largest = std::max(largest, own.rms);
   }
   const auto [least, most] = std::minmax_element(rests.begin(), rests.end());

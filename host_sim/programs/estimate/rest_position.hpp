@@ -13,8 +13,8 @@ namespace host_sim {
 
 // Takes out of every displacement or angle the mean over all records where the motion stays on one side of zero: where the mean is
 // over twice the root mean square about it. Where nothing drives the rig also what it swings about, where that is over 2 % of the
-// root mean square; record by record where they do not swing about the same place. Not the angle of a driven arm with a gravity torque: that is G sin(u) of the angle as
-// it is. Returns what to say of each.
+// root mean square; record by record where they do not swing about the same place. Not the angle of a driven arm with a gravity
+// torque: that is G sin(u) of the angle as it is. Returns what to say of each.
 std::vector<std::string> count_from_rest(const rig_file::RigModel& model, SharedRecords& records);
 
 }  // namespace host_sim

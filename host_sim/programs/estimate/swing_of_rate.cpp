@@ -6,17 +6,12 @@
 #include <cmath>
 
 #include "host_sim/data_check/period.hpp"
+#include "host_sim/programs/estimate/weighs.hpp"
 
 namespace host_sim {
 namespace {
 
 constexpr double kBent = 0.02;
-
-bool weighs(const rig_file::Link& link) {
-  const auto is_gravity = [](const rig_file::Effect& e) { return e.kind == "missing_gravity_torque"; };
-  return link.gravity_torque_N_m.estimate || link.gravity_torque_N_m.value != 0 ||
-         std::any_of(link.effects.begin(), link.effects.end(), is_gravity);
-}
 
 bool rate_alone(const Record& record, int dof) {
   return record.find(Quantity::kVelocity, dof) != nullptr && record.find(Quantity::kDisplacement, dof) == nullptr;
@@ -62,10 +57,8 @@ std::vector<std::string> doubt_bent_gravity(const rig_file::RigModel& model, con
         p.status = firmware::EstimateStatus::kBiasSuspect;
     notes.push_back(
         fmt::format("DOF {} swings so far that sin(u) is no longer its angle, and its rate alone is measured: behind "
-                    "the high-pass that "
-                    "takes the drift off an integrated angle a gravity torque is not the same; host_sim diagnose, "
-                    "which runs the model "
-                    "itself, or an angle sensor gives it",
+                    "the high-pass that takes the drift off an integrated angle a gravity torque is not the same; "
+                    "host_sim diagnose, which runs the model itself, or an angle sensor gives it",
                     link.a));
   }
   return notes;

@@ -213,7 +213,10 @@ class CsvParser {
   double number(const char*& position, const char* end, const Target& target) {
     const char* const start = position;
     skip_blanks(position, end);
-    if (take_blank(position, end)) return std::numeric_limits<double>::quiet_NaN();
+    if (take_blank(position, end)) {
+      lacks_times_ = lacks_times_ || target.values == &time_s_;
+      return std::numeric_limits<double>::quiet_NaN();
+    }
     const bool in_quotes = position != end && *position == '"';
     if (in_quotes) ++position;
     if (position != end && *position == '+') ++position;
@@ -316,9 +319,7 @@ class CsvParser {
     if (end == time_s_.size()) return;
     record_.notes.push_back("left out: " + std::to_string(time_s_.size() - end) +
                             " rows at the end that hold nothing of it");
-    for (Channel& channel : record_.channels) keep_rows(0, end, channel.values);
-    keep_rows(0, end, time_s_);
-    samples_ = end;
+    keep_samples(0, end);
   }
 
   // Rows at the ends that lack a value go; one that lacks it between is refused, or filled where the record is interpolated.
@@ -332,18 +333,23 @@ class CsvParser {
     if (!blank.gap.empty()) fill_between(table);
   }
 
+  void keep_samples(size_t first, size_t end) {
+    for (Channel& channel : record_.channels) keep_rows(first, end, channel.values);
+    if (!time_s_.empty()) keep_rows(first, end, time_s_);
+    samples_ = end - first;
+  }
+
   void leave_out_ends(const BlankEnds& blank) {
     const size_t gone = blank.at_start + blank.at_end;
     if (gone == 0) return;
-    for (Channel& channel : record_.channels) keep_rows(blank.first, blank.end, channel.values);
-    if (!time_s_.empty()) keep_rows(blank.first, blank.end, time_s_);
-    left_out_ = blank.at_start, samples_ -= gone;
+    keep_samples(blank.first, blank.end);
+    left_out_ = blank.at_start;
     record_.notes.push_back("left out: " + std::to_string(blank.at_start) + " rows at the start and " +
                             std::to_string(blank.at_end) + " at the end without a value of " + blank.names);
   }
 
   void finish() {
-    if (!time_s_.empty()) leave_out_rest();
+    if (lacks_times_) leave_out_rest();
     if (samples_ > 0) treat_blanks();
     if (options_.sample_rate_Hz > 0.0) {
       if (samples_ < 2) refuse(0, "holds " + std::to_string(samples_) + " samples, expected at least 2");
@@ -366,8 +372,9 @@ class CsvParser {
   ClockTime first_clock_;
   std::vector<size_t> comments_;  // how many samples stood before each comment line among the rows
   size_t line_ = 1, samples_ = 0;
-  size_t left_out_ = 0;  // rows before the first sample
-  std::string blank_;    // the last field without a value: "" or "NaN"
+  bool lacks_times_ = false;  // in some rows
+  size_t left_out_ = 0;       // rows before the first sample
+  std::string blank_;         // the last field without a value: "" or "NaN"
 };
 
 }  // namespace
