@@ -19,7 +19,7 @@ struct Parameter {
   std::string name;  // "viscous[1-0]", "cubic_stiffness[1-2]", "end_stop_gap[1-0]"
   double value = 0;
   std::string unit;
-  double std = 0;  // 0: given or a shape
+  double std = 0;  // 0: given, or a shape of a grid
   bool estimated = true;
   bool undetermined = false;  // its interval is wider than all that it is a part of
   bool may_be_bent =

@@ -19,6 +19,17 @@ constexpr double kLikeAHold = 0.1;        // of half a sample
 constexpr double kNoNumber = 1e3;         // times what was fitted: of what only a sum is known
 constexpr double kHalfOfVariance = 70.7;  // NRMSE in percent
 
+// A shape is fitted in its logarithm, but for a phase.
+void take_std(const Parameter& parameter, const Determined& found, ActiveTerm& to) {
+  const Term& t = to.term;
+  if (parameter.shape == 0)
+    to.std = found.std, to.alike = found.alike;
+  else if (parameter.shape == 1)
+    to.shape_std = found.std * t.shape;
+  else
+    to.shape2_std = t.kind == Kind::kCogging ? found.std : found.std * t.shape2;
+}
+
 // As the words and units of terms are kept. A backlash and what acts in another's place have that one's coefficient.
 std::vector<ActiveTerm> active(const Model& model, const std::vector<Determined>& found) {
   std::vector<ActiveTerm> list;
@@ -33,8 +44,7 @@ std::vector<ActiveTerm> active(const Model& model, const std::vector<Determined>
   }
   const std::vector<Parameter> parameters = runs::parameters_of(model);
   for (size_t i = 0; i < parameters.size() && i < found.size(); ++i)
-    if (!parameters[i].shape)
-      list[parameters[i].term].std = found[i].std, list[parameters[i].term].alike = found[i].alike;
+    take_std(parameters[i], found[i], list[parameters[i].term]);
   for (size_t i = 0; i < model.size(); ++i)
     if (model[i].host >= 0) list[i].std = list[static_cast<size_t>(model[i].host)].std;
   return list;
@@ -235,6 +245,8 @@ double compare_unseen(const Task& task, const State& base, const State& with_cau
   return after.worst_percent;
 }
 
+bool of_sensor(const diagnosis::Parameter& p) { return p.name.rfind("sensor_", 0) == 0; }
+
 bool contradicts(const diagnosis::Parameter& rows, const diagnosis::Parameter& runs) {
   return rows.std > 0 && std::abs(rows.value - runs.value) > kByChance * std::hypot(rows.std, runs.std);
 }
@@ -246,15 +258,12 @@ std::vector<diagnosis::Parameter> numbers_of(const Task& task, const State& fitt
 
 void take_numbers(const std::vector<diagnosis::Parameter>& runs, bool values_too,
                   std::vector<diagnosis::Parameter>& parameters) {
-  bool theirs = false;  // a shape goes with the coefficient before it
   for (diagnosis::Parameter& p : parameters) {
     const auto other =
         std::find_if(runs.begin(), runs.end(), [&](const diagnosis::Parameter& o) { return o.name == p.name; });
     if (other == runs.end() || !p.estimated) continue;
-    const bool of_sensor = p.name.rfind("sensor_", 0) == 0;  // rows see a delay all over the band, runs beside friction
-    if (p.std > 0) theirs = values_too && !of_sensor && contradicts(p, *other);
-    if (theirs)
-      p.value = other->value, p.std = p.std > 0 ? other->std : 0;
+    if (values_too && !of_sensor(p))
+      p.value = other->value, p.std = other->std;
     else if (p.std > 0)
       p.std = std::max(p.std, other->std);
   }

@@ -15,7 +15,9 @@ std::vector<diagnosis::Parameter> numbers_of(const Task& task, const State& fitt
 // Two estimates of one number that differ by more than both allow. That of the rows then carries the noise of the
 // motion.
 bool contradicts(const diagnosis::Parameter& rows, const diagnosis::Parameter& runs);
-// Widens the rows' intervals to those of the runs; where they contradict, and values_too, the runs' number stands.
+// Of a sensor's fault: rows see a delay all over the band, runs beside friction.
+bool of_sensor(const diagnosis::Parameter& p);
+// Widens the rows' intervals to those of the runs. values_too: the runs' numbers stand, but for those of sensors.
 void take_numbers(const std::vector<diagnosis::Parameter>& runs, bool values_too,
                   std::vector<diagnosis::Parameter>& parameters);
 

@@ -85,10 +85,11 @@ bool followed_with(const Task& task, const RowsSay& say, Choice& choice) {
   return true;
 }
 
+// Numbers of one fit belong together: a friction and the rate at which it falls mean nothing with that of the other.
 bool any_contradicts(const std::vector<diagnosis::Parameter>& rows, const std::vector<diagnosis::Parameter>& runs) {
   for (const diagnosis::Parameter& p : rows)
     for (const diagnosis::Parameter& o : runs)
-      if (p.name == o.name && contradicts(p, o)) return true;
+      if (p.name == o.name && !of_sensor(p) && contradicts(p, o)) return true;
   return false;
 }
 
@@ -130,13 +131,14 @@ bool answered_by_rows(const Asked& asked, const Task& task, std::vector<Prepared
   const bool refitted =
       any_contradicts(d.extended.parameters, numbers_of(task, with_them)) && from_rows(task, say, with_them);
   const std::vector<diagnosis::Parameter> numbers = numbers_of(task, with_them);
-  if (!held && any_contradicts(d.extended.parameters, numbers)) {
+  const bool theirs = !held && any_contradicts(d.extended.parameters, numbers);
+  if (theirs) {
     d.extended_rig = written_rig(task, with_them);
     state_delays(d.causes, d.extended_rig);
   }
-  take_numbers(numbers, !held, d.extended.parameters);
+  take_numbers(numbers, theirs, d.extended.parameters);
   if (say.terms.empty()) d.baseline.parameters = d.extended.parameters;
-  for (Cause& c : d.causes) take_numbers(numbers, !held, c.parameters);
+  for (Cause& c : d.causes) take_numbers(numbers, theirs, c.parameters);
   const size_t found = found_by(choice.base.model, say).list.size();
   if (found == 1) mark_rows_rivals(task, choice, with_them, d);
   raise_limits(task, choice.base, d.minimum_detectable);

@@ -6,6 +6,7 @@
 #include "../fit/start.hpp"
 #include "../motion/drive_noise.hpp"
 #include "horizon.hpp"
+#include "other_shapes.hpp"
 #include "round.hpp"
 #include "warming.hpp"
 
@@ -209,6 +210,10 @@ void search(const Task& task, double worth, Choice& choice, const std::function<
     if (!round.found) break;
     if (!choice.named.empty() && takes_little(left, left * round.best.error, motion)) break;
     State with = on_all(task, now, round.best.state);
+    if (const auto other = from_other_shapes(task, now, round.best.candidates, with)) {
+      with = other->state;
+      settle(task, with, kBaseSteps);
+    }
     const auto alone =
         exchanged < kMostCauses ? alone_as_good(task, passed, with, round.best.complexity, worth) : std::nullopt;
     if (alone) {
@@ -326,6 +331,7 @@ Model started_beside(const Task& task, const State& base, const std::vector<Cand
 Attempt attempt_of_found(const Task& task, const State& base, const std::vector<Candidate>& found,
                          const std::vector<std::vector<double>>& values) {
   Attempt carried = attempt(task, base, found, values, kTrialSteps);
+  if (const auto other = from_other_shapes(task, base, found, carried.state)) carried = *other;
   if (follows(task, base)) return carried;
   State measured = base;
   measured.model = started_beside(task, base, found, values);

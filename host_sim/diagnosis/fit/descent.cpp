@@ -17,6 +17,7 @@ namespace {
 constexpr int kTries = 5;                // of a step, each damped more
 constexpr double kAstrayDamping = 1e-3;  // of the state of a window that its step led astray, in units of its columns
 constexpr double kAstray = 100;          // times a window's error before its step: it has left the motion altogether
+constexpr int kStateSteps = 3;           // of the states beside a step of the numbers that misleads them
 constexpr double kSettled = 0.02;        // of the cost: a fall that no test can notice
 constexpr double kLongestStep = 0.5;     // of a shape's logarithm
 constexpr double kLeastShare = 0.3;      // of a positive number, that one step may leave of it
@@ -182,14 +183,20 @@ class Descent {
     Vec score = Vec::Zero(p);
     for (const Normal& n : now_.windows) gram += n.gram, score += n.score;
     for (int attempt = 0; attempt < (p > 0 ? kTries : 1); ++attempt) {
-      const std::optional<double> fall = taken(p > 0 ? change_of(gram, score) : score);
+      const std::optional<double> fall = taken(p > 0 ? change_of(gram, score) : score, attempt == 0);
       if (fall) return *fall;
       damping_ = std::max(1e-3, damping_ * 30);
     }
     return 0;
   }
+  // A step of the numbers may be right and the states that go with it far from linear: beside friction that sticks.
+  void settle_states(const Model& numbers, std::vector<Window>& windows) const {
+    Model held = with_nothing_free(numbers);
+    Descent states(system_, records_, held, windows, true);
+    if (states.start() && states.go_on(kStateSteps) && states.carry_on()) states.go_on(kStateSteps);
+  }
   // Goes that way where it leads down, and tells by how much.
-  std::optional<double> taken(const Vec& change) {
+  std::optional<double> taken(const Vec& change, bool at_ease) {
     Model trial = model_;
     step_parameters(trial, change);
     std::vector<Window> moved = windows_;
@@ -203,6 +210,10 @@ class Descent {
     bool whole = true;
     if (runs && (!next.ok || next.cost >= now_.cost)) {
       whole = !shorter_ways(evaluator, now_, next, change, weights_, windows_, moved);
+      next = pass_over(evaluator, moved, nullptr, false);
+    }
+    if (at_ease && change.size() && runs && next.ok && next.cost >= now_.cost) {
+      settle_states(trial, moved);
       next = pass_over(evaluator, moved, nullptr, false);
     }
     if (!next.ok || !(next.cost < now_.cost + 1e-9 * std::abs(now_.cost))) return std::nullopt;

@@ -93,6 +93,15 @@ double student_std(const Scatter& s) { return s.se * quantile(boost::math::stude
 
 }  // namespace
 
+double promised_fall(const Fitted& fit) {
+  if (fit.gram.empty() || fit.gram[0].rows() == 0) return 0;
+  Mat total = Mat::Zero(fit.gram[0].rows(), fit.gram[0].cols());
+  Vec score = Vec::Zero(total.rows());
+  for (const Mat& g : fit.gram) total += g;
+  for (const Vec& s : fit.score) score += s;
+  return 0.5 * score.dot(inverse_of(total, std::vector<bool>(static_cast<size_t>(total.rows()), false)) * score);
+}
+
 std::vector<Determined> determined(const Fitted& fit, const Model& model) {
   const std::vector<Parameter> parameters = parameters_of(model);
   const Index p = static_cast<Index>(parameters.size());

@@ -43,6 +43,9 @@ Fitted fit(const System& system, const std::vector<Prepared>& records, Model& mo
 size_t approach(const System& system, const std::vector<Prepared>& records, Model& model, std::vector<Window>& windows,
                 int iterations, bool only_states = false);
 
+// Fall of the cost that the slopes promise where a fit ended: half the square of the way to their lowest point in standard deviations.
+double promised_fall(const Fitted& fit);
+
 // A normal deviate as unlikely as t of Student's law.
 double normal_deviate(double t, double dof);
 

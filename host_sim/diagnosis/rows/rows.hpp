@@ -27,6 +27,7 @@ struct ActiveTerm {
   int host = -1;       // shares the coefficient of this active term (times host_sign): acts in its place
   double host_sign = 1;
   double value = 0, std = 0;
+  double shape_std = 0, shape2_std = 0;              // 0: not fitted beside the coefficients
   bool alike = false;                                // the records show it and others together only
   std::shared_ptr<const std::vector<Series>> force;  // per record, with coefficient one; filled by Rows::prepare()
 };
