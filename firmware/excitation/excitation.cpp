@@ -1,14 +1,12 @@
 // See excitation.hpp for the course of a programme.
 #include "firmware/excitation/excitation.hpp"
 
+#include <algorithm>
+
 #include "firmware/excitation/sine.hpp"
 
 namespace firmware {
 namespace {
-
-bool same_sine(const ExcitationLevel& a, const ExcitationLevel& b) {
-  return a.kind == ExcitationKind::kSine && b.kind == ExcitationKind::kSine && a.phase_step == b.phase_step;
-}
 
 int32_t towards(int32_t value, int32_t target, int32_t step) {
   if (value < target) return target - value > step ? value + step : target;
@@ -34,7 +32,15 @@ void Excitation::start() {
 void Excitation::stop() {
   if (state_ == ExcitationState::kIdle || state_ == ExcitationState::kDone) return;
   last_ = true;
-  stopping_ = true;
+  begin_ramp(true);
+}
+
+// From the level's amplitude, or from a larger one that a glide has not left yet, in ramp_samples.
+void Excitation::begin_ramp(bool to_zero) {
+  const ExcitationLevel& level = current();
+  const auto samples = static_cast<int32_t>(std::min<uint32_t>(level.ramp_samples, INT32_MAX));
+  stopping_ = to_zero;
+  rise_ = std::max(1, std::max(level.amplitude.raw, envelope_) / samples);
   state_ = ExcitationState::kRamping;
 }
 
@@ -48,9 +54,8 @@ void Excitation::abort() {
 
 void Excitation::enter_level(uint8_t level) {
   level_ = level;
-  stopping_ = false;
+  begin_ramp(false);
   unsettled_ = false;
-  state_ = ExcitationState::kRamping;
   samples_ = 0;
   if (envelope_ == 0) phase_ = 0;
   const ExcitationLevel& entered = current();
@@ -81,10 +86,7 @@ ExcitationEvent Excitation::step(const int32_t* response_code) {
 ExcitationEvent Excitation::ramp() {
   const ExcitationLevel& level = current();
   const int32_t target = stopping_ ? 0 : level.amplitude.raw;
-  int32_t rise =
-      level.amplitude.raw / static_cast<int32_t>(level.ramp_samples > INT32_MAX ? INT32_MAX : level.ramp_samples);
-  if (rise == 0) rise = 1;
-  envelope_ = towards(envelope_, target, rise);
+  envelope_ = towards(envelope_, target, rise_);
   if (envelope_ != target) return ExcitationEvent::kNone;
   if (!stopping_) {
     state_ = ExcitationState::kSettling;
@@ -130,8 +132,7 @@ void Excitation::leave_level() {
     enter_level(static_cast<uint8_t>(level_ + 1));
     return;
   }
-  stopping_ = true;
-  state_ = ExcitationState::kRamping;
+  begin_ramp(true);
 }
 
 // The unlimited command of this sample, Q31 in int64.

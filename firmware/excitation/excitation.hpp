@@ -3,7 +3,8 @@
 //   idle -> ramping -> settling -> measuring -> ramping (next level) ... -> ramping (to zero) -> done
 //
 // Between two sines of the same frequency the envelope glides from one amplitude to the next with the phase running on;
-// otherwise it goes down to zero first. A free decay is released at once: its drive is zero from the first measured
+// otherwise it goes down to zero first. No ramp takes longer than ramp_samples, wherever it starts (to the sample where that many fit
+// into the envelope's steps). A free decay is released at once: its drive is zero from the first measured
 // sample.
 #pragma once
 #include <cstdint>
@@ -42,6 +43,7 @@ class Excitation {
 
  private:
   const ExcitationLevel& current() const { return programme_->levels[level_]; }
+  void begin_ramp(bool to_zero);
   void enter_level(uint8_t level);
   ExcitationEvent ramp();
   ExcitationEvent settle(const int32_t* response_code);
@@ -61,6 +63,7 @@ class Excitation {
   bool unsettled_ = false;
   uint32_t phase_ = 0;
   int32_t envelope_ = 0;  // Q0.31
+  int32_t rise_ = 1;      // Q0.31, of a ramp in a sample
   uint32_t samples_ = 0;  // in the present state
   uint32_t limited_samples_ = 0;
   Drive drive_;

@@ -21,7 +21,7 @@ struct ExcitationLevel {
   uint32_t phase_step = 0;            // sine, free decay; random: lower band edge
   uint32_t high_phase_step = 0;       // random: upper band edge
   uint32_t seed = 1;                  // random
-  uint32_t ramp_samples = 1;          // from zero to the amplitude, and back; at least 1
+  uint32_t ramp_samples = 1;          // from zero or the amplitude before to its own, and to zero; at least 1
   SettleCriterion settle;             // when the response counts as settled
   uint32_t settle_limit_samples = 0;  // longest wait; then the level goes on as unsettled, or is left out
   bool skip_when_unsettled = false;   // for whole-cycle windows, which rest on a periodic response
@@ -45,6 +45,9 @@ enum class ProgrammeFault : uint8_t {
   kSettle,     // block or number of blocks out of range, or no time limit
   kCapacity,   // not of the programme: the rig needs more than the core has room for (capacity.hpp)
 };
+
+// From one such level to the next the amplitude glides, with the phase running on.
+bool same_sine(const ExcitationLevel& a, const ExcitationLevel& b);
 
 // What is wrong with the programme, and in which level (level is untouched for kNone and kTooManyLevels).
 ProgrammeFault check(const ExcitationProgramme& programme, uint8_t& level);

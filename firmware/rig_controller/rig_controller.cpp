@@ -76,7 +76,7 @@ void RigController::boot() {
     judge({AlarmCause::kConfiguration, static_cast<uint32_t>(ProgrammeFault::kCapacity) << 8});
   objects_.apply();
   schedule_.start(now_ns_);
-  start_waits_ = configuration_.programme.start_at_boot;
+  start_waits_ = configuration_.programme.start_at_boot && starts_by_itself_ && !safe_.tripped();
 }
 
 bool RigController::start() {
@@ -143,7 +143,7 @@ bool RigController::begins_level() const { return listening_ && !finished_ && !c
   response_codes(sample, codes);
   const ExcitationEvent event = excitation_.step(codes);
   command_drive(excitation_.drive(), sample.sequence);
-  follow(event);
+  if (safe_.live()) follow(event);
 }
 
 inline void RigController::take_sample(const RawSample& sample) {
@@ -237,6 +237,7 @@ void RigController::tell(const Alarm& alarm) {
   passing_faults_ = static_cast<uint16_t>(passing_faults_ | status_bit(alarm.cause));
   const bool stopped = stops_drive(alarm.cause) && safe_.tripped();
   if (stopped) {
+    start_waits_ = false;  // a reset clears the reason, it moves nothing
     excitation_.abort();
     if (!listening_) measurement_.cut_level();
   }

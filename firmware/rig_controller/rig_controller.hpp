@@ -65,6 +65,9 @@ class RigController final {
   void stop();   // command 2: ramps down; when listening, closes the level
   bool reset();  // command 129: forgets the latched fault. False: its cause is still there
 
+  // Before the first step(): the programme does not start by itself, whatever the configuration says.
+  void wait_for_start() { starts_by_itself_ = false; }
+
   ControllerMode mode() const;
   // The programme is done, or the source has ended, and all estimates are out.
   bool finished() const { return finished_ && measurement_.idle(); }
@@ -136,8 +139,9 @@ class RigController final {
   const bool listening_;  // no programme: measure whatever comes
   bool finished_ = false;
   bool source_stopped_ = false;
-  bool start_waits_ = false;     // start_at_boot, until the outputs are safe and the samples fresh
-  uint16_t passing_faults_ = 0;  // seen since the last status frame
+  bool starts_by_itself_ = true;  // where the configuration says so
+  bool start_waits_ = false;      // start_at_boot, until the outputs are safe and the samples fresh
+  uint16_t passing_faults_ = 0;   // seen since the last status frame
   uint32_t reported_drops_ = 0;
   uint32_t reported_overflows_ = 0;
   RawSample sample_;     // the last one; channels that are not there stay 0

@@ -50,8 +50,9 @@ Alarm SafeState::stop(Alarm reason) {
 }
 
 void SafeState::make_safe() {
+  relay_open_ =
+      relay_.set(false);  // first: it cuts the power, and a converter on a hanging bus may not come back for a second
   const bool zero_taken = drive_.stop(now_ns_);
-  relay_open_ = relay_.set(false);
   refused_ = !zero_taken || !relay_open_;
   settle();
 }

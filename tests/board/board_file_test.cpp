@@ -10,6 +10,7 @@
 
 #include "hal/linux/board/bus_check.hpp"
 #include "hal/linux/board/output_sections.hpp"
+#include "hal/linux/board/run_marker.hpp"
 #include "hal/linux/board/safe_outputs.hpp"
 #include "hal/rig_file/rig_file_error.hpp"
 
@@ -319,6 +320,42 @@ TEST_F(BoardFileTest, BytesComeBackAsTheConfiguration) {
   EXPECT_EQ(firmware::configuration_crc(decoded), firmware::configuration_crc(expected));
   EXPECT_EQ(decoded.node.node, 3);
   EXPECT_EQ(decoded.programme.levels[0].measure_samples, 60000u);
+}
+
+// A wire that breaks leaves the line where its bias pulls it.
+TEST(BoardFile, CheckSaysWhereABrokenWireReadsAsReleased) {
+  board::BoardFile board;
+  board.emergency_stop.line = "stop";
+  board.controller.programme.level_count = 1;
+  board.samples.rate_Hz = 1000;
+  for (const bool active_low : {false, true})
+    for (const hal::LineBias bias :
+         {hal::LineBias::kAsIs, hal::LineBias::kPullUp, hal::LineBias::kPullDown, hal::LineBias::kDisabled}) {
+      board.emergency_stop.options = {active_low, bias};
+      const bool stops = bias == (active_low ? hal::LineBias::kPullDown : hal::LineBias::kPullUp);
+      EXPECT_EQ(board::describe(board).find("warning: emergency_stop") == std::string::npos, stops)
+          << board::describe(board);
+    }
+}
+
+TEST(RunMarker, WhatDidNotEndWellIsRememberedUntilARunThatDid) {
+  char folder[] = "/tmp/run_marker_XXXXXX";
+  ASSERT_NE(mkdtemp(folder), nullptr);
+  board::RunMarker first, second, third, fourth;
+  EXPECT_FALSE(first.begin(folder));  // and does not end well
+  EXPECT_TRUE(second.begin(folder));
+  EXPECT_TRUE(third.begin(folder));
+  third.end_well();
+  EXPECT_FALSE(fourth.begin(folder));
+  fourth.end_well();
+  std::filesystem::remove_all(folder);
+}
+
+TEST(RunMarker, AFolderThatTakesNoFileRemembersNothing) {
+  board::RunMarker marker;
+  EXPECT_FALSE(marker.begin("/nowhere/at/all"));
+  EXPECT_FALSE(marker.begin(""));
+  marker.end_well();
 }
 
 }  // namespace

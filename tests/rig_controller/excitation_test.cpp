@@ -114,6 +114,38 @@ TEST(Excitation, SameFrequencyGlidesWithoutComingDown) {
   }
 }
 
+// From 2^30 down to 2^20, a thousandth: at the rate of the smaller amplitude it would take 40 * 1024 samples.
+ExcitationProgramme glide_down() {
+  ExcitationProgramme programme = sine_programme(2);
+  programme.levels[0].amplitude = Drive::from_raw(kHalf), programme.levels[1].amplitude = Drive::from_raw(kHalf >> 10);
+  return programme;
+}
+
+TEST(Excitation, AGlideDownTakesTheRampOfItsLevel) {
+  const Log log = run(glide_down(), 5000);
+  ASSERT_EQ(log.count(ExcitationEvent::kMeasureEnds), 2);
+  // 40 samples of ramp, then 32 to 400 until the response has settled
+  EXPECT_LE(log.event_samples[2] - log.event_samples[1], 40 + 400 + 2);
+}
+
+TEST(Excitation, StopInAGlideIsAtZeroWithinTheRamp) {
+  for (int into_glide = 0; into_glide <= 45; ++into_glide) {
+    Excitation excitation;
+    const ExcitationProgramme programme = glide_down();
+    excitation.configure(programme, 1);
+    excitation.start();
+    const int32_t response = 0;
+    while (excitation.step(&response) != ExcitationEvent::kMeasureEnds) {
+    }
+    for (int i = 0; i < into_glide; ++i) excitation.step(&response);
+    excitation.stop();
+    int samples = 0;
+    while (excitation.state() != ExcitationState::kDone && samples < 1000) excitation.step(&response), ++samples;
+    EXPECT_LE(samples, 41) << into_glide << " samples into the glide";
+    EXPECT_EQ(excitation.drive().raw, 0);
+  }
+}
+
 TEST(Excitation, OtherFrequencyComesDownToZeroFirst) {
   ExcitationProgramme programme = sine_programme(2);
   programme.levels[1].phase_step = 1u << 27;

@@ -216,6 +216,57 @@ TEST(Faults, PressedAtBootNeverStarts) {
   EXPECT_TRUE(bench.dead());
 }
 
+// A reset clears the reason; only a start moves the rig.
+TEST(Faults, AResetAfterAPressAtBootStartsNothing) {
+  auto configuration = bench::driving();
+  configuration.programme.start_at_boot = true;
+  Bench bench(configuration);
+  bench.stop_line.set(true, 0);
+  bench.run_samples(50);
+  bench.stop_line.set(false, 0);
+  bench.run_samples(5);
+  EXPECT_TRUE(bench.controller->reset());
+  bench.run_samples(50);
+  EXPECT_EQ(bench.relay.changes(), 0u);
+  EXPECT_TRUE(bench.dead());
+  EXPECT_TRUE(bench.controller->start());
+  EXPECT_TRUE(bench.run_until(ControllerMode::kIntegrate));
+}
+
+// The board's program says so after a run that did not end well.
+TEST(Faults, AStartByItselfCanBeHeldBack) {
+  auto configuration = bench::driving();
+  configuration.programme.start_at_boot = true;
+  Bench bench(configuration);
+  bench.controller->wait_for_start();
+  bench.run_samples(50);
+  EXPECT_EQ(bench.relay.changes(), 0u);
+  EXPECT_TRUE(bench.controller->start());
+  EXPECT_TRUE(bench.run_until(ControllerMode::kIntegrate));
+}
+
+// The converter refuses at the very sample with which the measurement begins.
+TEST(Faults, NoLevelBeginsWithTheSampleThatStoppedTheRig) {
+  int begins_at = 0;
+  {
+    Bench bench(bench::driving());
+    bench.step();
+    ASSERT_TRUE(bench.controller->start());
+    while (bench.controller->mode() != ControllerMode::kIntegrate && begins_at < 20000) bench.run_sample(), ++begins_at;
+  }
+  Bench bench(bench::driving());
+  bench.step();
+  ASSERT_TRUE(bench.controller->start());
+  bench.run_samples(begins_at - 1);
+  bench.drive.refuse(true);
+  bench.run_sample();
+  bench.drive.refuse(false);
+  ASSERT_EQ(bench.controller->latched_alarm().cause, AlarmCause::kDriveNotTaken);
+  const uint32_t taken = bench.controller->core().health().samples;
+  bench.run_samples(1000);
+  EXPECT_EQ(bench.controller->core().health().samples, taken);
+}
+
 TEST(Faults, UndeliveredSafeStateIsTriedAgainAndStarvesTheWatchdog) {
   Bench bench(bench::driving());
   driven_into(ControllerMode::kIntegrate, bench);

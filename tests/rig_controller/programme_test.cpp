@@ -58,6 +58,9 @@ TEST(Programme, EachFaultIsNamedWithItsLevel) {
          p.levels[1].high_phase_step = 1u << 31;
        }},
       {"sine too steep", ProgrammeFault::kSlew, [](auto& p) { p.levels[1].phase_step = 1u << 27; }},
+      // 5.27e7 and 2^29 / 20 = 2.68e7 are more than 2^26 = 6.71e7; of the amplitude itself the ramp would take but 2^20 / 20
+      {"glide down too steep", ProgrammeFault::kSlew,
+       [](auto& p) { p.levels[1].amplitude.raw = 1 << 20, p.levels[1].ramp_samples = 20; }},
       {"ramp too steep", ProgrammeFault::kSlew, [](auto& p) { p.levels[1].ramp_samples = 8; }},
       {"no ramp", ProgrammeFault::kLength, [](auto& p) { p.levels[1].ramp_samples = 0; }},
       {"nothing to measure", ProgrammeFault::kLength, [](auto& p) { p.levels[1].measure_samples = 0; }},

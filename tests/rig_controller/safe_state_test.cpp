@@ -275,4 +275,34 @@ TEST(SafeState, WithTheDriveOnCanADeadBusIsNotSafe) {
   }
 }
 
+// A converter on a hanging bus may not come back for a second: the relay does not wait for it.
+TEST(SafeState, TheRelayOpensBeforeTheConverterIsAsked) {
+  struct Converter final : hal::DriveOutput {
+    explicit Converter(const hal::FakeOutput& relay) : relay_(relay) {}
+    bool write(int32_t drive_q31) override {
+      closed_at_zero_ = closed_at_zero_ || (drive_q31 == 0 && relay_.active());
+      return true;
+    }
+    const hal::FakeOutput& relay_;
+    bool closed_at_zero_ = false;
+  };
+  hal::FakeOutput relay;
+  hal::FakeInput line;
+  Converter converter(relay);
+  firmware::TransmitQueue queue;
+  firmware::DriveLink link{converter, queue};
+  link.configure(1, false, Drive::from_raw(INT32_MAX));
+  SafeState safe{line, relay, link};
+  safe.begin_step(kMillisecond_ns);
+  safe.make_safe();
+  ASSERT_FALSE(safe.energise());
+  ASSERT_TRUE(relay.active());
+  ASSERT_FALSE(safe.command(Drive::from_raw(1 << 20), 1));
+  line.set(true, 0);
+  safe.begin_step(2 * kMillisecond_ns);
+  EXPECT_EQ(safe.look_at_line().cause, AlarmCause::kEmergencyStop);
+  EXPECT_FALSE(relay.active());
+  EXPECT_FALSE(converter.closed_at_zero_);
+}
+
 }  // namespace

@@ -1,12 +1,15 @@
 #include "hal/linux/board/run.hpp"
 
+#include <poll.h>
 #include <signal.h>
 #include <sys/signalfd.h>
 
 #include <algorithm>
 #include <cstdio>
+#include <iterator>
 #include <memory>
 
+#include "hal/linux/board/run_marker.hpp"
 #include "hal/linux/real_time.hpp"
 
 // Defined by tests alone: from here on an allocation is an error.
@@ -18,8 +21,10 @@ namespace {
 hal::FileDescriptor catch_end_signals() {
   sigset_t signals;
   sigemptyset(&signals);
-  sigaddset(&signals, SIGTERM);
-  sigaddset(&signals, SIGINT);
+  // whatever asks a program to end: a closed terminal and the quit key too
+  for (const int signal : {SIGTERM, SIGINT, SIGHUP, SIGQUIT}) sigaddset(&signals, signal);
+  // whoever reads the messages may have gone
+  if (::signal(SIGPIPE, SIG_IGN) == SIG_ERR) return {};
   if (::sigprocmask(SIG_BLOCK, &signals, nullptr) != 0) return {};
   return hal::FileDescriptor(::signalfd(-1, &signals, SFD_NONBLOCK | SFD_CLOEXEC));
 }
@@ -29,12 +34,14 @@ uint64_t tick_ns(const BoardFile& file) {
   return std::clamp<uint64_t>(static_cast<uint64_t>(1e9 / file.samples.rate_Hz), 250000, 10000000);
 }
 
-// Written with one call and from the stack: nothing is allocated.
+// Written with one call and from the stack: nothing is allocated. A terminal that is held (Ctrl-S), a pipe that nobody empties would
+// hold the loop and with it the stop line: what cannot be written at once is not said.
 template <typename... Values>
 void say(const char* format, Values... values) {
   char text[240];
   const int size = std::snprintf(text, sizeof text, format, values...);
-  if (size > 0)
+  pollfd messages{STDERR_FILENO, POLLOUT, 0};
+  if (size > 0 && ::poll(&messages, 1, 0) == 1 && (messages.revents & POLLOUT) != 0)
     static_cast<void>(!::write(STDERR_FILENO, text, std::min<size_t>(static_cast<size_t>(size), sizeof text - 1)));
 }
 
@@ -50,6 +57,9 @@ class Loop {
     end_ = catch_end_signals();
     return end_ && ticker_.start(period_ns);
   }
+
+  void wait_for_start() { controller_.wait_for_start(); }
+  bool stop_is_latched() const { return static_cast<bool>(controller_.latched_alarm()); }
 
   void run(const RunOptions& options) {
     const uint64_t start_ns = hal::read_clock_ns(CLOCK_MONOTONIC);
@@ -139,7 +149,9 @@ class Loop {
                                               ": run late",
                                               ": drive refused",
                                               ": relay refused",
+                                              ": worker late",
                                               ": bad programme"};
+    static_assert(std::size(kCauses) == static_cast<size_t>(firmware::AlarmCause::kConfiguration) + 1);
     static constexpr const char* kModes[] = {"starting",   "idle", "ramp",           "settling", "measuring",
                                              "free decay", "done", "emergency stop", "fault"};
     const bool fault = mode == firmware::ControllerMode::kFault && firmware::stops_drive(cause);
@@ -181,10 +193,16 @@ bool run(const BoardFile& file, BoardDevices& devices, const RunOptions& options
   }
   say("rig_controller: node %d on %s, %s%s; %s\n", int(file.controller.node.node), file.can_interface.c_str(),
       refused.empty() ? "real time" : "not real time: ", refused.c_str(), devices.guard().c_str());
+  RunMarker marker;
+  if (marker.begin(runtime_folder())) {
+    loop->wait_for_start();
+    say("rig_controller: the run before was stopped, or did not end well: nothing moves before START\n");
+  }
   if (allocation_guard_begin != nullptr) allocation_guard_begin();
   loop->run(options);
   devices.systemd().stopping();
   const bool safe = leave_safe(devices);
+  if (safe && !loop->stop_is_latched()) marker.end_well();
   devices.wait_for_workers();
   loop->report();
   return safe;

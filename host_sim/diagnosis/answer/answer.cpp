@@ -248,7 +248,8 @@ double compare_unseen(const Task& task, const State& base, const State& with_cau
 bool of_sensor(const diagnosis::Parameter& p) { return p.name.rfind("sensor_", 0) == 0; }
 
 bool contradicts(const diagnosis::Parameter& rows, const diagnosis::Parameter& runs) {
-  return rows.std > 0 && std::abs(rows.value - runs.value) > kByChance * std::hypot(rows.std, runs.std);
+  return std::max(rows.std, runs.std) > 0 && rows.estimated &&
+         std::abs(rows.value - runs.value) > kByChance * std::hypot(rows.std, runs.std);
 }
 
 std::vector<diagnosis::Parameter> numbers_of(const Task& task, const State& fitted) {
@@ -264,7 +265,7 @@ void take_numbers(const std::vector<diagnosis::Parameter>& runs, bool values_too
     if (other == runs.end() || !p.estimated) continue;
     if (values_too && !of_sensor(p))
       p.value = other->value, p.std = other->std;
-    else if (p.std > 0)
+    else
       p.std = std::max(p.std, other->std);
   }
 }
