@@ -59,13 +59,18 @@ std::string SocketCan::open(const std::string& interface, const Options& options
   return error == 0 ? "" : explain(interface, error);
 }
 
-bool SocketCan::configure(int socket) const {
+bool SocketCan::configure(int socket) {
   const can_err_mask_t errors = options_.error_frames ? CAN_ERR_MASK : 0;
   const int on = 1, stamp = SOF_TIMESTAMPING_RX_SOFTWARE | SOF_TIMESTAMPING_SOFTWARE;
   bool good = set_option(socket, SOL_CAN_RAW, CAN_RAW_ERR_FILTER, errors);
+  size_t filters = filter_count_;
+  if (confirms()) {
+    filters_[filters++] = {options_.confirmed_id, CAN_SFF_MASK | CAN_EFF_FLAG | CAN_RTR_FLAG};
+    good &= set_option(socket, SOL_CAN_RAW, CAN_RAW_RECV_OWN_MSGS, on);
+  }
   if (filter_count_ > 0 || !options_.data_frames)
     good &= ::setsockopt(socket, SOL_CAN_RAW, CAN_RAW_FILTER, filters_,
-                         static_cast<socklen_t>(filter_count_ * sizeof filters_[0])) == 0;
+                         static_cast<socklen_t>(filters * sizeof filters_[0])) == 0;
   if (options_.fd) good &= set_option(socket, SOL_CAN_RAW, CAN_RAW_FD_FRAMES, on);
   set_option(socket, SOL_SOCKET, SO_RCVBUF, options_.receive_buffer_bytes);
   set_option(socket, SOL_SOCKET, SO_RXQ_OVFL, on);
@@ -88,6 +93,7 @@ int SocketCan::connect() {
   counters_.receive_overflow = 0;
   up_ = true;
   lost_ = false;
+  in_flight_.dropped();
   return 0;
 }
 
@@ -104,6 +110,7 @@ CanResult SocketCan::refused(int error) {
       lost_ = true;
       [[fallthrough]];
     case ENETDOWN:
+      in_flight_.dropped();
       if (up_) ++counters_.interface_down;
       up_ = false;
       return CanResult::kBusDown;
@@ -123,9 +130,12 @@ void SocketCan::reopen_if_due() {
 CanResult SocketCan::send(const CanFrame& frame) {
   if (lost_) reopen_if_due();
   if (lost_) return CanResult::kBusDown;
+  const bool confirmed = confirms() && frame.id == options_.confirmed_id && !frame.extended && !frame.error;
+  if (confirmed && in_flight_.full()) return refused(ENOBUFS);
   const KernelCanFrame kernel = to_kernel(frame);
   const ssize_t written = ::send(socket_.get(), &kernel.frame, kernel.size, MSG_DONTWAIT | MSG_NOSIGNAL);
   if (written < 0) return refused(errno);
+  if (confirmed) in_flight_.sent(read_clock_ns(CLOCK_MONOTONIC));
   up_ = true;
   ++counters_.sent;
   return CanResult::kDone;
@@ -148,9 +158,24 @@ uint64_t SocketCan::read_control(const msghdr& message) {
   return time_ns;
 }
 
+// What has come tells of the frames in flight.
+void SocketCan::note_in_flight(const CanFrame& frame, bool from_this_machine) {
+  constexpr uint32_t kRestarted = CAN_ERR_RESTARTED;
+  if (frame.error && (frame.id & kRestarted) != 0) in_flight_.dropped();
+  if (!frame.error && !from_this_machine) in_flight_.bus_lives(frame.time_ns);
+}
+
 CanResult SocketCan::receive(CanFrame& frame) {
   if (lost_) reopen_if_due();
   if (lost_) return CanResult::kBusDown;
+  for (;;) {
+    bool own = false;
+    const CanResult result = receive_any(frame, own);
+    if (result != CanResult::kDone || !own) return result;
+  }
+}
+
+CanResult SocketCan::receive_any(CanFrame& frame, bool& own) {
   canfd_frame kernel;
   alignas(cmsghdr) char control[256];
   iovec data{&kernel, sizeof kernel};
@@ -164,12 +189,18 @@ CanResult SocketCan::receive(CanFrame& frame) {
     if (errno == EAGAIN || errno == EINTR) return CanResult::kEmpty;
     return refused(errno);
   }
+  own = (message.msg_flags & MSG_CONFIRM) != 0;
+  if (own) {
+    in_flight_.came_back();
+    return CanResult::kDone;
+  }
   if (!from_kernel(kernel, static_cast<size_t>(size), frame)) {
     ++counters_.faults;
     return CanResult::kFault;
   }
   frame.time_ns = read_control(message);
   if (frame.time_ns == 0) frame.time_ns = read_clock_ns(CLOCK_MONOTONIC);
+  note_in_flight(frame, (message.msg_flags & MSG_DONTROUTE) != 0);
   up_ = true;
   ++(frame.error ? counters_.error_frames : counters_.received);
   return CanResult::kDone;

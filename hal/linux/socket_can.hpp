@@ -8,6 +8,7 @@
 
 #include "hal/interface/can_bus.hpp"
 #include "hal/linux/file_descriptor.hpp"
+#include "hal/linux/frames_in_flight.hpp"
 
 struct msghdr;
 
@@ -28,11 +29,14 @@ struct SocketCanCounters {
 class SocketCan final : public CanBus {
  public:
   static constexpr size_t kMaxFilters = 64;
+  static constexpr uint32_t kNoId = UINT32_MAX;
   struct Options {
     bool fd = false;           // send and receive CAN FD frames too
     bool error_frames = true;  // deliver the bus's error frames
     bool data_frames = true;   // false: error frames and the filters' ids only
     int receive_buffer_bytes = 1 << 20;
+    // Frames of this 11-bit identifier count as sent when the bus has carried those before them (frames_in_flight.hpp): the drive's.
+    uint32_t confirmed_id = kNoId;
   };
 
   // Empty where it worked; else what is wrong and what to do about it.
@@ -49,19 +53,23 @@ class SocketCan final : public CanBus {
 
  private:
   int connect();  // 0 or errno
-  bool configure(int socket) const;
+  bool configure(int socket);
+  bool confirms() const { return options_.confirmed_id != kNoId; }
   CanResult refused(int error);
   void reopen_if_due();
+  CanResult receive_any(CanFrame& frame, bool& own);  // own: one that this socket has sent
+  void note_in_flight(const CanFrame& frame, bool from_this_machine);
   uint64_t read_control(const msghdr& message);
 
   char interface_[16] = {};
   Options options_;
-  can_filter filters_[kMaxFilters] = {};
+  can_filter filters_[kMaxFilters + 1] = {};  // and the confirmed identifier
   size_t filter_count_ = 0;
   FileDescriptor socket_;
   bool up_ = false;
   bool lost_ = false;  // the interface was removed: the socket must be made anew
   uint64_t next_try_ns_ = 0;
+  FramesInFlight in_flight_;      // of the confirmed identifier
   uint32_t overflow_before_ = 0;  // of sockets before this one: the kernel counts anew for each
   SocketCanCounters counters_;
 };

@@ -106,4 +106,53 @@ TEST_F(OnVcan, ErrorFramesReachTheSocket) {
   EXPECT_EQ(receiver.counters().error_frames, 1u);
 }
 
+TEST(FramesInFlight, TwoAtATime) {
+  hal::FramesInFlight frames;
+  EXPECT_FALSE(frames.full());
+  frames.sent(1), frames.sent(2);
+  EXPECT_TRUE(frames.full());
+  frames.came_back();
+  EXPECT_FALSE(frames.full());
+  frames.came_back(), frames.came_back();  // one too many changes nothing
+  frames.sent(3);
+  EXPECT_FALSE(frames.full());
+}
+
+// A dead bus gives nothing back; only a bus that lives, or a driver that says so, frees what was dropped.
+TEST(FramesInFlight, DroppedOnesAreForgottenWhenTheBusIsSeenToLive) {
+  constexpr uint64_t kSecond_ns = 1000000000;
+  hal::FramesInFlight frames;
+  frames.sent(kSecond_ns), frames.sent(kSecond_ns + 1);
+  frames.bus_lives(kSecond_ns + hal::FramesInFlight::kDropped_ns);  // they may still be on their way
+  EXPECT_TRUE(frames.full());
+  frames.bus_lives(kSecond_ns + hal::FramesInFlight::kDropped_ns + 2);
+  EXPECT_FALSE(frames.full());
+  frames.sent(2 * kSecond_ns), frames.sent(2 * kSecond_ns);
+  EXPECT_TRUE(frames.full());
+  frames.dropped();
+  EXPECT_FALSE(frames.full());
+}
+
+// The kernel gives a socket its frames back: until then there are no more than two, and none of them is received.
+TEST_F(OnVcan, FramesThatAreConfirmedWaitForThoseBeforeThem) {
+  hal::SocketCan sender, receiver;
+  hal::SocketCan::Options options;
+  options.confirmed_id = 0x181;
+  const uint32_t ids[] = {0x000};
+  ASSERT_TRUE(sender.receive_only(ids, 1));
+  ASSERT_EQ(sender.open("vcan0", options), "");
+  ASSERT_EQ(receiver.open("vcan0", {}), "");
+  hal::CanFrame drive, other, in;
+  drive.id = 0x181, other.id = 0x182;
+  for (int round = 0; round < 10; ++round) {
+    ASSERT_EQ(sender.send(drive), hal::CanResult::kDone) << round;
+    ASSERT_EQ(sender.send(drive), hal::CanResult::kDone) << round;
+    EXPECT_EQ(sender.send(drive), hal::CanResult::kQueueFull) << round;
+    EXPECT_EQ(sender.send(other), hal::CanResult::kDone) << round;
+    for (int i = 0; i < 3; ++i) ASSERT_EQ(wait_and_receive(receiver, in), hal::CanResult::kDone) << round;
+    EXPECT_EQ(wait_and_receive(sender, in), hal::CanResult::kEmpty) << round;
+  }
+  EXPECT_EQ(sender.counters().received, 0u);
+}
+
 }  // namespace

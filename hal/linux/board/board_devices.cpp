@@ -2,6 +2,7 @@
 
 #include <cstdlib>
 
+#include "firmware/can_protocol/frame_table.hpp"
 #include "hal/linux/board/safe_outputs.hpp"
 
 namespace board {
@@ -21,6 +22,8 @@ std::string BoardDevices::open() {
   // Network commands, SYNC, requests to this node. The sensors' frames have a socket of their own.
   const uint32_t ids[] = {0x000, 0x080, 0x600u + file_.controller.node.node};
   bus_.receive_only(ids, 3);
+  if (file_.drive == DriveKind::kCan)
+    options.confirmed_id = firmware::can::frame_id(firmware::can::kDrive.ids, file_.controller.node.node);
   std::string fault = bus_.open(file_.can_interface, options);
   if (fault.empty()) fault = open_samples();
   if (fault.empty()) fault = take_ranges();

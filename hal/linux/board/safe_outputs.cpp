@@ -51,6 +51,9 @@ bool send_zero_drive(hal::SocketCan& bus, int node) {
   std::copy_n(message.data, message.length, frame.data);
   constexpr int kTries = 50;
   for (int i = 0; i < kTries; ++i) {
+    hal::CanFrame ignored;  // what comes tells which of the frames before have been on the bus
+    while (bus.receive(ignored) == hal::CanResult::kDone) {
+    }
     const hal::CanResult result = bus.send(frame);
     if (result != hal::CanResult::kQueueFull) return result == hal::CanResult::kDone;
     const timespec millisecond{0, 1000000};
