@@ -11,6 +11,7 @@
 #include "host_sim/data_check/duplicate.hpp"
 #include "host_sim/data_check/exchanged.hpp"
 #include "host_sim/data_check/excitation.hpp"
+#include "host_sim/data_check/frozen.hpp"
 #include "host_sim/data_check/growth.hpp"
 #include "host_sim/data_check/kinematics.hpp"
 #include "host_sim/data_check/quantile.hpp"
@@ -174,6 +175,7 @@ RecordReport check_record(const Record& record, const rig_file::RigModel* model,
   if (has_fault(report)) forgive_what_is_left_out(record, model, report);
   for (size_t i = 0; i < record.channels.size(); ++i)
     if (dead[i]) report.channels[i].findings.push_back(std::move(*dead[i]));
+  if (!has_fault(report)) attach(find_frozen(record, statistics), report);
   attach(find_duplicates(record), report);
   if (auto jitter = find_jitter(record)) report.findings.push_back(std::move(*jitter));
   if (has_fault(report)) return report;  // what follows compares channels: one that is broken would be blamed on others

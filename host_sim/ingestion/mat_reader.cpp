@@ -5,6 +5,7 @@
 #include <memory>
 #include <mutex>
 
+#include "host_sim/ingestion/mat_end.hpp"
 #include "host_sim/ingestion/mat_library.hpp"
 #include "host_sim/records/columns/column_meaning.hpp"
 #include "host_sim/records/columns/column_name.hpp"
@@ -258,6 +259,9 @@ std::vector<Record> read_mat(const std::string& path, const rig_file::RigModel& 
   mat->log_to(nullptr, [](int, char*) {});  // the library's own messages say less than ours
   const File file(mat->open(path.c_str(), MAT_ACC_RDONLY), mat->close);
   if (!file) throw DataFileError(path, 0, "is no MAT file that can be read, expected version 4, 5 or 7.3");
+  if (const uint64_t missing = missing_mat_bytes(path))
+    throw DataFileError(path, 0,
+                        "ends early, " + std::to_string(missing) + " bytes are missing: copy it from its source again");
   const Source source{path, model, options, *mat};
   std::vector<Group> groups(1);
   for (;;) {

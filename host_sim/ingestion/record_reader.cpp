@@ -6,6 +6,7 @@
 #include "host_sim/records/csv/csv_reader.hpp"
 #include "host_sim/records/data_file_error.hpp"
 #include "host_sim/records/file_content.hpp"
+#include "host_sim/records/input_files.hpp"
 #include "host_sim/records/record_checks.hpp"
 #include "host_sim/records/resample.hpp"
 
@@ -53,6 +54,7 @@ std::vector<Record> at_even_steps(const std::vector<Record>& records, double rat
 std::vector<Record> read_records(const std::string& path, const rig_file::RigModel& model,
                                  const ReadingOptions& options) {
   const FileContent content(path);
+  note_input_file(path);
   for (const RecordFormat& format : kFormats) {
     if (!format.recognises(path, content.text())) continue;
     std::vector<Record> records = format.read(content.text(), path, model, options);

@@ -7,6 +7,8 @@
 #include <csignal>
 #include <cstring>
 
+#include "host_sim/records/input_files.hpp"
+
 namespace host_sim {
 namespace {
 
@@ -46,9 +48,14 @@ bool is_special(const std::string& path) {
   return ::stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode);
 }
 
+void refuse_input(const std::string& path) {
+  if (is_input_file(path)) throw OutputError(path + ": is read by this command, expected another file for its result");
+}
+
 }  // namespace
 
 OutputFile::OutputFile(std::string path) : path_(std::move(path)) {
+  refuse_input(path_);
   if (!is_special(path_)) temporary_ = path_ + ".part" + std::to_string(::getpid());
   stream_ = std::fopen(temporary_.empty() ? path_.c_str() : temporary_.c_str(), "wb");
   if (stream_ == nullptr) fail(path_, "written");
@@ -67,6 +74,7 @@ void OutputFile::write(std::string_view bytes) {
 }
 
 void OutputFile::commit() {
+  refuse_input(path_);  // it may have been read since
   std::FILE* const stream = stream_;
   stream_ = nullptr;
   const bool flushed = std::fflush(stream) == 0;

@@ -103,6 +103,12 @@ TEST(Faults, AreCalledByTheirNames) {
     std::vector<double>& a = made::values(record, kA2);
     for (size_t i = 13000; i < a.size(); ++i) a[i] = 0.01 * std::sin(12.9898 * static_cast<double>(i * i % 7919));
   };
+  const auto freezes = [](const std::string& channel, size_t first, size_t end) {
+    return [=](Record& record) {
+      std::vector<double>& x = made::values(record, channel);
+      std::fill(x.begin() + static_cast<std::ptrdiff_t>(first), x.begin() + static_cast<std::ptrdiff_t>(end), x[first]);
+    };
+  };
   const auto saturates = [](Record& record) {
     clip(kX1, 0.6)(record);
     std::vector<double>& x = made::values(record, kX1);
@@ -121,6 +127,12 @@ TEST(Faults, AreCalledByTheirNames) {
       {"spike of ten times the motion", with("x"), spike(kX1, 5000, 0.5), "spikes", kX1},
       {"lone spikes in an acceleration", with("a"), lone, "spikes", kA1},
       {"a sensor that dies in the record, noise goes on", with("xa"), dies, "dead", kA2},
+      {"a velocity that stands still for a second", with("xva", made::Drive::kRandom, 0.01), freezes(kV1, 9000, 10000),
+       "dead", kV1, false, "stands still"},
+      {"a displacement that stands still at the end", with("x"), freezes(kX1, 19000, 20000), "dead", kX1, false,
+       "stands still"},
+      {"a force that stands still for a twentieth", with("xa", made::Drive::kRandom, 0.01),
+       freezes("force_1_N", 19000, 20000), "dead", "force_1_N", false, "stands still"},
       {"an amplifier that saturates in front of the noise", with("x"), saturates, "clipped", kX1},
       {"a force no motion follows", with("xva"), spike("force_1_N", 5000, 1e6), "spikes", "force_1_N"},
       {"dropout to a value", with("x"), drop, "spikes", kX1},

@@ -263,4 +263,19 @@ TEST(Mat, RefusesAFileThatIsNone) {
   std::remove(path.c_str());
 }
 
+// The library beneath fills what is missing with noughts, and says so to its log alone.
+TEST(Mat, AFileThatEndsEarlyIsRefused) {
+  for (const mat_ft version : {MAT_FT_MAT5, MAT_FT_MAT4})
+    for (const uintmax_t missing : {1u, 8u, 800u}) {
+      MatFile file(version);
+      file.add("sample_rate_Hz", {250}).add("force_1_N", std::vector<double>(200, 1.5));
+      file.add("displacement_1_m", std::vector<double>(200, 0.25));
+      const std::string path = file.path();
+      EXPECT_EQ(one_record(path, dampers(1)).samples(), 200u);
+      std::filesystem::resize_file(path, std::filesystem::file_size(path) - missing);
+      expect_says(refusal([&] { one_record(path, dampers(1)); }),
+                  "ends early, " + std::to_string(missing) + " bytes are missing");
+    }
+}
+
 }  // namespace

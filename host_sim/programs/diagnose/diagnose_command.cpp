@@ -12,12 +12,15 @@
 #include "host_sim/programs/diagnose/diagnosis_text.hpp"
 #include "host_sim/programs/results/result_json.hpp"
 #include "host_sim/programs/shared/data_options.hpp"
+#include "host_sim/programs/shared/failures.hpp"
 #include "host_sim/programs/shared/human_output.hpp"
 #include "host_sim/programs/shared/stage_line.hpp"
 #include "host_sim/programs/shared/terminal.hpp"
+#include "host_sim/records/input_files.hpp"
 #include "host_sim/records/record_checks.hpp"
 #include "host_sim/reports/data/from_diagnosis.hpp"
 #include "host_sim/reports/page/report.hpp"
+#include "host_sim/reports/sections/verdict.hpp"
 
 namespace host_sim {
 namespace {
@@ -31,6 +34,7 @@ struct DiagnoseArguments {
 
 void diagnose(const DiagnoseArguments& arguments) {
   const rig_file::RigModel model = rig_file::read_rig_file(arguments.rig);
+  note_input_file(arguments.rig);
   ResultTarget json(arguments.json), extended_rig(arguments.extended_rig);
   std::FILE* const people = human_stream(json, extended_rig);
   const diagnosis::Options options;
@@ -39,6 +43,7 @@ void diagnose(const DiagnoseArguments& arguments) {
   {
     StageLine line("diagnosing");
     line.begin("reading the recordings");
+    require_unseen(arguments.data, arguments.holdout);
     std::vector<Record> training = read_data(arguments.data, model, arguments.reading),
                         holdout = read_data(arguments.holdout, model, arguments.reading);
     for (std::vector<Record>* records : {&training, &holdout})
@@ -66,6 +71,8 @@ void diagnose(const DiagnoseArguments& arguments) {
   if (!arguments.report.empty()) text += "report: " + arguments.report + "/index.html\n";
   if (extended_rig.wanted() && !extended_rig.to_stdout()) text += "extended rig: " + arguments.extended_rig + "\n";
   write_text(people, text);
+  if (reports::tells_nothing(data))
+    throw CannotAnswer("these records determine no coefficient of the rig: record what the advice asks for");
 }
 
 }  // namespace

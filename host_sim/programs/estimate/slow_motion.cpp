@@ -56,7 +56,7 @@ bool noise_alone(const std::vector<Record>& records, size_t channel, size_t size
       made[n].code[0][kDisplacement] = static_cast<int32_t>(std::lround(mean[n] / largest * 0x1p30));
     codes.push_back(std::move(made));
   }
-  const rig_file::ChannelNoise noise = rig_file::read_noise({codes.front()}, 0, kDisplacement, 1.0);
+  const rig_file::ChannelNoise noise = rig_file::read_noise(codes, 0, kDisplacement, 1.0);
   return noise.deviation > 0 && noise.white() && noise.doubt < kReadable;
 }
 

@@ -1,6 +1,7 @@
 #include "host_sim/programs/shared/data_options.hpp"
 
 #include <cstdio>
+#include <filesystem>
 #include <future>
 #include <set>
 #include <stdexcept>
@@ -54,8 +55,33 @@ void add_anyway_option(CLI::App& command, DataArguments& arguments) {
                    "compute in spite of what the check of the data finds (see host_sim check)");
 }
 
+namespace {
+
+bool same_file(const std::string& a, const std::string& b) {
+  std::error_code ignored;
+  return std::filesystem::equivalent(a, b, ignored);
+}
+
+void refuse_twice(const std::vector<std::string>& paths) {
+  for (size_t i = 0; i < paths.size(); ++i)
+    for (size_t j = 0; j < i; ++j)
+      if (same_file(paths[i], paths[j]))
+        throw UsageError("\"" + paths[i] + "\" is given twice: it would count as two measurements");
+}
+
+}  // namespace
+
+void require_unseen(const std::vector<std::string>& data, const std::vector<std::string>& holdout) {
+  for (const std::string& path : holdout)
+    for (const std::string& seen : data)
+      if (same_file(path, seen))
+        throw UsageError("\"" + path +
+                         "\" is given to --data and to --holdout: what the fit has seen tells nothing there");
+}
+
 std::vector<Record> read_data(const std::vector<std::string>& paths, const rig_file::RigModel& model,
                               const DataArguments& arguments) {
+  refuse_twice(paths);
   ReadingOptions options;
   options.columns = choices("--column", arguments.columns);
   options.units = choices("--unit", arguments.units);

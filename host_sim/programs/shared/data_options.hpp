@@ -23,8 +23,12 @@ void add_anyway_option(CLI::App& command, DataArguments& arguments);
 
 // All records of all files, in their order. What the reader made of them (factors, ignored columns) goes to stderr, one
 // line each; what is said of several files alike is said once. Throws DataFileError, UsageError.
+// A file that is given twice is refused: UsageError.
 std::vector<Record> read_data(const std::vector<std::string>& paths, const rig_file::RigModel& model,
                               const DataArguments& arguments);
+
+// No file of --holdout is one of --data: UsageError.
+void require_unseen(const std::vector<std::string>& data, const std::vector<std::string>& holdout);
 
 // The check of the data before anything is computed: doubts go to stderr; a fault throws CannotAnswer, or goes to stderr
 // too where the user wants the numbers anyway. Returns all that was found.

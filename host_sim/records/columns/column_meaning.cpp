@@ -206,6 +206,9 @@ class Planner {
       if (mapped) plan_.notes.push_back(name + from + ": no unit is given, taken as " + si_unit(wanted));
       return;
     }
+    if (!sensor.empty() && !parse_sensitivity(sensor))
+      refuse(name + ": " + quoted(sensor) + " is no sensitivity, expected one such as \"100 mV/" + si_unit(wanted) +
+             "\"");
     const auto found = find_unit(unit.empty() ? "V" : unit, wanted);
     if (!found)
       refuse("column " + quoted(trimmed_text(column.head)) + " is in " + quoted(unit) +
@@ -225,10 +228,11 @@ class Planner {
              si_unit(wanted) + " for " + name);
     } else {
       use.factor = found->to_si;
+      if (!sensor.empty()) how += " (no voltage: its sensitivity of " + sensor + " is not used)";
     }
     if (use.factor != 1.0) {
       plan_.notes.push_back(name + from + how + ": values times " + number(use.factor));
-    } else if (!from.empty()) {
+    } else if (!from.empty() || !sensor.empty()) {
       plan_.notes.push_back(name + from + how);
     }
   }

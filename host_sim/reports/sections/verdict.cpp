@@ -154,13 +154,6 @@ std::string ambiguous_details(const DiagnosisReportData& data) {
                  gain_text(data.gains), missed.empty() ? "" : "It still misses " + missed + ".", remains});
 }
 
-// Coefficients that no interval holds follow any motion: that nothing is missing is then no finding.
-bool tells_nothing(const DiagnosisReportData& data) {
-  return data.verdict == "none" && !data.parameters.empty() &&
-         std::all_of(data.parameters.begin(), data.parameters.end(),
-                     [](const ParameterChange& p) { return p.status == "ILL_CONDITIONED"; });
-}
-
 // What may be there and was not named, two at most.
 std::string possible_text(const DiagnosisReportData& data) {
   std::vector<std::string> words;
@@ -190,6 +183,12 @@ std::string nothing_explains_text(const DiagnosisReportData& data) {
 }
 
 }  // namespace
+
+bool tells_nothing(const DiagnosisReportData& data) {
+  return data.verdict == "none" && !data.parameters.empty() &&
+         std::all_of(data.parameters.begin(), data.parameters.end(),
+                     [](const ParameterChange& p) { return p.status == "ILL_CONDITIONED"; });
+}
 
 std::string verdict_headline(const DiagnosisReportData& data) {
   if (tells_nothing(data)) return "These records do not tell whether the rig file is right";
