@@ -4,6 +4,7 @@
 
 #include "../choice/attempt.hpp"
 #include "../choice/horizon.hpp"
+#include "../choice/most_noise.hpp"
 #include "../choice/rounded_jumps.hpp"
 #include "../terms/naming.hpp"
 #include "between_rivals.hpp"
@@ -62,7 +63,8 @@ bool stands(const Task& task, const Choice& fitted, const RowsSay& say, State& w
   with_them = fitted.base;
   if (!say.left.noise_only) return false;
   const Found found = found_by(fitted.base.model, say);
-  if (found.list.empty()) return true;
+  // the rows carry the noise of a derived motion: what they do not see the runs may, which need none
+  if (found.list.empty()) return fitted.base_left.worst() <= kSurelyNoise;
   return borne_out(task, fitted.base, found.list, found.values, &with_them) &&
          !outdone(task, fitted, found.list, with_them);
 }
