@@ -10,6 +10,7 @@
 #include "answer/scale.hpp"
 #include "answer/trifles.hpp"
 #include "answer/undetermined.hpp"
+#include "answer/zero_of_channel.hpp"
 #include "choice/held_force.hpp"
 #include "choice/leaves_trace.hpp"
 #include "choice/mains_hum.hpp"
@@ -156,6 +157,7 @@ Diagnosis judged(const Asked& asked, double& lag_s) {
   runs::say_shared_hum(task, choice, d);
   runs::drop_undetermined(d, runs::motion_error(task, choice.base) < runs::kFollows);
   runs::drop_trifles(task, d);
+  runs::name_zeros(task, d);
   runs::say_scale(task, d);
   compare_nothing(d);
   state_rivals(d);

@@ -1,10 +1,9 @@
 // Causes that are found and of no consequence.
 #pragma once
+#include "../choice/shown.hpp"
 #include "answer.hpp"
 
 namespace diagnosis::runs {
-
-constexpr double kTrifle = 2e-4;  // of what is given: no balance, spring tester or calibration of a rig is better
 
 // Of a channel's share of noise power: by so much regression on it makes a gain look smaller, once in itself and once in what it
 // is compared with.

@@ -60,13 +60,22 @@ bool dissipates(const std::string& name) {
   return false;
 }
 
+// A damper that differs between the directions by more than itself drives the rig in one of them.
+bool drives_one_way(const diagnosis::Parameter& p, const std::vector<diagnosis::Parameter>& list) {
+  constexpr const char* kAsymmetric = "asymmetric_viscous[";
+  if (p.name.rfind(kAsymmetric, 0) != 0) return false;
+  const std::string own = "viscous" + p.name.substr(p.name.find('['));
+  const auto damper = std::find_if(list.begin(), list.end(), [&](const auto& o) { return o.name == own; });
+  return damper != list.end() && std::abs(p.value) - damper->value > 1.96 * std::hypot(p.std, damper->std);
+}
+
 // What dissipates beside an impossible number that does, on its link, shares what bends that.
 void mark_company(std::vector<diagnosis::Parameter>& list) {
   const auto place = [](const std::string& name) {
     return (dissipates(name) ? "" : "-") + name.substr(name.find('['));
   };
   for (const diagnosis::Parameter& wrong : list) {
-    if (wrong.undetermined || !impossible(wrong)) continue;
+    if (wrong.undetermined || !(impossible(wrong) || drives_one_way(wrong, list))) continue;
     for (diagnosis::Parameter& p : list)
       p.may_be_bent = p.may_be_bent || (p.std > 0 && place(p.name) == place(wrong.name));
   }

@@ -47,6 +47,12 @@ bool leaves_its_band(const Task& task, const Term& band) {
   return beyond > kBeyondBand * all;
 }
 
+// A hidden mass that no balance would tell from the rig's own is none: in a decay whose frequency passes it it is a step of its phase.
+bool weighs_enough(const Task& task, const ModelTerm& hidden) {
+  const rig_file::Coefficient& mass = task.system.rig.dofs[static_cast<size_t>(hidden.term.dof)].mass_kg;
+  return mass.estimate || hidden.value >= kTrifle * mass.value;
+}
+
 bool drifts(const Task& task, const Term& damper) {
   if (damper.shape <= 0) return true;  // all the time, or from record to record
   return std::any_of(task.records.begin(), task.records.end(),
@@ -93,6 +99,8 @@ bool shown(const Task& task, const ModelTerm& t) {
   switch (t.term.kind) {
     case Kind::kPresliding:
       return bends_slowly(task, t.term) && slides(task, t.term);
+    case Kind::kResonance:
+      return weighs_enough(task, t);
     case Kind::kDeadBand:
       return leaves_its_band(task, t.term);
     case Kind::kDriftingViscous:

@@ -120,6 +120,19 @@ double period_of(const Prepared& p) {
   return longest;
 }
 
+constexpr size_t kLevels = 5;  // of what a relay or a step switches between
+
+// A force of a few values is a command: its edges, however steep, are no noise.
+bool switches(const Vec& force) {
+  std::vector<double> levels;
+  for (const double value : force) {
+    if (std::find(levels.begin(), levels.end(), value) != levels.end()) continue;
+    if (levels.size() == kLevels) return false;
+    levels.push_back(value);
+  }
+  return true;
+}
+
 Prepared prepare_by(const rig_file::RigModel& rig, const host_sim::Record& record, const Needs& needs) {
   Prepared p;
   p.file = record.file;
@@ -135,6 +148,7 @@ Prepared prepare_by(const rig_file::RigModel& rig, const host_sim::Record& recor
       const Windowed f = massless(rig) ? Windowed{raw, {}, {}} : windowed(raw);
       const size_t d = static_cast<size_t>(c.dof - 1);
       p.force[d] = thinned(f.force, needs.by), p.noise_in_blows[d] = noise_in_blows(f, needs.by);
+      if (switches(raw)) p.noise_in_blows[d] = Vec::Zero(p.force[d].size());
       continue;
     }
     const int quantity = c.quantity == host_sim::Quantity::kDisplacement ? 0

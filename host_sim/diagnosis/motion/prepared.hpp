@@ -54,7 +54,8 @@ struct Prepared {
   double top_Hz = 0;    // highest frequency of the motion
   std::vector<MotionTrace> traces;
   std::vector<Vec> force;  // per DOF; empty: none
-  // Per DOF: of a force that is nought between blows, the standard deviation of its noise, sample by sample; empty: as noise_level().
+  // Per DOF: of a force that is nought between blows, or switches between a few values, the standard deviation of its noise, sample by
+  // sample; empty: as noise_level().
   std::vector<Vec> noise_in_blows;
   std::vector<Guess> guess;
   Base base;
