@@ -21,6 +21,7 @@
 #include "host_sim/data_check/slow_faults.hpp"
 #include "host_sim/data_check/spikes.hpp"
 #include "host_sim/data_check/statistics.hpp"
+#include "host_sim/data_check/time_unit.hpp"
 #include "host_sim/data_check/work.hpp"
 
 namespace host_sim::data_check {
@@ -189,6 +190,7 @@ RecordReport check_record(const Record& record, const rig_file::RigModel* model,
         attach(check_kinematics(compared, channel.dof, rotates(channel), integrals), report);
     attach(check_exchanged(compared, integrals), report);
   }
+  find_time_unit(record, model, report);
   if (model != nullptr && !has_fault(report)) attach(check_rig_balance(compared, *model), report);
   if (!has_fault(report) && !any_finding(report, [](const Finding& f) { return f.kind == "polarity"; }))
     if (auto work = find_negative_work(compared, drive)) attach({std::move(*work)}, report);
