@@ -74,7 +74,7 @@ void answer_by_runs(const Asked& asked, const runs::Task& task, const RowsSay& s
                     runs::Choice& choice) {
   if (!runs::massless(asked.rig) && two_channels_a_dof(task.records[0]))
     runs::adopt_faults(task, say.asked ? say.faults : motion_faults(asked), choice);
-  choice = searched(asked, task, choice);
+  if (!choice.searched) choice = searched(asked, task, choice);
   const bool explained = choice.final.fit.ok && !choice.named.empty() && !runs::beyond_noise(choice.final_left);
   if (!numbers || explained) return;
   const runs::Choice renumbered = searched(asked, task, *numbers);

@@ -63,10 +63,22 @@ bool stands(const Task& task, const Choice& fitted, const RowsSay& say, State& w
   with_them = fitted.base;
   if (!say.left.noise_only) return false;
   const Found found = found_by(fitted.base.model, say);
-  // the rows carry the noise of a derived motion: what they do not see the runs may, which need none
-  if (found.list.empty()) return fitted.base_left.worst() <= kSurelyNoise;
+  if (found.list.empty()) return true;
   return borne_out(task, fitted.base, found.list, found.values, &with_them) &&
          !outdone(task, fitted, found.list, with_them);
+}
+
+// The rows carry the noise of a derived motion: where they see nothing the runs, which need none, may leave more than noise. Whether they
+// name what it is; choice has it then.
+bool runs_see_more(const Task& task, const RowsSay& say, Choice& choice) {
+  if (!say.left.noise_only || !found_by(choice.base.model, say).list.empty() ||
+      choice.base_left.worst() <= kSurelyNoise)
+    return false;
+  Choice runs = choice;
+  choose(task, runs, [](double) {});
+  if (runs.named.empty()) return false;
+  choice = runs, choice.searched = true;
+  return true;
 }
 
 // A rig file that is wrong by much (a mass of twice its size: its accelerations are) follows its recording over no window,
@@ -120,6 +132,7 @@ bool answered_by_rows(const Asked& asked, const Task& task, std::vector<Prepared
   d.unknown_trace = say.d.unknown_trace;
   const bool tells = !choice.base_fits_nothing && choice.periods >= kLeastPeriods;
   if (!tells && !followed_with(task, say, choice) && choice.base_fits_nothing) return false;
+  if (runs_see_more(task, say, choice)) return false;
   State with_them;
   if (!stands(task, choice, say, with_them)) {
     for (const Cause& c : say.d.causes)

@@ -96,6 +96,7 @@ struct Choice {
   Screen last_screen;  // beside the final model
   std::vector<Candidate> last_candidates;
   std::vector<Hum> hum_taken;      // out of the records' channels before this fit; empty: none
+  bool searched = false;           // by choose()
   bool noise_is_enough = false;    // no other test says that something beyond noise is left
   bool base_fits_nothing = false;  // not even over a fifth of a period does the rig as given describe the motion
 };
