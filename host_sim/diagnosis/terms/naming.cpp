@@ -88,10 +88,12 @@ std::vector<Parameter> parameters_of_term(const System& s, const std::vector<Act
   const std::string place = name.substr(name.find('['));
   if (!shape_name(t.kind).empty() && t.shape > 0)
     list.push_back({shape_name(t.kind) + place, t.shape, shape_unit(t.kind, turning), a.shape_std, true});
-  if (t.kind == Kind::kPresliding && t.shape2 > 0) list.push_back({"bristle_time" + place, t.shape2, "s", a.shape2_std, true});
+  if (t.kind == Kind::kPresliding && t.shape2 > 0)
+    list.push_back({"bristle_time" + place, t.shape2, "s", a.shape2_std, true});
   if (t.kind == Kind::kCogging) list.push_back({"cogging_phase" + place, t.shape2, "rad", a.shape2_std, true});
   if (hum) list.push_back({"mains_frequency" + place, t.kind == Kind::kForceHumCos50 ? 50.0 : 60.0, "Hz", 0, false});
-  if (t.kind == Kind::kResonance) list.push_back({"resonance_damping_ratio" + place, t.shape2, "1", a.shape2_std, true});
+  if (t.kind == Kind::kResonance)
+    list.push_back({"resonance_damping_ratio" + place, t.shape2, "1", a.shape2_std, true});
   return list;
 }
 
