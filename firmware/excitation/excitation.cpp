@@ -40,7 +40,7 @@ void Excitation::begin_ramp(bool to_zero) {
   const ExcitationLevel& level = current();
   const auto samples = static_cast<int32_t>(std::min<uint32_t>(level.ramp_samples, INT32_MAX));
   stopping_ = to_zero;
-  rise_ = std::max(1, std::max(level.amplitude.raw, envelope_) / samples);
+  rise_ = std::max<int32_t>(1, std::max(level.amplitude.raw, envelope_) / samples);
   state_ = ExcitationState::kRamping;
 }
 

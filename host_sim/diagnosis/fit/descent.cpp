@@ -97,7 +97,7 @@ bool started_afresh(Evaluator& evaluator, std::vector<Window>& windows) {
 
 bool has_friction(const Model& model) {
   return std::any_of(model.begin(), model.end(), [](const ModelTerm& t) {
-    return t.term.kind == Kind::kCoulomb || t.term.kind == Kind::kMissingCoulomb;
+    return t.term.kind == Kind::kCoulomb || t.term.kind == Kind::kMissingCoulomb || t.term.kind == Kind::kStribeck;
   });
 }
 
@@ -212,7 +212,7 @@ class Descent {
       whole = !shorter_ways(evaluator, now_, next, change, weights_, windows_, moved);
       next = pass_over(evaluator, moved, nullptr, false);
     }
-    if (at_ease && change.size() && runs && next.ok && next.cost >= now_.cost) {
+    if (at_ease && change.size() && runs && next.ok && next.cost >= now_.cost && has_friction(trial)) {
       settle_states(trial, moved);
       next = pass_over(evaluator, moved, nullptr, false);
     }
