@@ -121,8 +121,8 @@ TEST(Blocks, AnErrorThatGrowsWithTheMotionIsNoNoise) {
 }
 
 // Of 10 +- 0.1 and 10.2 +- 0.2 the first stands with the wider interval: 0.2 apart where 0.22 is one standard error.
-// 12 +- 0.2 contradicts. A shape goes with its coefficient; a sensor's delay stays.
-TEST(Numbers, OfTheRunsStandWhereTheyContradictTheRows) {
+// 12 +- 0.2 contradicts: then all numbers are those of the runs, as those of one fit belong together; but a sensor's delay stays.
+TEST(Numbers, OfTheRunsStandTogetherWhereOneContradictsTheRows) {
   const auto number = [](const char* name, double value, double std) {
     return diagnosis::Parameter{name, value, "1", std, true};
   };
@@ -134,8 +134,12 @@ TEST(Numbers, OfTheRunsStandWhereTheyContradictTheRows) {
                                             number("sensor_delay[1]", 1, 0.1)};
   std::vector<diagnosis::Parameter> widened = rows;
   take_numbers(runs, true, rows), take_numbers(runs, false, widened);
-  EXPECT_DOUBLE_EQ(rows[0].value, 10);
+  EXPECT_FALSE(contradicts(widened[0], runs[0]));
+  EXPECT_TRUE(contradicts(number("stribeck[1-0]", 10, 0.1), runs[1]));
+  EXPECT_DOUBLE_EQ(rows[0].value, 10.2);
   EXPECT_DOUBLE_EQ(rows[0].std, 0.2);
+  EXPECT_DOUBLE_EQ(widened[0].value, 10);
+  EXPECT_DOUBLE_EQ(widened[0].std, 0.2);
   EXPECT_DOUBLE_EQ(rows[1].value, 12);
   EXPECT_DOUBLE_EQ(rows[1].std, 0.2);
   EXPECT_DOUBLE_EQ(rows[2].value, 0.3);

@@ -51,9 +51,9 @@ TEST_F(MeasuredRigs, DriveWithViscousFrictionThatDependsOnTheDirection) {
   EXPECT_EQ(names(d), Names{"asymmetric_viscous on link 1-0"});
   // runs of one second from the measured state, on the last 30 %
   EXPECT_GT(d.baseline.holdout_velocity_nrmse_percent[0], 5 * d.extended.holdout_velocity_nrmse_percent[0]);
-  // a tenth of the error remains, a hundredth of its square, and none of it is noise
+  // a sixth of the error of runs of a second remains, less of a window's square, and none of it is noise
   EXPECT_EQ(d.verdict, diagnosis::Verdict::kPartly);
-  EXPECT_LT(d.causes.at(0).explains_percent, 99.5);
+  EXPECT_LT(d.causes.at(0).explains_percent, 99.9);
   EXPECT_GT(d.causes.at(0).explains_percent, 98);
   // published by the benchmark's authors: 166.71 and 240.42 N s/m
   double mean = 0, half_difference = 0;

@@ -111,21 +111,6 @@ TEST_F(Diagnose, WhatTheFitHasSeenIsNoHoldout) {
   EXPECT_NE(result.errors.find("is given to --data and to --holdout"), std::string::npos) << result.errors;
 }
 
-// Nothing moves but the channels' noise: no coefficient is determined, and that is not "the rig file is right".
-TEST_F(Diagnose, RecordsThatTellNothingEndWithStatusThree) {
-  std::mt19937 random(5);
-  std::string text = "t_s,force_1_N,displacement_1_m\n";
-  const auto noise = [&] { return static_cast<double>(random()) / 4294967296.0 - 0.5; };
-  for (int i = 0; i < 2000; ++i) {
-    char row[96];
-    std::snprintf(row, sizeof row, "%.3f,%.9g,%.9g\n", i * 1e-3, 1e-3 * noise(), 1e-3 * noise());
-    text += row;
-  }
-  workspace_.write("still.csv", text);
-  const auto result = host_sim({"diagnose", "--rig", "rig.toml", "--data", "still.csv"});
-  EXPECT_EQ(result.status, 3) << result.output;
-}
-
 TEST_F(Diagnose, HoldoutRecordsMustHaveTheSameChannels) {
   workspace_.write("other.csv", "t_s,displacement_1_m\n0,1\n0.001,2\n0.002,3\n");
   const auto result = host_sim({"diagnose", "--rig", "rig.toml", "--data", "hidden.csv", "--holdout", "other.csv"});

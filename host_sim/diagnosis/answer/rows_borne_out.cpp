@@ -15,6 +15,8 @@
 namespace diagnosis::runs {
 namespace {
 
+constexpr double kNoWorse = 1.1;  // of what a free run of unseen data misses: beside noise that hides the motion
+
 struct Found {
   std::vector<Candidate> list;
   std::vector<std::vector<double>> values;
@@ -65,18 +67,26 @@ bool stands(const Task& task, const Choice& fitted, const RowsSay& say, State& w
   const Found found = found_by(fitted.base.model, say);
   if (found.list.empty()) return true;
   return borne_out(task, fitted.base, found.list, found.values, &with_them) &&
+         missed_percent(task, with_them) < kNoWorse * missed_percent(task, fitted.base) &&
          !outdone(task, fitted, found.list, with_them);
 }
 
 // The rows carry the noise of a derived motion: where they see nothing the runs, which need none, may leave more than noise. Whether they
-// name what it is; choice has it then.
+// name what it is and free runs of unseen data are the better for it; choice has it then.
 bool runs_see_more(const Task& task, const RowsSay& say, Choice& choice) {
   if (!say.left.noise_only || !found_by(choice.base.model, say).list.empty() ||
       choice.base_left.worst() <= kSurelyNoise)
     return false;
   Choice runs = choice;
   choose(task, runs, [](double) {});
-  if (runs.named.empty()) return false;
+  // delays that a rig file states, and how a force is held between its samples, are taken out of the rows alone
+  const bool any_of_sensors = std::any_of(runs.named.begin(), runs.named.end(), [](const Named& n) {
+    const Kind kind = n.candidate.terms[0].kind;
+    return of_force_sensor(kind) || (kind >= Kind::kBaseDelay && kind <= Kind::kHumSin);
+  });
+  if (runs.named.empty() || any_of_sensors ||
+      missed_percent(task, runs.final) > kPays * missed_percent(task, choice.base))
+    return false;
   choice = runs, choice.searched = true;
   return true;
 }
