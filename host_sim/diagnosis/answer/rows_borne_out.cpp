@@ -84,8 +84,7 @@ bool runs_see_more(const Task& task, const RowsSay& say, Choice& choice) {
     const Kind kind = n.candidate.terms[0].kind;
     return of_force_sensor(kind) || (kind >= Kind::kBaseDelay && kind <= Kind::kHumSin);
   });
-  if (runs.named.empty() || any_of_sensors ||
-      missed_percent(task, runs.final) > kPays * missed_percent(task, choice.base))
+  if (runs.named.empty() || any_of_sensors || missed_percent(task, runs.final) >= missed_percent(task, choice.base))
     return false;
   choice = runs, choice.searched = true;
   return true;
