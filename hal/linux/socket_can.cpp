@@ -160,8 +160,7 @@ uint64_t SocketCan::read_control(const msghdr& message) {
 
 // What has come tells of the frames in flight.
 void SocketCan::note_in_flight(const CanFrame& frame, bool from_this_machine) {
-  constexpr uint32_t kRestarted = CAN_ERR_RESTARTED;
-  if (frame.error && (frame.id & kRestarted) != 0) in_flight_.dropped();
+  if (frame.error && (frame.id & CAN_ERR_RESTARTED) != 0) in_flight_.dropped();
   if (!frame.error && !from_this_machine) in_flight_.bus_lives(frame.time_ns);
 }
 

@@ -66,14 +66,8 @@ Life life_of(const Channel& channel) {
   Life life;
   const size_t length = channel.values.size() / kWindows, lag = std::max<size_t>(1, length / 8);
   for (size_t w = 0; w < kWindows; ++w) {
-    const auto mean_square = [&](size_t apart) {
-      double sum = 0.0;
-      for (size_t i = w * length; i + apart < (w + 1) * length; ++i)
-        sum += std::pow(channel.values[i + apart] - channel.values[i], 2);
-      return sum / static_cast<double>(length - apart);
-    };
-    life.steps.push_back(mean_square(lag));
-    life.white.push_back(mean_square(1));
+    life.steps.push_back(mean_square_step(channel.values, w * length, (w + 1) * length, lag));
+    life.white.push_back(mean_square_step(channel.values, w * length, (w + 1) * length, 1));
   }
   return life;
 }

@@ -31,21 +31,15 @@ bool by_chance(const std::vector<double>& values, const Run& run) {
   return count * std::pow(std::min(1.0, share), length - 1.0) > kByChance;
 }
 
-// Mean square of steps over an eighth of the run: slower than noise.
-double liveliness(const std::vector<double>& values, size_t first, size_t end, size_t lag) {
-  double sum = 0.0;
-  for (size_t i = first; i + lag < end; ++i) sum += std::pow(values[i + lag] - values[i], 2);
-  return end > first + lag ? sum / static_cast<double>(end - first - lag) : 0.0;
-}
-
+// By steps over an eighth of the run: slower than noise.
 bool others_go_on(const Record& record, size_t which, const Run& run) {
   const size_t lag = std::max<size_t>(1, run.length / 8);
   bool any = false;
   for (size_t i = 0; i < record.channels.size(); ++i) {
     const std::vector<double>& values = record.channels[i].values;
-    const double usual = liveliness(values, 0, values.size(), lag);
+    const double usual = mean_square_step(values, 0, values.size(), lag);
     if (i == which || !(usual > 0.0)) continue;
-    if (liveliness(values, run.first, run.first + run.length, lag) < kGoesOn * usual) return false;
+    if (mean_square_step(values, run.first, run.first + run.length, lag) < kGoesOn * usual) return false;
     any = true;
   }
   return any;

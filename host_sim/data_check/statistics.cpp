@@ -93,4 +93,10 @@ Statistics statistics_of(const Channel& channel) {
   return s;
 }
 
+double mean_square_step(const std::vector<double>& values, size_t first, size_t end, size_t lag) {
+  double sum = 0.0;
+  for (size_t i = first; i + lag < end; ++i) sum += std::pow(values[i + lag] - values[i], 2);
+  return end > first + lag ? sum / static_cast<double>(end - first - lag) : 0.0;
+}
+
 }  // namespace host_sim::data_check

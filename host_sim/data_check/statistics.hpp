@@ -26,6 +26,9 @@ MeanAndRms mean_and_rms(const std::vector<double>& values);  // 0 of nothing
 
 Statistics statistics_of(const Channel& channel);
 
+// How lively a stretch is: mean square of steps over `lag` samples within it; 0 where it holds none.
+double mean_square_step(const std::vector<double>& values, size_t first, size_t end, size_t lag);
+
 // When a sample was taken, in s, to a thousandth of the record's length.
 std::string said_instant_s(const Record& record, double sample);
 

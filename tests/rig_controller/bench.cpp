@@ -59,6 +59,12 @@ firmware::ControllerConfiguration driving() {
   return made;
 }
 
+firmware::ControllerConfiguration driving_at_boot() {
+  auto made = driving();
+  made.programme.start_at_boot = true;
+  return made;
+}
+
 void OneDofRig::advance(double force_N, double time_s) {
   force_N_ = force_N;
   constexpr int kSteps = 50;

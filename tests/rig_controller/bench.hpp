@@ -18,6 +18,7 @@ firmware::CoreConfiguration one_dof_core();
 // Two levels of 20 Hz, 50 samples a cycle: ramp 100, settle at least 4 cycles, measure 1000 samples each.
 firmware::ExcitationProgramme two_levels();
 firmware::ControllerConfiguration driving();
+firmware::ControllerConfiguration driving_at_boot();  // the same, which does not wait for START
 firmware::ControllerConfiguration listening();
 
 // The rig integrated in small steps, in double; shares nothing with the core.

@@ -120,9 +120,7 @@ TEST(DriveLink, AStartByItselfWaitsForTheBusToComeUp) {
 
 // Samples that have waited in the driver since before the program's first step do not stop the programme that it starts.
 TEST(DriveLink, AStartByItselfWaitsForFreshSamples) {
-  auto configuration = bench::driving();
-  configuration.programme.start_at_boot = true;
-  Bench bench(configuration);
+  Bench bench(bench::driving_at_boot());
   std::vector<firmware::RawSample> waiting(200);
   for (size_t i = 0; i < waiting.size(); ++i) {
     waiting[i].sequence = bench.sequence++;

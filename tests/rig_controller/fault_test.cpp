@@ -207,9 +207,7 @@ TEST(Faults, EmergencyStopWhenIdleOrListening) {
 }
 
 TEST(Faults, PressedAtBootNeverStarts) {
-  auto configuration = bench::driving();
-  configuration.programme.start_at_boot = true;
-  Bench bench(configuration);
+  Bench bench(bench::driving_at_boot());
   bench.stop_line.set(true, 0);
   bench.run_samples(50);
   EXPECT_EQ(bench.relay.changes(), 0u);
@@ -218,9 +216,7 @@ TEST(Faults, PressedAtBootNeverStarts) {
 
 // A reset clears the reason; only a start moves the rig.
 TEST(Faults, AResetAfterAPressAtBootStartsNothing) {
-  auto configuration = bench::driving();
-  configuration.programme.start_at_boot = true;
-  Bench bench(configuration);
+  Bench bench(bench::driving_at_boot());
   bench.stop_line.set(true, 0);
   bench.run_samples(50);
   bench.stop_line.set(false, 0);
@@ -235,9 +231,7 @@ TEST(Faults, AResetAfterAPressAtBootStartsNothing) {
 
 // The board's program says so after a run that did not end well.
 TEST(Faults, AStartByItselfCanBeHeldBack) {
-  auto configuration = bench::driving();
-  configuration.programme.start_at_boot = true;
-  Bench bench(configuration);
+  Bench bench(bench::driving_at_boot());
   bench.controller->wait_for_start();
   bench.run_samples(50);
   EXPECT_EQ(bench.relay.changes(), 0u);

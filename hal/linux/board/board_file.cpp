@@ -105,6 +105,11 @@ void require_stop(const Section& drive, const BoardFile& board) {
                                  "is missing, expected both lines: the excitation programme has levels");
 }
 
+// A wire that breaks leaves the line where its bias pulls it: is that "pressed"?
+bool broken_wire_stops(const hal::LineOptions& line) {
+  return line.active_low ? line.bias == hal::LineBias::kPullDown : line.bias == hal::LineBias::kPullUp;
+}
+
 }  // namespace
 
 BoardFile read_board_file(const std::string& path) {
@@ -134,13 +139,6 @@ BoardFile read_board_file(const std::string& path) {
   return board;
 }
 
-constexpr const char* kBiases[] = {"\"as_is\"", "\"pull_up\"", "\"pull_down\"", "\"disabled\""};
-
-// A wire that breaks leaves the line where its bias pulls it: is that "pressed"?
-bool broken_wire_stops(const hal::LineOptions& line) {
-  return line.active_low ? line.bias == hal::LineBias::kPullDown : line.bias == hal::LineBias::kPullUp;
-}
-
 std::string describe(const BoardFile& board) {
   std::ostringstream text;
   const char* kinds[] = {"sensor frames on CAN", "buffered IIO", "single IIO reads"};
@@ -159,8 +157,8 @@ std::string describe(const BoardFile& board) {
          << board.emergency_stop.line << "\", relay \"" << board.relay.line << "\"\n";
   const hal::LineOptions& stop = board.emergency_stop.options;
   if (!board.emergency_stop.line.empty() && !broken_wire_stops(stop))
-    text << "  warning: emergency_stop: with " << (stop.active_low ? "active_low" : "active high") << " and bias "
-         << kBiases[static_cast<int>(stop.bias)] << " a broken wire "
+    text << "  warning: emergency_stop: with " << (stop.active_low ? "active_low" : "active high") << " and bias \""
+         << bias_words()[static_cast<size_t>(stop.bias)] << "\" a broken wire "
          << (stop.bias == hal::LineBias::kPullUp || stop.bias == hal::LineBias::kPullDown ? "reads as released"
                                                                                           : "may read as released")
          << "; a normally closed contact to ground with bias \"pull_up\" stops then too (docs/board.md)\n";

@@ -19,8 +19,7 @@ LineSetting read_line(const Section& gpio, const std::string& file, const char* 
   if (!section.has("line")) section.refuse("line", "is missing, expected a line name or chip:offset");
   setting.line = section.text("line", "");
   setting.options.active_low = section.flag("active_low", false);
-  setting.options.bias =
-      static_cast<hal::LineBias>(section.choice("bias", {"as_is", "pull_up", "pull_down", "disabled"}));
+  setting.options.bias = static_cast<hal::LineBias>(section.choice("bias", bias_words()));
   return setting;
 }
 
@@ -34,6 +33,11 @@ void attempt(std::vector<std::string>& problems, const std::function<void()>& re
 }
 
 }  // namespace
+
+const std::vector<std::string>& bias_words() {
+  static const std::vector<std::string> words = {"as_is", "pull_up", "pull_down", "disabled"};
+  return words;
+}
 
 Section node_section(const std::string& file, const toml::table& root) {
   return Section(

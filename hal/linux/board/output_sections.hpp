@@ -18,6 +18,8 @@ void read_can(const Section& section, BoardFile& board);
 void read_gpio(const Section& section, BoardFile& board);
 void read_drive(const Section& section, BoardFile& board);
 
+const std::vector<std::string>& bias_words();  // in the order of hal::LineBias
+
 // What is needed to bring the outputs to their safe state, read for that alone: a mistake elsewhere in the file is no
 // matter, and one here costs no more than the section it stands in. problems: what could not be read, in words.
 BoardFile read_outputs(const std::string& path, std::vector<std::string>& problems);

@@ -50,8 +50,6 @@ std::vector<ActiveTerm> active(const Model& model, const std::vector<Determined>
   return list;
 }
 
-bool of_motion_channel(Kind kind) { return kind >= Kind::kBaseDelay && kind <= Kind::kHumSin; }
-
 // The first that is measured of displacement, velocity and acceleration.
 std::string base_channel(const Task& task) {
   constexpr const char* kNames[] = {"displacement_base_m", "velocity_base_m_s", "acceleration_base_m_s2"};

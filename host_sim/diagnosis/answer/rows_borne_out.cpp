@@ -82,7 +82,7 @@ bool runs_see_more(const Task& task, const RowsSay& say, Choice& choice) {
   // delays that a rig file states, and how a force is held between its samples, are taken out of the rows alone
   const bool any_of_sensors = std::any_of(runs.named.begin(), runs.named.end(), [](const Named& n) {
     const Kind kind = n.candidate.terms[0].kind;
-    return of_force_sensor(kind) || (kind >= Kind::kBaseDelay && kind <= Kind::kHumSin);
+    return of_force_sensor(kind) || of_motion_channel(kind);
   });
   if (runs.named.empty() || any_of_sensors || missed_percent(task, runs.final) >= missed_percent(task, choice.base))
     return false;
@@ -108,7 +108,6 @@ bool followed_with(const Task& task, const RowsSay& say, Choice& choice) {
   return true;
 }
 
-// Numbers of one fit belong together: a friction and the rate at which it falls mean nothing with that of the other.
 bool any_contradicts(const std::vector<diagnosis::Parameter>& rows, const std::vector<diagnosis::Parameter>& runs) {
   for (const diagnosis::Parameter& p : rows)
     for (const diagnosis::Parameter& o : runs)
@@ -155,6 +154,7 @@ bool answered_by_rows(const Asked& asked, const Task& task, std::vector<Prepared
   const bool refitted =
       any_contradicts(d.extended.parameters, numbers_of(task, with_them)) && from_rows(task, say, with_them);
   const std::vector<diagnosis::Parameter> numbers = numbers_of(task, with_them);
+  // numbers of one fit belong together: a friction means nothing with the rate at which that of another falls
   const bool theirs = !held && any_contradicts(d.extended.parameters, numbers);
   if (theirs) {
     d.extended_rig = written_rig(task, with_them);

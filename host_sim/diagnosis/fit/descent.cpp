@@ -189,12 +189,6 @@ class Descent {
     }
     return 0;
   }
-  // A step of the numbers may be right and the states that go with it far from linear: beside friction that sticks.
-  void settle_states(const Model& numbers, std::vector<Window>& windows) const {
-    Model held = with_nothing_free(numbers);
-    Descent states(system_, records_, held, windows, true);
-    if (states.start() && states.go_on(kStateSteps) && states.carry_on()) states.go_on(kStateSteps);
-  }
   // Goes that way where it leads down, and tells by how much.
   std::optional<double> taken(const Vec& change, bool at_ease) {
     Model trial = model_;
@@ -212,8 +206,10 @@ class Descent {
       whole = !shorter_ways(evaluator, now_, next, change, weights_, windows_, moved);
       next = pass_over(evaluator, moved, nullptr, false);
     }
+    // The numbers may be right and the states that go with them far from linear: beside friction that sticks.
     if (at_ease && change.size() && runs && next.ok && next.cost >= now_.cost && has_friction(trial)) {
-      settle_states(trial, moved);
+      size_t passes = 0;
+      descended(system_, records_, trial, moved, kStateSteps, true, passes);
       next = pass_over(evaluator, moved, nullptr, false);
     }
     if (!next.ok || !(next.cost < now_.cost + 1e-9 * std::abs(now_.cost))) return std::nullopt;

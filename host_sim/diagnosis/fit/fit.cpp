@@ -69,6 +69,12 @@ Mat inverse_of(const Mat& total, const std::vector<bool>& held) {
   return scale.asDiagonal() * a.ldlt().solve(Mat::Identity(p, p)) * scale.asDiagonal();
 }
 
+Mat total_of(const std::vector<Mat>& blocks) {
+  Mat total = Mat::Zero(blocks[0].rows(), blocks[0].cols());
+  for (const Mat& block : blocks) total += block;
+  return total;
+}
+
 struct Scatter {
   double se = 0, dof = 1;
 };
@@ -95,9 +101,8 @@ double student_std(const Scatter& s) { return s.se * quantile(boost::math::stude
 
 double promised_fall(const Fitted& fit) {
   if (fit.gram.empty() || fit.gram[0].rows() == 0) return 0;
-  Mat total = Mat::Zero(fit.gram[0].rows(), fit.gram[0].cols());
+  const Mat total = total_of(fit.gram);
   Vec score = Vec::Zero(total.rows());
-  for (const Mat& g : fit.gram) total += g;
   for (const Vec& s : fit.score) score += s;
   return 0.5 * score.dot(inverse_of(total, std::vector<bool>(static_cast<size_t>(total.rows()), false)) * score);
 }
@@ -107,8 +112,7 @@ std::vector<Determined> determined(const Fitted& fit, const Model& model) {
   const Index p = static_cast<Index>(parameters.size());
   std::vector<Determined> list(parameters.size());
   if (p == 0 || fit.gram.empty()) return list;
-  Mat total = Mat::Zero(p, p);
-  for (const Mat& g : fit.gram) total += g;
+  const Mat total = total_of(fit.gram);
   const size_t forgotten = static_cast<size_t>(
       std::clamp(kForgotten * fit.memory / fit.block_length + 1, 1.0, static_cast<double>(fit.parts)));
   std::vector<bool> none(parameters.size(), false), shapes = none;

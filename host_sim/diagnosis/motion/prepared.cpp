@@ -147,8 +147,8 @@ Prepared prepare_by(const rig_file::RigModel& rig, const host_sim::Record& recor
       const Vec raw = values_of(c);
       const Windowed f = massless(rig) ? Windowed{raw, {}, {}} : windowed(raw);
       const size_t d = static_cast<size_t>(c.dof - 1);
-      p.force[d] = thinned(f.force, needs.by), p.noise_in_blows[d] = noise_in_blows(f, needs.by);
-      if (switches(raw)) p.noise_in_blows[d] = Vec::Zero(p.force[d].size());
+      p.force[d] = thinned(f.force, needs.by);
+      p.noise_in_blows[d] = switches(raw) ? Vec::Zero(p.force[d].size()) : noise_in_blows(f, needs.by);
       continue;
     }
     const int quantity = c.quantity == host_sim::Quantity::kDisplacement ? 0

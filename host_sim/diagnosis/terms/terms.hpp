@@ -60,6 +60,7 @@ enum class Kind {
 };
 
 inline bool is_force_hum(Kind kind) { return kind >= Kind::kForceHumCos50 && kind <= Kind::kForceHumSin60; }
+inline bool of_motion_channel(Kind kind) { return kind >= Kind::kBaseDelay && kind <= Kind::kHumSin; }
 inline bool of_force_sensor(Kind kind) { return kind >= Kind::kForceDelay && kind <= Kind::kForceHumSin60; }
 
 // The row of the vocabulary that a kind is named after; of kUnknownPitch that of the law it has.
