@@ -120,11 +120,13 @@ bool ScoreTest::near_chance(const ProbeScore& score) const {
 void ScoreTest::keep_bends(int number) {
   const ProbeScore& score = score_[number];
   const bool one = kDerivesSignals && derives_rates(*configuration_);
-  if (!beyond(score, one ? Chance::kOfOneQuantity : Chance::kOfDoubt, seen_root_)) return;
+  if (!beyond(score, Chance::kOfOneQuantity, seen_root_)) return;
   if (pushes(*configuration_, sums_->plan(), sums_->plan().probe[number], score, parameter_)) return;
+  const bool doubted = one || beyond(score, Chance::kOfDoubt, seen_root_);
   for (int k = 0; k < unknowns_; ++k) {
     const Scaled possible = (abs(score.effect) + score.std) * abs(bend_[k]);
-    if (possible > possible_bend_[k]) possible_bend_[k] = possible;
+    if (doubted && possible > possible_bend_[k]) possible_bend_[k] = possible;
+    if (possible > unlikely_bend_[k]) unlikely_bend_[k] = possible;
   }
 }
 

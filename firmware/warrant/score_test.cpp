@@ -39,7 +39,7 @@ bool ScoreTest::judge(const CoreConfiguration& configuration, const ScoreSums& s
   seen_root_ = samples_ < offered ? sqrt(samples_ / offered) : Scaled::from_int(1);
   for (int k = 0; k < unknowns_; ++k) {
     parameter_[k] = estimates.parameters[k].value;
-    possible_bend_[k] = bend_of_shape_[k] = difference_[k] = Scaled{};
+    possible_bend_[k] = unlikely_bend_[k] = bend_of_shape_[k] = difference_[k] = Scaled{};
   }
   settle(estimates);
   for (int j = 0; j < plan.probe_count; ++j) {

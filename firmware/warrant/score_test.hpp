@@ -70,6 +70,8 @@ class ScoreTest {
   // How far a force that the record does not exclude may bend the unknown, at the most: what is found of it, and its deviation,
   // where it is near the limit of chance, or would be had all samples been looked at (score_naming.cpp).
   Scaled possible_bend(int unknown) const { return possible_bend_[unknown]; }
+  // The same from two deviations of a force on, which chance makes of one in 20: for what is in doubt already.
+  Scaled unlikely_bend(int unknown) const { return unlikely_bend_[unknown]; }
   // How far a damping law of another power at the unknown's own link may bend it: what is found of it, and two deviations.
   Scaled bend_of_shape(int unknown) const { return bend_of_shape_[unknown]; }
   // The record cannot tell a damping law of the link from its estimated coefficients.
@@ -155,7 +157,7 @@ class ScoreTest {
   Scaled own_square_[kMaxProbes];  // sum of own forces squared, SI
   Scaled difference_[kMaxUnknowns], difference_std_[kMaxUnknowns], difference_doubt_[kMaxUnknowns];
   uint16_t difference_tenths_[kMaxUnknowns];
-  Scaled possible_bend_[kMaxUnknowns], bend_of_shape_[kMaxUnknowns];
+  Scaled possible_bend_[kMaxUnknowns], unlikely_bend_[kMaxUnknowns], bend_of_shape_[kMaxUnknowns];
   bool blind_[kMaxLinks];
   bool mimics_[kMaxUnknowns];
   Scaled samples_;    // looked at

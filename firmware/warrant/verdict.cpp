@@ -1,6 +1,6 @@
 #include "firmware/warrant/verdict.hpp"
 
-#include "firmware/warrant/channel_fault.hpp"
+#include "firmware/warrant/finding.hpp"
 #include "firmware/warrant/late_channel.hpp"
 
 namespace firmware {
@@ -9,7 +9,8 @@ namespace {
 constexpr int kImpossibleDeviations = 4;
 // What a wrong value is: over 4 deviations and over 1/20 of it off.
 constexpr int kWrongDeviations = 4, kWrongShare = 20;
-constexpr int kOneTonePercent = 156;  // of the squared mean of w^2: mean of w^4
+constexpr int kDoubtedDeviations = 2;  // beyond its interval
+constexpr int kOneTonePercent = 156;   // of the squared mean of w^2: mean of w^4
 
 void raise(ParameterEstimate& parameter, EstimateStatus status) {
   if (severity(status) > severity(parameter.status)) parameter.status = status;
@@ -31,94 +32,6 @@ const Term* term_of(const CoreConfiguration& configuration, int unknown) {
   for (int t = 0; t < configuration.term_count; ++t)
     if (configuration.terms[t].unknown == unknown) return &configuration.terms[t];
   return nullptr;
-}
-
-// A displacement of another gain shows in the springs beside it too; a velocity does not.
-bool gain_shows_in_springs(const CoreConfiguration& configuration, const Estimates& estimates, const ProbePlan& plan,
-                           const ScoreTest& test, int probe) {
-  const Place& place = plan.place[plan.probe[probe].place];
-  for (int j = plan.base_count; j < plan.summed_count; ++j) {
-    const Place& at = plan.place[plan.probe[j].place];
-    if (plan.probe[j].form != Form::kElongation || at.kind != PlaceKind::kLink || !test.score(j).flagged) continue;
-    if (at.node_a != place.node_a && at.node_b != place.node_a) continue;
-    const Scaled stiffness = coefficient_at(configuration, estimates, TermKind::kStiffness, at.link);
-    const Scaled least = abs(scale_by_power_of_two(stiffness * test.score(probe).effect, -2));
-    if (abs(test.score(j).effect) > least) return true;
-  }
-  return false;
-}
-
-// The DOF's other pair of channels: acceleration and velocity beside velocity and displacement. -1: none that tells as small a gain.
-int other_pair(const ProbePlan& plan, const ScoreTest& test, int probe) {
-  const Place& place = plan.place[plan.probe[probe].place];
-  const Scaled gain = abs(test.score(probe).effect);
-  for (int j = plan.base_count; j < plan.summed_count; ++j) {
-    const Place& at = plan.place[plan.probe[j].place];
-    if (j == probe || !compares_channels(at.kind) || at.node_a != place.node_a) continue;
-    return test.score(j).tested && scale_by_power_of_two(test.score(j).std, 2) < gain ? j : -1;
-  }
-  return -1;
-}
-
-Scaled up_to_one(Scaled gain) {
-  const Scaled one = Scaled::from_int(1), size = abs(gain);
-  return one < size ? one : size;
-}
-
-// Of two channels that contradict each other, steeper and flatter by one derivative, which is off? A velocity contradicts both
-// its neighbours. Without a third channel a displacement shows in the springs beside it.
-Quantity channel_off(const CoreConfiguration& configuration, const Estimates& estimates, const ProbePlan& plan,
-                     const ScoreTest& test, int probe) {
-  const bool of_acceleration = plan.place[plan.probe[probe].place].kind == PlaceKind::kAccelerationChannels;
-  const int other = other_pair(plan, test, probe);
-  if (other >= 0) {
-    const Scaled gain = up_to_one(test.score(probe).effect), beside = up_to_one(test.score(other).effect);
-    if (scale_by_power_of_two(beside, 1) > gain) return Quantity::kVelocity;
-    return of_acceleration ? Quantity::kAcceleration : Quantity::kDisplacement;
-  }
-  if (of_acceleration) return Quantity::kAcceleration;
-  return gain_shows_in_springs(configuration, estimates, plan, test, probe) ? Quantity::kDisplacement
-                                                                            : Quantity::kVelocity;
-}
-
-// What holds its value from sample to sample acts half a sample later than what is measured.
-bool is_half_a_sample(const CoreConfiguration& configuration, Scaled late_s) {
-  const Scaled off = abs(scale_by_power_of_two(late_s, 1) + configuration.sample_period_s);
-  return off * Scaled::from_int(100) < configuration.sample_period_s * Scaled::from_int(kSlipPercent);
-}
-
-Finding finding_of(const CoreConfiguration& configuration, const Estimates& estimates, const ProbePlan& plan,
-                   const ScoreTest& test, int probe) {
-  Finding finding;
-  if (probe < 0) return finding;
-  const Probe& p = plan.probe[probe];
-  const Place& place = plan.place[p.place];
-  finding.cause = p.cause;
-  finding.quantity = p.quantity;
-  finding.node_a = static_cast<int8_t>(place.node_a);
-  if (p.quantity == kNoQuantity && place.kind != PlaceKind::kDof) finding.node_b = static_cast<int8_t>(place.node_b);
-  const Scaled unit = fault_unit(configuration, estimates, p, place);
-  finding.size = test.score(probe).effect * unit;
-  finding.std = test.score(probe).std * abs(unit);
-  if (p.form == Form::kForceRate && is_half_a_sample(configuration, finding.size))
-    finding.cause = cause_of(EffectKind::kForceHold);
-  if (p.cause != cause_of(EffectKind::kSensorGain)) return finding;
-  if (compares_channels(place.kind)) {
-    const Quantity off = channel_off(configuration, estimates, plan, test, probe);
-    finding.quantity = static_cast<uint8_t>(off);
-    if (off != static_cast<Quantity>(p.quantity)) {  // the flatter of the two
-      finding.size = -finding.size;
-      finding.cause = slip_of(Scaled::from_int(1) + finding.size, finding.cause);
-      return finding;
-    }
-  }
-  // The channel says 1 + e times the truth: e / (1 + e) of what it says is not so.
-  const Scaled true_share = Scaled::from_int(1) - finding.size;
-  if (true_share.is_zero()) return finding;
-  finding.size /= true_share;
-  finding.std /= true_share * true_share;
-  finding.cause = slip_of(Scaled::from_int(1) + finding.size, finding.cause);
-  return finding;
 }
 
 // What a late channel takes from an equation its estimated masses and springs pass on: they stand beside everything else.
@@ -168,9 +81,14 @@ bool instruments_differ(const ScoreTest& test, int unknown, const ParameterEstim
          difference * Scaled::from_int(40) > abs(parameter.value);
 }
 
-bool is_wrong_by(Scaled bend, const ParameterEstimate& parameter) {
-  return bend > parameter.std * Scaled::from_int(kWrongDeviations) &&
+bool is_wrong_by(Scaled bend, const ParameterEstimate& parameter, int deviations = kWrongDeviations) {
+  return bend > parameter.std * Scaled::from_int(deviations) &&
          bend * Scaled::from_int(kWrongShare) > abs(parameter.value);
+}
+
+// Its interval is wider than what makes it wrong: the record tells little of the place, and of a force that is missing there too.
+bool is_uncertain(const ParameterEstimate& parameter) {
+  return parameter.std * Scaled::from_int(kDoubtedDeviations * kWrongShare) > abs(parameter.value);
 }
 
 // What the score tests' own fit says of the value would make it wrong.
@@ -207,6 +125,25 @@ bool one_amplitude(const CoreConfiguration& configuration, const ScoreTest& test
   return test.blind(term->place) || is_wrong_by(test.bend_of_shape(unknown), parameter);
 }
 
+// One law of a link is no better than the other: where one coefficient is in doubt, the other is too if a force that is
+// as rare as one in 20 would put it beyond its interval and make it wrong.
+void spread_doubt(const CoreConfiguration& configuration, const ScoreTest& test, Estimates& estimates) {
+  bool in_doubt[kMaxLinks] = {};
+  const auto damped_link = [&](int unknown) {
+    const Term* term = term_of(configuration, unknown);
+    return term != nullptr && is_damping(term->kind) ? term->place : -1;
+  };
+  for (int k = 0; k < estimates.unknown_count; ++k) {
+    const EstimateStatus status = estimates.parameters[k].status;
+    const bool doubted = status == EstimateStatus::kUntested || status == EstimateStatus::kBiasSuspect;
+    if (doubted && damped_link(k) >= 0) in_doubt[damped_link(k)] = true;
+  }
+  for (int k = 0; k < estimates.unknown_count; ++k)
+    if (damped_link(k) >= 0 && in_doubt[damped_link(k)] &&
+        is_wrong_by(test.unlikely_bend(k), estimates.parameters[k], kDoubtedDeviations))
+      raise(estimates.parameters[k], EstimateStatus::kUntested);
+}
+
 }  // namespace
 
 void give_verdict(const CoreConfiguration& configuration, const ScoreSums& sums, const ScoreTest& test, TestState state,
@@ -238,7 +175,7 @@ void give_verdict(const CoreConfiguration& configuration, const ScoreSums& sums,
       continue;
     }
     if (test.best() >= 0) raise(parameter, EstimateStatus::kModelSuspect);
-    if (is_wrong_by(test.possible_bend(k), parameter) ||
+    if (is_wrong_by(is_uncertain(parameter) ? test.unlikely_bend(k) : test.possible_bend(k), parameter) ||
         (derived && (fits_differ(test, k, parameter) || hardly_tested(test, k, parameter))) ||
         (twice_derived && blind(configuration, test, k)) || (estimates.inseparable && test.mimics(k)))
       raise(parameter, EstimateStatus::kUntested);
@@ -247,6 +184,7 @@ void give_verdict(const CoreConfiguration& configuration, const ScoreSums& sums,
     if (state.levels == 1 && one_amplitude(configuration, test, k, parameter))
       raise(parameter, EstimateStatus::kUntested);
   }
+  if (state.calibrated && state.judged) spread_doubt(configuration, test, estimates);
 }
 
 }  // namespace firmware

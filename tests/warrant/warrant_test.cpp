@@ -223,6 +223,34 @@ TEST(Warrant, AWideNumberDoesNotMakeItsNeighboursUntested) {
   EXPECT_GT(untested(true), 0);
 }
 
+// Half a second to two seconds with 5 % noise: what tells a Stribeck force from friction is hardly there, and the numbers are known
+// to a tenth or so. Beside a right model such numbers stay.
+TEST(Warrant, ShortNoisyRecordsDoNotWarrantBentFriction) {
+  int wrong = 0, right = 0, right_valid = 0;
+  for (uint64_t seed = 9200; seed < 9240; ++seed)
+    for (const char* hidden : {"stribeck", "none"}) {
+      Settings settings;
+      settings.condition = "random_5pct";
+      settings.hidden = hidden;
+      settings.rho_low = 0.3;
+      settings.masses = 1;
+      hidden_rig::Draw draw = hidden_rig::make_draw(seed, settings);
+      const size_t samples = 500 + 40 * static_cast<size_t>(seed - 9200);
+      for (host_sim::Channel& channel : draw.records.front().channels) channel.values.resize(samples);
+      const CoreRun run = run_core(draw);
+      const firmware::Estimates& estimates = run.core->estimates();
+      if (settings.hidden != "none") {
+        wrong += valid_and_wrong(draw, estimates) > 0;
+        continue;
+      }
+      for (int k = 0; k < estimates.unknown_count; ++k, ++right)
+        right_valid += estimates.parameters[k].status == EstimateStatus::kValid;
+    }
+  std::printf("VALID and wrong: %d of 40 records; right numbers VALID: %d of %d\n", wrong, right_valid, right);
+  EXPECT_LE(wrong, 4);  // one in ten; a third where only what is rare by chance counts as a doubt
+  EXPECT_GT(right_valid, right * 4 / 5);
+}
+
 uint32_t blocks(const CoreRun& run) {
   uint32_t sum = 0;
   const firmware::ScoreTable& table = run.core->score_tests().sums().table();
