@@ -6,6 +6,7 @@
 #include "../record/motion.hpp"
 #include "../record/riding.hpp"
 #include "band.hpp"
+#include "between_samples.hpp"
 #include "guess.hpp"
 #include "host_sim/records/value_step.hpp"
 #include "windowed_force.hpp"
@@ -54,6 +55,14 @@ struct Needs {
 };
 
 Vec values_of(const host_sim::Channel& c) { return Vec::Map(c.values.data(), static_cast<Index>(c.values.size())); }
+
+// A delay that the rig file states is no fault to be found.
+Vec in_time(const rig_file::RigModel& rig, const host_sim::Record& record, const host_sim::Channel& c) {
+  double late_us = 0;
+  for (const rig_file::ChannelEntry& entry : rig.channels)
+    if (entry.name == c.name) late_us = entry.delay_us;
+  return late_us == 0 ? values_of(c) : delayed(values_of(c), -1e-6 * late_us / record.sample_period_s);
+}
 
 // What moves a shaft is lost in the spectra of its ends where they turn together.
 double top_of_link(const rig_file::Link& link, const host_sim::Record& record, host_sim::Quantity quantity) {
@@ -139,16 +148,16 @@ Prepared prepare_by(const rig_file::RigModel& rig, const host_sim::Record& recor
   p.step_s = record.sample_period_s * needs.by;
   p.read_every_s = record.sample_period_s;
   p.top_Hz = needs.top_Hz;
-  const auto series = [&](const host_sim::Channel& c) { return thinned(values_of(c), needs.by); };
+  const auto series = [&](const host_sim::Channel& c) { return thinned(in_time(rig, record, c), needs.by); };
   const int n = static_cast<int>(rig.dofs.size());
   p.force.resize(static_cast<size_t>(n)), p.noise_in_blows.resize(static_cast<size_t>(n));
   for (const host_sim::Channel& c : record.channels) {
     if (c.quantity == host_sim::Quantity::kForce && c.dof >= 1 && c.dof <= n) {
-      const Vec raw = values_of(c);
+      const Vec raw = in_time(rig, record, c);
       const Windowed f = massless(rig) ? Windowed{raw, {}, {}} : windowed(raw);
       const size_t d = static_cast<size_t>(c.dof - 1);
       p.force[d] = thinned(f.force, needs.by);
-      p.noise_in_blows[d] = switches(raw) ? Vec::Zero(p.force[d].size()) : noise_in_blows(f, needs.by);
+      p.noise_in_blows[d] = switches(values_of(c)) ? Vec::Zero(p.force[d].size()) : noise_in_blows(f, needs.by);
       continue;
     }
     const int quantity = c.quantity == host_sim::Quantity::kDisplacement ? 0
