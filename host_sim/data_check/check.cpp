@@ -187,7 +187,7 @@ RecordReport check_record(const Record& record, const rig_file::RigModel* model,
     std::set<int> dofs;
     for (const Channel& channel : compared.channels)
       if (dofs.insert(channel.dof).second)
-        attach(check_kinematics(compared, channel.dof, rotates(channel), integrals), report);
+        attach(check_kinematics(compared, channel.dof, rotates(channel), model, integrals), report);
     attach(check_exchanged(compared, integrals), report);
   }
   find_time_unit(record, model, report);

@@ -141,6 +141,13 @@ std::optional<Blame> blame_unit(const Comparison& pair, bool rotating) {
   return std::nullopt;
 }
 
+double stated_delay_s(const rig_file::RigModel* model, const std::string& channel) {
+  if (model != nullptr)
+    for (const rig_file::ChannelEntry& entry : model->channels)
+      if (entry.name == channel) return 1e-6 * entry.delay_us;
+  return 0.0;
+}
+
 }  // namespace
 
 const std::vector<double>& Integrals::of(const Channel& channel, bool twice) {
@@ -183,7 +190,8 @@ std::optional<Comparison> compare(const Channel& lower, const Channel& upper, do
   return best;
 }
 
-std::vector<Finding> check_kinematics(const Record& record, int dof, bool rotating, Integrals& integrals) {
+std::vector<Finding> check_kinematics(const Record& record, int dof, bool rotating, const rig_file::RigModel* model,
+                                      Integrals& integrals) {
   constexpr Quantity kMotion[] = {Quantity::kDisplacement, Quantity::kVelocity, Quantity::kAcceleration};
   std::vector<Comparison> pairs;
   for (int i = 0; i < 3; ++i)
@@ -236,13 +244,15 @@ std::vector<Finding> check_kinematics(const Record& record, int dof, bool rotati
                              : ": its unit or its calibration is wrong";
       add(std::move(finding));
     }
-    const double samples = pair.late_s / record.sample_period_s;
+    const double late_s =
+        pair.late_s - (stated_delay_s(model, name(pair.upper)) - stated_delay_s(model, name(pair.lower)));
+    const double samples = late_s / record.sample_period_s;
     if (!pair.turned && pair.correlation > kGainCorrelation && std::abs(samples) > 0.1 && std::abs(samples) < 10.0 &&
-        std::abs(pair.late_s) > 5.0 * pair.late_std_s) {
-      Finding finding{"skew", Weight::kInforms, name(pair.upper), "", pair.late_s};
-      finding.detail = fmt::format(pair.late_s > 0.0 ? "is {:.3g} us late against " : "is {:.3g} us ahead of ",
-                                   std::abs(pair.late_s) * 1e6) +
-                       name(pair.lower) + fmt::format(" (+- {:.2g})", 2e6 * pair.late_std_s);
+        std::abs(late_s) > 5.0 * pair.late_std_s) {
+      Finding finding{"skew", Weight::kInforms, name(pair.upper), "", late_s};
+      finding.detail =
+          fmt::format(late_s > 0.0 ? "is {:.3g} us late against " : "is {:.3g} us ahead of ", std::abs(late_s) * 1e6) +
+          name(pair.lower) + fmt::format(" (+- {:.2g})", 2e6 * pair.late_std_s);
       add(std::move(finding));
     }
   }

@@ -40,7 +40,9 @@ std::optional<Comparison> compare(const Channel& lower, const Channel& upper, do
 // The magnitude of that correlation alone; 0 where the record is too short to say.
 double agreement(const Channel& lower, const Channel& upper, double sample_period_s, Integrals& integrals);
 
-// Polarity, unit and lateness of the channels of one DOF (or of the base).
-std::vector<Finding> check_kinematics(const Record& record, int dof, bool rotating, Integrals& integrals);
+// Polarity, unit and lateness of the channels of one DOF (or of the base); lateness beyond what the rig file states. model: nothing
+// where there is no rig file.
+std::vector<Finding> check_kinematics(const Record& record, int dof, bool rotating, const rig_file::RigModel* model,
+                                      Integrals& integrals);
 
 }  // namespace host_sim::data_check

@@ -231,6 +231,24 @@ TEST(Faults, ThatOnlyInform) {
   }
 }
 
+// Late by 2 ms: nothing beyond what the rig file states, 1 ms beyond half of it.
+TEST(Faults, ADelayThatTheRigFileStatesIsNotTold) {
+  Record record = made::record(with("xa"));
+  std::vector<double>& a = made::values(record, kA1);
+  std::rotate(a.begin(), a.end() - 2, a.end());
+  rig_file::RigModel rig = made::chain();
+  rig.channels.emplace_back();
+  rig.channels.back().name = kA1;
+  rig.channels.back().delay_us = 2000;
+  const Report stated = check({record}, &rig);
+  EXPECT_EQ(find(stated, "skew", kA1), nullptr) << all_of(stated);
+  rig.channels.back().delay_us = 1000;
+  const Report half = check({record}, &rig);
+  const Finding* finding = find(half, "skew", kA1);
+  ASSERT_NE(finding, nullptr) << all_of(half);
+  EXPECT_NEAR(*finding->value, 1e-3, 1e-4);
+}
+
 // A force sensor that is dead while the shaker shakes: the motion grows again and again.
 TEST(Faults, ADeadForceIsSeenByMotionThatGrows) {
   made::Options options;

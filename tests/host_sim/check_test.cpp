@@ -120,6 +120,14 @@ TEST_F(Check, FaultsEndEstimateAndDiagnoseWithTheirNames) {
 }
 
 // The same record as another program would have written it gives the same numbers.
+TEST_F(Check, NoResultTakesTheRigFilesPlace) {
+  const std::string rig = workspace_.read("rig.toml");
+  const auto result = host_sim({"check", "--rig", "rig.toml", "--data", "m/level_1.csv", "--json", "./rig.toml"});
+  EXPECT_NE(result.status, 0);
+  EXPECT_NE(result.errors.find("is read by this command"), std::string::npos) << result.errors;
+  EXPECT_EQ(workspace_.read("rig.toml"), rig);
+}
+
 TEST_F(Check, ARecordOfAnotherProgramGivesTheSameEstimate) {
   Rows table = rows("m/level_2.csv");
   write("bad.csv", table);

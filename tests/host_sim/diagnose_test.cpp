@@ -105,6 +105,28 @@ TEST_F(Diagnose, AFailedRunLeavesNothing) {
   EXPECT_EQ(workspace_.entries(), (std::set<std::string>{"hidden.csv", "rig.toml"}));
 }
 
+// A drawer at a constant 0.5 m/s under 3 N: of damper and friction only the sum 0.5 c + F is known.
+TEST_F(Diagnose, RecordsThatDetermineNothingEndWithStatus3) {
+  std::mt19937 random(1);
+  const auto noise = [&](double rms) { return rms * (static_cast<double>(random()) / 2147483648.0 - 1.0); };
+  std::string text = "t_s,force_1_N,displacement_1_m,velocity_1_m_s\n";
+  for (int i = 0; i < 4000; ++i) {
+    char row[120];
+    std::snprintf(row, sizeof row, "%.3f,%.9g,%.9g,%.9g\n", i * 1e-3, 3 + noise(0.02), 5e-4 * i + noise(1e-5),
+                  0.5 + noise(3e-3));
+    text += row;
+  }
+  workspace_.write("drawer.csv", text);
+  workspace_.write("drawer.toml",
+                   "schema = \"rig/1\"\nname = \"drawer\"\n[[dof]]\nmass_kg = 1.0\n[[link]]\nbetween = [1, 0]\n"
+                   "viscous_N_s_m = \"estimate\"\ncoulomb_N = \"estimate\"\n");
+  const auto result = host_sim({"diagnose", "--rig", "drawer.toml", "--data", "drawer.csv", "--json", "out.json"});
+  EXPECT_EQ(result.status, 3) << result.output;
+  EXPECT_NE(result.errors.find("determine no coefficient"), std::string::npos) << result.errors;
+  for (const auto& parameter : json("out.json")["extended"]["parameters"])
+    EXPECT_EQ(parameter["status"], "ILL_CONDITIONED") << parameter.dump();
+}
+
 TEST_F(Diagnose, WhatTheFitHasSeenIsNoHoldout) {
   const auto result = host_sim({"diagnose", "--rig", "rig.toml", "--data", "hidden.csv", "--holdout", "./hidden.csv"});
   EXPECT_EQ(result.status, 2);

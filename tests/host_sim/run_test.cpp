@@ -34,6 +34,17 @@ TEST_F(RunCommand, WithoutOptionsShowsThePapersRigAndWritesALog) {
   EXPECT_GT(count, 100);
 }
 
+TEST_F(RunCommand, NoResultTakesTheScenariosPlace) {
+  workspace_.write("own.toml", host_sim({"run", "--scenario", "paper_3dof_random", "--print"}).output);
+  const std::string scenario = workspace_.read("own.toml");
+  for (const std::string option : {"--json", "--log"}) {
+    const auto result = host_sim({"run", "--scenario", "own.toml", option, "./own.toml"});
+    EXPECT_EQ(result.status, 2) << option;
+    EXPECT_NE(result.errors.find("is read by this command"), std::string::npos) << result.errors;
+    EXPECT_EQ(workspace_.read("own.toml"), scenario);
+  }
+}
+
 TEST_F(RunCommand, SeedDecidesEveryByte) {
   const auto log = [&](const char* seed) {
     return host_sim({"run", "--scenario", "paper_2dof_noise", "--seed", seed, "--log", "-"}).output;

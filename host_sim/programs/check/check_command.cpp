@@ -1,13 +1,13 @@
 // host_sim check: what is wrong with a recording before anybody computes with it.
 #include <fmt/format.h>
 
-#include "hal/rig_file/rig_reader.hpp"
 #include "host_sim/data_check/data_check.hpp"
 #include "host_sim/data_check/to_json.hpp"
 #include "host_sim/programs/commands.hpp"
 #include "host_sim/programs/results/result_json.hpp"
 #include "host_sim/programs/shared/data_options.hpp"
 #include "host_sim/programs/shared/human_output.hpp"
+#include "host_sim/programs/shared/inputs.hpp"
 #include "host_sim/programs/shared/terminal.hpp"
 #include "host_sim/records/record_checks.hpp"
 
@@ -43,7 +43,7 @@ std::string text_of(const data_check::Report& report, bool colours) {
 
 void check(const CheckArguments& arguments) {
   rig_file::RigModel model;
-  if (!arguments.rig.empty()) model = rig_file::read_rig_file(arguments.rig);
+  if (!arguments.rig.empty()) model = read_rig(arguments.rig);
   ResultTarget json(arguments.json);
   std::FILE* const people = json.to_stdout() ? stderr : stdout;
   const std::vector<Record> records = read_data(arguments.data, model, arguments.reading);

@@ -2,9 +2,9 @@
 #include <iostream>
 
 #include "hal/rig_file/compile_rig.hpp"
-#include "hal/rig_file/rig_reader.hpp"
 #include "host_sim/can_log/dbc.hpp"
 #include "host_sim/programs/commands.hpp"
+#include "host_sim/programs/shared/inputs.hpp"
 
 namespace host_sim {
 namespace {
@@ -12,7 +12,7 @@ namespace {
 void print_dbc(const std::string& rig) {
   std::vector<can_log::DbcParameter> parameters;
   if (!rig.empty())
-    for (const rig_file::ParameterInfo& info : rig_file::parameter_table(rig_file::read_rig_file(rig)))
+    for (const rig_file::ParameterInfo& info : rig_file::parameter_table(read_rig(rig)))
       parameters.push_back({info.name, info.unit});
   can_log::dbc(std::cout, parameters);
 }

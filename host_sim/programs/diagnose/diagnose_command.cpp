@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hal/rig_file/rig_reader.hpp"
 #include "hal/rig_file/rig_writer.hpp"
 #include "host_sim/data_check/release.hpp"
 #include "host_sim/data_check/ripple.hpp"
@@ -14,9 +13,9 @@
 #include "host_sim/programs/shared/data_options.hpp"
 #include "host_sim/programs/shared/failures.hpp"
 #include "host_sim/programs/shared/human_output.hpp"
+#include "host_sim/programs/shared/inputs.hpp"
 #include "host_sim/programs/shared/stage_line.hpp"
 #include "host_sim/programs/shared/terminal.hpp"
-#include "host_sim/records/input_files.hpp"
 #include "host_sim/records/record_checks.hpp"
 #include "host_sim/reports/data/from_diagnosis.hpp"
 #include "host_sim/reports/page/report.hpp"
@@ -33,8 +32,7 @@ struct DiagnoseArguments {
 };
 
 void diagnose(const DiagnoseArguments& arguments) {
-  const rig_file::RigModel model = rig_file::read_rig_file(arguments.rig);
-  note_input_file(arguments.rig);
+  const rig_file::RigModel model = read_rig(arguments.rig);
   ResultTarget json(arguments.json), extended_rig(arguments.extended_rig);
   std::FILE* const people = human_stream(json, extended_rig);
   const diagnosis::Options options;

@@ -21,8 +21,8 @@
 #include "host_sim/programs/shared/above_nought.hpp"
 #include "host_sim/programs/shared/data_options.hpp"
 #include "host_sim/programs/shared/human_output.hpp"
+#include "host_sim/programs/shared/inputs.hpp"
 #include "host_sim/programs/shared/terminal.hpp"
-#include "host_sim/records/input_files.hpp"
 #include "host_sim/records/record_checks.hpp"
 #include "host_sim/reports/page/report.hpp"
 
@@ -100,8 +100,7 @@ class DataCheck {
 };
 
 void estimate(const EstimateArguments& arguments) {
-  const rig_file::RigModel model = rig_file::read_rig_file(arguments.rig);
-  note_input_file(arguments.rig);
+  const rig_file::RigModel model = read_rig(arguments.rig);
   rig_file::require_unknowns(model);
   std::vector<Record> read = read_data(arguments.data, model, arguments.reading);
   require_same_channels(read);

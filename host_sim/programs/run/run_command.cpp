@@ -12,6 +12,7 @@
 #include "host_sim/programs/run/record_export.hpp"
 #include "host_sim/programs/run/run_result.hpp"
 #include "host_sim/programs/shared/human_output.hpp"
+#include "host_sim/programs/shared/inputs.hpp"
 #include "host_sim/programs/shared/terminal.hpp"
 #include "host_sim/reports/data/from_run.hpp"
 #include "host_sim/reports/page/report.hpp"
@@ -85,7 +86,7 @@ void run(const RunArguments& arguments) {
   if (arguments.print) return print_shipped(arguments.scenario);
   if (!arguments.can.empty() && !arguments.log.empty())
     throw UsageError("--can and --log stand together, expected one of them");
-  const Scenario scenario = load_scenario(arguments.scenario);
+  const Scenario scenario = read_scenario(arguments.scenario);
   const std::string log = arguments.log.empty() ? default_log_name(scenario) : arguments.log;
   if (log == "-" && arguments.json == "-") throw UsageError("two results are to go to stdout, expected \"-\" once");
   std::FILE* const people = log == "-" || arguments.json == "-" ? stderr : stdout;

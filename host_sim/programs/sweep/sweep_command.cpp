@@ -7,6 +7,7 @@
 #include "host_sim/programs/results/result_json.hpp"
 #include "host_sim/programs/shared/above_nought.hpp"
 #include "host_sim/programs/shared/human_output.hpp"
+#include "host_sim/programs/shared/inputs.hpp"
 #include "host_sim/programs/shared/terminal.hpp"
 #include "host_sim/programs/sweep/sweep_ranks.hpp"
 #include "host_sim/programs/sweep/sweep_summary.hpp"
@@ -38,7 +39,7 @@ SeedRange parse_seeds(const std::string& text) {
 
 void sweep(const SweepArguments& arguments) {
   const SeedRange seeds = parse_seeds(arguments.seeds);
-  for (const std::string& scenario : arguments.scenarios) load_scenario(scenario);  // a bad one is told before the work
+  for (const std::string& scenario : arguments.scenarios) read_scenario(scenario);  // a bad one is told before the work
   const Rank rank = rank_from_environment();
   if (rank.count > 1 && (arguments.json.empty() || arguments.json == "-"))
     throw UsageError("--json is missing, expected a result file in a folder that all machines see");
