@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "advice.hpp"
+#include "answer/beside_noise.hpp"
 #include "answer/common_lag.hpp"
 #include "answer/filtered_motion.hpp"
 #include "answer/force_hum.hpp"
@@ -158,6 +159,8 @@ Diagnosis judged(const Asked& asked, double& lag_s) {
   runs::drop_undetermined(d, runs::motion_error(task, choice.base) < runs::kFollows);
   runs::drop_trifles(task, d);
   runs::name_zeros(task, d);
+  if (d.verdict == Verdict::kNone && !right)
+    runs::doubt_numbers(task, runs::near_chance(task, choice.final, choice.final_left), d);
   runs::say_scale(task, d);
   compare_nothing(d);
   state_rivals(d);

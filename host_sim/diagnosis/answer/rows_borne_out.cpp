@@ -7,6 +7,7 @@
 #include "../choice/most_noise.hpp"
 #include "../choice/rounded_jumps.hpp"
 #include "../terms/naming.hpp"
+#include "beside_noise.hpp"
 #include "between_rivals.hpp"
 #include "hum.hpp"
 #include "rows_outdone.hpp"
@@ -74,8 +75,8 @@ bool stands(const Task& task, const Choice& fitted, const RowsSay& say, State& w
 // The rows carry the noise of a derived motion: where they see nothing the runs, which need none, may leave more than noise. Whether they
 // name what it is and free runs of unseen data are the better for it; choice has it then.
 bool runs_see_more(const Task& task, const RowsSay& say, Choice& choice) {
-  if (!say.left.noise_only || !found_by(choice.base.model, say).list.empty() ||
-      choice.base_left.worst() <= kSurelyNoise)
+  if (!say.left.noise_only || !found_by(choice.base.model, say).list.empty()) return false;
+  if (choice.base_left.worst() <= kSurelyNoise && !worth_a_search(near_chance(task, choice.base, choice.base_left)))
     return false;
   Choice runs = choice;
   choose(task, runs, [](double) {});
