@@ -31,17 +31,18 @@ std::vector<Attempt> near_chance(const Task& task, const State& beside, const Le
   Screen seen = screen(task.system, task.records, beside.model, beside.seen, beside.fit, candidates, 0);
   std::sort(seen.singles.begin(), seen.singles.end(), [](const Screened& a, const Screened& b) { return a.z > b.z; });
   for (const Screened& one : seen.singles) {
-    if (!(one.z > kSure) || tried.size() == kShortList) break;
+    if (!(one.z > kByChance) || tried.size() == kShortList) break;
     const Candidate& c = candidates[one.candidate];
     if (c.host >= 0) continue;  // a shape of the rig's own force: accelerometers round its jumps alike
     const Attempt a = attempt(task, beside, {c}, {std::vector<double>(c.terms.size(), 0.0)}, kTrialSteps);
-    if (a.state.fit.ok && !a.rounds && a.z > kSure && unseen_agrees(a)) tried.push_back(a);
+    if (a.state.fit.ok && !a.rounds && a.z > kByChance && unseen_agrees(a)) tried.push_back(a);
   }
   return tried;
 }
 
 bool worth_a_search(const std::vector<Attempt>& tried) {
-  return std::any_of(tried.begin(), tried.end(), [](const Attempt& a) { return a.unseen_deviations > kByChance; });
+  return std::any_of(tried.begin(), tried.end(),
+                     [](const Attempt& a) { return a.z > kSure && a.unseen_deviations > kByChance; });
 }
 
 void doubt_numbers(const Task& task, const std::vector<Attempt>& tried, Diagnosis& d) {
