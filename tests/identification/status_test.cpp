@@ -75,7 +75,9 @@ TEST(Status, NoiseThatDiscrepanciesShowConditionsNothing) {
     }
     t.identify();
     EXPECT_EQ(t.status(0), shown ? EstimateStatus::kValid : EstimateStatus::kIllConditioned);
-    if (shown) EXPECT_NEAR(t.value(0), 20.0, 0.01);
+    if (shown) {
+      EXPECT_NEAR(t.value(0), 20.0, 0.01);
+    }
   }
 }
 
