@@ -44,6 +44,17 @@ std::string of_arrival(const std::vector<double>& time_s) {
       repeated, time_s.size(), static_cast<double>(time_s.size() - 1) / duration_s);
 }
 
+// What to do about times that fall: back by a whole recording where the clock has started anew, by a row or two where rows are exchanged.
+std::string of_order(const std::vector<double>& time_s) {
+  constexpr double kRows = 16.0;
+  const double usual = median_step(time_s);
+  bool anew = true;
+  for (size_t i = 1; i < time_s.size(); ++i)
+    if (time_s[i] < time_s[i - 1]) anew = anew && time_s[i - 1] - time_s[i] > kRows * usual;
+  return anew ? "the clock starts anew here: give each recording a file of its own"
+              : "the rows are not in the order of time: sort them";
+}
+
 // What stands for the date in the times, as in seconds since 1970: it is said once, and the record starts at 0. Nought where the
 // times are a test's own.
 double take_clock(const std::vector<double>& time_s, Record& record) {
@@ -78,7 +89,7 @@ void set_time_base(const std::vector<double>& time_s, const std::function<size_t
   if (uneven < time_s.size() && !take_rounded_times(time_s, record)) {
     std::string remedy = usual > 0.0 ? fmt::format("; --resample {:.4g} interpolates", 1.0 / usual) : "";
     if (!std::is_sorted(time_s.begin(), time_s.end()))
-      remedy = "; the rows are not in the order of time: sort them";
+      remedy = "; " + of_order(time_s);
     else if (const std::string arrival = of_arrival(time_s); !arrival.empty())
       remedy = arrival;
     throw DataFileError(record.file, line_of(uneven),
@@ -95,10 +106,10 @@ void keep_times(const std::vector<double>& time_s, const std::function<size_t(si
   for (size_t i = 1; i < time_s.size(); ++i) {
     if (time_s[i] > time_s[i - 1]) continue;
     const bool never_falls = std::is_sorted(time_s.begin(), time_s.end());
-    const std::string arrival = never_falls ? of_arrival(time_s) : "";
+    std::string remedy = never_falls ? of_arrival(time_s) : "; " + of_order(time_s);
+    if (remedy.empty()) remedy = ": two rows have one time; leave one of them out";
     throw DataFileError(record.file, line_of(i),
-                        "t_s steps by " + seconds(time_s[i] - time_s[i - 1]) + ", expected times that rise" +
-                            (arrival.empty() ? ": sort the rows" : arrival));
+                        "t_s steps by " + seconds(time_s[i] - time_s[i - 1]) + ", expected times that rise" + remedy);
   }
   record.time_s = time_s;
   const double clock_s = take_clock(time_s, record);

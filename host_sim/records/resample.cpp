@@ -15,7 +15,8 @@ namespace host_sim {
 namespace {
 
 constexpr size_t kPoints = 6;
-constexpr double kSameRate = 0.9;  // a rate this far below the record's own is meant as a lower one
+constexpr double kMostSamples = 1e8;  // of a channel: 0.8 GB
+constexpr double kSameRate = 0.9;     // a rate this far below the record's own is meant as a lower one
 
 std::vector<double> times_of(const Record& record) {
   if (!record.time_s.empty()) return record.time_s;
@@ -69,7 +70,13 @@ Record part_at(const Record& record, const std::vector<double>& time_s, const Pa
   out.file = record.file;
   out.start_s = time_s[part.first];
   out.sample_period_s = 1.0 / rate_Hz;
-  const auto count = static_cast<size_t>((time_s[part.end - 1] - out.start_s) * rate_Hz * (1.0 + 1e-12)) + 1;
+  const double length = (time_s[part.end - 1] - out.start_s) * rate_Hz * (1.0 + 1e-12);
+  if (length > kMostSamples)
+    throw DataFileError(
+        record.file, 0,
+        fmt::format("makes {:.3g} samples at {:.4g} a second, expected a rate that makes {:.3g} at the most", length,
+                    rate_Hz, kMostSamples));
+  const auto count = static_cast<size_t>(length) + 1;
   std::vector<Range> ranges;
   for (const Channel& channel : record.channels) {
     out.channels.push_back({channel.name, channel.quantity, channel.dof, std::vector<double>(count)});

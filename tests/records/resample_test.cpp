@@ -139,11 +139,46 @@ TEST(Resample, TheReaderKeepsTheTimesOnlyWhereAsked) {
   options.resample_Hz = 100.0;
   EXPECT_EQ(host_sim::parse_csv(text, "d.csv", {}, options).time_s, (std::vector<double>{0, 0.01, 0.025, 0.03}));
   try {
-    host_sim::parse_csv("t_s,displacement_1_m\n0,1\n0.01,2\n0.01,3\n", "d.csv", {}, options);
+    std::string twice = "t_s,displacement_1_m\n0,1\n0.01,2\n0.01,3\n";
+    for (int i = 2; i < 40; ++i) twice += std::to_string(0.01 * i) + ",4\n";
+    host_sim::parse_csv(twice, "d.csv", {}, options);
     ADD_FAILURE() << "taken";
   } catch (const DataFileError& error) {
     EXPECT_EQ(error.line, 4u);
-    EXPECT_NE(error.problem.find("expected times that rise"), std::string::npos) << error.problem;
+    EXPECT_NE(error.problem.find("expected times that rise: two rows have one time"), std::string::npos)
+        << error.problem;
+  }
+}
+
+// Times that fall by a row were exchanged; by forty rows the clock began anew. Whether they are to be interpolated or not.
+TEST(Resample, RowsThatAreExchangedAreNoNewRecording) {
+  const auto told = [](const std::vector<int>& row, double resample_Hz) {
+    std::string text = "t_s,displacement_1_m\n";
+    for (const int i : row) text += std::to_string(0.01 * i) + "," + std::to_string(i % 7) + "\n";
+    host_sim::ReadingOptions options;
+    if (resample_Hz > 0) options.resample_Hz = resample_Hz;
+    try {
+      host_sim::parse_csv(text, "d.csv", {}, options);
+      return std::string("taken");
+    } catch (const DataFileError& error) {
+      return error.problem;
+    }
+  };
+  std::vector<int> exchanged, anew;
+  for (int i = 0; i < 80; ++i) exchanged.push_back(i == 40 ? 41 : i == 41 ? 40 : i), anew.push_back(i % 40);
+  for (const double resample_Hz : {0.0, 100.0}) {
+    EXPECT_NE(told(exchanged, resample_Hz).find("not in the order of time: sort them"), std::string::npos);
+    EXPECT_NE(told(anew, resample_Hz).find("the clock starts anew here"), std::string::npos);
+  }
+}
+
+// Two seconds at 1e9 a second were 2e9 samples, 16 GB for each channel.
+TEST(Resample, ARateThatNoMemoryHoldsIsRefused) {
+  try {
+    resampled(made(uneven_times(200), [](double t) { return t; }), 1e9);
+    ADD_FAILURE() << "taken";
+  } catch (const DataFileError& error) {
+    EXPECT_NE(error.problem.find("expected a rate that makes 1e+08 at the most"), std::string::npos) << error.problem;
   }
 }
 

@@ -175,8 +175,9 @@ Prepared prepare_by(const rig_file::RigModel& rig, const host_sim::Record& recor
     for (MotionTrace& t : p.traces)
       if (t.quantity == 0) t.y.array() -= middle(t.y);
   if (p.samples < kLeast)
-    throw CannotAnswer(record.file + ": " + std::to_string(record.samples()) +
-                       " samples; a diagnosis needs at least 400");
+    throw CannotAnswer(record.file + ": " + std::to_string(record.samples()) + " samples, " +
+                       std::to_string(p.samples) + " for its motion; a diagnosis needs at least " +
+                       std::to_string(kLeast));
   p.smooth_half = std::clamp<Index>(static_cast<Index>(0.15 / (p.top_Hz * p.step_s)), 2, p.samples / 8);
   p.slow_half = std::clamp<Index>(static_cast<Index>(std::min(8 / p.top_Hz, slow_s(p)) / p.step_s), 8, p.samples / 3);
   p.base.ridden = rides_on_base(rig, p);

@@ -1,6 +1,7 @@
 #include "host_sim/programs/shared/failures.hpp"
 
 #include <cstdio>
+#include <new>
 
 #include "hal/rig_file/rig_file_error.hpp"
 #include "host_sim/diagnosis/record/motion.hpp"
@@ -33,6 +34,8 @@ int report_failure() noexcept {
     return say(ExitStatus::kCannotAnswer, "the data cannot answer: ", error.what());
   } catch (const diagnosis::CannotAnswer& error) {
     return say(ExitStatus::kCannotAnswer, "the data cannot answer: ", error.what());
+  } catch (const std::bad_alloc&) {
+    return say(ExitStatus::kOther, "out of memory: ", "give fewer or shorter records, or a lower --resample");
   } catch (const std::exception& error) {
     return say(ExitStatus::kOther, "internal error: ", error.what());
   } catch (...) {
