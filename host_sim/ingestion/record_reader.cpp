@@ -34,9 +34,8 @@ constexpr RecordFormat kFormats[] = {
      }},
     {"Universal File", is_uff, parse_uff},
     {"CAN log", is_sensor_log,
-     [](std::string_view content, const std::string& path, const rig_file::RigModel& model, const ReadingOptions&) {
-       return one(parse_sensor_log(content, path, model));
-     }},
+     [](std::string_view content, const std::string& path, const rig_file::RigModel& model,
+        const ReadingOptions& options) { return one(parse_sensor_log(content, path, model, options)); }},
     {"CSV", [](const std::string&, std::string_view) { return true; },
      [](std::string_view content, const std::string& path, const rig_file::RigModel& model,
         const ReadingOptions& options) { return one(parse_csv(content, path, model, options)); }},

@@ -38,6 +38,25 @@ void append(const firmware::RawSample& sample, const std::vector<LogChannel>& ch
   }
 }
 
+// A sample whose frames were not all received, where nobody asks for interpolation. A bridge of lost frames has its price: it is not
+// crossed unasked.
+void require_gap_that_can_be_filled(uint32_t before, uint32_t after, const ReadingOptions& options,
+                                    const std::string& file, size_t line) {
+  if (after > before && options.resample_Hz > 0.0) return;
+  throw DataFileError(file, line,
+                      "sample " + std::to_string(after) + " follows sample " + std::to_string(before) + ", expected " +
+                          std::to_string(before + 1) + " with all its frames" +
+                          (after > before ? "; --resample with the sampling rate interpolates" : ""));
+}
+
+// Samples are counted on the board: their times are even, whatever was lost.
+void keep_gaps(const std::vector<uint32_t>& sequence, Record& record) {
+  for (const uint32_t number : sequence)
+    record.time_s.push_back(static_cast<double>(number - sequence.front()) * record.sample_period_s);
+  const size_t lost = sequence.back() - sequence.front() + 1 - sequence.size();
+  record.notes.push_back(std::to_string(lost) + (lost == 1 ? " sample was" : " samples were") + " lost on the bus");
+}
+
 }  // namespace
 
 bool is_sensor_log(const std::string& path, std::string_view content) {
@@ -47,7 +66,8 @@ bool is_sensor_log(const std::string& path, std::string_view content) {
   return can_log::parse_line(content.substr(0, content.find_first_of("\r\n")), entry);
 }
 
-Record parse_sensor_log(std::string_view content, const std::string& file, const rig_file::RigModel& model) {
+Record parse_sensor_log(std::string_view content, const std::string& file, const rig_file::RigModel& model,
+                        const ReadingOptions& options) {
   const std::string text(content);
   const LogCalibration calibration = calibration_of(text, file, model);
   const std::vector<LogChannel> channels = calibration.channels(file, model);
@@ -61,26 +81,24 @@ Record parse_sensor_log(std::string_view content, const std::string& file, const
   firmware::SensorAssembler assembler(calibration.plan());
   firmware::RawSample sample;
   uint64_t first_ns = 0, last_ns = 0;
-  uint32_t expected = 0;
+  std::vector<uint32_t> sequence;
   while (reader.next(entry)) {
     if (!usable(entry) || !assembler.push(can_log::to_message(entry.frame), entry.frame.time_ns, sample)) continue;
-    if (record.samples() == 0) {
-      first_ns = sample.time_ns;
-    } else if (sample.sequence != expected) {
-      throw DataFileError(file, static_cast<size_t>(reader.line()),
-                          "sample " + std::to_string(sample.sequence) + " follows sample " +
-                              std::to_string(expected - 1) + ", expected " + std::to_string(expected) +
-                              " with all its frames");
-    }
-    expected = sample.sequence + 1;
+    if (sequence.empty()) first_ns = sample.time_ns;
+    if (!sequence.empty() && sample.sequence != sequence.back() + 1)
+      require_gap_that_can_be_filled(sequence.back(), sample.sequence, options, file,
+                                     static_cast<size_t>(reader.line()));
+    sequence.push_back(sample.sequence);
     last_ns = sample.time_ns;
     append(sample, channels, record);
   }
   if (record.samples() < 2)
     throw DataFileError(file, 0, std::to_string(record.samples()) + " whole samples, expected at least 2");
-  record.sample_period_s = 1e-9 * static_cast<double>(last_ns - first_ns) / static_cast<double>(record.samples() - 1);
+  record.sample_period_s =
+      1e-9 * static_cast<double>(last_ns - first_ns) / static_cast<double>(sequence.back() - sequence.front());
   if (!(record.sample_period_s > 0.0) || last_ns < first_ns)
     throw DataFileError(file, 0, "the times of the frames do not rise, expected times as candump -L writes them");
+  if (sequence.back() - sequence.front() + 1 != sequence.size()) keep_gaps(sequence, record);
   return record;
 }
 

@@ -3,12 +3,14 @@
 //
 // The calibration of a channel is the rig file's [[channel]] with unit_per_code, or else what the controller on the bus
 // says of it (frames `scaling` and `range`). A channel without one is not read. Every sample must be whole: all frames
-// of its sequence number, no number left out. The sample period is that of the whole log; the record starts at 0.
+// of its sequence number, no number left out, unless the record is to be interpolated (ReadingOptions::resample_Hz): its times are
+// then those of the sequence numbers. The sample period is that of the whole log; the record starts at 0.
 #pragma once
 #include <string>
 #include <string_view>
 
 #include "hal/rig_file/rig_model.hpp"
+#include "host_sim/records/columns/reading_options.hpp"
 #include "host_sim/records/record.hpp"
 
 namespace host_sim {
@@ -18,6 +20,7 @@ namespace host_sim {
 bool is_sensor_log(const std::string& path, std::string_view content);
 
 // Throws DataFileError with the line. Lines that are no frame, and frames of others, are passed over.
-Record parse_sensor_log(std::string_view content, const std::string& file, const rig_file::RigModel& model);
+Record parse_sensor_log(std::string_view content, const std::string& file, const rig_file::RigModel& model,
+                        const ReadingOptions& options = {});
 
 }  // namespace host_sim

@@ -116,11 +116,27 @@ TEST(SensorLog, TheSequenceCountsOnAfterItsLastNumber) {
   EXPECT_EQ(parse_sensor_log(text, "s.log", dampers(1, 0, kCalibration)).samples(), 2u);
 }
 
+// Samples 5, 6 and 8, a millisecond apart: 7 is lost. Times are those of the numbers, not of the frames' arrival.
+TEST(SensorLog, ALostSampleLeavesItsTimeWhereTheRecordIsInterpolated) {
+  const std::string gap = std::string(kTwoSamples) +
+                          "(1000000000.003000) vcan0 1A1#0800000000000000\n(1000000000.003000) vcan0 221#0800000000\n";
+  host_sim::ReadingOptions options;
+  options.resample_Hz = 1000.0;
+  const auto record = parse_sensor_log(gap, "s.log", dampers(1, 0, kCalibration), options);
+  ASSERT_EQ(record.time_s.size(), 3u);
+  EXPECT_EQ(record.time_s[0], 0.0);
+  EXPECT_NEAR(record.time_s[1], 1e-3, 1e-12);
+  EXPECT_NEAR(record.time_s[2], 3e-3, 1e-12);
+  EXPECT_NEAR(record.sample_period_s, 1e-3, 1e-12);
+  EXPECT_EQ(record.notes, (std::vector<std::string>{"1 sample was lost on the bus"}));
+}
+
 TEST(SensorLog, RefusesGapsAndMissingCalibrations) {
   const auto rig = dampers(1, 0, kCalibration);
   const std::string gap = std::string(kTwoSamples) +
                           "(1000000000.003000) vcan0 1A1#0800000000000000\n(1000000000.003000) vcan0 221#0800000000\n";
   expect_says(refusal([&] { parse_sensor_log(gap, "s.log", rig); }), "s.log:6: sample 8 follows sample 6, expected 7");
+  expect_says(refusal([&] { parse_sensor_log(gap, "s.log", rig); }), "--resample with the sampling rate interpolates");
   expect_says(refusal([&] { parse_sensor_log(kTwoSamples, "s.log", dampers(1)); }), "codes without a calibration");
   const std::string motion_only =
       "(1000000000.000000) vcan0 1A1#0500020100000000\n(1000000000.001000) vcan0 1A1#0600020100000000\n";
