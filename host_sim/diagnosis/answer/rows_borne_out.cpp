@@ -80,7 +80,7 @@ bool runs_see_more(const Task& task, const RowsSay& say, Choice& choice) {
     return false;
   Choice runs = choice;
   choose(task, runs, [](double) {});
-  // delays that a rig file states, and how a force is held between its samples, are taken out of the rows alone
+  // how a force is held between its samples is taken out of the rows alone, and a channel's delay or gain may stand for it
   const bool any_of_sensors = std::any_of(runs.named.begin(), runs.named.end(), [](const Named& n) {
     const Kind kind = n.candidate.terms[0].kind;
     return of_force_sensor(kind) || of_motion_channel(kind);
