@@ -34,7 +34,8 @@ std::vector<Attempt> near_chance(const Task& task, const State& beside, const Le
     if (!(one.z > kByChance) || tried.size() == kShortList) break;
     const Candidate& c = candidates[one.candidate];
     if (c.host >= 0) continue;  // a shape of the rig's own force: accelerometers round its jumps alike
-    const Attempt a = attempt(task, beside, {c}, {std::vector<double>(c.terms.size(), 0.0)}, kTrialSteps);
+    Attempt a = attempt(task, beside, {c}, {std::vector<double>(c.terms.size(), 0.0)}, kTrialSteps);
+    if (!(a.error < 1)) a = attempt(task, beside, {c}, {one.value}, kTrialSteps, From::kMeasured);  // stuck on the way
     if (a.state.fit.ok && !a.rounds && a.z > kByChance && unseen_agrees(a)) tried.push_back(a);
   }
   return tried;
