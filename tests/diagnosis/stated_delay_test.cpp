@@ -19,10 +19,10 @@ TEST(StatedDelay, IsNoCauseOfADecay) {
       entry.name = draw.hidden[0].where.substr(std::string("channel ").size());
       entry.delay_us = 1e6 * draw.hidden[0].strength;
       rig.channels.push_back(entry);
-      EXPECT_NE(diagnosis::diagnose(draw.rig, draw.records, {}).verdict, diagnosis::Verdict::kNone)
-          << sensors << seed;
+      EXPECT_NE(diagnosis::diagnose(draw.rig, draw.records, {}).verdict, diagnosis::Verdict::kNone) << sensors << seed;
       const diagnosis::Diagnosis stated = diagnosis::diagnose(rig, draw.records, {});
-      EXPECT_EQ(stated.verdict, diagnosis::Verdict::kNone) << sensors << seed << entry.name << ": " << two_masses::said(stated);
+      EXPECT_EQ(stated.verdict, diagnosis::Verdict::kNone)
+          << sensors << seed << entry.name << ": " << two_masses::said(stated);
     }
 }
 
