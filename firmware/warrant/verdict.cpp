@@ -86,11 +86,6 @@ bool is_wrong_by(Scaled bend, const ParameterEstimate& parameter, int deviations
          bend * Scaled::from_int(kWrongShare) > abs(parameter.value);
 }
 
-// Its interval is wider than what makes it wrong: the record tells little of the place, and of a force that is missing there too.
-bool is_uncertain(const ParameterEstimate& parameter) {
-  return parameter.std * Scaled::from_int(kDoubtedDeviations * kWrongShare) > abs(parameter.value);
-}
-
 // What the score tests' own fit says of the value would make it wrong.
 bool fits_differ(const ScoreTest& test, int unknown, const ParameterEstimate& parameter) {
   const Scaled whole = abs(test.difference(unknown)), doubt = test.difference_doubt(unknown);
@@ -175,7 +170,7 @@ void give_verdict(const CoreConfiguration& configuration, const ScoreSums& sums,
       continue;
     }
     if (test.best() >= 0) raise(parameter, EstimateStatus::kModelSuspect);
-    if (is_wrong_by(is_uncertain(parameter) ? test.unlikely_bend(k) : test.possible_bend(k), parameter) ||
+    if (is_wrong_by(test.possible_bend(k), parameter) ||
         (derived && (fits_differ(test, k, parameter) || hardly_tested(test, k, parameter))) ||
         (twice_derived && blind(configuration, test, k)) || (estimates.inseparable && test.mimics(k)))
       raise(parameter, EstimateStatus::kUntested);

@@ -7,9 +7,8 @@
 // four deviations of the difference (Student's, few stretches may tell it), the half width of the interval and 1/40 of the value.
 // UNTESTED: what the record does not exclude would make the coefficient wrong, by over 4 of its deviations and over 1/20 of its
 // value: a force that is found near the limit of chance, and one deviation more; where one quantity of a DOF is measured, a force
-// that two deviations are found of, and what the score tests' own fit says of it. A coefficient that is not known to 5 % has a record
-// too short to find much: there too two deviations are enough. And where one law of a link is in doubt, another one is that such
-// a force puts beyond its interval and makes wrong.
+// that two deviations are found of, and what the score tests' own fit says of it. And where one law of a link is in doubt another one is
+// too that a force of two deviations puts beyond its interval and makes wrong.
 // One level, and the rate of a coefficient's link has one amplitude, as with one tone (mean of w^4 over the squared mean of w^2
 // below 1.56; 1.5 for one tone, 2.25 for two, 3 for a random band): other damping laws differ in their harmonics alone, and have
 // to be excluded with two deviations whatever is found of them. With displacements alone also where a damping law of the link

@@ -223,32 +223,40 @@ TEST(Warrant, AWideNumberDoesNotMakeItsNeighboursUntested) {
   EXPECT_GT(untested(true), 0);
 }
 
-// Half a second to two seconds with 5 % noise: what tells a Stribeck force from friction is hardly there, and the numbers are known
-// to a tenth or so. Beside a right model such numbers stay.
-TEST(Warrant, ShortNoisyRecordsDoNotWarrantBentFriction) {
-  int wrong = 0, right = 0, right_valid = 0;
-  for (uint64_t seed = 9200; seed < 9240; ++seed)
-    for (const char* hidden : {"stribeck", "none"}) {
-      Settings settings;
-      settings.condition = "random_5pct";
-      settings.hidden = hidden;
-      settings.rho_low = 0.3;
-      settings.masses = 1;
-      hidden_rig::Draw draw = hidden_rig::make_draw(seed, settings);
-      const size_t samples = 500 + 40 * static_cast<size_t>(seed - 9200);
-      for (host_sim::Channel& channel : draw.records.front().channels) channel.values.resize(samples);
-      const CoreRun run = run_core(draw);
-      const firmware::Estimates& estimates = run.core->estimates();
-      if (settings.hidden != "none") {
-        wrong += valid_and_wrong(draw, estimates) > 0;
-        continue;
-      }
-      for (int k = 0; k < estimates.unknown_count; ++k, ++right)
-        right_valid += estimates.parameters[k].status == EstimateStatus::kValid;
+// VALID coefficients that are over 5 % and 4 deviations off, of links of which another coefficient is in doubt.
+int wrong_beside_doubt(const hidden_rig::Draw& draw, const firmware::Estimates& estimates) {
+  const auto link_of = [](const std::string& name) { return name.substr(name.find('[')); };
+  int count = 0;
+  for (int i = 0; i < estimates.unknown_count; ++i)
+    for (int k = 0; k < estimates.unknown_count; ++k) {
+      const EstimateStatus doubted = estimates.parameters[i].status;
+      const firmware::ParameterEstimate& p = estimates.parameters[k];
+      const hidden_rig::TrueCoefficient& truth = draw.coefficients[static_cast<size_t>(k)];
+      if (doubted != EstimateStatus::kUntested && doubted != EstimateStatus::kBiasSuspect) continue;
+      if (p.status != EstimateStatus::kValid) continue;
+      if (link_of(draw.coefficients[static_cast<size_t>(i)].name) != link_of(truth.name)) continue;
+      const double off = std::abs(to_double(p.value) - truth.value);
+      count += off > 4 * to_double(p.std) && off > 0.05 * std::abs(truth.value);
     }
-  std::printf("VALID and wrong: %d of 40 records; right numbers VALID: %d of %d\n", wrong, right_valid, right);
-  EXPECT_LE(wrong, 4);  // one in ten; a third where only what is rare by chance counts as a doubt
-  EXPECT_GT(right_valid, right * 4 / 5);
+  return count;
+}
+
+// A Stribeck force bends damper and friction of its link. Where the record shows so little of it that one of the two is in doubt the
+// other is no better.
+TEST(Warrant, OneLawOfALinkIsNotVouchedForBesideAnotherOneInDoubt) {
+  struct Set {
+    const char* sensors;
+    const char* condition;
+  };
+  int records = 0, wrong = 0;
+  for (const Set& set : {Set{"xva", "random_5pct"}, Set{"xa", "rate_100Hz"}, Set{"x", "rate_100Hz"}})
+    for (uint64_t seed = 880000; seed < 880040; ++seed, ++records) {
+      Settings settings;
+      settings.hidden = "stribeck", settings.sensors = set.sensors, settings.condition = set.condition;
+      const hidden_rig::Draw draw = hidden_rig::make_draw(seed, settings);
+      wrong += wrong_beside_doubt(draw, run_core(draw).core->estimates()) > 0;
+    }
+  EXPECT_EQ(wrong, 0) << "of " << records << " records; 3 where each number was judged by itself";
 }
 
 uint32_t blocks(const CoreRun& run) {
