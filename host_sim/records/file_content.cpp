@@ -11,20 +11,12 @@
 #include "host_sim/records/data_file_error.hpp"
 
 namespace host_sim {
-namespace {
-
-constexpr off_t kReadAtOnce = off_t{1} << 26;  // bytes
-
-}  // namespace
 
 FileContent::FileContent(const std::string& path) {
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   struct stat status {};
   if (descriptor >= 0 && ::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode) && status.st_size > 0) {
-    // one request for all pages, in place of one for each that is touched
-    const int at_once = status.st_size <= kReadAtOnce ? MAP_POPULATE : 0;
-    void* const pages =
-        ::mmap(nullptr, static_cast<size_t>(status.st_size), PROT_READ, MAP_PRIVATE | at_once, descriptor, 0);
+    void* const pages = ::mmap(nullptr, static_cast<size_t>(status.st_size), PROT_READ, MAP_PRIVATE, descriptor, 0);
     if (pages != MAP_FAILED) {
       mapped_ = pages;
       text_ = std::string_view(static_cast<const char*>(pages), static_cast<size_t>(status.st_size));
