@@ -1,5 +1,5 @@
-#pragma once
 // What a probe of the score tests says of the rig: cause, place, which channel is off, size and deviation.
+#pragma once
 #include "firmware/warrant/score_test.hpp"
 
 namespace firmware {

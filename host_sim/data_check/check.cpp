@@ -4,6 +4,7 @@
 #include <future>
 #include <set>
 
+#include "hal/rig_file/channel_entry.hpp"
 #include "hal/rig_file/channel_name.hpp"
 #include "host_sim/data_check/clipping.hpp"
 #include "host_sim/data_check/data_check.hpp"
@@ -67,14 +68,11 @@ double velocity_step(const Record& record, const Channel& channel, const rig_fil
 
 // The converter's ends in SI, where the rig file knows them.
 std::pair<double, double> converter_limits(const Channel& channel, const rig_file::RigModel* model) {
-  if (model == nullptr) return {0.0, 0.0};
-  for (const rig_file::ChannelEntry& entry : model->channels)
-    if (entry.name == channel.name && entry.unit_per_code != 0.0 && entry.highest_code > entry.lowest_code) {
-      const double a = (entry.lowest_code - entry.offset_code) * entry.unit_per_code,
-                   b = (entry.highest_code - entry.offset_code) * entry.unit_per_code;
-      return {std::min(a, b), std::max(a, b)};
-    }
-  return {0.0, 0.0};
+  const rig_file::ChannelEntry* const entry = model == nullptr ? nullptr : rig_file::entry_of(*model, channel.name);
+  if (entry == nullptr || entry->unit_per_code == 0.0 || entry->highest_code <= entry->lowest_code) return {0.0, 0.0};
+  const double a = (entry->lowest_code - entry->offset_code) * entry->unit_per_code,
+               b = (entry->highest_code - entry->offset_code) * entry->unit_per_code;
+  return {std::min(a, b), std::max(a, b)};
 }
 
 // all: the statistics of every channel of the record.

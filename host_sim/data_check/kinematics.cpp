@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hal/rig_file/channel_entry.hpp"
 #include "host_sim/data_check/unit_factors.hpp"
 
 namespace host_sim::data_check {
@@ -141,13 +142,6 @@ std::optional<Blame> blame_unit(const Comparison& pair, bool rotating) {
   return std::nullopt;
 }
 
-double stated_delay_s(const rig_file::RigModel* model, const std::string& channel) {
-  if (model != nullptr)
-    for (const rig_file::ChannelEntry& entry : model->channels)
-      if (entry.name == channel) return 1e-6 * entry.delay_us;
-  return 0.0;
-}
-
 }  // namespace
 
 const std::vector<double>& Integrals::of(const Channel& channel, bool twice) {
@@ -201,6 +195,9 @@ std::vector<Finding> check_kinematics(const Record& record, int dof, bool rotati
       if (const auto pair = compare(*lower, *upper, record.sample_period_s, integrals)) pairs.push_back(*pair);
     }
   const auto name = [&](Quantity quantity) { return record.find(quantity, dof)->name; };
+  const auto stated_s = [&](Quantity quantity) {
+    return model == nullptr ? 0.0 : rig_file::stated_delay_s(*model, name(quantity));
+  };
   // With three channels the one that two pairs complain about; else the one that differentiates more.
   const auto count_bad = [&](Quantity quantity, auto is_bad) {
     return std::count_if(pairs.begin(), pairs.end(), [&](const Comparison& pair) {
@@ -244,8 +241,7 @@ std::vector<Finding> check_kinematics(const Record& record, int dof, bool rotati
                              : ": its unit or its calibration is wrong";
       add(std::move(finding));
     }
-    const double late_s =
-        pair.late_s - (stated_delay_s(model, name(pair.upper)) - stated_delay_s(model, name(pair.lower)));
+    const double late_s = pair.late_s - (stated_s(pair.upper) - stated_s(pair.lower));
     const double samples = late_s / record.sample_period_s;
     if (!pair.turned && pair.correlation > kGainCorrelation && std::abs(samples) > 0.1 && std::abs(samples) < 10.0 &&
         std::abs(late_s) > 5.0 * pair.late_std_s) {

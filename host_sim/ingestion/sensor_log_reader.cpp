@@ -38,8 +38,7 @@ void append(const firmware::RawSample& sample, const std::vector<LogChannel>& ch
   }
 }
 
-// A sample whose frames were not all received, where nobody asks for interpolation. A bridge of lost frames has its price: it is not
-// crossed unasked.
+// Throws where samples are lost and nobody asks for interpolation, or their numbers fall.
 void require_gap_that_can_be_filled(uint32_t before, uint32_t after, const ReadingOptions& options,
                                     const std::string& file, size_t line) {
   if (after > before && options.resample_Hz > 0.0) return;

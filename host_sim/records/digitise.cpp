@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hal/rig_file/channel_entry.hpp"
+
 namespace host_sim {
 namespace {
 
@@ -35,14 +37,9 @@ std::vector<rig_file::ChannelCalibration> calibrate(const std::vector<Record>& r
     rig_file::ChannelCalibration calibration;
     calibration.quantity = static_cast<firmware::Quantity>(channel.quantity);
     calibration.dof = channel.dof;
-    for (const rig_file::ChannelEntry& entry : model.channels) {
-      if (entry.name != channel.name) continue;
-      calibration.take(entry);
-    }
-    const bool given = std::any_of(model.channels.begin(), model.channels.end(), [&](const auto& entry) {
-      return entry.name == channel.name && entry.unit_per_code != 0.0;
-    });
-    if (!given) {
+    const rig_file::ChannelEntry* const entry = rig_file::entry_of(model, channel.name);
+    if (entry != nullptr) calibration.take(*entry);
+    if (entry == nullptr || entry->unit_per_code == 0.0) {
       calibration.unit_per_code = power_of_two_unit(largest(records, channel));
       calibration.offset_code = 0;
       calibration.lowest_code = -firmware::kLargestCode;

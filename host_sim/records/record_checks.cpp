@@ -55,6 +55,11 @@ std::string of_order(const std::vector<double>& time_s) {
               : "the rows are not in the order of time: sort them";
 }
 
+// What to do about times that fall, or were read as rows arrived; empty where they are neither.
+std::string of_disorder(const std::vector<double>& time_s) {
+  return std::is_sorted(time_s.begin(), time_s.end()) ? of_arrival(time_s) : "; " + of_order(time_s);
+}
+
 // What stands for the date in the times, as in seconds since 1970: it is said once, and the record starts at 0. Nought where the
 // times are a test's own.
 double take_clock(const std::vector<double>& time_s, Record& record) {
@@ -88,10 +93,7 @@ void set_time_base(const std::vector<double>& time_s, const std::function<size_t
     ++uneven;
   if (uneven < time_s.size() && !take_rounded_times(time_s, record)) {
     std::string remedy = usual > 0.0 ? fmt::format("; --resample {:.4g} interpolates", 1.0 / usual) : "";
-    if (!std::is_sorted(time_s.begin(), time_s.end()))
-      remedy = "; " + of_order(time_s);
-    else if (const std::string arrival = of_arrival(time_s); !arrival.empty())
-      remedy = arrival;
+    if (const std::string disorder = of_disorder(time_s); !disorder.empty()) remedy = disorder;
     throw DataFileError(record.file, line_of(uneven),
                         "t_s steps by " + seconds(time_s[uneven] - time_s[uneven - 1]) + ", expected a constant step" +
                             (usual > 0.0 ? " of " + seconds(usual) + " within 1 %" : " above 0") + remedy);
@@ -105,8 +107,7 @@ void set_time_base(const std::vector<double>& time_s, const std::function<size_t
 void keep_times(const std::vector<double>& time_s, const std::function<size_t(size_t)>& line_of, Record& record) {
   for (size_t i = 1; i < time_s.size(); ++i) {
     if (time_s[i] > time_s[i - 1]) continue;
-    const bool never_falls = std::is_sorted(time_s.begin(), time_s.end());
-    std::string remedy = never_falls ? of_arrival(time_s) : "; " + of_order(time_s);
+    std::string remedy = of_disorder(time_s);
     if (remedy.empty()) remedy = ": two rows have one time; leave one of them out";
     throw DataFileError(record.file, line_of(i),
                         "t_s steps by " + seconds(time_s[i] - time_s[i - 1]) + ", expected times that rise" + remedy);

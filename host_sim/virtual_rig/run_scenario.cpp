@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "firmware/conditioning/conditioning.hpp"
+#include "hal/rig_file/channel_entry.hpp"
 #include "hal/rig_file/compile_rig.hpp"
 #include "hal/rig_file/first_batches.hpp"
 #include "hal/rig_file/signal_plan.hpp"
@@ -57,8 +58,7 @@ Scenario with_room_for_filters(const Scenario& scenario) {
     calibrations.emplace_back();
     calibrations.back().quantity = static_cast<firmware::Quantity>(channel.quantity);
     calibrations.back().dof = channel.dof;
-    for (const rig_file::ChannelEntry& entry : scenario.rig.channels)
-      if (entry.name == channel.name) calibrations.back().delay_s = entry.delay_us * 1e-6;
+    calibrations.back().delay_s = rig_file::stated_delay_s(scenario.rig, channel.name);
   }
   const firmware::CoreConfiguration configuration =
       rig_file::compile_rig(scenario.rig, scenario.sample_period_s(), calibrations);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hal/rig_file/channel_entry.hpp"
 #include "hal/rig_file/signal_plan.hpp"
 #include "host_sim/plant/instruments/random_numbers.hpp"
 #include "host_sim/records/digitise.hpp"
@@ -37,8 +38,7 @@ size_t filter_margin(const host_sim::Scenario& scenario) {
     calibrations.emplace_back();
     calibrations.back().quantity = static_cast<firmware::Quantity>(channel.quantity);
     calibrations.back().dof = channel.dof;
-    for (const rig_file::ChannelEntry& entry : scenario.rig.channels)
-      if (entry.name == channel.name) calibrations.back().delay_s = entry.delay_us * 1e-6;
+    calibrations.back().delay_s = rig_file::stated_delay_s(scenario.rig, channel.name);
   }
   const firmware::CoreConfiguration configuration =
       rig_file::compile_rig(scenario.rig, scenario.sample_period_s(), calibrations);

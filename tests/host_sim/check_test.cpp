@@ -119,7 +119,6 @@ TEST_F(Check, FaultsEndEstimateAndDiagnoseWithTheirNames) {
   EXPECT_EQ(workspace_.entries().count("out.json"), 1u);
 }
 
-// The same record as another program would have written it gives the same numbers.
 TEST_F(Check, NoResultTakesTheRigFilesPlace) {
   const std::string rig = workspace_.read("rig.toml");
   const auto result = host_sim({"check", "--rig", "rig.toml", "--data", "m/level_1.csv", "--json", "./rig.toml"});
@@ -128,6 +127,7 @@ TEST_F(Check, NoResultTakesTheRigFilesPlace) {
   EXPECT_EQ(workspace_.read("rig.toml"), rig);
 }
 
+// The same record as another program would have written it gives the same numbers.
 TEST_F(Check, ARecordOfAnotherProgramGivesTheSameEstimate) {
   Rows table = rows("m/level_2.csv");
   write("bad.csv", table);

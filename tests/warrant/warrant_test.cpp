@@ -12,6 +12,7 @@ using firmware::EstimateStatus;
 using hidden_rig::Settings;
 using rig_file::to_double;
 using warrant_test::CoreRun;
+using warrant_test::is_valid_and_wrong;
 using warrant_test::run_core;
 using warrant_test::suspect;
 using warrant_test::valid_and_wrong;
@@ -223,21 +224,19 @@ TEST(Warrant, AWideNumberDoesNotMakeItsNeighboursUntested) {
   EXPECT_GT(untested(true), 0);
 }
 
-// VALID coefficients that are over 5 % and 4 deviations off, of links of which another coefficient is in doubt.
+// Coefficients that are VALID and wrong, of links of which another coefficient is in doubt.
 int wrong_beside_doubt(const hidden_rig::Draw& draw, const firmware::Estimates& estimates) {
-  const auto link_of = [](const std::string& name) { return name.substr(name.find('[')); };
+  const auto link_of = [&](int unknown) {
+    const std::string& name = draw.coefficients[static_cast<size_t>(unknown)].name;
+    return name.substr(name.find('['));
+  };
   int count = 0;
-  for (int i = 0; i < estimates.unknown_count; ++i)
-    for (int k = 0; k < estimates.unknown_count; ++k) {
-      const EstimateStatus doubted = estimates.parameters[i].status;
-      const firmware::ParameterEstimate& p = estimates.parameters[k];
-      const hidden_rig::TrueCoefficient& truth = draw.coefficients[static_cast<size_t>(k)];
-      if (doubted != EstimateStatus::kUntested && doubted != EstimateStatus::kBiasSuspect) continue;
-      if (p.status != EstimateStatus::kValid) continue;
-      if (link_of(draw.coefficients[static_cast<size_t>(i)].name) != link_of(truth.name)) continue;
-      const double off = std::abs(to_double(p.value) - truth.value);
-      count += off > 4 * to_double(p.std) && off > 0.05 * std::abs(truth.value);
-    }
+  for (int i = 0; i < estimates.unknown_count; ++i) {
+    const EstimateStatus status = estimates.parameters[i].status;
+    if (status != EstimateStatus::kUntested && status != EstimateStatus::kBiasSuspect) continue;
+    for (int k = 0; k < estimates.unknown_count; ++k)
+      count += link_of(k) == link_of(i) && is_valid_and_wrong(draw, estimates, k);
+  }
   return count;
 }
 

@@ -8,6 +8,7 @@
 #include "band.hpp"
 #include "between_samples.hpp"
 #include "guess.hpp"
+#include "hal/rig_file/channel_entry.hpp"
 #include "host_sim/records/value_step.hpp"
 #include "windowed_force.hpp"
 
@@ -58,10 +59,8 @@ Vec values_of(const host_sim::Channel& c) { return Vec::Map(c.values.data(), sta
 
 // A delay that the rig file states is no fault to be found.
 Vec in_time(const rig_file::RigModel& rig, const host_sim::Record& record, const host_sim::Channel& c) {
-  double late_us = 0;
-  for (const rig_file::ChannelEntry& entry : rig.channels)
-    if (entry.name == c.name) late_us = entry.delay_us;
-  return late_us == 0 ? values_of(c) : delayed(values_of(c), -1e-6 * late_us / record.sample_period_s);
+  const double late_s = rig_file::stated_delay_s(rig, c.name);
+  return late_s == 0 ? values_of(c) : delayed(values_of(c), -late_s / record.sample_period_s);
 }
 
 // What moves a shaft is lost in the spectra of its ends where they turn together.
@@ -157,6 +156,7 @@ Prepared prepare_by(const rig_file::RigModel& rig, const host_sim::Record& recor
       const Windowed f = massless(rig) ? Windowed{raw, {}, {}} : windowed(raw);
       const size_t d = static_cast<size_t>(c.dof - 1);
       p.force[d] = thinned(f.force, needs.by);
+      // as it was recorded: interpolation rounds the edges of a command
       p.noise_in_blows[d] = switches(values_of(c)) ? Vec::Zero(p.force[d].size()) : noise_in_blows(f, needs.by);
       continue;
     }

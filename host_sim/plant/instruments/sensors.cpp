@@ -4,6 +4,7 @@
 #include <cmath>
 #include <future>
 
+#include "hal/rig_file/channel_entry.hpp"
 #include "hal/rig_file/channel_name.hpp"
 #include "host_sim/plant/instruments/random_numbers.hpp"
 #include "host_sim/plant/instruments/shaker.hpp"
@@ -68,10 +69,8 @@ rig_file::ChannelCalibration calibrate_channel(const Scenario& scenario, const C
   int exponent = 0;  // 2^exponent codes >= headroom * largest
   std::frexp(largest > 0.0 ? largest * scenario.sensors.headroom / codes : 1.0, &exponent);
   calibration.unit_per_code = sensor.full_scale > 0.0 ? sensor.full_scale / codes : std::ldexp(1.0, exponent);
-  for (const rig_file::ChannelEntry& entry : scenario.rig.channels) {
-    if (entry.name != channel.name) continue;
-    calibration.take(entry);
-  }
+  if (const rig_file::ChannelEntry* const entry = rig_file::entry_of(scenario.rig, channel.name))
+    calibration.take(*entry);
   return calibration;
 }
 

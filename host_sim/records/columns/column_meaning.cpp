@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "hal/rig_file/channel_entry.hpp"
 #include "host_sim/records/columns/column_name.hpp"
 #include "host_sim/records/columns/plain_name.hpp"
 #include "host_sim/records/columns/units.hpp"
@@ -36,9 +37,8 @@ std::string chosen(const ReadingOptions::Choices& choices, const rig_file::RigMo
                    std::string rig_file::ChannelEntry::*field) {
   for (const auto& [name, text] : choices)
     if (full_name(name) == channel) return text;
-  for (const rig_file::ChannelEntry& entry : model.channels)
-    if (entry.name == channel) return entry.*field;
-  return "";
+  const rig_file::ChannelEntry* const entry = rig_file::entry_of(model, channel);
+  return entry == nullptr ? "" : entry->*field;
 }
 
 class Planner {
