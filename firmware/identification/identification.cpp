@@ -7,6 +7,7 @@
 #include "firmware/identification/open_scale.hpp"
 #include "firmware/identification/regressor_noise.hpp"
 #include "firmware/identification/skew.hpp"
+#include "firmware/identification/slow_motion.hpp"
 #include "firmware/identification/uncertainty.hpp"
 
 namespace firmware {
@@ -71,7 +72,7 @@ EstimateStatus judge(const IdentificationMemory& memory, const EquationList& lis
   const WeightedFit& fit = memory.fit;
   if (any_saturated(table)) return EstimateStatus::kSaturated;
   if (!is_excited(list, table, configuration, unknown)) return EstimateStatus::kNoExcitation;
-  if (not_told_apart(fit, list, table, estimates, unknown) ||
+  if (not_told_apart(fit, list, table, estimates, unknown) || filters_alone_move(table, configuration, unknown) ||
       is_undetermined(list, table, configuration, unknown, estimates))
     return EstimateStatus::kIllConditioned;
   if (skew_matters(list, table, configuration, unknown, estimates)) return EstimateStatus::kSkewed;

@@ -351,6 +351,31 @@ TEST_F(Estimate, AccelerationsTooShortForAWindowCannotAnswer) {
   EXPECT_TRUE(json("out.json")["mse_percent"][0].is_null());
 }
 
+// A decay of 0.2 s on an accelerometer of 200 steps, in a record of 8 s: the windows begin when it is over, and hold what the
+// integration's high-pass makes of a start that nobody knows. A damper of its time constant (0.16 s) times k would do the same: 130 N s/m
+// for 20.
+TEST_F(Estimate, ADecayThatIsOverBeforeTheWindowsIsNoMotion) {
+  constexpr double kMass_kg = 2.0, kStiffness_N_m = 800.0 * 16, kViscous_N_s_m = 20.0, kStep_m_s2 = 0.5;
+  const double d = kViscous_N_s_m / (2 * kMass_kg), w = std::sqrt(kStiffness_N_m / kMass_kg - d * d);
+  std::string text = "t_s,acceleration_1_m_s2\n";
+  for (int i = 0; i < 4000; ++i) {
+    const double t = i * 2e-3, e = 0.01 * std::exp(-d * t), x = e * std::cos(w * t),
+                 v = -e * (d * std::cos(w * t) + w * std::sin(w * t));
+    const double a = -(kStiffness_N_m * x + kViscous_N_s_m * v) / kMass_kg;
+    char row[64];
+    std::snprintf(row, sizeof row, "%.3f,%.6g\n", t, kStep_m_s2 * std::round(a / kStep_m_s2));
+    text += row;
+  }
+  workspace_.write("blow.csv", text);
+  workspace_.write("stiff.toml",
+                   "schema = \"rig/1\"\n[[dof]]\nmass_kg = 2.0\n[[link]]\nbetween = [1, 0]\nstiffness_N_m = 12800.0\n"
+                   "viscous_N_s_m = \"estimate\"\n");
+  const auto result = host_sim({"estimate", "--rig", "stiff.toml", "--data", "blow.csv", "--json", "out.json"});
+  EXPECT_EQ(result.status, 3);
+  EXPECT_NE(result.errors.find("integrated from rates"), std::string::npos) << result.errors;
+  EXPECT_EQ(json("out.json")["parameters"][0]["status"], "ILL_CONDITIONED");
+}
+
 TEST_F(Estimate, ARigThatDoesNotMoveCannotAnswer) {
   std::string text = "t_s,displacement_1_m,velocity_1_m_s\n";
   for (int i = 0; i < 2000; ++i) text += std::to_string(i * 1e-3) + ",0,0\n";

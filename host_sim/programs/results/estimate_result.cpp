@@ -21,11 +21,12 @@ double finite(firmware::Scaled value) {
   return std::isfinite(result) ? std::clamp(result, -kLargest, kLargest) : std::copysign(kLargest, result);
 }
 
-// Columns that differ well are hidden by noise, not by each other.
+// Columns that differ well are hidden by noise, not by each other. A link that does not move makes every condition large.
 constexpr double kWellConditioned = 10.0;
 
 bool hidden_by_noise(EstimateStatus status, const EstimateResult& result) {
-  return status == EstimateStatus::kIllConditioned && result.condition_number < kWellConditioned;
+  return status == EstimateStatus::kIllConditioned &&
+         (result.condition_number < kWellConditioned || !result.inseparable);
 }
 
 // Why a parameter has no answer; empty where it has one.
@@ -33,7 +34,7 @@ const char* reason(EstimateStatus status, const EstimateResult& result) {
   if (hidden_by_noise(status, result))
     return result.integrates
                ? "hidden by noise: a motion that is integrated from rates does not show what is slow, nor where "
-                 "friction changes its direction; measure the displacement as well"
+                 "friction changes its direction; measure the displacement as well (diagnose asks for less)"
                : "hidden by noise: the energies of these data scatter as much as they are; raise the level, "
                  "measure velocity or acceleration as well, or filter all channels alike and record slower";
   switch (status) {
@@ -95,6 +96,7 @@ EstimateResult result_of(const rig_file::RigModel& model, const firmware::Estima
   }
   result.residual_mean_abs = finite(estimates.residual_mean_abs);
   result.condition_number = finite(estimates.condition_number);
+  result.inseparable = estimates.inseparable;
   result.rows = estimates.rows;
   result.skews = skews_of(model, estimates, records);
   result.warrant = warrant_of(model, estimates.warrant);

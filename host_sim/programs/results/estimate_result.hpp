@@ -33,6 +33,7 @@ struct EstimateResult {
   double residual_mean_abs = 0.0;
   std::optional<double> paper_residual;
   double condition_number = 0.0;
+  bool inseparable = false;                        // the data cannot tell some of the parameters apart
   bool integrates = false;                         // a velocity or displacement is made from the rates of it alone
   std::vector<std::optional<double>> mse_percent;  // per DOF, Eq. 13; nothing where it cannot be had (see mse_note)
   std::vector<double> paper_mse_percent;
