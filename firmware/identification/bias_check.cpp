@@ -32,11 +32,13 @@ void add_equation(const EquationList& list, const LevelColumns& level, const Whi
 }
 
 // Sum over the batches of what each shifts the parameters by, and its variance by their scatter.
-void add_level(const EquationList& list, const NormalEquations& equations, int batches, BiasCheck& check) {
-  Scaled moment[kMaxUnknowns], shift[kMaxUnknowns], sum[kMaxUnknowns], squares[kMaxUnknowns];
+void add_level(const EquationList& list, WeightedFit& fit, int batches, BiasCheck& check) {
+  Scaled moment[kMaxUnknowns], shift[kMaxUnknowns], sum[kMaxUnknowns];
+  Scaled* const squares = fit.vector();
+  for (int k = 0; k < list.unknown_count; ++k) squares[k] = Scaled{};
   for (int b = 0; b < batches; ++b) {
     for (int k = 0; k < list.unknown_count; ++k) moment[k] = unpack(check.moment[b][k]);
-    equations.apply_covariance(moment, shift);
+    fit.equations().apply_covariance(moment, shift);
     for (int k = 0; k < list.unknown_count; ++k) {
       sum[k] += shift[k];
       squares[k] += shift[k] * shift[k];
@@ -69,7 +71,7 @@ void compare_with_plain(const EquationList& list, LevelColumns& level, int l, We
   for (int b = 0; b < batches; ++b, report_work(40 + 40 * list.unknown_count))
     for (int k = 0; k < list.unknown_count; ++k) result.moment[b][k] = PackedScaled{};
   for (int e = 0; e < list.count; ++e) add_equation(list, level, fit.whitening(l, e), e, fit, result);
-  add_level(list, fit.equations(), batches, result);
+  add_level(list, fit, batches, result);
 }
 
 void end_comparison(const EquationList& list, BiasCheck& result) {

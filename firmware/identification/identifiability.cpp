@@ -23,10 +23,10 @@ void start_vector(const NormalEquations& factor, Scaled* vector) {
         factor.determined(k) ? Scaled::from_int(1 + (k * 7) % 5) : Scaled{};  // not orthogonal to anything likely
 }
 
-// Largest singular value of R D^-1, D the column norms.
-Scaled largest_singular_value(const NormalEquations& factor, const Scaled* norm) {
+// Largest singular value of R D^-1, D the column norms, and its right singular vector.
+[[gnu::noinline]] Scaled largest_singular_value(const NormalEquations& factor, const Scaled* norm, Scaled* vector) {
   const int n = factor.unknowns();
-  Scaled vector[kMaxUnknowns], middle[kMaxUnknowns], inverse[kMaxUnknowns], square;
+  Scaled middle[kMaxUnknowns], inverse[kMaxUnknowns], square;
   for (int j = 0; j < n; ++j)
     if (!norm[j].is_zero()) inverse[j] = Scaled::from_int(1) / norm[j];
   start_vector(factor, vector);
@@ -48,7 +48,7 @@ Scaled largest_singular_value(const NormalEquations& factor, const Scaled* norm)
 }
 
 // Smallest singular value of R D^-1 and its right singular vector, by inverse iteration.
-Scaled smallest_singular_value(const NormalEquations& factor, const Scaled* norm, Scaled* vector) {
+[[gnu::noinline]] Scaled smallest_singular_value(const NormalEquations& factor, const Scaled* norm, Scaled* vector) {
   const int n = factor.unknowns();
   Scaled scaled[kMaxUnknowns], square;
   start_vector(factor, vector);
@@ -74,8 +74,8 @@ void judge_identifiability(NormalEquations& factor, const Scaled* parameters, Id
     all_determined = all_determined && factor.determined(k);
     result.inflation[k] = factor.determined(k) ? sqrt(factor.covariance(k, k)) * norm[k] : Scaled{};
   }
+  const Scaled largest = largest_singular_value(factor, norm, result.unresolved);
   const Scaled smallest = smallest_singular_value(factor, norm, result.unresolved);
-  const Scaled largest = largest_singular_value(factor, norm);
   result.condition_number = all_determined ? largest / smallest : Scaled::from_int(1, 40);
 
   Scaled top;

@@ -8,7 +8,6 @@
 #include "firmware/identification/regressor_noise.hpp"
 #include "firmware/identification/skew.hpp"
 #include "firmware/identification/slow_motion.hpp"
-#include "firmware/identification/uncertainty.hpp"
 
 namespace firmware {
 namespace {
@@ -100,14 +99,14 @@ void identify(const CoreConfiguration& configuration, const BatchTable& table, I
   ++estimates.window_counter;
   const EquationList list = list_equations(configuration, table);
   fit.solve(list, table);
-  UncertaintySums sums;
+  begin_uncertainty(memory.sums);
   begin_comparison(bias);
   for (int l = 0; l < table.level_count; ++l) {
     LevelColumns& level = fit.load_level(l);
-    add_uncertainty(list, level, l, fit, sums);
+    add_uncertainty(list, level, l, fit, memory.sums);
     compare_with_plain(list, level, l, fit, bias);
   }
-  report_uncertainty(list, fit, sums, estimates);
+  report_uncertainty(list, fit, memory.sums, estimates);
   add_noise_doubt(configuration, list, table, fit, estimates);
   take_out_regressor_noise(list, table, fit, estimates);
   end_comparison(list, bias);

@@ -4,6 +4,7 @@
 #include "firmware/energy/batch_table.hpp"
 #include "firmware/identification/bias_check.hpp"
 #include "firmware/identification/estimate.hpp"
+#include "firmware/identification/uncertainty.hpp"
 #include "firmware/identification/weighted_fit.hpp"
 
 namespace firmware {
@@ -12,6 +13,7 @@ namespace firmware {
 struct IdentificationMemory {
   WeightedFit fit;
   BiasCheck bias;
+  UncertaintySums sums;
 };
 
 bool any_batch(const BatchTable& table);

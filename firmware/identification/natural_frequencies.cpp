@@ -14,9 +14,11 @@ class SymmetricMatrix {
   Scaled entry_[kMaxDofs * (kMaxDofs + 1) / 2] = {};
 };
 
-bool assemble(const CoreConfiguration& configuration, const Estimates& estimates, SymmetricMatrix& matrix) {
+// mass: room for one of each DOF.
+bool assemble(const CoreConfiguration& configuration, const Estimates& estimates, Scaled* mass,
+              SymmetricMatrix& matrix) {
   const int n = configuration.dof_count;
-  Scaled mass[kMaxDofs];
+  for (int i = 0; i < n; ++i) mass[i] = Scaled{};
   for (int t = 0; t < configuration.term_count; ++t) {
     const Term& term = configuration.terms[t];
     const Scaled value = term.unknown < 0 ? term.value : estimates.parameters[term.unknown].value;
@@ -59,7 +61,7 @@ void rotate(SymmetricMatrix& matrix, int n, int p, int q) {
 
 bool natural_frequencies_Hz(const CoreConfiguration& configuration, const Estimates& estimates, Scaled* frequencies) {
   SymmetricMatrix matrix;
-  if (!assemble(configuration, estimates, matrix)) return false;
+  if (!assemble(configuration, estimates, frequencies, matrix)) return false;
   const int n = configuration.dof_count;
   for (int sweep = 0; sweep < kSweeps; ++sweep)
     for (int p = 0; p < n; ++p)

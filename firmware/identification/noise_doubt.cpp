@@ -38,8 +38,9 @@ Scaled counted_time(const BatchTable& table, const Batch& batch, int dof) {
 }
 
 // Adds what the rows of the level that is loaded give to the normal equations where their right-hand sides change so.
-void add_equation(const EquationList& list, const LevelColumns& level, const Whitening& whitening, int e,
-                  WeightedFit& fit, Scaled* moment) {
+// A frame of its own: the caller's vectors and its row stand on the stack at different times.
+[[gnu::noinline]] void add_equation(const EquationList& list, const LevelColumns& level, const Whitening& whitening,
+                                    int e, WeightedFit& fit, Scaled* moment) {
   if (whitening.deviation.is_zero()) return;
   const ReducedRows& rows = fit.reduce(whitening, e, false);
   const WholeColumn change = rows.residual();
@@ -59,12 +60,21 @@ void add_equation(const EquationList& list, const LevelColumns& level, const Whi
   for (int k = 0; k < list.unknown_count; ++k) moment[k] += row.column[k] * whitened;
 }
 
+// By what the doubtful right-hand sides shift: their moments are the fit's vector. The doubt is a bound: half of it is a deviation.
+[[gnu::noinline]] void widen_by(const EquationList& list, WeightedFit& fit, Estimates& estimates) {
+  Scaled shift[kMaxUnknowns];
+  fit.equations().apply_covariance(fit.vector(), shift);
+  for (int k = 0; k < list.unknown_count; ++k) widen(estimates.parameters[k], scale_by_power_of_two(shift[k], -1));
+}
+
 }  // namespace
 
 void add_noise_doubt(const CoreConfiguration& configuration, const EquationList& list, const BatchTable& table,
                      WeightedFit& fit, Estimates& estimates) {
   if (!kDerivesSignals || !any_doubt(configuration)) return;
-  Scaled power[kMaxEquations], moment[kMaxUnknowns], shift[kMaxUnknowns];
+  Scaled power[kMaxEquations];
+  Scaled* const moment = fit.vector();
+  for (int k = 0; k < list.unknown_count; ++k) moment[k] = Scaled{};
   for (int e = 0; e < list.count; ++e)
     power[e] =
         doubtful_power(configuration, list.equation[e].dof, static_cast<int>(list.equation[e].weight), estimates);
@@ -74,11 +84,7 @@ void add_noise_doubt(const CoreConfiguration& configuration, const EquationList&
         [&](const Batch& batch, int e) { return power[e] * counted_time(table, batch, list.equation[e].dof); });
     for (int e = 0; e < list.count; ++e) add_equation(list, level, fit.whitening(l, e), e, fit, moment);
   }
-  fit.equations().apply_covariance(moment, shift);
-  for (int k = 0; k < list.unknown_count; ++k) {
-    // The doubt is a bound: half of it is a deviation.
-    widen(estimates.parameters[k], scale_by_power_of_two(shift[k], -1));
-  }
+  widen_by(list, fit, estimates);
 }
 
 }  // namespace firmware

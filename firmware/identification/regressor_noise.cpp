@@ -22,8 +22,8 @@ void add_row(const EquationList& list, const Row& row, const Scaled* p, const Sc
     if (!row.column[k].is_zero()) variance[k] += row.column[k] * row.column[k] * noise;
 }
 
-void add_equation(const EquationList& list, const LevelColumns& level, const Whitening& whitening, int e,
-                  WeightedFit& fit, Scaled* variance) {
+[[gnu::noinline]] void add_equation(const EquationList& list, const LevelColumns& level, const Whitening& whitening,
+                                    int e, WeightedFit& fit, Scaled* variance) {
   if (whitening.deviation.is_zero()) return;
   Row row;
   if (level.periodic()) {
@@ -42,7 +42,9 @@ void add_equation(const EquationList& list, const LevelColumns& level, const Whi
 
 // The shift that is left of p + shift. It converges where what noise has added to the normal equations is less than what is there;
 // else the rows are noise, or what stands in their residuals is none. False: what a turn adds still grows.
-bool find_shift(const EquationList& list, const WeightedFit& fit, const Scaled* variance, Scaled* shift) {
+// This and add_equation() have frames of their own: their vectors stand on the stack at different times.
+[[gnu::noinline]] bool find_shift(const EquationList& list, const WeightedFit& fit, const Scaled* variance,
+                                  Scaled* shift) {
   Scaled added[kMaxUnknowns];
   bool grows = false;
   for (int turn = 0; turn < kTurns; ++turn) {
@@ -68,7 +70,9 @@ bool find_shift(const EquationList& list, const WeightedFit& fit, const Scaled* 
 void take_out_regressor_noise(const EquationList& list, const BatchTable& table, WeightedFit& fit,
                               Estimates& estimates) {
   if (kWeights < 3 || !list.displacement) return;
-  Scaled variance[kMaxUnknowns], shift[kMaxUnknowns];
+  Scaled shift[kMaxUnknowns];
+  Scaled* const variance = fit.vector();
+  for (int k = 0; k < list.unknown_count; ++k) variance[k] = Scaled{};
   for (int l = 0; l < table.level_count; ++l) {
     const LevelColumns& level = fit.load_level(l);
     for (int e = 0; e < list.count; ++e) add_equation(list, level, fit.whitening(l, e), e, fit, variance);

@@ -8,7 +8,6 @@ namespace {
 // Rounding of codes and interpolation inside a sample repeat with every cycle and do not show in any scatter: 1e-6 of the
 // value, the largest such error of the clean scenarios (docs/accuracy.md), is part of every deviation.
 constexpr int kRepeatedErrorLog2 = -20;
-constexpr int kLeastLevels = 3;  // that show a scatter of their own
 
 void add_share(const Scaled& part, const Scaled& freedom, int k, UncertaintySums& sums) {
   sums.variance[k] += part;
@@ -22,15 +21,18 @@ void add_relative(const Scaled& residual, const Scaled& right_side, UncertaintyS
   ++sums.relative_rows;
 }
 
-// A row's right-hand side is its residual and what the parameters explain.
-void add_level_row(const WeightedFit& fit, const Whitening& whitening, const Row& row, int unknowns,
-                   UncertaintySums& sums) {
+// Of a periodic level: one row, its right-hand side the residual; what the parameters explain comes to it. This and add_rows() have
+// frames of their own: their vectors stand on the stack at different times.
+[[gnu::noinline]] void add_level_row(const EquationList& list, const LevelColumns& level, const Whitening& whitening,
+                                     int e, const WeightedFit& fit, UncertaintySums& sums) {
+  Row row;
+  if (!whitened_level_row(list, level, whitening, e, row)) return;
   Scaled gain[kMaxUnknowns], right_side = row.rhs;
   const Scaled freedom = Scaled::from_int(whitening.freedom > 0 ? whitening.freedom : 1);
   fit.equations().apply_covariance(row.column, gain);
-  for (int k = 0; k < unknowns; ++k) {
+  for (int k = 0; k < list.unknown_count; ++k) {
     right_side += row.column[k] * fit.parameters()[k];
-    sums.pull[k] += gain[k] * row.rhs;
+    if (UncertaintySums::kPulls) sums.pull[k] += gain[k] * row.rhs;
     add_share(gain[k] * gain[k] * whitening.inflation, freedom, k, sums);
   }
   add_relative(row.rhs, right_side, sums);
@@ -39,17 +41,18 @@ void add_level_row(const WeightedFit& fit, const Whitening& whitening, const Row
 
 // The gain of parameter k: column k of the covariance times the rows. What the fit takes out of the residuals of these rows
 // is the trace of their hat matrix: so many degrees of freedom less have they, and so much larger is their variance.
-void add_rows(const WeightedFit& fit, const Whitening& whitening, ReducedRows& rows, int batches, int unknowns,
-              UncertaintySums& sums) {
+[[gnu::noinline]] void add_rows(WeightedFit& fit, const Whitening& whitening, ReducedRows& rows, int batches,
+                                int unknowns, UncertaintySums& sums) {
   const Scaled weight = Scaled::from_int(1) / (whitening.deviation * whitening.deviation);
-  Scaled factor[kMaxUnknowns], share[kMaxUnknowns], fitted;
+  Scaled factor[kMaxUnknowns], fitted;
+  Scaled* const share = fit.vector();
   for (int k = 0; k < unknowns; ++k) {
     for (int j = 0; j < rows.unknowns; ++j) factor[j] = fit.equations().covariance(k, rows.unknown[j]);
     const WholeColumn gain = rows.combine(factor, batches);
     share[k] = dot(gain, gain, batches) * weight;
     for (int j = 0; j < rows.unknowns; ++j)
       if (rows.unknown[j] == k) fitted += dot(gain, rows.column(j), batches) * weight;
-    sums.pull[k] += dot(gain, rows.residual(), batches) * weight;
+    if (UncertaintySums::kPulls) sums.pull[k] += dot(gain, rows.residual(), batches) * weight;
   }
   const Scaled before = Scaled::from_int(whitening.freedom > 0 ? whitening.freedom : 1), least = Scaled::from_int(1);
   const Scaled freedom = before < fitted + least ? least : before - fitted;
@@ -64,14 +67,11 @@ void add_rows(const WeightedFit& fit, const Whitening& whitening, ReducedRows& r
 }
 
 // Adds what one equation of one level contributes.
-// A frame of its own: its vectors and the sums of the caller together would be a third more than any other function has.
-[[gnu::noinline]] void add_equation(const EquationList& list, const LevelColumns& level, const Whitening& whitening,
-                                    int e, WeightedFit& fit, UncertaintySums& sums) {
+void add_equation(const EquationList& list, const LevelColumns& level, const Whitening& whitening, int e,
+                  WeightedFit& fit, UncertaintySums& sums) {
   if (whitening.deviation.is_zero()) return;
-  if (!level.periodic())
-    return add_rows(fit, whitening, fit.reduce(whitening, e, true), level.batch_count(), list.unknown_count, sums);
-  Row row;
-  if (whitened_level_row(list, level, whitening, e, row)) add_level_row(fit, whitening, row, list.unknown_count, sums);
+  if (level.periodic()) return add_level_row(list, level, whitening, e, fit, sums);
+  add_rows(fit, whitening, fit.reduce(whitening, e, true), level.batch_count(), list.unknown_count, sums);
 }
 
 // A fit that misses its own weights by far widens the intervals.
@@ -128,11 +128,21 @@ void add_scatter_between_levels(const EquationList& list, int levels, Uncertaint
 
 }  // namespace
 
+void begin_uncertainty(UncertaintySums& sums) {
+  for (int k = 0; k < kMaxUnknowns; ++k)
+    sums.variance[k] = sums.variance_per_freedom[k] = sums.variance_square_per_freedom[k] = Scaled{};
+  for (int k = 0; UncertaintySums::kPulls && k < kMaxUnknowns; ++k) sums.pull[k] = sums.pull_square[k] = Scaled{};
+  sums.relative_residuals = Scaled{};
+  sums.rows = sums.relative_rows = 0;
+  sums.levels = 0;
+  sums.periodic = true;
+}
+
 void add_uncertainty(const EquationList& list, const LevelColumns& level, int l, WeightedFit& fit,
                      UncertaintySums& sums) {
   sums.periodic = sums.periodic && level.periodic();
   for (int e = 0; e < list.count; ++e) add_equation(list, level, fit.whitening(l, e), e, fit, sums);
-  for (int k = 0; k < list.unknown_count; ++k) {
+  for (int k = 0; UncertaintySums::kPulls && k < list.unknown_count; ++k) {
     sums.pull_square[k] += sums.pull[k] * sums.pull[k];
     sums.pull[k] = Scaled{};
   }
@@ -140,7 +150,8 @@ void add_uncertainty(const EquationList& list, const LevelColumns& level, int l,
 }
 
 void report_uncertainty(const EquationList& list, const WeightedFit& fit, UncertaintySums& sums, Estimates& estimates) {
-  if (sums.levels >= kLeastLevels && !sums.periodic) add_scatter_between_levels(list, sums.levels, sums);
+  if (UncertaintySums::kPulls && sums.levels >= kLeastLevels && !sums.periodic)
+    add_scatter_between_levels(list, sums.levels, sums);
   report(list, fit, sums, variance_factor(list, fit, sums.rows), fit.all_measured(), estimates);
 }
 

@@ -5,14 +5,17 @@
 
 namespace firmware {
 
+constexpr int kLeastLevels = 3;  // that show a scatter of their own
+
 // Variance of p_k = sum over equations of (share of the equation in the covariance) * inflation; degrees of freedom
 // after Welch and Satterthwaite. The weights of the equations are themselves estimated from n degrees of freedom each: with
 // shares s of the variance it is 1 + 4 sum of s (1 - s) / n times as large (Meier, Biometrics 9, 1953). Where no scatter could be measured the residuals of the fit give the scale.
 struct UncertaintySums {
   Scaled variance[kMaxUnknowns];
   Scaled variance_per_freedom[kMaxUnknowns], variance_square_per_freedom[kMaxUnknowns];
-  // Of one level: what its residuals pull the parameter by, and the variance of that; over all levels: sum of pull squares.
-  Scaled pull[kMaxUnknowns], pull_square[kMaxUnknowns];
+  // Of one level: what its residuals pull the parameter by; over all levels: sum of pull squares. Fewer levels do not tell.
+  static constexpr bool kPulls = kMaxLevels >= kLeastLevels;
+  Scaled pull[kPulls ? kMaxUnknowns : 1], pull_square[kPulls ? kMaxUnknowns : 1];
   Scaled relative_residuals;
   uint32_t rows = 0;
   uint32_t relative_rows = 0;
@@ -20,6 +23,7 @@ struct UncertaintySums {
   bool periodic = true;
 };
 
+void begin_uncertainty(UncertaintySums& sums);
 // Adds the level l that the fit has loaded.
 void add_uncertainty(const EquationList& list, const LevelColumns& level, int l, WeightedFit& fit,
                      UncertaintySums& sums);

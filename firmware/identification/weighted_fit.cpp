@@ -62,9 +62,10 @@ Scaled WeightedFit::motion_of(int e) const {
 // Weights of the equations whose scatter the level shows.
 void WeightedFit::measure_level(int l) {
   for (int e = 0; e < list_->count; ++e) {
-    Whitening& whitening = whitening_[l][e] = measure_whitening(*list_, level_, e);
+    Scaled relative_noise_square;
+    Whitening& whitening = whitening_[l][e] = measure_whitening(*list_, level_, e, relative_noise_square);
     if (!whitening.measured) continue;
-    noise_sum_ += whitening.relative_noise_square;
+    noise_sum_ += relative_noise_square;
     ++noise_count_;
     const Scaled motion = motion_of(e);
     if (motion.is_zero()) continue;

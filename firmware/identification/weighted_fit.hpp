@@ -22,6 +22,8 @@ class WeightedFit {
   LevelColumns& load_level(int level, bool with_controls = true);
   // The equation's rows of the level that is loaded.
   ReducedRows& reduce(const Whitening& whitening, int e, bool with_controls);
+  // Room for one vector of the unknowns, of whoever works with the fit: on the stack it would be the largest part of a frame.
+  Scaled* vector() { return vector_; }
   // Root mean square over all equations of the noise of a row relative to its energy.
   Scaled relative_noise() const { return relative_noise_; }
   bool all_measured() const { return all_measured_; }
@@ -53,6 +55,7 @@ class WeightedFit {
   Identifiability identifiability_;
   LevelColumns level_;
   ReducedRows reduced_;
+  Scaled vector_[kMaxUnknowns];
 };
 
 }  // namespace firmware

@@ -70,7 +70,7 @@ Scaled regress(Scaled (*sums)[kSize], int predecessors, Scaled* coefficient) {
 
 }  // namespace
 
-Whitening measure_whitening(const EquationList& list, const LevelColumns& level, int e) {
+Whitening measure_whitening(const EquationList& list, const LevelColumns& level, int e, Scaled& relative_noise_square) {
   Whitening result;
   const int rows = level.rows_used(e);
   result.inflation = Scaled::from_int(1);
@@ -87,8 +87,7 @@ Whitening measure_whitening(const EquationList& list, const LevelColumns& level,
   const Scaled unreduced = sums[result.count][result.count];
   const Scaled energy = level.energy_square(e);
   // The energies of repeated batches add up, their noise only in squares.
-  if (!energy.is_zero())
-    result.relative_noise_square = unreduced / energy / Scaled::from_int(level.periodic() ? rows : 1);
+  if (!energy.is_zero()) relative_noise_square = unreduced / energy / Scaled::from_int(level.periodic() ? rows : 1);
   Scaled left = regress(sums, result.count, result.coefficient);
   if (left < level.rounding_square(e)) left = level.rounding_square(e);
   if (left.is_zero()) return result;

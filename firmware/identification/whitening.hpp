@@ -20,13 +20,13 @@ struct Whitening {
   uint8_t count = 0;
   uint8_t observable[kMaxPredecessors] = {};
   Scaled coefficient[kMaxPredecessors];
-  Scaled deviation;              // standard deviation of the reduced row; 0: the row is not used
-  int16_t freedom = 0;           // degrees of freedom of deviation
-  Scaled inflation;              // variance factor for regression coefficients that are themselves estimated
-  Scaled relative_noise_square;  // (deviation of one unreduced row / its energy)^2
+  Scaled deviation;     // standard deviation of the reduced row; 0: the row is not used
+  int16_t freedom = 0;  // degrees of freedom of deviation
+  Scaled inflation;     // variance factor for regression coefficients that are themselves estimated
 };
 
-Whitening measure_whitening(const EquationList& list, const LevelColumns& level, int e);
+// relative_noise_square: where it is measured, (deviation of one unreduced row / its energy)^2.
+Whitening measure_whitening(const EquationList& list, const LevelColumns& level, int e, Scaled& relative_noise_square);
 
 // Working memory: the reduced rows of one equation of a level, column by column, not yet divided by their deviation.
 struct ReducedRows {

@@ -221,7 +221,7 @@ void BlockMotion::fill_link(int l) {
 }
 
 void BlockMotion::fill_soft_sign(int l) {
-  const int64_t width = rate_noise_[l] + (rate_noise_[l] >> 2);
+  const int64_t noise = rate_noise_[l], width = noise + (noise >> 2);
   for (int n = 0; n < kBlockSamples; ++n) {
     const int64_t w = column_[kRateColumn + l][n];
     column_[kSoftSignColumn + l][n] = soft_sign(w, width, kSignFraction);

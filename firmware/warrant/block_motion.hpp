@@ -65,7 +65,7 @@ class BlockMotion {
   bool full() const { return filled_ == kProbeSamples; }
   void keep_tail();  // the block is done: its last samples are the lead of the next
   // Variance of a velocity's noise, for the width of soft signs: of the rate of a link, in Q26 of its range.
-  void set_rate_noise(int link, int64_t deviation_q26) { rate_noise_[link] = deviation_q26; }
+  void set_rate_noise(int link, int32_t deviation_q26) { rate_noise_[link] = deviation_q26; }
   // Of a full block, one after the other.
   void fill_neighbours();
   void fill_columns();
@@ -105,7 +105,7 @@ class BlockMotion {
   Scaled signal_unit_[kMaxNodes * kQuantities];
   NodeDifference elongation_[kMaxLinks], rate_[kMaxLinks], acceleration_[kMaxDofs], force_[kMaxDofs];
   bool derives_acceleration_[kMaxDofs] = {};  // from velocities, here
-  int64_t rate_noise_[kMaxLinks] = {};
+  int32_t rate_noise_[kMaxLinks] = {};
   uint8_t effect_of_term_[kMaxTerms] = {};
   int effects_ = 0;
   KnownForce known_;

@@ -146,7 +146,7 @@ class ScoreTest {
   // slope); at the level at hand g' column signs and the answers of the estimated terms' scores; C and b.
   const Probe* probe_ = nullptr;
   const Place* place_ = nullptr;
-  Scaled unit_[kMostProbeSums], noise_[2][kPlaceEquations + kMaxPlaceColumns];
+  Scaled unit_[kMostProbeSums], noise_[kKeepsProbeNoise ? 2 : 1][kPlaceEquations + kMaxPlaceColumns];
   Scaled column_weight_[kMaxPlaceColumns], answer_[kMaxPlaceColumns];
   Scaled share_[kMaxUnknowns], bend_[kMaxUnknowns], sum_own_;
   Combination<kMostProbeSums> score_sum_, column_sum_;
