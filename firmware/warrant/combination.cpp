@@ -1,4 +1,4 @@
-// Combinations of many stretches on a PC: eight side by side, where the processor has vectors of 256 bits.
+// Combinations of the sums of stretches. On a PC of many of them: eight side by side, where the processor has vectors of 256 bits.
 #include "firmware/warrant/combination.hpp"
 
 #ifdef FIRMWARE_IN_PLACE
@@ -70,6 +70,19 @@ int combine(const ShortScaled* coefficient, const uint16_t* value, int count, co
   const bool wide = __builtin_cpu_supports("avx2") != 0;
   for (; wide && from + 8 <= to; from += 8) combine_eight(coefficient, value, count, table, from, sums);
   return from;
+}
+
+}  // namespace firmware
+
+#else
+
+namespace firmware {
+
+Scaled combined(const ShortScaled* coefficient, const uint16_t* value, int count, const ScoreTable& table,
+                int stretch) {
+  report_work(100 + 50 * count);
+  return sum_in_two_passes(
+      count, [&](int i) { return coefficient[i]; }, [&](int i) { return table.number(stretch, value[i]); });
 }
 
 }  // namespace firmware

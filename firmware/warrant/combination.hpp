@@ -10,6 +10,9 @@ namespace firmware {
 // returns the first that is left, before `to`. The numbers are those of sum_of_products.
 int combine(const ShortScaled* coefficient, const uint16_t* value, int count, const ScoreTable& table, int from, int to,
             Scaled* sums);
+#else
+// Of one stretch: the sum of coefficient i times value i, i below count.
+Scaled combined(const ShortScaled* coefficient, const uint16_t* value, int count, const ScoreTable& table, int stretch);
 #endif
 
 template <int kMost>
@@ -25,9 +28,13 @@ class Combination {
     return long_scaled(coefficient_[i]) * table.value(stretch, value_[i]);
   }
   Scaled of(const ScoreTable& table, int stretch) const {
+#ifdef FIRMWARE_IN_PLACE
     report_work(100 + 50 * count_);
     return sum_of_products<kMost>(
         count_, [&](int i) { return coefficient_[i]; }, [&](int i) { return table.number(stretch, value_[i]); });
+#else
+    return combined(coefficient_, value_, count_, table, stretch);
+#endif
   }
   // Of the stretches [from, to), to sums[from] and on.
   void of_all(const ScoreTable& table, int from, int to, Scaled* sums) const {

@@ -145,8 +145,7 @@ Scaled ScoreTest::step_of(int unknown, Scaled* share) const {
   ShortScaled inverse[kMaxUnknowns];
   for (int j = 0; j < unknowns_; ++j) inverse[j] = short_scaled(inverse_[unknown][j]);
   for (int s = 0; s < stretches_; ++s, report_work(200 + 100 * unknowns_)) {
-    share[s] = sum_of_products<kMaxUnknowns>(
-        unknowns_, [&](int j) { return inverse[j]; }, [&](int j) { return base_score_[s][j]; });
+    share[s] = sum_of_arrays<kMaxUnknowns>(unknowns_, inverse, base_score_[s]);
     step += share[s];
   }
   return step;

@@ -149,8 +149,7 @@ void ScoreTest::score_level(int level) {
   score_sum_.of_all(table, from, to, psi_);
   column_sum_.of_all(table, from, to, d_);
   for (int s = from; s < to; ++s, report_work(600 + 100 * unknowns_)) {
-    const Scaled base = sum_of_products<kMaxUnknowns>(
-        unknowns_, [&](int k) { return share[k]; }, [&](int k) { return base_score_[s][k]; });
+    const Scaled base = sum_of_arrays<kMaxUnknowns>(unknowns_, share, base_score_[s]);
     if (probe_->drifts()) {
       const Scaled& since = left_[s];
       psi_[s] *= since;
