@@ -87,6 +87,30 @@ void fill_own_sign(const PlaceScale& scale, PlaceMotion& motion) {
   }
 }
 
+// The directions of the rate by the instrument, as instrument_force() takes them.
+void fill_direction(Form form, const int32_t* w, int64_t noise, int32_t* direction) {
+  const int64_t close = kReversalDeviations * noise;
+  const bool unknown = close > kMost || (form == Form::kSignNarrow && close > kNarrowRate);
+  const auto limit = static_cast<int32_t>(unknown ? kMost : close);
+  for (int n = 0; n < kBlockSamples; ++n) {
+    const int32_t way = w[n] < 0 ? -(1 << kSignBits) : 1 << kSignBits;
+    direction[n] = (w[n] < 0 ? -w[n] : w[n]) <= limit ? 0 : way;
+  }
+}
+
+// The law's force from the place's two quantities and the direction of its rate; zero where the sample is not used.
+void fill_law(Form form, const int32_t (&quantity)[2][kBlockSamples], const int32_t* sign, const int32_t* used,
+              int32_t* force) {
+  with_form(form, [&](auto known) {
+    constexpr Form kForm = decltype(known)::form;
+    if constexpr (!is_slope(kForm))
+      for (int n = 0; n < kBlockSamples; ++n) {
+        const int64_t direction = has_sign(kForm) ? sign[n] : 0;
+        force[n] = static_cast<int32_t>(force_law<kForm>(quantity[0][n], quantity[1][n], direction)) & used[n];
+      }
+  });
+}
+
 }  // namespace
 
 // |w| falls into the run, or rises out of it, near its own reversal: other links' runs are not its own rate's choice.
@@ -128,23 +152,18 @@ FIRMWARE_WIDER_VECTORS void fill_motion(const BlockMotion& block, const Place& p
 
 FIRMWARE_WIDER_VECTORS void fill_force(Form form, const PlaceScale& scale, const PlaceMotion& motion, int32_t* phi,
                                        int32_t* own) {
-  const int64_t noise = rate_noise(scale);
-  const int32_t* used = motion.used;
-  with_form(form, [&](auto known) {
-    constexpr Form kForm = decltype(known)::form;
-    constexpr int kSlopeOf = kForm == Form::kJerk ? 0 : 1;
+  if (is_slope(form)) {
+    const int q = form == Form::kJerk ? 0 : 1;
     for (int n = 0; n < kBlockSamples; ++n) {
-      if constexpr (is_slope(kForm)) {
-        phi[n] = motion.slope[kSlopeOf][n] & used[n];
-        own[n] = motion.own_slope[kSlopeOf][n] & used[n];
-      } else {
-        const int64_t u = motion.instrument[0][n], w = motion.instrument[1][n];
-        const int64_t sign = has_sign(kForm) ? motion.own_sign[n] : 0;
-        phi[n] = static_cast<int32_t>(instrument_force<kForm>(u, w, noise)) & used[n];
-        own[n] = static_cast<int32_t>(force_law<kForm>(motion.own[0][n], motion.own[1][n], sign)) & used[n];
-      }
+      phi[n] = motion.slope[q][n] & motion.used[n];
+      own[n] = motion.own_slope[q][n] & motion.used[n];
     }
-  });
+    return;
+  }
+  int32_t direction[kBlockSamples];
+  if (has_sign(form)) fill_direction(form, motion.instrument[1], rate_noise(scale), direction);
+  fill_law(form, motion.instrument, direction, motion.used, phi);
+  fill_law(form, motion.own, motion.own_sign, motion.used, own);
 }
 
 void sum_slopes(Form form, const PlaceScale& scale, const PlaceMotion& motion, bool edges, int64_t* first,
