@@ -71,6 +71,12 @@ class EnergySums {
 
   const CoreConfiguration* configuration_ = nullptr;
   int weights_ = 1;
+  // The small ones first: a short instruction reaches them.
+  uint32_t samples_ = 0, closed_samples_ = 0;
+  int converted_ = 0, closing_dof_ = 0, closing_weight_ = 0;  // what is done of the batch that is closed
+  bool any_crossings_ = false, any_shared_noise_ = false;
+  bool started_ = false;
+  Scaled kinetic_end_, elastic_end_;  // of the DOF that is being closed
   EquationPlan plan_;
   Effects effects_;
   RowLayout layout_;
@@ -94,14 +100,9 @@ class EnergySums {
   Scaled integral_unit_[kMaxProducts];  // of one twenty-fourth of a product sum
   EndPoint start_;
   EndPoint closed_start_, closed_end_;
-  uint32_t samples_ = 0, closed_samples_ = 0;
-  // Of them, in equations that leave samples out; where nothing is derived no noise is shared that it would matter for.
+  // Of the samples, in equations that leave samples out; where nothing is derived no noise is shared that it would matter for.
   static constexpr int kCounted = kDerivesSignals ? kMaxDofs : 1;
   uint32_t counted_[kCounted] = {}, closed_counted_[kCounted] = {};
-  int converted_ = 0, closing_dof_ = 0, closing_weight_ = 0;  // what is done of the batch that is closed
-  Scaled kinetic_end_, elastic_end_;                          // of the DOF that is being closed
-  bool any_crossings_ = false, any_shared_noise_ = false;
-  bool started_ = false;
 };
 
 }  // namespace firmware

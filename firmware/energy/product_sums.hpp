@@ -67,9 +67,9 @@ class ProductSums {
   }
   void add_whole_block(const Frame& frame, int from);
 
-  Product product_[kMaxProducts];
   int product_count_ = 0;
   bool complete_ = true;
+  Product product_[kMaxProducts];
 #if FIRMWARE_HAS_VECTORS
   uint16_t rank_a_[kMaxProducts], rank_b_[kMaxProducts];  // the columns' places in column_
   uint16_t column_[kMaxColumns];                          // columns in use

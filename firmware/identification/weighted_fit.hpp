@@ -25,7 +25,7 @@ class WeightedFit {
   // Room for one vector of the unknowns, of whoever works with the fit: on the stack it would be the largest part of a frame.
   Scaled* vector() { return vector_; }
   // Root mean square over all equations of the noise of a row relative to its energy.
-  Scaled relative_noise() const { return relative_noise_; }
+  const Scaled& relative_noise() const { return relative_noise_; }
   bool all_measured() const { return all_measured_; }
 
  private:
@@ -41,16 +41,16 @@ class WeightedFit {
 
   const EquationList* list_ = nullptr;
   const BatchTable* table_ = nullptr;
+  Scaled relative_noise_, noise_sum_;
+  int noise_count_ = 0;
+  bool all_measured_ = false;
+  bool new_equations_ = true;  // else the right-hand sides alone are new
   Scaled parameters_[kMaxUnknowns];
   // Deviation of a row per (integral of v^2), for levels without own scatter; of a pass: sum of their squares, and how
   // many.
   Scaled relative_deviation_[kMaxEquations], deviation_sum_[kMaxEquations];
   int deviation_count_[kMaxEquations];
   Whitening whitening_[kMaxLevels][kMaxEquations];
-  Scaled relative_noise_, noise_sum_;
-  int noise_count_ = 0;
-  bool all_measured_ = false;
-  bool new_equations_ = true;  // else the right-hand sides alone are new
   NormalEquations equations_;
   Identifiability identifiability_;
   LevelColumns level_;

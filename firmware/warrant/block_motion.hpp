@@ -84,7 +84,7 @@ class BlockMotion {
   bool derives_acceleration(int dof) const { return derives_acceleration_[dof]; }
 
   const int32_t* column(int number) const { return column_[number]; }
-  Scaled column_unit(int number) const { return unit_[number]; }
+  const Scaled& column_unit(int number) const { return unit_[number]; }
   int column_of(const Term& term, int number) const;  // term: the number-th of the configuration
   const KnownForce& known() const { return known_; }
 
@@ -101,13 +101,14 @@ class BlockMotion {
   void fill_slope_rest(Slope slope, int dof);
 
   const CoreConfiguration* configuration_ = nullptr;
+  int effects_ = 0;
+  int filled_ = 0;
   ClearSigns signs_;
   Scaled signal_unit_[kMaxNodes * kQuantities];
   NodeDifference elongation_[kMaxLinks], rate_[kMaxLinks], acceleration_[kMaxDofs], force_[kMaxDofs];
   bool derives_acceleration_[kMaxDofs] = {};  // from velocities, here
   int32_t rate_noise_[kMaxLinks] = {};
   uint8_t effect_of_term_[kMaxTerms] = {};
-  int effects_ = 0;
   KnownForce known_;
   struct SlopeUnit {
     NodeDifference steeper;  // the quantity that is the other's slope
@@ -115,7 +116,6 @@ class BlockMotion {
     int8_t shift = 0;
   };
   SlopeUnit slope_[kSlopes][kMaxDofs];
-  int filled_ = 0;
   alignas(16) int32_t signal_[kMaxNodes * kQuantities][kProbeSamples];
   alignas(16) int32_t near_[kMaxNodes * kQuantities][kBlockSamples];
   alignas(16) int32_t force_law_[kMaxEffectColumns][kProbeSamples];

@@ -50,7 +50,18 @@ class ScoreSums {
   void work_on(const Probe& probe);
   void end_block();
 
+  // The small ones first: a short instruction reaches them.
   const CoreConfiguration* configuration_ = nullptr;
+  uint8_t scale_blocks_ = 0;
+  bool busy_ = false;
+  int16_t next_ = 0;  // in order_
+  int motion_place_ = -1;
+  uint32_t credit_ = 0;             // products that may be done
+  uint32_t needed_ = 0;             // for the next probe, with what its block took before it
+  uint32_t skip_ = 0, random_ = 1;  // blocks to leave out
+  uint64_t offered_ = 0;
+  uint32_t time_ = 0, block_time_ = 0;  // samples since the level's start
+  ProbeBudget budget_;
   ProbePlan plan_;
   uint16_t order_[kMaxProbes];  // by place
   uint8_t unknown_column_[kMaxUnknowns];
@@ -60,17 +71,7 @@ class ScoreSums {
   PlaceScale scale_[kMaxPlaces];
   int64_t square_[kMaxPlaces][2];    // of the smoothed quantities, Q20 of the range, over scale_blocks_
   int64_t noise_square_[kMaxNodes];  // of (6 v - instrument), codes
-  uint8_t scale_blocks_ = 0;
-  bool busy_ = false;
-  int16_t next_ = 0;  // in order_
-  int motion_place_ = -1;
   PlaceMotion motion_;
-  ProbeBudget budget_;
-  uint32_t credit_ = 0;             // products that may be done
-  uint32_t needed_ = 0;             // for the next probe, with what its block took before it
-  uint32_t skip_ = 0, random_ = 1;  // blocks to leave out
-  uint64_t offered_ = 0;
-  uint32_t time_ = 0, block_time_ = 0;  // samples since the level's start
 };
 
 }  // namespace firmware

@@ -78,23 +78,23 @@ class ScoreTable {
 
   const ProbePlan* plan_ = nullptr;
   const PlaceScale* scale_ = nullptr;
+  // The small ones first: a short instruction reaches them.
   int values_ = 0, room_ = 0, count_ = 0, level_ = 0;
   bool open_ = false;     // the last stretch is of this level and not yet full
   uint32_t length_ = 1;   // blocks of a stretch
   uint32_t pending_ = 0;  // blocks in the exact sums
   uint64_t pending_time_ = 0;
-  int64_t current_[kMostProbeValues];
-  Stretch stretch_[kMostStretches];
-  int32_t mantissa_[kWarrantNumbers];
-  int8_t exponent_[kWarrantNumbers];
-
   // A merge: stretch_ and count_ are those of the merged table from its beginning, its numbers only at its end.
   bool merging_ = false;
   int numbers_per_sample_ = 0;
   int rows_ = 0, row_ = 0, next_value_ = 0;  // rows to merge, the one at hand, and how far it is
+  bool held_in_new_row_ = false;             // held_ opens the stretch after them, else it goes on with the last one
+
   Row merged_[kMostStretches];
-  bool held_in_new_row_ = false;  // held_ opens the stretch after them, else it goes on with the last one
-  int64_t held_[kMostProbeValues];
+  Stretch stretch_[kMostStretches];
+  int64_t current_[kMostProbeValues], held_[kMostProbeValues];
+  int32_t mantissa_[kWarrantNumbers];
+  int8_t exponent_[kWarrantNumbers];
 };
 
 }  // namespace firmware

@@ -33,7 +33,7 @@ enum class Chance : uint8_t {
   kBearsOut,      // 3e-3: for a force that other reasons make likely
   kOfOneQuantity  // 5e-2
 };
-int tenths_of_limit(Scaled freedom, Chance chance);
+int tenths_of_limit(const Scaled& freedom, Chance chance);
 // All that is known of some DOF's velocity comes from this one quantity; of kVelocity: and of the rest of its motion.
 bool one_quantity(const CoreConfiguration& configuration, Quantity which);
 
@@ -69,19 +69,21 @@ class ScoreTest {
   Scaled force_ratio(int probe) const;
   // How far a force that the record does not exclude may bend the unknown, at the most: what is found of it, and its deviation,
   // where it is near the limit of chance, or would be had all samples been looked at (score_naming.cpp).
-  Scaled possible_bend(int unknown) const { return possible_bend_[unknown]; }
+  const Scaled& possible_bend(int unknown) const { return possible_bend_[unknown]; }
   // The same from two deviations of a force on, which chance makes of one in 20: for what is in doubt already.
-  Scaled unlikely_bend(int unknown) const { return unlikely_bend_[unknown]; }
+  const Scaled& unlikely_bend(int unknown) const { return unlikely_bend_[unknown]; }
   // How far a damping law of another power at the unknown's own link may bend it: what is found of it, and two deviations.
-  Scaled bend_of_shape(int unknown) const { return bend_of_shape_[unknown]; }
+  const Scaled& bend_of_shape(int unknown) const { return bend_of_shape_[unknown]; }
   // The record cannot tell a damping law of the link from its estimated coefficients.
   bool blind(int link) const { return blind_[link]; }
   // A damper where the rig file has no link at all would not show, and the unknown would hold over a quarter of it.
   bool mimics(int unknown) const { return mimics_[unknown]; }
   // What the instrument of the score tests says of an unknown, less the estimate; 0 where it cannot say.
-  Scaled difference(int unknown) const { return difference_[unknown]; }
-  Scaled difference_std(int unknown) const { return difference_std_[unknown]; }
-  Scaled difference_doubt(int unknown) const { return difference_doubt_[unknown]; }  // from noise of a doubtful size
+  const Scaled& difference(int unknown) const { return difference_[unknown]; }
+  const Scaled& difference_std(int unknown) const { return difference_std_[unknown]; }
+  const Scaled& difference_doubt(int unknown) const {
+    return difference_doubt_[unknown];
+  }  // from noise of a doubtful size
   // Deviations that the difference of a right rig exceeds once in 16,000 cases: more than four where few stretches tell it.
   Scaled difference_limit(int unknown) const { return Scaled::ratio(difference_tenths_[unknown], 10); }
 
@@ -130,10 +132,16 @@ class ScoreTest {
   Scaled damping_square(int place) const;
   Scaled terms_square(int place, bool own) const;
 
+  // The small ones first: a short instruction reaches them.
   const CoreConfiguration* configuration_ = nullptr;
   const ScoreSums* sums_ = nullptr;
-  Scaled parameter_[kMaxUnknowns];
+  const Probe* probe_ = nullptr;  // at hand
+  const Place* place_ = nullptr;  // its own
   int unknowns_ = 0, stretches_ = 0, levels_ = 0;
+  int best_ = -1, rival_ = -1;
+  Scaled samples_;    // looked at
+  Scaled seen_root_;  // root of their share of all
+  Scaled parameter_[kMaxUnknowns];
   uint8_t level_of_[kMostStretches];
   uint16_t level_begin_[kMaxLevels + 1];  // stretches of a level stand together
   uint8_t place_of_unknown_[kMaxUnknowns];
@@ -144,8 +152,6 @@ class ScoreTest {
   Scaled base_doubt_[kMaxUnknowns];  // of the sum of its scores
   // The probe at hand: SI units of its sums; what of a sum's noise stands in one of an equation or column (SI, per sum of a
   // slope); at the level at hand g' column signs and the answers of the estimated terms' scores; C and b.
-  const Probe* probe_ = nullptr;
-  const Place* place_ = nullptr;
   Scaled unit_[kMostProbeSums], noise_[kKeepsProbeNoise ? 2 : 1][kPlaceEquations + kMaxPlaceColumns];
   Scaled column_weight_[kMaxPlaceColumns], answer_[kMaxPlaceColumns];
   Scaled share_[kMaxUnknowns], bend_[kMaxUnknowns], sum_own_;
@@ -160,9 +166,6 @@ class ScoreTest {
   Scaled possible_bend_[kMaxUnknowns], unlikely_bend_[kMaxUnknowns], bend_of_shape_[kMaxUnknowns];
   bool blind_[kMaxLinks];
   bool mimics_[kMaxUnknowns];
-  Scaled samples_;    // looked at
-  Scaled seen_root_;  // root of their share of all
-  int best_ = -1, rival_ = -1;
 };
 
 }  // namespace firmware
