@@ -18,7 +18,7 @@ bool needs_filters(const CoreConfiguration& configuration) {
   for (const auto& node : configuration.signals)
     for (const SignalConfiguration& signal : node)
       if (signal.available && (signal.half_length > 0 || signal.tap[0].raw != 0)) return true;
-  return configuration.filters_sign();
+  return configuration.asks_for_filtered_sign();
 }
 
 ClearSigns clear_signs(const CoreConfiguration& configuration, const EnergySums& sums) {
@@ -46,7 +46,7 @@ void EstimatorCore::reset() {
   corrections_.clear();
   conditioning_.shift_nothing();
   forget_levels();
-  estimates_ = Estimates{};
+  firmware::clear(estimates_);
   estimates_.unknown_count = configuration_.unknown_count;
   health_ = CoreHealth{};
   sequence_known_ = false;

@@ -11,7 +11,7 @@ constexpr int32_t kLimit = 1 << 23;
 
 }  // namespace
 
-ShiftTaps shift_taps(Scaled late_samples, Scaled gain) {
+ShiftTaps shift_taps(const Scaled& late_samples, const Scaled& gain) {
   FIRMWARE_PRECONDITION(abs(late_samples) <= Scaled::from_int(kShiftReach - kBefore) && !gain.is_zero());
   ShiftTaps taps;
   const int64_t late = to_fixed(late_samples, kFractionBits);

@@ -24,7 +24,7 @@ struct ShiftTaps {
 };
 
 // What reads a channel late_samples later (-3 to below 3: a late channel's future) and divides it by gain (0.8 to 1.25).
-ShiftTaps shift_taps(Scaled late_samples, Scaled gain);
+ShiftTaps shift_taps(const Scaled& late_samples, const Scaled& gain);
 
 #if FIRMWARE_WARRANT_NUMBERS > 0
 

@@ -140,7 +140,10 @@ struct CoreConfiguration {
   // Where every signal passes a low-pass, the sign of friction passes it too: taps, oldest first. 0: it passes none.
   uint8_t sign_half_length = 0;
   PassedSign sign_tap[2 * kSignFilterHalf + 1];
-  bool filters_sign() const { return high_pass_order > 0 || sign_half_length > 0; }
+  bool asks_for_filtered_sign() const { return high_pass_order > 0 || sign_half_length > 0; }
+  // These never where no channel is derived: such a core refuses what asks for it.
+  bool filters_sign() const { return kDerivesSignals && asks_for_filtered_sign(); }
+  bool fuses(int node) const { return kDerivesSignals && fusion[node].used; }
   WindowConfiguration window;
   // What the score tests (firmware/warrant) may cost: products of two numbers a sample; 0: no tests.
   uint16_t probe_products_per_sample = kDefaultProbes;

@@ -30,7 +30,7 @@ Scaled cycle_frequency_Hz(const CoreConfiguration& configuration) {
 }
 
 // How far two frequencies are apart, as the ratio of the larger to the smaller.
-Scaled distance(Scaled a, Scaled b) { return a > b ? a / b : b / a; }
+Scaled distance(const Scaled& a, const Scaled& b) { return a > b ? a / b : b / a; }
 
 // The natural frequency nearest to those excited but at least a quarter away from each: another mode shape moves the
 // links in other proportions, and a resonance moves them strongly. Without one: half the lowest excited frequency.

@@ -55,7 +55,7 @@ struct ParameterEstimate {
 };
 
 // An error that no scatter shows, as a further standard deviation.
-inline void widen(ParameterEstimate& parameter, Scaled deviation) {
+inline void widen(ParameterEstimate& parameter, const Scaled& deviation) {
   if (parameter.std.is_zero()) return;
   const Scaled wider = sqrt(parameter.std * parameter.std + deviation * deviation);
   const Scaled half = scale_by_power_of_two(parameter.ci95_high - parameter.ci95_low, -1) * wider / parameter.std;
@@ -119,5 +119,9 @@ struct Estimates {
   SkewEstimate acceleration_skew[kMaxDofs];
   Warrant warrant;
 };
+
+// To what they are before anything is known: every status STALE.
+void clear(Warrant& warrant);
+void clear(Estimates& estimates);
 
 }  // namespace firmware

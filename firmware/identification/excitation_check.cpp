@@ -59,7 +59,7 @@ bool adds_up(const EquationList& list, const BatchTable& table, const Term& term
   return false;
 }
 
-bool reaches_beyond(const ParameterEstimate& parameter, Scaled per_unit, Scaled all) {
+bool reaches_beyond(const ParameterEstimate& parameter, const Scaled& per_unit, const Scaled& all) {
   return scale_by_power_of_two(parameter.ci95_high - parameter.ci95_low, -1) * per_unit > all;
 }
 

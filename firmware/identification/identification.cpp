@@ -92,7 +92,7 @@ void identify(const CoreConfiguration& configuration, const BatchTable& table, I
   WeightedFit& fit = memory.fit;
   BiasCheck& bias = memory.bias;
   const uint32_t windows = estimates.window_counter;
-  estimates = Estimates{};
+  clear(estimates);
   estimates.unknown_count = configuration.unknown_count;
   estimates.window_counter = windows;
   if (!any_batch(table)) return;  // every status stays STALE

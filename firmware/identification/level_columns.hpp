@@ -63,21 +63,21 @@ class LevelColumns {
   int unknown_of(int n) const { return layout_->unknown[n]; }
 
   // Sum of squares of all energies of the equation's rows.
-  Scaled energy_square(int e) const { return energy_square_[e]; }
+  const Scaled& energy_square(int e) const { return energy_square_[e]; }
   // Sums of squares up to this are rounding, not scatter: (2^-35 of the energy)^2.
   Scaled rounding_square(int e) const { return scale_by_power_of_two(energy_square_[e], -70); }
   bool scatters(int e) const { return scatters_[e]; }  // the residuals do, beyond rounding
   // Measured, and its mean is zero as far as its scatter can tell.
   bool control_valid(int c) const { return valid_[c]; }
   // Of the level's own two end points, left out of the control's column.
-  Scaled end_variance(int c) const { return end_variance_[c]; }
+  const Scaled& end_variance(int c) const { return end_variance_[c]; }
 
   // Periodic levels: sums over the batches. row: of all terms, its right-hand side the residual.
-  Scaled total(int observable) const { return total_[observable]; }
+  const Scaled& total(int observable) const { return total_[observable]; }
   void level_row(int e, Row& row) const;
 
-  Scaled motion_mean(int dof) const { return motion_mean_[dof]; }  // mean over batches of V = integral of v^2
-  Scaled motion_total(int dof) const { return motion_total_[dof]; }
+  const Scaled& motion_mean(int dof) const { return motion_mean_[dof]; }  // mean over batches of V = integral of v^2
+  const Scaled& motion_total(int dof) const { return motion_total_[dof]; }
   // Integral of the equation's weight squared in proportion to that of v^2, over the level; 1 for velocity rows.
   Scaled weight_share(int e) const;
 

@@ -60,7 +60,7 @@ void clear_row(int unknowns, Row& row) {
   row.rhs = Scaled{};
 }
 
-void add_batch_row(const RowLayout& layout, const Batch& batch, Equation equation, Scaled factor, Row& row) {
+void add_batch_row(const RowLayout& layout, const Batch& batch, Equation equation, const Scaled& factor, Row& row) {
   const int q = static_cast<int>(equation.weight);
   for (int n = layout.first[equation.dof]; n < layout.first[equation.dof + 1]; ++n) {
     Scaled& column = row.column[layout.unknown[n]];

@@ -36,7 +36,7 @@ EquationList list_equations(const CoreConfiguration& configuration, const BatchT
 
 void clear_row(int unknowns, Row& row);
 // row += factor * the equation's row of one batch.
-void add_batch_row(const RowLayout& layout, const Batch& batch, Equation equation, Scaled factor, Row& row);
+void add_batch_row(const RowLayout& layout, const Batch& batch, Equation equation, const Scaled& factor, Row& row);
 // rhs - sum of column * p of one batch.
 Scaled batch_residual(const RowLayout& layout, const Batch& batch, Equation equation, const Scaled* parameters);
 // Integral of x^2 over that of v^2, over all batches of the levels; 1 where either is zero.

@@ -22,7 +22,7 @@ Sample read(const BatchDof& dof, int weight, bool acceleration) {
 }
 
 // Sum of squares of discrepancy - tau * energy over the batches, with or without the end points, about its mean.
-Scaled scatter(const Level& level, int dof, int weight, bool acceleration, Scaled tau, bool ends) {
+Scaled scatter(const Level& level, int dof, int weight, bool acceleration, const Scaled& tau, bool ends) {
   Scaled sum, squares;
   for (int b = 0; b < level.batch_count; ++b) {
     const Sample sample = read(level.batch[b].dof[dof], weight, acceleration);

@@ -10,7 +10,7 @@ Scaled table(int freedom) { return Scaled::ratio(kTable_1e4[freedom - 1], 10000)
 
 }  // namespace
 
-Scaled student_quantile_95(Scaled freedom) {
+Scaled student_quantile_95(const Scaled& freedom) {
   if (freedom <= Scaled::from_int(1)) return table(1);
   if (freedom < Scaled::from_int(kTableSize)) {
     int below = 1;

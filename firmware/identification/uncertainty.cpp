@@ -85,8 +85,8 @@ Scaled variance_factor(const EquationList& list, const WeightedFit& fit, uint32_
   return misfit > limit ? misfit : Scaled::from_int(1);
 }
 
-void report(const EquationList& list, const WeightedFit& fit, const UncertaintySums& sums, Scaled factor, bool measured,
-            Estimates& estimates) {
+void report(const EquationList& list, const WeightedFit& fit, const UncertaintySums& sums, const Scaled& factor,
+            bool measured, Estimates& estimates) {
   const int spare = static_cast<int>(sums.rows) - list.unknown_count;
   for (int k = 0; k < list.unknown_count; ++k) {
     ParameterEstimate& parameter = estimates.parameters[k];

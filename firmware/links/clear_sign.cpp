@@ -12,7 +12,7 @@ constexpr int64_t kMostRate = int64_t{1} << 44;
 
 }  // namespace
 
-void ClearSign::configure(const RateGains& gains, int means, bool slow, Scaled noise) {
+void ClearSign::configure(const RateGains& gains, int means, bool slow, const Scaled& noise) {
   gains_ = gains;
   known_.means = static_cast<uint8_t>(means);
   known_.slow = slow;

@@ -21,7 +21,7 @@ class ClearSign {
   // means: how many mean differences are beyond doubt; 4 where the rate's noise is white, more where a part of it is too slow
   // for neighbours to show. slow: the rate has passed a high-pass, which shifts it by up to an eighth of its mean magnitude.
   // noise: standard deviation of the rate, in its common unit; 0: not known.
-  void configure(const RateGains& gains, int means, bool slow, Scaled noise);
+  void configure(const RateGains& gains, int means, bool slow, const Scaled& noise);
   void restart();  // a new level: its noise is measured anew
   // For positions [from, to): clear[i]: is it; sign[i] is that of the rate itself. What is known of the
   // noise goes on from position from + advance at the next call. Rates are read two positions further on either side.

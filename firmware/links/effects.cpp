@@ -9,7 +9,7 @@ constexpr int kSignalBits = 23;
 Scaled log2_e() { return Scaled::ratio(1865452, 1293033); }
 Scaled turns_per_radian() { return Scaled::ratio(265381, 1667438); }
 
-LawRatio law_ratio(Scaled value) {
+LawRatio law_ratio(const Scaled& value) {
   if (value.is_zero()) return {};
   const int32_t exponent = log2_floor(value);
   const int32_t shift = 29 - exponent;
@@ -18,7 +18,8 @@ LawRatio law_ratio(Scaled value) {
   return {static_cast<int32_t>(to_fixed(value, shift)), static_cast<int8_t>(shift)};
 }
 
-LawShape law_shape(const Term& term, ShapeUse use, int32_t exponent_u, int32_t exponent_w, Scaled sample_period_s) {
+LawShape law_shape(const Term& term, ShapeUse use, int32_t exponent_u, int32_t exponent_w,
+                   const Scaled& sample_period_s) {
   const Scaled range_u = Scaled::from_int(1, exponent_u), range_w = Scaled::from_int(1, exponent_w);
   LawShape shape;
   if (use == ShapeUse::kGap) shape.gap = LawNumber::from_raw(to_fixed(term.shape, kLawFraction - exponent_u));
@@ -36,7 +37,8 @@ LawShape law_shape(const Term& term, ShapeUse use, int32_t exponent_u, int32_t e
 }
 
 // The unit of a column. Time counts in units of the shape where it levels off, else in samples.
-Scaled law_unit(const Term& term, const CoreLaw& law, int32_t exponent_u, int32_t exponent_w, Scaled sample_period_s) {
+Scaled law_unit(const Term& term, const CoreLaw& law, int32_t exponent_u, int32_t exponent_w,
+                const Scaled& sample_period_s) {
   const Scaled unit = Scaled::from_int(1, law.u_power * exponent_u + law.w_power * exponent_w - kLawFraction);
   if (law.use != ShapeUse::kDecayOfTime) return unit;
   return unit * (term.shape.is_zero() ? Scaled::from_int(1, kLawTimeBits) * sample_period_s : term.shape);

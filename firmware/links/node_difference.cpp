@@ -2,7 +2,7 @@
 
 namespace firmware {
 
-NodeDifference node_difference(int column_a, Scaled unit_a, int column_b, Scaled unit_b, int code_bits) {
+NodeDifference node_difference(int column_a, const Scaled& unit_a, int column_b, const Scaled& unit_b, int code_bits) {
   NodeDifference d;
   const Scaled sum = unit_a + unit_b;
   if (sum.is_zero()) return d;

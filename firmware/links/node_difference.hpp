@@ -20,7 +20,7 @@ struct NodeDifference {
 };
 
 // unit_a, unit_b: SI units of a code, zero where the node is the ground or has no such signal. code_bits: of full scale.
-NodeDifference node_difference(int column_a, Scaled unit_a, int column_b, Scaled unit_b, int code_bits);
+NodeDifference node_difference(int column_a, const Scaled& unit_a, int column_b, const Scaled& unit_b, int code_bits);
 
 constexpr int32_t clamped_to_range(int64_t value) {
   constexpr int64_t kOne = int64_t{1} << kDifferenceFraction;

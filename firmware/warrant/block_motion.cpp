@@ -15,7 +15,7 @@ constexpr int kSlopeMantissaBits = 26;  // times 24 bits of code and 11 of the e
 }  // namespace
 
 bool measures_slope(const CoreConfiguration& configuration, Slope slope, int dof) {
-  if (configuration.high_pass_order > 0 || configuration.fusion[dof].used) return false;
+  if (kDerivesSignals && (configuration.high_pass_order > 0 || configuration.fuses(dof))) return false;
   const SignalConfiguration* const flat =
       &configuration.signals[dof][static_cast<int>(Quantity::kDisplacement) + static_cast<int>(slope)];
   return flat[0].available && flat[1].available && !flat[0].derived && !flat[1].derived;
@@ -217,7 +217,8 @@ void BlockMotion::fill_link(int l) {
       column_[kElongationColumn + l][n] = difference_at(u, signal(u.column_a), signal(u.column_b), n);
   if (!signs_.link[l]) return fill_soft_sign(l);
   for (int n = 0; n < kBlockSamples; ++n)
-    column_[kSoftSignColumn + l][n] = clear_sign_[l][kProbeLead + n] * (signs_.filtered ? 1 : 1 << kSignFraction);
+    column_[kSoftSignColumn + l][n] =
+        clear_sign_[l][kProbeLead + n] * (kDerivesSignals && signs_.filtered ? 1 : 1 << kSignFraction);
 }
 
 void BlockMotion::fill_soft_sign(int l) {

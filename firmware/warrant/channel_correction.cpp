@@ -12,7 +12,7 @@ constexpr int kMostPeriods = 3;    // what channel_shift reaches
 constexpr int kMostGainPart = 5;   // a gain of more than a fifth is a slip for a person to look at
 constexpr int kAgreeing = 4;       // deviations, of two channels
 
-Scaled magnitude_of_both(Scaled a, Scaled b) { return sqrt(a * a + b * b); }
+Scaled magnitude_of_both(const Scaled& a, const Scaled& b) { return sqrt(a * a + b * b); }
 
 // Displacement, velocity and acceleration are there, each a sensor's own.
 bool three_channels(const CoreConfiguration& configuration, int dof) {
@@ -20,7 +20,7 @@ bool three_channels(const CoreConfiguration& configuration, int dof) {
                 "the motion's three come behind the force");
   for (int q = 1; q < kQuantities; ++q)
     if (!configuration.channels[dof][q].present || configuration.signals[dof][q].derived) return false;
-  return !configuration.fusion[dof].used;
+  return !configuration.fuses(dof);
 }
 
 bool any_withdrawn(const Estimates& estimates) {
@@ -117,7 +117,7 @@ void ChannelCorrections::tell(Estimates& estimates) const {
   const bool rest = warrant.named.cause == last.cause && warrant.named.node_a == last.node_a &&
                     warrant.named.quantity == last.quantity && !any_withdrawn(estimates);
   if (warrant.named.cause != Cause::kNone && !rest) return;
-  warrant = Warrant{};
+  firmware::clear(warrant);
   warrant.tested = warrant.corrected = true;
   warrant.named = last;
   warrant.gained = Scaled::from_int(1);

@@ -13,7 +13,7 @@ Scaled coefficient_at(const CoreConfiguration& configuration, const Estimates& e
 
 Scaled fault_unit(const CoreConfiguration& configuration, const Estimates& estimates, const Probe& probe,
                   const Place& place) {
-  const auto per = [](Scaled a, Scaled b) { return b.is_zero() ? Scaled{} : a / b; };
+  const auto per = [](const Scaled& a, const Scaled& b) { return b.is_zero() ? Scaled{} : a / b; };
   const Scaled mass = coefficient_at(configuration, estimates, TermKind::kMass, place.node_a);
   const Scaled stiffness = coefficient_at(configuration, estimates, TermKind::kStiffness, place.link);
   if (place.kind == PlaceKind::kBaseEnd) return per(Scaled::from_int(probe.form == Form::kRate ? 1 : -1), stiffness);
@@ -22,8 +22,8 @@ Scaled fault_unit(const CoreConfiguration& configuration, const Estimates& estim
   return Scaled::from_int(1);
 }
 
-Cause slip_of(Scaled gain, Cause otherwise, int percent) {
-  const auto near = [&](Scaled value, int within) {
+Cause slip_of(const Scaled& gain, Cause otherwise, int percent) {
+  const auto near = [&](const Scaled& value, int within) {
     return abs(gain - value) * Scaled::from_int(100) < abs(value) * Scaled::from_int(within);
   };
   const Scaled gravity = Scaled::ratio(980665, 100000), thousand = Scaled::from_int(1000);

@@ -17,6 +17,6 @@ Scaled fault_unit(const CoreConfiguration& configuration, const Estimates& estim
                   const Place& place);
 
 // A gain that is none: a channel turned over, or in another unit.
-Cause slip_of(Scaled gain, Cause otherwise, int percent = kSlipPercent);
+Cause slip_of(const Scaled& gain, Cause otherwise, int percent = kSlipPercent);
 
 }  // namespace firmware

@@ -32,7 +32,7 @@ int other_pair(const ProbePlan& plan, const ScoreTest& test, int probe) {
   return -1;
 }
 
-Scaled up_to_one(Scaled gain) {
+Scaled up_to_one(const Scaled& gain) {
   const Scaled one = Scaled::from_int(1), size = abs(gain);
   return one < size ? one : size;
 }
@@ -54,7 +54,7 @@ Quantity channel_off(const CoreConfiguration& configuration, const Estimates& es
 }
 
 // What holds its value from sample to sample acts half a sample later than what is measured.
-bool is_half_a_sample(const CoreConfiguration& configuration, Scaled late_s) {
+bool is_half_a_sample(const CoreConfiguration& configuration, const Scaled& late_s) {
   const Scaled off = abs(scale_by_power_of_two(late_s, 1) + configuration.sample_period_s);
   return off * Scaled::from_int(100) < configuration.sample_period_s * Scaled::from_int(kSlipPercent);
 }

@@ -4,7 +4,7 @@
 
 namespace firmware {
 
-void KnownForce::add(int dof, int column, Scaled coefficient) {
+void KnownForce::add(int dof, int column, const Scaled& coefficient) {
   if (shares_ == kMaxShares) return;
   share_[shares_].dof = static_cast<uint8_t>(dof);
   share_[shares_].column = static_cast<uint8_t>(column);

@@ -16,7 +16,7 @@ class KnownForce {
   };
 
   void clear() { shares_ = 0; }
-  void add(int dof, int column, Scaled coefficient);
+  void add(int dof, int column, const Scaled& coefficient);
   // Once all shares are there: column_unit: SI units of the columns; force_exponent: range of the measured force, where
   // there is one. Returns the SI unit of the sums.
   Scaled scale(int dof, const Scaled* column_unit, bool has_force, int32_t force_exponent);

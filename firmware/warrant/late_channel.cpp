@@ -8,7 +8,7 @@ namespace {
 constexpr int kMostPeriods = 3;  // a delay of more is none
 
 bool measures_velocity(const CoreConfiguration& configuration, int dof) {
-  return !configuration.fusion[dof].used && !configuration.signals[dof][static_cast<int>(Quantity::kVelocity)].derived;
+  return !configuration.fuses(dof) && !configuration.signals[dof][static_cast<int>(Quantity::kVelocity)].derived;
 }
 
 // Of one DOF. A velocity that is early makes displacement and acceleration late alike.
@@ -148,7 +148,7 @@ bool late_channel(const CoreConfiguration& configuration, const Estimates& estim
 
 void ask_equations(const CoreConfiguration& configuration, const ProbePlan& plan, const ScoreTest& test,
                    Estimates& estimates, Finding& late) {
-  if (!configuration.fusion[late.node_a].used) return ask_equation(configuration, plan, test, estimates, late);
+  if (!configuration.fuses(late.node_a)) return ask_equation(configuration, plan, test, estimates, late);
   if (is_gain(configuration, estimates, late.node_a)) return tell_gain(configuration, estimates, plan, test, late);
   tell_delay(configuration, estimates, plan, test, late);
 }

@@ -112,7 +112,8 @@ class Planner {
 
   // What is integrated settles after a level's start by itself.
   bool integrated(int node) const {
-    return node < c_.dof_count && c_.signals[node][static_cast<int>(Quantity::kDisplacement)].integrations > 0;
+    return kDerivesSignals && node < c_.dof_count &&
+           c_.signals[node][static_cast<int>(Quantity::kDisplacement)].integrations > 0;
   }
 
   // A damper that changes with time, steadily or settling, needs no sums of its own.

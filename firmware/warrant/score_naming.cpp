@@ -31,18 +31,18 @@ bool derives_rates(const CoreConfiguration& configuration) {
   return one_quantity(configuration, Quantity::kDisplacement) || one_quantity(configuration, Quantity::kAcceleration);
 }
 
-Scaled limit(Scaled freedom, Chance chance) { return Scaled::ratio(tenths_of_limit(freedom, chance), 10); }
+Scaled limit(const Scaled& freedom, Chance chance) { return Scaled::ratio(tenths_of_limit(freedom, chance), 10); }
 
 // Few stretches may hold most of the information (a sweep that passes a resonance, a blow): their own scatter is hardly known then,
 // and its limits are wide. Noise that is alike in all stretches is known from all of them. Where it makes a force that rare,
 // the few need to bear it out at a lower chance only for a finding, and for a doubt not at all.
-bool beyond(const ProbeScore& score, Chance chance, Scaled share) {
+bool beyond(const ProbeScore& score, Chance chance, const Scaled& share) {
   if (abs(score.wald) > limit(score.freedom, chance) * share) return true;
   if (abs(score.even_wald) <= limit(score.even_freedom, chance) * share) return false;
   return chance != Chance::kOfFinding || abs(score.wald) > limit(score.freedom, Chance::kBearsOut) * share;
 }
 
-Scaled plain_limit(Scaled freedom) {
+Scaled plain_limit(const Scaled& freedom) {
   const Scaled most = sqrt(freedom + Scaled::from_int(1)) * Scaled::ratio(kPlainPercent, 100);
   return most < Scaled::from_int(kPlainLimit) ? most : Scaled::from_int(kPlainLimit);
 }
@@ -90,7 +90,7 @@ bool one_quantity(const CoreConfiguration& configuration, Quantity which) {
       return signal[static_cast<int>(q)].available && !signal[static_cast<int>(q)].derived;
     };
     const SignalConfiguration& velocity = signal[static_cast<int>(Quantity::kVelocity)];
-    if (!velocity.available || configuration.fusion[node].used) continue;
+    if (!velocity.available || configuration.fuses(node)) continue;
     if (!velocity.derived && (measured(Quantity::kDisplacement) || measured(Quantity::kAcceleration))) continue;
     const auto source = velocity.derived ? static_cast<Quantity>(velocity.source) : Quantity::kVelocity;
     if (source == which) return true;
@@ -98,7 +98,7 @@ bool one_quantity(const CoreConfiguration& configuration, Quantity which) {
   return false;
 }
 
-int tenths_of_limit(Scaled freedom, Chance chance) {
+int tenths_of_limit(const Scaled& freedom, Chance chance) {
   const int column = static_cast<int>(chance);
   int tenths = kLimits[0].tenths[column];
   for (const Quantile& q : kLimits)

@@ -81,7 +81,7 @@ bool instruments_differ(const ScoreTest& test, int unknown, const ParameterEstim
          difference * Scaled::from_int(40) > abs(parameter.value);
 }
 
-bool is_wrong_by(Scaled bend, const ParameterEstimate& parameter, int deviations = kWrongDeviations) {
+bool is_wrong_by(const Scaled& bend, const ParameterEstimate& parameter, int deviations = kWrongDeviations) {
   return bend > parameter.std * Scaled::from_int(deviations) &&
          bend * Scaled::from_int(kWrongShare) > abs(parameter.value);
 }
@@ -144,7 +144,7 @@ void spread_doubt(const CoreConfiguration& configuration, const ScoreTest& test,
 void give_verdict(const CoreConfiguration& configuration, const ScoreSums& sums, const ScoreTest& test, TestState state,
                   Estimates& estimates) {
   Warrant& warrant = estimates.warrant;
-  warrant = Warrant{};
+  clear(warrant);
   warrant.tested = state.judged;
   if (warrant.tested) tell(configuration, sums, test, estimates);
   Finding late;
