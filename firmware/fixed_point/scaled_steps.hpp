@@ -10,11 +10,11 @@
 #ifdef FIRMWARE_IN_PLACE
 #define FIRMWARE_STEP [[gnu::always_inline]] inline
 #define FIRMWARE_STEP_APART FIRMWARE_STEP
-#define FIRMWARE_STEP_OF_STEPS FIRMWARE_STEP
+#define FIRMWARE_STEP_ALONE FIRMWARE_STEP
 #else
 #define FIRMWARE_STEP
 #define FIRMWARE_STEP_APART [[gnu::noinline]] static
-#define FIRMWARE_STEP_OF_STEPS static
+#define FIRMWARE_STEP_ALONE [[gnu::noinline]]  // other steps call it: it is not copied into them
 #endif
 
 namespace firmware {
@@ -63,7 +63,7 @@ inline Scaled saturated(uint64_t value, int32_t exponent, bool negative) {
 }
 
 // value * 2^exponent with value < 2^64; rounds to nearest when bits are dropped.
-FIRMWARE_STEP_OF_STEPS Scaled normalised(uint64_t value, int32_t exponent, bool negative) {
+FIRMWARE_STEP_APART Scaled normalised(uint64_t value, int32_t exponent, bool negative) {
   if (value == 0) return {};
   if (value >> 63) {
     value = (value >> 2) + ((value >> 1) & 1u);
@@ -85,7 +85,7 @@ FIRMWARE_STEP_OF_STEPS Scaled normalised(uint64_t value, int32_t exponent, bool 
 }
 
 // value * 2^exponent with value < 2^64, brought to the normal form; rounds to nearest when bits are dropped.
-FIRMWARE_STEP_OF_STEPS Scaled normalised(uint64_t value, int32_t exponent, bool negative) {
+FIRMWARE_STEP_APART Scaled normalised(uint64_t value, int32_t exponent, bool negative) {
   if (value == 0) return {};
   const int shift = places_up(value);
   if (shift >= 0) {
@@ -234,7 +234,7 @@ FIRMWARE_STEP Scaled scale_by_power_of_two(const Scaled& a, int32_t power) {
 }
 
 // Of two normal numbers of one sign the larger exponent is farther from 0.
-FIRMWARE_STEP bool operator<(const Scaled& a, const Scaled& b) {
+FIRMWARE_STEP_ALONE bool operator<(const Scaled& a, const Scaled& b) {
   const bool one_sign = a.mantissa != 0 && b.mantissa != 0 && (a.mantissa < 0) == (b.mantissa < 0);
   if (one_sign && a.exponent != b.exponent) return (a.exponent < b.exponent) != (a.mantissa < 0);
   return a.mantissa < b.mantissa;
