@@ -10,16 +10,12 @@ constexpr int64_t kMost = 32 * kProbeUnit;
 constexpr int kEdgeBits = 12;
 constexpr int64_t kLeastChange = kProbeUnit >> 8;  // of a rate, a sample
 
-// Q26 of the range to Q18 of the rms.
-class Normal {
- public:
-  explicit Normal(int shift) : right_(shift > 0 ? shift : 0), times_(int64_t{1} << (shift < 0 ? -shift : 0)) {}
-  int32_t operator()(int32_t q26) const { return static_cast<int32_t>(limited((q26 * times_) >> right_, kMost)); }
-
- private:
-  int right_;
-  int64_t times_;
-};
+// A block's numbers, Q26 of the range, to Q18 of the rms.
+void normalise(int shift, int32_t (&number)[kBlockSamples]) {
+  const int right = shift > 0 ? shift : 0;
+  const int64_t times = int64_t{1} << (shift < 0 ? -shift : 0);
+  for (int32_t& one : number) one = static_cast<int32_t>(limited((one * times) >> right, kMost));
+}
 
 // Friction's jump lies within the reach of the slope that made the acceleration, which then holds a part of either side. Told
 // by the slope's outermost samples: they have a 200th of its weight, so that the choice hardly knows the noise of the slope.
@@ -38,10 +34,10 @@ void fill_quantity(const BlockMotion& block, const PlaceScale& scale, int q, con
   const NodeDifference& d = scale.difference[q];
   const int32_t *a = block.signal(d.column_a), *b = block.signal(d.column_b);
   const int32_t *near_a = block.between_neighbours(d.column_a), *near_b = block.between_neighbours(d.column_b);
-  const Normal normal(scale.shift[q]);
-  for (int n = 0; n < kBlockSamples; ++n) motion.instrument[q][n] = normal(smoothed(d, near_a[n], near_b[n]));
-  for (int n = 0; n < kBlockSamples; ++n)
-    motion.own[q][n] = normal(own != nullptr ? own[n] : difference_at(d, a, b, n));
+  for (int n = 0; n < kBlockSamples; ++n) motion.instrument[q][n] = smoothed(d, near_a[n], near_b[n]);
+  for (int n = 0; n < kBlockSamples; ++n) motion.own[q][n] = own != nullptr ? own[n] : difference_at(d, a, b, n);
+  normalise(scale.shift[q], motion.instrument[q]);
+  normalise(scale.shift[q], motion.own[q]);
 }
 
 const int32_t* own_column(const BlockMotion& block, const Place& place, int q) {
@@ -53,11 +49,12 @@ const int32_t* own_column(const BlockMotion& block, const Place& place, int q) {
 void fill_slopes(const BlockMotion& block, const PlaceScale& scale, int q, PlaceMotion& motion) {
   const NodeDifference& d = scale.difference[q];
   const int32_t *a = block.signal(d.column_a), *b = block.signal(d.column_b);
-  const Normal normal(scale.shift[q]);
   for (int n = 0; n < kBlockSamples; ++n) {
-    motion.slope[q][n] = normal(slope(d, a, n));
-    motion.own_slope[q][n] = normal(difference_at(d, a, b, n + 1) / 2 - difference_at(d, a, b, n - 1) / 2);
+    motion.slope[q][n] = slope(d, a, n);
+    motion.own_slope[q][n] = difference_at(d, a, b, n + 1) / 2 - difference_at(d, a, b, n - 1) / 2;
   }
+  normalise(scale.shift[q], motion.slope[q]);
+  normalise(scale.shift[q], motion.own_slope[q]);
 }
 
 void fill_used(const BlockMotion& block, const Place& place, const PlaceScale& scale, PlaceMotion& motion) {

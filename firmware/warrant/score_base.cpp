@@ -49,15 +49,19 @@ void ScoreTest::weigh_level(const Place& place, int level, int number) {
   const Scaled covariance[] = {a, c};
   if (place.equations == 1 || b.is_zero() || a.is_zero() || c.is_zero()) {
     for (int e = 0; e < place.equations; ++e) {
-      g[e] = covariance[e].is_zero() ? Scaled::from_int(1) : own / covariance[e];
-      if (place.sign[e] < 0) g[e] = -g[e];
+      const Scaled weight = covariance[e].is_zero() ? Scaled::from_int(1) : own / covariance[e];
+      g[e] = Scaled{};
+      add_signed(g[e], place.sign[e], weight);
     }
     return;
   }
   const Scaled scale = own / (a * c - b * b);
-  const Scaled first = place.sign[0] < 0 ? -c : c, second = place.sign[1] < 0 ? -a : a;
-  g[0] = (first - (place.sign[1] < 0 ? -b : b)) * scale;
-  g[1] = (second - (place.sign[0] < 0 ? -b : b)) * scale;
+  for (int e = 0; e < 2; ++e) {
+    Scaled sum;
+    add_signed(sum, place.sign[e], covariance[1 - e]);
+    add_signed(sum, -place.sign[1 - e], b);
+    g[e] = sum * scale;
+  }
 }
 
 void ScoreTest::add_base(const Probe& probe) {

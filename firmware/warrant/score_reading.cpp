@@ -16,16 +16,21 @@ void ScoreTest::open(const Probe& probe) {
     for (int v = 0; v < sums; ++v) noise_[slope][v] = sums_->noise_share(probe, slope, v, SharedNoise::Of::kWhole);
 }
 
+void ScoreTest::add_signed(Scaled& sum, int sign, const Scaled& x) {
+  if (sign > 0) sum += x;
+  if (sign < 0) sum -= x;
+}
+
+Scaled ScoreTest::taken(const Place& place, int column, const Scaled* g, int sign) {
+  Scaled sum;
+  for (int e = 0; e < place.equations; ++e) add_signed(sum, sign * place.column_sign[column][e], g[e]);
+  return sum;
+}
+
 // Weights g of the place's equations: what they take of an unknown's column.
 void ScoreTest::take_level(int level) {
-  for (int k = 0; k < place_->columns; ++k, report_work(200)) {
-    Scaled& sum = column_weight_[k] = Scaled{};
-    for (int e = 0; e < place_->equations; ++e) {
-      const Scaled& g = weight_[probe_->place][level][e];
-      if (place_->column_sign[k][e] > 0) sum += g;
-      if (place_->column_sign[k][e] < 0) sum -= g;
-    }
-  }
+  for (int k = 0; k < place_->columns; ++k, report_work(200))
+    column_weight_[k] = taken(*place_, k, weight_[probe_->place][level], 1);
 }
 
 // The sum over equations and columns of factor times value.
@@ -46,12 +51,8 @@ void ScoreTest::add_scores(Combination<kMostProbeSums>& combination, const Scale
   Scaled factor[kPlaceEquations + kMaxPlaceColumns];
   for (int e = 0; e < place_->equations; ++e) factor[e] = g[e];
   for (int k = 0; k < place_->columns; ++k, report_work(250)) {
-    Scaled taken;
-    for (int e = 0; e < place_->equations; ++e) {
-      if (place_->column_sign[k][e] > 0) taken -= g[e];
-      if (place_->column_sign[k][e] < 0) taken += g[e];
-    }
-    if (!taken.is_zero()) factor[place_->equations + k] = taken * parameter_[place_->unknown[k]];
+    const Scaled part = taken(*place_, k, g, -1);
+    if (!part.is_zero()) factor[place_->equations + k] = part * parameter_[place_->unknown[k]];
   }
   add_sums(combination, factor);
 }
@@ -118,10 +119,7 @@ Scaled ScoreTest::doubtful_score() {
       }
       const int k = v - place.equations;
       const Scaled part = parameter_[place.unknown[k]] * noise;
-      for (int e = 0; e < place.equations; ++e) {
-        if (place.column_sign[k][e] > 0) share[e] -= part;
-        if (place.column_sign[k][e] < 0) share[e] += part;
-      }
+      for (int e = 0; e < place.equations; ++e) add_signed(share[e], -place.column_sign[k][e], part);
     }
     for (int level = 0; level < levels_; ++level) {
       const Scaled slopes = total(level, at, 1);

@@ -24,10 +24,7 @@ void ScoreTest::find_answers(int level) {
     const int base = place_of_unknown_[place_->unknown[k]];
     for (int f = 0; f < plan.place[base].equations; ++f)
       for (int e = 0; e < place_->equations; ++e)
-        if (plan.place[base].dof[f] == place_->dof[e]) {
-          const Scaled& g = weight_[base][level][f];
-          answer = place_->sign[e] < 0 ? answer - g : answer + g;
-        }
+        if (plan.place[base].dof[f] == place_->dof[e]) add_signed(answer, place_->sign[e], weight_[base][level][f]);
   }
 }
 
@@ -53,9 +50,11 @@ void ScoreTest::share_out() {
   }
 }
 
-// C N_s: take(value of the table, unknown, what the value counts) for what stands in it.
-template <typename Take>
-void ScoreTest::each_base_sum(int level, Take take) const {
+// C N_s: base_sum_ gets the values of the table that stand in it, each as it counts, and where times is given times that of its unknown.
+// unknown_of, where it is given: the unknown of each; returns how many there are.
+int ScoreTest::list_base_sums(int level, const Scaled* times, uint8_t* unknown_of) {
+  int count = 0;
+  base_sum_.clear();
   const ProbePlan& plan = sums_->plan();
   for (int j = 0; j < plan.base_count; ++j) {
     const Probe& base = plan.probe[j];
@@ -64,24 +63,16 @@ void ScoreTest::each_base_sum(int level, Take take) const {
     if (share.is_zero()) continue;
     for (int k = 0; k < place.columns; ++k) {
       report_work(250);
-      Scaled taken;
-      for (int e = 0; e < place.equations; ++e) {
-        const Scaled& g = weight_[base.place][level][e];
-        if (place.column_sign[k][e] > 0) taken += g;
-        if (place.column_sign[k][e] < 0) taken -= g;
-      }
-      if (taken.is_zero()) continue;
-      const int value = place.equations + k;
-      take(base.first_value + value, place.unknown[k], share * taken * sums_->unit(base, value));
+      const Scaled part = taken(place, k, weight_[base.place][level], 1);
+      if (part.is_zero()) continue;
+      const int value = place.equations + k, unknown = place.unknown[k];
+      Scaled counts = share * part * sums_->unit(base, value);
+      if (times != nullptr) counts *= times[unknown];
+      if (unknown_of != nullptr) unknown_of[count++] = static_cast<uint8_t>(unknown);
+      base_sum_.add(base.first_value + value, counts);
     }
   }
-}
-
-// C N_s b: what the bent estimates do to the scores of the estimated terms.
-void ScoreTest::add_bent_base(int level) {
-  base_sum_.clear();
-  each_base_sum(level,
-                [&](int value, int unknown, const Scaled& counts) { base_sum_.add(value, counts * bend_[unknown]); });
+  return count;
 }
 
 // The estimated coefficients are fitted to the same stretches. They take up g' (sum N)^-1 g of a score's variance d, with
@@ -92,14 +83,9 @@ Scaled ScoreTest::give_back_level(int level, const ProbeScore& result) {
   const Scaled one = Scaled::from_int(1), least = Scaled::from_int(1, -2), part = one / result.information,
                end = end_of(level);
   uint8_t unknown_of[kMostBaseSums];
-  int count = 0;
   Scaled lost;
   take_level(level);
-  base_sum_.clear();
-  each_base_sum(level, [&](int value, int unknown, const Scaled& counts) {
-    unknown_of[count++] = static_cast<uint8_t>(unknown);
-    base_sum_.add(value, counts);
-  });
+  const int count = list_base_sums(level, nullptr, unknown_of);
   for (int s = level_begin_[level]; s < level_begin_[level + 1]; ++s) {
     Scaled g[kMaxUnknowns], taken;
     for (int k = 0; k < place_->columns; ++k) {
@@ -139,10 +125,10 @@ void ScoreTest::score_level(int level) {
     factor[place_->equations + k] = -(share_[unknown] * answer_[k] + bend_[unknown] * column_weight_[k]);
   }
   add_sums(column_sum_, factor);
-  for (int e = 0; e < place_->equations; ++e) own_weight = place_->sign[e] < 0 ? own_weight - g[e] : own_weight + g[e];
+  for (int e = 0; e < place_->equations; ++e) add_signed(own_weight, place_->sign[e], g[e]);
   own_weight *= unit_[own];
   if (!probe_->drifts()) column_sum_.add(probe_->first_value + own, own_weight);
-  add_bent_base(level);
+  list_base_sums(level, bend_, nullptr);  // C N_s b: what the bent estimates do to the scores of the estimated terms
   ShortScaled share[kMaxUnknowns];
   for (int k = 0; k < unknowns_; ++k) share[k] = short_scaled(share_[k]);
   const int from = level_begin_[level], to = level_begin_[level + 1];

@@ -90,6 +90,10 @@ class ScoreTest {
  private:
   void open(const Probe& probe);
   int shared_slopes() const { return kKeepsProbeNoise ? sums_->plan().slopes : 0; }
+  // sum + sign x, sign -1, 0 or 1.
+  static void add_signed(Scaled& sum, int sign, const Scaled& x);
+  // What weights g of the place's equations take of a column there, times sign.
+  static Scaled taken(const Place& place, int column, const Scaled* g, int sign);
   void take_level(int level);
   void add_scores(Combination<kMostProbeSums>& combination, const Scaled* equation) const;
   void add_sums(Combination<kMostProbeSums>& combination, const Scaled* factor) const;
@@ -118,9 +122,7 @@ class ScoreTest {
   Scaled even_variance(ProbeScore& result, const Scaled& lost) const;
   void find_answers(int level);
   void share_out();
-  template <typename Take>
-  void each_base_sum(int level, Take take) const;
-  void add_bent_base(int level);
+  int list_base_sums(int level, const Scaled* times, uint8_t* unknown_of);
   Scaled give_back_level(int level, const ProbeScore& result);
   void weigh_up(ProbeScore& result, const Scaled& lost, const Scaled& doubtful);
   bool near_chance(const ProbeScore& score) const;
