@@ -51,7 +51,7 @@ Scaled EnergySums::kinetic_energy(int dof, int weight) const {
             displacement = signal_column(dof, Quantity::kDisplacement);
   const int64_t v0 = closed_start_.velocity[dof], v1 = closed_end_.velocity[dof];
   if (weight != kDisplacement) {
-    const Scaled unit = plan_.column_unit[velocity];
+    const Scaled& unit = plan_.column_unit[velocity];
     return unit * unit * Scaled::from_int(v1 * v1 - v0 * v0, -1);
   }
   const int64_t change = closed_end_.displacement[dof] * v1 - closed_start_.displacement[dof] * v0;
@@ -82,7 +82,7 @@ Scaled EnergySums::energy(const Incidence& incidence, int weight) const {
 // Over the samples that the equation counts.
 Scaled EnergySums::shared_noise(int dof, int weight, Quantity quantity) const {
   if (!any_shared_noise_) return {};
-  const Scaled product = configuration_->shared_noise[dof][weight][static_cast<int>(quantity)];
+  const Scaled& product = configuration_->shared_noise[dof][weight][static_cast<int>(quantity)];
   if (product.is_zero()) return product;
   const bool all = !kDerivesSignals || weight == kPlain || !plan_.dof[dof].clear_signs_only;
   return product * configuration_->sample_period_s * Scaled::from_int(all ? closed_samples_ : closed_counted_[dof]);
@@ -102,8 +102,8 @@ void EnergySums::close_weight(int i, int q, Batch& batch) {
     }
   }
   dof.rhs[q] = pack(rhs);
-  const Scaled unit_v = plan_.column_unit[signal_column(i, Quantity::kVelocity)];
-  const Scaled unit_x = plan_.column_unit[signal_column(i, Quantity::kDisplacement)];
+  const Scaled& unit_v = plan_.column_unit[signal_column(i, Quantity::kVelocity)];
+  const Scaled& unit_x = plan_.column_unit[signal_column(i, Quantity::kDisplacement)];
   const int64_t v0 = closed_start_.velocity[i], v1 = closed_end_.velocity[i];
   const int64_t x0 = closed_start_.displacement[i], x1 = closed_end_.displacement[i];
   if (q == kPlain) {

@@ -30,7 +30,7 @@ Scaled rate_noise(const CoreConfiguration& configuration, const LinkConfiguratio
   for (const int node : ends) {
     if (node == kGroundNode) continue;
     const SignalConfiguration& velocity = configuration.signals[node][kVelocity];
-    const Scaled noise = configuration.shared_noise[node][kPlain][kVelocity];
+    const Scaled& noise = configuration.shared_noise[node][kPlain][kVelocity];
     if (velocity.integrations > 0) return {};
     if ((velocity.derived || configuration.sign_half_length > 0) && Scaled{} < noise)
       variance += noise * Scaled::ratio(1000 + configuration.motion_noise_doubt[node], 1000);

@@ -121,8 +121,8 @@ void set_column_units(const CoreConfiguration& configuration, EquationPlan& plan
   for (int node = 0; node < kMaxNodes; ++node) {
     for (int quantity = 0; quantity < kQuantities; ++quantity)
       plan.column_unit[node * kQuantities + quantity] = configuration.signals[node][quantity].unit_per_code;
-    const Scaled velocity = configuration.signals[node][static_cast<int>(Quantity::kVelocity)].unit_per_code;
-    const Scaled displacement = configuration.signals[node][static_cast<int>(Quantity::kDisplacement)].unit_per_code;
+    const Scaled& velocity = configuration.signals[node][static_cast<int>(Quantity::kVelocity)].unit_per_code;
+    const Scaled& displacement = configuration.signals[node][static_cast<int>(Quantity::kDisplacement)].unit_per_code;
     if (node >= kMaxDofs) continue;
     plan.column_unit[kInstrumentColumn + node] = plan.column_unit[kClearInstrumentColumn + node] =
         velocity / Scaled::from_int(6);

@@ -41,7 +41,7 @@ bool bent_by_columns(const EquationList& list, const BatchTable& table, const Pa
 
 bool inseparable(const WeightedFit& fit, const EquationList& list, const BatchTable& table, const Estimates& estimates,
                  int unknown) {
-  const Scaled inflation = fit.identifiability().inflation[unknown];
+  const Scaled& inflation = fit.identifiability().inflation[unknown];
   const ParameterEstimate& parameter = estimates.parameters[unknown];
   if (estimates.rows < estimates.unknown_count || inflation.is_zero() || parameter.std.is_zero() ||
       inflation > Scaled::from_int(kLargestInflation))

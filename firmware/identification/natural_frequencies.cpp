@@ -21,7 +21,7 @@ bool assemble(const CoreConfiguration& configuration, const Estimates& estimates
   for (int i = 0; i < n; ++i) mass[i] = Scaled{};
   for (int t = 0; t < configuration.term_count; ++t) {
     const Term& term = configuration.terms[t];
-    const Scaled value = term.unknown < 0 ? term.value : estimates.parameters[term.unknown].value;
+    const Scaled& value = term.unknown < 0 ? term.value : estimates.parameters[term.unknown].value;
     if (term.kind == TermKind::kMass) mass[term.place] = value;
     if (term.kind != TermKind::kStiffness && term.kind != TermKind::kGravity) continue;
     const int a = configuration.links[term.place].node_a, b = configuration.links[term.place].node_b;
@@ -38,7 +38,7 @@ bool assemble(const CoreConfiguration& configuration, const Estimates& estimates
 
 // Makes a_pq zero: a_pp - t a_pq, a_qq + t a_pq, and each other row's two entries turned by the angle with tangent t.
 void rotate(SymmetricMatrix& matrix, int n, int p, int q) {
-  const Scaled coupling = matrix.at(p, q);
+  const Scaled& coupling = matrix.at(p, q);
   if (coupling.is_zero()) return;
   // t = sgn(h) / (|h| + sqrt(h^2 + 1)), h = (a_qq - a_pp) / (2 a_pq)
   const Scaled one = Scaled::from_int(1);

@@ -37,7 +37,7 @@ void NormalEquations::add_right_side(const Row& row) {
 void NormalEquations::factorise() {
   for (int column = 0; column < unknowns_; ++column) {
     for (int row = 0; row <= column; ++row) {
-      const Scaled whole = factor_[at(row, column)];
+      const Scaled& whole = factor_[at(row, column)];
       Scaled sum = whole;
       for (int k = 0; k < row; ++k) {
         const Scaled &a = factor_[at(k, row)], &b = factor_[at(k, column)];

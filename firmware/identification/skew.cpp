@@ -83,10 +83,20 @@ Scaled coefficient(const Term& term, const Estimates& estimates) {
   return term.unknown < 0 ? term.value : estimates.parameters[term.unknown].value;
 }
 
+// Of the DOF, over all batches.
+Scaled sum_of(const BatchTable& table, int dof, PackedScaled BatchDof::*what) {
+  Scaled sum;
+  for (int l = 0; l < table.level_count; ++l)
+    for (int b = 0; b < table.level[l].batch_count; ++b) sum += unpack(table.level[l].batch[b].dof[dof].*what);
+  return sum;
+}
+
+Scaled motion_of(const BatchTable& table, int dof) { return sum_of(table, dof, &BatchDof::velocity_square); }
+
 // Viscous coefficient that the DOF's skews imitate.
 Scaled imitated_damping(const CoreConfiguration& configuration, const BatchTable& table, int dof, const Skews& skews,
                         const Estimates& estimates) {
-  Scaled stiffness, mass, motion, acceleration;
+  Scaled stiffness, mass;
   for (int t = 0; t < configuration.term_count; ++t) {
     const Term& term = configuration.terms[t];
     if (term.kind == TermKind::kMass && term.place == dof) mass = coefficient(term, estimates);
@@ -94,22 +104,10 @@ Scaled imitated_damping(const CoreConfiguration& configuration, const BatchTable
     const LinkConfiguration& link = configuration.links[term.place];
     if (link.node_a == dof || link.node_b == dof) stiffness += coefficient(term, estimates);
   }
-  for (int l = 0; l < table.level_count; ++l)
-    for (int b = 0; b < table.level[l].batch_count; ++b) {
-      motion += unpack(table.level[l].batch[b].dof[dof].velocity_square);
-      acceleration += unpack(table.level[l].batch[b].dof[dof].acceleration_square);
-    }
+  const Scaled motion = motion_of(table, dof), acceleration = sum_of(table, dof, &BatchDof::acceleration_square);
   Scaled damping = abs(stiffness) * skews.displacement[dof];
   if (!motion.is_zero()) damping += abs(mass) * skews.acceleration[dof] * acceleration / motion;
   return damping;
-}
-
-Scaled motion_of(const BatchTable& table, int dof) {
-  Scaled motion;
-  for (int l = 0; l < table.level_count; ++l)
-    for (int b = 0; b < table.level[l].batch_count; ++b)
-      motion += unpack(table.level[l].batch[b].dof[dof].velocity_square);
-  return motion;
 }
 
 // Work in the DOF's equation of springs whose other end's displacement is skewed, at the most.
@@ -143,18 +141,17 @@ Scaled bend_of_skews(const EquationList& list, const BatchTable& table, const Co
                      int unknown, const Skews& skews, const Estimates& estimates) {
   Scaled most;
   for (int i = 0; i < list.dof_count; ++i) {
-    Scaled energy, motion;  // of the unknown's unit force and of the DOF
+    Scaled energy;  // of the unknown's unit force
     for (int l = 0; l < table.level_count; ++l)
       for (int b = 0; b < table.level[l].batch_count; ++b) {
         const Batch& batch = table.level[l].batch[b];
-        motion += unpack(batch.dof[i].velocity_square);
         report_work(10 * (table.layout.first[i + 1] - table.layout.first[i]));
         for (int n = table.layout.first[i]; n < table.layout.first[i + 1]; ++n)
           if (table.layout.unknown[n] == unknown)
             energy = energy + unpack(batch.column[static_cast<int>(list.equation[i].weight)][n]);
       }
     if (energy.is_zero()) continue;
-    const Scaled work = imitated_damping(configuration, table, i, skews, estimates) * motion +
+    const Scaled work = imitated_damping(configuration, table, i, skews, estimates) * motion_of(table, i) +
                         work_of_neighbours(configuration, table, i, skews, estimates);
     const Scaled shift = work / abs(energy);
     if (shift > most) most = shift;

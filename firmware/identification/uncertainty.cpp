@@ -91,7 +91,7 @@ void report(const EquationList& list, const WeightedFit& fit, const UncertaintyS
   for (int k = 0; k < list.unknown_count; ++k) {
     ParameterEstimate& parameter = estimates.parameters[k];
     parameter.value = fit.parameters()[k];
-    const Scaled variance = sums.variance[k];
+    const Scaled& variance = sums.variance[k];
     const Scaled repeated = scale_by_power_of_two(parameter.value, kRepeatedErrorLog2);
     Scaled of_weights = Scaled::from_int(1), freedom = Scaled::from_int(spare > 0 ? spare : 1);
     if (measured && !sums.variance_square_per_freedom[k].is_zero()) {

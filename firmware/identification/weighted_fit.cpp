@@ -55,7 +55,7 @@ void WeightedFit::start_weights() {
 // What a row's square is in proportion to, in the level that is loaded.
 Scaled WeightedFit::motion_of(int e) const {
   const int dof = list_->equation[e].dof;
-  const Scaled mean = level_.motion_mean(dof);
+  const Scaled& mean = level_.motion_mean(dof);
   return level_.periodic() ? level_.motion_total(dof) * mean * level_.weight_share(e) : mean;
 }
 

@@ -43,7 +43,7 @@ void gram(const LevelColumns& level, const uint8_t* observable, int size, Scaled
 Scaled regress(Scaled (*sums)[kSize], int predecessors, Scaled* coefficient) {
   bool kept[kSize];
   for (int r = 0; r <= predecessors; ++r) {
-    const Scaled own = sums[r][r];
+    const Scaled& own = sums[r][r];
     for (int c = 0; c <= r; ++c) {
       Scaled sum = sums[r][c];
       for (int k = 0; k < c; ++k)
@@ -84,7 +84,7 @@ Whitening measure_whitening(const EquationList& list, const LevelColumns& level,
   observable[result.count] = static_cast<uint8_t>(LevelColumns::residual(e));
   Scaled sums[kSize][kSize];
   gram(level, observable, result.count + 1, sums);
-  const Scaled unreduced = sums[result.count][result.count];
+  const Scaled& unreduced = sums[result.count][result.count];
   const Scaled energy = level.energy_square(e);
   // The energies of repeated batches add up, their noise only in squares.
   if (!energy.is_zero()) relative_noise_square = unreduced / energy / Scaled::from_int(level.periodic() ? rows : 1);

@@ -58,7 +58,7 @@ bool pushes(const CoreConfiguration& configuration, const ProbePlan& plan, const
   for (int t = 0; t < configuration.term_count; ++t) {
     const Term& term = configuration.terms[t];
     if (term.kind != TermKind::kCoulomb || term.place != place.link) continue;
-    const Scaled friction = term.unknown >= 0 ? parameter[term.unknown] : term.value;
+    const Scaled& friction = term.unknown >= 0 ? parameter[term.unknown] : term.value;
     return (score.effect + friction + scale_by_power_of_two(score.std, 1)).is_negative();
   }
   return false;
@@ -151,7 +151,7 @@ Scaled ScoreTest::terms_square(int number, bool own) const {
       counts = counts || link.node_a == place.dof[e] || link.node_b == place.dof[e];
     if (!counts) continue;
     const Form form = term.kind == TermKind::kViscous ? Form::kRate : Form::kSign;
-    const Scaled value = term.unknown >= 0 ? parameter_[term.unknown] : term.value;
+    const Scaled& value = term.unknown >= 0 ? parameter_[term.unknown] : term.value;
     for (int j = 0; j < plan.summed_count; ++j, report_work(20)) {
       const Place& at = plan.place[plan.probe[j].place];
       if (plan.probe[j].form == form && at.kind == PlaceKind::kLink && at.link == term.place)

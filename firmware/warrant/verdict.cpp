@@ -96,7 +96,7 @@ bool fits_differ(const ScoreTest& test, int unknown, const ParameterEstimate& pa
 // The score tests' own fit hardly determines the coefficient: their instrument does not follow a motion of so few samples a period, and
 // no force that would bend it shows.
 bool hardly_tested(const ScoreTest& test, int unknown, const ParameterEstimate& parameter) {
-  const Scaled std = test.difference_std(unknown);
+  const Scaled& std = test.difference_std(unknown);
   return std > parameter.std * Scaled::from_int(kLeastCertain) &&
          std * Scaled::from_int(kWrongShare) > abs(parameter.value);
 }
