@@ -139,7 +139,7 @@ const Estimates& EstimatorCore::solve() {
   finish_closing();
   collector_.settle();
   if (corrections_.any() && !any_batch(table_)) return estimates_;  // nothing yet of the corrected channel
-  identify(configuration_, table_, memory_, estimates_);
+  identify(configuration_, table_, *memory_, estimates_);
   if (corrections_.any()) corrections_.widen(configuration_, table_, estimates_);
   tests_.judge(table_.level_count, estimates_);
   if (kCorrectsChannels) correct_channels();

@@ -3,6 +3,7 @@
 #include "firmware/acquisition/raw_sample.hpp"
 #include "firmware/conditioning/conditioning.hpp"
 #include "firmware/configuration/configuration.hpp"
+#include "firmware/configuration/zeroed.hpp"
 #include "firmware/energy/batch_collector.hpp"
 #include "firmware/energy/energy_sums.hpp"
 #include "firmware/identification/identification.hpp"
@@ -51,7 +52,7 @@ class EstimatorCore {
   const CoreHealth& health() const { return health_; }
   const BatchTable& table() const { return table_; }
   // Of the last solve: how the estimates move together.
-  const NormalEquations& normal_equations() const { return memory_.fit.equations(); }
+  const NormalEquations& normal_equations() const { return memory_->fit.equations(); }
   const ScoreTests& score_tests() const { return tests_; }
 #if FIRMWARE_WARRANT_NUMBERS > 0
   const ScoreSums& score_sums() const { return tests_.sums(); }
@@ -97,7 +98,7 @@ class EstimatorCore {
   Frame frame_ = {};
   EnergySums sums_;
   BatchTable table_;
-  IdentificationMemory memory_;
+  Zeroed<IdentificationMemory> memory_;
   Batch batch_;
   ScoreTests tests_;
   ChannelCorrections corrections_;

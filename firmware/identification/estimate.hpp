@@ -102,6 +102,7 @@ struct Warrant {
 };
 
 struct Estimates {
+  Estimates();  // out of line: its initial values take room once
   uint8_t unknown_count = 0;
   ParameterEstimate parameters[kMaxUnknowns];
   Scaled condition_number;      // of the column-scaled rows

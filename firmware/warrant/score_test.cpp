@@ -12,7 +12,7 @@ constexpr int kLeastStretches = 8;  // of the whole record
 bool ScoreTest::judge(const CoreConfiguration& configuration, const ScoreSums& sums, const Estimates& estimates) {
   configuration_ = &configuration;
   sums_ = &sums;
-  best_ = rival_ = -1;
+  forget();
   const ScoreTable& table = sums.table();
   stretches_ = table.stretches();
   const ProbePlan& plan = sums.plan();

@@ -60,6 +60,7 @@ class ScoreTest {
  public:
   // False: there is nothing to test with (yet).
   bool judge(const CoreConfiguration& configuration, const ScoreSums& sums, const Estimates& estimates);
+  void forget() { best_ = rival_ = -1; }  // nothing is named
   const ProbeScore& score(int probe) const { return score_[probe]; }
   int best() const { return best_; }    // of the flagged candidates, -1: none
   int rival() const { return rival_; }  // the next one of another cause or place, -1: none

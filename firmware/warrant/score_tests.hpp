@@ -1,6 +1,7 @@
 // The score tests as the core sees them: sums with the samples, a verdict with the estimates. Where the core is built
 // without room for them (FIRMWARE_WARRANT_NUMBERS 0) they take no memory and no time, and estimates go out as they are.
 #pragma once
+#include "firmware/configuration/zeroed.hpp"
 #include "firmware/warrant/verdict.hpp"
 
 namespace firmware {
@@ -16,6 +17,7 @@ class ScoreTests {
                  const ClearSigns& signs) {
     configuration_ = &configuration;
     on_ = wanted && configuration.probe_products_per_sample > 0;
+    test_->forget();
     if (on_) sums_.configure(configuration, effect_unit, signs);
   }
   bool on() const { return on_; }
@@ -38,13 +40,13 @@ class ScoreTests {
   void judge(int levels, Estimates& estimates);
 
   const ScoreSums& sums() const { return sums_; }
-  const ScoreTest& test() const { return test_; }
+  const ScoreTest& test() const { return *test_; }
 
  private:
   const CoreConfiguration* configuration_ = nullptr;
   bool on_ = false;
   ScoreSums sums_;
-  ScoreTest test_ = {};
+  Zeroed<ScoreTest> test_;
 };
 
 #else

@@ -21,7 +21,7 @@ PAGE = ROOT / "docs/memory_budget.md"
 SKIPPED = 77
 # As firmware/CMakeLists.txt does.
 FOR_SIZE = (ROOT / "firmware/compiled_for_size.txt").read_text().split()
-SIZE_OPTIONS = ["-Os", "-fno-move-loop-invariants"]
+SIZE_OPTIONS = ["-Os", "-fno-move-loop-invariants", "-fno-schedule-insns2"]
 CAPACITIES = {
     "3 / 5": dict(MAX_DOFS=3, MOVING_BASE=0, MAX_LINKS=4, MAX_UNKNOWNS=5, MAX_TERMS=12, MAX_EFFECTS=1, MAX_LEVELS=2,
                   MAX_BATCHES=6, MAX_WEIGHTS=2, MAX_PRODUCTS=48, BLOCK_SAMPLES=16, FILTER_HALF=0, MAX_WAITING=64,
