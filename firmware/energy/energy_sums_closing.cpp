@@ -98,7 +98,7 @@ void EnergySums::close_weight(int i, int q, Batch& batch) {
     if (incidence.column_slot >= 0) {
       batch.column[q][incidence.column_slot] = pack(value);
     } else {
-      rhs = rhs - configuration_->terms[incidence.term].value * value;
+      rhs -= configuration_->terms[incidence.term].value * value;
     }
   }
   dof.rhs[q] = pack(rhs);

@@ -10,7 +10,7 @@ namespace {
 Scaled unit_work(const RowLayout& layout, const Batch& batch, Weight weight, int unknown) {
   Scaled work;
   for (int n = 0; n < layout.first[layout.dof_count]; ++n)
-    if (layout.unknown[n] == unknown) work = work + unpack(batch.column[static_cast<int>(weight)][n]);
+    if (layout.unknown[n] == unknown) work += unpack(batch.column[static_cast<int>(weight)][n]);
   return work;
 }
 

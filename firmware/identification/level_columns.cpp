@@ -50,7 +50,7 @@ void LevelColumns::load(const EquationList& list, const RowLayout& layout, const
 void LevelColumns::load_scale(int dof) {
   const int n = level_->batch_count;
   Scaled sum;
-  for (int b = 0; b < n; ++b) sum = sum + unpack(level_->batch[b].dof[dof].velocity_square);
+  for (int b = 0; b < n; ++b) sum += unpack(level_->batch[b].dof[dof].velocity_square);
   motion_total_[dof] = sum;
   motion_mean_[dof] = n ? sum / Scaled::from_int(n) : Scaled{};
   const Scaled least = scale_by_power_of_two(motion_mean_[dof], -34);

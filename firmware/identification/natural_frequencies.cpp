@@ -25,9 +25,9 @@ bool assemble(const CoreConfiguration& configuration, const Estimates& estimates
     if (term.kind == TermKind::kMass) mass[term.place] = value;
     if (term.kind != TermKind::kStiffness && term.kind != TermKind::kGravity) continue;
     const int a = configuration.links[term.place].node_a, b = configuration.links[term.place].node_b;
-    if (a < n) matrix.at(a, a) = matrix.at(a, a) + value;
-    if (b < n) matrix.at(b, b) = matrix.at(b, b) + value;
-    if (a < n && b < n) matrix.at(a, b) = matrix.at(a, b) - value;
+    if (a < n) matrix.at(a, a) += value;
+    if (b < n) matrix.at(b, b) += value;
+    if (a < n && b < n) matrix.at(a, b) -= value;
   }
   for (int i = 0; i < n; ++i)
     if (mass[i] <= Scaled{}) return false;
@@ -46,14 +46,16 @@ void rotate(SymmetricMatrix& matrix, int n, int p, int q) {
   Scaled tangent = one / (abs(half) + sqrt(half * half + one));
   if (half.is_negative()) tangent = -tangent;
   const Scaled cosine = one / sqrt(tangent * tangent + one), sine = tangent * cosine;
-  matrix.at(p, p) = matrix.at(p, p) - tangent * coupling;
-  matrix.at(q, q) = matrix.at(q, q) + tangent * coupling;
+  const Scaled turned = tangent * coupling;
+  matrix.at(p, p) -= turned;
+  matrix.at(q, q) += turned;
   matrix.at(p, q) = Scaled{};
   for (int k = 0; k < n; ++k) {
     if (k == p || k == q) continue;
-    const Scaled left = matrix.at(k, p), right = matrix.at(k, q);
-    matrix.at(k, p) = cosine * left - sine * right;
-    matrix.at(k, q) = sine * left + cosine * right;
+    Scaled &left = matrix.at(k, p), &right = matrix.at(k, q);
+    const Scaled before = left;
+    left = cosine * before - sine * right;
+    right = sine * before + cosine * right;
   }
 }
 

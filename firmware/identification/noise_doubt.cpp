@@ -25,7 +25,7 @@ Scaled doubtful_power(const CoreConfiguration& configuration, int dof, int weigh
       quantity = term.kind == TermKind::kViscous ? Quantity::kVelocity : Quantity::kDisplacement;
     }
     const Scaled& value = term.unknown < 0 ? term.value : estimates.parameters[term.unknown].value;
-    power = power + value * noise[static_cast<int>(quantity)];
+    power += value * noise[static_cast<int>(quantity)];
   }
   return power * Scaled::ratio(configuration.motion_noise_doubt[dof], 1000);
 }

@@ -148,7 +148,7 @@ Scaled bend_of_skews(const EquationList& list, const BatchTable& table, const Co
         report_work(10 * (table.layout.first[i + 1] - table.layout.first[i]));
         for (int n = table.layout.first[i]; n < table.layout.first[i + 1]; ++n)
           if (table.layout.unknown[n] == unknown)
-            energy = energy + unpack(batch.column[static_cast<int>(list.equation[i].weight)][n]);
+            energy += unpack(batch.column[static_cast<int>(list.equation[i].weight)][n]);
       }
     if (energy.is_zero()) continue;
     const Scaled work = imitated_damping(configuration, table, i, skews, estimates) * motion_of(table, i) +

@@ -36,7 +36,7 @@ void ScoreTest::weigh_level(const Place& place, int level, int number) {
   if (to - from < kLeastForWeights) from = 0, to = stretches_;  // all levels where one alone is too short
   Scaled own;
   for (int s = from; s < to; ++s, report_work(100)) {
-    own = own + abs(sums_->table().value(s, sums_->plan().own_value(*probe_)));
+    own += abs(sums_->table().value(s, sums_->plan().own_value(*probe_)));
     a += square(psi_[s]);
     if (place.equations == 1) continue;
     b += psi_[s] * d_[s];
@@ -89,6 +89,7 @@ void ScoreTest::invert() {
   const int n = unknowns_;
   Scaled scale[kMaxUnknowns];
   bool done[kMaxUnknowns] = {};
+  Scaled(*const both[])[kMaxUnknowns] = {normal_, inverse_};
   for (int i = 0; i < n; ++i) {
     scale[i] = sqrt(abs(normal_[i][i]));
     if (scale[i].is_zero()) determined_[i] = false;
@@ -111,17 +112,13 @@ void ScoreTest::invert() {
       continue;
     }
     const Scaled by = Scaled::from_int(1) / normal_[pivot][pivot];
-    for (int j = 0; j < n; ++j) {
-      normal_[pivot][j] *= by;
-      inverse_[pivot][j] *= by;
-    }
+    for (Scaled(*matrix)[kMaxUnknowns] : both)
+      for (int j = 0; j < n; ++j) matrix[pivot][j] *= by;
     for (int i = 0; i < n; ++i) {
       if (i == pivot || normal_[i][pivot].is_zero()) continue;
       const Scaled factor = normal_[i][pivot];
-      for (int j = 0; j < n; ++j) {
-        normal_[i][j] -= factor * normal_[pivot][j];
-        inverse_[i][j] -= factor * inverse_[pivot][j];
-      }
+      for (Scaled(*matrix)[kMaxUnknowns] : both)
+        for (int j = 0; j < n; ++j) matrix[i][j] -= factor * matrix[pivot][j];
     }
   }
   for (int i = 0; i < n; ++i)

@@ -123,7 +123,7 @@ Scaled ScoreTest::doubtful_score() {
     }
     for (int level = 0; level < levels_; ++level) {
       const Scaled slopes = total(level, at, 1);
-      for (int e = 0; e < place.equations; ++e) doubt = doubt + weight_[probe_->place][level][e] * slopes * share[e];
+      for (int e = 0; e < place.equations; ++e) doubt += weight_[probe_->place][level][e] * slopes * share[e];
     }
   }
   return doubt;

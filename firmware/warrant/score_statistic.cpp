@@ -91,9 +91,9 @@ Scaled ScoreTest::give_back_level(int level, const ProbeScore& result) {
     for (int k = 0; k < place_->columns; ++k) {
       const int value = place_->equations + k;
       g[place_->unknown[k]] = column_weight_[k] * unit_[value] * table.value(s, probe_->first_value + value);
-      if (probe_->drifts()) g[place_->unknown[k]] = g[place_->unknown[k]] * time(s, end);
+      if (probe_->drifts()) g[place_->unknown[k]] *= time(s, end);
     }
-    for (int i = 0; i < count; ++i) g[unknown_of[i]] = g[unknown_of[i]] - base_sum_.term(table, s, i);
+    for (int i = 0; i < count; ++i) g[unknown_of[i]] -= base_sum_.term(table, s, i);
     report_work(150 * count);
     for (int i = 0; i < unknowns_; ++i) {
       if (g[i].is_zero()) continue;

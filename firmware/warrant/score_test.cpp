@@ -31,7 +31,7 @@ bool ScoreTest::judge(const CoreConfiguration& configuration, const ScoreSums& s
     level_begin_[levels_] = static_cast<uint16_t>(s + 1);
     level_of_[s] = static_cast<uint8_t>(levels_ - 1);
     report_work(150);
-    samples_ = samples_ + Scaled::from_int(static_cast<int64_t>(stretch.blocks) * kBlockSamples);
+    samples_ += Scaled::from_int(static_cast<int64_t>(stretch.blocks) * kBlockSamples);
   }
   // What waits for its block to fill, at a level's two ends, is not left out.
   const int64_t waiting = static_cast<int64_t>(levels_) * kProbeSamples;

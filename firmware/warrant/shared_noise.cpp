@@ -57,7 +57,7 @@ Scaled SharedNoise::with_known(const Place& place, Form form, int quantity, int 
   Scaled sum = of_ends(place, weight, Quantity::kForce, dof, kGroundNode, of);
   for (int s = 0; s < known_->shares(); ++s)
     if (known_->share(s).dof == dof)
-      sum = sum + known_->coefficient(s) * with_column(place, form, quantity, known_->share(s).column, of);
+      sum += known_->coefficient(s) * with_column(place, form, quantity, known_->share(s).column, of);
   return sum;
 }
 
