@@ -22,7 +22,7 @@ ShiftTaps shift_taps(const Scaled& late_samples, const Scaled& gain) {
   for (int j = 0; j < kShiftTaps; ++j) {
     Scaled tap = Scaled::from_int(1) / gain;
     for (int i = 0; i < kShiftTaps; ++i)
-      if (i != j) tap = tap * (within + Scaled::from_int(kBefore - i)) / Scaled::from_int(j - i);
+      if (i != j) tap = tap * (within + Scaled::from_int(kBefore - i)) / (j - i);
     taps.tap[j].raw = static_cast<int32_t>(to_fixed(tap, kFractionBits));
   }
   return taps;

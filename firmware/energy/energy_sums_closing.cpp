@@ -41,7 +41,7 @@ Scaled EnergySums::friction_energy(const Incidence& incidence, int weight) const
   if (weight != kInstrument) return own;
   const Scaled smooth = integral(incidence.product_smooth) + crossing;
   if (!use_[link].smooth_is_white) return smooth;
-  return (smooth * Scaled::from_int(200) - own * Scaled::from_int(67)) / Scaled::from_int(133);
+  return (smooth * 200 - own * 67) / 133;
 }
 
 // Energy per unit mass from the end points.

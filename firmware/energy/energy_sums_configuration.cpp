@@ -46,7 +46,7 @@ void EnergySums::configure(const CoreConfiguration& configuration, int weights) 
   weights_ = weights;
   make_equation_plan(configuration, weights, plan_, sums_, layout_);
   effects_.configure(configuration, plan_.column_unit);
-  const Scaled step = configuration.sample_period_s / Scaled::from_int(24);
+  const Scaled step = configuration.sample_period_s / 24;
   for (int p = 0; p < sums_.count(); ++p)
     integral_unit_[p] = step * plan_.column_unit[sums_.column_a(p)] * plan_.column_unit[sums_.column_b(p)];
   for (int l = 0; l < configuration.link_count; ++l) {

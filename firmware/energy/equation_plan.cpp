@@ -124,11 +124,10 @@ void set_column_units(const CoreConfiguration& configuration, EquationPlan& plan
     const Scaled& velocity = configuration.signals[node][static_cast<int>(Quantity::kVelocity)].unit_per_code;
     const Scaled& displacement = configuration.signals[node][static_cast<int>(Quantity::kDisplacement)].unit_per_code;
     if (node >= kMaxDofs) continue;
-    plan.column_unit[kInstrumentColumn + node] = plan.column_unit[kClearInstrumentColumn + node] =
-        velocity / Scaled::from_int(6);
+    plan.column_unit[kInstrumentColumn + node] = plan.column_unit[kClearInstrumentColumn + node] = velocity / 6;
     if (kWeights < 3) continue;
     plan.column_unit[kDisplacementInstrumentColumn + node] = plan.column_unit[kClearDisplacementColumn + node] =
-        displacement / Scaled::from_int(6);
+        displacement / 6;
   }
   for (int link = 0; link < kMaxLinks; ++link)
     plan.column_unit[kSignColumn + link] = plan.column_unit[kSmoothSignColumn + link] =

@@ -54,6 +54,21 @@ Scaled times(const Scaled& a, int64_t n);  // a * Scaled::from_int(n) with fewer
 Scaled operator/(const Scaled& a,
                  const Scaled& b);  // b == 0 gives the largest value with a's sign: callers test is_zero() first
 Scaled quotient(const Scaled& a, const Scaled& b);  // a / b; of b == 0 it is 0
+// With a whole number n that 32 bits hold: the bits of a * Scaled::from_int(n) and a / Scaled::from_int(n).
+Scaled whole_times(const Scaled& a, int32_t n);
+Scaled whole_part(const Scaled& a, int32_t n);
+template <typename Whole>
+using Fits32 = std::enable_if_t<std::is_integral<Whole>::value &&
+                                (sizeof(Whole) < sizeof(int32_t) ||
+                                 (sizeof(Whole) == sizeof(int32_t) && std::is_signed<Whole>::value))>;
+template <typename Whole, typename = Fits32<Whole>>
+Scaled operator*(const Scaled& a, Whole n) {
+  return whole_times(a, static_cast<int32_t>(n));
+}
+template <typename Whole, typename = Fits32<Whole>>
+Scaled operator/(const Scaled& a, Whole n) {
+  return whole_part(a, static_cast<int32_t>(n));
+}
 // In place, which takes fewer instructions than a = a + b where that is asked for.
 void operator+=(Scaled& a, const Scaled& b);
 void operator-=(Scaled& a, const Scaled& b);

@@ -222,6 +222,9 @@ FIRMWARE_STEP Scaled operator/(const Scaled& a, const Scaled& b) {
 
 FIRMWARE_STEP Scaled quotient(const Scaled& a, const Scaled& b) { return b.is_zero() ? Scaled{} : a / b; }
 
+FIRMWARE_STEP Scaled whole_times(const Scaled& a, int32_t n) { return a * Scaled::from_int(n); }
+FIRMWARE_STEP Scaled whole_part(const Scaled& a, int32_t n) { return a / Scaled::from_int(n); }
+
 FIRMWARE_STEP void operator+=(Scaled& a, const Scaled& b) { a = a + b; }
 FIRMWARE_STEP void operator-=(Scaled& a, const Scaled& b) { a = a - b; }
 FIRMWARE_STEP void operator*=(Scaled& a, const Scaled& b) { a = a * b; }

@@ -46,7 +46,7 @@ void add_level(const EquationList& list, WeightedFit& fit, int batches, BiasChec
   }
   for (int k = 0; k < list.unknown_count; ++k) {
     check.difference[k] += sum[k];
-    const Scaled of_mean = sum[k] * sum[k] / Scaled::from_int(batches);
+    const Scaled of_mean = sum[k] * sum[k] / batches;
     check.deviation[k] =
         check.deviation[k] + (batches > 1 ? (squares[k] - of_mean) * Scaled::ratio(batches, batches - 1) : of_mean);
   }
@@ -80,9 +80,9 @@ void end_comparison(const EquationList& list, BiasCheck& result) {
 
 bool bias_suspect(const BiasCheck& check, int unknown, const ParameterEstimate& parameter) {
   const Scaled difference = abs(check.difference[unknown]);
-  return difference > check.deviation[unknown] * Scaled::from_int(3) &&
+  return difference > check.deviation[unknown] * 3 &&
          scale_by_power_of_two(difference, 1) > parameter.ci95_high - parameter.ci95_low &&
-         difference * Scaled::from_int(20) > abs(parameter.value);
+         difference * 20 > abs(parameter.value);
 }
 
 }  // namespace firmware

@@ -35,8 +35,8 @@ int rows_of(const EquationList& list, const BatchTable& table, int unknown) {
 // rows s^2 / p.
 bool bent_by_columns(const EquationList& list, const BatchTable& table, const ParameterEstimate& parameter,
                      int unknown) {
-  const Scaled bend = parameter.std * Scaled::from_int(kLargestNoiseShare);
-  return bend * bend * Scaled::from_int(rows_of(list, table, unknown)) > parameter.value * parameter.value;
+  const Scaled bend = parameter.std * kLargestNoiseShare;
+  return bend * bend * rows_of(list, table, unknown) > parameter.value * parameter.value;
 }
 
 bool inseparable(const WeightedFit& fit, const EquationList& list, const BatchTable& table, const Estimates& estimates,
@@ -46,7 +46,7 @@ bool inseparable(const WeightedFit& fit, const EquationList& list, const BatchTa
   if (estimates.rows < estimates.unknown_count || inflation.is_zero() || parameter.std.is_zero() ||
       inflation > Scaled::from_int(kLargestInflation))
     return true;
-  return inflation * fit.relative_noise() * Scaled::from_int(kLargestNoiseShare) > Scaled::from_int(1) &&
+  return inflation * fit.relative_noise() * kLargestNoiseShare > Scaled::from_int(1) &&
          bent_by_columns(list, table, parameter, unknown);
 }
 
@@ -54,7 +54,7 @@ bool inseparable(const WeightedFit& fit, const EquationList& list, const BatchTa
 bool inseparable_company(const WeightedFit& fit, const EquationList& list, const BatchTable& table,
                          const Estimates& estimates, int unknown) {
   const ParameterEstimate& parameter = estimates.parameters[unknown];
-  if (parameter.std * Scaled::from_int(10) < abs(parameter.value)) return false;
+  if (parameter.std * 10 < abs(parameter.value)) return false;
   for (int k = 0; k < estimates.unknown_count; ++k)
     if (inseparable(fit, list, table, estimates, k)) return true;
   return false;

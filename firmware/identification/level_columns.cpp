@@ -10,7 +10,7 @@ constexpr int kLeastShareLog2 = -8;
 void remove_mean(Scaled* values, int count) {
   Scaled sum;
   for (int b = 0; b < count; ++b) sum += values[b];
-  const Scaled mean = sum / Scaled::from_int(count);
+  const Scaled mean = sum / count;
   for (int b = 0; b < count; ++b) values[b] -= mean;
 }
 
@@ -52,7 +52,7 @@ void LevelColumns::load_scale(int dof) {
   Scaled sum;
   for (int b = 0; b < n; ++b) sum += unpack(level_->batch[b].dof[dof].velocity_square);
   motion_total_[dof] = sum;
-  motion_mean_[dof] = n ? sum / Scaled::from_int(n) : Scaled{};
+  motion_mean_[dof] = n ? sum / n : Scaled{};
   const Scaled least = scale_by_power_of_two(motion_mean_[dof], -34);
   rows_used_[dof] = 0;
   for (int b = 0; b < n; ++b) {
@@ -111,7 +111,7 @@ void LevelColumns::load_control(int dof, int which) {
     remove_mean(other_, n);
     const Scaled with = sum_of_squares(number_, n), without = sum_of_squares(other_, n);
     if (!total_[c].is_zero() && without < with) {
-      end_variance_[c] = (with - without) / Scaled::from_int(n - 1);
+      end_variance_[c] = (with - without) / (n - 1);
       for (int b = 0; b < n; ++b) number_[b] = other_[b];
     }
   }

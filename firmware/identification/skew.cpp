@@ -30,7 +30,7 @@ Scaled scatter(const Level& level, int dof, int weight, bool acceleration, const
     sum += rest;
     squares += rest * rest;
   }
-  return squares - sum * sum / Scaled::from_int(level.batch_count);
+  return squares - sum * sum / level.batch_count;
 }
 
 void add_level(const Level& level, int dof, int weight, bool acceleration, Regression& regression) {
@@ -47,7 +47,7 @@ void add_level(const Level& level, int dof, int weight, bool acceleration, Regre
   Scaled squares = scatter(level, dof, weight, acceleration, tau, false);
   if (level.periodic) {  // in the sum the ends of neighbouring batches cancel, all but two
     const Scaled without = scatter(level, dof, weight, acceleration, tau, true);
-    if (without < squares) squares = without + (squares - without) / Scaled::from_int(n);
+    if (without < squares) squares = without + (squares - without) / n;
   }
   // Where few batches carry the motion, the fitted tau takes most of their scatter with it.
   const Scaled count = energy * energy / energy_square, spare = count - Scaled::from_int(1);
@@ -63,7 +63,7 @@ void add_level(const Level& level, int dof, int weight, bool acceleration, Regre
 // A friction force that changes sign inside a sample interval, at the same place of every cycle, imitates a late
 // acceleration by up to some hundredths of the sample period.
 Scaled least_skew_s(const BatchTable& table, bool acceleration) {
-  return table.sample_period_s / Scaled::from_int(acceleration ? 16 : 200);
+  return table.sample_period_s / (acceleration ? 16 : 200);
 }
 
 SkewEstimate measure(const BatchTable& table, int dof, int weight, bool acceleration) {
@@ -172,7 +172,7 @@ bool skew_matters(const EquationList& list, const BatchTable& table, const CoreC
   if (!any) return false;  // nothing imitates damping
   const ParameterEstimate& parameter = estimates.parameters[unknown];
   const Scaled shift = bend_of_skews(list, table, configuration, unknown, significant, estimates);
-  return shift > scale_by_power_of_two(parameter.std, 1) && shift > abs(parameter.value) / Scaled::from_int(50);
+  return shift > scale_by_power_of_two(parameter.std, 1) && shift > abs(parameter.value) / 50;
 }
 
 }  // namespace firmware

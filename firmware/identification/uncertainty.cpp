@@ -78,7 +78,7 @@ void add_equation(const EquationList& list, const LevelColumns& level, const Whi
 Scaled variance_factor(const EquationList& list, const WeightedFit& fit, uint32_t rows) {
   const int freedom = static_cast<int>(rows) - list.unknown_count;
   if (freedom <= 0) return Scaled::from_int(1);
-  const Scaled misfit = fit.equations().residual_square() / Scaled::from_int(freedom);
+  const Scaled misfit = fit.equations().residual_square() / freedom;
   if (!fit.all_measured()) return misfit;
   // Chance takes the misfit over 1 + 5 sqrt(2 / freedom) less than once in 10^4 fits.
   const Scaled limit = Scaled::from_int(1) + sqrt(Scaled::ratio(50, freedom)) + Scaled::ratio(6, freedom);

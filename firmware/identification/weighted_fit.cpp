@@ -145,10 +145,10 @@ void WeightedFit::weighted_pass() {
     for (int e = 0; e < list_->count; ++e)
       whitening_[l][e].measured ? add_equation(l, e) : static_cast<void>(missing[l] = true);
   }
-  relative_noise_ = noise_count_ ? sqrt(noise_sum_ / Scaled::from_int(noise_count_)) : Scaled{};
+  relative_noise_ = noise_count_ ? sqrt(noise_sum_ / noise_count_) : Scaled{};
   for (int e = 0; e < list_->count; ++e) {
     if (deviation_count_[e] > 0)
-      relative_deviation_[e] = sqrt(deviation_sum_[e] / Scaled::from_int(deviation_count_[e]));
+      relative_deviation_[e] = sqrt(deviation_sum_[e] / deviation_count_[e]);
     else if (noise_count_ > 0)
       relative_deviation_[e] = Scaled{};
   }

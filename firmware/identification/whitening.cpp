@@ -87,14 +87,14 @@ Whitening measure_whitening(const EquationList& list, const LevelColumns& level,
   const Scaled& unreduced = sums[result.count][result.count];
   const Scaled energy = level.energy_square(e);
   // The energies of repeated batches add up, their noise only in squares.
-  if (!energy.is_zero()) relative_noise_square = unreduced / energy / Scaled::from_int(level.periodic() ? rows : 1);
+  if (!energy.is_zero()) relative_noise_square = unreduced / energy / (level.periodic() ? rows : 1);
   Scaled left = regress(sums, result.count, result.coefficient);
   if (left < level.rounding_square(e)) left = level.rounding_square(e);
   if (left.is_zero()) return result;
   for (int j = 0; j < result.count; ++j) result.observable[j] = observable[j];
   const int freedom = rows - result.count - (level.periodic() ? 1 : 0);
   const Scaled repeats = Scaled::from_int(level.periodic() ? rows : 1);
-  result.deviation = sqrt(repeats * left / Scaled::from_int(freedom));
+  result.deviation = sqrt(repeats * left / freedom);
   result.freedom = static_cast<int16_t>(freedom);
   if (freedom > 2) result.inflation = Scaled::ratio(rows - 2, rows - result.count - 2);
   result.measured = true;

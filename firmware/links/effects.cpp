@@ -25,7 +25,7 @@ LawShape law_shape(const Term& term, ShapeUse use, int32_t exponent_u, int32_t e
   if (use == ShapeUse::kGap) shape.gap = LawNumber::from_raw(to_fixed(term.shape, kLawFraction - exponent_u));
   if (use == ShapeUse::kTurns) {
     const Scaled turns = term.shape.is_zero() ? range_u * turns_per_radian() : range_u / term.shape;
-    shape.ratio = law_ratio(turns * Scaled::from_int(64));  // of 2^-26 of the range, in 2^-32 turns
+    shape.ratio = law_ratio(turns * 64);  // of 2^-26 of the range, in 2^-32 turns
     shape.phase = static_cast<uint32_t>(to_fixed(Scaled::from_int(term.second_shape_q26, 6) * turns_per_radian(), 0));
   }
   if (term.shape.is_zero()) return shape;

@@ -46,7 +46,7 @@ void BlockMotion::configure(const CoreConfiguration& configuration, const Scaled
     const int row = signal_column(i, Quantity::kAcceleration);
     derives_acceleration_[i] = signal_unit_[row].is_zero();
     if (derives_acceleration_[i])  // slope_840(), shifted
-      signal_unit_[row] = signal_unit_[signal_column(i, Quantity::kVelocity)] * Scaled::from_int(1 << kSlopeShift) /
+      signal_unit_[row] = signal_unit_[signal_column(i, Quantity::kVelocity)] * (1 << kSlopeShift) /
                           (Scaled::from_int(840) * configuration.sample_period_s);
     acceleration_[i] = difference(Quantity::kAcceleration, i, kGroundNode);
     unit_[kAccelerationColumn + i] = unit_of(acceleration_[i]);

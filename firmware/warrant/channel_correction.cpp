@@ -39,7 +39,7 @@ bool one_is_late(const Estimates& estimates, const Finding& late) {
   const bool of_acceleration = late.quantity == static_cast<uint8_t>(Quantity::kAcceleration);
   const Scaled off = of_velocity ? x.late_s - a.late_s : of_acceleration ? x.late_s : a.late_s;
   const Scaled std = of_velocity ? magnitude_of_both(x.std_s, a.std_s) : of_acceleration ? x.std_s : a.std_s;
-  return abs(off) < std * Scaled::from_int(kAgreeing) || times(abs(off), 10) < abs(late.size);
+  return abs(off) < std * kAgreeing || times(abs(off), 10) < abs(late.size);
 }
 
 }  // namespace
@@ -69,7 +69,7 @@ bool ChannelCorrections::take(const CoreConfiguration& configuration, const Esti
   if (correction == nullptr) return false;
   // Of a channel that is corrected the rest is taken out too where it is found at all: by more samples than the time before.
   const bool again = correction != &correction_[count_];
-  if (!again && abs(named.size) < named.std * Scaled::from_int(kWellMeasured)) return false;
+  if (!again && abs(named.size) < named.std * kWellMeasured) return false;
   if (!again && delay && !one_is_late(estimates, named)) return false;
   const Scaled one = Scaled::from_int(1);
   const Scaled late_s = delay ? correction->late_s + named.size : correction->late_s;

@@ -23,9 +23,7 @@ Scaled fault_unit(const CoreConfiguration& configuration, const Estimates& estim
 }
 
 Cause slip_of(const Scaled& gain, Cause otherwise, int percent) {
-  const auto near = [&](const Scaled& value, int within) {
-    return abs(gain - value) * Scaled::from_int(100) < abs(value) * Scaled::from_int(within);
-  };
+  const auto near = [&](const Scaled& value, int within) { return abs(gain - value) * 100 < abs(value) * within; };
   const Scaled gravity = Scaled::ratio(980665, 100000), thousand = Scaled::from_int(1000);
   if (near(Scaled::from_int(-1), percent)) return Cause::kPolarity;
   const bool large = near(gravity, percent) || near(thousand, percent);

@@ -56,7 +56,7 @@ Quantity channel_off(const CoreConfiguration& configuration, const Estimates& es
 // What holds its value from sample to sample acts half a sample later than what is measured.
 bool is_half_a_sample(const CoreConfiguration& configuration, const Scaled& late_s) {
   const Scaled off = abs(scale_by_power_of_two(late_s, 1) + configuration.sample_period_s);
-  return off * Scaled::from_int(100) < configuration.sample_period_s * Scaled::from_int(kSlipPercent);
+  return off * 100 < configuration.sample_period_s * kSlipPercent;
 }
 
 }  // namespace

@@ -159,7 +159,7 @@ void ScoreTest::measure_step(Scaled* step) {
     step[k] = difference_std_[k] = difference_doubt_[k] = Scaled{};
     if (!determined_[k]) continue;
     step[k] = step_of(k, left_);
-    const Scaled mean = step[k] / Scaled::from_int(stretches_);
+    const Scaled mean = step[k] / stretches_;
     Scaled squares, fourths;
     for (int s = 0; s < stretches_; ++s, report_work(150)) {
       const Scaled one = square(left_[s] - mean);
@@ -182,7 +182,7 @@ void ScoreTest::settle(const Estimates& estimates) {
   find_base();
   measure_step(difference_);
   for (int k = 0; k < unknowns_; ++k)
-    if (difference_std_[k] > estimates.parameters[k].std * Scaled::from_int(kLeastCertain)) return;
+    if (difference_std_[k] > estimates.parameters[k].std * kLeastCertain) return;
   for (int k = 0; k < unknowns_; ++k) parameter_[k] += difference_[k];
   find_base();
   measure_step(none);

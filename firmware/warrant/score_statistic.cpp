@@ -183,7 +183,7 @@ Scaled ScoreTest::variance_of_sum(const Scaled* share, Scaled& freedom) const {
   Scaled groups[kGroupSizes];
   int sizes = 0;
   for (; sizes < kGroupSizes; ++sizes) {
-    groups[sizes] = freedom / Scaled::from_int(2 << sizes);
+    groups[sizes] = freedom / (2 << sizes);
     if (groups[sizes] < Scaled::from_int(kLeastGroups)) break;
   }
   Scaled single, squares[kGroupSizes], sum[kGroupSizes];
@@ -212,7 +212,7 @@ Scaled ScoreTest::variance_of_sum(const Scaled* share, Scaled& freedom) const {
 // Of the sum of the scores, were a stretch's in proportion to its information: the noise alike in all of them. From left_, what
 // the effect leaves.
 Scaled ScoreTest::even_variance(ProbeScore& result, const Scaled& lost) const {
-  const Scaled least = scale_by_power_of_two(result.information / Scaled::from_int(stretches_), kLeastInformationLog2);
+  const Scaled least = scale_by_power_of_two(result.information / stretches_, kLeastInformationLog2);
   Scaled noise;
   int counted = 0;
   for (int s = 0; s < stretches_; ++s, report_work(350)) {
@@ -221,7 +221,7 @@ Scaled ScoreTest::even_variance(ProbeScore& result, const Scaled& lost) const {
     ++counted;
   }
   result.even_freedom = Scaled::from_int(counted - 1) - lost;
-  return counted < kFewestForEven ? Scaled{} : noise * result.information / Scaled::from_int(counted - 1);
+  return counted < kFewestForEven ? Scaled{} : noise * result.information / (counted - 1);
 }
 
 void ScoreTest::test(int number) {

@@ -70,7 +70,7 @@ bool impossible(const CoreConfiguration& configuration, int unknown, const Param
 bool contradicts(const CoreConfiguration& configuration, int unknown, const ParameterEstimate& parameter) {
   const Term* term = term_of(configuration, unknown);
   return term != nullptr && is_in(kNotNegative, term->kind) &&
-         (parameter.value + parameter.std * Scaled::from_int(kImpossibleDeviations)).is_negative();
+         (parameter.value + parameter.std * kImpossibleDeviations).is_negative();
 }
 
 bool instruments_differ(const ScoreTest& test, int unknown, const ParameterEstimate& parameter) {
@@ -78,12 +78,11 @@ bool instruments_differ(const ScoreTest& test, int unknown, const ParameterEstim
   const Scaled difference = whole > doubt ? whole - doubt : Scaled{};
   return difference > test.difference_std(unknown) * test.difference_limit(unknown) &&
          scale_by_power_of_two(difference, 1) > parameter.ci95_high - parameter.ci95_low &&
-         difference * Scaled::from_int(40) > abs(parameter.value);
+         difference * 40 > abs(parameter.value);
 }
 
 bool is_wrong_by(const Scaled& bend, const ParameterEstimate& parameter, int deviations = kWrongDeviations) {
-  return bend > parameter.std * Scaled::from_int(deviations) &&
-         bend * Scaled::from_int(kWrongShare) > abs(parameter.value);
+  return bend > parameter.std * deviations && bend * kWrongShare > abs(parameter.value);
 }
 
 // What the score tests' own fit says of the value would make it wrong.
@@ -97,8 +96,7 @@ bool fits_differ(const ScoreTest& test, int unknown, const ParameterEstimate& pa
 // no force that would bend it shows.
 bool hardly_tested(const ScoreTest& test, int unknown, const ParameterEstimate& parameter) {
   const Scaled& std = test.difference_std(unknown);
-  return std > parameter.std * Scaled::from_int(kLeastCertain) &&
-         std * Scaled::from_int(kWrongShare) > abs(parameter.value);
+  return std > parameter.std * kLeastCertain && std * kWrongShare > abs(parameter.value);
 }
 
 // A law that the link may have would not show.
