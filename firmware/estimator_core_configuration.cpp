@@ -32,7 +32,7 @@ ClearSigns clear_signs(const CoreConfiguration& configuration, const EnergySums&
 }  // namespace
 
 EstimatorCore::EstimatorCore(const CoreConfiguration& configuration, CoreDetail detail)
-    : configuration_(configuration), tests_() {
+    : configuration_(configuration) {
   conditioning_.configure(configuration);
   const int weights = weights_needed(configuration, detail);
   fits_ = weights <= kWeights && (kDerivesSignals || !needs_filters(configuration));

@@ -42,6 +42,7 @@ Scaled slow_rate_noise(const CoreConfiguration& configuration, int node, int32_t
 
 void ScoreSums::configure(const CoreConfiguration& configuration, const Scaled* effect_unit, const ClearSigns& signs) {
   configuration_ = &configuration;
+  random_ = 1;
   budget_.configure(configuration);
   make_probe_plan(configuration, kMostProbeValues, plan_);
   block_.configure(configuration, effect_unit, signs);

@@ -19,10 +19,10 @@ bool any_estimate(const Estimates& estimates) {
 
 void ScoreTests::judge(int levels, Estimates& estimates) {
   if (!on_) return;
-  sums_.flush();
+  sums_->flush();
   const bool calibrated = !configuration_->noise_unknown;
-  const bool judged = calibrated && any_estimate(estimates) && test_->judge(*configuration_, sums_, estimates);
-  give_verdict(*configuration_, sums_, *test_, {calibrated, judged, levels}, estimates);
+  const bool judged = calibrated && any_estimate(estimates) && test_->judge(*configuration_, *sums_, estimates);
+  give_verdict(*configuration_, *sums_, *test_, {calibrated, judged, levels}, estimates);
 }
 
 #endif

@@ -18,34 +18,34 @@ class ScoreTests {
     configuration_ = &configuration;
     on_ = wanted && configuration.probe_products_per_sample > 0;
     test_->forget();
-    if (on_) sums_.configure(configuration, effect_unit, signs);
+    if (on_) sums_->configure(configuration, effect_unit, signs);
   }
   bool on() const { return on_; }
   void clear() {
-    if (on_) sums_.clear();
+    if (on_) sums_->clear();
   }
   void begin_level() {
-    if (on_) sums_.begin_level();
+    if (on_) sums_->begin_level();
   }
-  void work() { sums_.work(); }  // once a sample, where they are on
+  void work() { sums_->work(); }  // once a sample, where they are on
   void offer(const Frame& frame, int count) {
-    if (on_) sums_.offer(frame, count);
+    if (on_) sums_->offer(frame, count);
   }
   void break_window() {  // what comes does not follow what came
     if (!on_) return;
-    sums_.finish();
-    sums_.restart();
+    sums_->finish();
+    sums_->restart();
   }
-  bool merging() const { return on_ && sums_.merging(); }
+  bool merging() const { return on_ && sums_->merging(); }
   void judge(int levels, Estimates& estimates);
 
-  const ScoreSums& sums() const { return sums_; }
+  const ScoreSums& sums() const { return *sums_; }
   const ScoreTest& test() const { return *test_; }
 
  private:
   const CoreConfiguration* configuration_ = nullptr;
   bool on_ = false;
-  ScoreSums sums_;
+  Zeroed<ScoreSums> sums_;
   Zeroed<ScoreTest> test_;
 };
 
