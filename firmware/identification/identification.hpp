@@ -9,7 +9,7 @@
 
 namespace firmware {
 
-// What one solve works on and forgets: 445 KB with the full table, each estimator's own.
+// What one solve works on and forgets: 333 KB with the full table, each estimator's own.
 struct IdentificationMemory {
   WeightedFit fit;
   BiasCheck bias;
