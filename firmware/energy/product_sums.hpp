@@ -6,8 +6,8 @@
 // have too: where all signals of an equation of motion are sampled together, its weighted sum is zero to the last bit.
 //
 // Formats: products below 2^52.4 (columns.hpp), 1024 of them below 2^62.4; end corrections times 24 below 2^57.
-// The sum over a block is exact, so how it is done does not show (product_sums_block.cpp): with a vector unit on offset-binary
-// numbers, without one three products at a time that share a column.
+// The sum over a block is exact, so how it is done does not show (product_sums_block.cpp): with a vector unit one product after the
+// other, without one three at a time that share a column.
 #pragma once
 #include "firmware/acquisition/columns.hpp"
 
@@ -70,11 +70,7 @@ class ProductSums {
   int product_count_ = 0;
   bool complete_ = true;
   Product product_[kMaxProducts];
-#if FIRMWARE_HAS_VECTORS
-  uint16_t rank_a_[kMaxProducts], rank_b_[kMaxProducts];  // the columns' places in column_
-  uint16_t column_[kMaxColumns];                          // columns in use
-  int column_count_ = 0;
-#else
+#if !FIRMWARE_HAS_VECTORS
   struct Group {  // three products that share a column; columns as so many numbers from the frame's start
     uint16_t shared, other[3], product[3];
   };

@@ -8,20 +8,9 @@ namespace {
 
 #if FIRMWARE_HAS_VECTORS
 
-// Offset-binary numbers (c + 2^31, unsigned, modulo 2^64): every vector unit multiplies 32 by 32 bits without sign.
-constexpr uint32_t kOffset = 0x80000000u;
-
-uint32_t offset_binary(int32_t value) { return static_cast<uint32_t>(value) ^ kOffset; }
-
-uint64_t offset_dot(const int32_t* __restrict a, const int32_t* __restrict b) {
-  uint64_t sum = 0;
-  for (int i = 0; i < kBlockSamples; ++i) sum += static_cast<uint64_t>(offset_binary(a[i])) * offset_binary(b[i]);
-  return sum;
-}
-
-uint64_t offset_sum(const int32_t* __restrict a) {
-  uint64_t sum = 0;
-  for (int i = 0; i < kBlockSamples; ++i) sum += offset_binary(a[i]);
+int64_t dot(const int32_t* __restrict a, const int32_t* __restrict b) {
+  int64_t sum = 0;
+  for (int i = 0; i < kBlockSamples; ++i) sum += static_cast<int64_t>(a[i]) * b[i];
   return sum;
 }
 
@@ -60,49 +49,17 @@ int64_t dot1(const int32_t* a, const int32_t* b) {
 
 #if FIRMWARE_HAS_VECTORS
 
-FIRMWARE_WIDER_VECTORS int64_t dot_block(const int32_t* a, const int32_t* b) {
-  const uint64_t offsets =
-      kOffset * (offset_sum(a) + offset_sum(b)) - static_cast<uint64_t>(kBlockSamples) * kOffset * kOffset;
-  return static_cast<int64_t>(offset_dot(a, b) - offsets);
+FIRMWARE_WIDEST_VECTORS int64_t dot_block(const int32_t* a, const int32_t* b) { return dot(a, b); }
+
+FIRMWARE_WIDEST_VECTORS void add_dots(const int32_t* shared, const int32_t* const* other, int count, int64_t* sum) {
+  for (int k = 0; k < count; ++k) sum[k] += dot(shared, other[k]);
 }
 
-FIRMWARE_WIDER_VECTORS void add_dots(const int32_t* __restrict shared, const int32_t* const* other, int count,
-                                     int64_t* sum) {
-  const uint64_t whole = static_cast<uint64_t>(kBlockSamples) * kOffset * kOffset - kOffset * offset_sum(shared);
-  for (int k = 0; k < count; ++k) {
-    const int32_t* __restrict of = other[k];
-    uint64_t products = 0, offsets = 0;
-    for (int i = 0; i < kBlockSamples; ++i) {
-      const uint32_t number = offset_binary(of[i]);
-      products += static_cast<uint64_t>(offset_binary(shared[i])) * number;
-      offsets += number;
-    }
-    sum[k] += static_cast<int64_t>(products - kOffset * offsets + whole);
-  }
-}
+void ProductSums::finish_plan() {}
 
-void ProductSums::finish_plan() {
-  column_count_ = 0;
+FIRMWARE_WIDEST_VECTORS void ProductSums::add_whole_block(const Frame& frame, int from) {
   for (int i = 0; i < product_count_; ++i)
-    for (int side = 0; side < 2; ++side) {
-      const uint16_t column = side == 0 ? product_[i].a : product_[i].b;
-      int place = 0;
-      while (place < column_count_ && column_[place] != column) ++place;
-      if (place == column_count_) column_[column_count_++] = column;
-      (side == 0 ? rank_a_ : rank_b_)[i] = static_cast<uint16_t>(place);
-    }
-}
-
-FIRMWARE_WIDER_VECTORS void ProductSums::add_whole_block(const Frame& frame, int from) {
-  uint64_t column_sum[kMaxColumns];
-  for (int c = 0; c < column_count_; ++c) column_sum[c] = offset_sum(&frame.raw[column_[c]][from]);
-  for (int i = 0; i < product_count_; ++i) {
-    // sum of (a + O)(b + O) = sum of a b + O (sum of (a + O) + sum of (b + O)) - n O^2, all modulo 2^64
-    const uint64_t raw = offset_dot(&frame.raw[product_[i].a][from], &frame.raw[product_[i].b][from]);
-    const uint64_t offsets = kOffset * (column_sum[rank_a_[i]] + column_sum[rank_b_[i]]) -
-                             static_cast<uint64_t>(kBlockSamples) * kOffset * kOffset;
-    sum_[i] += static_cast<int64_t>(raw - offsets);
-  }
+    sum_[i] += dot(&frame.raw[product_[i].a][from], &frame.raw[product_[i].b][from]);
 }
 
 #else

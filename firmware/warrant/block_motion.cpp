@@ -169,7 +169,7 @@ void BlockMotion::fill_acceleration(int dof) {
   }
 }
 
-FIRMWARE_WIDER_VECTORS void BlockMotion::fill_neighbours() {
+FIRMWARE_WIDEST_VECTORS void BlockMotion::fill_neighbours() {
   for (int row = 0; row < kMaxNodes * kQuantities; ++row) {
     if (signal_unit_[row].is_zero()) continue;
     const int node = row / kQuantities;
@@ -260,7 +260,7 @@ void BlockMotion::fill_slope_rest(Slope slope, int dof) {
   }
 }
 
-FIRMWARE_WIDER_VECTORS void BlockMotion::fill_columns() {
+FIRMWARE_WIDEST_VECTORS void BlockMotion::fill_columns() {
   fill_settled();
   for (int e = 0; e < effects_; ++e)
     for (int n = 0; n < kBlockSamples; ++n) column_[kForceLawColumn + e][n] = force_law_[e][kProbeLead + n];

@@ -132,8 +132,8 @@ void find_edges(const BlockMotion& block, const Place& place, PlaceMotion& motio
   }
 }
 
-FIRMWARE_WIDER_VECTORS void fill_motion(const BlockMotion& block, const Place& place, const PlaceScale& scale,
-                                        PlaceMotion& motion) {
+FIRMWARE_WIDEST_VECTORS void fill_motion(const BlockMotion& block, const Place& place, const PlaceScale& scale,
+                                         PlaceMotion& motion) {
   for (int q = 0; q < 2; ++q) {
     if (!scale.present[q]) {
       for (int n = 0; n < kBlockSamples; ++n)
@@ -147,8 +147,8 @@ FIRMWARE_WIDER_VECTORS void fill_motion(const BlockMotion& block, const Place& p
   if (place.kind != PlaceKind::kDof) fill_own_sign(scale, motion);
 }
 
-FIRMWARE_WIDER_VECTORS void fill_force(Form form, const PlaceScale& scale, const PlaceMotion& motion, int32_t* phi,
-                                       int32_t* own) {
+FIRMWARE_WIDEST_VECTORS void fill_force(Form form, const PlaceScale& scale, const PlaceMotion& motion, int32_t* phi,
+                                        int32_t* own) {
   if (is_slope(form)) {
     const int q = form == Form::kJerk ? 0 : 1;
     for (int n = 0; n < kBlockSamples; ++n) {
