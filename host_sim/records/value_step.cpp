@@ -1,8 +1,9 @@
 #include "host_sim/records/value_step.hpp"
 
 #include <algorithm>
-#include <boost/sort/spreadsort/float_sort.hpp>
 #include <cmath>
+
+#include "host_sim/records/in_order.hpp"
 
 namespace host_sim {
 namespace {
@@ -49,8 +50,7 @@ double whole_unit(const std::vector<double>& steps, double unit, double share) {
 // The unit of steps that were written in decimals too coarse for it, as 1/11 degree is in hundredths: all steps are whole
 // multiples of it but for `place`, the last decimal. The first guess is off by a place; multiples tell it ever better.
 double rounded_unit(const std::vector<double>& steps) {
-  std::vector<double> sorted = steps;
-  boost::sort::spreadsort::float_sort(sorted.begin(), sorted.end());
+  const std::vector<double> sorted = in_order(steps);
   const double smallest = sorted.front();
   double place = smallest;
   for (size_t i = 1; i < sorted.size(); ++i)
@@ -78,7 +78,7 @@ double usual_step(const std::vector<double>& steps) {
   std::vector<double> some;
   const size_t stride = steps.size() / kLooked + 1;
   for (size_t i = 0; i < steps.size(); i += stride) some.push_back(steps[i]);
-  boost::sort::spreadsort::float_sort(some.begin(), some.end());
+  some = in_order(some);
   const auto alike = static_cast<size_t>(kOftenest * static_cast<double>(some.size()));
   for (size_t i = 0; i + alike < some.size(); ++i)
     if (some[i + alike] <= 1.001 * some[i]) return some[i + alike / 2];

@@ -56,10 +56,13 @@ inline void take_digits(const char*& at, const char* last, uint64_t& digits) {
   for (uint64_t text; last - at >= 8;) {
     std::memcpy(&text, at, sizeof text);
     const int count = leading_digits(text);
-    if (count == 0) return;
-    digits = kTenTo[count] * digits + number_of_eight(text << (64 - 8 * count));  // zeros in front
-    at += count;
-    if (count < 8) return;
+    if (count < 8) {
+      if (count > 0) digits = kTenTo[count] * digits + number_of_eight(text << (64 - 8 * count));  // zeros in front
+      at += count;
+      return;
+    }
+    digits = kTenTo[8] * digits + number_of_eight(text);
+    at += 8;
   }
 #endif
   for (; at != last && digit(*at); ++at) digits = 10 * digits + static_cast<uint64_t>(*at - '0');
@@ -97,8 +100,8 @@ double quotient(const Decimal& decimal) {
   const int up = __builtin_clzll(decimal.digits), up_divisor = __builtin_clzll(divisor);
   bool rest = false;
   uint64_t whole = divided(decimal.digits << up, divisor << up_divisor, rest);
-  if (rest) whole |= 1;
-  return static_cast<double>(whole) * power_of_2(up_divisor - up - 63 - decimal.places);
+  const uint64_t half = whole >> 1 | (whole & 1) | (rest ? 1 : 0);  // a number with sign: no processor asks which it is
+  return static_cast<double>(static_cast<int64_t>(half)) * power_of_2(up_divisor - up - 62 - decimal.places);
 }
 constexpr bool kDivides = true;
 #else
