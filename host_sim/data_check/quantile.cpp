@@ -1,6 +1,7 @@
 #include "host_sim/data_check/quantile.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <memory>
 
@@ -8,7 +9,6 @@ namespace host_sim::data_check {
 namespace {
 
 constexpr size_t kSampled = 256;
-constexpr size_t kMargin = 32;  // places in the sample: four standard deviations of a median's, sqrt(kSampled) / 2 each
 
 double nth(double* values, size_t count, size_t rank) {
   std::nth_element(values, values + rank, values + count);
@@ -22,14 +22,17 @@ double nth_of_all(const std::vector<double>& values, size_t rank) {
 struct Bracket {
   double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
 };
+// The places in the sample on either side of the rank's: four standard deviations of where it falls, and two for ranks at an end.
 Bracket bracket_of(const std::vector<double>& values, size_t rank) {
+  const double share = static_cast<double>(rank) / static_cast<double>(values.size());
+  const auto margin = static_cast<size_t>(2.0 + 4.0 * std::sqrt(kSampled * share * (1.0 - share)));
   std::vector<double> sample(kSampled);
   for (size_t i = 0; i < kSampled; ++i) sample[i] = values[i * values.size() / kSampled];
   std::sort(sample.begin(), sample.end());
   const size_t place = rank * kSampled / values.size();
   Bracket bracket;
-  if (place >= kMargin) bracket.low = sample[place - kMargin];
-  if (place + kMargin < kSampled) bracket.high = sample[place + kMargin];
+  if (place >= margin) bracket.low = sample[place - margin];
+  if (place + margin < kSampled) bracket.high = sample[place + margin];
   return bracket;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 
 namespace host_sim {
 namespace {
@@ -15,16 +16,36 @@ constexpr double kBeyondChance =
     7.0;  // standard errors of eight blocks: Student's t with 7 degrees of freedom, 1 in 5000
 constexpr double kPi = 3.14159265358979323846;
 
-// Over samples first .. first + count - 1, with w = sin^2(pi t / T), which vanishes with its slope at both ends: int w a dt =
+// Sine and cosine of a turn over so many samples, in the middle of each.
+struct Turn {
+  explicit Turn(size_t count) : phase_step(2.0 * kPi / static_cast<double>(count)), sine(count), cosine(count) {
+    for (size_t i = 0; i < count; ++i) {
+      const double phase = phase_step * (static_cast<double>(i) + 0.5);
+      sine[i] = std::sin(phase), cosine[i] = std::cos(phase);
+    }
+  }
+  double phase_step;
+  std::vector<double> sine, cosine;
+};
+
+// The last one that was asked for is kept: all channels of a record are as long.
+const Turn& turn_over(size_t count) {
+  thread_local std::optional<Turn> turn;
+  if (!turn || turn->sine.size() != count) turn.emplace(count);
+  return *turn;
+}
+
+// From sample `first` on, with w = sin^2(pi t / T), which vanishes with its slope at both ends: int w a dt =
 // -int w' v dt = int w'' x dt for what moves there, whatever it does; the rest of int w a dt is the zero's, times T / 2.
-double zero_over(const Channel& acceleration, const Channel& motion, double step_s, size_t first, size_t count) {
-  const double turn = 2.0 * kPi / static_cast<double>(count), rate = turn / step_s;
+double zero_over(const Channel& acceleration, const Channel& motion, double step_s, size_t first, const Turn& turn) {
+  const double rate = turn.phase_step / step_s;
+  const size_t count = turn.sine.size();
   double sum = 0.0;
   for (size_t i = 0; i < count; ++i) {
-    const double phase = turn * (static_cast<double>(i) + 0.5), y = motion.values[first + i];
-    sum += 0.5 * (1.0 - std::cos(phase)) * acceleration.values[first + i];
-    sum += motion.quantity == Quantity::kVelocity ? 0.5 * rate * std::sin(phase) * y
-                                                  : -0.5 * rate * rate * std::cos(phase) * y;
+    const double y = motion.values[first + i];
+    sum += 0.5 * (1.0 - turn.cosine[i]) * acceleration.values[first + i];
+    sum += motion.quantity == Quantity::kVelocity ? 0.5 * rate * turn.sine[i] * y
+                                                  : -0.5 * rate * rate * turn.cosine[i] * y;
   }
   return sum / (0.5 * static_cast<double>(count));
 }
@@ -33,9 +54,10 @@ double zero_over(const Channel& acceleration, const Channel& motion, double step
 double zero_of(const Record& record, const Channel& acceleration, const Channel& motion) {
   const size_t count = record.samples() / kBlocks;
   if (count < kFewestSamples) return 0.0;
+  const Turn& turn = turn_over(count);
   double sum = 0.0, squares = 0.0;
   for (size_t block = 0; block < kBlocks; ++block) {
-    const double zero = zero_over(acceleration, motion, record.sample_period_s, block * count, count);
+    const double zero = zero_over(acceleration, motion, record.sample_period_s, block * count, turn);
     sum += zero, squares += zero * zero;
   }
   const double mean = sum / kBlocks;

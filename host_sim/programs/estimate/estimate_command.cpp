@@ -22,6 +22,7 @@
 #include "host_sim/programs/shared/data_options.hpp"
 #include "host_sim/programs/shared/human_output.hpp"
 #include "host_sim/programs/shared/inputs.hpp"
+#include "host_sim/programs/shared/one_heap.hpp"
 #include "host_sim/programs/shared/terminal.hpp"
 #include "host_sim/records/record_checks.hpp"
 #include "host_sim/reports/page/report.hpp"
@@ -100,6 +101,7 @@ class DataCheck {
 };
 
 void estimate(const EstimateArguments& arguments) {
+  use_one_heap();
   const rig_file::RigModel model = read_rig(arguments.rig);
   rig_file::require_unknowns(model);
   std::vector<Record> read = read_data(arguments.data, model, arguments.reading);
