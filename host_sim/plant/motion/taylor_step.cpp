@@ -24,7 +24,6 @@ TaylorStep::TaylorStep(const Equations& equations, const Excitation& excitation)
       nodes_(masses_ + 2),
       x_(static_cast<size_t>(kMost + 1) * nodes_, 0.0),
       drive_(x_.size(), 0.0),
-      net_(masses_),
       body_sum_(nodes_),
       body_mass_(nodes_) {
   std::vector<double> stiffness(nodes_, 0.0), viscous(nodes_, 0.0);
@@ -40,11 +39,14 @@ TaylorStep::TaylorStep(const Equations& equations, const Excitation& excitation)
     }
     links_.push_back(link);
   }
-  force_.resize(links_.size());
   for (size_t i = 0; i < masses_; ++i) {
     for (size_t l = 0; l < links_.size(); ++l) {
-      if (links_[l].a == i) ends_.push_back({l, 1.0});
-      if (links_[l].b == i) ends_.push_back({l, -1.0});
+      const Link& link = links_[l];
+      const auto add_end = [&](double sign) {
+        ends_.push_back({link.a, link.b, l, link.stiffness, link.viscous, link.friction, sign});
+      };
+      if (link.a == i) add_end(1.0);
+      if (link.b == i) add_end(-1.0);
     }
     ends_of_.push_back(ends_.size());
     two_ends_ = two_ends_ && ends_.size() == 2 * ends_of_.size();
@@ -80,46 +82,45 @@ void TaylorStep::set_drives(double t_s, double step_s) {
   for (int k = 0; k <= kMost; ++k) row(k)[masses_ + 1] = k < count ? base_.c[k] : 0.0;
 }
 
-// Of the k-th coefficients, on the masses. A link's force is made once, and each mass sums up in a register what is at its ends.
-inline void TaylorStep::net_forces(int k, const Modes& modes) {
+// take(i, net force on mass i) of the k-th coefficients. A link's force is made anew at each of its ends: what waits for the step
+// before never leaves the registers.
+template <typename Take>
+inline void TaylorStep::each_net_force(int k, const Modes& modes, Take take) {
   const double *x = row(k), *next = row(k + 1), *drive = drive_row(k);
   const double per_s = static_cast<double>(k + 1) / step_s_;
-  for (size_t l = 0; l < links_.size(); ++l) {
-    const Link& link = links_[l];
-    force_[l] = link.stiffness * (x[link.a] - x[link.b]) + link.viscous * per_s * (next[link.a] - next[link.b]);
-  }
-  if (k == 0)
-    for (size_t l = 0; l < links_.size(); ++l)
-      force_[l] += links_[l].friction * static_cast<double>(modes.rate_sign[l]);
+  const auto at = [&](const End& end) {
+    double force = end.stiffness * (x[end.a] - x[end.b]) + end.viscous * per_s * (next[end.a] - next[end.b]);
+    if (k == 0) force += end.friction * static_cast<double>(modes.rate_sign[end.link]);
+    return end.sign * force;
+  };
   const End* end = ends_.data();
-  const double* const force = force_.data();
   if (two_ends_) {
-    for (size_t i = 0; i < masses_; ++i, end += 2)
-      net_[i] = drive[i] - end[0].sign * force[end[0].link] - end[1].sign * force[end[1].link];
+    for (size_t i = 0; i < masses_; ++i, end += 2) take(i, drive[i] - at(end[0]) - at(end[1]));
     return;
   }
   for (size_t i = 0; i < masses_; ++i) {
     double net = drive[i];
-    for (const End* const last = ends_.data() + ends_of_[i]; end != last; ++end) net -= end->sign * force[end->link];
-    net_[i] = net;
+    for (const End* const last = ends_.data() + ends_of_[i]; end != last; ++end) net -= at(*end);
+    take(i, net);
   }
 }
 
-// next = factor M^-1 net; masses that are tied together move alike, and with the ground or the base where these are among them.
-// Returns the largest.
-inline double TaylorStep::accelerate(double factor, double* next) {
+// next = factor M^-1 net, net of the k-th coefficients; masses that are tied together move alike, and with the ground or the base
+// where these are among them. Returns the largest.
+inline double TaylorStep::accelerate(int k, const Modes& modes, double factor, double* next) {
   double largest = 0.0;
-  if (!body_.empty()) {
-    std::fill(body_sum_.begin(), body_sum_.end(), 0.0);
-    for (size_t i = 0; i < masses_; ++i) body_sum_[body_[i]] += net_[i];
+  if (body_.empty()) {
+    each_net_force(k, modes, [&](size_t i, double net) {
+      const double coefficient = next[i] = factor * net / mass_[i];
+      largest = std::max(largest, std::fabs(coefficient));
+    });
+    return largest;
   }
+  std::fill(body_sum_.begin(), body_sum_.end(), 0.0);
+  each_net_force(k, modes, [&](size_t i, double net) { body_sum_[body_[i]] += net; });
   for (size_t i = 0; i < masses_; ++i) {
-    if (body_.empty()) {
-      next[i] = factor * net_[i] / mass_[i];
-    } else {
-      const bool on_ground = body_[i] == body_[masses_], on_base = body_[i] == body_[masses_ + 1];
-      next[i] = on_ground ? 0.0 : on_base ? next[masses_ + 1] : factor * body_sum_[body_[i]] / body_mass_[body_[i]];
-    }
+    const bool on_ground = body_[i] == body_[masses_], on_base = body_[i] == body_[masses_ + 1];
+    next[i] = on_ground ? 0.0 : on_base ? next[masses_ + 1] : factor * body_sum_[body_[i]] / body_mass_[body_[i]];
     largest = std::max(largest, std::fabs(next[i]));
   }
   return largest;
@@ -140,8 +141,7 @@ bool TaylorStep::expand(double t_s, double step_s, const double* y, const Modes&
   const double rounding = kRounding * std::min(scale.displacement, scale.velocity * step_s);
   int small = 0;
   for (int k = 0; k + 2 <= kMost; ++k) {
-    net_forces(k, modes);
-    const double largest = accelerate(step_s * step_s / static_cast<double>((k + 1) * (k + 2)), row(k + 2));
+    const double largest = accelerate(k, modes, step_s * step_s / static_cast<double>((k + 1) * (k + 2)), row(k + 2));
     small = largest * static_cast<double>(k + 2) <= rounding ? small + 1 : 0;
     order_ = k + 2;
     if (small >= 2 && order_ >= kFirstJudged) return true;

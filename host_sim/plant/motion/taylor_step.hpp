@@ -41,13 +41,14 @@ class TaylorStep {
   double* row(int k) { return &x_[static_cast<size_t>(k) * nodes_]; }
   const double* row(int k) const { return &x_[static_cast<size_t>(k) * nodes_]; }
   struct End {  // of a link, at a mass
-    size_t link;
-    double sign;
+    size_t a, b, link;
+    double stiffness, viscous, friction, sign;  // sign: of the link's force at the mass, taken off
   };
   double* drive_row(int k) { return &drive_[static_cast<size_t>(k) * nodes_]; }
   void set_drives(double t_s, double step_s);
-  void net_forces(int k, const Modes& modes);
-  double accelerate(double factor, double* next);
+  template <typename Take>
+  void each_net_force(int k, const Modes& modes, Take take);
+  double accelerate(int k, const Modes& modes, double factor, double* next);
 
   const Equations& equations_;
   size_t masses_, nodes_;  // masses, ground, base
@@ -57,7 +58,6 @@ class TaylorStep {
   double longest_step_s_, step_s_ = 1.0;
   int order_ = 1, driven_ = 0;            // of the series; rows that the drives stand in
   std::vector<double> mass_, x_, drive_;  // x_, drive_: a row of nodes for every order
-  std::vector<double> force_, net_;       // of the order at hand: of the links, on the masses
   std::vector<End> ends_;                 // of one mass after the other, in the links' order
   bool two_ends_ = true;                  // every mass has two, as in a chain between walls
   std::vector<size_t> ends_of_;           // where those of a mass end
