@@ -8,6 +8,7 @@
 #include "host_sim/programs/shared/data_options.hpp"
 #include "host_sim/programs/shared/human_output.hpp"
 #include "host_sim/programs/shared/inputs.hpp"
+#include "host_sim/programs/shared/one_heap.hpp"
 #include "host_sim/programs/shared/terminal.hpp"
 #include "host_sim/records/record_checks.hpp"
 
@@ -42,6 +43,7 @@ std::string text_of(const data_check::Report& report, bool colours) {
 }
 
 void check(const CheckArguments& arguments) {
+  use_one_heap();
   rig_file::RigModel model;
   if (!arguments.rig.empty()) model = read_rig(arguments.rig);
   ResultTarget json(arguments.json);

@@ -13,6 +13,7 @@
 #include "host_sim/programs/run/run_result.hpp"
 #include "host_sim/programs/shared/human_output.hpp"
 #include "host_sim/programs/shared/inputs.hpp"
+#include "host_sim/programs/shared/one_heap.hpp"
 #include "host_sim/programs/shared/terminal.hpp"
 #include "host_sim/reports/data/from_run.hpp"
 #include "host_sim/reports/page/report.hpp"
@@ -83,6 +84,7 @@ void print_shipped(const std::string& name) {
 }
 
 void run(const RunArguments& arguments) {
+  use_one_heap();
   if (arguments.print) return print_shipped(arguments.scenario);
   if (!arguments.can.empty() && !arguments.log.empty())
     throw UsageError("--can and --log stand together, expected one of them");
