@@ -73,8 +73,8 @@ struct NodeStatus {
   uint8_t condition_log2 = 0;
   uint32_t update_counter = 0;
 };
-// Faults and mode are the caller's; the rest comes from the estimates.
-NodeStatus node_status(const Estimates& estimates, ControllerMode mode, uint16_t faults);
+// Faults and mode are the caller's; the rest comes from the estimates (null: none yet).
+NodeStatus node_status(const Estimates* estimates, ControllerMode mode, uint16_t faults);
 
 struct NodeHealth {
   uint32_t uptime_s = 0;

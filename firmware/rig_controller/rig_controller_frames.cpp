@@ -108,9 +108,7 @@ uint16_t RigController::fault_bits() const {
 }
 
 void RigController::send_status() {
-  static const Estimates kNone;  // nothing has been estimated yet
-  const Estimates& estimates = windows_.estimates() != nullptr ? *windows_.estimates() : kNone;
-  queue_.push(pack_status(configuration_.node.node, node_status(estimates, mode(), fault_bits())));
+  queue_.push(pack_status(configuration_.node.node, node_status(windows_.estimates(), mode(), fault_bits())));
   passing_faults_ = 0;
 }
 

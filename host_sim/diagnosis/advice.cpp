@@ -1,5 +1,6 @@
 #include "advice.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <set>
@@ -77,10 +78,13 @@ std::vector<std::string> advice_for(const Diagnosis& d) {
   }
   if (d.verdict == Verdict::kUnknown && !d.unknown_trace.empty())
     say("the residual looks like " + d.unknown_trace + ", which is none of the named effects");
-  if (d.noise_hides())
+  const std::vector<Parameter>& numbers = d.baseline.parameters;
+  const bool no_number = !numbers.empty() &&
+                         std::all_of(numbers.begin(), numbers.end(), [](const Parameter& p) { return p.undetermined; });
+  if (d.noise_hides() && !no_number)
     say(d.driven ? "noise hides what may be missing: measure the force with less noise, at a higher level or for longer"
                  : "noise hides what may be missing: let it go from farther, or measure with less noise");
-  else if (d.verdict == Verdict::kUnknown || d.verdict == Verdict::kPartly)
+  else if (!d.noise_hides() && (d.verdict == Verdict::kUnknown || d.verdict == Verdict::kPartly))
     say("a force remains that no effect of the vocabulary explains: look at the residual against elongation, rate and "
         "time, "
         "and record with one suspected part removed or held");

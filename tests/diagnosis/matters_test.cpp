@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "host_sim/diagnosis/answer/materiality.hpp"
 #include "host_sim/diagnosis/choice/attempt.hpp"
 #include "tests/hidden_rig/draw.hpp"
 #include "two_masses.hpp"
@@ -81,6 +82,19 @@ TEST(Matters, OrToBeBeyondDoubtWhereUnseenWindowsCannotTell) {
   EXPECT_TRUE(matters(damper(), a));
   a.z = 4.4;
   EXPECT_FALSE(matters(damper(), a));
+}
+
+// 1.6 % missed of unseen data as given and 4.8 % with a torque's gain, one DOF; a run that is far off as given tells nothing.
+TEST(Matters, WhatSimulatesUnseenDataWorseIsNotNamed) {
+  Diagnosis d;
+  d.baseline.holdout_nrmse_percent = {1.6}, d.gain = {1.6 / 4.8};
+  EXPECT_TRUE(simulates_worse(d));
+  d.gain = {0.96};  // less than a twentieth worse
+  EXPECT_FALSE(simulates_worse(d));
+  d.baseline.holdout_nrmse_percent = {2.1}, d.gain = {0.3};
+  EXPECT_FALSE(simulates_worse(d));
+  d.baseline.holdout_nrmse_percent = {1.6, 1.0}, d.gain = {0.3, 1.2};  // one of two gains
+  EXPECT_FALSE(simulates_worse(d));
 }
 
 // A friction damper that the rig file lacks, under noise of 5 %: one cause, and never two that share its work. In a set where

@@ -282,6 +282,12 @@ TEST(Verdict, SaysWhereNoiseHidesAll) {
       verdict_sentence(data),
       "The data are too noisy to tell whether the rig file is right. Its simulation misses 89 % of the signal of DOF "
       "1 on unseen data. What is left is no more than the noise of the channels makes of it.");
+  // of a model of which nothing is known, noise hides nothing: a blow 42 dB above its noise on a chain that is none
+  data.parameters = {{"mass[1]", "kg", {2.8e-5, -0.05, 0.05}, {}, "ILL_CONDITIONED"}};
+  EXPECT_EQ(verdict_headline(data), "These records do not tell whether the rig file is right");
+  EXPECT_TRUE(tells_nothing(data));
+  data.parameters[0].status = "BIAS_SUSPECT";
+  EXPECT_FALSE(tells_nothing(data));
   data.noise_hides = false;
   EXPECT_EQ(verdict_headline(data), "The rig file does not explain the measurement");
 }
@@ -293,6 +299,18 @@ TEST(Verdict, NoneDoesNotDenyWhatIsLeft) {
   EXPECT_TRUE(contains(verdict_sentence(data), "Nothing is left beyond measurement noise"));
   data.leaves_noise_alone = false;
   EXPECT_TRUE(contains(verdict_sentence(data), "neither helps to predict unseen data nor moves a coefficient"));
+}
+
+// "Explains" beside a free run that misses most of the motion needs a word; what noise makes such a run miss is noise's.
+TEST(Verdict, NoneSaysWhereAFreeRunGoesAstray) {
+  DiagnosisReportData data;
+  data.verdict = "none", data.leaves_noise_alone = false;
+  data.gains = {{1, 70.0, 70.0, 0.0, 0.0}};
+  EXPECT_TRUE(contains(verdict_sentence(data), "a free run over all unseen data misses 70 % of the signal of DOF 1"));
+  data.gains[0].nrmse_before_percent = 24;
+  EXPECT_FALSE(contains(verdict_sentence(data), "a free run"));
+  data.gains[0].nrmse_before_percent = 70, data.leaves_noise_alone = true;
+  EXPECT_FALSE(contains(verdict_sentence(data), "a free run"));
 }
 
 // A sensor is no part of the rig file.

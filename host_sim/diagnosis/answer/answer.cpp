@@ -187,7 +187,9 @@ constexpr double kMuchOfIt = 0.5;  // of what a free run misses: then nothing el
 
 // Noise of a force that is simulated drives the rig: what the run misses by that no model can mend.
 void say_noise_of_drives(const Task& task, const Score& score, Diagnosis& d) {
-  if (!d.driven || score.worst_percent < kHalfOfVariance || score.by_drives_percent < kMuchOfIt * score.worst_percent)
+  const bool astray = score.worst_percent > 100;  // of a model so far off nothing is noise's
+  if (!d.driven || astray || score.worst_percent < kHalfOfVariance ||
+      score.by_drives_percent < kMuchOfIt * score.worst_percent)
     return;
   char text[320];
   std::snprintf(text, sizeof text,

@@ -54,9 +54,16 @@ double windows_gain(const Choice& choice) {
 
 }  // namespace
 
+bool simulates_worse(const Diagnosis& d) {
+  return std::all_of(d.baseline.holdout_nrmse_percent.begin(), d.baseline.holdout_nrmse_percent.end(),
+                     [](double missed) { return missed < 100 * kSmall; }) &&
+         std::all_of(d.gain.begin(), d.gain.end(), [](double gain) { return gain * kLeastGain < 1; });
+}
+
 bool immaterial(const Task& task, const Choice& choice, bool noise, double worst_free_run,
                 const std::vector<ActiveTerm>& base, const std::vector<ActiveTerm>& full, const Diagnosis& d) {
   if (choice.named.empty()) return false;
+  if (simulates_worse(d)) return true;
   const bool pays =
       std::all_of(choice.named.begin(), choice.named.end(), [](const Named& n) { return n.unseen_deviations > kSure; });
   if (noise && (pays || moved(base, full)) && laws_apart(task, choice.base.model, choice.final.model) > kLeastGain - 1)

@@ -7,6 +7,10 @@ namespace diagnosis::runs {
 
 constexpr double kLeastGain = 1.05;  // on unseen data: a twentieth less missed is not a number that anybody acts on
 
+// Whether the rig as given simulates unseen data to 2 % and every DOF is simulated worse, by a twentieth, with the causes: they fit
+// better and are not what acts here.
+bool simulates_worse(const Diagnosis& d);
+
 // A cause beside which as much remains as before explains nothing: of what acts here it is not the name. Where only
 // noise remains it is a cause still if the rig's own numbers are others beside it, and the forces they make are. Where the
 // free run misses the whole motion with it as without, no window speaks for it.

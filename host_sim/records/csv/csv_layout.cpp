@@ -1,6 +1,7 @@
 #include "host_sim/records/csv/csv_layout.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cstring>
 #include <optional>
 
@@ -145,13 +146,21 @@ bool has_digit_first(const std::string& field) {
   return first != std::string::npos && field[first] >= '0' && field[first] <= '9' && field != "1/min";
 }
 
-// The columns' units, where the fields from `first` on are units or blank, and no number.
+// A row's title that says that units follow.
+bool says_units(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
+  return text.find("unit") != std::string::npos;
+}
+
+// The columns' units, where the fields from `first` on are units or blank, and no number. Behind a title that says so a word that is no
+// known unit is one all the same: whose column it is is told, and the others keep theirs.
 bool read_units(const std::vector<std::string>& fields, size_t first, CsvLayout& layout) {
   bool any = false;
+  const bool titled = first > 0 && !fields.empty() && says_units(fields[0]);
   for (size_t i = first; i < fields.size(); ++i) {
     const std::string text = trimmed_text(fields[i]);
     if (text.empty() || text == "-" || text == "Unit" || text == "Units") continue;  // a row's title is no unit
-    if (has_digit_first(text) || (first > 0 && !find_unit(text))) return false;
+    if (has_digit_first(text) || (first > 0 && !titled && !find_unit(text))) return false;
     any = any || find_unit(text).has_value();
   }
   if (!any || fields.size() > layout.columns.size() + 1) return false;

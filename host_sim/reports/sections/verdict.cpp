@@ -162,6 +162,19 @@ std::string possible_text(const DiagnosisReportData& data) {
   return listed(words, "or");
 }
 
+constexpr double kMuchMissed_percent = 25;  // as far as a run is in phase
+
+// Windows are followed and a run over all that is unseen is not: a sentence beside "explains".
+std::string free_run_text(const DiagnosisReportData& data) {
+  const bool astray = !data.leaves_noise_alone &&
+                      std::any_of(data.gains.begin(), data.gains.end(),
+                                  [](const DofGain& g) { return g.nrmse_before_percent > kMuchMissed_percent; });
+  const std::string missed = astray ? missed_text(data.gains, false) : "";
+  return missed.empty() ? ""
+                        : "Followed stretch by stretch, that is: a free run over all unseen data misses " + missed +
+                              ", as small errors of the start and of the numbers grow in it.";
+}
+
 // Of a rig file that explains the measurement.
 std::string rest_text(const DiagnosisReportData& data) {
   const auto bends =
@@ -185,7 +198,7 @@ std::string nothing_explains_text(const DiagnosisReportData& data) {
 }  // namespace
 
 bool tells_nothing(const DiagnosisReportData& data) {
-  return data.verdict == "none" && !data.parameters.empty() &&
+  return (data.verdict == "none" || data.noise_hides) && !data.parameters.empty() &&
          std::all_of(data.parameters.begin(), data.parameters.end(),
                      [](const ParameterChange& p) { return p.status == "ILL_CONDITIONED"; });
 }
@@ -214,7 +227,7 @@ std::string verdict_details(const DiagnosisReportData& data) {
     return joined({"They determine none of its coefficients, and no effect that could be missing is seen.",
                    missed.empty() ? "" : "Its simulation misses " + missed + " on unseen data."});
   }
-  if (data.verdict == "none") return rest_text(data);
+  if (data.verdict == "none") return joined({rest_text(data), free_run_text(data)});
   if (data.verdict == "ambiguous") return ambiguous_details(data);
   if (!data.cannot_describe.empty()) return data.cannot_describe;
   const std::string missed = missed_text(data.gains, !data.causes.empty());
