@@ -8,6 +8,7 @@
 
 #include "host_sim/records/data_file_error.hpp"
 #include "host_sim/records/even_times.hpp"
+#include "host_sim/records/parts_kept.hpp"
 #include "host_sim/records/record_checks.hpp"
 #include "host_sim/records/value_step.hpp"
 
@@ -138,14 +139,16 @@ std::vector<Record> resampled(const Record& record, double rate_Hz) {
   }
   if (records.empty())
     throw DataFileError(record.file, 0, fmt::format("has no {} samples without a gap", kFewestSamples));
+  const size_t parts = records.size();
+  for (size_t i = 1; i < parts; ++i) records[i].file += fmt::format(", part {}", i + 1);
+  const std::string left_out = leave_out_parts(records);
   size_t kept = 0;
   for (const Record& part : records) kept += part.samples();
   records.front().notes = record.notes;
-  records.front().notes.push_back(
-      fmt::format("interpolated onto {:.6g} samples a second", rate_Hz) +
-      (records.size() > 1 ? fmt::format(", in {} parts between gaps", records.size()) : "") +
-      fmt::format(": {} samples of {}", kept, time_s.size()));
-  for (size_t i = 1; i < records.size(); ++i) records[i].file += fmt::format(", part {}", i + 1);
+  records.front().notes.push_back(fmt::format("interpolated onto {:.6g} samples a second", rate_Hz) +
+                                  (parts > 1 ? fmt::format(", in {} parts between gaps", parts) : "") +
+                                  (left_out.empty() ? "" : ", " + left_out) +
+                                  fmt::format(": {} samples of {}", kept, time_s.size()));
   return records;
 }
 

@@ -173,7 +173,8 @@ TEST(Csv, ValuesMissingBetweenOthersAreFilledWhereTheRecordIsInterpolated) {
 }
 
 TEST(Csv, OtherFormatsAreNamed) {
-  for (const auto& [begins, word] : {std::pair{"PK\x03\x04", "Excel"}, std::pair{"{\"a\": 1}", "JSON"}}) {
+  for (const auto& [begins, word] : {std::pair{"PK\x03\x04", "Excel"}, std::pair{"PK\x03\x04time.npy", ".npz"},
+                                     std::pair{"\x93NUMPY v", ".npy"}, std::pair{"{\"a\": 1}", "JSON"}}) {
     try {
       host_sim::parse_csv(begins, "d.csv", chain(1));
       FAIL() << word;

@@ -77,6 +77,10 @@ const char* other_format(std::string_view content) {
                  {"{", "JSON"},
                  {"[{", "JSON"},
                  {"%PDF", "a PDF"}};
+  constexpr size_t kNames = 200;  // of the first file of an archive, and what stands before them
+  if (content.substr(0, 4) == "PK\x03\x04" && content.substr(0, kNames).find(".npy") != std::string_view::npos)
+    return "a NumPy archive (.npz; scipy.io.savemat writes what is read)";
+  if (content.substr(0, 6) == "\x93NUMPY") return "a NumPy array (.npy; numpy.savetxt writes what is read)";
   for (const auto& other : kOthers)
     if (content.substr(0, other.begins.size()) == other.begins) return other.is;
   return nullptr;
