@@ -381,8 +381,10 @@ bool passes(const Attempt& a, size_t already, double noise) {
 }
 
 bool nearly(const Attempt& a) {
-  return a.state.fit.ok && !a.rounds && a.candidates.size() == 1 && a.z > kSure && a.unseen < 1 &&
-         whole_error(a) < kPays;
+  if (!a.state.fit.ok || a.rounds || a.candidates.size() != 1 || !(whole_error(a) < kPays)) return false;
+  const bool much =
+      a.z > kByChance && a.error < 1 - kShare && a.unseen < 1 - kShare;  // of a record too short to be sure
+  return much || (a.z > kSure && a.unseen < 1);
 }
 
 bool leaves_much_more(const Attempt& a, const Attempt& than, double noise) {

@@ -82,7 +82,7 @@ double share_of(const Attempt& a, double noise);
 State rounded(const Task& task, const State& beside, const std::vector<Attempt>& tried);
 // Whether it may be named; already: causes named before it.
 bool passes(const Attempt& a, size_t already, double noise);
-// Whether it is beyond chance, pays, and unseen windows agree.
+// Whether it is sure, pays, and unseen windows agree; or beyond chance, and takes as much of seen and of unseen ones as a cause has to.
 bool nearly(const Attempt& a);
 // How much less the second leaves than the first, paired over blocks, as a normal deviate.
 double paired_z(const Fitted& first, const Fitted& second);
