@@ -13,7 +13,11 @@ namespace firmware {
 struct IdentificationMemory {
   WeightedFit fit;
   BiasCheck bias;
-  UncertaintySums sums;
+  union Work {  // one after the other
+    Work() : moments() {}
+    UncertaintySums sums;
+    BatchMoments moments;
+  } work;
 };
 
 bool any_batch(const BatchTable& table);
