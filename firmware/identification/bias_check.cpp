@@ -9,7 +9,7 @@ void add_moment(PackedScaled& place, const Scaled& moment) { place = place + pac
 
 // Each batch's change of the right-hand sides, times the columns of its rows.
 void add_equation(const EquationList& list, const LevelColumns& level, const Whitening& whitening, int e,
-                  WeightedFit& fit, BatchMoments& moments) {
+                  WeightedFit& fit, BiasCheck& check) {
   if (whitening.deviation.is_zero()) return;
   const ReducedRows& rows = fit.reduce(whitening, e, false);
   const WholeColumn change = rows.residual();
@@ -20,24 +20,24 @@ void add_equation(const EquationList& list, const LevelColumns& level, const Whi
     if (change.value[b] == 0) continue;
     if (level.periodic()) {
       const Scaled whitened = Scaled::from_int(change.value[b], change.exponent) / whitening.deviation;
-      for (int k = 0; k < list.unknown_count; ++k) add_moment(moments.of[b][k], row.column[k] * whitened);
+      for (int k = 0; k < list.unknown_count; ++k) add_moment(check.moment[b][k], row.column[k] * whitened);
       continue;
     }
     for (int j = 0; j < rows.unknowns; ++j) {
       const int64_t product = static_cast<int64_t>(rows.value[j][b]) * change.value[b];
-      add_moment(moments.of[b][rows.unknown[j]],
+      add_moment(check.moment[b][rows.unknown[j]],
                  Scaled::from_int(product, rows.exponent[j] + change.exponent) * weight);
     }
   }
 }
 
 // Sum over the batches of what each shifts the parameters by, and its variance by their scatter.
-void add_level(const EquationList& list, WeightedFit& fit, int batches, const BatchMoments& moments, BiasCheck& check) {
+void add_level(const EquationList& list, WeightedFit& fit, int batches, BiasCheck& check) {
   Scaled moment[kMaxUnknowns], shift[kMaxUnknowns], sum[kMaxUnknowns];
   Scaled* const squares = fit.vector();
   for (int k = 0; k < list.unknown_count; ++k) squares[k] = Scaled{};
   for (int b = 0; b < batches; ++b) {
-    for (int k = 0; k < list.unknown_count; ++k) moment[k] = unpack(moments.of[b][k]);
+    for (int k = 0; k < list.unknown_count; ++k) moment[k] = unpack(check.moment[b][k]);
     fit.equations().apply_covariance(moment, shift);
     for (int k = 0; k < list.unknown_count; ++k) {
       sum[k] += shift[k];
@@ -58,8 +58,7 @@ void begin_comparison(BiasCheck& result) {
   for (int k = 0; k < kMaxUnknowns; ++k) result.difference[k] = result.deviation[k] = Scaled{};
 }
 
-void compare_with_plain(const EquationList& list, LevelColumns& level, int l, WeightedFit& fit, BatchMoments& moments,
-                        BiasCheck& result) {
+void compare_with_plain(const EquationList& list, LevelColumns& level, int l, WeightedFit& fit, BiasCheck& result) {
   const int batches = level.batch_count();
   if (!list.instrument || batches == 0) return;
   // What the residual of a velocity equation changes by where it is weighted with the plain velocity.
@@ -70,9 +69,9 @@ void compare_with_plain(const EquationList& list, LevelColumns& level, int l, We
            batch_residual(fit.layout(), batch, list.equation[e], fit.parameters());
   });
   for (int b = 0; b < batches; ++b, report_work(40 + 40 * list.unknown_count))
-    for (int k = 0; k < list.unknown_count; ++k) moments.of[b][k] = PackedScaled{};
-  for (int e = 0; e < list.count; ++e) add_equation(list, level, fit.whitening(l, e), e, fit, moments);
-  add_level(list, fit, batches, moments, result);
+    for (int k = 0; k < list.unknown_count; ++k) result.moment[b][k] = PackedScaled{};
+  for (int e = 0; e < list.count; ++e) add_equation(list, level, fit.whitening(l, e), e, fit, result);
+  add_level(list, fit, batches, result);
 }
 
 void end_comparison(const EquationList& list, BiasCheck& result) {

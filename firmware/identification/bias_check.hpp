@@ -10,18 +10,14 @@ namespace firmware {
 struct BiasCheck {
   Scaled difference[kMaxUnknowns];  // plain minus instrumented estimate
   Scaled deviation[kMaxUnknowns];   // its standard deviation; until the end its square
-};
-
-// Working memory: what the rows of one batch give to the normal equations.
-struct BatchMoments {
-  PackedScaled of[kMaxBatches][kMaxUnknowns];
+  // Working memory: what the rows of one batch give to the normal equations.
+  PackedScaled moment[kMaxBatches][kMaxUnknowns];
 };
 
 // All stays zero where the table holds no instrument: there is nothing to compare.
 void begin_comparison(BiasCheck& result);
 // Adds the level l that the fit has loaded, whose residuals are lost.
-void compare_with_plain(const EquationList& list, LevelColumns& level, int l, WeightedFit& fit, BatchMoments& moments,
-                        BiasCheck& result);
+void compare_with_plain(const EquationList& list, LevelColumns& level, int l, WeightedFit& fit, BiasCheck& result);
 void end_comparison(const EquationList& list, BiasCheck& result);
 
 // A shift over three deviations, over the half width of the interval and over 5 % of the value: so much noise in this

@@ -79,14 +79,6 @@ EstimateStatus judge(const IdentificationMemory& memory, const EquationList& lis
   return EstimateStatus::kValid;
 }
 
-void measure_uncertainty(const EquationList& list, const BatchTable& table, IdentificationMemory& memory,
-                         Estimates& estimates) {
-  UncertaintySums& sums = memory.work.sums;
-  begin_uncertainty(sums);
-  for (int l = 0; l < table.level_count; ++l) add_uncertainty(list, memory.fit.load_level(l), l, memory.fit, sums);
-  report_uncertainty(list, memory.fit, sums, estimates);
-}
-
 }  // namespace
 
 bool any_batch(const BatchTable& table) {
@@ -107,10 +99,14 @@ void identify(const CoreConfiguration& configuration, const BatchTable& table, I
   ++estimates.window_counter;
   const EquationList list = list_equations(configuration, table);
   fit.solve(list, table);
-  measure_uncertainty(list, table, memory, estimates);
+  begin_uncertainty(memory.sums, estimates);
   begin_comparison(bias);
-  for (int l = 0; l < table.level_count; ++l)
-    compare_with_plain(list, fit.load_level(l), l, fit, memory.work.moments, bias);
+  for (int l = 0; l < table.level_count; ++l) {
+    LevelColumns& level = fit.load_level(l);
+    add_uncertainty(list, level, l, fit, memory.sums);
+    compare_with_plain(list, level, l, fit, bias);
+  }
+  report_uncertainty(list, fit, memory.sums);
   add_noise_doubt(configuration, list, table, fit, estimates);
   take_out_regressor_noise(list, table, fit, estimates);
   end_comparison(list, bias);

@@ -13,11 +13,7 @@ namespace firmware {
 struct IdentificationMemory {
   WeightedFit fit;
   BiasCheck bias;
-  union Work {  // one after the other
-    Work() : moments() {}
-    UncertaintySums sums;
-    BatchMoments moments;
-  } work;
+  UncertaintySums sums;
 };
 
 bool any_batch(const BatchTable& table);

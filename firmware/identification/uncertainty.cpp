@@ -10,9 +10,9 @@ namespace {
 constexpr int kRepeatedErrorLog2 = -20;
 
 void add_share(const Scaled& part, const Scaled& freedom, int k, UncertaintySums& sums) {
-  sums.variance[k] += part;
-  sums.variance_per_freedom[k] += part / freedom;
-  sums.variance_square_per_freedom[k] += part * part / freedom;
+  sums.variance(k) += part;
+  sums.variance_per_freedom(k) += part / freedom;
+  sums.variance_square_per_freedom(k) += part * part / freedom;
 }
 
 void add_relative(const Scaled& residual, const Scaled& right_side, UncertaintySums& sums) {
@@ -85,18 +85,19 @@ Scaled variance_factor(const EquationList& list, const WeightedFit& fit, uint32_
   return misfit > limit ? misfit : Scaled::from_int(1);
 }
 
-void report(const EquationList& list, const WeightedFit& fit, const UncertaintySums& sums, const Scaled& factor,
-            bool measured, Estimates& estimates) {
+void report(const EquationList& list, const WeightedFit& fit, UncertaintySums& sums, const Scaled& factor,
+            bool measured) {
+  Estimates& estimates = *sums.estimates;
   const int spare = static_cast<int>(sums.rows) - list.unknown_count;
   for (int k = 0; k < list.unknown_count; ++k) {
     ParameterEstimate& parameter = estimates.parameters[k];
     parameter.value = fit.parameters()[k];
-    const Scaled& variance = sums.variance[k];
+    const Scaled variance = sums.variance(k);
     const Scaled repeated = scale_by_power_of_two(parameter.value, kRepeatedErrorLog2);
     Scaled of_weights = Scaled::from_int(1), freedom = Scaled::from_int(spare > 0 ? spare : 1);
-    if (measured && !sums.variance_square_per_freedom[k].is_zero()) {
-      freedom = variance * variance / sums.variance_square_per_freedom[k];
-      const Scaled chosen = sums.variance_per_freedom[k] / variance - Scaled::from_int(1) / freedom;
+    if (measured && !sums.variance_square_per_freedom(k).is_zero()) {
+      freedom = variance * variance / sums.variance_square_per_freedom(k);
+      const Scaled chosen = sums.variance_per_freedom(k) / variance - Scaled::from_int(1) / freedom;
       if (Scaled{} < chosen) of_weights += scale_by_power_of_two(chosen, 2);
     }
     // No variance: no row tells it.
@@ -119,18 +120,19 @@ void add_scatter_between_levels(const EquationList& list, int levels, Uncertaint
   const Scaled limit = Scaled::from_int(1) + Scaled::ratio(44, 10) / sqrt(freedom) + Scaled::ratio(62, 10) / freedom;
   for (int k = 0; k < list.unknown_count; ++k) {
     const Scaled between = sums.pull_square[k] * Scaled::ratio(levels, levels - 1);
-    if (between <= sums.variance[k] * limit) continue;
-    sums.variance[k] = between;
-    sums.variance_per_freedom[k] = between / freedom;
-    sums.variance_square_per_freedom[k] = between * between / freedom;
+    if (between <= sums.variance(k) * limit) continue;
+    sums.variance(k) = between;
+    sums.variance_per_freedom(k) = between / freedom;
+    sums.variance_square_per_freedom(k) = between * between / freedom;
   }
 }
 
 }  // namespace
 
-void begin_uncertainty(UncertaintySums& sums) {
+void begin_uncertainty(UncertaintySums& sums, Estimates& estimates) {
+  sums.estimates = &estimates;
   for (int k = 0; k < kMaxUnknowns; ++k)
-    sums.variance[k] = sums.variance_per_freedom[k] = sums.variance_square_per_freedom[k] = Scaled{};
+    sums.variance(k) = sums.variance_per_freedom(k) = sums.variance_square_per_freedom(k) = Scaled{};
   for (int k = 0; UncertaintySums::kPulls && k < kMaxUnknowns; ++k) sums.pull[k] = sums.pull_square[k] = Scaled{};
   sums.relative_residuals = Scaled{};
   sums.rows = sums.relative_rows = 0;
@@ -149,10 +151,10 @@ void add_uncertainty(const EquationList& list, const LevelColumns& level, int l,
   if (level.batch_count() > 0) ++sums.levels;
 }
 
-void report_uncertainty(const EquationList& list, const WeightedFit& fit, UncertaintySums& sums, Estimates& estimates) {
+void report_uncertainty(const EquationList& list, const WeightedFit& fit, UncertaintySums& sums) {
   if (UncertaintySums::kPulls && sums.levels >= kLeastLevels && !sums.periodic)
     add_scatter_between_levels(list, sums.levels, sums);
-  report(list, fit, sums, variance_factor(list, fit, sums.rows), fit.all_measured(), estimates);
+  report(list, fit, sums, variance_factor(list, fit, sums.rows), fit.all_measured());
 }
 
 }  // namespace firmware
