@@ -81,13 +81,16 @@ std::vector<std::string> advice_for(const Diagnosis& d) {
   const std::vector<Parameter>& numbers = d.baseline.parameters;
   const bool no_number = !numbers.empty() &&
                          std::all_of(numbers.begin(), numbers.end(), [](const Parameter& p) { return p.undetermined; });
-  if (d.noise_hides() && !no_number)
-    say(d.driven ? "noise hides what may be missing: measure the force with less noise, at a higher level or for longer"
-                 : "noise hides what may be missing: let it go from farther, or measure with less noise");
-  else if (!d.noise_hides() && (d.verdict == Verdict::kUnknown || d.verdict == Verdict::kPartly))
+  if (d.noise_hides()) {
+    if (!no_number)
+      say(d.driven
+              ? "noise hides what may be missing: measure the force with less noise, at a higher level or for longer"
+              : "noise hides what may be missing: let it go from farther, or measure with less noise");
+  } else if (d.verdict == Verdict::kUnknown || d.verdict == Verdict::kPartly) {
     say("a force remains that no effect of the vocabulary explains: look at the residual against elongation, rate and "
         "time, "
         "and record with one suspected part removed or held");
+  }
   if (d.verdict == Verdict::kNone && !d.unknown_trace.empty())
     say("what is left looks faintly like " + d.unknown_trace +
         ", too little to bend a number: record at a higher level");

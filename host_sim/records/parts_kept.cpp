@@ -4,8 +4,7 @@
 
 #include <algorithm>
 #include <functional>
-
-#include "firmware/configuration/configuration.hpp"
+#include <iterator>
 
 namespace host_sim {
 namespace {
@@ -20,7 +19,7 @@ bool rests(const Record& part) {
   });
 }
 
-bool moves_at_all(const Record& part) {
+bool has_motion(const Record& part) {
   return std::any_of(part.channels.begin(), part.channels.end(),
                      [](const Channel& channel) { return channel.quantity != Quantity::kForce; });
 }
@@ -33,22 +32,15 @@ size_t leave_out(std::vector<Record>& parts, const std::function<bool(const Reco
   return useless;
 }
 
-// Of equal ones the earlier.
+// Of equal ones the later.
 size_t leave_out_shortest(std::vector<Record>& parts, size_t most) {
-  if (parts.size() <= most) return 0;
-  std::vector<size_t> lengths;
-  for (const Record& part : parts) lengths.push_back(part.samples());
-  std::sort(lengths.rbegin(), lengths.rend());
-  const size_t least = lengths[most - 1], gone = parts.size() - most;
-  size_t alike =
-      static_cast<size_t>(std::count(lengths.begin(), lengths.begin() + static_cast<std::ptrdiff_t>(most), least));
-  parts.erase(std::remove_if(parts.begin(), parts.end(),
-                             [&](const Record& part) {
-                               if (part.samples() != least) return part.samples() < least;
-                               return alike == 0 || alike-- == 0;
-                             }),
-              parts.end());
-  return gone;
+  const size_t before = parts.size();
+  while (parts.size() > most) {
+    const auto shortest = std::min_element(parts.rbegin(), parts.rend(),
+                                           [](const Record& a, const Record& b) { return a.samples() < b.samples(); });
+    parts.erase(std::next(shortest).base());
+  }
+  return before - parts.size();
 }
 
 }  // namespace
@@ -59,7 +51,7 @@ std::string leave_out_parts(std::vector<Record>& parts) {
   const auto say = [&](size_t count, const std::string& what) {
     if (count > 0) said.push_back(fmt::format("{} {}", count, what));
   };
-  say(leave_out(parts, [](const Record& part) { return moves_at_all(part) && rests(part); }), "at rest");
+  say(leave_out(parts, [](const Record& part) { return has_motion(part) && rests(part); }), "at rest");
   say(leave_out(parts, [](const Record& part) { return part.samples() < kFewestOfPart; }),
       fmt::format("of fewer than {} samples", kFewestOfPart));
   say(leave_out_shortest(parts, firmware::kMaxLevels),

@@ -14,14 +14,13 @@
 #include "host_sim/programs/shared/failures.hpp"
 #include "host_sim/records/data_file_error.hpp"
 #include "host_sim/records/digitise.hpp"
+#include "host_sim/records/parts_kept.hpp"
 #include "host_sim/records/record_checks.hpp"
 #include "host_sim/virtual_rig/board_configuration.hpp"
 #include "host_sim/virtual_rig/replay_board.hpp"
 
 namespace host_sim {
 namespace {
-
-constexpr size_t kFewestSamples = 4 * firmware::kBlockSamples;
 
 void check_records(const std::vector<Record>& records) {
   require_same_channels(records);
@@ -30,9 +29,9 @@ void check_records(const std::vector<Record>& records) {
                         "is data file " + std::to_string(firmware::kMaxLevels + 1) + ", expected at most " +
                             std::to_string(firmware::kMaxLevels));
   for (const Record& record : records)
-    if (record.samples() < kFewestSamples)
+    if (record.samples() < kFewestOfPart)
       throw CannotAnswer(record.file + " holds " + std::to_string(record.samples()) +
-                         " samples, too few for any window; record at least " + std::to_string(kFewestSamples) +
+                         " samples, too few for any window; record at least " + std::to_string(kFewestOfPart) +
                          ", several cycles of the lowest frequency");
 }
 

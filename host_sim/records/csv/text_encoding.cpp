@@ -73,6 +73,7 @@ const char* other_format(std::string_view content) {
     const char* is;
   } kOthers[] = {{"PK\x03\x04", "an Excel workbook or another archive"},
                  {"\xD0\xCF\x11\xE0", "an old Excel workbook"},
+                 {"\x93NUMPY", "a NumPy array (.npy; numpy.savetxt writes what is read)"},
                  {"TDSm", "a TDMS file"},
                  {"{", "JSON"},
                  {"[{", "JSON"},
@@ -80,7 +81,6 @@ const char* other_format(std::string_view content) {
   constexpr size_t kNames = 200;  // of the first file of an archive, and what stands before them
   if (content.substr(0, 4) == "PK\x03\x04" && content.substr(0, kNames).find(".npy") != std::string_view::npos)
     return "a NumPy archive (.npz; scipy.io.savemat writes what is read)";
-  if (content.substr(0, 6) == "\x93NUMPY") return "a NumPy array (.npy; numpy.savetxt writes what is read)";
   for (const auto& other : kOthers)
     if (content.substr(0, other.begins.size()) == other.begins) return other.is;
   return nullptr;
