@@ -22,11 +22,8 @@ int rows_of(const EquationList& list, const BatchTable& table, int unknown) {
   int rows = 0;
   for (int e = 0; e < list.count; ++e) {
     const int dof = list.equation[e].dof;
-    bool stands = false;
-    for (int n = table.layout.first[dof]; n < table.layout.first[dof + 1]; ++n)
-      stands = stands || table.layout.unknown[n] == unknown;
-    for (int l = 0; l < table.level_count && stands; ++l)
-      rows += table.level[l].periodic ? 1 : table.level[l].batch_count;
+    if (!stands_in(table.layout, dof, unknown)) continue;
+    for (int l = 0; l < table.level_count; ++l) rows += table.level[l].periodic ? 1 : table.level[l].batch_count;
   }
   return rows;
 }

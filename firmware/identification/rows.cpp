@@ -29,6 +29,12 @@ bool has_rows(const BatchTable& table, Weight weight) {
 
 }  // namespace
 
+bool stands_in(const RowLayout& layout, int dof, int unknown) {
+  for (int n = layout.first[dof]; n < layout.first[dof + 1]; ++n)
+    if (layout.unknown[n] == unknown) return true;
+  return false;
+}
+
 bool is_conservative(TermKind kind) { return (kConservativeTerms >> static_cast<int>(kind) & 1) != 0; }
 
 EquationList list_equations(const CoreConfiguration& configuration, const BatchTable& table) {

@@ -31,7 +31,8 @@ struct Row {
   Scaled rhs;
 };
 
-bool is_conservative(TermKind kind);  // its work over a closed cycle is zero
+bool stands_in(const RowLayout& layout, int dof, int unknown);  // whether the DOF's equations have the unknown
+bool is_conservative(TermKind kind);                            // its work over a closed cycle is zero
 EquationList list_equations(const CoreConfiguration& configuration, const BatchTable& table);
 
 void clear_row(int unknowns, Row& row);

@@ -1,15 +1,10 @@
 #include "firmware/identification/slow_motion.hpp"
 
 #include "firmware/fixed_point/work_meter.hpp"
+#include "firmware/identification/rows.hpp"
 
 namespace firmware {
 namespace {
-
-bool stands_in(const RowLayout& layout, int unknown, int dof) {
-  for (int n = layout.first[dof]; n < layout.first[dof + 1]; ++n)
-    if (layout.unknown[n] == unknown) return true;
-  return false;
-}
 
 bool slow(const Level& level, int dof, Scaled half_time_constant_s) {
   Scaled change, velocity_square;
@@ -29,7 +24,7 @@ bool filters_alone_move(const BatchTable& table, const CoreConfiguration& config
       scale_by_power_of_two(configuration.sample_period_s, configuration.high_pass_shift - 1);
   for (int dof = 0; dof < table.layout.dof_count; ++dof) {
     const SignalConfiguration& displacement = configuration.signals[dof][static_cast<int>(Quantity::kDisplacement)];
-    if (displacement.integrations == 0 || !stands_in(table.layout, unknown, dof)) continue;
+    if (displacement.integrations == 0 || !stands_in(table.layout, dof, unknown)) continue;
     for (int l = 0; l < table.level_count; ++l)
       if (slow(table.level[l], dof, half_time_constant_s)) return true;
   }
