@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "../choice/horizon.hpp"
 #include "../choice/most_noise.hpp"
 #include "../motion/drive_noise.hpp"
 #include "../terms/naming.hpp"
@@ -138,6 +139,11 @@ rig_file::RigModel written_rig(const Task& task, const State& fitted) {
 }
 
 namespace {
+
+// Windows shorter than a period follow anything from their own states: what is noise there need not be over the records.
+bool windows_tell(const Task& task, const Choice& choice) {
+  return choice.periods >= std::min(kLeastPeriods, longest_horizon(task.records));
+}
 
 Verdict verdict_of(const Task& task, const Choice& choice, bool noise, double worst_free_run, const Diagnosis& d) {
   if (!choice.named.empty())
@@ -295,6 +301,7 @@ void answer(const Task& task, const Choice& choice, Diagnosis& d) {
   state_delays(d.causes, d.extended_rig);
   d.baseline_misfit = choice.base_left.worst(), d.extended_misfit = choice.final_left.worst();
   const bool noise = choice.final.fit.ok && !beyond_noise(choice.final_left) && worst_free_run < kHalfOfVariance &&
+                     (worst_free_run < 100 * kFollows || windows_tell(task, choice)) &&
                      (choice.final_left.worst() <= kSurelyNoise || motion_error(task, choice.final, false) < kFollows);
   d.more_remains = !choice.named.empty() && (!noise || may_bend_numbers(choice.final_left));
   d.verdict = verdict_of(task, choice, noise, worst_free_run, d);

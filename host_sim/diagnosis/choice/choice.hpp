@@ -117,6 +117,7 @@ double missed_percent(const Task& task, const State& state);
 bool near_enough(const Task& task, const Choice& choice);
 constexpr double kFollows =
     0.25;  // of the motion, error: up to it a linearisation is trusted and fitted states help others
+constexpr double kInPhase = 0.5;  // of the motion, error: up to it a run is still in phase
 // Times the variance of its noise: less motion than that a sensor does not show, and what is simulated for it cannot be judged.
 constexpr double kShown = 4;
 // Of the motion, of each link's too, over windows and in free runs of unseen data: calibrations of sensors are not much

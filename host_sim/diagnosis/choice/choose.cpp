@@ -5,6 +5,7 @@
 #include "../answer/answer.hpp"
 #include "../fit/start.hpp"
 #include "../motion/drive_noise.hpp"
+#include "hidden_mode.hpp"
 #include "horizon.hpp"
 #include "other_shapes.hpp"
 #include "round.hpp"
@@ -270,14 +271,12 @@ void search_shorter(const Task& task, Choice& choice, const std::function<void(d
   }
 }
 
-constexpr double kOfThatMotion = 0.5;  // error over the motion: up to it a run is still in phase
-
 // Short windows follow anything from their own states: hysteresis and what grows slowly do not show in them. Where nothing is named
 // over them, windows over which the rig as given misses more are searched: what they name has to make them followed.
 void search_longer(const Task& task, Choice& choice, const std::function<void(double)>& progress) {
   for (double periods = longest_horizon(task.records); periods >= kShorter * choice.periods; periods /= kShorter) {
     Choice longer = over_windows(task, choice, periods);
-    if (longer.base.unseen.empty() || !(motion_error(task, longer.base) < kOfThatMotion)) continue;
+    if (longer.base.unseen.empty() || !(motion_error(task, longer.base) < kInPhase)) continue;
     longer.base_left = left_by(task.system, task.records, longer.base);
     search(task, kWorth, longer, progress);
     if (longer.named.empty() || !follows(task, longer.final)) continue;
@@ -298,6 +297,9 @@ void choose(const Task& task, Choice& choice, const std::function<void(double)>&
   const bool worth_it = beyond_noise(choice.base_left) || noise_share(choice.base_left, choice.base.fit) < kMostlyNoise;
   if (more_left && worth_it) search_shorter(task, choice, progress);
   if (choice.named.empty() && worth_it) search_longer(task, choice, progress);
+  if (beyond_noise(choice.named.empty() ? choice.base_left : left_by(task.system, task.records, choice.final)) &&
+      name_hidden_mode(task, choice))
+    search(task, kWorth, choice, progress);
   weigh_rivals(task, progress, choice);
   choice.final_left = left_by(task.system, task.records, choice.final);
 }

@@ -9,6 +9,7 @@ namespace diagnosis::runs {
 namespace {
 
 constexpr double kShortestHorizon = 0.2;  // periods
+constexpr double kNoGain = 0.98;          // of an error, that a fit which is settled leaves at least
 constexpr double kEnough = 20000;         // samples: some hundred periods tell one valley from another
 
 void thin_out(std::vector<Window>& windows, size_t every) {
@@ -106,11 +107,43 @@ void from_shorter(const Task& task, const Model& start, double periods, State& s
 
 }  // namespace
 
+constexpr int kMostRefits = 5;  // of what no windows follow: each goes on where the one before ended its steps
+
+// Where no windows are followed short ones are no better: their own states follow anything. Of the models that were found, the
+// one that leaves the least over windows that tell is gone on from, if it is in phase there. 0: it is not.
+double best_over_windows_that_tell(const Task& task, const std::vector<Model>& found, double from, State& s) {
+  const double periods = std::min(from, kLeastPeriods);
+  State best;
+  for (const Model& model : found) {
+    State other;
+    other.model = model;
+    lay(task, periods, other, kEnough);
+    Model frozen = model;
+    other.fit = fit(task.system, task.records, frozen, other.seen, kTrialSteps, true);
+    if (other.fit.ok && (!best.fit.ok || error_over(other.fit, best.fit) < 1)) best = other;
+  }
+  if (!best.fit.ok) return 0;
+  lay(task, periods, best);
+  settle_seen(task, best);
+  for (int i = 0; i < kMostRefits && best.fit.ok; ++i) {
+    State on = best;
+    settle_seen(task, on);
+    if (!on.fit.ok || !(error_over(on.fit, best.fit) < 1)) break;
+    const bool settled = error_over(on.fit, best.fit) > kNoGain;
+    best = on;
+    if (settled) break;
+  }
+  if (!(motion_error(task, best, false) < kInPhase)) return 0;
+  s = best;
+  return periods;
+}
+
 // The longest windows over which the model stays within reach of its linearisation. What no shorter windows follow either of the
 // motions between two DOFs, though the DOFs are followed, is noise of a colour that third differences do not show.
 double horizon(const Task& task, State& s, double from, bool massless) {
   const Model start = s.model;
   State longest;
+  std::vector<Model> found;
   double followed = 0;
   const double shortest = kShortestHorizon * quickest_share(task);
   double periods = from;
@@ -122,10 +155,12 @@ double horizon(const Task& task, State& s, double from, bool massless) {
     if (!massless && near && periods == from) from_shorter(task, start, periods, s);
     if (!massless && near) widen(task, from, periods, s);
     if (massless || near) return periods;
+    if (motion_error(task, s, false) < 1) found.push_back(s.model);  // nearer than no motion at all
     if (followed == 0 && follows(task, s, false)) longest = s, followed = periods;
     if (periods / 2 >= shortest) continue;
     if (followed > 0) s = longest, periods = followed;
-    return periods;
+    const double told = followed > 0 ? 0 : best_over_windows_that_tell(task, found, from, s);
+    return told > 0 ? told : periods;
   }
 }
 

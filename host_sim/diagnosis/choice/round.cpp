@@ -43,10 +43,13 @@ Round round_of(const Task& task, const State& now, size_t already, const Left& l
   choice.last_screen = screen(task.system, task.records, now.model, now.seen, now.fit, choice.last_candidates, kPairs);
   const Screen& s = choice.last_screen;
   std::vector<Attempt> singles;
+  bool dry_tried = false;  // where it holds the motion its linearisation tells little of what it brings
   for (const Screened& one : s.singles) {
-    if (singles.size() >= kShortList) break;
+    const bool dry = choice.last_candidates[one.candidate].terms[0].kind == Kind::kMissingCoulomb;
+    if (singles.size() >= kShortList && !(dry && !dry_tried)) continue;
     const double least = (noise < kMostlyNoise ? kByChance : kSure) * std::sqrt(static_cast<double>(already + 1));
     if (one.z < least && one.gain < kPlainGain) continue;
+    dry_tried = dry_tried || dry;
     singles.push_back(attempt(task, now, choice.last_candidates, one, noise));
   }
   std::sort(singles.begin(), singles.end(), by_whole_error);
