@@ -15,28 +15,44 @@ namespace {
 
 constexpr double kNormalMedian = 0.67448975;  // of |x|, x standard normal
 
-void difference(std::vector<double>& values) {
-  for (size_t k = 0; k + 1 < values.size(); ++k) values[k] = values[k + 1] - values[k];
-  if (!values.empty()) values.pop_back();
+// What is left of the count.
+size_t difference(double* values, size_t count) {
+  if (count == 0) return 0;
+  for (size_t k = 0; k + 1 < count; ++k) values[k] = values[k + 1] - values[k];
+  return count - 1;
 }
 
-// Standard deviation of white noise from its differences of an even order: their variance is the noise's times the
+constexpr size_t kPart = 1024;
+// Of a part's values.
+void append_sizes(const double* values, size_t count, std::vector<double>& sizes) {
+  double part[kPart];
+  for (size_t k = 0; k < count; ++k) part[k] = std::abs(values[k]);
+  sizes.insert(sizes.end(), part, part + count);
+}
+
+// Standard deviation of white noise from the sizes of its differences of an even order: their variance is the noise's times the
 // binomial coefficient (2n over n). By the median, so that bursts and edges do not count.
-double noise_by_differences(const std::vector<double>& differences, int order) {
-  std::vector<double> sizes(differences.size());
-  for (size_t k = 0; k < sizes.size(); ++k) sizes[k] = std::abs(differences[k]);
+double noise_by_differences(const std::vector<double>& sizes, int order) {
   double binomial = 1.0;
   for (int i = 1; i <= order; ++i) binomial *= static_cast<double>(order + i) / static_cast<double>(i);
   return quantile(sizes, 0.5) / kNormalMedian / std::sqrt(binomial);
 }
 
-// Of the fourth and the sixth differences.
+// Of the fourth and the sixth differences. Part by part, so that a part stays near the processor from one difference to the next.
 std::pair<double, double> noise_of(const std::vector<double>& values) {
-  std::vector<double> differences = values;
-  for (int i = 0; i < 4; ++i) difference(differences);
-  const double fourth = noise_by_differences(differences, 4);
-  for (int i = 0; i < 2; ++i) difference(differences);
-  return {fourth, noise_by_differences(differences, 6)};
+  constexpr size_t kFourth = 4, kSixth = 6;
+  std::vector<double> fourth, sixth;
+  fourth.reserve(values.size()), sixth.reserve(values.size());
+  for (size_t first = 0; first < values.size(); first += kPart) {
+    double part[kPart + kSixth];
+    size_t left = std::min(kPart + kSixth, values.size() - first);
+    std::copy_n(values.data() + first, left, part);
+    for (size_t i = 0; i < kFourth; ++i) left = difference(part, left);
+    append_sizes(part, std::min(left, kPart), fourth);  // the last two are the next part's, too
+    for (size_t i = kFourth; i < kSixth; ++i) left = difference(part, left);
+    append_sizes(part, left, sixth);
+  }
+  return {noise_by_differences(fourth, kFourth), noise_by_differences(sixth, kSixth)};
 }
 
 }  // namespace
@@ -83,13 +99,14 @@ Statistics statistics_of(const Channel& channel) {
   const auto [fourth, sixth] = noise_of(values);
   s.noise = std::max(fourth, s.resolution / std::sqrt(12.0));
   s.noisy = sixth > 0.5 * fourth && fourth > 0.3 * s.resolution;  // a smooth signal's sixth differences vanish
-  double inside = 0.0, same = 0.0;
+  const double low = bottom + 0.02 * s.range, high = top - 0.02 * s.range;
+  size_t inside = 0, same = 0;
   for (size_t i = 1; i < values.size(); ++i) {
-    if (values[i] <= bottom + 0.02 * s.range || values[i] >= top - 0.02 * s.range) continue;
-    inside += 1.0;
-    same += values[i] == values[i - 1] ? 1.0 : 0.0;
+    const bool is_inside = !(values[i] <= low) & !(values[i] >= high);
+    inside += is_inside ? 1 : 0;
+    same += is_inside & (values[i] == values[i - 1]) ? 1 : 0;
   }
-  s.repeats = inside > 0.0 ? same / inside : 1.0;
+  s.repeats = inside > 0 ? static_cast<double>(same) / static_cast<double>(inside) : 1.0;
   return s;
 }
 

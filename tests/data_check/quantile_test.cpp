@@ -28,7 +28,7 @@ TEST(Quantile, OfFewByHand) {
 TEST(Quantile, OfManyAsSorted) {
   std::mt19937 random(5);
   std::normal_distribution<double> normal;
-  for (const size_t count : {2048u, 4096u, 20129u, 65536u})
+  for (const size_t count : {2048u, 4096u, 20129u, 65536u, 300000u})
     for (int kind = 0; kind < 5; ++kind) {
       std::vector<double> values(count);
       for (size_t i = 0; i < count; ++i) {
