@@ -53,6 +53,25 @@ TEST(ValueStep, IsNoneOfASmoothSignalNorOfNoise) {
   EXPECT_EQ(value_step(noise), 0.0);
 }
 
+// The smallest steps are a few codes then, and nothing but the codes themselves lies between two of them.
+TEST(ValueStep, IsNoneOfNoiseInFineCodes) {
+  std::mt19937 random(9);
+  std::normal_distribution<double> normal;
+  for (const double codes : {3e4, 3e5, 3e6}) {
+    std::vector<double> values;
+    for (int i = 0; i < 20000; ++i) values.push_back(std::round(codes * normal(random)) / 0x1p23);
+    EXPECT_EQ(value_step(values), 0.0) << codes;
+  }
+}
+
+// 1/11 degree in thousandths: steps of 0.091 and 0.090, of 0.182 and 0.181, and of many counts where the swing is fast.
+TEST(ValueStep, IsThatOfACounterAmongFastSteps) {
+  std::vector<double> values;
+  for (int i = 0; i < 20000; ++i)
+    values.push_back(std::round(std::round(11.0 * 40.0 * std::sin(0.02 * i)) / 11.0 * 1e3) / 1e3);
+  EXPECT_NEAR(value_step(values), 1.0 / 11.0, 1e-4);
+}
+
 // A command of ramps: its steps are alike where it moves evenly, and any where it turns.
 TEST(ValueStep, OfRampsThatTurnSmoothlyIsNone) {
   std::vector<double> values;
