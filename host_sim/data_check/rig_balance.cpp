@@ -177,14 +177,14 @@ std::vector<Finding> exchanged_dofs(const Record& record, const rig_file::RigMod
 
 std::vector<Finding> check_rig_balance(const Record& record, const rig_file::RigModel& model) {
   Balance balance(record, model);
-  std::vector<Change> best;
+  std::vector<Change> possible = changes_of(balance.channels()), best;
+  add_common_changes(balance.channels(), possible);
   double best_before = 0.0, best_left = 1e300;
   size_t best_h = 0;
   for (size_t h = 2; static_cast<double>(record.samples()) > kFewestBells * static_cast<double>(6 * h); h *= 2) {
     const std::vector<Equation> equations = balance.equations(h);
     if (equations.empty()) continue;
-    std::vector<Change> changes = changes_of(balance.channels());
-    add_common_changes(balance.channels(), changes);
+    std::vector<Change> changes = possible;
     const double before = unexplained(equations, std::vector<double>(balance.channels().size(), 1.0));
     double least = before;
     for (Change& change : changes) {

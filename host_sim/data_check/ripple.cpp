@@ -58,6 +58,32 @@ double around(const std::vector<double>& power, size_t bin) {
   return std::max(quantile(beside, 0.5), below.empty() ? 0.0 : quantile(below, 0.5));
 }
 
+// Whether a bin stands so far above half of those beside it. Counted, as no more is asked of nearly all bins.
+bool above_half(const std::vector<double>& power, size_t bin) {
+  size_t beside = 0, lower = 0;
+  for (size_t k = bin > kAround ? bin - kAround : 1; k < std::min(power.size(), bin + kAround + 1); ++k) {
+    const bool is_beside = (k + kLine < bin) | (k > bin + kLine);
+    beside += is_beside ? 1 : 0;
+    lower += is_beside & (kAboveAround * power[k] < power[bin]) ? 1 : 0;
+  }
+  return lower > (beside - 1) / 2;
+}
+
+// Bins that stand far above those around them.
+struct Line {
+  size_t bin = 0;
+  double level = 0.0;  // of those around it
+};
+std::vector<Line> lines_of(const std::vector<double>& power) {
+  std::vector<Line> lines;
+  for (size_t bin = 2 * kLine; bin + kLine + 1 < power.size(); ++bin) {
+    if (!above_half(power, bin)) continue;
+    const double level = around(power, bin);
+    if (level > 0.0 && power[bin] > kAboveAround * level) lines.push_back({bin, level});
+  }
+  return lines;
+}
+
 bool acts_on_mass(const Channel& force, const rig_file::RigModel& model) {
   if (force.dof < 1 || static_cast<size_t>(force.dof) > model.dofs.size()) return false;
   const rig_file::Coefficient& mass = model.dofs[static_cast<size_t>(force.dof - 1)].mass_kg;
@@ -73,16 +99,17 @@ std::optional<Finding> find_ripple(const Record& record, const Channel& force, c
   if (part < kShortestPart) return std::nullopt;
   const std::vector<double> power = mean_spectrum(force.values, part);
   const double bin_Hz = 1.0 / (static_cast<double>(part) * record.sample_period_s);
+  const std::vector<Line> lines = lines_of(power);
+  if (lines.empty()) return std::nullopt;  // nearly always: the motion need not be looked at
   double motion_Hz = 0.0;
   for (const Channel& channel : record.channels)
     if (channel.quantity != Quantity::kForce)
       motion_Hz = std::max(motion_Hz, band_Hz(channel.values, record.sample_period_s));
   size_t best = 0;
   double above = kAboveAround;
-  const auto first = static_cast<size_t>(std::ceil(kAboveMotion * motion_Hz / bin_Hz));
-  for (size_t bin = std::max<size_t>(2 * kLine, first); bin + kLine + 1 < power.size(); ++bin)
-    if (const double level = around(power, bin); level > 0.0 && power[bin] > above * level)
-      best = bin, above = power[bin] / level;
+  for (const Line& at : lines)
+    if (static_cast<double>(at.bin) >= std::ceil(kAboveMotion * motion_Hz / bin_Hz) && power[at.bin] > above * at.level)
+      best = at.bin, above = power[at.bin] / at.level;
   if (best == 0) return std::nullopt;
   const double line =
       sum_of(power, best - kLine, best + kLine + 1) - static_cast<double>(2 * kLine + 1) * around(power, best);
