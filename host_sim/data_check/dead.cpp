@@ -16,8 +16,8 @@ constexpr double kGrowth =
 constexpr double kVisible = 1e-4;  // of the largest energy: below it noise may be all there is
 
 bool constant(const Channel& channel) {
-  const auto [low, high] = std::minmax_element(channel.values.begin(), channel.values.end());
-  return channel.values.empty() || *low == *high;
+  return std::all_of(channel.values.begin(), channel.values.end(),
+                     [&](double value) { return value == channel.values.front(); });
 }
 
 bool is_force(const Channel& channel) { return channel.quantity == Quantity::kForce; }

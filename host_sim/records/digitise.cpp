@@ -10,6 +10,13 @@ namespace {
 
 constexpr int kCodeBits = 23;  // and a sign
 
+// The nearest whole number, of two the even one, without a call: nothing behind the point is left beside 1.5 * 2^52. Beyond 2^51 it
+// may be an even one beside it.
+double nearest_whole(double value) {
+  constexpr double kNoFraction = 0x1.8p52;
+  return (value + kNoFraction) - kNoFraction;
+}
+
 double largest(const std::vector<Record>& records, const Channel& like) {
   double result = 0.0;
   for (const Record& record : records)
@@ -51,7 +58,7 @@ std::vector<rig_file::ChannelCalibration> calibrate(const std::vector<Record>& r
 }
 
 int32_t to_code(double value, const rig_file::ChannelCalibration& calibration) {
-  const double code = std::nearbyint(value / calibration.unit_per_code) + calibration.offset_code;
+  const double code = nearest_whole(value / calibration.unit_per_code) + calibration.offset_code;
   return static_cast<int32_t>(std::clamp<double>(code, calibration.lowest_code, calibration.highest_code));
 }
 

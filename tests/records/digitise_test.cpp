@@ -41,6 +41,18 @@ TEST(Digitise, RoundingMovesNoValueByMoreThanTwoToMinus23OfTheLargest) {
   }
 }
 
+TEST(Digitise, HalvesGoToTheEvenCodeAndWhatIsFarBeyondToTheRail) {
+  rig_file::ChannelCalibration calibration;
+  calibration.unit_per_code = 1.0;
+  calibration.lowest_code = -8388607, calibration.highest_code = 8388607;
+  for (const double value : {0.5, 1.5, 2.5, -0.5, -1.5, 0.49999999999999994, 8388606.5, 1234567.5, -7.25})
+    EXPECT_EQ(host_sim::to_code(value, calibration), static_cast<int32_t>(std::nearbyint(value))) << value;
+  for (const double value : {1e8, 0x1p51, 0x1.8p52, 1e20, 1e308}) {
+    EXPECT_EQ(host_sim::to_code(value, calibration), 8388607) << value;
+    EXPECT_EQ(host_sim::to_code(-value, calibration), -8388607) << value;
+  }
+}
+
 TEST(Digitise, AllRecordsShareOneUnit) {
   const auto small = host_sim::parse_csv("t_s,force_1_N\n0,1\n1,1\n", "d.csv", rig());
   const auto large = host_sim::parse_csv("t_s,force_1_N\n0,100\n1,1\n", "e.csv", rig());
