@@ -27,11 +27,10 @@ Bracket bracket_of(const double* values, size_t count, size_t rank) {
   const auto margin = static_cast<size_t>(2.0 + 4.0 * std::sqrt(kSampled * share * (1.0 - share)));
   double sample[kSampled];
   for (size_t i = 0; i < kSampled; ++i) sample[i] = values[i * count / kSampled];
-  std::sort(sample, sample + kSampled);
   const size_t place = rank * kSampled / count;
   Bracket bracket;
-  if (place >= margin) bracket.low = sample[place - margin];
-  if (place + margin < kSampled) bracket.high = sample[place + margin];
+  if (place >= margin) bracket.low = nth(sample, kSampled, place - margin);
+  if (place + margin < kSampled) bracket.high = nth(sample, kSampled, place + margin);
   return bracket;
 }
 

@@ -35,6 +35,17 @@ std::vector<double> steps_of(const std::vector<double>& values) {
   return steps;
 }
 
+// Four by four: the smaller of two waits for the one before.
+double smallest_of(const std::vector<double>& steps) {
+  std::array<double, 4> least;
+  least.fill(steps.front());
+  size_t i = 0;
+  for (; i + least.size() <= steps.size(); i += least.size())
+    for (size_t k = 0; k < least.size(); ++k) least[k] = std::min(least[k], steps[i + k]);
+  for (; i < steps.size(); ++i) least[0] = std::min(least[0], steps[i]);
+  return *std::min_element(least.begin(), least.end());
+}
+
 // The unit as all whole multiples of it tell it, where that share of the steps is whole; else 0.
 double whole_unit(const std::vector<double>& steps, double unit, double share) {
   size_t counted = 0, whole = 0;
@@ -152,7 +163,7 @@ double usual_step(const std::vector<double>& steps) {
 double value_step(const std::vector<double>& values) {
   const std::vector<double> steps = steps_of(values);
   if (steps.size() < 20) return 0.0;
-  const double smallest = *std::min_element(steps.begin(), steps.end());
+  const double smallest = smallest_of(steps);
   if (const double unit = whole_unit(steps, smallest, kAll); unit > 0.0) return unit;
   const double usual = usual_step(steps);
   if (const double unit = usual > 0.0 ? whole_unit(steps, usual, kMost) : 0.0; unit > 0.0) return unit;
