@@ -43,6 +43,8 @@ if measured bench_core; then
     echo "## \`estimate\` beside a script"
     echo
     echo "\`tests/bench/estimate_numpy.py\` is what a user would write: it reads the same two files and gives the numbers alone."
+    echo "A user waits for wall time; processor time is that of all threads."
+    echo
     if [ -x "$bin/host_sim" ] && /usr/bin/python3 -c "import numpy" 2> /dev/null; then
       "$bin/host_sim" run --scenario paper_3dof_random --records build/host/bench_records > /dev/null
       /usr/bin/python3 tests/bench/estimate_numpy.py --ratio "$bin/host_sim" build/host/bench_records/rig.toml \
