@@ -68,7 +68,8 @@ double unseen_share_of(const Attempt& a, double noise) {
   return (1 - a.unseen) / std::max(1e-12, 1 - std::min(std::min(1.0, noise * a.quieter), a.unseen));
 }
 
-constexpr double kMuch = 0.5;  // of what the better one leaves beyond noise, for each number that it has more
+constexpr double kNearlyAll = 0.9;  // of what is not noise
+constexpr double kMuch = 0.5;       // of what the better one leaves beyond noise, for each number that it has more
 
 // Seen and unseen blocks together.
 Fitted all_blocks(const State& s) {
@@ -193,7 +194,7 @@ void judge(const Task& task, const State& beside, bool hosted, Attempt& a) {
   }
   if (!a.state.fit.ok || a.rounds) return;
   a.z = std::min(1e300, least_z(a, beside.model.size()));
-  a.unseen_deviations = a.candidates.size() == 1 ? deviations_unseen(beside, a) : 0;
+  a.unseen_deviations = a.candidates.size() <= 2 ? deviations_unseen(beside, a) : 0;
   a.expected_unseen = expected_unseen(a.state, beside.model.size());
   a.shows_unseen = !a.state.unseen_fit.ok || 1 - a.unseen > kShows || a.expected_unseen > kShows;
   // what acts in another's place has no coefficient of its own: what it brings, block by block
@@ -361,7 +362,8 @@ bool passes(const Attempt& a, size_t already, double noise) {
   if (!a.state.fit.ok || a.rounds) return false;
   const double n = static_cast<double>(already + a.candidates.size()), least = least_share(a.candidates.size());
   // chance would have to pass twice; but what causes named before leave may be their laws' error, which unseen windows repeat
-  const bool borne_out = already == 0 && noise >= kMostlyNoise && a.unseen_deviations > kSure;
+  const bool single = a.candidates.size() == 1;
+  const bool borne_out = single && already == 0 && noise >= kMostlyNoise && a.unseen_deviations > kSure;
   if (!a.shows_unseen && !borne_out)  // then it has to explain nearly all by itself
     return unseen_agrees(a) && a.z > kNamed * std::sqrt(n) && share_of(a, noise) > std::max(least, 1 - kShare);
   // unseen windows are too quiet for what takes nearly all of the others (a decay's end): it is enough that they gain
@@ -370,10 +372,12 @@ bool passes(const Attempt& a, size_t already, double noise) {
   const bool again = too_quiet || unseen_share_of(a, noise) > 0.5 * share_of(a, noise);
   const bool plain = noise * std::max(1.0, a.quieter) < kMostlyNoise && again;
   // beside something larger that nobody knows
-  const bool surely = plain && already == 0 && a.z > kSure && a.unseen_deviations > kSure;
+  const bool surely = plain && single && already == 0 && a.z > kSure && a.unseen_deviations > kSure;
   if (surely && share_of(a, noise) > kLeastSureShare) return true;
-  // something is missing, and two tests that know nothing of each other say what: 5 % twice is as rare as kSure once
-  const bool twice = already == 0 && plain && a.unseen_deviations > kByChance;
+  // Something is missing, and two tests that know nothing of each other say what: 5 % twice is as rare as kSure once. Of pairs there
+  // are many: one that leaves next to nothing of windows that it has not seen is none that chance picked.
+  const bool whole = std::min(share_of(a, noise), unseen_share_of(a, noise)) > kNearlyAll;
+  const bool twice = already == 0 && plain && a.unseen_deviations > kByChance && (single || whole);
   return a.z > (twice                ? kByChance
                 : plain || borne_out ? kSure
                                      : kNamed * std::sqrt(n)) &&
