@@ -36,6 +36,11 @@ Extent extent_of(const System& s, const std::vector<Prepared>& records, size_t l
   return e;
 }
 
+// After a turn a shaft is where it was: without a spring nothing there depends on the angle, but what repeats.
+bool turns_freely(const System& s, size_t link, const Extent& e) {
+  return rig_file::link_rotates(s.rig, s.links[link]) && e.way > kTwoPi;
+}
+
 int find(const Model& model, int link, std::initializer_list<Kind> kinds) {
   for (size_t i = 0; i < model.size(); ++i)
     if (model[i].term.link == link && std::find(kinds.begin(), kinds.end(), model[i].term.kind) != kinds.end())
@@ -94,10 +99,13 @@ std::vector<Candidate> candidates_beside(const System& s, const Model& model, co
       add({on_link(Kind::kMissingCoulomb, l)}, 0, friction < 0 ? 1 : 0);
     if (!listed && spring < 0) add({on_link(Kind::kStiffnessError, l)}, 0, 1);  // a hose, a cable, a beam
     if (!listed) continue;
-    if (spring < 0 || model[static_cast<size_t>(spring)].known) add({on_link(Kind::kStiffnessError, l)}, 0);
-    for (Kind k : {Kind::kForceOffset, Kind::kAsymmetricViscous, Kind::kQuadraticDamping, Kind::kCubicStiffness,
-                   Kind::kQuadraticStiffness, Kind::kCubicDamping, Kind::kDisplacementDamping})
+    const bool turns = spring < 0 && turns_freely(s, i, e);
+    if (!turns && (spring < 0 || model[static_cast<size_t>(spring)].known)) add({on_link(Kind::kStiffnessError, l)}, 0);
+    for (Kind k : {Kind::kForceOffset, Kind::kAsymmetricViscous, Kind::kQuadraticDamping, Kind::kCubicDamping})
       add({on_link(k, l)}, 0);
+    if (!turns)
+      for (Kind k : {Kind::kCubicStiffness, Kind::kQuadraticStiffness, Kind::kDisplacementDamping})
+        add({on_link(k, l)}, 0);
     // what depends on the amplitude explains a decay as a drift in time does, and is the likelier story
     add({on_link(Kind::kDriftingViscous, l)}, 1);
     for (double share : {0.06, 0.2, 0.6}) add({on_link(Kind::kDriftingViscous, l, share * duration_s)}, 2);
@@ -106,7 +114,7 @@ std::vector<Candidate> candidates_beside(const System& s, const Model& model, co
         add({on_link(Kind::kBacklash, l, share * e.u_peak)}, 1, 1, spring);
       }
     for (double share : {0.2, 0.35, 0.5, 0.62, 0.74, 0.85, 0.93})
-      add({on_link(Kind::kEndStop, l, share * e.u_peak)}, 1, 1);
+      if (!turns) add({on_link(Kind::kEndStop, l, share * e.u_peak)}, 1, 1);
     if (!hysteretic)
       for (double share : {0.05, 0.12, 0.3, 0.7}) add({on_link(Kind::kStribeck, l, share * e.w_rms)}, 1, 1);
     if (rig_file::link_rotates(s.rig, s.links[i]) && s.links[i].b == rig_file::kGround &&
