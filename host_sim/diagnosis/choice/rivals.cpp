@@ -29,6 +29,19 @@ bool outdone(const Named& mine, const Candidate& other) {
   return std::any_of(mine.outdone.begin(), mine.outdone.end(), [&](const Candidate& c) { return c.same_place(other); });
 }
 
+// Whether a mass, spring, damper or friction of the rig itself is wholly below nought: what leaves it so is not what acts.
+bool impossible(const State& s) {
+  const std::vector<Parameter> parameters = parameters_of(s.model);
+  const std::vector<Determined> found = determined(s.fit, s.model);
+  for (size_t i = 0; i < parameters.size(); ++i) {
+    const ModelTerm& t = s.model[parameters[i].term];
+    const bool own = t.term.kind == Kind::kMass || t.term.kind == Kind::kStiffness || t.term.kind == Kind::kViscous ||
+                     t.term.kind == Kind::kCoulomb;
+    if (own && !parameters[i].shape && t.value + 1.96 * found[i].std < 0) return true;
+  }
+  return false;
+}
+
 // What channels of a DOF contradict each other in is that fault of one of them: no effect of the rig stands in its place.
 bool may_stand_for(const Named& mine, const Term& other) {
   const Term& fault = mine.candidate.terms[0];
@@ -85,6 +98,9 @@ void weigh_rivals(const Task& task, const std::function<void(double)>& progress,
       others.push_back(dry);
       break;
     }
+    if (!impossible(own.state))
+      others.erase(std::remove_if(others.begin(), others.end(), [](const Attempt& a) { return impossible(a.state); }),
+                   others.end());
     const auto better = std::min_element(others.begin(), others.end(), [](const Attempt& a, const Attempt& b) {
       return whole_error(a) < whole_error(b);
     });
