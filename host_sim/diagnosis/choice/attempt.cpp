@@ -370,7 +370,9 @@ bool passes(const Attempt& a, size_t already, double noise) {
   const bool too_quiet = already == 0 && a.expected_unseen < kShows && share_of(a, noise) > 1 - kShare;
   if (noise < kMostlyNoise && !too_quiet && unseen_share_of(a, noise) < least) return false;
   const bool again = too_quiet || unseen_share_of(a, noise) > 0.5 * share_of(a, noise);
-  const bool plain = noise * std::max(1.0, a.quieter) < kMostlyNoise && again;
+  // of unseen windows no more is noise than what it leaves there
+  const double unseen_noise = std::min(noise * std::max(1.0, a.quieter), std::max(noise, a.unseen));
+  const bool plain = unseen_noise < kMostlyNoise && again;
   // beside something larger that nobody knows
   const bool surely = plain && single && already == 0 && a.z > kSure && a.unseen_deviations > kSure;
   if (surely && share_of(a, noise) > kLeastSureShare) return true;
