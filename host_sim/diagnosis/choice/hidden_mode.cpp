@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "../fit/spectral_balance.hpp"
+#include "../fit/mode_scan.hpp"
 #include "attempt.hpp"
 #include "horizon.hpp"
 

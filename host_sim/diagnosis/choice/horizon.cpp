@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../fit/mode_scan.hpp"
 #include "attempt.hpp"
 
 namespace diagnosis::runs {
@@ -105,25 +106,24 @@ void from_shorter(const Task& task, const Model& start, double periods, State& s
   s = other;
 }
 
-}  // namespace
-
 constexpr int kMostRefits = 5;  // of what no windows follow: each goes on where the one before ended its steps
 
-// Where no windows are followed short ones are no better: their own states follow anything. Of the models that were found, the
-// one that leaves the least over windows that tell is gone on from, if it is in phase there. 0: it is not.
-double best_over_windows_that_tell(const Task& task, const std::vector<Model>& found, double from, State& s) {
-  const double periods = std::min(from, kLeastPeriods);
+// Where no windows are followed short ones are no better: from their own states an endless mass follows any ringing. Of the models that
+// were found, and of what the balance of forces over frequency says, the one that leaves the least over the longest windows is
+// gone on from there. False: it is not in phase.
+bool best_over_longest(const Task& task, std::vector<Model> found, double longest, State& s) {
+  if (const auto balanced = balanced_numbers(task.system, task.records, s.model)) found.push_back(*balanced);
   State best;
   for (const Model& model : found) {
     State other;
     other.model = model;
-    lay(task, periods, other, kEnough);
+    lay(task, longest, other, kEnough);
     Model frozen = model;
     other.fit = fit(task.system, task.records, frozen, other.seen, kTrialSteps, true);
     if (other.fit.ok && (!best.fit.ok || error_over(other.fit, best.fit) < 1)) best = other;
   }
-  if (!best.fit.ok) return 0;
-  lay(task, periods, best);
+  if (!best.fit.ok) return false;
+  lay(task, longest, best);
   settle_seen(task, best);
   for (int i = 0; i < kMostRefits && best.fit.ok; ++i) {
     State on = best;
@@ -133,10 +133,12 @@ double best_over_windows_that_tell(const Task& task, const std::vector<Model>& f
     best = on;
     if (settled) break;
   }
-  if (!(motion_error(task, best, false) < kInPhase)) return 0;
+  if (!(motion_error(task, best, false) < kInPhase)) return false;
   s = best;
-  return periods;
+  return true;
 }
+
+}  // namespace
 
 // The longest windows over which the model stays within reach of its linearisation. What no shorter windows follow either of the
 // motions between two DOFs, though the DOFs are followed, is noise of a colour that third differences do not show.
@@ -159,83 +161,8 @@ double horizon(const Task& task, State& s, double from, bool massless) {
     if (followed == 0 && follows(task, s, false)) longest = s, followed = periods;
     if (periods / 2 >= shortest) continue;
     if (followed > 0) s = longest, periods = followed;
-    const double told = followed > 0 ? 0 : best_over_windows_that_tell(task, found, from, s);
-    return told > 0 ? told : periods;
+    return followed == 0 && best_over_longest(task, found, from, s) ? from : periods;
   }
-}
-
-namespace {
-
-// What windows add up to: of a channel, or of the difference of two.
-struct MotionSums {
-  double error = 0, missed = 0, motion = 0, noise = 0, count = 0, third_differences = 0;
-  void add(const Vec& y, const Vec& residual) { add((y.array() - y.mean()).square().sum(), residual); }
-  void add(double motion_square, const Vec& residual) {
-    error += residual.squaredNorm(), missed += residual.sum(), motion += motion_square;
-    count += static_cast<double>(residual.size());
-    noise += white_noise_sum(residual),
-        third_differences += static_cast<double>(std::max<Index>(0, residual.size() - 3));
-  }
-  double about_mean() const { return error - missed * missed / std::max(1.0, count); }
-  double noise_sum() const { return third_differences > 0 ? noise / third_differences * count : 0; }
-};
-
-// The two channels of one quantity at the ends of a link, -1 where there are none.
-std::pair<int, int> channels_across(const rig_file::Link& l, const std::vector<MotionTrace>& traces, int quantity) {
-  std::pair<int, int> found{-1, -1};
-  for (size_t c = 0; c < traces.size(); ++c) {
-    if (traces[c].quantity != quantity) continue;
-    if (traces[c].dof + 1 == l.a) found.first = static_cast<int>(c);
-    if (traces[c].dof + 1 == l.b) found.second = static_cast<int>(c);
-  }
-  return found.first < 0 || found.second < 0 ? std::make_pair(-1, -1) : found;
-}
-
-// of: what of the error's square counts.
-template <typename Of>
-double error_over_motion(const Task& task, const State& s, bool links_too, Of of) {
-  if (!s.fit.ok) return 1e300;
-  Evaluator e(task.system, s.model, task.records);
-  const std::vector<MotionTrace>& traces = e.traces(0);
-  std::vector<std::pair<int, int>> across;  // links between DOFs: masses that turn together hide what their shaft does
-  for (size_t l = 0; l < task.system.known_links && !e.massless() && links_too; ++l)
-    for (int q = 0; q < 3; ++q) {
-      const auto ends = channels_across(task.system.links[l], traces, q);
-      if (ends.first >= 0) across.push_back(ends);
-    }
-  std::vector<MotionSums> own(traces.size()), relative(across.size());
-  WindowRun run;
-  for (const Window& w : s.seen) {
-    if (!e.run(w, false, false, run)) return 1e300;
-    const auto y = [&](int c) { return e.traces(w.record)[static_cast<size_t>(c)].y.segment(w.from, w.length); };
-    const auto r = [&](int c) { return run.residual.segment(c * w.length, w.length); };
-    for (size_t c = 0; c < traces.size(); ++c)
-      own[c].add(motion_square(task.records[w.record], e.traces(w.record)[c], w.from, w.length),
-                 r(static_cast<int>(c)));
-    for (size_t i = 0; i < across.size(); ++i)
-      relative[i].add(Vec(y(across[i].first) - y(across[i].second)), r(across[i].first) - r(across[i].second));
-  }
-  double worst = 0;
-  for (size_t c = 0; c < own.size(); ++c) {
-    const double rounding = traces[c].rounding_variance() * own[c].count, motion = own[c].motion - rounding;
-    if (motion < kShown * rounding) continue;  // a DOF that rests, but for a step of its encoder: nothing to follow
-    worst = std::max(worst, std::sqrt(std::max(0.0, of(own[c]) - rounding) / std::max(1e-300, motion)));
-  }
-  for (const MotionSums& m : relative) {
-    const double noise = m.noise_sum(), motion = m.motion - noise;
-    if (motion > kShown * noise) worst = std::max(worst, std::sqrt(std::max(0.0, of(m) - noise) / motion));
-  }
-  return worst;
-}
-
-}  // namespace
-
-double motion_error(const Task& task, const State& s, bool links_too) {
-  return error_over_motion(task, s, links_too, [](const MotionSums& m) { return m.error; });
-}
-
-bool follows(const Task& task, const State& s, bool links_too) {
-  return error_over_motion(task, s, links_too, [](const MotionSums& m) { return m.about_mean(); }) < kFollows;
 }
 
 }  // namespace diagnosis::runs

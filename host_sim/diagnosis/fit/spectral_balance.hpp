@@ -1,8 +1,6 @@
 // The balance of forces of every DOF, bin by bin: as much of it as goes with what drives the rig. Noise of the channels of motion has no
 // part in it, and no simulation is needed: first values, and a hidden mode's place, where no window is followed.
 #pragma once
-#include <optional>
-
 #include "../record/fourier.hpp"
 #include "../simulate/model.hpp"
 
@@ -20,14 +18,5 @@ struct SpectralBalance {
 
 // No rows where no force drives the rig, or a moving base does. Friction and laws that are not linear have no part in it.
 SpectralBalance spectral_balance(const System& system, const std::vector<Prepared>& records, const Model& model);
-
-struct HiddenMode {
-  int dof = 0;  // from 0
-  double resonance_Hz = 0, damping_ratio = 0, mass_kg = 0;
-  Vec numbers;      // the rig's own beside it, as SpectralBalance has them
-  double left = 1;  // of the squared balance that the rig alone leaves
-};
-// The mode on a DOF that leaves the least, of positive mass beside positive masses and springs.
-std::optional<HiddenMode> hidden_mode(const SpectralBalance& balance, const Model& model);
 
 }  // namespace diagnosis::runs
