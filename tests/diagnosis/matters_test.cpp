@@ -112,6 +112,12 @@ TEST(Matters, WhatSimulatesUnseenDataWorseIsNotNamed) {
   EXPECT_FALSE(simulates_worse(d));
   d.baseline.holdout_nrmse_percent = {1.6, 1.0}, d.gain = {0.3, 1.2};  // one of two gains
   EXPECT_FALSE(simulates_worse(d));
+  // 2.5 % missed, and beside the gain a friction of -0.12 with a 95 % interval to -0.046
+  d.baseline.holdout_nrmse_percent = {2.5}, d.gain = {0.52};
+  d.extended.parameters = {{"coulomb[1-0]", -0.12, "N m", 0.0378, true}};
+  EXPECT_TRUE(simulates_worse(d));
+  d.extended.parameters[0].std = 0.07;  // to 0.017
+  EXPECT_FALSE(simulates_worse(d));
 }
 
 // A friction damper that the rig file lacks, under noise of 5 %: one cause, and never two that share its work. In a set where

@@ -5,6 +5,7 @@
 
 #include "../choice/attempt.hpp"
 #include "laws_apart.hpp"
+#include "parameter_status.hpp"
 
 namespace diagnosis::runs {
 namespace {
@@ -55,8 +56,14 @@ double windows_gain(const Choice& choice) {
 }  // namespace
 
 bool simulates_worse(const Diagnosis& d) {
-  return std::all_of(d.baseline.holdout_nrmse_percent.begin(), d.baseline.holdout_nrmse_percent.end(),
-                     [](double missed) { return missed < 100 * kSmall; }) &&
+  const bool nearly_right =
+      std::all_of(d.baseline.holdout_nrmse_percent.begin(), d.baseline.holdout_nrmse_percent.end(),
+                  [](double missed) { return missed < 100 * kSmall; });
+  const auto any_impossible = [](const ModelScore& model) {
+    return std::any_of(model.parameters.begin(), model.parameters.end(),
+                       [](const diagnosis::Parameter& p) { return impossible(p); });
+  };
+  return (nearly_right || (any_impossible(d.extended) && !any_impossible(d.baseline))) &&
          std::all_of(d.gain.begin(), d.gain.end(), [](double gain) { return gain * kLeastGain < 1; });
 }
 

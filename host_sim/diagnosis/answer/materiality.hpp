@@ -7,8 +7,8 @@ namespace diagnosis::runs {
 
 constexpr double kLeastGain = 1.05;  // on unseen data: a twentieth less missed is not a number that anybody acts on
 
-// Whether the rig as given simulates unseen data to 2 % and every DOF is simulated worse, by a twentieth, with the causes: they fit
-// better and are not what acts here.
+// Whether every DOF is simulated worse, by a twentieth, with the causes, and the rig as given simulates unseen data to 2 % or has a number
+// wholly below nought beside them alone: they fit better and are not what acts here.
 bool simulates_worse(const Diagnosis& d);
 
 // A cause beside which as much remains as before explains nothing: of what acts here it is not the name. Where only
