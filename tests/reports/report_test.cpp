@@ -334,6 +334,26 @@ TEST(Verdict, ASensorsFaultIsSaidToBeOne) {
   EXPECT_EQ(verdict_headline(data), "The rig file lacks something or a sensor is at fault");
 }
 
+// What the drive does not give is told by the force's channel, whose sensor is sound.
+TEST(Verdict, ADrivesDeadBandIsNoSensorsFault) {
+  DiagnosisReportData data;
+  data.causes = {{"drive_dead_band", "channel torque_1_N_m", 90.0, {}}};
+  data.verdict = "explained";
+  EXPECT_EQ(verdict_headline(data), "The drive is at fault: drive dead band in channel torque_1_N_m");
+  data.causes.push_back({"sensor_delay", "channel torque_1_N_m", 5.0, {}});
+  EXPECT_EQ(verdict_headline(data),
+            "A sensor and the drive are at fault: drive dead band in channel torque_1_N_m and sensor delay in channel "
+            "torque_1_N_m");
+  data.causes[1] = {"cubic_stiffness", "link 1-0", 5.0, {}};
+  EXPECT_EQ(verdict_headline(data), "The rig file lacks cubic stiffness on link 1-0; the drive is at fault");
+  data.causes.resize(1);
+  data.verdict = "ambiguous";
+  data.ambiguous_with = {{"sensor_delay", "channel angle_1_rad"}};
+  EXPECT_EQ(verdict_headline(data), "A sensor or a drive is at fault, and these data cannot tell which");
+  data.ambiguous_with = {{"mass_error", "dof 1"}};
+  EXPECT_EQ(verdict_headline(data), "The rig file lacks something or a drive is at fault");
+}
+
 TEST(WriteReport, MakesTheFolderAndReplacesAnEarlierPage) {
   const FreshPlace place("report_written");
   const fs::path folder = place.path / "deep";

@@ -6,6 +6,8 @@
 #include <initializer_list>
 #include <vector>
 
+#include "host_sim/reports/sections/at_fault.hpp"
+
 namespace host_sim::reports {
 namespace {
 
@@ -15,12 +17,6 @@ std::string listed(const std::vector<std::string>& items, const char* last_word)
     out += (i == 0 ? "" : i + 1 == items.size() ? std::string(" ") + last_word + " " : ", ") + items[i];
   return out;
 }
-
-bool of_channel(const std::string& where) { return where.rfind("channel ", 0) == 0; }
-
-// A force that the drive holds between samples is told by its channel, and is no fault of it.
-constexpr const char* kHold = "force_hold";
-bool of_sensor(const std::string& effect, const std::string& where) { return of_channel(where) && effect != kHold; }
 
 // "With it the simulation error on unseen data falls by a factor of 5.2." where it is known and a gain.
 std::string gain_text(const std::vector<DofGain>& gains) {
@@ -54,12 +50,13 @@ std::string missed_text(const std::vector<DofGain>& gains, bool extended) {
 }
 
 struct Named {
-  std::vector<std::string> effects, faults;  // of the rig file, of sensors
+  std::vector<std::string> effects, faults;  // of the rig file, of sensors and drives
+  AtFault at_fault;
 };
 Named named_in(const std::vector<Cause>& causes) {
   Named named;
   for (const Cause& cause : causes)
-    (of_sensor(cause.effect, cause.where) ? named.faults : named.effects)
+    (named.at_fault.add(cause.effect, cause.where) ? named.faults : named.effects)
         .push_back(cause_text(cause.effect, cause.where));
   return named;
 }
@@ -70,13 +67,17 @@ std::string few(const std::vector<std::string>& items) {
   return items.front() + " and " + std::to_string(items.size() - 1) + " more";
 }
 
+std::string capitalised(std::string text) {
+  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
+  return text;
+}
+
 std::string headline_of_causes(const Named& named) {
   if (named.faults.empty()) return "The rig file lacks " + few(named.effects);
-  if (named.effects.empty())
-    return (named.faults.size() > 1 ? "Sensors are at fault: " : "A sensor is at fault: ") + few(named.faults);
+  if (named.effects.empty()) return capitalised(at_fault_text(named.at_fault)) + ": " + few(named.faults);
   return "The rig file lacks " + few({named.effects.front()}) +
          (named.effects.size() > 1 ? " and " + std::to_string(named.effects.size() - 1) + " more" : "") +
-         (named.faults.size() > 1 ? "; sensors are at fault" : "; a sensor is at fault");
+         (named.faults.empty() ? "" : "; " + at_fault_text(named.at_fault));
 }
 
 // What the headline had no room for.
@@ -91,14 +92,14 @@ std::string rest_of_causes(const Named& named) {
 
 struct Possible {
   std::vector<std::string> all;
-  size_t faults = 0;
+  AtFault at_fault;
 };
 Possible possible_in(const DiagnosisReportData& data) {
   Possible out;
   const auto add = [&](const std::string& effect, const std::string& where) {
     const std::string text = cause_text(effect, where);
     if (std::find(out.all.begin(), out.all.end(), text) != out.all.end()) return;
-    out.all.push_back(text), out.faults += of_sensor(effect, where);
+    out.all.push_back(text), out.at_fault.add(effect, where);
   };
   for (const Cause& cause : data.causes) add(cause.effect, cause.where);
   for (const auto& other : data.ambiguous_with) add(other.first, other.second);
@@ -134,7 +135,7 @@ std::string joined(std::initializer_list<std::string> sentences) {
 }  // namespace
 
 std::string cause_text(const std::string& effect, const std::string& where) {
-  if (effect == kHold) return "a hold of the force between samples (" + where + ")";
+  if (effect == kForceHold) return "a hold of the force between samples (" + where + ")";
   std::string words = effect;
   std::replace(words.begin(), words.end(), '_', ' ');
   return where.empty() ? words
@@ -211,9 +212,10 @@ std::string verdict_headline(const DiagnosisReportData& data) {
     if (!told.sure.empty() && !told.open.empty())
       return headline_of_causes(named_in(told.sure)) + ", and something that these data cannot tell";
     const Possible possible = possible_in(data);
-    if (possible.faults == 0) return "The rig file lacks something, and these data cannot tell which";
-    if (possible.faults == possible.all.size()) return "A sensor is at fault, and these data cannot tell which";
-    return "The rig file lacks something or a sensor is at fault";
+    const size_t faults = possible.at_fault.all();
+    if (faults == 0) return "The rig file lacks something, and these data cannot tell which";
+    if (faults < possible.all.size()) return "The rig file lacks something or " + one_at_fault_text(possible.at_fault);
+    return capitalised(one_at_fault_text(possible.at_fault)) + ", and these data cannot tell which";
   }
   if (!data.cannot_describe.empty()) return "The rig file cannot describe this recording";
   if (data.noise_hides) return "The data are too noisy to tell whether the rig file is right";
