@@ -89,6 +89,7 @@ struct Group {
   std::vector<Column> names;
   std::vector<std::vector<double>> values;  // empty where the variable is ignored
   double sample_rate_Hz = 0.0;
+  std::vector<std::string> objects;  // of MATLAB's classes, which no other program reads: their names
 };
 
 struct Source {
@@ -137,7 +138,14 @@ void collect_table(const std::string& name, const matvar_t& variable, const Sour
   }
 }
 
+// A timetable, a Simulink.SimulationOutput, a string. The library beneath may tell no name of it.
+bool is_object(const matvar_t& variable) {
+  return variable.class_type == MAT_C_OPAQUE || variable.class_type == MAT_C_OBJECT;
+}
+
 void collect(const std::string& name, const matvar_t& variable, const Source& source, Group& group) {
+  if (is_object(variable)) return group.objects.push_back(name);
+  if (name.empty()) return;                                    // where MATLAB keeps what is in its objects
   if (!numeric(variable) || variable.data == nullptr) return;  // text, cells, empty matrices
   if (is_sample_rate(name)) {
     const std::vector<double> value = real_values(source.file, name, variable);
@@ -200,17 +208,35 @@ void set_time(const Group& group, const std::vector<double>& time_s, const Sourc
   record.sample_period_s = 1.0 / rate_Hz;
 }
 
+// What a file holds beside plain arrays, and what to do about it; empty where it holds no object.
+std::string of_objects(const std::vector<Group>& groups) {
+  std::string names;
+  bool any = false;
+  for (const Group& group : groups)
+    for (const std::string& name : group.objects) {
+      any = true;
+      if (!name.empty()) names += " \"" + name + "\"";
+    }
+  if (!any) return "";
+  return "holds an object of a MATLAB class" + names +
+         " (such as a timetable or a Simulink.SimulationOutput), whose layout is MATLAB's own; expected plain arrays "
+         "of "
+         "numbers: in MATLAB save the arrays in it, or write a table with writetable or writetimetable";
+}
+
 [[noreturn]] void refuse_without_channels(const std::vector<Group>& groups, const Source& source) {
   std::string names;
   for (const Group& group : groups)
     for (const Column& name : group.names) names += (names.empty() ? "" : ", ") + ("\"" + name.head + "\"");
+  const std::string objects = of_objects(groups);
+  if (!objects.empty() && names.empty()) throw DataFileError(source.file, 0, objects);
   const bool rotates = !source.model.dofs.empty() && source.model.dofs[0].rotating;
   throw DataFileError(source.file, 0,
                       "no channel" + (names.empty() ? "" : " among the variables " + names) +
                           ", expected variables such as " +
                           (rotates ? "torque_1_N_m and angle_1_rad, or --column angle_1=NAME"
                                    : "force_1_N and displacement_1_m, or --column displacement_1=NAME") +
-                          " for a variable with a name of its own");
+                          " for a variable with a name of its own" + (objects.empty() ? "" : "; the file " + objects));
 }
 
 Record record_of(Group& group, const Source& source) {

@@ -173,8 +173,11 @@ TEST(Csv, ValuesMissingBetweenOthersAreFilledWhereTheRecordIsInterpolated) {
 }
 
 TEST(Csv, OtherFormatsAreNamed) {
-  for (const auto& [begins, word] : {std::pair{"PK\x03\x04", "Excel"}, std::pair{"PK\x03\x04time.npy", ".npz"},
-                                     std::pair{"\x93NUMPY v", ".npy"}, std::pair{"{\"a\": 1}", "JSON"}}) {
+  for (const auto& [begins, word] :
+       {std::pair{"PK\x03\x04", "Excel"}, std::pair{"PK\x03\x04time.npy", ".npz"}, std::pair{"\x93NUMPY v", ".npy"},
+        std::pair{"{\"a\": 1}", "JSON"}, std::pair{"<?xml version=\"1.0\"?>\n<a>1</a>\n", "XML"},
+        std::pair{"\xEF\xBB\xBF<Trace>\n  <Sample>1, 2</Sample>\n", "XML"},
+        std::pair{"\n<table border=\"1\"><tr>\n", "HTML"}}) {
     try {
       host_sim::parse_csv(begins, "d.csv", chain(1));
       FAIL() << word;
@@ -183,6 +186,33 @@ TEST(Csv, OtherFormatsAreNamed) {
       EXPECT_NE(std::string(error.what()).find("save it as CSV"), std::string::npos) << error.what();
     }
   }
+}
+
+// Also as UTF-16, in which some programs write it.
+TEST(Csv, XmlOfWideCharactersIsNamed) {
+  std::string wide = "\xFF\xFE";
+  for (const char c : std::string("<Trace>\r\n  <Time>0, 1</Time>\r\n")) (wide += c) += '\0';
+  try {
+    host_sim::parse_csv(wide, "d.csv", chain(1));
+    FAIL() << "taken";
+  } catch (const host_sim::DataFileError& error) {
+    EXPECT_EQ(error.problem.substr(0, 6), "is XML");
+  }
+}
+
+TEST(Csv, NamesInAngleBracketsAreNoXml) {
+  for (const std::string separator : {",", ";", "\t", " "})
+    EXPECT_EQ(host_sim::parse_csv("<t_s>" + separator + "<x>" + separator + "displacement_1_m\n0" + separator + "1" +
+                                      separator + "2\n1" + separator + "1" + separator + "3\n",
+                                  "d.csv", chain(1),
+                                  [] {
+                                    host_sim::ReadingOptions options;
+                                    options.sample_rate_Hz = 1.0;
+                                    return options;
+                                  }())
+                  .samples(),
+              2u)
+        << separator;
 }
 
 // Columns in units of force of which none is read are told, with the option that reads one.

@@ -381,10 +381,12 @@ class CsvParser {
 
 Record parse_csv(std::string_view content, const std::string& file, const rig_file::RigModel& model,
                  const ReadingOptions& options) {
-  if (const char* other = other_format(content))
-    throw DataFileError(file, 0, std::string("is ") + other + ", expected a table of text: save it as CSV");
   std::string buffer;
-  return CsvParser(as_utf8(content, buffer), file, model, options).parse();
+  const std::string_view text = as_utf8(content, buffer);
+  for (const std::string_view bytes : {content, text})
+    if (const char* other = other_format(bytes))
+      throw DataFileError(file, 0, std::string("is ") + other + ", expected a table of text: save it as CSV");
+  return CsvParser(text, file, model, options).parse();
 }
 
 }  // namespace host_sim

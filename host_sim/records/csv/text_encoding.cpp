@@ -1,6 +1,7 @@
 #include "host_sim/records/csv/text_encoding.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cstdint>
 
 namespace host_sim {
@@ -67,6 +68,24 @@ std::string_view as_utf8(std::string_view content, std::string& buffer) {
   return content;
 }
 
+namespace {
+
+// A tag of XML or HTML, and behind it the end of the line, text or another tag; "<DATE>;<TIME>" are names of columns.
+bool begins_with_tag(std::string_view content) {
+  const size_t first = content.find_first_not_of(" \t\r\n");
+  if (first == std::string_view::npos || content[first] != '<') return false;
+  content.remove_prefix(first + 1);
+  const char kind = content.empty() ? ' ' : content[0];
+  if (kind == '?' || kind == '!') return true;
+  const size_t end = content.find('>');
+  if (std::isalpha(static_cast<unsigned char>(kind)) == 0 || end == std::string_view::npos) return false;
+  const std::string_view rest = content.substr(end + 1, content.find('\n', end) - (end + 1));
+  return rest.empty() || rest.find_first_not_of(" \t\r") == std::string_view::npos ||
+         std::string_view(",; \t").find(rest[0]) == std::string_view::npos;
+}
+
+}  // namespace
+
 const char* other_format(std::string_view content) {
   constexpr struct {
     std::string_view begins;
@@ -83,6 +102,7 @@ const char* other_format(std::string_view content) {
     return "a NumPy archive (.npz; scipy.io.savemat writes what is read)";
   for (const auto& other : kOthers)
     if (content.substr(0, other.begins.size()) == other.begins) return other.is;
+  if (begins_with_tag(content)) return "XML or HTML (its values are exported by the program that wrote it)";
   return nullptr;
 }
 
