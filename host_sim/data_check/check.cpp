@@ -158,7 +158,7 @@ const Record& middle_of(const Record& record, Record& part) {
     const auto begin = channel.values.begin() + static_cast<std::ptrdiff_t>(first);
     part.channels.push_back({channel.name, channel.quantity, channel.dof,
                              std::vector<double>(begin, begin + static_cast<std::ptrdiff_t>(count)),
-                             channel.recorded_step});
+                             channel.recorded_step, channel.held});
   }
   return part;
 }

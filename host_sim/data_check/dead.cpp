@@ -111,7 +111,7 @@ std::vector<std::optional<Finding>> find_dead(const Record& record, const std::v
   const auto any = [&](auto predicate) {
     return std::any_of(record.channels.begin(), record.channels.end(), predicate);
   };
-  const bool driven = any([](const Channel& c) { return (is_force(c) || is_base(c)) && !constant(c); });
+  const bool driven = any(drives);
   for (size_t i = 0; i < record.channels.size(); ++i) {
     const Channel& channel = record.channels[i];
     if (!constant(channel)) continue;
@@ -119,7 +119,9 @@ std::vector<std::optional<Finding>> find_dead(const Record& record, const std::v
     const bool partner_moves =
         any([&](const Channel& c) { return c.dof == channel.dof && !is_force(c) && !constant(c); });
     if (is_force(channel) || (is_base(channel) && !partner_moves)) {
-      if (!driven && grows_again(record)) {
+      if (drives(channel)) {
+        finding.detail += "; a command that is held: taken as a constant force";
+      } else if (!driven && grows_again(record)) {
         finding.weight = Weight::kFault;
         finding.detail += ", yet the rig is driven: its motion grows again; is the sensor connected?";
       } else {

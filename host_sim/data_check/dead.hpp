@@ -6,7 +6,7 @@
 
 namespace host_sim::data_check {
 
-// For the record's channels in their order. A constant force is no force, a constant base stands still: both are said
+// For the record's channels in their order. A constant force is no force (one that is held as a command is a constant force), a constant base stands still: both are said
 // and nothing more, unless the motion grows again by a factor of 10 without any force or base that moves: a passive rig
 // cannot. A constant motion is a fault where another channel of the DOF moves, or where it is all that the DOF has and
 // the rest of the rig moves in no record of it. A channel that stops for good within the record, from one fortieth of it

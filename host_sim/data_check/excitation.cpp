@@ -48,12 +48,27 @@ std::string quantity_unit(const std::string& channel) {
 
 std::string text_of(const Drive& drive) {
   if (drive.channel.empty()) return "no force and no base is recorded: taken as a free decay";
+  if (drive.constant != 0.0)
+    return fmt::format("{}: a constant {:.4g} {}", drive.channel, drive.constant, quantity_unit(drive.channel));
   const std::string level = fmt::format("{}: {:.4g} {} rms, ", drive.channel, drive.rms, quantity_unit(drive.channel));
   if (drive.lines_Hz.empty())
     return level + fmt::format("{:.3g} to {:.3g} Hz (90 % of its power)", drive.from_Hz, drive.to_Hz);
   std::string tones;
   for (const double line : drive.lines_Hz) tones += fmt::format("{}{:.4g}", tones.empty() ? "" : ", ", line);
   return level + (drive.lines_Hz.size() == 1 ? "tone at " : "tones at ") + tones + " Hz";
+}
+
+}  // namespace
+
+namespace {
+
+// Of a command that never changes; without a channel where there is none.
+Drive constant_drive(const Record& record) {
+  Drive drive;
+  for (const Channel& channel : record.channels)
+    if (drives(channel) && std::abs(channel.values.front()) > std::abs(drive.constant))
+      drive.channel = channel.name, drive.constant = channel.values.front();
+  return drive;
 }
 
 }  // namespace
@@ -72,7 +87,8 @@ Drive drive_of(const Record& record) {
       strongest = &channel;
     }
   Drive drive;
-  if (strongest == nullptr || strongest->values.size() < 64) return drive;
+  if (strongest == nullptr) return constant_drive(record);
+  if (strongest->values.size() < 64) return drive;
   drive.channel = strongest->name;
   drive.rms = largest;
   const size_t length = quick_length(strongest->values.size());

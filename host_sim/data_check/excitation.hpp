@@ -7,8 +7,9 @@
 namespace host_sim::data_check {
 
 struct Drive {
-  std::string channel;  // the strongest force, else the base; empty: a free decay
-  double rms = 0.0;
+  std::string channel;                // the strongest force, else the base; empty: a free decay
+  double rms = 0.0;                   // about its mean
+  double constant = 0.0;              // of a command that is held at one value, where nothing else drives
   std::vector<double> lines_Hz;       // where at most five lines hold 90 % of its power; else empty
   double from_Hz = 0.0, to_Hz = 0.0;  // the middle 90 % of its power
 };

@@ -55,8 +55,7 @@ Growth growth_of(const std::vector<double>& squares) {
 std::optional<Finding> find_growth(const Record& record) {
   const Channel* motion = nullptr;
   for (const Channel& channel : record.channels) {
-    const bool moves = mean_and_rms(channel.values).rms > 0.0;
-    if (moves && (channel.quantity == Quantity::kForce || channel.dof == rig_file::kBase)) return std::nullopt;
+    if (drives(channel)) return std::nullopt;
     if (motion != nullptr && channel.dof != motion->dof) return std::nullopt;  // energy may go from mass to mass
     if (channel.quantity != Quantity::kForce && motion == nullptr) motion = &channel;
   }

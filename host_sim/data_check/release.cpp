@@ -26,11 +26,7 @@ constexpr double kLeastPeriods = 4.0;  // of the decay: of fewer half of one is 
 constexpr double kLongPeriods = 16.0;  // of so many a whole one is not
 constexpr size_t kHops = 4;            // windows that begin within a period
 
-bool is_driven(const Record& record) {
-  return std::any_of(record.channels.begin(), record.channels.end(), [](const Channel& c) {
-    return (c.quantity == Quantity::kForce || c.dof == rig_file::kBase) && mean_and_rms(c.values).rms > 0.0;
-  });
-}
+bool is_driven(const Record& record) { return std::any_of(record.channels.begin(), record.channels.end(), drives); }
 
 // The channel of a DOF that is nearest to its rate.
 const Channel* rate_channel(const Record& record, int dof) {

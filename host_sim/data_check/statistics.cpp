@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "hal/rig_file/rig_model.hpp"
 #include "host_sim/data_check/quantile.hpp"
 #include "host_sim/records/value_step.hpp"
 
@@ -78,8 +79,15 @@ std::vector<Run> equal_runs(const std::vector<double>& values, size_t shortest) 
 MeanAndRms mean_and_rms(const std::vector<double>& values) {
   if (values.empty()) return {};
   const Eigen::Map<const Eigen::ArrayXd> of(values.data(), static_cast<Eigen::Index>(values.size()));
+  if (of.minCoeff() == of.maxCoeff()) return {values.front(), 0.0};
   const double mean = of.mean();
   return {mean, std::sqrt((of - mean).square().mean())};
+}
+
+bool drives(const Channel& channel) {
+  if (channel.quantity != Quantity::kForce && channel.dof != rig_file::kBase) return false;
+  const MeanAndRms of = mean_and_rms(channel.values);
+  return of.rms > 0.0 || (channel.held && of.mean != 0.0);
 }
 
 Statistics statistics_of(const Channel& channel) {

@@ -22,7 +22,11 @@ struct Statistics {
 struct MeanAndRms {
   double mean = 0.0, rms = 0.0;  // rms about the mean
 };
-MeanAndRms mean_and_rms(const std::vector<double>& values);  // 0 of nothing
+MeanAndRms mean_and_rms(const std::vector<double>& values);  // 0 of nothing; of a constant the rms is 0 to the last bit
+
+// A force or a base that changes, or a command that is held at one value other than 0. A measured force that never changes is
+// none: its sensor's zero is not known.
+bool drives(const Channel& channel);
 
 Statistics statistics_of(const Channel& channel);
 

@@ -14,6 +14,7 @@ struct Channel {
   int dof = 1;  // from 1; rig_file::kBase (-1) for the moving base
   std::vector<double> values;
   double recorded_step = 0.0;  // of interpolated values: the step in which they were recorded; else 0
+  bool held = false;           // a command that stays from one change to the next: between samples there is nothing
 };
 
 struct Record {
@@ -22,6 +23,7 @@ struct Record {
   double start_s = 0.0;
   std::vector<Channel> channels;   // all of one length
   std::vector<double> time_s;      // of samples at uneven times, to be resampled; else empty
+  double own_step_s = 0.0;         // of channels that are in rows of their own, s: the usual step of the fastest; else 0
   double time_jitter_s = 0.0;      // rms of the file's sample times about even steps; 0 where it has none
   std::vector<std::string> notes;  // what the reader made of the file: factors, ignored columns
   size_t samples() const { return channels.empty() ? 0 : channels.front().values.size(); }

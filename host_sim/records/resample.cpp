@@ -80,7 +80,8 @@ Record part_at(const Record& record, const std::vector<double>& time_s, const Pa
   const auto count = static_cast<size_t>(length) + 1;
   std::vector<Range> ranges;
   for (const Channel& channel : record.channels) {
-    out.channels.push_back({channel.name, channel.quantity, channel.dof, std::vector<double>(count)});
+    out.channels.push_back(
+        {channel.name, channel.quantity, channel.dof, std::vector<double>(count), 0.0, channel.held});
     ranges.push_back(range_of(channel.values));
   }
   size_t before = part.first;  // the last sample that is not after t
@@ -92,6 +93,10 @@ Record part_at(const Record& record, const std::vector<double>& time_s, const Pa
     const size_t first = std::min(wanted, part.end - kPoints);
     weights_at(&time_s[first], kPoints, t, weight);
     for (size_t c = 0; c < out.channels.size(); ++c) {
+      if (out.channels[c].held) {
+        out.channels[c].values[i] = record.channels[c].values[before];
+        continue;
+      }
       // from one of the six on: six alike give that value to the last bit, and a channel that rests goes on resting
       const double* values = &record.channels[c].values[first];
       double value = values[kPoints / 2];
@@ -120,7 +125,7 @@ std::vector<Record> resampled(const Record& record, double rate_Hz) {
   if (time_s.size() < kFewestSamples)
     throw DataFileError(record.file, 0,
                         fmt::format("holds {} samples, expected at least {}", time_s.size(), kFewestSamples));
-  const double step = median_step(time_s);
+  const double step = record.own_step_s > 0.0 ? record.own_step_s : median_step(time_s);
   if (rate_Hz < kSameRate / step)
     throw DataFileError(
         record.file, 0,

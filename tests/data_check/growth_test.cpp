@@ -54,6 +54,17 @@ TEST(Growth, IsNotASecondBlowNorAnEvenMotion) {
   EXPECT_FALSE(find_growth(swings([](double) { return 1.0; })));
 }
 
+// A step of a command: the force is known, and does not change. A sensor that reads 5 all the time tells none.
+TEST(Growth, UnderACommandThatIsHeldIsItsWork) {
+  Record record = swings([](double t) { return 1 - std::exp(-t / 5); });
+  record.channels.push_back({"force_1_N", Quantity::kForce, 1, std::vector<double>(2000, 5.0)});
+  EXPECT_TRUE(find_growth(record));
+  record.channels[1].held = true;
+  EXPECT_FALSE(find_growth(record));
+  record.channels[1].values.assign(2000, 0.0);
+  EXPECT_TRUE(find_growth(record));
+}
+
 // Four periods of a decay: a tenth is less than half a period, and its mean square goes with the swing's phase.
 TEST(Growth, IsNotTheSwingItself) {
   for (const double phase : {0.0, 0.7, 1.4, 2.1, 2.8}) {

@@ -159,7 +159,7 @@ TEST(Csv, ValuesMissingBetweenOthersAreFilledWhereTheRecordIsInterpolated) {
   try {
     host_sim::parse_csv(text, "d.csv", chain(1), options);
   } catch (const host_sim::DataFileError& error) {
-    EXPECT_NE(std::string(error.what()).find("--resample 100 fills single values"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("--resample 50 fills single values"), std::string::npos) << error.what();
   }
   options.resample_Hz = 100;
   const host_sim::Record record = host_sim::parse_csv(text, "d.csv", chain(1), options);

@@ -14,6 +14,7 @@
 #include "host_sim/records/csv/csv_layout.hpp"
 #include "host_sim/records/csv/decimal_number.hpp"
 #include "host_sim/records/csv/fill_blanks.hpp"
+#include "host_sim/records/csv/held_commands.hpp"
 #include "host_sim/records/csv/text_encoding.hpp"
 #include "host_sim/records/data_file_error.hpp"
 #include "host_sim/records/even_times.hpp"
@@ -284,10 +285,10 @@ class CsvParser {
     return line;
   }
 
-  [[noreturn]] void refuse_blank(const BlankEnds& blank) const {
+  [[noreturn]] void refuse_blank(const BlankEnds& blank, const std::vector<TableColumn>& table) const {
     const bool between = !blank.gap.empty();
     std::string expected = ", expected a finite number";
-    if (const double step_s = between && time_s_.size() > 1 ? median_step(time_s_) : 0.0; step_s > 0.0)
+    if (const double step_s = between && !time_s_.empty() ? fastest_step(time_s_, table) : 0.0; step_s > 0.0)
       expected += fmt::format("; --resample {:.4g} fills single values that are missing", 1.0 / step_s);
     refuse(line_of(between ? blank.gap_row : 0),
            "column " + (between ? blank.gap : blank.names) + " is " + quoted(blank_) + expected);
@@ -295,6 +296,7 @@ class CsvParser {
 
   // Of what is to be interpolated anyway. Each channel from its own values; rows in a long gap go.
   void fill_between(const std::vector<TableColumn>& table) {
+    record_.own_step_s = fastest_step(time_s_, table);
     const FilledBlanks blanks = fill_blanks(time_s_, table);
     for (Channel& channel : record_.channels) keep_only(blanks.keep, channel.values);
     keep_only(blanks.keep, time_s_);
@@ -324,13 +326,18 @@ class CsvParser {
 
   // Rows at the ends that lack a value go; one that lacks it between is refused, or filled where the record is interpolated.
   void treat_blanks() {
-    std::vector<TableColumn> table;
-    for (Channel& channel : record_.channels) table.push_back({channel.name, &channel.values});
-    const BlankEnds blank = find_blank_ends(table);
     const bool fills = options_.resample_Hz > 0.0 && !time_s_.empty();
-    if ((!blank.gap.empty() && !fills) || blank.first == blank.end) refuse_blank(blank);
+    if (fills)
+      for (std::string& note : hold_commands(time_s_, record_.channels)) record_.notes.push_back(std::move(note));
+    std::vector<TableColumn> table, measured;
+    for (Channel& channel : record_.channels) {
+      table.push_back({channel.name, &channel.values});
+      if (!channel.held) measured.push_back(table.back());
+    }
+    const BlankEnds blank = find_blank_ends(table);
+    if ((!blank.gap.empty() && !fills) || blank.first == blank.end) refuse_blank(blank, table);
     leave_out_ends(blank);
-    if (!blank.gap.empty()) fill_between(table);
+    if (!blank.gap.empty()) fill_between(measured);
   }
 
   void keep_samples(size_t first, size_t end) {

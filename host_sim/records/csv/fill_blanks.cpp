@@ -27,16 +27,30 @@ void fill(const std::vector<double>& time_s, std::vector<double>& values, Filled
     for (size_t row = there[i - 1] + 1; row < there[i]; ++row) {
       result.keep[row] = result.keep[row] && fills;
       if (!fills) continue;
-      double weight[kPoints], sum = 0.0;
+      double weight[kPoints], value = values[there[i - 1]];
       weights_at(&there_s[first], points, time_s[row], weight);
-      for (size_t j = 0; j < points; ++j) sum += weight[j] * values[there[first + j]];
-      values[row] = sum;
+      // from the value before on: where all are alike the sum is that value to the last bit
+      for (size_t j = 0; j < points; ++j) value += weight[j] * (values[there[first + j]] - values[there[i - 1]]);
+      values[row] = value;
       ++result.filled;
     }
   }
 }
 
 }  // namespace
+
+double fastest_step(const std::vector<double>& time_s, const std::vector<TableColumn>& columns) {
+  double fastest_s = 0.0;
+  for (const TableColumn& column : columns) {
+    std::vector<double> there_s;
+    for (size_t row = 0; row < time_s.size(); ++row)
+      if (!std::isnan((*column.values)[row])) there_s.push_back(time_s[row]);
+    if (there_s.size() < 2) continue;
+    const double step_s = median_step(there_s);
+    fastest_s = fastest_s > 0.0 ? std::min(fastest_s, step_s) : step_s;
+  }
+  return fastest_s;
+}
 
 FilledBlanks fill_blanks(const std::vector<double>& time_s, const std::vector<TableColumn>& columns) {
   FilledBlanks result;

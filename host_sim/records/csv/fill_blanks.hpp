@@ -14,6 +14,9 @@ struct FilledBlanks {
   std::vector<bool> keep;  // per row
 };
 
+// The usual step between the values of the column that has most of them, s; 0 where none has two.
+double fastest_step(const std::vector<double>& time_s, const std::vector<TableColumn>& columns);
+
 // Fills each column from its own values: the cubic through the two before and the two behind, over gaps of at most kLongestGap of
 // its own usual steps. time_s: of the rows, s, increasing. A row in a longer gap of any column, before its first or behind its last value, is not kept.
 FilledBlanks fill_blanks(const std::vector<double>& time_s, const std::vector<TableColumn>& columns);
