@@ -21,10 +21,10 @@ struct Record {
   std::string file;
   double sample_period_s = 0.0;
   double start_s = 0.0;
-  std::vector<Channel> channels;   // all of one length
-  std::vector<double> time_s;      // of samples at uneven times, to be resampled; else empty
-  double own_step_s = 0.0;         // of channels that are in rows of their own, s: the usual step of the fastest; else 0
-  double time_jitter_s = 0.0;      // rms of the file's sample times about even steps; 0 where it has none
+  std::vector<Channel> channels;  // all of one length
+  std::vector<double> time_s;     // of samples at uneven times, to be resampled; else empty
+  double own_step_s = 0.0;        // of channels that are in rows of their own, s: the usual step of the fastest; else 0
+  double time_jitter_s = 0.0;     // rms of the file's sample times about even steps; 0 where it has none
   std::vector<std::string> notes;  // what the reader made of the file: factors, ignored columns
   size_t samples() const { return channels.empty() ? 0 : channels.front().values.size(); }
   const Channel* find(Quantity quantity, int dof) const {

@@ -10,6 +10,7 @@
 #include "host_sim/records/even_times.hpp"
 #include "host_sim/records/parts_kept.hpp"
 #include "host_sim/records/record_checks.hpp"
+#include "host_sim/records/tick_log.hpp"
 #include "host_sim/records/value_step.hpp"
 
 namespace host_sim {
@@ -71,13 +72,7 @@ Record part_at(const Record& record, const std::vector<double>& time_s, const Pa
   out.file = record.file;
   out.start_s = time_s[part.first];
   out.sample_period_s = 1.0 / rate_Hz;
-  const double length = (time_s[part.end - 1] - out.start_s) * rate_Hz * (1.0 + 1e-12);
-  if (length > kMostSamples)
-    throw DataFileError(
-        record.file, 0,
-        fmt::format("makes {:.3g} samples at {:.4g} a second, expected a rate that makes {:.3g} at the most", length,
-                    rate_Hz, kMostSamples));
-  const auto count = static_cast<size_t>(length) + 1;
+  const size_t count = samples_at(record.file, time_s[part.end - 1] - out.start_s, rate_Hz);
   std::vector<Range> ranges;
   for (const Channel& channel : record.channels) {
     out.channels.push_back(
@@ -107,24 +102,24 @@ Record part_at(const Record& record, const std::vector<double>& time_s, const Pa
   return out;
 }
 
-// A row for each mark that passed (a tooth, a magnet, a revolution): with every row the value grows or falls by one step, and is
-// exact at its instant. The step is then no resolution.
-bool counts_marks(const std::vector<double>& values) {
-  constexpr double kAlike = 1e-4;  // of the step: the decimals of the file
-  if (values.size() < 2) return false;
-  const double step = std::fabs(values[1] - values[0]);
-  for (size_t i = 1; i < values.size(); ++i)
-    if (std::fabs(std::fabs(values[i] - values[i - 1]) - step) > kAlike * step) return false;
-  return step > 0.0;
-}
-
 }  // namespace
+
+size_t samples_at(const std::string& file, double length_s, double rate_Hz) {
+  const double length = length_s * rate_Hz * (1.0 + 1e-12);
+  if (length > kMostSamples)
+    throw DataFileError(
+        file, 0,
+        fmt::format("makes {:.3g} samples at {:.4g} a second, expected a rate that makes {:.3g} at the most", length,
+                    rate_Hz, kMostSamples));
+  return static_cast<size_t>(length) + 1;
+}
 
 std::vector<Record> resampled(const Record& record, double rate_Hz) {
   std::vector<double> time_s = times_of(record);
   if (time_s.size() < kFewestSamples)
     throw DataFileError(record.file, 0,
                         fmt::format("holds {} samples, expected at least {}", time_s.size(), kFewestSamples));
+  if (const double ticks = tick_step(record); ticks > 0.0) return {resampled_ticks(record, ticks, rate_Hz)};
   const double step = record.own_step_s > 0.0 ? record.own_step_s : median_step(time_s);
   if (rate_Hz < kSameRate / step)
     throw DataFileError(
