@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "host_sim/data_check/misfit.hpp"
 #include "host_sim/data_check/quantile.hpp"
 
 namespace host_sim::data_check {
 namespace {
 
 constexpr size_t kWidest = 3;
-constexpr size_t kNear = 50;  // samples on each side that say what is usual
 constexpr double kDeviations = 8.0;
 constexpr double kShareOfRange = 0.02;
 constexpr double kOfTheTail = 4.0;  // times the 95 percent quantile: 8 standard deviations again
@@ -58,22 +58,6 @@ double off_right(const std::vector<double>& x, size_t i) {
   return std::abs(x[i] - (3.0 * x[i + 1] - 3.0 * x[i + 2] + x[i + 3]));
 }
 
-// What one sample is off the cubic through its neighbours, everywhere.
-std::vector<double> misfits(const std::vector<double>& x) {
-  std::vector<double> out(x.size(), 0.0);
-  for (size_t i = 2; i + 2 < x.size(); ++i)
-    out[i] = std::abs(x[i] - (4.0 * (x[i - 1] + x[i + 1]) - x[i - 2] - x[i + 2]) / 6.0);
-  return out;
-}
-
-// The usual misfit around a sample, itself and its nearest left out.
-double usual_near(const std::vector<double>& misfit, size_t i, size_t width) {
-  std::vector<double> around;
-  for (size_t k = i > kNear ? i - kNear : 0; k < std::min(misfit.size(), i + width + kNear); ++k)
-    if (k + 4 < i || k > i + width + 4) around.push_back(misfit[k]);
-  return quantile(around, 0.5) / 0.6745;
-}
-
 // Does the stretch stand off what either side leads to, are the sides closer to each other, and is each side smooth by
 // itself? An edge is no spike, and neither is the crest of a swing that only a few samples show.
 bool stands_alone(const std::vector<double>& x, size_t first, size_t width, double size) {
@@ -112,6 +96,7 @@ std::vector<Gap> spikes_in(const std::vector<double>& x, const Statistics& stati
       const double size = size_of(x, i, across[width - 1]);
       if (size < least || size < tail[width - 1] || !stands_alone(x, i, width, size)) continue;
       if (size < kDeviations * std::max(usual_near(misfit, i, width), statistics.resolution)) continue;
+      if (is_of_a_ringing(misfit, i, width)) continue;
       gaps.push_back({i, width, size});
       i += width + 3;
       break;

@@ -24,6 +24,7 @@ struct Neighbours {
 // A spike: one to three samples off both what stands before and what stands behind them, alone, by more than 8 standard
 // deviations of the same measure nearby (less than one in 10^10 samples of Gaussian noise), by 4 times what 95 % of the
 // whole record is off (so that a record of few samples a period has none), and 2 % of the range.
+// Where the samples beside it swing as fast, it belongs to a ringing of a few samples a period (misfit.hpp), and is none.
 // Displacement and velocity cannot do that. An acceleration can, at an impact, and a force, at a hammer's blow: those
 // are named where they would have changed the velocity by more than 5 times all that it spans, or are beyond any range
 // (1000 times the rest for an acceleration, a million times for a force), or a single sample of an acceleration that is
