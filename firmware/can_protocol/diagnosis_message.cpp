@@ -28,11 +28,15 @@ Diagnosis diagnosis_of(const Estimates& estimates) {
   const EstimateRecord record = estimate_record(size, 0);
   diagnosis.size = {record.value, record.std, record.exponent, record.std_exponent};
   diagnosis.corrected = warrant.corrected;
-  diagnosis.rival = warrant.rival.cause;
-  diagnosis.rival_place_a = place_of(warrant.rival.node_a);
-  diagnosis.rival_place_b = place_of(warrant.rival.node_b);
-  diagnosis.rival_quantity = warrant.rival.quantity;
-  diagnosis.rival_permille = permille(warrant.rival_share);
+  // Where nothing explains it the nearest cause stands where the rival would.
+  const bool explains = warrant.naming == Naming::kExplains;
+  const Finding& rival = explains ? warrant.rival : warrant.named;
+  if (!explains && diagnosis.cause != Cause::kNone) diagnosis.cause = Cause::kUnknown;
+  diagnosis.rival = rival.cause;
+  diagnosis.rival_place_a = place_of(rival.node_a);
+  diagnosis.rival_place_b = place_of(rival.node_b);
+  diagnosis.rival_quantity = rival.quantity;
+  diagnosis.rival_permille = explains ? permille(warrant.rival_share) : 1000;
   return diagnosis;
 }
 

@@ -134,13 +134,23 @@ inline constexpr FrameDescription kEstimateFloatFd =
              "Eight estimates as floats in one frame: frame j holds those of index 8j to 8j + 7.", true, 8);
 
 inline constexpr Signal kDiagnosisSignals[] = {
-    {"cause", 0, 8, false, 1, 1, 0, "state", states(kCauses), "effect that explains the energy residual"},
+    {"cause", 0, 8, false, 1, 1, 0, "state", states(kCauses),
+     "effect that explains the energy residual; UNKNOWN: something is missing, and none of the effects explains it"},
     {"place_a", 8, 8, false, 1, 1, 0, "DOF", states(kPlaces), "DOF, or first end of the link"},
     {"place_b", 16, 8, false, 1, 1, 0, "DOF", states(kPlaces), "second end of the link; NONE for a DOF or a channel"},
     {"quantity", 24, 8, false, 1, 1, 0, "state", states(kQuantities),
      "of the channel, where the cause is in the measurement"},
     {"unexplained", 32, 16, false, 1, 10, 0, "%", {}, "part of the damping energy that the model leaves unexplained"},
-    {"gained", 48, 16, false, 1, 10, 0, "%", {}, "part of the residual that the named cause takes away"}};
+    {"gained",
+     48,
+     16,
+     false,
+     1,
+     10,
+     0,
+     "%",
+     {},
+     "part of what stands out along the nearest cause's force, beyond noise, that it takes away"}};
 inline constexpr FrameDescription kDiagnosis =
     describe("diagnosis", {0x480}, Sender::kController, 1000, "on change and 1 s", 8, kDiagnosisSignals,
              "What the model of the rig lacks, as far as running sums tell.");
@@ -154,7 +164,9 @@ inline constexpr Signal kDiagnosisSizeSignals[] = {
      "the channel's fault is taken out of the samples behind the estimates"}};
 inline constexpr FrameDescription kDiagnosisSize =
     describe("diagnosis_size", {0x3A0}, Sender::kController, 1000, "after each diagnosis that names a cause", 8,
-             kDiagnosisSizeSignals, "How large the named cause is: N/m^3 for a cubic stiffness, s for a delay.");
+             kDiagnosisSizeSignals,
+             "How large the named cause is: N/m^3 for a cubic stiffness, s for a delay. Of the nearest one where the "
+             "cause is UNKNOWN.");
 
 inline constexpr Signal kDiagnosisRivalSignals[] = {
     {"cause", 0, 8, false, 1, 1, 0, "state", states(kCauses), "effect that explains the residual next best"},
@@ -165,7 +177,8 @@ inline constexpr Signal kDiagnosisRivalSignals[] = {
     {"likelihood", 32, 16, false, 1, 10, 0, "%", {}, "gain in log-likelihood, as a part of the named cause's"}};
 inline constexpr FrameDescription kDiagnosisRival =
     describe("diagnosis_rival", {0x3B0}, Sender::kController, 1000, "after each diagnosis that names a cause", 6,
-             kDiagnosisRivalSignals, "The cause that comes nearest to the named one.");
+             kDiagnosisRivalSignals,
+             "The cause that comes nearest to the named one; where that is UNKNOWN, the nearest of all.");
 
 // ---- What makes a log self-describing
 inline constexpr Signal kParameterSignals[] = {

@@ -89,15 +89,24 @@ struct Finding {
   uint8_t quantity = kNoQuantity;   // of the channel at node_a, where the cause is in the measurement
   Scaled size, std;                 // SI units of the vocabulary's row
 };
+// Whether the named cause is the cause, or only the nearest of all candidates to something that the model lacks.
+enum class Naming : uint8_t {
+  kExplains = 0,  // what it leaves is noise, and nothing stands out more
+  kInPart = 1,    // it leaves more than noise
+  kOutdone = 2,   // another force stands out more
+  kTakenUp = 3,   // the estimated coefficients take up most of it, and the rest is what integration makes of noise
+  kNoFault = 4,   // of a channel that nobody measures, or larger than a fault of its kind can be
+};
 struct Warrant {
   bool tested = false;  // there was enough to test the model with
   bool confirmed =
       true;  // of a late acceleration beside a force: the equation of motion says so too, it is no held force
   bool corrected =
-      false;             // named is a channel's fault that has been taken out of these estimates; nothing else is found
+      false;  // named is a channel's fault that has been taken out of these estimates; nothing else is found
+  Naming naming = Naming::kExplains;
   Finding named, rival;  // the cause that explains the residual best; the next best that is no other word for it
-  // Force of the named cause over the damping force beside it; residual that it takes away; what the rival takes away,
-  // as a share of what the named cause does.
+  // Force of the named cause over the damping force beside it; what it takes away of what stands out along its force beyond noise, 0
+  // to 1; what the rival takes away, as a share of what the named cause does.
   Scaled force_ratio, gained, rival_share;
 };
 

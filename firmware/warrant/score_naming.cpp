@@ -202,13 +202,7 @@ void ScoreTest::name() {
   best_ = rival_ = -1;
   for (int p = 0; p < plan.place_count; ++p) {
     report_work(30 * plan.probe_count);
-    Scaled least;
-    for (int j = 0; j < plan.probe_count; ++j) {
-      const ProbeScore& score = score_[j];
-      if (plan.probe[j].place != p || !score.tested) continue;
-      const Scaled level = score.scatter / score.information;
-      if (least.is_zero() || level < least) least = level;
-    }
+    const Scaled least = least_scatter(p);
     for (int j = 0; j < plan.probe_count; ++j)
       if (plan.probe[j].place == p && score_[j].tested)
         score_[j].gain = quotient(square(score_[j].effect) * score_[j].information, least);

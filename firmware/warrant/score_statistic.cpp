@@ -8,6 +8,7 @@ namespace {
 constexpr int kLeastFreedom = 2;
 constexpr int kFoundDeviations = 2;  // chance finds as much of one force in 20
 constexpr int kLeastShareLog2 = -6;  // of a force, not taken up by the estimated terms
+constexpr int kApartLog2 = -2;       // the same, of one that is told apart well
 
 // Stretches that show what noise does, each with at least 2^-10 of the mean information: below, rounding and products of noise.
 constexpr int kFewestForEven = 16, kLeastInformationLog2 = -10;
@@ -273,6 +274,7 @@ bool ScoreTest::conclude(ProbeScore& result) {
   result.freedom = square(result.information) / d_squares - Scaled::from_int(1);
   if (result.freedom < Scaled::from_int(kLeastFreedom)) return false;
   result.tested = true;
+  result.apart = share > Scaled::from_int(1, kApartLog2);
   result.effect = (against ? -sum_psi : sum_psi) / result.information;
   return true;
 }

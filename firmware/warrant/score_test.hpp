@@ -41,6 +41,7 @@ struct ProbeScore {
   bool tested = false;   // the record can tell this force from the estimated ones
   bool matters = false;  // large enough beside the damping forces
   bool flagged = false;  // and beyond chance
+  bool apart = false;    // over a quarter of the force is not taken up by the estimated terms
   Scaled effect, std;    // SI units of the probe's coefficient
   Scaled wald;           // effect over its deviation
   Scaled freedom;        // effective number of stretches
@@ -51,6 +52,10 @@ struct ProbeScore {
   Scaled scatter;        // what is left: sum of (psi - effect d)^2
   Scaled gain;           // of the log-likelihood, twice; comparable between probes
 };
+
+// What an effect takes away of a sum of squares, of what is not noise in it: 0 where it takes nothing, 1 where noise alone is left. All
+// three in one unit.
+Scaled share_taken(const Scaled& before, const Scaled& left, const Scaled& noise);
 
 // Sums of a probe, and pairs of an estimated term's scores with the columns there.
 constexpr int kMostProbeSums = kPlaceEquations + kMaxPlaceColumns + 3;
@@ -64,6 +69,10 @@ class ScoreTest {
   const ProbeScore& score(int probe) const { return score_[probe]; }
   int best() const { return best_; }    // of the flagged candidates, -1: none
   int rival() const { return rival_; }  // the next one of another cause or place, -1: none
+  // Of the best candidate, where there is one: whether it is more than the nearest to something else, and the share of what stands
+  // out along its force that its effect takes away, 0 to 1 (score_share.cpp), with 2^noise_log2 of the place's least scatter for noise.
+  Naming naming() const;
+  Scaled explained(int noise_log2 = 0) const;
   // Mean of w^4 over the squared mean of w^2 of a link's rate; 0 where it is not known.
   Scaled rate_kurtosis(int link) const;
   // rms force of a probe's effect over that of the dampers beside it.
@@ -132,6 +141,10 @@ class ScoreTest {
   void keep_blind(const Probe& probe);
   void judge_size(int number);
   void name();
+  Scaled least_scatter(int place) const;
+  bool outdone() const;
+  bool made_by_integration() const;
+  bool is_a_fault() const;
   Scaled damping_square(int place) const;
   Scaled terms_square(int place, bool own) const;
 

@@ -45,11 +45,6 @@ bool spreads_skew(const CoreConfiguration& configuration, const Estimates& estim
   return skewed && passes_on;
 }
 
-// The scatter that the effect takes away, as amplitudes.
-Scaled gained(const ProbeScore& score) {
-  return score.before.is_zero() ? Scaled{} : Scaled::from_int(1) - sqrt(score.scatter / score.before);
-}
-
 void tell(const CoreConfiguration& configuration, const ScoreSums& sums, const ScoreTest& test, Estimates& estimates) {
   Warrant& warrant = estimates.warrant;
   const int best = test.best(), rival = test.rival();
@@ -57,7 +52,8 @@ void tell(const CoreConfiguration& configuration, const ScoreSums& sums, const S
   warrant.named = finding_of(configuration, estimates, sums.plan(), test, best);
   warrant.rival = finding_of(configuration, estimates, sums.plan(), test, rival);
   warrant.force_ratio = test.force_ratio(best);
-  warrant.gained = gained(test.score(best));
+  warrant.gained = test.explained();
+  warrant.naming = test.naming();
   if (rival >= 0) warrant.rival_share = test.score(rival).gain / test.score(best).gain;
 }
 
@@ -150,6 +146,8 @@ void give_verdict(const CoreConfiguration& configuration, const ScoreSums& sums,
     if (state.judged) ask_equations(configuration, sums.plan(), test, estimates, late);
     warrant.rival = warrant.named;
     warrant.named = late;
+    warrant.naming = Naming::kExplains;  // by the channels' own identities: no force, no model of the rig
+    warrant.gained = {};
   }
   const bool twice_derived = kDerivesSignals && one_quantity(configuration, Quantity::kDisplacement);
   const bool derived = twice_derived || (kDerivesSignals && (one_quantity(configuration, Quantity::kVelocity) ||

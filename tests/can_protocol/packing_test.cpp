@@ -125,5 +125,27 @@ TEST(EstimateFrames, ByHand) {
   EXPECT_EQ(hex(pack_estimate(7, 47, estimate, 16)), "57F#003665C400009800");
 }
 
+// Where nothing explains it the cause is UNKNOWN, and the nearest stands in the rival's frame. Causes by their numbers on the bus.
+TEST(Diagnosis, ACauseThatDoesNotExplainIsUnknown) {
+  Estimates estimates;
+  Warrant& warrant = estimates.warrant;
+  warrant.tested = true;
+  warrant.named.cause = cause_of(EffectKind::kStiffnessError);  // 3
+  warrant.named.node_a = 1;
+  warrant.named.node_b = 0;
+  warrant.rival.cause = cause_of(EffectKind::kMassError);  // 16
+  warrant.rival.node_a = 1;
+  warrant.rival_share = Scaled::ratio(1, 4);
+  warrant.gained = Scaled::ratio(35, 100);
+  // cause 3 at 2-1, no channel (7); 0 unexplained, 350 = 0x015E taken away. The rival: 16 = 0x10 at DOF 2, 250 = 0x00FA.
+  EXPECT_EQ(hex(pack_diagnosis(1, diagnosis_of(estimates))), "481#0302010700005E01");
+  EXPECT_EQ(hex(pack_diagnosis_rival(1, diagnosis_of(estimates))), "3B1#10021F07FA00");
+  warrant.naming = Naming::kInPart;
+  EXPECT_EQ(hex(pack_diagnosis(1, diagnosis_of(estimates))), "481#FF02010700005E01");
+  EXPECT_EQ(hex(pack_diagnosis_rival(1, diagnosis_of(estimates))), "3B1#03020107E803");  // 1000
+  warrant.named = {};
+  EXPECT_EQ(diagnosis_of(estimates).cause, Cause::kNone);
+}
+
 }  // namespace
 }  // namespace firmware

@@ -79,6 +79,7 @@ RecordOutcome outcome_of(uint64_t seed, const hidden_rig::Settings& settings, ui
     const firmware::Finding& named = estimates.warrant.named;
     if (named.cause != firmware::Cause::kNone) {
       outcome.named = cause_text(named.cause);
+      outcome.is_cause = estimates.warrant.naming == firmware::Naming::kExplains;
       outcome.named_where = place_text(named, draw.true_rig.rotating);
     }
   } catch (const rig_file::RigFileError&) {
@@ -91,9 +92,9 @@ RecordOutcome outcome_of(uint64_t seed, const hidden_rig::Settings& settings, ui
 
 std::string describe(const RecordOutcome& o) {
   char text[200];
-  std::snprintf(text, sizeof text, "%llu %s %s%s%s%s named %s %s\n", static_cast<unsigned long long>(o.seed),
+  std::snprintf(text, sizeof text, "%llu %s %s%s%s%s %s %s %s\n", static_cast<unsigned long long>(o.seed),
                 o.hidden.empty() ? "nothing" : o.hidden.c_str(), o.where.c_str(), o.bent() ? " BENT" : "",
-                o.valid_and_wrong() ? " WRONG" : "", o.tested ? "" : " untested",
+                o.valid_and_wrong() ? " WRONG" : "", o.tested ? "" : " untested", o.is_cause ? "named" : "nearest",
                 o.named.empty() ? "-" : o.named.c_str(), o.named_where.c_str());
   std::string all = text;
   for (const CoefficientOutcome& c : o.coefficients) {

@@ -25,6 +25,7 @@ struct RecordOutcome {
   bool refused = false;       // the core's plan or the generator refuses it
   bool tested = false, suspect = false;
   std::string named, named_where;  // the board's cause in the words of the vocabulary, empty: none
+  bool is_cause = false;           // and not only the nearest to something that no candidate explains
   std::vector<CoefficientOutcome> coefficients;
   bool bent() const;             // some coefficient is wrong
   bool valid_and_wrong() const;  // and goes out VALID
