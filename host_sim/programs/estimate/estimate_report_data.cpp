@@ -69,7 +69,8 @@ reports::WarrantView warrant_view(const WarrantResult& warrant) {
   const auto finding = [](const FindingResult& from) {
     return reports::WarrantFinding{from.effect, from.where, from.unit, from.size, from.std};
   };
-  return {warrant.tested, finding(warrant.named), finding(warrant.rival), warrant.rival_percent};
+  return {warrant.tested, finding(warrant.named), finding(warrant.rival), warrant.rival_percent,
+          why_not_the_cause(warrant)};
 }
 
 }  // namespace host_sim

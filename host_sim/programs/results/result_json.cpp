@@ -29,7 +29,11 @@ ordered_json to_json(const WarrantResult& warrant) {
   ordered_json json = {{"tested", warrant.tested}};
   for (const FindingResult& finding : warrant.corrected) json["corrected"].push_back(to_json(finding));
   if (warrant.named.effect.empty()) return json;
-  json["suspect"] = to_json(warrant.named);
+  const std::string why_not = why_not_the_cause(warrant);
+  ordered_json& named = json[why_not.empty() ? "suspect" : "nearest"];
+  named = to_json(warrant.named);
+  if (warrant.explains_percent != 0.0) named["explains_percent"] = warrant.explains_percent;
+  if (!why_not.empty()) named["not_the_cause"] = why_not;
   if (warrant.rival.effect.empty()) return json;
   json["rival"] = to_json(warrant.rival);
   json["rival"]["likelihood_percent"] = warrant.rival_percent;

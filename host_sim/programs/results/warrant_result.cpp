@@ -78,29 +78,69 @@ WarrantResult warrant_of(const rig_file::RigModel& model, const firmware::Warran
   result.named = finding_of(model, warrant.named);
   result.explained = warrant.corrected;
   if (warrant.corrected) result.corrected.push_back(result.named);
+  result.naming = warrant.naming;
+  result.explains_percent = 100.0 * rig_file::to_double(warrant.gained);
   result.rival = finding_of(model, warrant.rival);
   result.rival_percent = 100.0 * rig_file::to_double(warrant.rival_share);
   return result;
 }
 
+std::string why_not_the_cause(const WarrantResult& warrant) {
+  switch (warrant.naming) {
+    case firmware::Naming::kExplains:
+      return "";
+    case firmware::Naming::kInPart:
+      return "it leaves more than noise";
+    case firmware::Naming::kOutdone:
+      return "another force stands out more";
+    case firmware::Naming::kTakenUp:
+      return "the estimated coefficients take up most of it, and the rest is what integration makes of slow noise: "
+             "measure "
+             "the displacement as well, or leave out what is at rest";
+    case firmware::Naming::kNoFault:
+      return "no channel that is measured can be off like that";
+  }
+  return "";
+}
+
 std::string after_suspicion(const WarrantResult& warrant) {
   if (warrant.named.effect.empty() || warrant.explained) return "";
-  return "what to do: host_sim diagnose asks the same data whether that is it; --extended-rig FILE writes a rig file "
-         "that has it, "
-         "for the next estimate";
+  const std::string file = "--extended-rig FILE writes a rig file that has it, for the next estimate";
+  if (warrant.naming != firmware::Naming::kExplains)
+    return "what to do: host_sim diagnose looks for it in the same data, with more candidates and two at a time; " +
+           file;
+  return "what to do: host_sim diagnose asks the same data whether that is it; " + file;
 }
+
+namespace {
+
+std::string finding_text(const WarrantResult& warrant) {
+  const FindingResult& named = warrant.named;
+  std::string text = named.effect + " on " + named.where + fmt::format(", {:.4g} +- {:.2g}", named.size, named.std) +
+                     (named.unit.empty() ? "" : " ") + named.unit + slip_text(named);
+  const bool told_apart = warrant.naming != firmware::Naming::kTakenUp && warrant.naming != firmware::Naming::kNoFault;
+  if (warrant.explained || !told_apart || warrant.explains_percent == 0.0) return text;
+  return text + fmt::format(", takes away {:.0f} % of what does not fit there", warrant.explains_percent);
+}
+
+}  // namespace
 
 std::string warrant_text(const WarrantResult& warrant) {
   if (warrant.named.effect.empty())
     return warrant.tested ? "the board finds nothing that the rig file lacks"
                           : "the board cannot test the rig file with these data";
-  std::string size = fmt::format(", {:.4g} +- {:.2g}", warrant.named.size, warrant.named.std);
-  std::string text = "the board suspects " + warrant.named.effect + " on " + warrant.named.where + size +
-                     (warrant.named.unit.empty() ? "" : " ") + warrant.named.unit + slip_text(warrant.named);
+  const bool is_cause = warrant.naming == firmware::Naming::kExplains;
+  std::string text =
+      is_cause ? "the board suspects " + finding_text(warrant)
+               : "the rig file lacks something that none of the board's candidates explains alone (nearest: " +
+                     finding_text(warrant) + ", but " + why_not_the_cause(warrant);
   if (warrant.explained) return text + ": corrected, and nothing else is found";
-  if (warrant.rival.effect.empty()) return text;
-  std::string share = fmt::format(" ({:.0f} % of its likelihood)", warrant.rival_percent);
-  return text + "; next best " + warrant.rival.effect + " on " + warrant.rival.where + share;
+  if (!warrant.rival.effect.empty()) {
+    text +=
+        "; next " + std::string(is_cause ? "best " : "nearest ") + warrant.rival.effect + " on " + warrant.rival.where;
+    if (is_cause) text += fmt::format(" ({:.0f} % of its likelihood)", warrant.rival_percent);
+  }
+  return text + (is_cause ? "" : ")");
 }
 
 }  // namespace host_sim

@@ -17,6 +17,10 @@ struct FindingResult {
 struct WarrantResult {
   bool tested = false;
   FindingResult named, rival;
+  // Whether named is the cause, or only the nearest to something that the rig file lacks; and of what stands out along its force, beyond
+  // noise, what it takes away (0: nothing is known of that).
+  firmware::Naming naming = firmware::Naming::kExplains;
+  double explains_percent = 0.0;
   double rival_percent = 0.0;  // gain in log-likelihood, of the named cause's
   // Delays and gains of channels that have been taken out of these estimates. Where that explains everything, named is the
   // first of them.
@@ -24,6 +28,8 @@ struct WarrantResult {
   bool explained = false;  // by what has been corrected
 };
 
+// Nothing where the named cause is the cause; else why it is not, in words that follow it.
+std::string why_not_the_cause(const WarrantResult& warrant);
 WarrantResult warrant_of(const rig_file::RigModel& model, const firmware::Warrant& warrant);
 // One line, ends without a line break.
 std::string warrant_text(const WarrantResult& warrant);

@@ -13,6 +13,7 @@ struct WarrantView {
   bool tested = false;  // the data could show what the rig file lacks
   WarrantFinding named, rival;
   double rival_percent = 0.0;  // likelihood gain, of the named cause's
+  std::string not_the_cause;   // why the named one is only the nearest; empty: it is the cause
 };
 
 }  // namespace host_sim::reports

@@ -48,8 +48,10 @@ Page made_page(const EstimateReportData& data) {
   facts.insert(facts.end(), data.facts.begin(), data.facts.end());
   std::string lead;
   if (data.warrant && !data.warrant->named.effect.empty())
-    lead = "<p class=\"lead\">The data contradict the rig file. Suspected: " +
-           escaped(cause_text(data.warrant->named.effect, data.warrant->named.where)) + ".</p>\n";
+    lead =
+        "<p class=\"lead\">The data contradict the rig file. " +
+        std::string(data.warrant->not_the_cause.empty() ? "Suspected: " : "No candidate explains it; the nearest: ") +
+        escaped(cause_text(data.warrant->named.effect, data.warrant->named.where)) + ".</p>\n";
   Page page(sentence(data), "Estimation of " + data.rig_name, lead + facts_html(facts));
   add_table(page, data);
   add_warrant(page, data.warrant);

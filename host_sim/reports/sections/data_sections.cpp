@@ -95,7 +95,10 @@ void add_warrant(Page& page, const std::optional<WarrantView>& warrant) {
   const WarrantView& said = *warrant;
   page.section(
       "warrant", "What the board says of the model",
-      !said.named.effect.empty()
+      !said.not_the_cause.empty() ? "The data contradict the rig file, and none of the board's candidates explains it. "
+                                    "The nearest is not the cause: " +
+                                        said.not_the_cause + "."
+      : !said.named.effect.empty()
           ? "The data contradict the rig file. The board suspects the first cause; the second is the next best."
       : said.tested ? "The data were able to contradict the rig file, and they do not."
                     : "These data cannot contradict the rig file: that the numbers look right proves nothing.");
@@ -103,7 +106,8 @@ void add_warrant(Page& page, const std::optional<WarrantView>& warrant) {
   HtmlTable table;
   table.heading = {"", "cause", "size (± one standard deviation)", "likelihood gain, %"};
   table.numeric = {false, false, true, true};
-  table.rows.push_back({"suspected", "<b>" + escaped(cause_text(said.named.effect, said.named.where)) + "</b>",
+  table.rows.push_back({said.not_the_cause.empty() ? "suspected" : "nearest",
+                        "<b>" + escaped(cause_text(said.named.effect, said.named.where)) + "</b>",
                         size_text(said.named), "100"});
   if (!said.rival.effect.empty())
     table.rows.push_back({"next best", escaped(cause_text(said.rival.effect, said.rival.where)), size_text(said.rival),
