@@ -14,7 +14,7 @@ namespace {
 using warrant_test::RecordOutcome;
 
 struct Count {
-  int records = 0, refused = 0, bent = 0, wrong = 0, suspect = 0, named = 0, placed = 0;
+  int records = 0, refused = 0, bent = 0, wrong = 0, suspect = 0, named = 0, placed = 0, misnamed = 0, nearest = 0;
   int coefficients = 0, valid = 0, held = 0, measurable = 0, measurable_valid = 0;
   void add(const RecordOutcome& o) {
     if (o.refused) {
@@ -25,8 +25,11 @@ struct Count {
     bent += o.bent();
     wrong += o.valid_and_wrong();
     suspect += o.suspect;
-    named += o.suspect && o.named == o.hidden;
-    placed += o.suspect && o.named == o.hidden && o.named_where == o.where;
+    const bool told = o.suspect && o.is_cause;
+    named += told && o.named == o.hidden;
+    placed += told && o.named == o.hidden && o.named_where == o.where;
+    misnamed += told && o.named != o.hidden;
+    nearest += o.suspect && !o.is_cause && o.named == o.hidden;  // the right cause, not named
     for (const auto& c : o.coefficients) {
       ++coefficients;
       valid += c.valid();
@@ -41,11 +44,12 @@ double percent(int part, int whole) { return whole == 0 ? 0.0 : 100.0 * part / w
 
 void print(const std::string& name, const Count& c) {
   std::printf(
-      "%-34s records %3d bent %3d WRONG %3d suspect %3d named %3d placed %3d | valid %3.0f held %3.0f "
+      "%-34s records %3d bent %3d WRONG %3d suspect %3d named %3d placed %3d misnamed %3d right but nearest %3d | "
+      "valid %3.0f held %3.0f "
       "measurable %3.0f of them valid %3.0f%s\n",
-      name.c_str(), c.records, c.bent, c.wrong, c.suspect, c.named, c.placed, percent(c.valid, c.coefficients),
-      percent(c.held, c.valid), percent(c.measurable, c.coefficients), percent(c.measurable_valid, c.measurable),
-      c.refused ? " (refused some)" : "");
+      name.c_str(), c.records, c.bent, c.wrong, c.suspect, c.named, c.placed, c.misnamed, c.nearest,
+      percent(c.valid, c.coefficients), percent(c.held, c.valid), percent(c.measurable, c.coefficients),
+      percent(c.measurable_valid, c.measurable), c.refused ? " (refused some)" : "");
   std::fflush(stdout);
 }
 
@@ -63,9 +67,10 @@ Count counted(const std::string& condition, const std::string& sensors, const st
   return count;
 }
 
-std::string row(const char* format, const std::string& name, int a, int b, int c, int d, int e) {
+std::string row(const std::string& name, const Count& c) {
   char text[160];
-  std::snprintf(text, sizeof text, format, name.c_str(), a, b, c, d, e);
+  std::snprintf(text, sizeof text, "| %s | %d | %d | %d | %d | %d | %d |\n", name.c_str(), c.records, c.bent, c.wrong,
+                c.suspect, c.named, c.misnamed);
   return text;
 }
 
@@ -75,12 +80,11 @@ std::string hidden_table(int draws) {
       "link.\n\"Bent\" are records with a coefficient over 5 % and over four quoted deviations off; \"VALID and "
       "wrong\" "
       "those where such a\ncoefficient goes out VALID.\n\n| sensors, noise | records | bent | VALID and wrong | "
-      "withdrawn | cause named right |\n|---|---|---|---|---|---|\n";
+      "withdrawn | cause named right | another cause named |\n|---|---|---|---|---|---|---|\n";
   for (const char* condition : {"random_1pct", "random_5pct"})
     for (const char* set : kSets) {
       const Count c = counted(condition, set, "any", kFirstHidden, draws);
-      const std::string line = row("| %s | %d | %d | %d | %d | %d |\n", std::string(set) + ", " + condition, c.records,
-                                   c.bent, c.wrong, c.suspect, c.named);
+      const std::string line = row(std::string(set) + ", " + condition, c);
       std::printf("%s", line.c_str());
       text += line;
       std::fflush(stdout);
