@@ -1,8 +1,5 @@
 #include "hidden_mode.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 #include "../fit/mode_scan.hpp"
 #include "attempt.hpp"
 #include "horizon.hpp"
@@ -20,13 +17,6 @@ Candidate candidate_of(const HiddenMode& mode) {
   return c;
 }
 
-// The rig's own numbers as the balance has them beside the mode.
-Model beside_mode(const SpectralBalance& balance, const HiddenMode& mode, Model model) {
-  for (size_t i = 0; i < balance.numbers.size(); ++i)
-    model[balance.numbers[i]].value = mode.numbers[static_cast<Index>(i)];
-  return model;
-}
-
 // Other causes, named before, over these windows: they have to leave much more.
 bool outdoes(const Task& task, const State& found, const Choice& before, double periods) {
   if (before.named.empty()) return true;
@@ -41,7 +31,7 @@ bool outdoes(const Task& task, const State& found, const Choice& before, double 
 bool adopted(const Task& task, const SpectralBalance& balance, const HiddenMode& mode, const Choice& before,
              Choice& choice) {
   State beside = choice.base;
-  beside.model = beside_mode(balance, mode, choice.base.model);
+  beside.model = with_numbers(balance, mode.numbers, choice.base.model);
   const Attempt found = attempt(task, beside, {candidate_of(mode)}, {{mode.mass_kg}}, kBaseSteps, From::kMeasured);
   if (!found.state.fit.ok || !follows(task, found.state) || !outdoes(task, found.state, before, choice.periods))
     return false;

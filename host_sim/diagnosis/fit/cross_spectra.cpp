@@ -72,15 +72,17 @@ std::vector<CrossSpectra> cross_spectra(const Prepared& p) {
   if (length < kLeast) return {};
   const Segments segments(p, static_cast<size_t>(length));
   const Complexes none = Complexes::Zero(segments.bins());
-  std::vector<CrossSpectra> list;
-  for (size_t drive = 0; drive < p.force.size(); ++drive) {
-    if (p.force[drive].size() == 0 || p.force[drive].cwiseAbs().maxCoeff() <= 0) continue;
-    CrossSpectra cross{
-        Vec(segments.bins()), Vec::Zero(segments.bins()), {}, std::vector<Complexes>(p.force.size(), none)};
-    for (Index i = 0; i < segments.bins(); ++i) cross.hertz[i] = segments.omega(i) / kTwoPi;
-    for (const Vec& f : p.force) cross.force.push_back(f.size() ? none : Complexes());
-    for (Index from = 0; from + length <= p.samples; from += length / 2) add(segments.at(from), drive, cross);
-    list.push_back(cross);
+  std::vector<size_t> drives;
+  for (size_t d = 0; d < p.force.size(); ++d)
+    if (p.force[d].size() && p.force[d].cwiseAbs().maxCoeff() > 0) drives.push_back(d);
+  CrossSpectra empty{
+      Vec(segments.bins()), Vec::Zero(segments.bins()), {}, std::vector<Complexes>(p.force.size(), none)};
+  for (Index i = 0; i < segments.bins(); ++i) empty.hertz[i] = segments.omega(i) / kTwoPi;
+  for (const Vec& f : p.force) empty.force.push_back(f.size() ? none : Complexes());
+  std::vector<CrossSpectra> list(drives.size(), empty);
+  for (Index from = 0; !drives.empty() && from + length <= p.samples; from += length / 2) {
+    const SegmentSpectra spectra = segments.at(from);
+    for (size_t k = 0; k < drives.size(); ++k) add(spectra, drives[k], list[k]);
   }
   return list;
 }

@@ -49,13 +49,8 @@ bool possible(const SpectralBalance& b, const Model& model, const Vec& numbers) 
 bool possible(const SpectralBalance& b, const Model& model, const HiddenMode& mode) {
   if (!possible(b, model, mode.numbers)) return false;
   double carries = 0;
-  for (const ModelTerm& t : model)
+  for (const ModelTerm& t : with_numbers(b, mode.numbers, model))
     if (t.term.kind == Kind::kMass && t.term.dof == mode.dof) carries = t.value;
-  for (size_t i = 0; i < b.numbers.size(); ++i) {
-    const ModelTerm& t = model[b.numbers[i]];
-    const double value = mode.numbers[static_cast<Index>(i)];
-    if (t.term.kind == Kind::kMass && t.term.dof == mode.dof) carries = value;
-  }
   return mode.mass_kg > kLeastMass * carries;
 }
 
@@ -67,9 +62,7 @@ std::optional<Model> balanced_numbers(const System& system, const std::vector<Pr
   Vec numbers;
   solved(b.columns, b.given, numbers);
   if (!numbers.allFinite() || !possible(b, model, numbers)) return {};
-  Model found = model;
-  for (size_t i = 0; i < b.numbers.size(); ++i) found[b.numbers[i]].value = numbers[static_cast<Index>(i)];
-  return found;
+  return with_numbers(b, numbers, model);
 }
 
 std::optional<HiddenMode> hidden_mode(const SpectralBalance& b, const Model& model) {

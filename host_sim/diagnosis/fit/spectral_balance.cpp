@@ -84,4 +84,9 @@ SpectralBalance spectral_balance(const System& system, const std::vector<Prepare
   return stacked(rows, numbers);
 }
 
+Model with_numbers(const SpectralBalance& b, const Vec& numbers, Model model) {
+  for (size_t i = 0; i < b.numbers.size(); ++i) model[b.numbers[i]].value = numbers[static_cast<Index>(i)];
+  return model;
+}
+
 }  // namespace diagnosis::runs

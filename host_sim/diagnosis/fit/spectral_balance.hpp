@@ -19,4 +19,7 @@ struct SpectralBalance {
 // No rows where no force drives the rig, or a moving base does. Friction and laws that are not linear have no part in it.
 SpectralBalance spectral_balance(const System& system, const std::vector<Prepared>& records, const Model& model);
 
+// The model with these numbers, one for each of the balance's.
+Model with_numbers(const SpectralBalance& balance, const Vec& numbers, Model model);
+
 }  // namespace diagnosis::runs
