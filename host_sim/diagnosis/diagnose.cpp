@@ -8,6 +8,7 @@
 #include "answer/force_hum.hpp"
 #include "answer/hum.hpp"
 #include "answer/rows_borne_out.hpp"
+#include "answer/run_limits.hpp"
 #include "answer/scale.hpp"
 #include "answer/trifles.hpp"
 #include "answer/undetermined.hpp"
@@ -165,6 +166,8 @@ Diagnosis judged(const Asked& asked, double& lag_s) {
   compare_nothing(d);
   state_rivals(d);
   runs::mark_undetermined(task, d);
+  if (d.verdict == Verdict::kNone && d.minimum_detectable.empty())
+    d.minimum_detectable = runs::limits_of_runs(task, choice.base);
   for (const std::string& advice : advice_for(d)) d.advice.push_back(advice);
   progress(1);
   return d;

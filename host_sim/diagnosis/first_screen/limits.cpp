@@ -41,20 +41,6 @@ std::vector<double> damping_rms(const Rows& rows, const std::vector<ActiveTerm>&
   return list;
 }
 
-// Of a link of the rig file its own; of a DOF, or of a link that the rig file lacks, the largest nearby.
-double damping_at(const System& system, const std::vector<double>& damping, const Term& place) {
-  if (place.link >= 0 && static_cast<size_t>(place.link) < damping.size())
-    return damping[static_cast<size_t>(place.link)];
-  const rig_file::Link* own = place.link >= 0 ? &system.links[static_cast<size_t>(place.link)] : nullptr;
-  double largest = 0;
-  for (size_t l = 0; l < damping.size(); ++l) {
-    const rig_file::Link& link = system.links[l];
-    const auto touches = [&](int dof) { return dof > 0 && (link.a == dof || link.b == dof); };
-    if (own ? touches(own->a) || touches(own->b) : touches(place.dof + 1)) largest = std::max(largest, damping[l]);
-  }
-  return largest;
-}
-
 // Without the term in whose place they act: coefficients of their own.
 std::vector<Candidate> freed(std::vector<Candidate> candidates) {
   for (Candidate& c : candidates) c.host = -1, c.fixed = false;
@@ -107,6 +93,19 @@ std::vector<DetectionLimit> limits_of(const Rows& rows, const CandidateBank& ban
 }
 
 }  // namespace
+
+double damping_at(const System& system, const std::vector<double>& damping, const Term& place) {
+  if (place.link >= 0 && static_cast<size_t>(place.link) < damping.size())
+    return damping[static_cast<size_t>(place.link)];
+  const rig_file::Link* own = place.link >= 0 ? &system.links[static_cast<size_t>(place.link)] : nullptr;
+  double largest = 0;
+  for (size_t l = 0; l < damping.size(); ++l) {
+    const rig_file::Link& link = system.links[l];
+    const auto touches = [&](int dof) { return dof > 0 && (link.a == dof || link.b == dof); };
+    if (own ? touches(own->a) || touches(own->b) : touches(place.dof + 1)) largest = std::max(largest, damping[l]);
+  }
+  return largest;
+}
 
 std::vector<DetectionLimit> detection_limits(Rows& rows, const CandidateBank& bank,
                                              const std::vector<ActiveTerm>& model, const Fit& fit) {

@@ -12,4 +12,8 @@ namespace diagnosis {
 std::vector<DetectionLimit> detection_limits(Rows& rows, const CandidateBank& bank,
                                              const std::vector<ActiveTerm>& model, const Fit& fit);
 
+// damping: of each of the rig file's links, the rms force of its dampers. Of such a link its own; of a DOF, or of a link that
+// the rig file lacks, the largest nearby.
+double damping_at(const System& system, const std::vector<double>& damping, const Term& place);
+
 }  // namespace diagnosis

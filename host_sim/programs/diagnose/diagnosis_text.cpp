@@ -20,9 +20,21 @@ size_t width_of(const std::string& text) {
       std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
 }
 
-std::string table(const std::vector<Row>& rows) {
+// Units as every other table spells them ("N s/m^2"): the pages' raised digits and dots are for browsers.
+std::string plain_units(const std::string& text) {
+  static const std::pair<const char*, const char*> kPlain[] = {{"·", " "},  {"²", "^2"}, {"³", "^3"},
+                                                               {"⁴", "^4"}, {"⁵", "^5"}, {"–", "-"}};
+  std::string out = text;
+  for (const auto& [pretty, plain] : kPlain)
+    for (size_t at = 0; (at = out.find(pretty, at)) != std::string::npos; at += std::string(plain).size())
+      out.replace(at, std::string(pretty).size(), plain);
+  return out;
+}
+
+std::string table(std::vector<Row> rows) {
   std::vector<size_t> widths;
-  for (const Row& row : rows) {
+  for (Row& row : rows) {
+    for (std::string& cell : row) cell = plain_units(cell);
     widths.resize(std::max(widths.size(), row.size()), 0);
     for (size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], width_of(row[i]));
   }
@@ -76,17 +88,6 @@ std::string limits_text(const reports::DiagnosisReportData& data) {
                     std::isfinite(percent) ? reports::number_text(percent, 2) + " %" : ""});
   }
   return "\n" + table(rows);
-}
-
-// Units as every other table spells them ("N s/m^2"): the pages' raised digits and dots are for browsers.
-std::string plain_units(const std::string& text) {
-  static const std::pair<const char*, const char*> kPlain[] = {{"·", " "},  {"²", "^2"}, {"³", "^3"},
-                                                               {"⁴", "^4"}, {"⁵", "^5"}, {"–", "-"}};
-  std::string out = text;
-  for (const auto& [pretty, plain] : kPlain)
-    for (size_t at = 0; (at = out.find(pretty, at)) != std::string::npos; at += std::string(plain).size())
-      out.replace(at, std::string(pretty).size(), plain);
-  return out;
 }
 
 }  // namespace

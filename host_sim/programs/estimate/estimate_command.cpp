@@ -4,6 +4,7 @@
 #include <future>
 #include <utility>
 
+#include "hal/rig_file/compile_rig.hpp"
 #include "hal/rig_file/rig_reader.hpp"
 #include "host_sim/data_check/release.hpp"
 #include "host_sim/data_check/work.hpp"
@@ -12,8 +13,6 @@
 #include "host_sim/programs/estimate/estimate_report_data.hpp"
 #include "host_sim/programs/estimate/estimation.hpp"
 #include "host_sim/programs/estimate/model_export.hpp"
-#include "host_sim/programs/estimate/rest_position.hpp"
-#include "host_sim/programs/estimate/shared_records.hpp"
 #include "host_sim/programs/estimate/slow_motion.hpp"
 #include "host_sim/programs/estimate/swing_of_rate.hpp"
 #include "host_sim/programs/results/result_json.hpp"
@@ -23,6 +22,9 @@
 #include "host_sim/programs/shared/human_output.hpp"
 #include "host_sim/programs/shared/inputs.hpp"
 #include "host_sim/programs/shared/one_heap.hpp"
+#include "host_sim/programs/shared/rest_balance.hpp"
+#include "host_sim/programs/shared/rest_position.hpp"
+#include "host_sim/programs/shared/shared_records.hpp"
 #include "host_sim/programs/shared/terminal.hpp"
 #include "host_sim/records/record_checks.hpp"
 #include "host_sim/reports/page/report.hpp"
@@ -122,10 +124,13 @@ void estimate(const EstimateArguments& arguments) {
     estimation = estimate_records(model, records.get(), options);
   };
   check.beside([&] {
-    for (const auto& told : {count_from_rest(model, records), take_off_accelerometer_zeros(records)})
+    const CountedFromRest rest = count_from_rest(model, records);
+    for (const auto& told : {rest.notes, take_off_accelerometer_zeros(records)})
       notes.insert(notes.end(), told.begin(), told.end());
     if (const std::string slow = average_slow_motion(records); !slow.empty()) notes.push_back(slow);
     estimate_all();
+    if (balance_rest(rig_file::with_values(model, values_of(estimation.result)), rest.held_off, records))
+      estimate_all();
   });
   if (data_check::turn_over(check.require(), records.own())) estimate_all();
   const std::vector<std::string> bent = doubt_bent_gravity(model, records.get(), estimation.result.parameters);

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "host_sim/programs/estimate/shared_records.hpp"
+#include "host_sim/programs/shared/shared_records.hpp"
 
 namespace host_sim {
 

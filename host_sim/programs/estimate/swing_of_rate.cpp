@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "host_sim/data_check/period.hpp"
-#include "host_sim/programs/estimate/weighs.hpp"
+#include "host_sim/programs/shared/weighs.hpp"
 
 namespace host_sim {
 namespace {

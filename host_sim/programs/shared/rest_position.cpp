@@ -1,4 +1,4 @@
-#include "host_sim/programs/estimate/rest_position.hpp"
+#include "host_sim/programs/shared/rest_position.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "host_sim/programs/estimate/weighs.hpp"
+#include "host_sim/programs/shared/weighs.hpp"
 
 namespace host_sim {
 namespace {
@@ -104,9 +104,9 @@ std::string said_of_rests(const std::string& name, const std::vector<double>& re
 
 }  // namespace
 
-std::vector<std::string> count_from_rest(const rig_file::RigModel& model, SharedRecords& records) {
-  std::vector<std::string> notes;
-  if (records.get().empty()) return notes;
+CountedFromRest count_from_rest(const rig_file::RigModel& model, SharedRecords& records) {
+  CountedFromRest rest;
+  if (records.get().empty()) return rest;
   const bool free = rests_at_its_mean(model, records.get().front());
   for (size_t c = 0; c < records.get().front().channels.size(); ++c) {
     if (records.get().front().channels[c].quantity != Quantity::kDisplacement) continue;
@@ -116,7 +116,7 @@ std::vector<std::string> count_from_rest(const rig_file::RigModel& model, Shared
     for (size_t r = 0; r < rests.size(); ++r)
       for (double& value : records.own()[r].channels[c].values) value -= rests[r];
     if (!rests.empty()) {
-      notes.push_back(said_of_rests(name, rests));
+      rest.notes.push_back(said_of_rests(name, rests));
       continue;
     }
     const Moments all = moments(records.get(), c), swing = free ? about_rest(records.get(), c) : all;
@@ -124,13 +124,14 @@ std::vector<std::string> count_from_rest(const rig_file::RigModel& model, Shared
     if (!one_side && !(free && std::fabs(swing.mean) > kOff * swing.rms)) continue;
     for (Record& record : records.own())
       for (double& value : record.channels[c].values) value -= swing.mean;
-    notes.push_back(
+    if (!free) rest.held_off.push_back(c);
+    rest.notes.push_back(
         one_side
             ? fmt::format("{} never comes to its zero: counted from its mean, {:.4g}, as the position of rest", name,
                           swing.mean)
             : fmt::format("{} swings about {:.4g}: counted from there, as the position of rest", name, swing.mean));
   }
-  return notes;
+  return rest;
 }
 
 }  // namespace host_sim

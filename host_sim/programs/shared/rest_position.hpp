@@ -7,14 +7,20 @@
 #include <vector>
 
 #include "hal/rig_file/rig_model.hpp"
-#include "host_sim/programs/estimate/shared_records.hpp"
+#include "host_sim/programs/shared/shared_records.hpp"
 
 namespace host_sim {
+
+struct CountedFromRest {
+  std::vector<std::string> notes;  // what to say of each channel that was changed
+  // Channels that are counted from their mean though forces drive the rig: where that is from its rest the forces say (balance_rest()).
+  std::vector<size_t> held_off;
+};
 
 // Takes out of every displacement or angle the mean over all records where the motion stays on one side of zero: where the mean is
 // over twice the root mean square about it. Where nothing drives the rig also what it swings about, where that is over 2 % of the
 // root mean square; record by record where they do not swing about the same place. Not the angle of a driven arm with a gravity
-// torque: that is G sin(u) of the angle as it is. Returns what to say of each.
-std::vector<std::string> count_from_rest(const rig_file::RigModel& model, SharedRecords& records);
+// torque: that is G sin(u) of the angle as it is.
+CountedFromRest count_from_rest(const rig_file::RigModel& model, SharedRecords& records);
 
 }  // namespace host_sim

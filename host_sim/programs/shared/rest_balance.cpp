@@ -1,0 +1,77 @@
+#include "host_sim/programs/shared/rest_balance.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+#include "host_sim/force_balance/force_balance.hpp"
+
+namespace host_sim {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr double kAtRest = 1e-3;    // of the root mean square: a constant force of as much bends nothing
+constexpr double kFarthest = 1.0;   // of it: farther off is not the mean of a force, but a model that is another rig's
+constexpr double kDistinct = 1e-6;  // of the stiffest direction: below it nothing holds the rig there
+
+// Mean over all records of what is left of each equation of motion.
+Eigen::VectorXd mean_left(const rig_file::RigModel& rig, const std::vector<Record>& records) {
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(rig.dofs.size()));
+  double weights = 0.0;
+  for (const Record& record : records) {
+    const std::vector<Series> left = force_balance(rig, record).residual;
+    const size_t count = left.front().size();
+    for (size_t k = 0; k < count; ++k) {
+      const double s = std::sin(kPi * (static_cast<double>(k) + 0.5) / static_cast<double>(count)), bell = s * s;
+      for (size_t i = 0; i < left.size(); ++i) sum[static_cast<Eigen::Index>(i)] += bell * left[i][k];
+      weights += bell;
+    }
+  }
+  return sum / weights;
+}
+
+// Forces on the DOFs per displacement of the channels' DOFs.
+Eigen::MatrixXd stiffness_of(const rig_file::RigModel& rig, const std::vector<int>& moved) {
+  Eigen::MatrixXd stiffness =
+      Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(rig.dofs.size()), static_cast<Eigen::Index>(moved.size()));
+  for (const rig_file::Link& link : rig.links)
+    for (size_t c = 0; c < moved.size(); ++c) {
+      const double per = link.stiffness_N_m.value * ((link.a == moved[c] ? 1 : 0) - (link.b == moved[c] ? 1 : 0));
+      if (link.a >= 1) stiffness(link.a - 1, static_cast<Eigen::Index>(c)) += per;
+      if (link.b >= 1) stiffness(link.b - 1, static_cast<Eigen::Index>(c)) -= per;
+    }
+  return stiffness;
+}
+
+double rms_of(const std::vector<Record>& records, size_t channel) {
+  double squares = 0.0, count = 0.0;
+  for (const Record& record : records)
+    for (const double value : record.channels[channel].values) squares += value * value, count += 1.0;
+  return std::sqrt(squares / std::max(1.0, count));
+}
+
+}  // namespace
+
+bool balance_rest(const rig_file::RigModel& rig, const std::vector<size_t>& channels, SharedRecords& records) {
+  if (channels.empty() || records.get().empty()) return false;
+  std::vector<int> moved;
+  for (const size_t c : channels) moved.push_back(records.get().front().channels[c].dof);
+  const Eigen::MatrixXd stiffness = stiffness_of(rig, moved);
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> solver(stiffness);
+  solver.setThreshold(kDistinct);
+  if (solver.rank() < stiffness.cols()) return false;
+  const Eigen::VectorXd off = solver.solve(mean_left(rig, records.get()));
+  bool any = false;
+  for (size_t c = 0; c < channels.size(); ++c) {
+    const double share = std::abs(off[static_cast<Eigen::Index>(c)]) / rms_of(records.get(), channels[c]);
+    if (!(share < kFarthest)) return false;
+    any = any || share > kAtRest;
+  }
+  if (!any) return false;
+  for (Record& record : records.own())
+    for (size_t c = 0; c < channels.size(); ++c)
+      for (double& value : record.channels[channels[c]].values) value += off[static_cast<Eigen::Index>(c)];
+  return true;
+}
+
+}  // namespace host_sim
