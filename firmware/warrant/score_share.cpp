@@ -14,6 +14,8 @@ constexpr int kNoiseLog2 = 1;
 constexpr int kExplainedEighths = 7;
 // Two words for one force have Wald statistics within a fourth of each other. What stands out more is no chance.
 constexpr int kOutdoneLog2 = -2;
+// What stands out by less than half of what is named is what that looks like from elsewhere.
+constexpr int kStandsOutLog2 = -1;
 
 }  // namespace
 
@@ -89,6 +91,36 @@ Naming ScoreTest::naming() const {
   if (outdone()) return Naming::kOutdone;
   if (made_by_integration()) return Naming::kTakenUp;
   return is_a_fault() ? Naming::kExplains : Naming::kNoFault;
+}
+
+// Neither what a channel is off by, which stands in every equation that it enters, nor a force that is linear in the motion and takes no
+// energy: a mode that the rig file lacks looks like that, and its other half is a damper that no probe sees.
+bool ScoreTest::is_all_of_it(int number) const {
+  const Probe& probe = sums_->plan().probe[number];
+  const PlaceKind kind = sums_->plan().place[probe.place].kind;
+  const bool on_rig = kind == PlaceKind::kLink || kind == PlaceKind::kNoLink || kind == PlaceKind::kDof;
+  const bool of_mode =
+      probe.form == Form::kElongation || probe.form == Form::kAcceleration || probe.form == Form::kJerk;
+  return on_rig && probe.quantity == kNoQuantity && !of_mode;
+}
+
+void ScoreTest::find_named_bends() {
+  names_a_force_ = best_ >= 0 && naming() == Naming::kExplains;
+  if (!names_a_force_) return;
+  const Scaled least = scale_by_power_of_two(abs(score_[best_].wald), kStandsOutLog2);
+  for (int k = 0; k < unknowns_; ++k) named_bend_[k] = Scaled{};
+  for (int j = 0; j < sums_->plan().probe_count; ++j) {
+    const ProbeScore& score = score_[j];
+    if (!score.tested || abs(score.wald) < least) continue;
+    names_a_force_ = names_a_force_ && is_all_of_it(j);
+    open(sums_->plan().probe[j]);
+    if (probe_->drifts()) keep_times();
+    share_out();
+    for (int k = 0; k < unknowns_; ++k) {
+      const Scaled bend = (abs(score.effect) + scale_by_power_of_two(score.std, 1)) * abs(bend_[k]);
+      if (bend > named_bend_[k]) named_bend_[k] = bend;
+    }
+  }
 }
 
 }  // namespace firmware

@@ -48,6 +48,7 @@ bool ScoreTest::judge(const CoreConfiguration& configuration, const ScoreSums& s
   }
   for (int j = 0; j < plan.probe_count; ++j) judge_size(j);
   name();
+  find_named_bends();
   return true;
 }
 

@@ -84,6 +84,11 @@ class ScoreTest {
   const Scaled& unlikely_bend(int unknown) const { return unlikely_bend_[unknown]; }
   // How far a damping law of another power at the unknown's own link may bend it: what is found of it, and two deviations.
   const Scaled& bend_of_shape(int unknown) const { return bend_of_shape_[unknown]; }
+  // What is named explains what stands out, and is all of it: no fault of a channel, which bends more than its own equation, and no mode.
+  // Then how far it may bend the unknown at the most, or any other force that stands out half as much beside its own scatter: what is
+  // found of it, and two deviations (score_share.cpp).
+  bool names_a_force() const { return names_a_force_; }
+  const Scaled& named_bend(int unknown) const { return named_bend_[unknown]; }
   // The record cannot tell a damping law of the link from its estimated coefficients.
   bool blind(int link) const { return blind_[link]; }
   // A damper where the rig file has no link at all would not show, and the unknown would hold over a quarter of it.
@@ -141,6 +146,8 @@ class ScoreTest {
   void keep_blind(const Probe& probe);
   void judge_size(int number);
   void name();
+  bool is_all_of_it(int probe) const;
+  void find_named_bends();
   Scaled least_scatter(int place) const;
   bool outdone() const;
   bool made_by_integration() const;
@@ -180,7 +187,9 @@ class ScoreTest {
   Scaled difference_[kMaxUnknowns], difference_std_[kMaxUnknowns], difference_doubt_[kMaxUnknowns];
   uint16_t difference_tenths_[kMaxUnknowns];
   Scaled possible_bend_[kMaxUnknowns], unlikely_bend_[kMaxUnknowns], bend_of_shape_[kMaxUnknowns];
+  Scaled named_bend_[kMaxUnknowns];
   bool blind_[kMaxLinks];
+  bool names_a_force_ = false;
   bool mimics_[kMaxUnknowns];
 };
 

@@ -57,15 +57,17 @@ void tell(const CoreConfiguration& configuration, const ScoreSums& sums, const S
   if (rival >= 0) warrant.rival_share = test.score(rival).gain / test.score(best).gain;
 }
 
+// The whole interval is on the impossible side: one right number in 40 that is nought is there by chance, and none is to be relied on.
 bool impossible(const CoreConfiguration& configuration, int unknown, const ParameterEstimate& parameter) {
   const Term* term = term_of(configuration, unknown);
   return term != nullptr && is_in(kNotNegative, term->kind) && parameter.ci95_high.is_negative();
 }
 
-// So far on the impossible side that it is no chance: the model is wrong there, and bends the neighbours too.
+// So far on that side that it is no chance: the model is wrong there, and bends the neighbours too. Not a number that the data do not
+// determine, whose deviation says nothing.
 bool contradicts(const CoreConfiguration& configuration, int unknown, const ParameterEstimate& parameter) {
-  const Term* term = term_of(configuration, unknown);
-  return term != nullptr && is_in(kNotNegative, term->kind) &&
+  return severity(parameter.status) < severity(EstimateStatus::kIllConditioned) &&
+         impossible(configuration, unknown, parameter) &&
          (parameter.value + parameter.std * kImpossibleDeviations).is_negative();
 }
 
@@ -79,6 +81,12 @@ bool instruments_differ(const ScoreTest& test, int unknown, const ParameterEstim
 
 bool is_wrong_by(const Scaled& bend, const ParameterEstimate& parameter, int deviations = kWrongDeviations) {
   return bend > parameter.std * deviations && bend * kWrongShare > abs(parameter.value);
+}
+
+// What is missing is named, and whatever of what stands out it is, it bends the value by no more than its deviation, which the scatter
+// holds that it makes from window to window.
+bool stands_beside(const ScoreTest& test, int unknown, const ParameterEstimate& parameter) {
+  return test.names_a_force() && !(test.named_bend(unknown) > parameter.std);
 }
 
 // What the score tests' own fit says of the value would make it wrong.
@@ -159,13 +167,14 @@ void give_verdict(const CoreConfiguration& configuration, const ScoreSums& sums,
     contradicted = contradicted || contradicts(configuration, k, estimates.parameters[k]);
   for (int k = 0; k < estimates.unknown_count; ++k) {
     ParameterEstimate& parameter = estimates.parameters[k];
-    if (contradicted || impossible(configuration, k, parameter)) raise(parameter, EstimateStatus::kModelSuspect);
+    if (impossible(configuration, k, parameter)) raise(parameter, EstimateStatus::kUntested);
+    if (contradicted) raise(parameter, EstimateStatus::kModelSuspect);
     if (!state.calibrated) continue;
     if (!state.judged) {  // where no window has closed there is nothing to test: STALE says so
       if (estimates.rows > 0) raise(parameter, EstimateStatus::kUntested);
       continue;
     }
-    if (test.best() >= 0) raise(parameter, EstimateStatus::kModelSuspect);
+    if (test.best() >= 0 && !stands_beside(test, k, parameter)) raise(parameter, EstimateStatus::kModelSuspect);
     if (is_wrong_by(test.possible_bend(k), parameter) ||
         (derived && (fits_differ(test, k, parameter) || hardly_tested(test, k, parameter))) ||
         (twice_derived && blind(configuration, test, k)) || (estimates.inseparable && test.mimics(k)))

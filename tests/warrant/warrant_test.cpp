@@ -306,7 +306,7 @@ TEST(Warrant, WhatABudgetCannotTestIsNotValid) {
 // A budget leaves blocks out; what is strong is seen all the same, and the estimates keep every bit.
 TEST(Warrant, ABudgetCostsSensitivityNotEstimates) {
   Settings settings;
-  settings.hidden = "cubic_stiffness";
+  settings.hidden = "quadratic_damping";
   settings.rho_low = 0.5;
   settings.masses = 1;
   const hidden_rig::Draw draw = hidden_rig::make_draw(8200, settings);

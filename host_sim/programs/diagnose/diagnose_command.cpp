@@ -9,7 +9,7 @@
 #include "host_sim/diagnosis/diagnosis.hpp"
 #include "host_sim/programs/commands.hpp"
 #include "host_sim/programs/diagnose/diagnosis_text.hpp"
-#include "host_sim/programs/diagnose/zero_of_forced.hpp"
+#include "host_sim/programs/diagnose/driven_records.hpp"
 #include "host_sim/programs/results/result_json.hpp"
 #include "host_sim/programs/shared/data_options.hpp"
 #include "host_sim/programs/shared/failures.hpp"
@@ -52,6 +52,8 @@ void diagnose(const DiagnoseArguments& arguments) {
     const data_check::Report check = require_sound(training, model, arguments.reading);
     const data_check::Report holdout_check = require_sound(holdout, model, arguments.reading);
     data_check::turn_over(check, training), data_check::turn_over(holdout_check, holdout);
+    if (const std::string told = turn_forces_round(model, training, holdout); !told.empty())
+      std::fprintf(stderr, "%s\n", told.c_str());
     for (const std::string& told : count_forced_from_rest(model, training, holdout))
       std::fprintf(stderr, "%s\n", told.c_str());
     line.begin("searching for what the rig file lacks");

@@ -26,6 +26,7 @@
 #include "host_sim/programs/shared/rest_position.hpp"
 #include "host_sim/programs/shared/shared_records.hpp"
 #include "host_sim/programs/shared/terminal.hpp"
+#include "host_sim/programs/shared/turned_force.hpp"
 #include "host_sim/records/record_checks.hpp"
 #include "host_sim/reports/page/report.hpp"
 
@@ -133,6 +134,10 @@ void estimate(const EstimateArguments& arguments) {
       estimate_all();
   });
   if (data_check::turn_over(check.require(), records.own())) estimate_all();
+  if (may_be_turned(model, records.get()) && says_turned(estimation.result)) {
+    notes.push_back(turn_forces(records.own()));
+    estimate_all();
+  }
   const std::vector<std::string> bent = doubt_bent_gravity(model, records.get(), estimation.result.parameters);
   notes.insert(notes.end(), bent.begin(), bent.end());
   estimation.result.notes.insert(estimation.result.notes.end(), notes.begin(), notes.end());

@@ -1,7 +1,7 @@
-#include "host_sim/programs/diagnose/zero_of_forced.hpp"
+#include "host_sim/programs/diagnose/driven_records.hpp"
 
 #include <algorithm>
-#include <utility>
+#include <optional>
 
 #include "hal/rig_file/compile_rig.hpp"
 #include "hal/rig_file/rig_file_error.hpp"
@@ -9,6 +9,7 @@
 #include "host_sim/programs/shared/failures.hpp"
 #include "host_sim/programs/shared/rest_balance.hpp"
 #include "host_sim/programs/shared/rest_position.hpp"
+#include "host_sim/programs/shared/turned_force.hpp"
 #include "host_sim/records/data_file_error.hpp"
 
 namespace host_sim {
@@ -24,12 +25,26 @@ bool has_mass(const rig_file::RigModel& rig) {
                      [](const rig_file::Dof& dof) { return dof.mass_kg.estimate || dof.mass_kg.value > 0; });
 }
 
-// With the numbers that the core finds in these records; as it is where nothing in it is unknown, or they do not tell.
-rig_file::RigModel with_estimates(const rig_file::RigModel& rig, const std::vector<Record>& records) {
-  if (rig_file::parameter_names(rig).empty()) return rig;
+// Nothing where these records do not tell.
+std::optional<EstimateResult> estimates_of(const rig_file::RigModel& rig, const std::vector<Record>& records) {
   EstimationOptions options;
   options.frames = false;
-  return rig_file::with_values(rig, values_of(estimate_records(rig, records, options).result));
+  try {
+    return estimate_records(rig, records, options).result;
+  } catch (const CannotAnswer&) {
+  } catch (const DataFileError&) {
+  } catch (const rig_file::RigFileError&) {
+  }
+  return std::nullopt;
+}
+
+void balance(const rig_file::RigModel& rig, const std::vector<size_t>& channels, SharedRecords& records) {
+  if (rig_file::parameter_names(rig).empty()) {
+    balance_rest(rig, channels, records);
+    return;
+  }
+  const auto found = estimates_of(rig, records.get());
+  if (found) balance_rest(rig_file::with_values(rig, values_of(*found)), channels, records);
 }
 
 }  // namespace
@@ -40,12 +55,7 @@ std::vector<std::string> count_forced_from_rest(const rig_file::RigModel& rig, s
   SharedRecords records(training);
   const CountedFromRest rest = count_from_rest(rig, records);
   if (rest.held_off.empty()) return {};
-  try {
-    balance_rest(with_estimates(rig, records.get()), rest.held_off, records);
-  } catch (const CannotAnswer&) {  // counted from the mean, then
-  } catch (const DataFileError&) {
-  } catch (const rig_file::RigFileError&) {
-  }
+  balance(rig, rest.held_off, records);
   for (const size_t c : rest.held_off) {
     const double zero = training.front().channels[c].values[0] - records.get().front().channels[c].values[0];
     for (std::vector<Record>* list : {&training, &unseen})
@@ -53,6 +63,15 @@ std::vector<std::string> count_forced_from_rest(const rig_file::RigModel& rig, s
         for (double& value : record.channels[c].values) value -= zero;
   }
   return rest.notes;
+}
+
+std::string turn_forces_round(const rig_file::RigModel& rig, std::vector<Record>& training,
+                              std::vector<Record>& unseen) {
+  if (!may_be_turned(rig, training)) return "";
+  const auto found = estimates_of(rig, training);
+  if (!found || !says_turned(*found)) return "";
+  turn_forces(unseen);
+  return turn_forces(training);
 }
 
 }  // namespace host_sim

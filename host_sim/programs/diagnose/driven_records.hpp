@@ -1,4 +1,4 @@
-// Displacements of driven rigs that count from anywhere.
+// What is put right of driven rigs before they are diagnosed: displacements that count from anywhere, forces that are turned over.
 #pragma once
 #include <string>
 #include <vector>
@@ -14,5 +14,10 @@ namespace host_sim {
 // a constant force is measured against it.
 std::vector<std::string> count_forced_from_rest(const rig_file::RigModel& rig, std::vector<Record>& training,
                                                 std::vector<Record>& unseen);
+
+// Changes the sign of all forces where the core finds that they are turned over (turned_force.hpp). Returns what to say; empty: they
+// are not, or nobody can tell.
+std::string turn_forces_round(const rig_file::RigModel& rig, std::vector<Record>& training,
+                              std::vector<Record>& unseen);
 
 }  // namespace host_sim
