@@ -358,6 +358,27 @@ bool matters(const State& beside, const Attempt& a) {
   return a.z > kSure && (deviations_unseen(beside, a) > kByChance || moves_a_number(beside, a));
 }
 
+bool turns_a_number(const State& beside, const State& with) {
+  const std::vector<Parameter> p = parameters_of(beside.model);
+  const std::vector<Determined> found = determined(beside.fit, beside.model);
+  for (size_t i = 0; i < p.size() && i < found.size(); ++i) {
+    const ModelTerm& t = beside.model[p[i].term];
+    const bool own = !t.added && (t.term.kind == Kind::kMass || t.term.kind == Kind::kStiffness ||
+                                  t.term.kind == Kind::kViscous || t.term.kind == Kind::kCoulomb);
+    if (own && !p[i].shape && t.value > kSure * found[i].std && with.model[p[i].term].value < 0) return true;
+  }
+  return false;
+}
+
+bool may_be_nought(const State& with, size_t added_from) {
+  const std::vector<Parameter> p = parameters_of(with.model);
+  const std::vector<Determined> found = determined(with.fit, with.model);
+  for (size_t i = 0; i < p.size() && i < found.size(); ++i)
+    if (p[i].term >= added_from && !p[i].shape && std::abs(with.model[p[i].term].value) < 1.96 * found[i].std)
+      return true;
+  return false;
+}
+
 bool passes(const Attempt& a, size_t already, double noise) {
   if (!a.state.fit.ok || a.rounds) return false;
   const double n = static_cast<double>(already + a.candidates.size()), least = least_share(a.candidates.size());

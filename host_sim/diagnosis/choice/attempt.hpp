@@ -70,6 +70,11 @@ bool unseen_agrees(const Attempt& a);
 // the numbers beside which it was put out of its interval; or is beyond doubt where unseen windows cannot tell. Else nobody
 // would act on it.
 bool matters(const State& beside, const Attempt& a);
+// Whether a mass, spring, damper or friction of the rig, surely above nought beside the one model, is below it in the other: what was added
+// there does its work.
+bool turns_a_number(const State& beside, const State& with);
+// Whether the 95 % interval of a coefficient from `added_from` on holds nought: such a cause is taken back in the end.
+bool may_be_nought(const State& with, size_t added_from);
 // Share of the unseen windows' squared residual that the coefficients of the terms from `added_from` on move.
 double expected_unseen(const State& state, size_t added_from);
 // A candidate as it was fitted: with its shape, one term.

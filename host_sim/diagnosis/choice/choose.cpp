@@ -165,7 +165,9 @@ std::optional<Alone> alone_as_good(const Task& task, const PassedOver& passed, c
   for (const Candidate& candidate : passed.candidates) {
     const Attempt alone =
         attempt(task, passed.part, {candidate}, {std::vector<double>(candidate.terms.size(), 0.0)}, kBaseSteps);
-    if (!alone.state.fit.ok || alone.rounds) continue;
+    if (!alone.state.fit.ok || alone.rounds || turns_a_number(passed.part, alone.state) ||
+        may_be_nought(alone.state, passed.part.model.size()))
+      continue;
     const State whole = on_all(task, passed.beside, alone.state);
     // a number for each cause, and its shapes
     const double may_leave = std::pow(worth, passed.complexity + further + 1 - alone.complexity);

@@ -98,9 +98,8 @@ void weigh_rivals(const Task& task, const std::function<void(double)>& progress,
       others.push_back(dry);
       break;
     }
-    if (!impossible(own.state))
-      others.erase(std::remove_if(others.begin(), others.end(), [](const Attempt& a) { return impossible(a.state); }),
-                   others.end());
+    const auto no_rival = [&](const Attempt& a) { return impossible(a.state) || turns_a_number(rest, a.state); };
+    if (!no_rival(own)) others.erase(std::remove_if(others.begin(), others.end(), no_rival), others.end());
     const auto better = std::min_element(others.begin(), others.end(), [](const Attempt& a, const Attempt& b) {
       return whole_error(a) < whole_error(b);
     });

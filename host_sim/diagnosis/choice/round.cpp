@@ -79,7 +79,12 @@ Round round_of(const Task& task, const State& now, size_t already, const Left& l
     const double left_noise = std::min(1.0, noise / error_over(beside.fit, now.fit));
     return passes(attempt(task, beside, t.candidates, start, kTrialSteps), already, left_noise);
   };
-  const auto first = std::find_if(singles.begin(), singles.end(), stands);
+  // what does the work of a number of the rig, or may be nought, comes behind what does not
+  const auto beside_all = [&](const Attempt& t) {
+    return stands(t) && !turns_a_number(now, t.state) && !may_be_nought(t.state, now.model.size());
+  };
+  auto first = std::find_if(singles.begin(), singles.end(), beside_all);
+  if (first == singles.end()) first = std::find_if(singles.begin(), singles.end(), stands);
   if (first != singles.end()) {
     round.best = *first, round.found = true;
     for (auto t = first + 1; t < singles.end(); ++t)  // the other is its rival
