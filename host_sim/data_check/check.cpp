@@ -93,7 +93,8 @@ ChannelReport report_of(const Record& record, const std::vector<Statistics>& all
     report.findings.push_back(std::move(*spikes));
   } else {
     const auto [low, high] = converter_limits(channel, model);
-    if (auto clipped = find_clipping(channel, statistics, low, high)) report.findings.push_back(std::move(*clipped));
+    if (auto clipped = find_clipping(channel, statistics, low, high, &record))
+      report.findings.push_back(std::move(*clipped));
   }
   for (Finding& finding : find_slow_faults(record, channel, statistics)) report.findings.push_back(std::move(finding));
   if (model != nullptr)

@@ -136,7 +136,7 @@ std::optional<Decay> decay_in(const Windows& energy, const Span& span) {
 void begin_behind_clipping(const Record& record, size_t hop, std::vector<Span>& spans, Windows& energy) {
   std::vector<size_t> ends;
   for (const Channel& channel : record.channels)
-    for (const Run& run : clipped_runs(channel)) ends.push_back(run.first + run.length);
+    for (const Run& run : clipped_runs(channel, record)) ends.push_back(run.first + run.length);
   for (Span& span : spans) {
     size_t behind = span.from * hop;
     for (const size_t end : ends)
