@@ -73,7 +73,8 @@ Life life_of(const Channel& channel) {
 }
 
 // The window from which on a channel is gone for good: nothing but white noise to the end of the record, a thirtieth of
-// the life that it had just before, while the rest of the rig goes on as lively (a third of it at least). 0: none.
+// the life that it had just before, while the rest of the rig goes on as lively (a third of it at least). Only what is more than white
+// noise itself tells that something goes on: the noise of a force does when the drive is off and the rig has come to rest. 0: none.
 size_t dies_at(const std::vector<Life>& all, size_t which) {
   constexpr double kDrop = 30.0, kGoesOn = 3.0, kWhite = 1.5;
   constexpr size_t kFewest = kWindows / 10;
@@ -94,7 +95,7 @@ size_t dies_at(const std::vector<Life>& all, size_t which) {
                  later = mean(all[i].steps, first, kWindows);
     if (!(before > 0.0)) continue;
     if (later * kGoesOn < before) return 0;
-    any = true;
+    any = any || later > kWhite * mean(all[i].white, first, kWindows);
   }
   return any ? first : 0;
 }

@@ -223,6 +223,27 @@ TEST(Quiet, ACrestOfFewSamplesIsNoSpike) {
   }
 }
 
+// A force for 8 s of 16, then none; the swing it has left stops in friction at 11 s. From there on both sensors show their noise alone,
+// the force no less of it than in the 3 s before. An accelerometer that fails beside a displacement that swings on is dead.
+TEST(Quiet, ARigThatComesToRestBehindItsDriveIsNotDead) {
+  std::mt19937 random(6);
+  std::normal_distribution<double> noise(0.0, 0.01);
+  Channel force{"force_1_N", host_sim::Quantity::kForce, 1, {}},
+      acceleration{"acceleration_1_m_s2", host_sim::Quantity::kAcceleration, 1, {}},
+      displacement{"displacement_1_m", host_sim::Quantity::kDisplacement, 1, {}};
+  for (int i = 0; i < 3200; ++i) {
+    const double t = 0.005 * i, swing = std::cos(2 * M_PI * 1.5 * t), left = std::clamp((11 - t) / 3, 0.0, 1.0);
+    force.values.push_back((t < 8 ? std::sin(2 * M_PI * 1.5 * t) : 0.0) + noise(random));
+    acceleration.values.push_back(5 * left * swing + noise(random));
+    displacement.values.push_back(-5 * swing + noise(random));
+  }
+  Record record;
+  record.file = "stops.csv", record.sample_period_s = 0.005, record.channels = {force, acceleration};
+  EXPECT_EQ(doubts(check({record}, nullptr)).find("stops for good"), std::string::npos);
+  record.channels.push_back(displacement);
+  EXPECT_NE(doubts(check({record}, nullptr)).find("stops for good"), std::string::npos);
+}
+
 // A rig file whose masses and springs are a third off is for the diagnosis to say, not for the check.
 TEST(Quiet, AWrongRigFileIsNoFaultOfTheData) {
   for (const char* sensors : {"xva", "x", "a"})
