@@ -14,15 +14,28 @@ namespace {
 constexpr size_t kParts = 10;
 constexpr double kMoves = 0.05;                // of the largest mean square: less may be noise about a rig at rest
 constexpr double kEachTime = 1.5, kInAll = 4;  // of the mean square
+constexpr double kDeviations = 5.0;            // of noise: chance goes so far once in a million samples
+constexpr double kOffset = 0.01;
 
-// Of each tenth, about its mean.
-std::vector<double> mean_squares(const std::vector<double>& y) {
+// A speed that keeps its sign swings about no middle (a car that rolls, a flywheel): its energy goes with its square, and how it
+// varies within a tenth is how it is braked. At rest it may show its noise on the other side, or an offset of a hundredth.
+bool keeps_its_sign(const Channel& channel) {
+  if (channel.quantity != Quantity::kVelocity) return false;
+  const Statistics s = statistics_of(channel);
+  const double small = std::max(kDeviations * s.noise, kOffset * std::max(s.highest, -s.lowest));
+  return s.lowest >= -small || s.highest <= small;
+}
+
+// Of each tenth, about its mean; about zero where the channel keeps its sign.
+std::vector<double> mean_squares(const Channel& channel) {
+  const std::vector<double>& y = channel.values;
+  const bool about_zero = keeps_its_sign(channel);
   std::vector<double> list;
   for (size_t part = 0; part < kParts; ++part) {
     const auto from = y.begin() + static_cast<std::ptrdiff_t>(part * y.size() / kParts),
                to = y.begin() + static_cast<std::ptrdiff_t>((part + 1) * y.size() / kParts);
-    const double rms = mean_and_rms({from, to}).rms;
-    list.push_back(rms * rms);
+    const MeanAndRms of = mean_and_rms({from, to});
+    list.push_back(of.rms * of.rms + (about_zero ? of.mean * of.mean : 0.0));
   }
   return list;
 }
@@ -63,7 +76,7 @@ std::optional<Finding> find_growth(const Record& record) {
   // the mean square of less than a period goes with where in the swing it is taken
   if (const double period = period_of(motion->values); period * kParts > static_cast<double>(record.samples()))
     return std::nullopt;
-  const Growth growth = growth_of(mean_squares(motion->values));
+  const Growth growth = growth_of(mean_squares(*motion));
   if (growth.times == 0.0) return std::nullopt;
   const double part_s = static_cast<double>(record.samples()) * record.sample_period_s / kParts;
   return Finding{
