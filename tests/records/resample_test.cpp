@@ -44,6 +44,25 @@ TEST(Resample, APolynomialOfFifthDegreeIsExact) {
     EXPECT_NEAR(records[0].channels[0].values[i], of(records[0].start_s + 0.01 * static_cast<double>(i)), 1e-10) << i;
 }
 
+// 1 Hz at 100 rows a second, every seventh row with a second one 50 us behind it, all within 0.003. What lies between two rows whose
+// polynomial passes through that pair would be off by the noise times 200 and more; two rows alone are off by their noise, and by
+// (w h)^2 / 8 = 0.0005 of the height.
+TEST(Resample, RowsThatNearlyCoincideMakeNoSpikes) {
+  std::mt19937 random(6);
+  std::uniform_real_distribution<double> noise(-0.003, 0.003);
+  Record record = made({}, nullptr);
+  for (int i = 0; i < 700; ++i)
+    for (const double later : {0.0, 5e-5}) {
+      if (later > 0.0 && i % 7 != 3) continue;
+      record.time_s.push_back(0.01 * i + later);
+      record.channels[0].values.push_back(std::sin(2 * M_PI * record.time_s.back()) + noise(random));
+    }
+  const Record even = resampled(record, 110.0).at(0);
+  for (size_t i = 0; i < even.samples(); ++i)
+    EXPECT_NEAR(even.channels[0].values[i], std::sin(2 * M_PI * static_cast<double>(i) / 110.0), 3 * 0.003 + 0.0005)
+        << i;
+}
+
 TEST(Resample, ASineOfEightSamplesAPeriodIsRightToATenthOfAPercent) {
   // Error of six points at steps h, in the middle: (0.5 1.5 2.5)^2 / 6! (w h)^6 = 0.00488 * 0.785^6 = 0.0011.
   const auto of = [](double t) { return std::sin(2 * M_PI * 12.5 * t); };
