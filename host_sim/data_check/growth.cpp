@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "hal/rig_file/rig_model.hpp"
+#include "host_sim/data_check/coasting.hpp"
 #include "host_sim/data_check/period.hpp"
 #include "host_sim/data_check/statistics.hpp"
 
@@ -14,19 +15,9 @@ namespace {
 constexpr size_t kParts = 10;
 constexpr double kMoves = 0.05;                // of the largest mean square: less may be noise about a rig at rest
 constexpr double kEachTime = 1.5, kInAll = 4;  // of the mean square
-constexpr double kDeviations = 5.0;            // of noise: chance goes so far once in a million samples
-constexpr double kOffset = 0.01;
 
-// A speed that keeps its sign swings about no middle (a car that rolls, a flywheel): its energy goes with its square, and how it
-// varies within a tenth is how it is braked. At rest it may show its noise on the other side, or an offset of a hundredth.
-bool keeps_its_sign(const Channel& channel) {
-  if (channel.quantity != Quantity::kVelocity) return false;
-  const Statistics s = statistics_of(channel);
-  const double small = std::max(kDeviations * s.noise, kOffset * std::max(s.highest, -s.lowest));
-  return s.lowest >= -small || s.highest <= small;
-}
-
-// Of each tenth, about its mean; about zero where the channel keeps its sign.
+// Of each tenth, about its mean. A speed that keeps its sign (a car that rolls, a flywheel) has its energy about zero: how it varies
+// within a tenth is how it is braked.
 std::vector<double> mean_squares(const Channel& channel) {
   const std::vector<double>& y = channel.values;
   const bool about_zero = keeps_its_sign(channel);

@@ -9,6 +9,7 @@
 
 #include "hal/rig_file/rig_model.hpp"
 #include "host_sim/data_check/clipping.hpp"
+#include "host_sim/data_check/coasting.hpp"
 #include "host_sim/data_check/period.hpp"
 #include "host_sim/data_check/statistics.hpp"
 
@@ -164,6 +165,7 @@ bool decays_enough(const Windows& energy, const std::vector<Decay>& decays) {
 
 std::vector<DecaySpan> free_decays(const Record& record) {
   if (record.samples() < 64 || is_driven(record)) return {};
+  if (std::vector<DecaySpan> coasting = coasting_decays(record); !coasting.empty()) return coasting;
   std::map<int, const Channel*> channels;
   double period = 0.0;
   for (const Channel& channel : record.channels)
