@@ -209,7 +209,7 @@ class Planner {
     if (!sensor.empty() && !parse_sensitivity(sensor))
       refuse(name + ": " + quoted(sensor) + " is no sensitivity, expected one such as \"100 mV/" + si_unit(wanted) +
              "\"");
-    const auto found = find_unit(unit.empty() ? "V" : unit, wanted);
+    const auto found = find_scaled_unit(unit.empty() ? "V" : unit, wanted);
     if (!found)
       refuse("column " + quoted(trimmed_text(column.head)) + " is in " + quoted(unit) +
              ", which is no known unit; expected " + si_unit(wanted) + " or the like, or --unit");
@@ -255,7 +255,7 @@ class Planner {
       if (is_time_choice(name)) unit = text;
     if (unit.empty()) unit = columns[found].unit.empty() ? head.unit : columns[found].unit;
     if (unit.empty()) unit = "s";
-    const auto known = find_unit(unit, Dimension::kTime);
+    const auto known = find_scaled_unit(unit, Dimension::kTime);
     if (!known || known->dimension != Dimension::kTime)
       refuse("column " + quoted(head.name) + " is in " + quoted(unit) + ", expected a unit of time such as s or ms");
     time.factor = known->to_si;

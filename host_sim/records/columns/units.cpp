@@ -208,6 +208,20 @@ std::optional<Unit> find_unit(std::string_view text, std::optional<Dimension> ex
   return row_of(word, std::nullopt);
 }
 
+std::optional<Unit> find_scaled_unit(const std::string& text, Dimension expected) {
+  if (const auto unit = find_unit(text, expected)) return unit;  // "1/min" is a unit
+  const size_t first = text.find_first_not_of(' ');
+  if (first == std::string::npos) return std::nullopt;
+  double count = 0.0;
+  const auto [end, error] = std::from_chars(text.data() + first, text.data() + text.size(), count);
+  if (error != std::errc() || !std::isfinite(count) || count == 0.0) return std::nullopt;
+  auto unit = find_unit(std::string_view(end, static_cast<size_t>(text.data() + text.size() - end)), expected);
+  if (!unit) return std::nullopt;
+  unit->word = std::string(text.data() + first, end) + " " + unit->word;
+  unit->to_si *= count;
+  return unit;
+}
+
 std::optional<Unit> find_unit_suffix(std::string_view suffix, Dimension expected) {
   std::string word(suffix);
   for (char& c : word)

@@ -35,6 +35,8 @@ struct Unit {
 // understood, upper and lower case matter ("mN", "MN") unless only one reading exists. Nothing where it is no unit.
 // A word that names units of two dimensions ("N m" is no length) is looked for in `expected` first.
 std::optional<Unit> find_unit(std::string_view text, std::optional<Dimension> expected = std::nullopt);
+// The same, or so many of them: "17.857 um" is what a step of an encoder is worth, "-1 g" an accelerometer that is turned over.
+std::optional<Unit> find_scaled_unit(const std::string& text, Dimension expected);
 // The end of a column name, where "/" and "." are written "_": "mm_s2", "kN_m".
 std::optional<Unit> find_unit_suffix(std::string_view suffix, Dimension expected);
 
