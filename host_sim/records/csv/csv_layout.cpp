@@ -53,6 +53,18 @@ bool is_row_of_numbers(std::string_view line) {
   return digit;
 }
 
+// Names above so many blank-separated numbers: of several words each, where two blanks and more part them into as many.
+std::vector<std::string> split_names(std::string_view names, char separator, size_t fields) {
+  std::vector<std::string> plain = split_fields(names, separator), wide;
+  if (separator != ' ' || plain.size() == fields) return plain;
+  for (size_t at = 0; (at = names.find_first_not_of(" \t", at)) != std::string_view::npos;) {
+    const size_t end = std::min({names.find("  ", at), names.find('\t', at), names.size()});
+    wide.emplace_back(names.substr(at, end - at));
+    at = end;
+  }
+  return wide.size() == fields ? wide : plain;
+}
+
 // What separates names that mean nothing to us: with it they are as many as the fields of the next row, and most.
 char likely_separator(std::string_view names, std::string_view rest) {
   std::string_view row;
@@ -83,7 +95,7 @@ std::optional<char> separator_of_names(std::string_view names, std::string_view 
   size_t most = 1;
   bool single = true;
   for (const char candidate : kSeparators) {
-    const size_t count = split_fields(names, candidate).size(), fields = split_fields(row, candidate).size();
+    const size_t fields = split_fields(row, candidate).size(), count = split_names(names, candidate, fields).size();
     if (count > most && fields == count) most = count, best = candidate;
     single = single && fields <= 1 && (count <= 1 || candidate == ' ');
   }
@@ -263,6 +275,18 @@ bool is_comment(std::string_view line) {
   return line[first] == '#' || line[first] == '%' || line.substr(first, 2) == "//";
 }
 
+namespace {
+
+// The first row of numbers; empty where it does not come soon.
+std::string_view first_row(std::string_view content) {
+  constexpr int kLines = 10;
+  for (int i = 0; i < kLines && !content.empty(); ++i)
+    if (const std::string_view line = take_line(content); is_row_of_numbers(line)) return line;
+  return {};
+}
+
+}  // namespace
+
 CsvLayout find_layout(std::string_view content, const std::function<bool(const std::string&)>& means_channel) {
   const Header header = find_header(content, means_channel);
   CsvLayout layout;
@@ -271,7 +295,8 @@ CsvLayout find_layout(std::string_view content, const std::function<bool(const s
   layout.data = header.rest;
   layout.data_line = header.line + (header.unnamed ? 0 : 1);
   layout.unnamed = header.unnamed;
-  for (const std::string& field : split_fields(header.text, header.separator))
+  const size_t fields = split_fields(first_row(header.rest), header.separator).size();
+  for (const std::string& field : split_names(header.text, header.separator, fields))
     layout.columns.push_back({header.unnamed ? std::to_string(layout.columns.size() + 1) : field, ""});
   if (header.passed_over > 0)
     layout.notes.push_back("passed over: " + std::to_string(header.passed_over) + " line" +

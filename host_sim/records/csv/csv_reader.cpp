@@ -15,6 +15,7 @@
 #include "host_sim/records/csv/decimal_number.hpp"
 #include "host_sim/records/csv/fill_blanks.hpp"
 #include "host_sim/records/csv/held_commands.hpp"
+#include "host_sim/records/csv/row_ends.hpp"
 #include "host_sim/records/csv/text_encoding.hpp"
 #include "host_sim/records/data_file_error.hpp"
 #include "host_sim/records/even_times.hpp"
@@ -393,7 +394,8 @@ Record parse_csv(std::string_view content, const std::string& file, const rig_fi
   for (const std::string_view bytes : {content, text})
     if (const char* other = other_format(bytes))
       throw DataFileError(file, 0, std::string("is ") + other + ", expected a table of text: save it as CSV");
-  return CsvParser(text, file, model, options).parse();
+  std::string undressed;
+  return CsvParser(without_row_ends(text, undressed), file, model, options).parse();
 }
 
 }  // namespace host_sim
