@@ -15,9 +15,10 @@ using host_sim::data_check::find_clipping;
 using host_sim::data_check::Finding;
 using host_sim::data_check::statistics_of;
 
-// A speed loop of 4 ms on eight trapezoids: of 1.5 s, 0.3 s of rest, 0.1 s up to 20 rad/s, 0.5 s there, 0.1 s down, rest. J = 1 kg
-// m^2, friction of 2 N m. At 500 Hz, with white noise of `noise` rad/s and 1 rad/s^2; the sensor of the speed ends at `limit` in front
-// of that noise. Both corners of a limit of 14 are passed at 200 rad/s^2: 6 rad/s are missing for 0.56 s of each 1.5 s, less what is lost where noise parts a flat stretch.
+// A speed loop of 4 ms on eight trapezoids: of 1.5 s, 0.3 s of rest, 0.1 s up to 20 rad/s, 0.5 s there, 0.1 s down, rest.
+// J = 1 kg m^2, friction of 2 N m. At 500 Hz, with white noise of `noise` rad/s and 1 rad/s^2; the sensor of the speed ends at
+// `limit` in front of that noise. Both corners of a limit of 14 are passed at 200 rad/s^2: 6 rad/s are missing for 0.56 s of
+// each 1.5 s, less what is lost where noise parts a flat stretch.
 Record servo(double noise, bool accelerometer, double limit = 1e9) {
   std::mt19937 random(11);
   std::normal_distribution<double> normal;
