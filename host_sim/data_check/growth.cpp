@@ -64,6 +64,8 @@ std::optional<Finding> find_growth(const Record& record) {
     if (channel.quantity != Quantity::kForce && motion == nullptr) motion = &channel;
   }
   if (motion == nullptr || record.samples() < 16 * kParts) return std::nullopt;
+  if (!coasting_decays(record).empty())
+    return std::nullopt;  // a motor's run-up is left out, and nothing grows behind it
   // the mean square of less than a period goes with where in the swing it is taken
   if (const double period = period_of(motion->values); period * kParts > static_cast<double>(record.samples()))
     return std::nullopt;

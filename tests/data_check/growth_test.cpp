@@ -95,6 +95,18 @@ TEST(Growth, IsNotACarThatIsBraked) {
   }
 }
 
+// A motor runs a flywheel up within 8 s, which coasts from there on: what is left of the record is the coast-down.
+TEST(Growth, OfAMotorsRunUpIsLeftOut) {
+  Record record = swings([](double) { return 0.0; });
+  record.channels[0].name = "velocity_1_m_s", record.channels[0].quantity = Quantity::kVelocity;
+  std::vector<double>& v = record.channels[0].values;
+  for (size_t i = 0; i < v.size(); ++i) {
+    const double t = 0.01 * static_cast<double>(i);
+    v[i] += t < 8 ? 1.5 * t : 12 * std::exp((8 - t) / 4);
+  }
+  EXPECT_FALSE(find_growth(record));
+}
+
 TEST(Growth, TellsNothingBesideAForceABaseOrAnotherMass) {
   const Record grows = swings([](double t) { return 1 - std::exp(-t / 5); });
   Record forced = grows, carried = grows, two = grows;
