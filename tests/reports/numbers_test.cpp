@@ -22,6 +22,13 @@ TEST(Numbers, KeepTheDigitsAskedFor) {
   EXPECT_EQ(number_text(31249000.0, 3), "3.12e+07");
 }
 
+// The diagnosis says no more than that an error is 1000 % or larger.
+TEST(Numbers, AnErrorOfAThousandPercentIsNoNumber) {
+  EXPECT_EQ(missed_text(9.294), "9.29");
+  EXPECT_EQ(missed_text(1000), ">1000");
+  EXPECT_EQ(missed_html(1000), "&gt;1000");
+}
+
 TEST(Numbers, UnitsAreSetAsPrinted) {
   EXPECT_EQ(unit_text("N s/m"), "N·s/m");
   EXPECT_EQ(unit_text("N/m^3"), "N/m³");

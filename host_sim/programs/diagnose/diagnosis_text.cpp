@@ -71,10 +71,10 @@ std::string parameters_text(const reports::DiagnosisReportData& data) {
 std::string gains_text(const reports::DiagnosisReportData& data) {
   std::vector<Row> rows = {{"held-out simulation", "NRMSE, %", "extended", "gain", "MSE, %", "extended"}};
   for (const reports::DofGain& gain : data.gains)
-    rows.push_back({"DOF " + std::to_string(gain.dof), reports::number_text(gain.nrmse_before_percent, 3),
-                    reports::number_text(gain.nrmse_after_percent, 3),
+    rows.push_back({"DOF " + std::to_string(gain.dof), reports::missed_text(gain.nrmse_before_percent),
+                    reports::missed_text(gain.nrmse_after_percent),
                     reports::number_text(gain.nrmse_before_percent / gain.nrmse_after_percent, 3),
-                    reports::number_text(gain.mse_before_percent, 3), reports::number_text(gain.mse_after_percent, 3)});
+                    reports::missed_text(gain.mse_before_percent), reports::missed_text(gain.mse_after_percent)});
   return rows.size() > 1 ? "\n" + table(rows) : "";
 }
 

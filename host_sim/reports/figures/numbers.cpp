@@ -56,4 +56,8 @@ std::string number_html(double value, int digits) {
   return out + " × 10<sup>" + (power < 0 ? "−" : "") + std::to_string(std::abs(power)) + "</sup>";
 }
 
+std::string missed_text(double percent) { return percent >= 1000.0 ? ">1000" : number_text(percent, 3); }
+
+std::string missed_html(double percent) { return percent >= 1000.0 ? "&gt;1000" : number_html(percent, 3); }
+
 }  // namespace host_sim::reports

@@ -22,4 +22,8 @@ std::string number_html(double value, int digits = 4);
 // Plain text: "20.05", "3.12e+07".
 std::string number_text(double value, int digits = 4);
 
+// The same of an error in percent; from 1000 on, where no more is said, ">1000".
+std::string missed_text(double percent);
+std::string missed_html(double percent);
+
 }  // namespace host_sim::reports

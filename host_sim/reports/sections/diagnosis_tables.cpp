@@ -37,13 +37,13 @@ void add_gain(Page& page, const DiagnosisReportData& data) {
   table.numeric = {false, false, true, false, true, true};
   for (const DofGain& gain : data.gains) {
     const bool extended = std::isfinite(gain.nrmse_after_percent);
-    table.rows.push_back({std::to_string(gain.dof), "as given", number_html(gain.nrmse_before_percent, 3),
+    table.rows.push_back({std::to_string(gain.dof), "as given", missed_html(gain.nrmse_before_percent),
                           bar_html(gain.nrmse_before_percent / worst, role_variable(Role::kGiven)),
-                          number_html(gain.mse_before_percent, 3), ""});
+                          missed_html(gain.mse_before_percent), ""});
     if (extended)
-      table.rows.push_back({"", "extended", number_html(gain.nrmse_after_percent, 3),
+      table.rows.push_back({"", "extended", missed_html(gain.nrmse_after_percent),
                             bar_html(gain.nrmse_after_percent / worst, role_variable(Role::kExtended)),
-                            number_html(gain.mse_after_percent, 3),
+                            missed_html(gain.mse_after_percent),
                             "<b>" + number_html(gain.nrmse_before_percent / gain.nrmse_after_percent, 3) + " ×</b>"});
   }
   if (!any_extended) without_columns(table, 5, 6);
