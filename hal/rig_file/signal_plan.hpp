@@ -9,6 +9,7 @@
 //   delays (rig file's [[channel]] delay_us)  fractional shift of the late channel
 // The DOFs may differ: what one of them needs is applied to all channels, so that each equation sees one band and one delay.
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,8 @@ namespace rig_file {
 struct SignalRanges {
   double largest[firmware::kMaxNodes][firmware::kQuantities] = {};
   ChannelNoise noise[firmware::kMaxNodes][firmware::kQuantities];  // in codes
+  // Octaves from the sample rate down to the slowest motion, where the high-pass may go up to it; nothing: its corner is as configured.
+  std::optional<int> octaves_to_slowest_motion;
   bool wide_band =
       false;  // a displacement moves beyond a tenth of the sample rate: where it is differentiated, pass more of it
 };
@@ -31,9 +34,13 @@ struct SignalRanges {
 // Throws RigFileError where a DOF has too few channels for its equation.
 void plan_signals(firmware::CoreConfiguration& configuration, const SignalRanges& ranges = {});
 
+// kAsConfigured: the same for every motion, as on a board, which has not seen it yet. kBelowMotion: it follows a fast motion up.
+enum class Corner { kAsConfigured, kBelowMotion };
+
 // What the signals of a planned configuration reach on recorded samples, one vector per record.
 SignalRanges measure_ranges(const firmware::CoreConfiguration& planned,
-                            const std::vector<std::vector<firmware::RawSample>>& records);
+                            const std::vector<std::vector<firmware::RawSample>>& records,
+                            Corner corner = Corner::kAsConfigured);
 
 // The plan in one line: "velocity and acceleration of DOF 1 derived from displacement; ..." Empty: all measured.
 std::string describe_plan(const firmware::CoreConfiguration& planned);

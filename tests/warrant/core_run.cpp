@@ -16,7 +16,8 @@ CoreRun run_core(const hidden_rig::Draw& draw, uint16_t budget) {
     samples.emplace_back(record.samples());
     for (firmware::RawSample& sample : samples.back()) source.read(sample);
   }
-  rig_file::plan_signals(run.configuration, rig_file::measure_ranges(run.configuration, samples));
+  rig_file::plan_signals(run.configuration,
+                         rig_file::measure_ranges(run.configuration, samples, rig_file::Corner::kBelowMotion));
   bool force = false;
   for (const host_sim::Channel& c : draw.records.front().channels)
     force = force || c.quantity == host_sim::Quantity::kForce || c.dof == rig_file::kBase;

@@ -80,7 +80,8 @@ void fit_signals_to(const std::vector<Record>& records, const std::vector<rig_fi
     samples.emplace_back(record.samples());
     for (firmware::RawSample& sample : samples.back()) source.read(sample);
   }
-  rig_file::plan_signals(configuration, rig_file::measure_ranges(configuration, samples));
+  rig_file::plan_signals(configuration,
+                         rig_file::measure_ranges(configuration, samples, rig_file::Corner::kBelowMotion));
 }
 
 // The records one after the other, one level each, as a board's core takes them: as fast as it can, and one solve at the end.

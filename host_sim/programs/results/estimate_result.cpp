@@ -39,6 +39,12 @@ const char* reason(EstimateStatus status, const EstimateResult& result) {
                  "measure velocity or acceleration as well, or filter all channels alike and record slower";
   switch (status) {
     case EstimateStatus::kStale:
+      if (result.integrates)
+        return "no window closed: a motion that is integrated from rates has to settle first; record fifty cycles of "
+               "the "
+               "lowest frequency and 2000 samples at least, in one piece, or measure the displacement as well "
+               "(diagnose "
+               "asks for less)";
       return "no window closed; record several cycles of the lowest frequency at least, in one piece (diagnose asks "
              "for less)";
     case EstimateStatus::kIllConditioned:
