@@ -53,6 +53,48 @@ TEST(FreeRun, CoulombFrictionTakesTheSameOffEveryPeriod) {
   EXPECT_NEAR(rig.run(1, 0, 101)[0], 1 - 4 / (4 * kPi * kPi), 1e-5);
 }
 
+// exp(slope * time_s) by its series over a 1024th of the time, squared ten times.
+Mat exponential(const Mat& slope, double time_s) {
+  const Mat part = slope * (time_s / 1024);
+  Mat sum = Mat::Identity(slope.rows(), slope.cols()), term = sum;
+  for (int n = 1; n <= 20; ++n) term = term * part / n, sum += term;
+  for (int n = 0; n < 10; ++n) sum = sum * sum;
+  return sum;
+}
+
+// Two masses of 1 kg in a row on springs of 300 N/m and dampers of 0.0214 N s/m. The fast mode, x2 = -0.618 x1, turns by 28.02 rad/s
+// with a damping ratio of 0.0214 / 300 * 28.02 / 2 = 0.0010: 0.28 rad in 10 ms, where one step of order 4 damps by 0.28^5 / 144, 1.2 % of
+// that. Over 20 s its energy falls to exp(-2 * 0.0010 * 28.02 * 20), to a thousandth of the exponent.
+TEST(FreeRun, StepsDoNotDampALightlyDampedMode) {
+  constexpr double kStiffness = 300, kViscous = 0.0214;
+  Rig rig(2001);
+  rig_file::RigModel two;
+  two.dofs.resize(2), two.links.resize(2);
+  two.links[0].a = 1, two.links[0].b = 0, two.links[1].a = 2, two.links[1].b = 1;
+  rig.system = make_system(two), rig.model.clear();
+  for (int i = 0; i < 2; ++i) {
+    rig.add(on_dof(Kind::kMass, i), 1, true), rig.add(on_link(Kind::kStiffness, i), kStiffness, true);
+    rig.add(on_link(Kind::kViscous, i), kViscous, true);
+  }
+  Prepared& p = rig.records[0];
+  p.force = {Vec(), Vec()}, p.guess.insert(p.guess.begin(), p.guess[0]);
+  Mat pull(2, 2), slope = Mat::Zero(4, 4);
+  pull << 2, -1, -1, 1;
+  slope.topRightCorner(2, 2) = Mat::Identity(2, 2);
+  slope.bottomLeftCorner(2, 2) = -kStiffness * pull, slope.bottomRightCorner(2, 2) = -kViscous * pull;
+  const auto energy = [&](const Vec& y) {
+    return y.tail(2).squaredNorm() / 2 + kStiffness / 2 * y.head(2).dot(pull * y.head(2));
+  };
+  Vec start(4), y;
+  start << 1, -0.618034, 0, 0;
+  Simulator simulator(rig.system, rig.model, p);
+  simulator.start(0, y = start);
+  for (Index k = 0; k < 2000; ++k) simulator.advance(k, y, nullptr);
+  const double exact = std::log(energy(start) / energy(exponential(slope, 20) * start));
+  EXPECT_NEAR(exact, 2 * 0.0214 / 300 * 28.02 / 2 * 28.02 * 20, 1e-3);
+  EXPECT_NEAR(std::log(energy(start) / energy(y)), exact, 1e-3 * exact);
+}
+
 // At 0.02 m the spring pulls with 0.79 N, less than the friction of 1 N: it stays.
 TEST(FreeRun, FrictionHoldsWhatTheSpringCannotMove) {
   Rig rig(201);

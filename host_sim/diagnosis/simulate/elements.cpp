@@ -1,3 +1,4 @@
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
@@ -9,6 +10,9 @@ namespace {
 
 constexpr double kTurnPerStep = 0.3;  // rad of the fastest mode: order 4 is then right to 1e-4 of a radian per radian
 constexpr int kMostSubsteps = 8;
+// Order 4 takes turn^5 / 144 of the amplitude per radian: a damping ratio that the rig does not have. Of a mode's own it may be a
+// thousandth, a tenth of what long records tell a damper to; of a mode that linear dampers leave alone, of that of bare steel.
+constexpr double kMostOfDamping = 1e-3, kOfOrderFour = 144, kLeastDampingRatio = 1e-4;
 
 int node_of(int end) { return end > 0 ? end - 1 : end == rig_file::kBase ? -2 : -1; }
 
@@ -34,9 +38,39 @@ Simulator::Simulator(const System& system, const Model& model, const Prepared& r
       for (Index i = 0; i < nodes_; ++i)
         fastest = std::max({fastest, std::sqrt(stiff[i] / mass_[i]) * (nodes_ > 1 ? 1.2 : 1.0), drag[i] / mass_[i]});
   }
-  substeps_ = std::clamp(static_cast<int>(std::ceil(fastest * record.step_s / kTurnPerStep)), 1, kMostSubsteps);
+  const double rate = std::max(fastest / kTurnPerStep, massless_ || !sound_ ? 0.0 : steps_per_second());
+  substeps_ = std::clamp(static_cast<int>(std::ceil(rate * record.step_s)), 1, kMostSubsteps);
   late_ = record.held && record.step_s > 1.5 * record.read_every_s, steps_ = record.held && !late_;
   if (!massless_) upsample(model);
+}
+
+// So many that no mode of the springs and dampers is damped by the steps.
+double Simulator::steps_per_second() const {
+  Mat stiffness = Mat::Zero(nodes_, nodes_), damping = stiffness;
+  for (const Element& e : elements_) {
+    const bool resonance = e.kind == Kind::kResonance;
+    if (!resonance && !e.linear) continue;
+    const double omega = kTwoPi * e.shape;
+    const double k = e.value * (resonance ? omega * omega : e.by_u),
+                 c = e.value * (resonance ? 2 * e.shape2 * omega : e.by_w);
+    for (int side = 0; side < 2; ++side) {
+      const int node = side == 0 ? e.a : e.b, other = side == 0 ? e.b : e.a;
+      if (node < 0) continue;
+      stiffness(node, node) += k, damping(node, node) += c;
+      if (other >= 0) stiffness(node, other) -= k, damping(node, other) -= c;
+    }
+  }
+  const Vec root = mass_.cwiseInverse().cwiseSqrt();
+  const Eigen::SelfAdjointEigenSolver<Mat> modes(root.asDiagonal() * stiffness * root.asDiagonal());
+  double most = 0;
+  for (Index i = 0; i < nodes_; ++i) {
+    if (!(modes.eigenvalues()[i] > 0)) continue;
+    const double omega = std::sqrt(modes.eigenvalues()[i]);
+    const Vec shape = root.cwiseProduct(modes.eigenvectors().col(i));
+    const double ratio = std::max(shape.dot(damping * shape) / (2 * omega), kLeastDampingRatio);
+    most = std::max(most, omega / std::pow(kOfOrderFour * kMostOfDamping * ratio, 0.2));
+  }
+  return most;
 }
 
 void Simulator::compile(const System& system, const Model& model) {

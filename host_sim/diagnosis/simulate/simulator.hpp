@@ -69,6 +69,7 @@ class Simulator {
     double t_s = 0;
   };
   void compile(const System& system, const Model& model);
+  double steps_per_second() const;
   void upsample(const Model& model);
   void upsample_base(const Model& model);
   Vec upsampled(const Vec& y, double late_s) const;
