@@ -11,8 +11,8 @@ namespace {
 constexpr double kTurnPerStep = 0.3;  // rad of the fastest mode: order 4 is then right to 1e-4 of a radian per radian
 constexpr int kMostSubsteps = 8;
 // Order 4 takes turn^5 / 144 of the amplitude per radian: a damping ratio that the rig does not have. Of a mode's own it may be a
-// thousandth, a tenth of what long records tell a damper to; of a mode that linear dampers leave alone, of that of bare steel.
-constexpr double kMostOfDamping = 1e-3, kOfOrderFour = 144, kLeastDampingRatio = 1e-4;
+// thousandth, a tenth of what long records tell a damper to; of a mode that linear dampers leave alone, of that of welded steel.
+constexpr double kMostOfDamping = 1e-3, kOfOrderFour = 144, kLeastDampingRatio = 3e-4;
 
 int node_of(int end) { return end > 0 ? end - 1 : end == rig_file::kBase ? -2 : -1; }
 
