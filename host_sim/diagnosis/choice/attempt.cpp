@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "firmware/vocabulary/effect_table.hpp"
 #include "shown.hpp"
 
 namespace diagnosis::runs {
@@ -358,6 +359,17 @@ bool matters(const State& beside, const Attempt& a) {
   return a.z > kSure && (deviations_unseen(beside, a) > kByChance || moves_a_number(beside, a));
 }
 
+namespace {
+
+// Whether anything from `added_from` on takes energy where the link's own dampers do.
+bool damps_link(const Model& model, size_t added_from, int link) {
+  return std::any_of(model.begin() + static_cast<std::ptrdiff_t>(added_from), model.end(), [&](const ModelTerm& t) {
+    return t.term.link == link && link >= 0 && !firmware::row_of(effect_of(t.term.kind)).nature.conservative;
+  });
+}
+
+}  // namespace
+
 bool turns_a_number(const State& beside, const State& with) {
   const std::vector<Parameter> p = parameters_of(beside.model);
   const std::vector<Determined> found = determined(beside.fit, beside.model);
@@ -365,7 +377,9 @@ bool turns_a_number(const State& beside, const State& with) {
     const ModelTerm& t = beside.model[p[i].term];
     const bool own = !t.added && (t.term.kind == Kind::kMass || t.term.kind == Kind::kStiffness ||
                                   t.term.kind == Kind::kViscous || t.term.kind == Kind::kCoulomb);
-    if (own && !p[i].shape && t.value > kSure * found[i].std && with.model[p[i].term].value < 0) return true;
+    if (own && !p[i].shape && t.value > kSure * found[i].std && with.model[p[i].term].value < 0 &&
+        !damps_link(with.model, beside.model.size(), t.term.link))
+      return true;
   }
   return false;
 }

@@ -71,7 +71,7 @@ bool unseen_agrees(const Attempt& a);
 // would act on it.
 bool matters(const State& beside, const Attempt& a);
 // Whether a mass, spring, damper or friction of the rig, surely above nought beside the one model, is below it in the other: what was added
-// there does its work.
+// there does its work. Of another damping law on the same link nothing is said: before it was there the number did its work.
 bool turns_a_number(const State& beside, const State& with);
 // Whether the 95 % interval of a coefficient from `added_from` on holds nought: such a cause is taken back in the end.
 bool may_be_nought(const State& with, size_t added_from);
