@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hal/rig_file/scaled_double.hpp"
-
 namespace rig_file {
 namespace {
 

@@ -359,6 +359,11 @@ bool matters(const State& beside, const Attempt& a) {
   return a.z > kSure && (deviations_unseen(beside, a) > kByChance || moves_a_number(beside, a));
 }
 
+bool is_number_of_rig(const ModelTerm& t) {
+  return !t.added && (t.term.kind == Kind::kMass || t.term.kind == Kind::kStiffness || t.term.kind == Kind::kViscous ||
+                      t.term.kind == Kind::kCoulomb);
+}
+
 namespace {
 
 // Whether anything from `added_from` on takes energy where the link's own dampers do.
@@ -375,9 +380,7 @@ bool turns_a_number(const State& beside, const State& with) {
   const std::vector<Determined> found = determined(beside.fit, beside.model);
   for (size_t i = 0; i < p.size() && i < found.size(); ++i) {
     const ModelTerm& t = beside.model[p[i].term];
-    const bool own = !t.added && (t.term.kind == Kind::kMass || t.term.kind == Kind::kStiffness ||
-                                  t.term.kind == Kind::kViscous || t.term.kind == Kind::kCoulomb);
-    if (own && !p[i].shape && t.value > kSure * found[i].std && with.model[p[i].term].value < 0 &&
+    if (is_number_of_rig(t) && !p[i].shape && t.value > kSure * found[i].std && with.model[p[i].term].value < 0 &&
         !damps_link(with.model, beside.model.size(), t.term.link))
       return true;
   }

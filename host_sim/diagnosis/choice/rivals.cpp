@@ -35,9 +35,7 @@ bool impossible(const State& s) {
   const std::vector<Determined> found = determined(s.fit, s.model);
   for (size_t i = 0; i < parameters.size(); ++i) {
     const ModelTerm& t = s.model[parameters[i].term];
-    const bool own = t.term.kind == Kind::kMass || t.term.kind == Kind::kStiffness || t.term.kind == Kind::kViscous ||
-                     t.term.kind == Kind::kCoulomb;
-    if (own && !parameters[i].shape && t.value + 1.96 * found[i].std < 0) return true;
+    if (is_number_of_rig(t) && !parameters[i].shape && t.value + 1.96 * found[i].std < 0) return true;
   }
   return false;
 }

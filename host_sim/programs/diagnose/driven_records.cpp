@@ -6,6 +6,7 @@
 #include "hal/rig_file/compile_rig.hpp"
 #include "hal/rig_file/rig_file_error.hpp"
 #include "host_sim/programs/estimate/estimation.hpp"
+#include "host_sim/programs/shared/any_force.hpp"
 #include "host_sim/programs/shared/failures.hpp"
 #include "host_sim/programs/shared/rest_balance.hpp"
 #include "host_sim/programs/shared/rest_position.hpp"
@@ -14,11 +15,6 @@
 
 namespace host_sim {
 namespace {
-
-bool is_forced(const Record& record) {
-  return std::any_of(record.channels.begin(), record.channels.end(),
-                     [](const Channel& c) { return c.quantity == Quantity::kForce; });
-}
 
 bool has_mass(const rig_file::RigModel& rig) {
   return std::any_of(rig.dofs.begin(), rig.dofs.end(),
@@ -51,7 +47,7 @@ void balance(const rig_file::RigModel& rig, const std::vector<size_t>& channels,
 
 std::vector<std::string> count_forced_from_rest(const rig_file::RigModel& rig, std::vector<Record>& training,
                                                 std::vector<Record>& unseen) {
-  if (!is_forced(training.front()) || !has_mass(rig)) return {};
+  if (!any_force(training.front()) || !has_mass(rig)) return {};
   SharedRecords records(training);
   const CountedFromRest rest = count_from_rest(rig, records);
   if (rest.held_off.empty()) return {};

@@ -41,10 +41,8 @@ const char* reason(EstimateStatus status, const EstimateResult& result) {
     case EstimateStatus::kStale:
       if (result.integrates)
         return "no window closed: a motion that is integrated from rates has to settle first; record fifty cycles of "
-               "the "
-               "lowest frequency and 2000 samples at least, in one piece, or measure the displacement as well "
-               "(diagnose "
-               "asks for less)";
+               "the lowest frequency and 2000 samples at least, in one piece, or measure the displacement as well "
+               "(diagnose asks for less)";
       return "no window closed; record several cycles of the lowest frequency at least, in one piece (diagnose asks "
              "for less)";
     case EstimateStatus::kIllConditioned:

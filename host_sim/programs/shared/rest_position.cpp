@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "host_sim/programs/shared/any_force.hpp"
 #include "host_sim/programs/shared/weighs.hpp"
 
 namespace host_sim {
@@ -28,11 +29,6 @@ Moments moments(const std::vector<Record>& records, size_t channel) {
   for (const Record& record : records)
     for (double value : record.channels[channel].values) squares += (value - mean) * (value - mean);
   return {mean, std::sqrt(squares / count)};
-}
-
-bool any_force(const Record& record) {
-  return std::any_of(record.channels.begin(), record.channels.end(),
-                     [](const Channel& c) { return c.quantity == Quantity::kForce; });
 }
 
 // Gravity pulls to where the angle is zero, whatever the mean: a driven arm need not swing about there. Left alone it comes to rest.

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "host_sim/programs/shared/any_force.hpp"
+
 namespace host_sim {
 namespace {
 
@@ -24,11 +26,9 @@ bool may_be_turned(const rig_file::RigModel& rig, const std::vector<Record>& rec
     return is_open(link.stiffness_N_m) && is_open(link.gravity_torque_N_m) && link.b != rig_file::kBase;
   };
   const auto unknown_mass = [](const rig_file::Dof& dof) { return dof.mass_kg.estimate; };
-  const auto is_force = [](const Channel& c) { return c.quantity == Quantity::kForce; };
   return std::all_of(rig.dofs.begin(), rig.dofs.end(), open_dof) &&
          std::all_of(rig.links.begin(), rig.links.end(), open_link) &&
-         std::any_of(rig.dofs.begin(), rig.dofs.end(), unknown_mass) && !records.empty() &&
-         std::any_of(records.front().channels.begin(), records.front().channels.end(), is_force);
+         std::any_of(rig.dofs.begin(), rig.dofs.end(), unknown_mass) && !records.empty() && any_force(records.front());
 }
 
 bool says_turned(const EstimateResult& result) {
