@@ -108,7 +108,7 @@ void identify(const CoreConfiguration& configuration, const BatchTable& table, I
   take_out_regressor_noise(list, table, fit, estimates);
   end_comparison(list, bias);
   estimates.condition_number = fit.identifiability().condition_number;
-  measure_skew(list, table, estimates);
+  measure_skew(list, table, configuration, estimates);
   for (int k = 0; k < list.unknown_count; ++k) {
     ParameterEstimate& parameter = estimates.parameters[k];
     parameter.variance_inflation = fit.identifiability().inflation[k];

@@ -6,6 +6,9 @@
 namespace firmware {
 namespace {
 
+// Delays count from 1/200 of a sample period on; where friction imitates one, from 1/16 on at the most.
+constexpr int kLeastShareOfPeriod = 200, kMostShareOfPeriod = 16;
+
 struct Regression {
   Scaled weight, weighted;  // sums over levels of 1 / variance and of tau / variance
   Scaled freedom;           // sum over levels of (sum of energy)^2 / sum of energy^2 - 1
@@ -60,13 +63,47 @@ void add_level(const Level& level, int dof, int weight, bool acceleration, Regre
   regression.weighted += weight_of_level * tau;
 }
 
-// A friction force that changes sign inside a sample interval, at the same place of every cycle, imitates a late
-// acceleration by up to some hundredths of the sample period.
-Scaled least_skew_s(const BatchTable& table, bool acceleration) {
-  return table.sample_period_s / (acceleration ? 16 : 200);
+// Of the DOF, over all batches.
+Scaled sum_of(const BatchTable& table, int dof, PackedScaled BatchDof::*what) {
+  Scaled sum;
+  for (int l = 0; l < table.level_count; ++l)
+    for (int b = 0; b < table.level[l].batch_count; ++b) sum += unpack(table.level[l].batch[b].dof[dof].*what);
+  return sum;
 }
 
-SkewEstimate measure(const BatchTable& table, int dof, int weight, bool acceleration) {
+Scaled coefficient(const Term& term, const Estimates& estimates) {
+  return term.unknown < 0 ? term.value : estimates.parameters[term.unknown].value;
+}
+
+Scaled duration_of(const BatchTable& table) {
+  int64_t samples = 0;
+  for (int l = 0; l < table.level_count; ++l)
+    for (int b = 0; b < table.level[l].batch_count; ++b) samples += table.level[l].batch[b].samples;
+  return Scaled::from_int(samples) * table.sample_period_s;
+}
+
+// Friction turns inside a sample interval, and the acceleration jumps by 2 F / m there. The trapezoid puts the jump in the interval's
+// middle: v F h / m of kinetic energy, at the most, where it turns at the same place of every cycle. Two such jumps a cycle of frequency w,
+// over the integral of a^2, are a delay of h F v / (pi m v a), v and a rms, a = w v.
+Scaled least_acceleration_skew_s(const CoreConfiguration& configuration, const BatchTable& table, int dof,
+                                 const Estimates& estimates) {
+  Scaled friction, mass;
+  for (int t = 0; t < configuration.term_count; ++t) {
+    const Term& term = configuration.terms[t];
+    if (term.kind == TermKind::kMass && term.place == dof) mass = abs(coefficient(term, estimates));
+    if (!is_sign_term(term.kind)) continue;
+    const LinkConfiguration& link = configuration.links[term.place];
+    if (link.node_a == dof || link.node_b == dof) friction += abs(coefficient(term, estimates));
+  }
+  const Scaled least = table.sample_period_s / kLeastShareOfPeriod, most = table.sample_period_s / kMostShareOfPeriod;
+  if (friction.is_zero()) return least;
+  const Scaled inertia = mass * sqrt(sum_of(table, dof, &BatchDof::acceleration_square) / duration_of(table));
+  const Scaled jumps = table.sample_period_s * friction / 3;  // pi
+  if (!(jumps < most * inertia)) return most;
+  return jumps > least * inertia ? jumps / inertia : least;
+}
+
+SkewEstimate measure(const BatchTable& table, int dof, int weight, bool acceleration, const Scaled& least_s) {
   Regression regression;
   for (int l = 0; l < table.level_count; ++l) add_level(table.level[l], dof, weight, acceleration, regression);
   SkewEstimate result;
@@ -74,21 +111,8 @@ SkewEstimate measure(const BatchTable& table, int dof, int weight, bool accelera
   result.measured = true;
   result.late_s = regression.weighted / regression.weight;
   result.std_s = Scaled::from_int(1) / sqrt(regression.weight);
-  result.significant =
-      abs(result.late_s) > Scaled::from_int(4) * result.std_s && abs(result.late_s) > least_skew_s(table, acceleration);
+  result.significant = abs(result.late_s) > Scaled::from_int(4) * result.std_s && abs(result.late_s) > least_s;
   return result;
-}
-
-Scaled coefficient(const Term& term, const Estimates& estimates) {
-  return term.unknown < 0 ? term.value : estimates.parameters[term.unknown].value;
-}
-
-// Of the DOF, over all batches.
-Scaled sum_of(const BatchTable& table, int dof, PackedScaled BatchDof::*what) {
-  Scaled sum;
-  for (int l = 0; l < table.level_count; ++l)
-    for (int b = 0; b < table.level[l].batch_count; ++b) sum += unpack(table.level[l].batch[b].dof[dof].*what);
-  return sum;
 }
 
 Scaled motion_of(const BatchTable& table, int dof) { return sum_of(table, dof, &BatchDof::velocity_square); }
@@ -129,11 +153,13 @@ Scaled work_of_neighbours(const CoreConfiguration& configuration, const BatchTab
 
 }  // namespace
 
-void measure_skew(const EquationList& list, const BatchTable& table, Estimates& estimates) {
+void measure_skew(const EquationList& list, const BatchTable& table, const CoreConfiguration& configuration,
+                  Estimates& estimates) {
   for (int i = 0; i < list.dof_count; ++i) {
     const int weight = static_cast<int>(list.equation[i].weight);
-    estimates.displacement_skew[i] = measure(table, i, weight, false);
-    estimates.acceleration_skew[i] = measure(table, i, weight, true);
+    estimates.displacement_skew[i] = measure(table, i, weight, false, table.sample_period_s / kLeastShareOfPeriod);
+    estimates.acceleration_skew[i] =
+        measure(table, i, weight, true, least_acceleration_skew_s(configuration, table, i, estimates));
   }
 }
 

@@ -8,7 +8,9 @@
 
 namespace firmware {
 
-void measure_skew(const EquationList& list, const BatchTable& table, Estimates& estimates);
+// estimates hold the values: how much friction there is tells what a delay is at the least.
+void measure_skew(const EquationList& list, const BatchTable& table, const CoreConfiguration& configuration,
+                  Estimates& estimates);
 
 // How late the channels are at most, s; 0: not at all.
 struct Skews {

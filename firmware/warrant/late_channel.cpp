@@ -54,16 +54,17 @@ bool is_acceleration_beside_force(const CoreConfiguration& configuration, const 
 }
 
 // A force that is held from sample to sample makes the acceleration of its DOF jump with every sample: against the velocity it comes
-// early, and the equation of motion, where it stands beside that very force, knows nothing of it. Sampled before the jump it
-// comes late.
+// early, and the equation of motion, where it stands beside that very force, knows nothing of it: what it says is no more than chance, or
+// of the other sign. Sampled before the jump it comes late.
 void ask_equation(const CoreConfiguration& configuration, const ProbePlan& plan, const ScoreTest& test,
                   Estimates& estimates, Finding& late) {
   if (!is_acceleration_beside_force(configuration, late)) return;
   Scaled by_equation_s, std_s;
   const bool answers = delay_by_equation(configuration, estimates, plan, test, late.node_a, by_equation_s, std_s);
   estimates.warrant.confirmed = answers && scale_by_power_of_two(abs(by_equation_s - late.size), 1) < abs(late.size);
-  const Scaled most = abs(by_equation_s) + scale_by_power_of_two(std_s, 2);
+  const Scaled chance = scale_by_power_of_two(std_s, 2), most = abs(by_equation_s) + chance;
   if (!answers || !late.size.is_negative() || scale_by_power_of_two(most, 1) >= abs(late.size)) return;
+  if (by_equation_s < -chance) return;
   late.cause = cause_of(EffectKind::kForceHold);
   late.quantity = static_cast<uint8_t>(Quantity::kForce);
   late.size = scale_by_power_of_two(-configuration.sample_period_s, -1);

@@ -164,6 +164,27 @@ TEST(Status, LateAccelerationIsMeasured) {
   EXPECT_NEAR(rig_file::to_double(t.estimates->acceleration_skew[0].late_s), 200e-6, 1e-9);
 }
 
+// 20 us of 1 ms are less than what friction imitates at the most, 1/16 of a sample period, and more than what no friction does.
+// The acceleration is sqrt(50 / T) rms in T = 1 s a batch: 7.07 m/s^2, 14.1 N of 2 kg. Of 0.3 N the least delay is
+// 1 ms * 0.3 / (3 * 14.1) = 7 us, of 3 N 71 us, of which 1/16 ms = 62.5 us are left.
+TEST(Status, WhatFrictionMayImitateIsNoDelay) {
+  for (const auto& [friction_N, late_us, delayed] :
+       {std::tuple{0.0, 20.0, true}, {0.3, 6.0, false}, {0.3, 8.0, true}, {3.0, 60.0, false}, {3.0, 65.0, true}}) {
+    HandTable t(1, {TermKind::kViscous}, {{0}});
+    t.link(0, firmware::kGroundNode);
+    t.known(TermKind::kMass, 0, 2.0);
+    if (friction_N != 0.0) t.known(TermKind::kCoulomb, 0, friction_N);
+    t.table->sample_period_s = rig_file::to_scaled(1e-3);
+    t.level(true);
+    for (int b = 0; b < 12; ++b) {
+      t.batch({{{2}, 40.0, late_us * 1e-6 * 50.0 + (b % 2 ? 1e-7 : -1e-7), 0, 2.0, 50.0}});
+      t.table->level[0].batch[b].samples = 1000;
+    }
+    t.identify();
+    EXPECT_EQ(t.estimates->acceleration_skew[0].significant, delayed) << friction_N << " N, " << late_us << " us";
+  }
+}
+
 // Plain rhs 10 % above the instrumented one in every batch: the plain estimate reads 22 instead of 20, far outside the
 // interval: the value rests on the instrument alone.
 TEST(Status, PlainEstimateFarFromTheInstrumentedOneIsSuspect) {

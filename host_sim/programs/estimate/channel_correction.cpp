@@ -103,6 +103,21 @@ std::vector<ChannelCorrection> corrections_to_make(const EstimateResult& result,
   return corrections;
 }
 
+void add_corrections(const std::vector<ChannelCorrection>& more, std::vector<ChannelCorrection>& corrections) {
+  for (const ChannelCorrection& one : more) {
+    const auto known = std::find_if(corrections.begin(), corrections.end(), [&](const ChannelCorrection& other) {
+      return other.channel == one.channel && (other.gain != 0.0) == (one.gain != 0.0);
+    });
+    if (known == corrections.end()) {
+      corrections.push_back(one);
+      continue;
+    }
+    known->late_us += one.late_us;
+    known->gain = (1.0 + known->gain) * (1.0 + one.gain) - 1.0;
+    known->std = one.std;
+  }
+}
+
 rig_file::RigModel with_delays(const rig_file::RigModel& model, const std::vector<ChannelCorrection>& corrections) {
   rig_file::RigModel result = model;
   for (const ChannelCorrection& correction : corrections) {

@@ -33,6 +33,9 @@ std::vector<ChannelCorrection> delays_to_correct(const std::vector<SkewResult>& 
 std::vector<ChannelCorrection> corrections_to_make(const EstimateResult& result, const std::vector<Record>& records,
                                                    bool first);
 
+// What is left of a correction adds to it: a delay of a whole sample is read a fortieth too small, because sin(w tau) is below w tau.
+void add_corrections(const std::vector<ChannelCorrection>& more, std::vector<ChannelCorrection>& corrections);
+
 // The rig whose file says these delays, on top of those that it says already.
 rig_file::RigModel with_delays(const rig_file::RigModel& model, const std::vector<ChannelCorrection>& corrections);
 bool any_gain(const std::vector<ChannelCorrection>& corrections);

@@ -233,7 +233,7 @@ std::optional<Estimation> correct_channels(const rig_file::RigModel& model, cons
     if (!corrected.result.warrant.corrected.empty()) return corrected;
     const auto more = corrections_to_make(corrected.result, records, false);
     if (more.empty()) break;
-    corrections.insert(corrections.end(), more.begin(), more.end());
+    add_corrections(more, corrections);
   }
   return std::nullopt;
 }
