@@ -16,6 +16,7 @@ constexpr int kExplainedEighths = 7;
 constexpr int kOutdoneLog2 = -2;
 // What stands out by less than half of what is named is what that looks like from elsewhere.
 constexpr int kStandsOutLog2 = -1;
+constexpr int kBeyondAll = 200;  // exponent of what no deviation of a coefficient reaches
 
 }  // namespace
 
@@ -104,6 +105,18 @@ bool ScoreTest::is_all_of_it(int number) const {
   return on_rig && probe.quantity == kNoQuantity && !of_mode;
 }
 
+// Where another law of the place leaves less, what the named one leaves may be a force too, and nobody knows its law: bristles that are
+// told as a gap, a friction that wears as a damper that does. It acts where the named one does: no coefficient of that link is spared.
+void ScoreTest::doubt_named_link() {
+  const Place& place = sums_->plan().place[sums_->plan().probe[best_].place];
+  if (place.kind != PlaceKind::kLink || explained(0) == Scaled::from_int(1)) return;
+  for (int t = 0; t < configuration_->term_count; ++t) {
+    const Term& term = configuration_->terms[t];
+    if (term.unknown >= 0 && term.kind != TermKind::kMass && term.place == place.link)
+      named_bend_[term.unknown] = Scaled::from_int(1, kBeyondAll);
+  }
+}
+
 void ScoreTest::find_named_bends() {
   names_a_force_ = best_ >= 0 && naming() == Naming::kExplains;
   if (!names_a_force_) return;
@@ -121,6 +134,7 @@ void ScoreTest::find_named_bends() {
       if (bend > named_bend_[k]) named_bend_[k] = bend;
     }
   }
+  doubt_named_link();
 }
 
 }  // namespace firmware

@@ -147,6 +147,7 @@ class ScoreTest {
   void judge_size(int number);
   void name();
   bool is_all_of_it(int probe) const;
+  void doubt_named_link();
   void find_named_bends();
   Scaled least_scatter(int place) const;
   bool outdone() const;
