@@ -391,6 +391,11 @@ SignalRanges measure_ranges(const CoreConfiguration& configuration,
   return ranges;
 }
 
+bool differentiates(const CoreConfiguration& planned) {
+  CoreConfiguration copy = planned;
+  return Plan(copy, {}).differentiates();
+}
+
 std::string describe_plan(const CoreConfiguration& planned) {
   static const char* const kNames[kQuantities] = {"force", "displacement", "velocity", "acceleration"};
   std::string text;

@@ -42,6 +42,9 @@ SignalRanges measure_ranges(const firmware::CoreConfiguration& planned,
                             const std::vector<std::vector<firmware::RawSample>>& records,
                             Corner corner = Corner::kAsConfigured);
 
+// Is any signal of a planned configuration the slope of another one?
+bool differentiates(const firmware::CoreConfiguration& planned);
+
 // The plan in one line: "velocity and acceleration of DOF 1 derived from displacement; ..." Empty: all measured.
 std::string describe_plan(const firmware::CoreConfiguration& planned);
 

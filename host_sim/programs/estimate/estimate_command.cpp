@@ -13,7 +13,7 @@
 #include "host_sim/programs/estimate/estimate_report_data.hpp"
 #include "host_sim/programs/estimate/estimation.hpp"
 #include "host_sim/programs/estimate/model_export.hpp"
-#include "host_sim/programs/estimate/slow_motion.hpp"
+#include "host_sim/programs/estimate/oversampling.hpp"
 #include "host_sim/programs/estimate/swing_of_rate.hpp"
 #include "host_sim/programs/results/result_json.hpp"
 #include "host_sim/programs/results/result_table.hpp"
@@ -105,7 +105,7 @@ class DataCheck {
 
 void estimate(const EstimateArguments& arguments) {
   use_one_heap();
-  const rig_file::RigModel model = read_rig(arguments.rig);
+  rig_file::RigModel model = read_rig(arguments.rig);
   rig_file::require_unknowns(model);
   std::vector<Record> read = read_data(arguments.data, model, arguments.reading);
   require_same_channels(read);
@@ -128,7 +128,7 @@ void estimate(const EstimateArguments& arguments) {
     const CountedFromRest rest = count_from_rest(model, records);
     for (const auto& told : {rest.notes, take_off_accelerometer_zeros(records)})
       notes.insert(notes.end(), told.begin(), told.end());
-    if (const std::string slow = average_slow_motion(records); !slow.empty()) notes.push_back(slow);
+    if (const std::string fewer = take_fewer_samples(model, records); !fewer.empty()) notes.push_back(fewer);
     estimate_all();
     if (balance_rest(rig_file::with_values(model, values_of(estimation.result)), rest.held_off, records))
       estimate_all();

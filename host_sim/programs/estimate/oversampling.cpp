@@ -1,0 +1,111 @@
+#include "host_sim/programs/estimate/oversampling.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "hal/rig_file/compile_rig.hpp"
+#include "hal/rig_file/signal_plan.hpp"
+#include "host_sim/data_check/spectrum.hpp"
+#include "host_sim/records/digitise.hpp"
+#include "host_sim/records/thin_out.hpp"
+
+namespace host_sim {
+namespace {
+
+constexpr double kAboveNoise = 4.0;
+// The low-pass of derivatives reaches to a tenth of the sample rate. What a decay says of its unknown spring rests on the ends of its
+// windows, whose noise the intervals hold from some forty samples a period on.
+constexpr double kRatesPerMotion = 10.0, kRatesPerDecay = 40.0;
+constexpr size_t kFewestThinned = 8 * firmware::kBlockSamples;
+constexpr size_t kLongestStretch = 2048, kShortestStretch = 256;
+
+// Power of the differences, mean over stretches that overlap by half: a drift of the values leaks into no other bin of theirs.
+std::vector<double> power_of_differences(const std::vector<double>& values) {
+  std::vector<double> step(values.size() - 1);
+  for (size_t i = 0; i < step.size(); ++i) step[i] = values[i + 1] - values[i];
+  const size_t wanted = std::clamp(step.size() / 4, kShortestStretch, kLongestStretch);
+  const size_t length = data_check::quick_length(std::min(step.size(), wanted));
+  std::vector<double> sum;
+  for (size_t from = 0; from + length <= step.size(); from += length / 2) {
+    const double mean =
+        std::accumulate(step.begin() + static_cast<long>(from), step.begin() + static_cast<long>(from + length), 0.0) /
+        static_cast<double>(length);
+    const std::vector<double> power = data_check::power_spectrum(step.data() + from, length, mean);
+    sum.resize(power.size(), 0.0);
+    for (size_t k = 0; k < power.size(); ++k) sum[k] += power[k];
+  }
+  return sum;
+}
+
+bool is_driven(const Record& record) {
+  return std::any_of(record.channels.begin(), record.channels.end(), [](const Channel& channel) {
+    return channel.quantity == Quantity::kForce || channel.dof == rig_file::kBase;
+  });
+}
+
+bool reaches_its_end(const std::vector<Record>& records,
+                     const std::vector<rig_file::ChannelCalibration>& calibrations) {
+  for (const Record& record : records)
+    for (const rig_file::ChannelCalibration& calibration : calibrations)
+      if (const Channel* const channel = record.find(static_cast<Quantity>(calibration.quantity), calibration.dof))
+        for (const double value : channel->values) {
+          const int32_t code = to_code(value, calibration);
+          if (code <= calibration.lowest_code || code >= calibration.highest_code) return true;
+        }
+  return false;
+}
+
+}  // namespace
+
+double highest_motion_Hz(const std::vector<double>& values, double sample_period_s) {
+  if (values.size() <= kShortestStretch) return 0.5 / sample_period_s;
+  std::vector<double> power = power_of_differences(values);
+  const size_t bins = power.size();
+  for (size_t k = 1; k < bins; ++k) {
+    const double slope = 2.0 * std::sin(0.5 * M_PI * static_cast<double>(k) / static_cast<double>(bins - 1));
+    power[k] /= slope * slope;
+  }
+  std::vector<double> top(power.begin() + static_cast<long>(3 * bins / 4), power.end());
+  std::nth_element(top.begin(), top.begin() + static_cast<long>(top.size() / 2), top.end());
+  const double noise = top[top.size() / 2];
+  size_t k = bins - 2;
+  while (k > 1 && power[k - 1] + power[k] + power[k + 1] <= 3.0 * kAboveNoise * noise) --k;
+  return static_cast<double>(k + 1) * 0.5 / (static_cast<double>(bins - 1) * sample_period_s);
+}
+
+Oversampling oversampling_of(const rig_file::RigModel& model, const std::vector<Record>& records) {
+  Oversampling result;
+  const std::vector<rig_file::ChannelCalibration> calibrations = calibrate(records, model);
+  const double period_s = records.front().sample_period_s;
+  if (!rig_file::differentiates(rig_file::compile_rig(model, period_s, calibrations))) return result;
+  size_t shortest = records.front().samples();
+  for (const Record& record : records) {
+    shortest = std::min(shortest, record.samples());
+    for (const Channel& channel : record.channels)
+      if (channel.quantity != Quantity::kForce)
+        result.motion_Hz = std::max(result.motion_Hz, highest_motion_Hz(channel.values, record.sample_period_s));
+  }
+  const double rates = is_driven(records.front()) ? kRatesPerMotion : kRatesPerDecay;
+  const double most = 1.0 / (rates * result.motion_Hz * period_s);
+  size_t factor = most < 2.0 ? 1 : static_cast<size_t>(std::min(most, static_cast<double>(shortest)));
+  while (factor > 1 && thinned_samples(shortest, factor) < kFewestThinned) --factor;
+  if (factor > 1 && !reaches_its_end(records, calibrations)) result.factor = factor;
+  return result;
+}
+
+std::string take_fewer_samples(rig_file::RigModel& model, SharedRecords& records) {
+  const Oversampling oversampling = oversampling_of(model, records.get());
+  if (oversampling.factor == 1) return {};
+  for (Record& record : records.own()) record = thinned(record, oversampling.factor);
+  for (rig_file::ChannelEntry& entry : model.channels) entry.unit_per_code = 0.0;
+  return fmt::format(
+      "the motion ends at {:.3g} Hz: of {} samples one is taken, behind one low-pass for all channels ({:.4g} Hz), "
+      "because slopes "
+      "have the noise of all that lies above it",
+      oversampling.motion_Hz, oversampling.factor, 1.0 / records.get().front().sample_period_s);
+}
+
+}  // namespace host_sim
