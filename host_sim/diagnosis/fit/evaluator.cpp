@@ -151,8 +151,9 @@ bool Evaluator::simulate(Simulator& s, const Window& w, bool slopes, bool keep, 
     out.step.resize(static_cast<size_t>(len)), out.acc.resize(static_cast<size_t>(len)),
         out.yield.resize(static_cast<size_t>(len));
   s.start(w.from, y);
+  const bool slopes_of_acc = slopes && (acceleration || keep || !s.affine());
   for (Index k = 0; k < len; ++k) {
-    s.accelerations(w.from + k, y, acc, slopes ? &acc_slopes : nullptr);
+    s.accelerations(w.from + k, y, acc, slopes_of_acc ? &acc_slopes : nullptr);
     out.x.col(k) = y.head(n), out.v.col(k) = y.segment(n, n), out.a.col(k) = acc;
     if (keep) out.acc[static_cast<size_t>(k)] = acc_slopes.leftCols(ns), out.yield[static_cast<size_t>(k)] = s.yield();
     Index offset = ns;

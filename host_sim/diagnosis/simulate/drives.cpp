@@ -13,6 +13,13 @@ double Simulator::drive_at(const Vec& fine, double r) const {
   return f0 + r * (-3 * f0 + 4 * f1 - f2) + r * r * (2 * f0 - 4 * f1 + 2 * f2);
 }
 
+// Outside::v alone.
+double Simulator::base_rate(double r) const {
+  if (base_x_.size() == 0) return 0;
+  const double f0 = base_v_[at_], f1 = base_v_[at_ + 1], f2 = base_v_[at_ + 2];
+  return f0 + r * (-3 * f0 + 4 * f1 - f2) + r * r * (2 * f0 - 4 * f1 + 2 * f2);
+}
+
 // Two instants to a substep, of a channel that reads late.
 Vec Simulator::upsampled(const Vec& y, double late_s) const {
   return finer(late_s != 0 ? delayed(y, -late_s / record_.step_s) : y, 2 * substeps_);

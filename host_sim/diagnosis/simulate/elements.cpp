@@ -41,7 +41,9 @@ Simulator::Simulator(const System& system, const Model& model, const Prepared& r
   const double rate = std::max(fastest / kTurnPerStep, massless_ || !sound_ ? 0.0 : steps_per_second());
   substeps_ = std::clamp(static_cast<int>(std::ceil(rate * record.step_s)), 1, kMostSubsteps);
   late_ = record.held && record.step_s > 1.5 * record.read_every_s, steps_ = record.held && !late_;
-  if (!massless_) upsample(model);
+  if (massless_) return;
+  upsample(model);
+  make_affine();
 }
 
 // So many that no mode of the springs and dampers is damped by the steps.

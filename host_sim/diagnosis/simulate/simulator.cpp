@@ -41,10 +41,11 @@ void Simulator::start(Index sample, const Vec& y) {
 // The first of the links whose rate passes zero within the rest of a substep, and the share of it that is gone by then.
 std::pair<Simulator::Friction*, double> Simulator::first_to_turn(const Vec& y0, const Vec& y, double from) {
   std::pair<Friction*, double> first{nullptr, 2};
-  const Outside o0 = outside(from), o1 = outside(1);
+  const double base0 = base_rate(from), base1 = base_rate(1);
   for (Friction& f : friction_) {
     if (f.sign == 0) continue;
-    const double w0 = f.sign * relative(y0, nodes_, f.a, f.b, o0.v), w1 = f.sign * relative(y, nodes_, f.a, f.b, o1.v);
+    const double w0 = f.sign * relative(y0, nodes_, f.a, f.b, base0),
+                 w1 = f.sign * relative(y, nodes_, f.a, f.b, base1);
     if (w1 >= 0) continue;
     const double share = w0 <= 0 ? 0 : w0 / (w0 - w1);
     if (share < first.second) first = {&f, share};
@@ -58,8 +59,8 @@ double Simulator::share_to_turn(const Friction& f, const Vec& y0, double from, d
   for (int search = 0; search < 3 && share > kAtOnce; ++search) {
     y = y0;
     step(from, share * (1 - from), y, nullptr);
-    const double w0 = f.sign * relative(y0, nodes_, f.a, f.b, outside(from).v);
-    const double w = f.sign * relative(y, nodes_, f.a, f.b, outside(from + share * (1 - from)).v);
+    const double w0 = f.sign * relative(y0, nodes_, f.a, f.b, base_rate(from));
+    const double w = f.sign * relative(y, nodes_, f.a, f.b, base_rate(from + share * (1 - from)));
     if (w0 <= 0 || std::abs(w) < 1e-6 * w0) break;
     share = std::clamp(share * w0 / (w0 - w), 0.0, 1.0);
   }

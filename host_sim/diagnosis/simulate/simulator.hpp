@@ -26,6 +26,8 @@ class Simulator {
   Index parameters() const { return parameters_; }
   bool sound() const { return sound_; }  // every node has mass
   bool massless() const { return massless_; }
+  // Whether one product carries a state, and its sensitivity, over a step: what advance() asks of accelerations() is not needed then.
+  bool affine() const { return affine_.is; }
 
   // The state at a sample from the record's guess.
   Vec guessed_state(Index sample) const;
@@ -70,12 +72,19 @@ class Simulator {
   };
   void compile(const System& system, const Model& model);
   double steps_per_second() const;
+  struct Rates;
+  void join(const Element& e, double stiffness, double damping, Mat& rates) const;
+  Rates rates() const;
+  void make_affine();
+  bool all_slide() const;
+  void affine_step(Vec& y, Sensitivity* s) const;
   void upsample(const Model& model);
   void upsample_base(const Model& model);
   Vec upsampled(const Vec& y, double late_s) const;
   Outside outside(double share) const;  // of the present substep
   // Of what drives the rig, on the fine instants: held from sample to sample, or the parabola through the present substep.
   double drive_at(const Vec& fine, double share) const;
+  double base_rate(double share) const;
   double relative(const Vec& y, Index offset, int a, int b, double base) const;
   void accelerations(const Vec& y, const Outside& o, Vec& acc, bool slopes);
   double level(const Friction& f, double w) const;
@@ -126,6 +135,13 @@ class Simulator {
   Mat by_hold_, inner_inverse_;  // what holds them per force on each node (links x nodes); inverse of their inertia
   bool yield_old_ = true;
   Vec acc_[4];
+  // Of a substep of springs, dampers and dry friction that slides (affine.cpp). What it takes: the state, every drive at its start,
+  // middle and end, and a force on each node that stays.
+  struct Affine {
+    bool is = false;
+    Mat map, by_state;  // to the state at its end; its first columns alone
+    Mat slopes;         // of the map: a row per state and parameter, the parameters of a state together
+  } affine_;
   // The state whose accelerations stand in acc_[0], their slopes in slope_x_ where there are some, since accelerations(sample, ..):
   // the step from there begins with them.
   struct Begun {

@@ -58,6 +58,7 @@ void Simulator::turn(Friction& f, double at, Vec& y, Sensitivity* s) {
 // a blow that starts within it passes through to all links in their turn.
 std::pair<Simulator::Friction*, double> Simulator::first_to_let_go(const Vec& y0, const Vec& y, double from) {
   std::pair<Friction*, double> first{nullptr, 2};
+  if (all_slide()) return first;
   Vec acc, middle;
   const auto net_at = [&](const Vec& state, double at) {
     const Outside o = outside(at);
@@ -66,7 +67,6 @@ std::pair<Simulator::Friction*, double> Simulator::first_to_let_go(const Vec& y0
   };
   const auto excess = [&](const Friction& f, const Outside& o) { return std::abs(hold_force(f, o)) - level(f, 0); };
   std::vector<std::pair<Friction*, double>> loose;  // and by how much what would hold them exceeds their friction
-  if (std::none_of(friction_.begin(), friction_.end(), [](const Friction& f) { return f.sign == 0; })) return first;
   const Outside last = net_at(y, 1);
   for (Friction& f : friction_)
     if (f.sign == 0 && excess(f, last) > 0) loose.push_back({&f, excess(f, last)});
