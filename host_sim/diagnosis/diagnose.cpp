@@ -160,8 +160,7 @@ Diagnosis judged(const Asked& asked, double& lag_s) {
   runs::drop_undetermined(d, runs::motion_error(task, choice.base) < runs::kFollows);
   runs::drop_trifles(task, d);
   runs::name_zeros(task, d);
-  if (d.verdict == Verdict::kNone && !right)
-    runs::doubt_numbers(task, runs::near_chance(task, choice.final, choice.final_left), d);
+  if (d.verdict == Verdict::kNone && !right) runs::doubt_numbers(task, choice.final, choice.final_left, d);
   runs::say_scale(task, d);
   compare_nothing(d);
   state_rivals(d);

@@ -215,7 +215,7 @@ void say_possible(const Task& task, const Choice& choice, Diagnosis& d) {
     PossibleCause possible{{word_of(n.candidate.terms[0].kind), place(task, n.candidate.terms[0])},
                            std::clamp(100 * n.share, 0.0, 100.0),
                            {}};
-    const std::vector<diagnosis::Parameter> beside = all_parameters(task, active(n.model, {}));
+    const std::vector<diagnosis::Parameter> beside = values_of(task, n.model);
     for (diagnosis::Parameter& p : d.baseline.parameters) {
       const auto other = std::find_if(beside.begin(), beside.end(), [&](const auto& o) { return o.name == p.name; });
       if (other == beside.end() || !(p.std > 0) || std::abs(other->value - p.value) <= 1.96 * p.std) continue;
@@ -261,6 +261,10 @@ bool contradicts(const diagnosis::Parameter& rows, const diagnosis::Parameter& r
 std::vector<diagnosis::Parameter> numbers_of(const Task& task, const State& fitted) {
   if (!fitted.fit.ok) return {};
   return all_parameters(task, active(fitted.model, determined_beside_drives(task, fitted)));
+}
+
+std::vector<diagnosis::Parameter> values_of(const Task& task, const Model& model) {
+  return all_parameters(task, active(model, {}));
 }
 
 void take_numbers(const std::vector<diagnosis::Parameter>& runs, bool values_too,

@@ -12,6 +12,8 @@ void answer(const Task& task, const Choice& choice, Diagnosis& d);
 // The coefficients of a fit of free runs: its standard deviations come from the scatter of what is left, window by
 // window.
 std::vector<diagnosis::Parameter> numbers_of(const Task& task, const State& fitted);
+// Names and values alone.
+std::vector<diagnosis::Parameter> values_of(const Task& task, const Model& model);
 // Two estimates of one number that differ by more than both allow. That of the rows then carries the noise of the
 // motion.
 bool contradicts(const diagnosis::Parameter& rows, const diagnosis::Parameter& runs);

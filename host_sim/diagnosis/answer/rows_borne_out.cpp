@@ -76,8 +76,7 @@ bool stands(const Task& task, const Choice& fitted, const RowsSay& say, State& w
 // name what it is and free runs of unseen data are the better for it; choice has it then.
 bool runs_see_more(const Task& task, const RowsSay& say, Choice& choice) {
   if (!say.left.noise_only || !found_by(choice.base.model, say).list.empty()) return false;
-  if (choice.base_left.worst() <= kSurelyNoise && !worth_a_search(near_chance(task, choice.base, choice.base_left)))
-    return false;
+  if (choice.base_left.worst() <= kSurelyNoise && !worth_a_search(task, choice.base, choice.base_left)) return false;
   Choice runs = choice;
   choose(task, runs, [](double) {});
   // how a force is held between its samples is taken out of the rows alone, and a channel's delay or gain may stand for it

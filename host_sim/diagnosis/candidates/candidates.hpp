@@ -28,6 +28,7 @@ struct Screened {
   double gain = 0;  // share of the squared residual that it would take
   double z = 0;     // significance, as a normal deviate
   std::vector<double> value;
+  Vec moves = {};  // of the model's numbers beside it, linearised
 };
 struct ScreenedPair {
   size_t first = 0, second = 0;

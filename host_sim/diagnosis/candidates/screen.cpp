@@ -124,7 +124,9 @@ Screen screen(const System& system, const std::vector<Prepared>& records, const 
     const Index i = static_cast<Index>(first[c]);
     const Judged j = candidates[c].terms.size() == 2 ? double_column(i) : single(i);
     if (j.value.empty() || !std::isfinite(j.gain)) continue;
-    all.push_back({c, j.gain, j.z, j.value});
+    Vec moves = Vec::Zero(p);
+    for (size_t k = 0; k < j.value.size(); ++k) moves -= j.value[k] * beta.row(i + static_cast<Index>(k)).transpose();
+    all.push_back({c, j.gain, j.z, j.value, moves});
   }
   std::sort(all.begin(), all.end(), [](const Screened& a, const Screened& b) { return a.gain > b.gain; });
   for (const Screened& s : all) {
