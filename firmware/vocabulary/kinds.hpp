@@ -68,6 +68,7 @@ enum class EffectKind : uint8_t {
   kSensorOffset,
   kForceHold,
   kDriveDeadBand,
+  kAcCoupling,
   kCount
 };
 constexpr int kEffectKinds = static_cast<int>(EffectKind::kCount);

@@ -10,5 +10,7 @@ namespace rig_file {
 const ChannelEntry* entry_of(const RigModel& model, const std::string& channel);
 // How late it is against the others, s; 0 where the file says nothing.
 double stated_delay_s(const RigModel& model, const std::string& channel);
+// Corner of the high-pass that it has passed, Hz; 0 where the file says nothing.
+double stated_coupling_Hz(const RigModel& model, const std::string& channel);
 
 }  // namespace rig_file

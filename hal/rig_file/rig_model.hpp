@@ -43,9 +43,10 @@ struct ChannelEntry {
   // The converter's rails, a code at or beyond them is a saturated sensor; equal: not told.
   int lowest_code = 0;
   int highest_code = 0;
-  std::string column;       // of the data file that holds the channel: "Chan 3"; empty: the channel's name
-  std::string unit;         // that column is in: "g"; empty: what the file says
-  std::string sensitivity;  // of a sensor whose column is a voltage: "100 mV/g"
+  std::string column;           // of the data file that holds the channel: "Chan 3"; empty: the channel's name
+  std::string unit;             // that column is in: "g"; empty: what the file says
+  std::string sensitivity;      // of a sensor whose column is a voltage: "100 mV/g"
+  double ac_coupling_Hz = 0.0;  // corner of the first-order high-pass that the channel has passed; 0: none
 };
 
 struct RigModel {

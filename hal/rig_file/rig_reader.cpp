@@ -161,9 +161,12 @@ void read_codes(const Place& place, const toml::table& table, ChannelEntry& entr
   entry.highest_code = highest;
 }
 
+constexpr double kHighestCoupling_Hz = 100.0;  // of a sensor's own; piezo sensors and inputs have 0.02 to 10
+
 void read_channels(const toml::table& root, const ReadOptions& options, RigModel& model) {
-  std::vector<std::string> known = {"name",        "delay_us",     "unit_per_code", "offset_code", "full_scale_code",
-                                    "lowest_code", "highest_code", "column",        "unit",        "sensitivity"};
+  std::vector<std::string> known = {"name",          "delay_us",     "unit_per_code", "offset_code", "full_scale_code",
+                                    "lowest_code",   "highest_code", "column",        "unit",        "sensitivity",
+                                    "ac_coupling_Hz"};
   known.insert(known.end(), options.other_channel_keys.begin(), options.other_channel_keys.end());
   for (const toml::table* table : table_array({model.file, ""}, root, "channel")) {
     const Place place{model.file, "channel " + std::to_string(model.channels.size() + 1)};
@@ -182,6 +185,11 @@ void read_channels(const toml::table& root, const ReadOptions& options, RigModel
       entry.delay_us = finite_number(place, *node, "delay_us");
       if (entry.delay_us < -1e6 || entry.delay_us > 1e6)
         refuse(place, *node, "delay_us", "is over a second, expected -1e6 to 1e6");
+    }
+    if (const auto* node = optional("ac_coupling_Hz")) {
+      entry.ac_coupling_Hz = finite_number(place, *node, "ac_coupling_Hz");
+      if (entry.ac_coupling_Hz < 0.0 || entry.ac_coupling_Hz > kHighestCoupling_Hz)
+        refuse(place, *node, "ac_coupling_Hz", "is no corner of a sensor's own, expected 0 to 100");
     }
     if (const auto* node = optional("unit_per_code")) {
       entry.unit_per_code = finite_number(place, *node, "unit_per_code");

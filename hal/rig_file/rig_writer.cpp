@@ -57,6 +57,7 @@ std::string format_link(const RigModel& model, const Link& link) {
 std::string format_channel(const ChannelEntry& channel) {
   std::string text = "\n[[channel]]\nname = " + quoted(channel.name) + "\n";
   if (channel.delay_us != 0.0) text += "delay_us = " + number(channel.delay_us) + "\n";
+  if (channel.ac_coupling_Hz != 0.0) text += "ac_coupling_Hz = " + number(channel.ac_coupling_Hz) + "\n";
   if (channel.unit_per_code != 0.0) text += "unit_per_code = " + number(channel.unit_per_code) + "\n";
   if (channel.offset_code != 0) text += "offset_code = " + std::to_string(channel.offset_code) + "\n";
   if (channel.lowest_code != channel.highest_code)

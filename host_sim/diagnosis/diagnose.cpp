@@ -19,6 +19,7 @@
 #include "choice/rounded_jumps.hpp"
 #include "choice/wrong_numbers.hpp"
 #include "record/riding.hpp"
+#include "sensors/ac_coupling.hpp"
 
 namespace diagnosis {
 
@@ -186,14 +187,40 @@ Diagnosis judged_behind_filters(const Asked& asked) {
   return runs::of_lag_and_filter(behind_lag, judged({rig, fitted, unseen, silent, ground_known}, lag_s), corner_Hz);
 }
 
+// With the high-passes undone in the records and named.
+Diagnosis judged_without(const std::vector<SensorFault>& couplings, const Asked& asked) {
+  Diagnosis told;
+  name_ac_couplings(couplings, told);
+  std::vector<host_sim::Record> training = asked.training, holdout = asked.holdout;
+  for (std::vector<host_sim::Record>* records : {&training, &holdout})
+    host_sim::undo_ac_coupling(couplings_of(told), *records);
+  Diagnosis d = judged_behind_filters({asked.rig, training, holdout, asked.options, asked.ground_known});
+  name_ac_couplings(couplings, d);
+  return d;
+}
+
+// A high-pass that channels of one DOF tell of is undone before anything else is judged. Where the rig does not fit then, the force may
+// have one too.
+Diagnosis judged_as_coupled(const Asked& asked) {
+  std::vector<SensorFault> couplings = ac_couplings(asked);
+  if (couplings.empty()) return judged_behind_filters(asked);
+  const Diagnosis of_motion = judged_without(couplings, asked);
+  const std::vector<SensorFault> forces = forces_coupled_alike(couplings, asked.training.front());
+  if (of_motion.causes.size() == couplings.size() && of_motion.baseline_misfit < kStillNoise) return of_motion;
+  if (forces.empty()) return of_motion;
+  couplings.insert(couplings.end(), forces.begin(), forces.end());
+  const Diagnosis of_all = judged_without(couplings, asked);
+  return pays_unseen(of_all, of_motion) ? of_all : of_motion;
+}
+
 }  // namespace
 
 Diagnosis diagnose(const rig_file::RigModel& rig, const std::vector<host_sim::Record>& training,
                    const std::vector<host_sim::Record>& holdout, const Options& options) {
   if (training.empty()) throw CannotAnswer("no record to diagnose");
-  if (!on_measured_base(rig, training)) return judged_behind_filters({rig, training, holdout, options});
+  if (!on_measured_base(rig, training)) return judged_as_coupled({rig, training, holdout, options});
   const std::vector<host_sim::Record> riding_training = riding(rig, training), riding_holdout = riding(rig, holdout);
-  return judged_behind_filters({rig, riding_training, riding_holdout, options, !base_runs_on(training)});
+  return judged_as_coupled({rig, riding_training, riding_holdout, options, !base_runs_on(training)});
 }
 
 }  // namespace diagnosis

@@ -85,7 +85,7 @@ inline Force constant(const Point&, const Shape&) {
   f.value = 1.0;
   return f;
 }
-// A hold changes what drives the rig between samples; no force of its own acts.
+// A hold changes what drives the rig between samples, a high-pass remembers what its channel has read: no force of the moment.
 inline Force none(const Point&, const Shape&) { return {}; }
 inline Force one_way_damper(const Point& at, const Shape&) {
   Force f;

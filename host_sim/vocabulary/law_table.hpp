@@ -46,6 +46,7 @@ inline constexpr Law kLaws[] = {
     plain(EffectKind::kSensorOffset, laws::constant),
     plain(EffectKind::kForceHold, laws::none),
     plain(EffectKind::kDriveDeadBand, laws::within_gap),
+    plain(EffectKind::kAcCoupling, laws::none),
 };
 
 constexpr bool a_law_for_each_row() {

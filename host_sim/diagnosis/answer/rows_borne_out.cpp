@@ -28,10 +28,11 @@ struct Found {
   }
 };
 
-// Gains and delays of motion channels, one per channel and kind. A hum is a nuisance and no cause of what the rig does.
+// Gains and delays of motion channels, one per channel and kind. A hum is a nuisance and no cause of what the rig does; a
+// high-pass has been undone in the record.
 void add_faults(const std::vector<SensorFault>& faults, Found& found) {
   for (const SensorFault& f : faults) {
-    if (is_hum(f.kind)) continue;
+    if (is_hum(f.kind) || f.kind == FaultKind::kAcCoupling) continue;
     Candidate c;
     c.terms = {on_dof(f.kind == FaultKind::kGain ? Kind::kChannelGain : Kind::kChannelDelay, static_cast<int>(f.dof))};
     c.terms[0].quantity = static_cast<int>(f.quantity);

@@ -7,15 +7,21 @@ namespace diagnosis {
 namespace {
 
 const char* word_of(FaultKind kind) {
-  return kind == FaultKind::kDelay ? "sensor_delay" : kind == FaultKind::kGain ? "sensor_gain" : "mains_hum";
+  return kind == FaultKind::kDelay        ? "sensor_delay"
+         : kind == FaultKind::kGain       ? "sensor_gain"
+         : kind == FaultKind::kAcCoupling ? "ac_coupling"
+                                          : "mains_hum";
 }
 
 // A hum has the unit of its channel.
 std::string unit_of(const SensorFault& fault) {
   constexpr const char *kUnits[] = {"m", "m/s", "m/s^2"}, *kAngles[] = {"rad", "rad/s", "rad/s^2"};
+  if (fault.kind == FaultKind::kAcCoupling) return "Hz";
   if (!is_hum(fault.kind)) return fault.kind == FaultKind::kDelay ? "s" : "1";
   return (fault.channel.find("_rad") != std::string::npos ? kAngles : kUnits)[fault.quantity];
 }
+
+}  // namespace
 
 Cause cause_of(const SensorFault& fault) {
   Cause c;
@@ -29,13 +35,12 @@ Cause cause_of(const SensorFault& fault) {
   return c;
 }
 
-}  // namespace
-
 NamedPlace named_place(const SensorFault& fault) { return {word_of(fault.kind), "channel " + fault.channel}; }
 
 void report_faults(const std::vector<SensorCheck>& checks, Diagnosis& d) {
   for (const SensorCheck& check : checks)
     for (size_t i = 0; i < check.faults.size(); ++i) {
+      if (check.faults[i].kind == FaultKind::kAcCoupling) continue;  // is named before (ac_coupling.hpp)
       const Cause cause = cause_of(check.faults[i]);
       const auto same = [&](const Cause& c) { return c.effect == cause.effect && c.where == cause.where; };
       if (std::any_of(d.causes.begin(), d.causes.end(), same)) continue;  // the same fault in a further record

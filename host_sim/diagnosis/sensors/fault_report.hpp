@@ -11,6 +11,7 @@ namespace diagnosis {
 void report_faults(const std::vector<SensorCheck>& checks, Diagnosis& d);
 
 NamedPlace named_place(const SensorFault& fault);
+Cause cause_of(const SensorFault& fault);
 
 // The smallest fault of each motion channel that would have been named; of several records the best.
 std::vector<DetectionLimit> fault_limits(const std::vector<SensorCheck>& checks);

@@ -14,6 +14,7 @@ namespace diagnosis {
 namespace {
 
 constexpr double kThreshold = 25;  // fall of chi-squared that names a fault
+constexpr double kSame = 12;       // of chi-squared: two that differ by less explain as well
 constexpr int kMostFaults = 3;
 
 // Spectra of the mains' waves that a record could show, cosine and sine, under the outer weight.
@@ -34,10 +35,13 @@ Hums hums_of(const FusedRecord& f) {
 }
 
 std::vector<FaultKind> kinds_of(const Hums& hums) {
-  std::vector<FaultKind> list{FaultKind::kDelay, FaultKind::kGain};
+  std::vector<FaultKind> list{FaultKind::kDelay, FaultKind::kGain, FaultKind::kAcCoupling};
   for (const auto& hum : hums) list.push_back(hum.first);
   return list;
 }
+
+// Accelerometers have a high-pass of their own. Of what is slower in a displacement or a velocity, drift has more.
+bool may_have(FaultKind kind, size_t quantity) { return kind != FaultKind::kAcCoupling || quantity == 2; }
 
 std::vector<SensorFault> candidates(const FusedRecord& f, const Hums& hums, size_t dof) {
   const DofSpectra& s = f.spectra[dof];
@@ -47,11 +51,15 @@ std::vector<SensorFault> candidates(const FusedRecord& f, const Hums& hums, size
   for (size_t q = 0; q < 3; ++q) {
     if (!s.measured[q]) continue;
     for (FaultKind kind : kinds_of(hums)) {
+      if (!may_have(kind, q)) continue;
       Eigen::MatrixXd columns(residual.size(), is_hum(kind) ? 2 : 1);
       if (kind == FaultKind::kGain) {
         columns.col(0) = rows.disturbance(q, [&](Eigen::Index i) { return rows.seen(i, q); });
       } else if (kind == FaultKind::kDelay) {
         columns.col(0) = rows.disturbance(q, [&](Eigen::Index i) { return Complex(0, -f.omega(i)) * rows.seen(i, q); });
+      } else if (kind == FaultKind::kAcCoupling) {  // jw / (jw + wc) is 1 + j wc / w for small wc
+        columns.col(0) =
+            rows.disturbance(q, [&](Eigen::Index i) { return Complex(0, kTwoPi / f.omega(i)) * rows.seen(i, q); });
       } else {
         for (Eigen::Index phase = 0; phase < 2; ++phase) {
           const Spectrum& wave = hums.at(kind)[static_cast<size_t>(phase)];
@@ -71,12 +79,17 @@ std::vector<SensorFault> candidates(const FusedRecord& f, const Hums& hums, size
   return list;
 }
 
+// (jw + wc) / jw
+Complex undone_coupling(double omega, double corner_Hz) { return {1, -kTwoPi * corner_Hz / omega}; }
+
 void correct(FusedRecord& f, const Hums& hums, const SensorFault& fault) {
   Spectrum& z = f.spectra[fault.dof].z[fault.quantity];
   if (fault.kind == FaultKind::kGain) {
     z /= 1 + std::clamp(fault.value, -0.5, 1.0);
   } else if (fault.kind == FaultKind::kDelay) {
     for (Eigen::Index i = 0; i < z.size(); ++i) z[i] *= std::exp(Complex(0, f.omega(i) * fault.value));
+  } else if (fault.kind == FaultKind::kAcCoupling) {
+    for (Eigen::Index i = 1; i < z.size(); ++i) z[i] *= undone_coupling(f.omega(i), fault.value);
   } else {
     z -= fault.value * hums.at(fault.kind)[0] + fault.quadrature * hums.at(fault.kind)[1];
   }
@@ -92,7 +105,7 @@ std::vector<SensorFault> smallest_faults(const FusedRecord& f, const Hums& hums,
   if (f.spectra[dof].count() > 1) return seen;
   for (size_t q = 0; q < 3; ++q)
     for (FaultKind kind : kinds_of(hums))
-      if (f.spectra[dof].measured[q])
+      if (f.spectra[dof].measured[q] && may_have(kind, q))
         seen.push_back({kind, dof, q, f.spectra[dof].channel[q], std::numeric_limits<double>::infinity(), 0, 0, 0});
   return seen;
 }
@@ -114,28 +127,61 @@ double strongest_fault(const FusedRecord& f, size_t dof) {
   return list.empty() ? 0 : list.front().score;
 }
 
+namespace {
+
+using Faults = std::vector<SensorFault>;
+
+auto known_among(Faults& found, const SensorFault& fault) {
+  return std::find_if(found.begin(), found.end(), [&](const SensorFault& s) { return same_fault(s, fault); });
+}
+
+// A corner is not negative, but for a further step of one that was found. And of one tone a high-pass is a delay: what explains as
+// much without a memory of its own comes first.
+Faults possible_faults(const FusedRecord& f, const Hums& hums, size_t dof, Faults& found) {
+  Faults list = candidates(f, hums, dof);
+  const auto coupling = [&](const SensorFault& s) {
+    return s.kind == FaultKind::kAcCoupling && known_among(found, s) == found.end();
+  };
+  list.erase(
+      std::remove_if(list.begin(), list.end(), [&](const SensorFault& s) { return coupling(s) && s.value <= 0; }),
+      list.end());
+  if (list.empty() || !coupling(list[0])) return list;
+  const auto other = std::find_if(list.begin(), list.end(), [&](const SensorFault& s) { return !coupling(s); });
+  if (other != list.end() && other->score > list[0].score - kSame) std::rotate(list.begin(), other, other + 1);
+  return list;
+}
+
+// A further step of a fault. Corners add up; two high-passes in a row would be of second order.
+void correct_further(FusedRecord& f, const Hums& hums, const SensorFault& total, const SensorFault& step) {
+  if (step.kind != FaultKind::kAcCoupling) return correct(f, hums, step);
+  Spectrum& z = f.spectra[step.dof].z[step.quantity];
+  for (Eigen::Index i = 1; i < z.size(); ++i)
+    z[i] *= undone_coupling(f.omega(i), total.value) / undone_coupling(f.omega(i), total.value - step.value);
+}
+
+}  // namespace
+
 SensorCheck check_sensors(FusedRecord& f) {
   SensorCheck check;
   const Hums hums = hums_of(f);
   for (size_t dof = 0; dof < f.spectra.size(); ++dof) {
-    std::vector<SensorFault> found;
-    std::vector<SensorFault> list;
-    if (f.spectra[dof].count() > 1) list = candidates(f, hums, dof);
+    Faults found, list;
+    if (f.spectra[dof].count() > 1) list = possible_faults(f, hums, dof, found);
     for (int round = 0; round < 8 && !list.empty() && list[0].score >= kThreshold; ++round) {
-      const auto known =
-          std::find_if(found.begin(), found.end(), [&](const SensorFault& s) { return same_fault(s, list[0]); });
+      const auto known = known_among(found, list[0]);
       if (known == found.end() && found.size() == kMostFaults) break;
       if (known != found.end()) {
         accumulate(*known, list[0]);
+        correct_further(f, hums, *known, list[0]);
       } else {
         found.push_back(list[0]);
         check.rivals.emplace_back();
         for (size_t i = 1; i < list.size(); ++i)
-          if (list[i].score > list[0].score - 12) check.rivals.back().push_back(list[i]);
+          if (list[i].score > list[0].score - kSame) check.rivals.back().push_back(list[i]);
+        correct(f, hums, list[0]);
       }
-      correct(f, hums, list[0]);
       estimate_noise(f);
-      list = candidates(f, hums, dof);
+      list = possible_faults(f, hums, dof, found);
     }
     check.faults.insert(check.faults.end(), found.begin(), found.end());
     const std::vector<SensorFault> smallest = smallest_faults(f, hums, dof, list);

@@ -9,7 +9,7 @@
 
 namespace diagnosis {
 
-enum class FaultKind { kDelay, kGain, kHum50, kHum60 };
+enum class FaultKind { kDelay, kGain, kAcCoupling, kHum50, kHum60 };
 inline bool is_hum(FaultKind kind) { return kind == FaultKind::kHum50 || kind == FaultKind::kHum60; }
 inline double hum_Hz(FaultKind kind) { return kind == FaultKind::kHum50 ? 50 : 60; }
 
@@ -21,7 +21,7 @@ struct SensorFault {
   size_t dof = 0;       // index into FusedRecord::spectra
   size_t quantity = 0;  // displacement, velocity, acceleration
   std::string channel;
-  double value = 0;       // delay s; gain error 1; hum: amplitude of the cosine, channel's unit
+  double value = 0;       // delay s; gain error 1; corner Hz; hum: amplitude of the cosine, channel's unit
   double quadrature = 0;  // hum: amplitude of the sine
   double std = 0;
   double score = 0;  // gain of chi-squared over the noise that remains

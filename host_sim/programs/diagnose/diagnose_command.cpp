@@ -7,6 +7,7 @@
 #include "host_sim/data_check/ripple.hpp"
 #include "host_sim/data_check/work.hpp"
 #include "host_sim/diagnosis/diagnosis.hpp"
+#include "host_sim/diagnosis/sensors/ac_coupling.hpp"
 #include "host_sim/programs/commands.hpp"
 #include "host_sim/programs/diagnose/diagnosis_text.hpp"
 #include "host_sim/programs/diagnose/driven_records.hpp"
@@ -59,6 +60,8 @@ void diagnose(const DiagnoseArguments& arguments) {
     line.begin("searching for what the rig file lacks");
     found = diagnosis::diagnose(model, training, holdout, options);
     for (const std::string& told : data_check::ripples_of(check)) found.advice.push_back(told);
+    for (std::vector<Record>* records : {&training, &holdout})
+      undo_ac_coupling(diagnosis::couplings_of(found), *records);
     line.begin("simulating what was found");
     data = reports::findings_of(model, training, holdout, found);
     if (!arguments.report.empty()) {

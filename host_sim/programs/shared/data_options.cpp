@@ -10,6 +10,7 @@
 #include "host_sim/ingestion/record_reader.hpp"
 #include "host_sim/programs/shared/above_nought.hpp"
 #include "host_sim/programs/shared/failures.hpp"
+#include "host_sim/records/ac_coupling.hpp"
 
 namespace host_sim {
 namespace {
@@ -103,6 +104,7 @@ std::vector<Record> read_data(const std::vector<std::string>& paths, const rig_f
         if (said.insert(note).second) std::fprintf(stderr, "%s: %s\n", record.file.c_str(), note.c_str());
       records.push_back(std::move(record));
     }
+  undo_ac_coupling(stated_ac_couplings(model), records);
   return records;
 }
 
