@@ -37,6 +37,23 @@ bool stands_in(const RowLayout& layout, int dof, int unknown) {
 
 bool is_conservative(TermKind kind) { return (kConservativeTerms >> static_cast<int>(kind) & 1) != 0; }
 
+namespace {
+
+bool of_one_channel(const CoreConfiguration& configuration, int dof, Quantity one, Quantity other) {
+  if (configuration.fuses(dof)) return false;
+  const SignalConfiguration &a = configuration.signals[dof][static_cast<int>(one)],
+                            &b = configuration.signals[dof][static_cast<int>(other)];
+  return (a.derived || b.derived) && a.source == b.source;
+}
+
+uint8_t discrepancies_of_one_channel(const CoreConfiguration& configuration, int dof) {
+  const bool kinetic = of_one_channel(configuration, dof, Quantity::kVelocity, Quantity::kAcceleration);
+  const bool elastic = of_one_channel(configuration, dof, Quantity::kDisplacement, Quantity::kVelocity);
+  return static_cast<uint8_t>((kinetic ? 1 : 0) | (elastic ? 2 : 0) | (kinetic && elastic ? 4 : 0));
+}
+
+}  // namespace
+
 EquationList list_equations(const CoreConfiguration& configuration, const BatchTable& table) {
   EquationList list;
   list.dof_count = configuration.dof_count;
@@ -52,6 +69,8 @@ EquationList list_equations(const CoreConfiguration& configuration, const BatchT
       list.equation[list.count++] = {static_cast<uint8_t>(i), Weight::kDisplacement};
 
   for (int i = 0; i < list.dof_count; ++i) list.neighbours[i] = uint32_t{1} << i;
+  for (int i = 0; kDerivesSignals && i < list.dof_count; ++i)
+    list.of_one_channel[kDerivesSignals ? i : 0] = discrepancies_of_one_channel(configuration, i);
   for (int l = 0; l < configuration.link_count; ++l) {
     const int a = configuration.links[l].node_a, b = configuration.links[l].node_b;
     if (a >= list.dof_count || b >= list.dof_count) continue;

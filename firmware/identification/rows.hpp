@@ -23,6 +23,13 @@ struct EquationList {
   bool displacement = false;  // there are displacement rows: equation[dof_count + i]
   Equation equation[kMaxEquations];
   uint32_t neighbours[kMaxDofs] = {};  // bit j: a link joins DOFs i and j, or i == j
+  // Bits of the DOF's discrepancies (kinetic, elastic, kinetic of the displacement) among signals of one channel: they show no noise
+  // of its own, only what the filter that made one of the other misses, and that goes with the motion.
+  uint8_t of_one_channel[kDerivesSignals ? kMaxDofs : 1] = {};
+
+  bool shows_noise(int dof, int which) const {
+    return !kDerivesSignals || (of_one_channel[kDerivesSignals ? dof : 0] >> which & 1) == 0;
+  }
 };
 
 // sum over unknowns of column * p = rhs, energies in J.
