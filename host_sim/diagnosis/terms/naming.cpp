@@ -22,6 +22,8 @@ rig_file::Effect as_effect(const Term& t, double value, bool rotating) {
     if (!key.empty() && (shapes[i] > 0 || t.kind == Kind::kResonance || (i == 1 && t.kind == Kind::kCogging)))
       e.shape[key] = shapes[i];
   }
+  // what the core cannot estimate stands with its value: the file is read by all commands, and the effect is known
+  e.coefficient.estimate = e.coefficient.estimate && rig_file::in_core(e, rotating);
   return e;
 }
 
