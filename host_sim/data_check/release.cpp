@@ -23,6 +23,7 @@ constexpr double kLoud = 0.05;        // of the largest energy: less is no blow 
 constexpr double kShareOfIt = 0.25;   // of what is loud, at least, has to be decay: else something drives the rig
 constexpr size_t kMostRecords = 8;    // of one call
 constexpr double kRestEnergy = 0.01;  // of the largest: a tenth of the motion
+constexpr size_t kLeastSamples = 128;  // of a record that estimate and diagnose both take
 constexpr double kLeastPeriods = 4.0;  // of the decay: of fewer half of one is too much to lose
 constexpr double kLongPeriods = 16.0;  // of so many a whole one is not
 constexpr size_t kHops = 4;            // windows that begin within a period
@@ -161,11 +162,19 @@ bool decays_enough(const Windows& energy, const std::vector<Decay>& decays) {
   return static_cast<double>(in_decays) > kShareOfIt * static_cast<double>(all);
 }
 
-}  // namespace
+// In the order of time. silent: at rest, beside another; noise that happens to fall is no decay.
+struct FoundDecay {
+  DecaySpan span;
+  bool silent = false;
+};
 
-std::vector<DecaySpan> free_decays(const Record& record) {
+std::vector<FoundDecay> found_decays(const Record& record) {
   if (record.samples() < 64 || is_driven(record)) return {};
-  if (std::vector<DecaySpan> coasting = coasting_decays(record); !coasting.empty()) return coasting;
+  if (std::vector<DecaySpan> coasting = coasting_decays(record); !coasting.empty()) {
+    std::vector<FoundDecay> found;
+    for (const DecaySpan& span : coasting) found.push_back({span});
+    return found;
+  }
   std::map<int, const Channel*> channels;
   double period = 0.0;
   for (const Channel& channel : record.channels)
@@ -181,52 +190,77 @@ std::vector<DecaySpan> free_decays(const Record& record) {
   for (const Span& span : parts)
     if (const auto decay = decay_in(energy, span)) decays.push_back(*decay);
   if (decays.empty() || !decays_enough(energy, decays)) return {};
-  std::vector<DecaySpan> spans;
+  std::vector<FoundDecay> found;
+  const double rest = kRestEnergy * *std::max_element(energy.begin(), energy.end());
   for (const Decay& d : decays) {
     // an accelerometer shows the blow itself, at the end of the first period that has all its energy
     const size_t lost = d.from == 0 || d.clipped ? 0 : d.periods < kLongPeriods ? kHops / 2 : kHops;
-    spans.push_back(
-        {(d.from + lost) * hop, d.to == energy.size() ? record.samples() : (d.to + kHops - 1) * hop, d.clipped});
+    const size_t to = d.to == energy.size() ? record.samples() : (d.to + kHops - 1) * hop;
+    found.push_back({{(d.from + lost) * hop, to, d.clipped}, energy[d.from] < rest});
   }
-  return spans;
+  return found;
 }
+
+// Those that tell of the rig, and the others: of noise before a blow, and too short ones beside one that is long enough.
+struct SortedDecays {
+  std::vector<DecaySpan> kept, dropped;
+};
+SortedDecays sorted_decays(const Record& record) {
+  const std::vector<FoundDecay> found = found_decays(record);
+  const auto tells = [](const FoundDecay& d) { return !d.silent && d.span.to >= d.span.from + kLeastSamples; };
+  const bool any = std::any_of(found.begin(), found.end(), tells);
+  SortedDecays sorted;
+  for (const FoundDecay& d : found) (any && !tells(d) ? sorted.dropped : sorted.kept).push_back(d.span);
+  return sorted;
+}
+
+}  // namespace
+
+std::vector<DecaySpan> free_decays(const Record& record) { return sorted_decays(record).kept; }
 
 namespace {
 
 // Nothing where the decays are the whole record.
-std::optional<Finding> finding_of(const Record& record, const std::vector<DecaySpan>& decays) {
+std::optional<Finding> finding_of(const Record& record, const SortedDecays& sorted) {
+  const std::vector<DecaySpan>& decays = sorted.kept;
   if (decays.empty() || (decays.size() == 1 && decays[0].from == 0 && decays[0].to == record.samples()))
     return std::nullopt;
   const auto at = [&](size_t sample) { return said_instant_s(record, static_cast<double>(sample)); };
-  std::string list;
-  for (const DecaySpan& d : decays) list += (list.empty() ? "" : ", ") + at(d.from) + " to " + at(d.to) + " s";
+  const auto listed = [&](const std::vector<DecaySpan>& spans) {
+    std::string list;
+    for (const DecaySpan& d : spans) list += (list.empty() ? "" : ", ") + at(d.from) + " to " + at(d.to) + " s";
+    return list;
+  };
   const bool clipped = std::any_of(decays.begin(), decays.end(), [](const DecaySpan& d) { return d.clipped; });
   return Finding{"release", Weight::kInforms, "",
-                 "decays freely from " + list + "; elsewhere " +
+                 "decays freely from " + listed(decays) + "; elsewhere " +
                      (clipped ? "a channel is at the end of its range, or " : "") +
                      "energy comes in that no force channel tells of (a hand, a pull, a blow; a hidden "
-                     "mass that beats with it): left out by estimate and diagnose",
+                     "mass that beats with it): left out by estimate and diagnose" +
+                     (sorted.dropped.empty()
+                          ? ""
+                          : ", and so is " + listed(sorted.dropped) + ", which is at rest or too short to tell"),
                  static_cast<double>(decays[0].from) * record.sample_period_s};
 }
 
 }  // namespace
 
-std::optional<Finding> find_release(const Record& record) { return finding_of(record, free_decays(record)); }
+std::optional<Finding> find_release(const Record& record) { return finding_of(record, sorted_decays(record)); }
 
 std::vector<std::string> keep_decays(std::vector<Record>& records) {
   std::vector<std::string> told;
   std::vector<Record> kept;
   size_t room = records.size() < kMostRecords ? kMostRecords - records.size() : 0;
   for (Record& record : records) {
-    const std::vector<DecaySpan> decays = free_decays(record);
-    const auto finding = finding_of(record, decays);
+    const SortedDecays sorted = sorted_decays(record);
+    const auto finding = finding_of(record, sorted);
     if (!finding) {
       kept.push_back(std::move(record));
       continue;
     }
     told.push_back(record.file + ": " + finding->detail);
     size_t number = 0;
-    for (const DecaySpan& d : decays) {
+    for (const DecaySpan& d : sorted.kept) {
       if (number > 0 && room == 0) break;
       room -= number > 0 ? 1 : 0;
       Record part = record;

@@ -21,10 +21,11 @@ struct DecaySpan {
 // quarter, and is seen for at least four periods. Of a decay that does not begin with the record one period more is
 // lost (half of one where it lasts fewer than 16). A decay whose start is clipped begins behind it. What follows a wrong start is a free decay still: of beats with a
 // hidden mass some are lost. Empty where there is none such, or where three quarters of the loud part of the record are
-// none (ambient vibration, a rig that drives itself). What turns or rolls one way has no period: coasting.hpp.
+// none (ambient vibration, a rig that drives itself). Beside one that is long enough neither noise before a trigger nor what has
+// too few samples is one. What turns or rolls one way has no period: coasting.hpp.
 std::vector<DecaySpan> free_decays(const Record& record);
 
-// Tells of them, where they are not the whole record.
+// Tells of them and of what was dropped beside them, where they are not the whole record.
 std::optional<Finding> find_release(const Record& record);
 
 // Takes all else off the records: each decay becomes a record, eight at most where a file holds several. One sentence for each

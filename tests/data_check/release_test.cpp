@@ -152,6 +152,31 @@ TEST(Release, OfSeveralBlowsMakesSeveralRecords) {
   EXPECT_EQ(records[2].file, "made.csv, decay 3");
 }
 
+// 5 Hz, blows of one.
+double after_blow(double t, double tau_s) { return t < 0 ? 0.0 : std::exp(-t / tau_s) * std::sin(2 * kPi * 5.0 * t); }
+
+// Before a trigger at 5 s something of 5 % of the blow dies away: a quarter of a hundredth of its energy.
+TEST(Release, IsNotFoundInTheRestBeforeABlow) {
+  const auto y = [](double t) {
+    return after_blow(t - 5, 1) + 0.05 * std::exp(-t / 1.5) * std::cos(2 * kPi * 5.0 * t);
+  };
+  std::vector<Record> records = {record_of(y)};
+  const auto told = host_sim::data_check::keep_decays(records);
+  ASSERT_EQ(records.size(), 1u);
+  EXPECT_GT(records[0].start_s, 5.0);
+  EXPECT_NE(told.at(0).find("at rest or too short"), std::string::npos) << told[0];
+}
+
+// 1.2 s between two blows are six periods, less one that is lost and one that reaches into the next blow: 80 to 110 samples, of
+// which nothing can be told. The second one has 10 s.
+TEST(Release, IsDroppedWhereItIsTooShortBesideALongOne) {
+  std::vector<Record> records = {record_of([](double t) { return after_blow(t - 0.5, 0.6) + after_blow(t - 1.7, 2); })};
+  const auto told = host_sim::data_check::keep_decays(records);
+  ASSERT_EQ(records.size(), 1u);
+  EXPECT_GT(records[0].start_s, 1.7);
+  EXPECT_NE(told.at(0).find("at rest or too short"), std::string::npos) << told[0];
+}
+
 // Not more than eight records come of one call, and no file loses all of its own.
 TEST(Release, OfMoreThanEightBlowsKeepsEight) {
   const auto y = [](double t) {
