@@ -71,6 +71,7 @@ Choice rig_fitted(const Task& task) {
   const Model start = now.model;
   choice.periods = horizon(task, now, longest_horizon(task.records), massless(now.model));
   from_smooth_start(task, start, now, choice.periods);
+  if (!massless(start) && !follows(task, now, false)) over_longer(task, start, choice.periods, now);
   settle_unseen(task, now);
   choice.base = choice.final = now;
   if (now.fit.ok) choice.base_left = choice.final_left = left_by(task.system, task.records, now);

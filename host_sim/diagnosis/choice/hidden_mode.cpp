@@ -51,7 +51,7 @@ bool adopted(const Task& task, const SpectralBalance& balance, const HiddenMode&
 }  // namespace
 
 bool name_hidden_mode(const Task& task, Choice& choice) {
-  if (massless(choice.base.model)) return false;
+  if (massless(choice.base.model) || task.records[0].base.given()) return false;  // sought beside forces alone
   const SpectralBalance balance = spectral_balance(task.system, task.records, choice.base.model);
   const std::optional<HiddenMode> mode = hidden_mode(balance, choice.base.model);
   if (!mode || mode->left > kWorthAFit) return false;

@@ -165,4 +165,28 @@ double horizon(const Task& task, State& s, double from, bool massless) {
   }
 }
 
+// Noise and steps of a channel make a short window's start, and the window misses what that moves; over a long one the motion outweighs
+// them. The windows' lengths go up to all that is seen; those that are followed are the longest.
+bool over_longer(const Task& task, const Model& start, double& periods, State& s) {
+  double whole = 0;
+  for (const Prepared& p : task.records)
+    whole = std::max(whole, static_cast<double>(p.samples) * p.step_s / p.period_s);
+  if (longest_horizon(task.records) >= whole) return false;
+  std::vector<Model> starts{start};
+  if (const auto balanced = balanced_numbers(task.system, task.records, start)) starts.push_back(*balanced);
+  for (double longer = std::min(whole, 2 * longest_horizon(task.records));; longer = std::min(whole, 2 * longer)) {
+    for (const Model& model : starts) {
+      State other;
+      other.model = model;
+      lay(task, longer, other, kEnough);
+      settle_seen(task, other);
+      if (other.unseen.empty() != s.unseen.empty() || !follows(task, other, false)) continue;
+      periods = longer, s = other;
+      widen(task, whole, periods, s);
+      return true;
+    }
+    if (longer >= whole) return false;
+  }
+}
+
 }  // namespace diagnosis::runs

@@ -21,5 +21,8 @@ bool widen(const Task& task, double longest, double& periods, State& s, double m
 // The longest windows, of `from` periods at most, that the model follows, and the model fitted over them. Returns their
 // periods.
 double horizon(const Task& task, State& s, double from, bool massless);
+// Where the model follows no windows, longer ones than horizon() begins with, from the start values. False: it follows none of them, and
+// nothing is touched.
+bool over_longer(const Task& task, const Model& start, double& periods, State& s);
 
 }  // namespace diagnosis::runs

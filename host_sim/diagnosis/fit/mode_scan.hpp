@@ -15,7 +15,7 @@ struct HiddenMode {
 // The mode on a DOF that leaves the least, of positive mass beside positive masses and springs.
 std::optional<HiddenMode> hidden_mode(const SpectralBalance& balance, const Model& model);
 
-// The model with the numbers that balance the forces best, no mode beside them. None where no force drives the rig, or one of them is
+// The model with the numbers that balance the forces best, no mode beside them. None where nothing drives the rig, or one of them is
 // not possible.
 std::optional<Model> balanced_numbers(const System& system, const std::vector<Prepared>& records, const Model& model);
 

@@ -8,6 +8,8 @@ namespace diagnosis::runs {
 namespace {
 
 constexpr double kDriven = 1e-4;  // of the drive's highest power: less is its noise
+constexpr double kGoesWith =
+    0.5;  // of a DOF's power, with its base: an accelerometer drifts, and nothing moves with it
 
 bool linear_number(const ModelTerm& t) {
   const Kind k = t.term.kind;
@@ -15,13 +17,16 @@ bool linear_number(const ModelTerm& t) {
          k == Kind::kViscous || k == Kind::kMissingViscous;
 }
 
-// What a term of one unit makes of a DOF's balance, from all DOFs' accelerations in a bin.
+// What a term of one unit makes of a DOF's balance, from all DOFs' accelerations in a bin, and a moving base's behind them.
 Complex column_of(const System& system, const Term& t, int dof, double omega,
                   const std::vector<Complex>& acceleration) {
   if (t.link < 0) return t.dof == dof ? acceleration[static_cast<size_t>(dof)] : Complex(0);
   const rig_file::Link& l = system.links[static_cast<size_t>(t.link)];
   if (l.a != dof + 1 && l.b != dof + 1) return 0;
-  const auto of_end = [&](int end) { return end >= 1 ? acceleration[static_cast<size_t>(end - 1)] : Complex(0); };
+  const auto of_end = [&](int end) {
+    if (end >= 1) return acceleration[static_cast<size_t>(end - 1)];
+    return end == rig_file::kBase && acceleration.size() > system.dofs() ? acceleration.back() : Complex(0);
+  };
   const Complex across = of_end(l.a) - of_end(l.b), sign = l.a == dof + 1 ? 1 : -1;
   const bool damper = t.kind == Kind::kViscous || t.kind == Kind::kMissingViscous;
   return sign * (damper ? across / Complex(0, omega) : -across / (omega * omega));
@@ -40,9 +45,10 @@ void add_rows(const System& system, const Model& model, const std::vector<size_t
   for (Index i = 1; i < cross.hertz.size(); ++i) {
     const double hertz = cross.hertz[i], omega = kTwoPi * hertz, root = std::sqrt(cross.power[i]);
     if (hertz < low_Hz || hertz > high_Hz || !(cross.power[i] > driven)) continue;
+    if (cross.of_base && !(cross.coherence(i) > kGoesWith)) continue;
     std::vector<Complex> acceleration;
     for (const Eigen::VectorXcd& a : cross.acceleration) acceleration.push_back(a[i] / root);
-    for (size_t d = 0; d < cross.acceleration.size(); ++d) {
+    for (size_t d = 0; d < cross.force.size(); ++d) {
       Row row{static_cast<int>(d),
               hertz,
               {},
@@ -77,7 +83,7 @@ SpectralBalance spectral_balance(const System& system, const std::vector<Prepare
     if (!model[i].known && linear_number(model[i])) numbers.push_back(i);
   std::vector<Row> rows;
   for (const Prepared& p : records) {
-    if (p.base.given()) return {};
+    if (p.base.ridden) return {};
     for (const CrossSpectra& cross : cross_spectra(p))
       add_rows(system, model, numbers, cross, 0.5 / p.period_s, p.top_Hz, rows);
   }

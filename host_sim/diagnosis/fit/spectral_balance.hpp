@@ -16,7 +16,7 @@ struct SpectralBalance {
   Eigen::VectorXcd mode_acceleration;  // of the row's DOF, which carries a hidden mode
 };
 
-// No rows where no force drives the rig, or a moving base does. Friction and laws that are not linear have no part in it.
+// No rows where neither a force nor a base drives the rig, or the DOFs are known against the base alone. Friction and laws that are not linear have no part in it.
 SpectralBalance spectral_balance(const System& system, const std::vector<Prepared>& records, const Model& model);
 
 // The model with these numbers, one for each of the balance's.
