@@ -35,6 +35,14 @@ const Mat& of_quantity(const WindowRun& run, int quantity) {
   return quantity == 0 ? run.x : quantity == 1 ? run.v : run.a;
 }
 
+// Where the record's end moves too little to be judged by: the windows that were kept apart instead of it.
+std::vector<Window> unseen_of(const State& state, size_t record, const std::vector<Window>& end) {
+  std::vector<Window> list;
+  for (const Window& w : state.unseen)
+    if (w.record == record) list.push_back(w);
+  return list.empty() ? end : list;
+}
+
 // The zero of an accelerometer is free (it reads a part of gravity), and that of a gyroscope.
 void without_mean(Vec& y) { y.array() -= y.mean(); }
 
@@ -65,12 +73,18 @@ Score score_unseen(const Task& task, const State& state, const Vec* noise) {
     const double part_s = runs_on ? std::max(kRestart_s, p.period_s) : kRestart_s;
     const Index part =
         held || evaluator.massless() ? all - first : std::max<Index>(12, static_cast<Index>(part_s / p.step_s));
-    for (Index from = first; from + 12 <= all && finite; from += part) {
+    std::vector<Window> runs;
+    for (Index from = first; from + 12 <= all; from += part) {
       Window w;
       w.record = r, w.from = from, w.length = std::min(part, all - from);
       // the state at its start: as the first window of a short fit tells, where there is one
       for (const Window& u : state.unseen)
         if (u.record == r && u.from == from && u.state.size()) w.state = u.state;
+      runs.push_back(w);
+    }
+    if (!apart && ends_steadily(p, pushed, 0.3)) runs = unseen_of(state, r, runs);
+    for (Window w : runs) {
+      if (!finite) break;
       w.state = evaluator.carried_state(w);
       if (!evaluator.run(w, false, false, run)) {
         finite = false;

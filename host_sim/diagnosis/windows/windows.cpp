@@ -39,6 +39,15 @@ class Motion {
     }
     return std::sqrt(most);
   }
+  // The same of what is about the means: at constant speed nothing varies.
+  double varies(Index from, Index length) const {
+    double most = 0;
+    for (const Vec& v : rate_) {
+      const double all = rms_about_mean(v);
+      if (all > 0) most = std::max(most, rms_about_mean(v.segment(from, length)) / all);
+    }
+    return most;
+  }
   // Below it the record is at rest. One that comes to rest shows there what its motion owes to noise.
   double rest() const { return rest_; }
   const Prepared& record() const { return p_; }
@@ -73,9 +82,10 @@ class Motion {
 // Of a period: a reversal of regular motion is no rest of that length.
 constexpr Index kFine = 16;
 
-// Of the record's motion: a last part that moves less shows little of what acts at the motion before. Then every third window
-// is kept apart instead.
+// Of the record's motion: a last part that moves less, or at a speed as constant, shows little of what acts at the motion before. Then
+// every third window is kept apart instead.
 constexpr double kQuiet = 0.5;
+constexpr double kConstant = 0.1;  // of what the record's rates vary
 constexpr Index kEvery = 3;
 
 // The length without the rest at its end.
@@ -101,6 +111,13 @@ Span moving_span(const Motion& m, bool pushed) {
 }  // namespace
 
 Span moving_span(const Prepared& p, bool pushed) { return moving_span(Motion(p), pushed); }
+
+bool ends_steadily(const Prepared& p, bool pushed, double unseen_share) {
+  const Motion motion(p);
+  const Span all = moving_span(motion, pushed);
+  const Index seen = all.from + static_cast<Index>((1 - unseen_share) * static_cast<double>(all.to - all.from));
+  return pushed && seen < all.to && motion.varies(seen, all.to - seen) < kConstant;
+}
 
 double moving_share(const std::vector<Prepared>& records) {
   double moving = 0, all = 0;
@@ -142,7 +159,8 @@ std::vector<Window> lay_windows(const std::vector<Prepared>& records, double per
     const Motion motion(p);
     const Span all = moving_span(motion, driven);
     Index seen = all.from + static_cast<Index>((1 - unseen_share) * static_cast<double>(all.to - all.from));
-    const bool spread = driven && unseen_share > 0 && seen < all.to && motion.of(seen, all.to - seen) < kQuiet;
+    const bool spread = driven && unseen_share > 0 && seen < all.to &&
+                        (motion.of(seen, all.to - seen) < kQuiet || motion.varies(seen, all.to - seen) < kConstant);
     if (spread) seen = all.to;
     const auto cover = [&](Index from, Index to, bool unseen) {
       const double wanted = std::max<double>(static_cast<double>(kLeastLength), periods * p.period_s / p.step_s);

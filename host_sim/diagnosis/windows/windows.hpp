@@ -11,6 +11,8 @@ struct Span {
 // From where a record is let go (from its first sample where something pushes it: `pushed`) until it has come to rest for good:
 // a decay, what a blow left, a damper that is held (friction then holds any force).
 Span moving_span(const Prepared& record, bool pushed);
+// Whether the last share of a driven record runs on at constant speed after what moved it: what is missed there is noise over noise.
+bool ends_steadily(const Prepared& record, bool pushed, double unseen_share);
 // Of the records' periods, those that are not at rest.
 double moving_share(const std::vector<Prepared>& records);
 bool forced(const std::vector<Prepared>& records);
