@@ -192,6 +192,34 @@ TEST_F(Estimate, ASlowMotionAboutAnArbitraryZeroTakesFewerSamples) {
   EXPECT_NE(result.output.find("behind one low-pass for all channels"), std::string::npos) << result.output;
 }
 
+// The same at 29.4 Hz with 0.1 % noise. 0.001 of x in the second slope, over 588 samples, is 0.01 N/m of k.
+TEST_F(Estimate, ADecayAtTwentySamplesAPeriodKnowsItsSpring) {
+  workspace_.write("few.toml",
+                   "schema = \"rig/1\"\n[[dof]]\nmass_kg = 1.0\n[[link]]\nbetween = [1, 0]\n"
+                   "stiffness_N_m = \"estimate\"\nviscous_N_s_m = \"estimate\"\n");
+  const double d = 0.1, w = std::sqrt(80.0 - d * d);
+  int held = 0;
+  for (unsigned seed = 1; seed <= 6; ++seed) {
+    std::mt19937 random(seed);
+    std::normal_distribution<double> normal;
+    std::string text = "t_s,displacement_1_m\n";
+    for (int i = 0; i < 588; ++i) {
+      char row[64];
+      const double t = 0.034 * i;
+      std::snprintf(row, sizeof row, "%.3f,%.9g\n", t, std::exp(-d * t) * std::cos(w * t) + 3.5e-4 * normal(random));
+      text += row;
+    }
+    workspace_.write("few.csv", text);
+    const auto result = host_sim({"estimate", "--rig", "few.toml", "--data", "few.csv", "--json", "out.json"});
+    ASSERT_EQ(result.status, 0) << result.errors << result.output;
+    const auto spring = json("out.json")["parameters"][0];
+    EXPECT_EQ(spring["status"], "VALID") << result.output;
+    EXPECT_NEAR(spring["value"].get<double>(), 80.0, 0.02);
+    held += spring["ci95"][0] <= 80.0 && spring["ci95"][1] >= 80.0 ? 1 : 0;
+  }
+  EXPECT_GE(held, 5);
+}
+
 // An arm of 1.5 kg m^2 and 10.5 N m that a motor swings about straight up, 3 s to and fro: the angle is 3.14 at the mean, and gravity
 // pulls to where it is zero, not to there. tau = 1.5 a + 10.5 sin(u) + 1 w + 1.2 sgn(w), u = 3.14 + 0.8 sin + 0.3 sin.
 TEST_F(Estimate, GravityPullsToTheAnglesOwnZero) {

@@ -125,10 +125,10 @@ void estimate(const EstimateArguments& arguments) {
     estimation = estimate_records(model, records.get(), options);
   };
   check.beside([&] {
+    if (const std::string fewer = take_fewer_samples(model, records); !fewer.empty()) notes.push_back(fewer);
     const CountedFromRest rest = count_from_rest(model, records);
     for (const auto& told : {rest.notes, take_off_accelerometer_zeros(records)})
       notes.insert(notes.end(), told.begin(), told.end());
-    if (const std::string fewer = take_fewer_samples(model, records); !fewer.empty()) notes.push_back(fewer);
     estimate_all();
     if (balance_rest(rig_file::with_values(model, values_of(estimation.result)), rest.held_off, records))
       estimate_all();

@@ -16,9 +16,7 @@ namespace host_sim {
 namespace {
 
 constexpr double kAboveNoise = 4.0;
-// The low-pass of derivatives reaches to a tenth of the sample rate. What a decay says of its unknown spring rests on the ends of its
-// windows, whose noise the intervals hold from some forty samples a period on.
-constexpr double kRatesPerMotion = 10.0, kRatesPerDecay = 40.0;
+constexpr double kRatesPerMotion = 10.0;  // the low-pass of derivatives reaches to a tenth of the sample rate
 constexpr size_t kFewestThinned = 8 * firmware::kBlockSamples;
 constexpr size_t kLongestStretch = 2048, kShortestStretch = 256;
 
@@ -38,12 +36,6 @@ std::vector<double> power_of_differences(const std::vector<double>& values) {
     for (size_t k = 0; k < power.size(); ++k) sum[k] += power[k];
   }
   return sum;
-}
-
-bool is_driven(const Record& record) {
-  return std::any_of(record.channels.begin(), record.channels.end(), [](const Channel& channel) {
-    return channel.quantity == Quantity::kForce || channel.dof == rig_file::kBase;
-  });
 }
 
 bool reaches_its_end(const std::vector<Record>& records,
@@ -88,8 +80,7 @@ Oversampling oversampling_of(const rig_file::RigModel& model, const std::vector<
       if (channel.quantity != Quantity::kForce)
         result.motion_Hz = std::max(result.motion_Hz, highest_motion_Hz(channel.values, record.sample_period_s));
   }
-  const double rates = is_driven(records.front()) ? kRatesPerMotion : kRatesPerDecay;
-  const double most = 1.0 / (rates * result.motion_Hz * period_s);
+  const double most = 1.0 / (kRatesPerMotion * result.motion_Hz * period_s);
   size_t factor = most < 2.0 ? 1 : static_cast<size_t>(std::min(most, static_cast<double>(shortest)));
   while (factor > 1 && thinned_samples(shortest, factor) < kFewestThinned) --factor;
   if (factor > 1 && !reaches_its_end(records, calibrations)) result.factor = factor;
