@@ -103,7 +103,7 @@ Scaled least_acceleration_skew_s(const CoreConfiguration& configuration, const B
   return jumps > least * inertia ? jumps / inertia : least;
 }
 
-SkewEstimate measure(const BatchTable& table, int dof, int weight, bool acceleration, const Scaled& least_s) {
+SkewEstimate measure(const BatchTable& table, int dof, int weight, bool acceleration) {
   Regression regression;
   for (int l = 0; l < table.level_count; ++l) add_level(table.level[l], dof, weight, acceleration, regression);
   SkewEstimate result;
@@ -111,7 +111,8 @@ SkewEstimate measure(const BatchTable& table, int dof, int weight, bool accelera
   result.measured = true;
   result.late_s = regression.weighted / regression.weight;
   result.std_s = Scaled::from_int(1) / sqrt(regression.weight);
-  result.significant = abs(result.late_s) > Scaled::from_int(4) * result.std_s && abs(result.late_s) > least_s;
+  result.significant = abs(result.late_s) > Scaled::from_int(4) * result.std_s &&
+                       abs(result.late_s) > table.sample_period_s / kLeastShareOfPeriod;
   return result;
 }
 
@@ -157,9 +158,10 @@ void measure_skew(const EquationList& list, const BatchTable& table, const CoreC
                   Estimates& estimates) {
   for (int i = 0; i < list.dof_count; ++i) {
     const int weight = static_cast<int>(list.equation[i].weight);
-    estimates.displacement_skew[i] = measure(table, i, weight, false, table.sample_period_s / kLeastShareOfPeriod);
-    estimates.acceleration_skew[i] =
-        measure(table, i, weight, true, least_acceleration_skew_s(configuration, table, i, estimates));
+    estimates.displacement_skew[i] = measure(table, i, weight, false);
+    SkewEstimate& a = estimates.acceleration_skew[i];
+    a = measure(table, i, weight, true);
+    a.significant = a.significant && abs(a.late_s) > least_acceleration_skew_s(configuration, table, i, estimates);
   }
 }
 
