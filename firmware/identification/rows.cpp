@@ -39,16 +39,18 @@ bool is_conservative(TermKind kind) { return (kConservativeTerms >> static_cast<
 
 namespace {
 
-bool of_one_channel(const CoreConfiguration& configuration, int dof, Quantity one, Quantity other) {
+// The steeper of two signals is the slope of what the flatter one is made of. Integrals have a high-pass: what their discrepancies hold is
+// slow noise that they have kept.
+bool is_slope(const CoreConfiguration& configuration, int dof, Quantity flat, Quantity steep) {
   if (configuration.fuses(dof)) return false;
-  const SignalConfiguration &a = configuration.signals[dof][static_cast<int>(one)],
-                            &b = configuration.signals[dof][static_cast<int>(other)];
-  return (a.derived || b.derived) && a.source == b.source;
+  const SignalConfiguration& of = configuration.signals[dof][static_cast<int>(steep)];
+  return of.derived && of.source <= static_cast<int>(flat) &&
+         of.source == configuration.signals[dof][static_cast<int>(flat)].source;
 }
 
 uint8_t discrepancies_of_one_channel(const CoreConfiguration& configuration, int dof) {
-  const bool kinetic = of_one_channel(configuration, dof, Quantity::kVelocity, Quantity::kAcceleration);
-  const bool elastic = of_one_channel(configuration, dof, Quantity::kDisplacement, Quantity::kVelocity);
+  const bool kinetic = is_slope(configuration, dof, Quantity::kVelocity, Quantity::kAcceleration);
+  const bool elastic = is_slope(configuration, dof, Quantity::kDisplacement, Quantity::kVelocity);
   return static_cast<uint8_t>((kinetic ? 1 : 0) | (elastic ? 2 : 0) | (kinetic && elastic ? 4 : 0));
 }
 

@@ -111,8 +111,11 @@ SkewEstimate measure(const BatchTable& table, int dof, int weight, bool accelera
   result.measured = true;
   result.late_s = regression.weighted / regression.weight;
   result.std_s = Scaled::from_int(1) / sqrt(regression.weight);
-  result.significant = abs(result.late_s) > Scaled::from_int(4) * result.std_s &&
-                       abs(result.late_s) > table.sample_period_s / kLeastShareOfPeriod;
+  // Over twice the 95 % interval: four deviations, and more where few batches tell them.
+  result.significant =
+      abs(result.late_s) > Scaled::from_int(4) * result.std_s &&
+      abs(result.late_s) > table.sample_period_s / kLeastShareOfPeriod &&
+      abs(result.late_s) > scale_by_power_of_two(result.std_s, 1) * student_quantile_95(regression.freedom);
   return result;
 }
 

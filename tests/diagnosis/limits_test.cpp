@@ -65,7 +65,8 @@ TEST(Limits, NoneSaysWhatAccelerationAloneCannotShow) {
   EXPECT_TRUE(std::isinf(offset->strength));
   EXPECT_GT(gain->strength, 1e-4);
   EXPECT_LT(gain->strength, 0.02);
-  EXPECT_EQ(answer.advice.size(), 2u);  // longer records, displacement
+  // Longer records, a displacement, a second channel of the DOF.
+  EXPECT_EQ(answer.advice.size(), 3u) << nlohmann::json(answer.advice).dump(1);
   const nlohmann::json written = nlohmann::json::parse(to_json(answer).dump());
   int unseen = 0;
   for (const nlohmann::json& limit : written["minimum_detectable"]) unseen += limit["strength"].is_null();
