@@ -6,6 +6,7 @@
 #include <random>
 
 #include "host_sim/diagnosis/diagnosis.hpp"
+#include "shaft.hpp"
 #include "two_masses.hpp"
 
 namespace {
@@ -28,19 +29,11 @@ host_sim::Record stepped_speed() {
     if (k % 10 == 0) torque.push_back(drive), speed.push_back(read);
     w += h * (drive - viscous * w - friction * std::tanh(w / 0.1)) / inertia;
   }
-  host_sim::Record made;
-  made.file = "wheel.csv", made.sample_period_s = 0.01;
-  made.channels = {{"torque_1_N_m", host_sim::Quantity::kForce, 1, torque},
-                   {"angular_velocity_1_rad_s", host_sim::Quantity::kVelocity, 1, speed}};
-  return made;
+  return shaft::record("wheel.csv", torque, speed);
 }
 
 TEST(LongWindows, ASpeedInStepsIsDescribedOverAllThatIsSeen) {
-  rig_file::RigModel rig;
-  rig.dofs.resize(1), rig.links.resize(1);
-  rig.dofs[0].rotating = true, rig.dofs[0].mass_kg.estimate = true;
-  rig.links[0].a = 1, rig.links[0].viscous_N_s_m.estimate = true, rig.links[0].coulomb_N.estimate = true;
-  const Diagnosis d = diagnose(rig, {stepped_speed()}, {}, {});
+  const Diagnosis d = diagnose(shaft::rig(), {stepped_speed()}, {}, {});
   EXPECT_EQ(d.cannot_describe, "");
   const Parameter inertia = two_masses::parameter_of(d.baseline, "mass[1]");
   EXPECT_NEAR(inertia.value, 2e-3, std::max(2e-4, 3 * inertia.std));

@@ -5,6 +5,7 @@
 #include <random>
 
 #include "host_sim/diagnosis/diagnosis.hpp"
+#include "shaft.hpp"
 #include "two_masses.hpp"
 
 namespace {
@@ -26,20 +27,12 @@ host_sim::Record settling_motor() {
     if (k % 10 == 0) torque.push_back(drive), speed.push_back(w + 0.3 * normal(random));
     w += h * (drive - 0.04 * w - 0.7 * std::tanh(w / 0.1)) / 0.01;
   }
-  host_sim::Record made;
-  made.file = "motor.csv", made.sample_period_s = 0.01;
-  made.channels = {{"torque_1_N_m", host_sim::Quantity::kForce, 1, torque},
-                   {"angular_velocity_1_rad_s", host_sim::Quantity::kVelocity, 1, speed}};
-  return made;
+  return shaft::record("motor.csv", torque, speed);
 }
 
 // 0.3 rad/s of a motion of some 25 rad/s are 1.2 %; over the end alone they are all there is.
 TEST(SteadyEnd, IsNotWhatARigIsJudgedBy) {
-  rig_file::RigModel rig;
-  rig.dofs.resize(1), rig.links.resize(1);
-  rig.dofs[0].rotating = true, rig.dofs[0].mass_kg.estimate = true;
-  rig.links[0].a = 1, rig.links[0].viscous_N_s_m.estimate = true, rig.links[0].coulomb_N.estimate = true;
-  const Diagnosis d = diagnose(rig, {settling_motor()}, {}, {});
+  const Diagnosis d = diagnose(shaft::rig(), {settling_motor()}, {}, {});
   EXPECT_EQ(two_masses::said(d), "none");
   EXPECT_LT(d.baseline.holdout_nrmse_percent.at(0), 5);
   EXPECT_NEAR(two_masses::value_of(d.baseline, "mass[1]"), 0.01, 5e-4);

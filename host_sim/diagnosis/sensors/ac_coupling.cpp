@@ -4,12 +4,13 @@
 #include <cmath>
 
 #include "fault_report.hpp"
+#include "hal/rig_file/channel_entry.hpp"
 
 namespace diagnosis {
 namespace {
 
-constexpr double kTrifle = 2e-4;  // of the channel's rms, as of a gain: nobody could put it right
-constexpr double kPays = 0.7;     // of what was missed on unseen data, as of any cause
+constexpr double kTrifle = 2e-4;     // of the channel's rms, as of a gain: nobody could put it right
+constexpr double kPaysUnseen = 0.7;  // of what was missed on unseen data, as of any cause
 
 // A second channel of one DOF, without which nothing can be told.
 bool any_pair(const host_sim::Record& record) {
@@ -81,7 +82,7 @@ bool pays_unseen(const Diagnosis& with, const Diagnosis& without) {
     const std::vector<double>& missed = d.baseline.holdout_nrmse_percent;
     return missed.empty() ? 0.0 : *std::max_element(missed.begin(), missed.end());
   };
-  return worst(with) < kPays * worst(without);
+  return worst(with) < kPaysUnseen * worst(without);
 }
 
 std::vector<host_sim::AcCoupling> couplings_of(const Diagnosis& d) {
@@ -95,11 +96,7 @@ std::vector<host_sim::AcCoupling> couplings_of(const Diagnosis& d) {
 void name_ac_couplings(const std::vector<SensorFault>& found, Diagnosis& d) {
   for (const SensorFault& fault : found) {
     d.causes.insert(d.causes.begin(), cause_of(fault));
-    auto& channels = d.extended_rig.channels;
-    auto entry = std::find_if(channels.begin(), channels.end(),
-                              [&](const rig_file::ChannelEntry& e) { return e.name == fault.channel; });
-    if (entry == channels.end()) channels.push_back({}), entry = channels.end() - 1;
-    entry->name = fault.channel, entry->ac_coupling_Hz += fault.value;
+    rig_file::entry_to_write(d.extended_rig, fault.channel).ac_coupling_Hz += fault.value;
   }
   if (d.verdict == Verdict::kNone) d.verdict = Verdict::kExplained;
   if (d.verdict == Verdict::kUnknown) d.verdict = Verdict::kPartly, d.more_remains = true;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hal/rig_file/channel_entry.hpp"
 #include "hal/rig_file/effect_words.hpp"
 
 namespace diagnosis {
@@ -111,10 +112,7 @@ void state_delays(const std::vector<Cause>& causes, rig_file::RigModel& rig) {
   for (const Cause& c : causes) {
     if (c.effect != word_of(Kind::kForceDelay) || c.parameters.empty()) continue;
     const std::string name = c.where.substr(std::string("channel ").size());
-    auto entry = std::find_if(rig.channels.begin(), rig.channels.end(),
-                              [&](const rig_file::ChannelEntry& e) { return e.name == name; });
-    if (entry == rig.channels.end()) rig.channels.push_back({}), entry = rig.channels.end() - 1;
-    entry->name = name, entry->delay_us += 1e6 * c.parameters[0].value;
+    rig_file::entry_to_write(rig, name).delay_us += 1e6 * c.parameters[0].value;
   }
 }
 

@@ -7,6 +7,7 @@
 #include <map>
 #include <string_view>
 
+#include "hal/rig_file/channel_entry.hpp"
 #include "hal/rig_file/channel_name.hpp"
 
 namespace host_sim {
@@ -120,17 +121,8 @@ void add_corrections(const std::vector<ChannelCorrection>& more, std::vector<Cha
 
 rig_file::RigModel with_delays(const rig_file::RigModel& model, const std::vector<ChannelCorrection>& corrections) {
   rig_file::RigModel result = model;
-  for (const ChannelCorrection& correction : corrections) {
-    if (correction.late_us == 0.0) continue;
-    auto entry = std::find_if(result.channels.begin(), result.channels.end(),
-                              [&](const auto& channel) { return channel.name == correction.channel; });
-    if (entry == result.channels.end()) {
-      result.channels.emplace_back();
-      entry = result.channels.end() - 1;
-      entry->name = correction.channel;
-    }
-    entry->delay_us += correction.late_us;
-  }
+  for (const ChannelCorrection& correction : corrections)
+    if (correction.late_us != 0.0) rig_file::entry_to_write(result, correction.channel).delay_us += correction.late_us;
   return result;
 }
 
