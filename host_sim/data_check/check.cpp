@@ -21,6 +21,7 @@
 #include "host_sim/data_check/ripple.hpp"
 #include "host_sim/data_check/slow_faults.hpp"
 #include "host_sim/data_check/spikes.hpp"
+#include "host_sim/data_check/staircase.hpp"
 #include "host_sim/data_check/statistics.hpp"
 #include "host_sim/data_check/time_unit.hpp"
 #include "host_sim/data_check/work.hpp"
@@ -96,6 +97,7 @@ ChannelReport report_of(const Record& record, const std::vector<Statistics>& all
     if (auto clipped = find_clipping(channel, statistics, low, high, &record))
       report.findings.push_back(std::move(*clipped));
   }
+  if (auto staircase = find_staircase(record, channel, statistics)) report.findings.push_back(std::move(*staircase));
   for (Finding& finding : find_slow_faults(record, channel, statistics)) report.findings.push_back(std::move(finding));
   if (model != nullptr)
     if (auto ripple = find_ripple(record, channel, *model)) report.findings.push_back(std::move(*ripple));

@@ -15,6 +15,7 @@ struct Channel {
   std::vector<double> values;
   double recorded_step = 0.0;  // of interpolated values: the step in which they were recorded; else 0
   bool held = false;           // a command that stays from one change to the next: between samples there is nothing
+  double update_s = 0.0;       // of interpolated values: how long the sensor held each (updates.hpp); else 0
 };
 
 struct Record {

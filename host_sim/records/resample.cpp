@@ -11,6 +11,7 @@
 #include "host_sim/records/parts_kept.hpp"
 #include "host_sim/records/record_checks.hpp"
 #include "host_sim/records/tick_log.hpp"
+#include "host_sim/records/updates.hpp"
 #include "host_sim/records/value_step.hpp"
 
 namespace host_sim {
@@ -153,7 +154,11 @@ std::vector<Record> resampled(const Record& record, double rate_Hz) {
   for (size_t c = 0; c < record.channels.size(); ++c) {
     if (counts_marks(record.channels[c].values)) continue;
     const double step_of_values = value_step(record.channels[c]);
-    for (Record& part : records) part.channels[c].recorded_step = step_of_values;
+    const double rows = rows_per_update(record.channels[c].values, step_of_values);
+    for (Record& part : records) {
+      part.channels[c].recorded_step = step_of_values;
+      part.channels[c].update_s = rows > 1.0 ? rows * step : 0.0;
+    }
   }
   if (records.empty())
     throw DataFileError(record.file, 0, fmt::format("has no {} samples without a gap", kFewestSamples));
