@@ -7,6 +7,7 @@
 #include "hal/rig_file/channel_entry.hpp"
 #include "hal/rig_file/channel_name.hpp"
 #include "host_sim/data_check/clipping.hpp"
+#include "host_sim/data_check/coupling.hpp"
 #include "host_sim/data_check/data_check.hpp"
 #include "host_sim/data_check/dead.hpp"
 #include "host_sim/data_check/duplicate.hpp"
@@ -191,6 +192,7 @@ RecordReport check_record(const Record& record, const rig_file::RigModel* model,
         attach(check_kinematics(compared, channel.dof, rotates(channel), model, integrals), report);
     attach(check_exchanged(compared, integrals), report);
   }
+  if (!has_fault(report)) attach(find_ac_coupling(compared, model), report);
   find_time_unit(record, model, report);
   if (model != nullptr && !has_fault(report)) attach(check_rig_balance(compared, *model), report);
   if (!has_fault(report) && !any_finding(report, [](const Finding& f) { return f.kind == "polarity"; }))
