@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cstdlib>
 #include <vector>
 
 #include "hal/rig_file/toml_checks.hpp"
@@ -35,6 +36,26 @@ int parse_dof(std::string_view middle) {
   const auto [end, error] = std::from_chars(middle.data(), middle.data() + middle.size(), dof);
   const bool whole = error == std::errc() && end == middle.data() + middle.size();
   return whole && dof >= 1 && middle.front() != '0' ? dof : 0;
+}
+
+// Without a rig file: those of the DOF that the name tells.
+std::vector<std::string> names_like(const std::string& name) {
+  const size_t first = name.find_first_of("123456789");
+  const int dof = first == std::string::npos ? 1 : std::atoi(name.c_str() + first);
+  std::vector<std::string> names;
+  for (const Pattern& pattern : kPatterns)
+    names.push_back(format_channel_name({pattern.quantity, std::min(dof, 16), pattern.rotating}));
+  return names;
+}
+
+// "disp_1_m" as displacement_1_m: a quantity's word may be cut short.
+std::string in_full(const std::string& name) {
+  const size_t word = name.find('_');
+  if (word == std::string::npos || word < 3) return name;
+  for (const Pattern& pattern : kPatterns)
+    if (std::string_view(pattern.stem).substr(0, word) == std::string_view(name).substr(0, word))
+      return pattern.stem + name.substr(word + 1);
+  return name;
 }
 
 std::vector<std::string> usable_names(const RigModel& model) {
@@ -76,9 +97,9 @@ std::string channel_name_fault(const std::string& name, const RigModel& model) {
   const std::string dof_range = "1 to " + std::to_string(model.dofs.size());
   const auto channel = parse_channel_name(name);
   if (!channel) {
-    const std::string near = nearest_word(name, usable_names(model));
-    return "is not a channel name; " + (near.empty() ? "" : "did you mean \"" + near + "\"? ") +
-           "Expected quantity, DOF and unit, such as displacement_1_m";
+    const std::string near = nearest_word(in_full(name), model.dofs.empty() ? names_like(name) : usable_names(model));
+    return "is not a channel name; " + (near.empty() ? "e" : "did you mean \"" + near + "\"? E") +
+           "xpected quantity, DOF and unit, such as displacement_1_m";
   }
   if (channel->dof == kBase) {
     const bool used =

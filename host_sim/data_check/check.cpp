@@ -20,6 +20,7 @@
 #include "host_sim/data_check/release.hpp"
 #include "host_sim/data_check/rig_balance.hpp"
 #include "host_sim/data_check/ripple.hpp"
+#include "host_sim/data_check/short_record.hpp"
 #include "host_sim/data_check/slow_faults.hpp"
 #include "host_sim/data_check/spikes.hpp"
 #include "host_sim/data_check/staircase.hpp"
@@ -179,6 +180,7 @@ RecordReport check_record(const Record& record, const rig_file::RigModel* model,
   for (size_t i = 0; i < record.channels.size(); ++i)
     if (dead[i]) report.channels[i].findings.push_back(std::move(*dead[i]));
   if (!has_fault(report)) attach(find_frozen(record, statistics), report);
+  if (auto few = find_short(record)) report.findings.push_back(std::move(*few));
   attach(find_duplicates(record), report);
   if (auto jitter = find_jitter(record)) report.findings.push_back(std::move(*jitter));
   if (has_fault(report)) return report;  // what follows compares channels: one that is broken would be blamed on others

@@ -39,6 +39,25 @@ void forget_units(const Record& record, int dof, RecordReport& report) {
   }
 }
 
+// Two channels of one DOF cannot tell a velocity in mm/s from times in ms: both are said.
+void name_the_times_too(const Record& record, RecordReport& report) {
+  const auto others = [&](const Channel& channel) {
+    std::vector<const Channel*> list;
+    for (const Channel& c : record.channels)
+      if (c.dof == channel.dof && c.quantity != Quantity::kForce && &c != &channel) list.push_back(&c);
+    return list;
+  };
+  for (size_t i = 0; i < record.channels.size(); ++i)
+    for (Finding& finding : report.channels[i].findings) {
+      const std::vector<const Channel*> beside = others(record.channels[i]);
+      if (finding.kind != "unit" || !finding.value || beside.size() != 1) continue;
+      const int order = static_cast<int>(record.channels[i].quantity) - static_cast<int>(beside[0]->quantity);
+      for (const auto& [size, word] : {std::pair{1e3, "ms"}, {1e6, "us"}})
+        if (order > 0 && std::abs(*finding.value / std::pow(size, order) - 1) < kSame)
+          finding.detail += fmt::format("; or the times are in {} (--unit t={})", word, word);
+    }
+}
+
 // No mode is slower than this: every spring between masses only adds. 0 where the rig file does not know, or a mass hangs on no ground.
 double slowest_Hz(const rig_file::RigModel& model) {
   double slowest = 0;
@@ -65,6 +84,7 @@ Finding told(const std::string& text, Weight weight = Weight::kFault) {
 
 void find_time_unit(const Record& record, const rig_file::RigModel* model, RecordReport& report) {
   if (record.start_s > kYear2000 && record.start_s < kYear2100 && record.sample_period_s < kShortestStep_s) {
+    for (const Channel& channel : record.channels) forget_units(record, channel.dof, report);
     report.findings.push_back(told("the times are days, as a spreadsheet counts them: give seconds, or --sample-rate"));
     return;
   }
@@ -83,6 +103,7 @@ void find_time_unit(const Record& record, const rig_file::RigModel* model, Recor
                                    "square of that; name the unit in the head of the time's column"));
     return;
   }
+  name_the_times_too(record, report);
   const double slowest = model != nullptr ? slowest_Hz(*model) : 0, rate_Hz = 1.0 / record.sample_period_s;
   if (slowest > 0.5 * rate_Hz)
     report.findings.push_back(

@@ -48,6 +48,7 @@ std::string of_arrival(const std::vector<double>& time_s) {
 std::string of_order(const std::vector<double>& time_s) {
   constexpr double kRows = 16.0;
   const double usual = median_step(time_s);
+  if (usual < 0.0) return "the times fall all along: turn the order of the rows round, or is this column no time?";
   bool anew = true;
   for (size_t i = 1; i < time_s.size(); ++i)
     if (time_s[i] < time_s[i - 1]) anew = anew && time_s[i - 1] - time_s[i] > kRows * usual;
@@ -60,10 +61,22 @@ std::string of_disorder(const std::vector<double>& time_s) {
   return std::is_sorted(time_s.begin(), time_s.end()) ? of_arrival(time_s) : "; " + of_order(time_s);
 }
 
+// Today is 2e9 s after 1970, and 2e12 ms.
+void require_calendar(double first, const std::string& file) {
+  constexpr double kMost_s = 1e11, kMost_ms = 1e14, kMost_us = 1e17;
+  if (first < kMost_s) return;
+  const char* const unit = first < kMost_ms ? "ms" : first < kMost_us ? "us" : "ns";
+  throw DataFileError(file, 0,
+                      fmt::format("its times begin at {:.6g} s, which no calendar has; if they are {} since 1970, name "
+                                  "the unit in the head, or --unit t={}",
+                                  first, unit, unit));
+}
+
 // What stands for the date in the times, as in seconds since 1970: it is said once, and the record starts at 0. Nought where the
 // times are a test's own.
 double take_clock(const std::vector<double>& time_s, Record& record) {
   if (time_s.empty() || std::abs(time_s.front()) < kLongestTest_s) return 0.0;
+  require_calendar(std::abs(time_s.front()), record.file);
   record.notes.push_back(fmt::format("time counted from {:.15g} s", time_s.front()));
   return time_s.front();
 }
@@ -94,6 +107,10 @@ void set_time_base(const std::vector<double>& time_s, const std::function<size_t
   if (uneven < time_s.size() && !take_rounded_times(time_s, record)) {
     std::string remedy = usual > 0.0 ? fmt::format("; --resample {:.4g} interpolates", 1.0 / usual) : "";
     if (const std::string disorder = of_disorder(time_s); !disorder.empty()) remedy = disorder;
+    if (time_s.front() == time_s.back())
+      remedy =
+          "; all times are the same: they were written with too few digits. Where the samples are even, --sample-rate "
+          "takes them so";
     throw DataFileError(record.file, line_of(uneven),
                         "t_s steps by " + seconds(time_s[uneven] - time_s[uneven - 1]) + ", expected a constant step" +
                             (usual > 0.0 ? " of " + seconds(usual) + " within 1 %" : " above 0") + remedy);

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "host_sim/records/columns/column_name.hpp"
+#include "host_sim/records/csv/around_values.hpp"
 #include "host_sim/records/csv/blank_ends.hpp"
 #include "host_sim/records/csv/clock_time.hpp"
 #include "host_sim/records/csv/csv_layout.hpp"
@@ -56,11 +57,12 @@ class CsvParser {
       if (!numbers && is_comment(row)) {
         comments_.push_back(samples_);
       } else if (!numbers && is_blank(row)) {
-        if (rest.find_first_not_of(" \t\r\n") != std::string_view::npos)
-          refuse(line_, "is blank, expected " + std::to_string(columns_.size()) + " numbers");
+        if (!ends_before(rest)) refuse(line_, "is blank, expected " + std::to_string(columns_.size()) + " numbers");
         break;
       } else if (samples_ > 0 && rest.empty() && breaks_off(row)) {
         record_.notes.push_back("left out: the last line, which breaks off in the middle");
+      } else if (!numbers && samples_ > 0 && !begins_like_number(row) && ends_with_text(row)) {
+        break;
       } else {
         read_row(row);
         ++samples_;
@@ -93,7 +95,8 @@ class CsvParser {
                                       "--column displacement_1=2, or --sample-rate in place of the time");
     if (!plan.has_time() && options_.sample_rate_Hz <= 0.0)
       refuse(layout_.header_line, "has no column of time (the first is " + quoted(first) +
-                                      "), expected t_s, then channels, or --sample-rate");
+                                      "), expected t_s, then channels, or --sample-rate, or --column t=NAME for a "
+                                      "time with a name of its own (and --unit t=ms where it is in ms)");
     if (channels == 0) refuse_without_channels();
     record_.notes = layout_.notes;
     record_.notes.insert(record_.notes.end(), plan.notes.begin(), plan.notes.end());
@@ -140,7 +143,33 @@ class CsvParser {
     return fields < columns_.size();
   }
 
+  // Whether nothing but text follows, which is said.
+  bool ends_before(std::string_view lines) {
+    const std::optional<size_t> text = text_below(lines);
+    if (text && *text > 0)
+      record_.notes.push_back("left out: " + std::to_string(*text) + (*text == 1 ? " line" : " lines") +
+                              " of text below the last row of numbers");
+    return text.has_value();
+  }
+  // Of a table whose rows begin with numbers. The names again and a row without a time are none of it.
+  bool ends_with_text(std::string_view row) {
+    std::string_view data = layout_.data;
+    if (!begins_like_number(take_line(data)) || is_header(row) || says_no_value(first_field(row))) return false;
+    return ends_before(
+        std::string_view(row.data(), static_cast<size_t>(content_.data() + content_.size() - row.data())));
+  }
+  std::string first_field(std::string_view row) const {
+    return trimmed_text(split_fields(row, layout_.separator).front());
+  }
+  bool is_header(std::string_view row) const {
+    const std::vector<std::string> fields = split_fields(row, layout_.separator);
+    return !layout_.unnamed && fields.size() == layout_.columns.size() &&
+           std::equal(fields.begin(), fields.end(), layout_.columns.begin(),
+                      [](const std::string& a, const Column& b) { return trimmed_text(a) == trimmed_text(b.head); });
+  }
+
   void read_row(std::string_view row) {
+    row_ = row;
     const char* position = row.data();
     const char* end = row.data() + row.size();
     const char separator = layout_.separator;
@@ -243,11 +272,14 @@ class CsvParser {
   // A field without a value: nothing, or "NaN".
   bool take_blank(const char*& position, const char* end) {
     const char c = position == end ? ' ' : *position;
-    if ((c >= '0' && c <= '9') || c == '-' || c == '+' || c == '.') return false;
+    const char* const next = position == end ? end : position + 1;
+    if ((c == '-' || c == '+') && next != end && ((*next >= '0' && *next <= '9') || *next == '.')) return false;
+    if ((c >= '0' && c <= '9' && !(c == '1' && end - position > 2 && position[2] == '#')) || c == '.') return false;
     const char* stop = position;
     skip_field(stop, end);
-    const std::string field = trimmed_text(std::string(position, stop));
-    if (!field.empty() && field != "NaN" && field != "nan" && field != "NAN") return false;
+    std::string field = trimmed_text(std::string(position, stop));
+    if (field.size() > 1 && field.front() == '"' && field.back() == '"') field = field.substr(1, field.size() - 2);
+    if (!says_no_value(field)) return false;
     position = stop;
     blank_ = field;
     return true;
@@ -276,6 +308,12 @@ class CsvParser {
       expected += " with a decimal point, as in the first rows";
     if (layout_.separator != ',' && commas > 1)
       expected += std::string(", fields separated by ") + separator_word(layout_.separator) + " as the names are";
+    if (is_header(row_))
+      refuse(line_,
+             "holds the names of the columns again, as where a second recording begins: give each a file of its "
+             "own, or take the line out");
+    if (!field.empty() && !begins_like_number(field) && field.find_first_of(",;") == std::string::npos)
+      expected += "; left blank, --resample fills it in";
     refuse(line_, "column " + target.name + " is " + quoted(field) + expected);
   }
 
@@ -380,10 +418,16 @@ class CsvParser {
   ClockTime first_clock_;
   std::vector<size_t> comments_;  // how many samples stood before each comment line among the rows
   size_t line_ = 1, samples_ = 0;
+  std::string_view row_;      // that is being read
   bool lacks_times_ = false;  // in some rows
   size_t left_out_ = 0;       // rows before the first sample
   std::string blank_;         // the last field without a value: "" or "NaN"
 };
+
+bool is_rig_file(std::string_view content) {
+  const std::string_view begins = "schema = \"rig/";
+  return content.substr(0, begins.size()) == begins;
+}
 
 }  // namespace
 
@@ -391,9 +435,12 @@ Record parse_csv(std::string_view content, const std::string& file, const rig_fi
                  const ReadingOptions& options) {
   std::string buffer;
   const std::string_view text = as_utf8(content, buffer);
-  for (const std::string_view bytes : {content, text})
+  for (const std::string_view bytes : {content, text}) {
+    if (is_rig_file(bytes))
+      throw DataFileError(file, 0, "is a rig file, which --rig takes, expected a table of measured values");
     if (const char* other = other_format(bytes))
       throw DataFileError(file, 0, std::string("is ") + other + ", expected a table of text: save it as CSV");
+  }
   std::string undressed;
   return CsvParser(without_row_ends(text, undressed), file, model, options).parse();
 }
