@@ -122,8 +122,11 @@ EvenTimes even_if_written(const std::vector<double>& time_s, const Written& writ
   if (!(written.place_s > 0.0)) return even;
   std::vector<double> index = counted(time_s.size());
   const bool shows_lost = usual >= kTicksOfAStep * written.place_s;
-  for (size_t i = 1; shows_lost && i < index.size(); ++i)
-    index[i] = index[i - 1] + std::round((time_s[i] - time_s[i - 1]) / usual);
+  for (size_t i = 1; shows_lost && i < index.size(); ++i) {
+    const double steps = std::round((time_s[i] - time_s[i - 1]) / usual);
+    if (steps < 1.0) return even;  // two rows at one time
+    index[i] = index[i - 1] + steps;
+  }
   const TimeLine line = line_through(time_s, index);
   if (!(line.step > 0.0)) return even;
   const double units = shows_lost ? kTick : kRounded;

@@ -2,19 +2,17 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "hal/rig_file/channel_name.hpp"
 #include "host_sim/records/data_file_error.hpp"
 #include "host_sim/records/even_times.hpp"
+#include "host_sim/records/uneven_times.hpp"
 
 namespace host_sim {
 namespace {
 
-constexpr double kStepTolerance = 0.01;
 constexpr double kLongestTest_s = 1e6;  // eleven days: times from there on are of a calendar
-constexpr double kBursts = 0.05;        // of the rows: lone rows that are written twice are fewer
 
 std::string seconds(double value) { return fmt::format("{:.6g} s", value); }
 
@@ -29,36 +27,6 @@ bool take_rounded_times(const std::vector<double>& time_s, Record& record) {
     record.notes.push_back("times are rounded to " + seconds(place) + ": the step is " + seconds(step));
   record.sample_period_s = step;
   return true;
-}
-
-// Of times that never fall: what to do where a clock was read as rows arrived, many at a time; empty where they are not so.
-std::string of_arrival(const std::vector<double>& time_s) {
-  size_t repeated = 0;
-  for (size_t i = 1; i < time_s.size(); ++i) repeated += time_s[i] == time_s[i - 1];
-  const double duration_s = time_s.back() - time_s.front();
-  const bool bursts = static_cast<double>(repeated) > kBursts * static_cast<double>(time_s.size());
-  if (!bursts || !(duration_s > 0)) return "";
-  return fmt::format(
-      "; {} of {} rows bear the time of the row before, as of a clock that is read when they arrive. Where the samples "
-      "are even, --sample-rate takes them so (here {:.4g} a second on the mean)",
-      repeated, time_s.size(), static_cast<double>(time_s.size() - 1) / duration_s);
-}
-
-// What to do about times that fall: back by a whole recording where the clock has started anew, by a row or two where rows are exchanged.
-std::string of_order(const std::vector<double>& time_s) {
-  constexpr double kRows = 16.0;
-  const double usual = median_step(time_s);
-  if (usual < 0.0) return "the times fall all along: turn the order of the rows round, or is this column no time?";
-  bool anew = true;
-  for (size_t i = 1; i < time_s.size(); ++i)
-    if (time_s[i] < time_s[i - 1]) anew = anew && time_s[i - 1] - time_s[i] > kRows * usual;
-  return anew ? "the clock starts anew here: give each recording a file of its own"
-              : "the rows are not in the order of time: sort them";
-}
-
-// What to do about times that fall, or were read as rows arrived; empty where they are neither.
-std::string of_disorder(const std::vector<double>& time_s) {
-  return std::is_sorted(time_s.begin(), time_s.end()) ? of_arrival(time_s) : "; " + of_order(time_s);
 }
 
 // Today is 2e9 s after 1970, and 2e12 ms.
@@ -100,20 +68,12 @@ void set_time_base(const std::vector<double>& time_s, const std::function<size_t
   if (time_s.size() < 2)
     throw DataFileError(record.file, 0, "holds " + std::to_string(time_s.size()) + " samples, expected at least 2");
   const double usual = median_step(time_s);
-  size_t uneven = 1;
-  while (uneven < time_s.size() && usual > 0.0 &&
-         std::abs(time_s[uneven] - time_s[uneven - 1] - usual) <= kStepTolerance * usual)
-    ++uneven;
+  const size_t uneven = first_uneven(time_s);
   if (uneven < time_s.size() && !take_rounded_times(time_s, record)) {
-    std::string remedy = usual > 0.0 ? fmt::format("; --resample {:.4g} interpolates", 1.0 / usual) : "";
-    if (const std::string disorder = of_disorder(time_s); !disorder.empty()) remedy = disorder;
-    if (time_s.front() == time_s.back())
-      remedy =
-          "; all times are the same: they were written with too few digits. Where the samples are even, --sample-rate "
-          "takes them so";
     throw DataFileError(record.file, line_of(uneven),
                         "t_s steps by " + seconds(time_s[uneven] - time_s[uneven - 1]) + ", expected a constant step" +
-                            (usual > 0.0 ? " of " + seconds(usual) + " within 1 %" : " above 0") + remedy);
+                            (usual > 0.0 ? " of " + seconds(usual) + " within 1 %" : " above 0") +
+                            remedy_of_uneven(time_s, line_of));
   }
   record.start_s = time_s.front() - take_clock(time_s, record);
   if (uneven == time_s.size())
@@ -124,10 +84,9 @@ void set_time_base(const std::vector<double>& time_s, const std::function<size_t
 void keep_times(const std::vector<double>& time_s, const std::function<size_t(size_t)>& line_of, Record& record) {
   for (size_t i = 1; i < time_s.size(); ++i) {
     if (time_s[i] > time_s[i - 1]) continue;
-    std::string remedy = of_disorder(time_s);
-    if (remedy.empty()) remedy = ": two rows have one time; leave one of them out";
     throw DataFileError(record.file, line_of(i),
-                        "t_s steps by " + seconds(time_s[i] - time_s[i - 1]) + ", expected times that rise" + remedy);
+                        "t_s steps by " + seconds(time_s[i] - time_s[i - 1]) + ", expected times that rise" +
+                            remedy_of_falling(time_s, line_of));
   }
   record.time_s = time_s;
   const double clock_s = take_clock(time_s, record);

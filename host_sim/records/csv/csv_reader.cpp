@@ -64,6 +64,7 @@ class CsvParser {
       } else if (!numbers && samples_ > 0 && !begins_like_number(row) && ends_with_text(row)) {
         break;
       } else {
+        if (samples_ > 0 && row == row_) repeats_.push_back(samples_);
         read_row(row);
         ++samples_;
       }
@@ -319,6 +320,7 @@ class CsvParser {
 
   size_t line_of(size_t sample) const {
     sample += left_out_;
+    for (const size_t gone : gone_) sample += gone <= sample ? 1 : 0;
     size_t line = layout_.data_line + sample;
     for (const size_t before : comments_) line += before <= sample ? 1 : 0;
     return line;
@@ -363,6 +365,34 @@ class CsvParser {
     keep_samples(0, end);
   }
 
+  // Of rows that bear the time of the one before, whether all are it word by word, many of them, and no others: then they stand twice.
+  // A clock in coarse ticks has such rows too while the sensors rest.
+  bool stand_twice(const std::vector<bool>& keep) const {
+    constexpr double kMany = 0.05, kResting = 0.1;  // of the rows
+    size_t of_one_time = 0, resting = 0;
+    for (size_t i = 1; i < samples_; ++i) {
+      of_one_time += time_s_[i] == time_s_[i - 1] ? 1 : 0;
+      resting += keep[i] && std::all_of(record_.channels.begin(), record_.channels.end(), [i](const Channel& channel) {
+                   return channel.values[i] == channel.values[i - 1];
+                 });
+    }
+    const auto rows = static_cast<double>(samples_), many = static_cast<double>(repeats_.size());
+    return of_one_time == repeats_.size() && of_one_time + 1 < samples_ && many > kMany * rows &&
+           static_cast<double>(resting) < kResting * (rows - many);
+  }
+
+  void leave_out_repeats() {
+    if (repeats_.empty() || options_.sample_rate_Hz > 0.0) return;
+    std::vector<bool> keep(samples_, true);
+    for (const size_t sample : repeats_) keep[sample] = false;
+    if (!stand_twice(keep)) return;
+    for (Channel& channel : record_.channels) keep_only(keep, channel.values);
+    keep_only(keep, time_s_);
+    samples_ = time_s_.size();
+    gone_ = std::move(repeats_);
+    record_.notes.push_back(fmt::format("left out: {} rows that stand twice", gone_.size()));
+  }
+
   // Rows at the ends that lack a value go; one that lacks it between is refused, or filled where the record is interpolated.
   void treat_blanks() {
     const bool fills = options_.resample_Hz > 0.0 && !time_s_.empty();
@@ -396,6 +426,7 @@ class CsvParser {
 
   void finish() {
     if (lacks_times_) leave_out_rest();
+    leave_out_repeats();
     if (samples_ > 0) treat_blanks();
     if (options_.sample_rate_Hz > 0.0) {
       if (samples_ < 2) refuse(0, "holds " + std::to_string(samples_) + " samples, expected at least 2");
@@ -418,7 +449,9 @@ class CsvParser {
   ClockTime first_clock_;
   std::vector<size_t> comments_;  // how many samples stood before each comment line among the rows
   size_t line_ = 1, samples_ = 0;
-  std::string_view row_;      // that is being read
+  std::string_view row_;  // that is being read
+  std::vector<size_t> repeats_,
+      gone_;                  // samples whose row is the one before, word by word; those of them that were left out
   bool lacks_times_ = false;  // in some rows
   size_t left_out_ = 0;       // rows before the first sample
   std::string blank_;         // the last field without a value: "" or "NaN"
