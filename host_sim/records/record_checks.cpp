@@ -29,6 +29,13 @@ bool take_rounded_times(const std::vector<double>& time_s, Record& record) {
   return true;
 }
 
+// The scatter of times about even steps that is more than their rounding.
+double jitter_of(const std::vector<double>& time_s, double sample_period_s) {
+  constexpr double kTrifle = 1e-3;  // of a step: below, it is told nowhere
+  const double rms_s = line_through(time_s, counted(time_s.size())).rms;
+  return rms_s > kTrifle * sample_period_s && even_times(time_s).step_s > 0.0 ? 0.0 : rms_s;
+}
+
 // Today is 2e9 s after 1970, and 2e12 ms.
 void require_calendar(double first, const std::string& file) {
   constexpr double kMost_s = 1e11, kMost_ms = 1e14, kMost_us = 1e17;
@@ -78,7 +85,7 @@ void set_time_base(const std::vector<double>& time_s, const std::function<size_t
   record.start_s = time_s.front() - take_clock(time_s, record);
   if (uneven == time_s.size())
     record.sample_period_s = (time_s.back() - time_s.front()) / static_cast<double>(time_s.size() - 1);
-  record.time_jitter_s = line_through(time_s, counted(time_s.size())).rms;
+  record.time_jitter_s = uneven < time_s.size() ? 0.0 : jitter_of(time_s, record.sample_period_s);
 }
 
 void keep_times(const std::vector<double>& time_s, const std::function<size_t(size_t)>& line_of, Record& record) {
