@@ -27,10 +27,14 @@ struct Header {
   std::string_view text, rest;
   size_t passed_over = 0;  // lines before it that are neither blank nor comments
   bool unnamed = false;    // it is the first row of numbers: nothing stands above
+  bool surplus = false;    // it has more names than there are columns
+  std::string unfit;       // of unnamed ones: what a comment above them names, which are not as many
 };
 
+using MeansChannel = std::function<bool(const std::string&)>;
+
 // How many fields mean a channel, and with which separator most do.
-size_t score(std::string_view line, const std::function<bool(const std::string&)>& means_channel, char& separator) {
+size_t score(std::string_view line, const MeansChannel& means_channel, char& separator) {
   size_t best = 0;
   for (const char candidate : kSeparators) {
     const std::vector<std::string> fields = split_fields(line, candidate);
@@ -108,7 +112,7 @@ struct TextLine {
 };
 
 Header named_by(const TextLine& line, char separator, size_t passed_over) {
-  return {line.number, separator, line.text, line.rest, passed_over, false};
+  return {line.number, separator, line.text, line.rest, passed_over, false, false, ""};
 }
 
 Header first_of(const std::vector<TextLine>& lines) {
@@ -124,11 +128,73 @@ Header names_above(const std::vector<TextLine>& above, const TextLine& numbers) 
   if (!above.empty()) return first_of(above);
   std::string_view next = numbers.rest;
   take_line(next);
-  return {numbers.number, likely_separator(numbers.text, next), numbers.text, numbers.rest, numbers.before, true};
+  return {numbers.number, likely_separator(numbers.text, next),
+          numbers.text,   numbers.rest,
+          numbers.before, true,
+          false,          ""};
 }
 
-Header find_header(std::string_view content, const std::function<bool(const std::string&)>& means_channel) {
+// "columns: t_s, force_1_N" without the word before the names, where that hides none.
+std::string_view without_title(std::string_view line, const MeansChannel& means_channel) {
+  const size_t colon = line.find(':'), names = line.find_first_not_of(" \t", colon + 1);
+  if (colon == std::string_view::npos || names == std::string_view::npos || names == colon + 1) return line;
+  char separator = ',';
+  const std::string_view behind = line.substr(names);
+  return score(behind, means_channel, separator) > 0 &&
+                 score(behind, means_channel, separator) >= score(line, means_channel, separator)
+             ? behind
+             : line;
+}
+
+// A comment that speaks of channels: names of all columns, of more than there are (from the left), or a sentence.
+struct NamingComment {
+  Header header;
+  size_t names = 0, fields = 0;  // fields: of the first row of numbers; 0: none comes
+  bool surplus = false;          // the names are more, and what is too much means no channel
+  bool fits() const { return fields == 0 || names == fields; }
+};
+
+size_t fields_of(std::string_view row, char separator) {
+  size_t fields = split_fields(row, separator).size();
+  for (const char other : kSeparators)
+    if (fields <= 1) fields = split_fields(row, other).size();
+  return fields;
+}
+
+NamingComment naming_comment(const Header& header, const MeansChannel& means_channel) {
+  NamingComment comment;
+  comment.header = header;
+  std::string_view rest = header.rest, row;
+  for (size_t i = 0; i < kLongestPreamble && !rest.empty() && row.empty(); ++i)
+    if (const std::string_view line = take_line(rest); is_row_of_numbers(line)) row = line;
+  if (!row.empty()) comment.fields = fields_of(row, header.separator);
+  const std::vector<std::string> names = split_names(header.text, header.separator, comment.fields);
+  comment.names = names.size();
+  if (comment.names <= comment.fields) return comment;
+  const auto end = names.begin() + static_cast<std::ptrdiff_t>(comment.fields);
+  const bool sentence = header.separator == ' ' && !std::all_of(names.begin(), end, means_channel);
+  comment.surplus = !sentence && std::none_of(end, names.end(), means_channel);
+  return comment;
+}
+
+// Nothing but comments spoke of channels, none of them with a name for each column.
+Header names_of(const std::optional<NamingComment>& comment, const std::vector<TextLine>& above,
+                const TextLine& numbers) {
+  Header header = names_above(above, numbers);
+  if (!comment || !header.unnamed) return header;
+  if (comment->surplus) {
+    header = comment->header;
+    header.surplus = true;
+    return header;
+  }
+  header.unfit = "the comment of line " + std::to_string(comment->header.line) + " has " +
+                 std::to_string(comment->names) + " words for " + std::to_string(comment->fields) + " columns";
+  return header;
+}
+
+Header find_header(std::string_view content, const MeansChannel& means_channel) {
   std::vector<TextLine> above;
+  std::optional<NamingComment> unfit;
   std::string_view rest = content;
   size_t passed_over = 0;
   for (size_t number = 1; !rest.empty() && number <= kLongestPreamble; ++number) {
@@ -139,13 +205,19 @@ Header find_header(std::string_view content, const std::function<bool(const std:
     if (is_row_of_numbers(line)) {
       const std::string_view next = take_line(below);
       if (is_row_of_numbers(next) && same_table(line, next))  // names stand above their numbers
-        return names_above(above, {number, passed_over, line, from_here});
+        return names_of(unfit, above, {number, passed_over, line, from_here});
       if (is_row_of_numbers(next)) above.clear();  // the names above were those of this one row
     }
     const bool comment = is_comment(line);
-    if (comment) line = without_comment_sign(line);
+    if (comment) line = without_title(without_comment_sign(line), means_channel);
     char separator = ',';
-    if (score(line, means_channel, separator) > 0) return {number, separator, line, rest, passed_over, false};
+    if (score(line, means_channel, separator) > 0) {
+      const Header header{number, separator, line, rest, passed_over, false, false, ""};
+      if (!comment) return header;
+      NamingComment naming = naming_comment(header, means_channel);
+      if (naming.fits()) return header;
+      if (!unfit) unfit = std::move(naming);
+    }
     if (comment) continue;
     if (!is_row_of_numbers(line)) above.push_back({number, passed_over, line, rest});
     ++passed_over;
@@ -295,9 +367,13 @@ CsvLayout find_layout(std::string_view content, const std::function<bool(const s
   layout.data = header.rest;
   layout.data_line = header.line + (header.unnamed ? 0 : 1);
   layout.unnamed = header.unnamed;
+  layout.unfit = header.unfit;
   const size_t fields = split_fields(first_row(header.rest), header.separator).size();
   for (const std::string& field : split_names(header.text, header.separator, fields))
     layout.columns.push_back({header.unnamed ? std::to_string(layout.columns.size() + 1) : field, ""});
+  if (header.surplus)
+    layout.notes.push_back("line " + std::to_string(header.line) + " names " + std::to_string(layout.columns.size()) +
+                           " columns, the rows have " + std::to_string(fields) + ": named from the left");
   if (header.passed_over > 0)
     layout.notes.push_back("passed over: " + std::to_string(header.passed_over) + " line" +
                            (header.passed_over == 1 ? "" : "s") + " before the " +

@@ -23,6 +23,7 @@ struct CsvLayout {
   bool decimal_comma = false;
   std::vector<Column> columns;  // "1", "2" and so on where the file has no names
   bool unnamed = false;
+  std::string unfit;               // of unnamed ones: that a comment speaks of channels, but not of so many
   size_t header_line = 1;          // from 1
   std::string_view data;           // the rest of the content, from the first row of numbers on
   size_t data_line = 2;            // its line
@@ -30,7 +31,7 @@ struct CsvLayout {
 };
 
 // The header is the first line in which some separator (tab, semicolon, comma, blanks) leaves a field that means a
-// channel or the time; a comment line may be it. Without one it is the first line above the numbers that has as many fields as
+// channel or the time; a comment line may be it, where it names each column (or more: from the left). Without one it is the first line above the numbers that has as many fields as
 // they; where there is none above them, the columns have no names. A row of numbers above rows of another width, and what
 // stands above it, is no part of the table. Below the header a row
 // of units may follow: fields that are units, or blank, and no number; or one stands above it, behind a word (LabVIEW). A

@@ -93,7 +93,8 @@ class CsvParser {
     if (layout_.unnamed && (channels == 0 || (!plan.has_time() && options_.sample_rate_Hz <= 0.0)))
       refuse(layout_.header_line, "holds no names of columns above its " + std::to_string(plan.uses.size()) +
                                       " columns of numbers, expected to be told which is which, as in --column t=1 "
-                                      "--column displacement_1=2, or --sample-rate in place of the time");
+                                      "--column displacement_1=2, or --sample-rate in place of the time" +
+                                      (layout_.unfit.empty() ? "" : "; " + layout_.unfit));
     if (!plan.has_time() && options_.sample_rate_Hz <= 0.0)
       refuse(layout_.header_line, "has no column of time (the first is " + quoted(first) +
                                       "), expected t_s, then channels, or --sample-rate, or --column t=NAME for a "
@@ -196,7 +197,8 @@ class CsvParser {
       if (last != (position == end))
         refuse(line_,
                (last ? "has more fields, expected " : "has " + std::to_string(column + 1) + " fields, expected ") +
-                   std::to_string(count) + " numbers separated by " + separator_word(separator));
+                   std::to_string(count) + " numbers separated by " + separator_word(separator) +
+                   (samples_ == 0 ? ", as many as line " + std::to_string(layout_.header_line) + " has names" : ""));
       if (!last) ++position;
     }
   }
