@@ -111,7 +111,8 @@ void require_motion_channels(const Record& record, const rig_file::RigModel& mod
                         std::string("no motion of ") +
                             (dof == rig_file::kBase ? "the base" : "DOF " + std::to_string(dof)) +
                             " is recorded, expected a column " + name(firmware::Quantity::kDisplacement) + ", " +
-                            name(firmware::Quantity::kVelocity) + " or " + name(firmware::Quantity::kAcceleration));
+                            name(firmware::Quantity::kVelocity) + " or " + name(firmware::Quantity::kAcceleration) +
+                            ", or --column for one with a name of its own");
   };
   for (size_t i = 0; i < model.dofs.size(); ++i) require(static_cast<int>(i + 1), model.dofs[i].rotating);
   for (const rig_file::Link& link : model.links)

@@ -7,6 +7,7 @@
 
 #include "host_sim/records/columns/column_name.hpp"
 #include "host_sim/records/columns/units.hpp"
+#include "host_sim/records/csv/lvm_header.hpp"
 
 namespace host_sim {
 namespace {
@@ -357,10 +358,18 @@ std::string_view first_row(std::string_view content) {
   return {};
 }
 
+// The names stand behind the headers of LabVIEW's files, in which "Time" is no column.
+Header header_below(const LvmHeader& lvm) {
+  Header header{lvm.lines, lvm.separator, "", lvm.below, lvm.lines, false, false, ""};
+  while (!header.rest.empty() && is_blank(header.text)) header.text = take_line(header.rest), ++header.line;
+  return header;
+}
+
 }  // namespace
 
 CsvLayout find_layout(std::string_view content, const std::function<bool(const std::string&)>& means_channel) {
-  const Header header = find_header(content, means_channel);
+  const LvmHeader lvm = lvm_header_of(content);
+  const Header header = lvm.lines > 0 ? header_below(lvm) : find_header(content, means_channel);
   CsvLayout layout;
   layout.separator = header.separator;
   layout.header_line = header.line;
@@ -378,6 +387,10 @@ CsvLayout find_layout(std::string_view content, const std::function<bool(const s
     layout.notes.push_back("passed over: " + std::to_string(header.passed_over) + " line" +
                            (header.passed_over == 1 ? "" : "s") + " before the " +
                            (header.unnamed ? "numbers" : "names") + " of line " + std::to_string(header.line));
+  if (!lvm.has_times && !layout.columns.empty()) {
+    layout.columns.front().head.clear();  // an X_Value that is blank
+    layout.step_s = lvm.step_s;
+  }
   skip_blank_and_comment_lines(layout);
   if (!layout.unnamed && take_units(layout))
     skip_blank_and_comment_lines(layout);

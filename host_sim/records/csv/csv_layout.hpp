@@ -27,6 +27,7 @@ struct CsvLayout {
   size_t header_line = 1;          // from 1
   std::string_view data;           // the rest of the content, from the first row of numbers on
   size_t data_line = 2;            // its line
+  double step_s = 0.0;             // where the header tells it in place of a column of time; else 0
   std::vector<std::string> notes;  // what was passed over
 };
 

@@ -16,6 +16,7 @@
 #include "host_sim/records/csv/decimal_number.hpp"
 #include "host_sim/records/csv/fill_blanks.hpp"
 #include "host_sim/records/csv/held_commands.hpp"
+#include "host_sim/records/csv/lvm_header.hpp"
 #include "host_sim/records/csv/row_ends.hpp"
 #include "host_sim/records/csv/text_encoding.hpp"
 #include "host_sim/records/data_file_error.hpp"
@@ -47,6 +48,8 @@ class CsvParser {
     if (content_.find_first_not_of(" \t\r\n") == std::string_view::npos)
       refuse(0, "is empty, expected a line of column names, then numbers");
     layout_ = find_layout(content_, [this](const std::string& head) { return means_channel(head, model_, options_); });
+    rate_Hz_ =
+        options_.sample_rate_Hz > 0.0 || !(layout_.step_s > 0.0) ? options_.sample_rate_Hz : 1.0 / layout_.step_s;
     if (layout_.header_line == 0) refuse(1, "holds no names of columns, expected t_s, then channels");
     plan();
     reserve();
@@ -57,6 +60,8 @@ class CsvParser {
       if (!numbers && is_comment(row)) {
         comments_.push_back(samples_);
       } else if (!numbers && is_blank(row)) {
+        if (begins_lvm_segment(rest)) refuse_segment();
+        if (begins_lvm_segment(rest)) refuse_segment();
         if (!ends_before(rest)) refuse(line_, "is blank, expected " + std::to_string(columns_.size()) + " numbers");
         break;
       } else if (samples_ > 0 && rest.empty() && breaks_off(row)) {
@@ -90,12 +95,12 @@ class CsvParser {
     const auto channels =
         static_cast<size_t>(std::count_if(plan.uses.begin(), plan.uses.end(),
                                           [](const ColumnUse& use) { return use.kind == ColumnUse::Kind::kChannel; }));
-    if (layout_.unnamed && (channels == 0 || (!plan.has_time() && options_.sample_rate_Hz <= 0.0)))
+    if (layout_.unnamed && (channels == 0 || (!plan.has_time() && rate_Hz_ <= 0.0)))
       refuse(layout_.header_line, "holds no names of columns above its " + std::to_string(plan.uses.size()) +
                                       " columns of numbers, expected to be told which is which, as in --column t=1 "
                                       "--column displacement_1=2, or --sample-rate in place of the time" +
                                       (layout_.unfit.empty() ? "" : "; " + layout_.unfit));
-    if (!plan.has_time() && options_.sample_rate_Hz <= 0.0)
+    if (!plan.has_time() && rate_Hz_ <= 0.0)
       refuse(layout_.header_line, "has no column of time (the first is " + quoted(first) +
                                       "), expected t_s, then channels, or --sample-rate, or --column t=NAME for a "
                                       "time with a name of its own (and --unit t=ms where it is in ms)");
@@ -145,6 +150,13 @@ class CsvParser {
     return fields < columns_.size();
   }
 
+  std::string_view from(std::string_view row) const {
+    return {row.data(), static_cast<size_t>(content_.data() + content_.size() - row.data())};
+  }
+  [[noreturn]] void refuse_segment() const {
+    refuse(line_, "begins a second segment with a header of its own, expected one: save each as a file");
+  }
+
   // Whether nothing but text follows, which is said.
   bool ends_before(std::string_view lines) {
     const std::optional<size_t> text = text_below(lines);
@@ -156,9 +168,10 @@ class CsvParser {
   // Of a table whose rows begin with numbers. The names again and a row without a time are none of it.
   bool ends_with_text(std::string_view row) {
     std::string_view data = layout_.data;
-    if (!begins_like_number(take_line(data)) || is_header(row) || says_no_value(first_field(row))) return false;
-    return ends_before(
-        std::string_view(row.data(), static_cast<size_t>(content_.data() + content_.size() - row.data())));
+    if (begins_lvm_segment(from(row)) || !begins_like_number(take_line(data)) || is_header(row) ||
+        says_no_value(first_field(row)))
+      return false;
+    return ends_before(from(row));
   }
   std::string first_field(std::string_view row) const {
     return trimmed_text(split_fields(row, layout_.separator).front());
@@ -311,6 +324,7 @@ class CsvParser {
       expected += " with a decimal point, as in the first rows";
     if (layout_.separator != ',' && commas > 1)
       expected += std::string(", fields separated by ") + separator_word(layout_.separator) + " as the names are";
+    if (begins_lvm_segment(from(row_))) refuse_segment();
     if (is_header(row_))
       refuse(line_,
              "holds the names of the columns again, as where a second recording begins: give each a file of its "
@@ -384,7 +398,7 @@ class CsvParser {
   }
 
   void leave_out_repeats() {
-    if (repeats_.empty() || options_.sample_rate_Hz > 0.0) return;
+    if (repeats_.empty() || rate_Hz_ > 0.0) return;
     std::vector<bool> keep(samples_, true);
     for (const size_t sample : repeats_) keep[sample] = false;
     if (!stand_twice(keep)) return;
@@ -430,9 +444,9 @@ class CsvParser {
     if (lacks_times_) leave_out_rest();
     leave_out_repeats();
     if (samples_ > 0) treat_blanks();
-    if (options_.sample_rate_Hz > 0.0) {
+    if (rate_Hz_ > 0.0) {
       if (samples_ < 2) refuse(0, "holds " + std::to_string(samples_) + " samples, expected at least 2");
-      record_.sample_period_s = 1.0 / options_.sample_rate_Hz;
+      record_.sample_period_s = 1.0 / rate_Hz_;
     } else {
       const auto set = options_.resample_Hz > 0.0 ? keep_times : set_time_base;
       set(
@@ -446,7 +460,8 @@ class CsvParser {
   CsvLayout layout_;
   Record record_;
   std::vector<Target> columns_;
-  size_t needed_ = 0;  // so many of them, to the last that is not ignored
+  double rate_Hz_ = 0.0;  // that is told in place of times; 0: it is not
+  size_t needed_ = 0;     // so many of them, to the last that is not ignored
   std::vector<double> time_s_;
   ClockTime first_clock_;
   std::vector<size_t> comments_;  // how many samples stood before each comment line among the rows
