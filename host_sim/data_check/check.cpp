@@ -26,6 +26,7 @@
 #include "host_sim/data_check/staircase.hpp"
 #include "host_sim/data_check/statistics.hpp"
 #include "host_sim/data_check/time_unit.hpp"
+#include "host_sim/data_check/unlike.hpp"
 #include "host_sim/data_check/work.hpp"
 
 namespace host_sim::data_check {
@@ -268,6 +269,7 @@ Report check(const std::vector<Record>& records, const rig_file::RigModel* model
   keep_what_all_records_say("exchanged", report);
   if (!records.empty()) require_one_sign(report);
   report.findings = describe_excitation(records, drives);
+  for (Finding& finding : find_unlike(records)) report.findings.push_back(std::move(finding));
   return report;
 }
 

@@ -119,11 +119,16 @@ void require_motion_channels(const Record& record, const rig_file::RigModel& mod
     if (link.b == rig_file::kBase) require(rig_file::kBase, rig_file::link_rotates(model, link));
 }
 
+bool same_period(const Record& a, const Record& b) {
+  constexpr double kTolerance = 1e-3;  // all are counted at one rate, and a spring goes with its square
+  return std::abs(a.sample_period_s / b.sample_period_s - 1.0) <= kTolerance;
+}
+
 void require_same_channels(const std::vector<Record>& records) { require_same_channels(records.front(), records); }
 
 void require_same_channels(const Record& first, const std::vector<Record>& records) {
   for (const Record& record : records) {
-    if (std::abs(record.sample_period_s / first.sample_period_s - 1.0) > kStepTolerance)
+    if (!same_period(record, first))
       throw DataFileError(record.file, 0,
                           "sampled every " + seconds(record.sample_period_s) + ", expected " +
                               seconds(first.sample_period_s) + " as in " + first.file +

@@ -26,6 +26,9 @@ void keep_times(const std::vector<double>& time_s, const std::function<size_t(si
 // DataFileError.
 void require_motion_channels(const Record& record, const rig_file::RigModel& model);
 
+// To a thousandth.
+bool same_period(const Record& a, const Record& b);
+
 // Several records of one rig must have the same channels and the same sample period: else DataFileError.
 void require_same_channels(const std::vector<Record>& records);
 void require_same_channels(const Record& first, const std::vector<Record>& records);
