@@ -387,10 +387,7 @@ CsvLayout find_layout(std::string_view content, const std::function<bool(const s
     layout.notes.push_back("passed over: " + std::to_string(header.passed_over) + " line" +
                            (header.passed_over == 1 ? "" : "s") + " before the " +
                            (header.unnamed ? "numbers" : "names") + " of line " + std::to_string(header.line));
-  if (!lvm.has_times && !layout.columns.empty()) {
-    layout.columns.front().head.clear();  // an X_Value that is blank
-    layout.step_s = lvm.step_s;
-  }
+  if (!lvm.has_times) layout.step_s = lvm.step_s;
   skip_blank_and_comment_lines(layout);
   if (!layout.unnamed && take_units(layout))
     skip_blank_and_comment_lines(layout);

@@ -113,7 +113,7 @@ class CsvParser {
       Target target;
       target.name = use.kind == ColumnUse::Kind::kTime ? trimmed_text(layout_.columns[i].head) : use.channel.name;
       target.factor = use.factor;
-      if (use.kind == ColumnUse::Kind::kTime) target.values = &time_s_;
+      if (use.kind == ColumnUse::Kind::kTime && !(layout_.step_s > 0.0)) target.values = &time_s_;
       if (use.kind == ColumnUse::Kind::kChannel) {
         record_.channels.push_back(std::move(use.channel));
         target.values = &record_.channels.back().values;  // room was reserved: it stays there
