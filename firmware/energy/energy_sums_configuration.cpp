@@ -4,10 +4,6 @@
 namespace firmware {
 namespace {
 
-// Mean differences between a rate and its neighbours beyond which the rate's sign is clear (links/clear_sign.hpp). Half of a
-// derived velocity's noise and more is slower than that.
-constexpr int kClearMeans = 4, kClearMeansDerived = 8;
-
 bool measured_velocity(const CoreConfiguration& configuration, int node) {
   return node == kGroundNode || !configuration.signals[node][static_cast<int>(Quantity::kVelocity)].derived;
 }
@@ -53,8 +49,8 @@ void EnergySums::configure(const CoreConfiguration& configuration, int weights) 
     const LinkConfiguration& link = configuration.links[l];
     gains_[l] = rate_gains(configuration, link);
     const bool white = measured_velocity(configuration, link.node_a) && measured_velocity(configuration, link.node_b);
-    clear_sign_[l].configure(sign_gains(configuration, gains_[l]), white ? kClearMeans : kClearMeansDerived,
-                             configuration.high_pass_order > 0 && !white, rate_noise(configuration, link));
+    clear_sign_[l].configure(sign_gains(configuration, gains_[l]), white, configuration.high_pass_order > 0 && !white,
+                             rate_noise(configuration, link));
     use_[l] = LinkUse{};
     use_[l].smooth_is_white = white;
   }

@@ -3,6 +3,8 @@
 namespace firmware {
 namespace {
 
+// Mean differences between a rate and its neighbours that are beyond doubt. Half of a derived rate's noise and more is slower.
+constexpr int kMeansMeasured = 4, kMeansDerived = 8;
 constexpr int kSlowShareLog2 = 3;
 // Noise of deviation s takes s^2 / (2 A^2) from the friction of a rate that is A rms. Mean rates over three deviations are motion:
 // then that is 4 % of what is counted there, and that is the least that counts.
@@ -12,9 +14,9 @@ constexpr int64_t kMostRate = int64_t{1} << 44;
 
 }  // namespace
 
-void ClearSign::configure(const RateGains& gains, int means, bool slow, const Scaled& noise) {
+void ClearSign::configure(const RateGains& gains, bool measured, bool slow, const Scaled& noise) {
   gains_ = gains;
-  known_.means = static_cast<uint8_t>(means);
+  known_.measured = measured;
   known_.slow = slow;
   if (!kDerivesSignals) return;
   const int64_t least = to_fixed(noise * Scaled::ratio((6 << kNearLog2) * kMovingPercent, 100), Rate::kFractionBits);
@@ -23,7 +25,7 @@ void ClearSign::configure(const RateGains& gains, int means, bool slow, const Sc
 
 void ClearSign::restart() {
   Known fresh;
-  fresh.means = known_.means;
+  fresh.measured = known_.measured;
   fresh.slow = known_.slow;
   known_ = fresh;
 }
@@ -39,11 +41,13 @@ bool ClearSign::judge(Number own, Number around) {
   }
   if (kDerivesSignals && Rate{} < least_) {
     known_.near = known_.near + rescale<Rate>(size_of(6 * own)) - (known_.near >> kNearLog2);
-    if (known_.near < least_) return false;
+    if (known_.near < (known_.measured ? least_ + least_ : least_)) return false;
+    if (known_.measured && rescale<Rate>(size_of(6 * own)) < (least_ >> kNearLog2)) return false;
   }
   if (sign_of(own) != sign_of(around)) return false;
   const Rate size = rescale<Rate>(size_of(around));
-  const Rate doubt = known_.means * known_.differences + (known_.slow ? known_.magnitudes >> kSlowShareLog2 : Rate{});
+  const int means = known_.measured ? kMeansMeasured : kMeansDerived;
+  const Rate doubt = means * known_.differences + (known_.slow ? known_.magnitudes >> kSlowShareLog2 : Rate{});
   return doubt < static_cast<int32_t>(known_.count) * size;
 }
 

@@ -8,7 +8,10 @@
 //
 // Where the rate is derived its neighbours share most of its noise and show little of it: of a low-passed slope a twentieth. There
 // the noise is known that the channels and the filters give the rate, and a link whose rate is no more than that is at rest: nothing
-// is clear. A fading mean of the last 64 samples decides, not the sample: what its own noise has chosen would be biased by it.
+// is clear. A fading mean of the last 64 samples decides: a derived rate has a tenth of the motion in noise, and what a sample's own
+// noise has chosen would be biased by it. A measured velocity that has passed a low-pass has a hundredth: there the sample has to be
+// beyond three deviations too, for a link sticks and slips again in less than 64, and the mean beyond six: of a rate that hardly passes
+// the limit, noise chooses the most.
 //
 // Formats: rate below 2^35 (link_motion.hpp), times 6 below 2^38; sum of at most 2^11 of them below 2^50.
 #pragma once
@@ -18,10 +21,10 @@ namespace firmware {
 
 class ClearSign {
  public:
-  // means: how many mean differences are beyond doubt; 4 where the rate's noise is white, more where a part of it is too slow
-  // for neighbours to show. slow: the rate has passed a high-pass, which shifts it by up to an eighth of its mean magnitude.
+  // measured: the rate is that of measured velocities; else it is derived, and a part of its noise is too slow for neighbours to
+  // show. slow: the rate has passed a high-pass, which shifts it by up to an eighth of its mean magnitude.
   // noise: standard deviation of the rate, in its common unit; 0: not known.
-  void configure(const RateGains& gains, int means, bool slow, const Scaled& noise);
+  void configure(const RateGains& gains, bool measured, bool slow, const Scaled& noise);
   void restart();  // a new level: its noise is measured anew
   // For positions [from, to): clear[i]: is it; sign[i] is that of the rate itself. What is known of the
   // noise goes on from position from + advance at the next call. Rates are read two positions further on either side.
@@ -35,8 +38,7 @@ class ClearSign {
     Rate near;                     // fading sum of 6 |rate|, 64 times its mean
     uint32_t count = 0;
     // Of the link, beside the count that leaves room for them.
-    uint8_t means = 4;
-    bool slow = false;
+    bool measured = true, slow = false;
   };
   // around: six times the interpolated rate. Number: Code where a unit of both is one of the common unit, else Rate.
   template <typename Number>

@@ -3,7 +3,8 @@
 namespace firmware {
 namespace {
 
-constexpr PassedSign kMostUnknown = PassedSign::from_raw((1 << PassedSign::kFractionBits) / 4);
+// A wrong sign is off by two: friction of a sample is known to a sixteenth of itself.
+constexpr PassedSign kMostUnknown = PassedSign::from_raw((1 << PassedSign::kFractionBits) / 32);
 constexpr int kMostTaps = 2 * kSignFilterHalf + 1;
 
 // Running sums of the taps: of the first k.

@@ -11,19 +11,18 @@ namespace host_sim::data_check {
 namespace {
 
 constexpr double kDeviations = 5.0;                           // of noise: chance goes so far once in a million samples
-constexpr double kOffset = 0.01;                              // of the largest value
 constexpr size_t kWindows = 500;                              // of a record: a decay is placed to so much of it
 constexpr double kRises = 1.21, kFalls = 0.25, kLost = 0.95;  // of the energy
 constexpr double kHeld =
     3.0;  // times as long for the first twentieth as for the next: dry friction needs as long, drag less
-constexpr double kRest = 0.01;       // of the largest energy: less is noise of what rests
+constexpr double kRest = 0.01;       // of the largest energy: less is what a sensor shows of what rests
 constexpr double kShareOfIt = 0.25;  // of what is loud, at least, has to be decay
 constexpr size_t kFewest = 64;       // samples of a decay
 constexpr double kLoud = 0.05;       // of the largest energy: from less no decay is worth its record
 
 bool turns_one_way(const std::vector<double>& rate) {
   const auto [least, most] = std::minmax_element(rate.begin(), rate.end());
-  return *most > 0.0 ? *least >= -kOffset * *most : true;
+  return *most > 0.0 ? *least >= -std::sqrt(kRest) * *most : true;
 }
 
 // Mean rates over windows. Empty where the channel is no rate of something that may turn one way, or it turns back.
@@ -91,7 +90,7 @@ bool decays_enough(const std::vector<double>& energy, const std::vector<DecaySpa
 bool keeps_its_sign(const Channel& channel) {
   if (channel.quantity != Quantity::kVelocity) return false;
   const Statistics s = statistics_of(channel);
-  const double small = std::max(kDeviations * s.noise, kOffset * std::max(s.highest, -s.lowest));
+  const double small = std::max(kDeviations * s.noise, std::sqrt(kRest) * std::max(s.highest, -s.lowest));
   return s.lowest >= -small || s.highest <= small;
 }
 

@@ -6,7 +6,7 @@
 
 namespace host_sim::data_check {
 
-// Whether a velocity keeps its sign; at rest it may show its noise on the other side, or an offset of a hundredth.
+// Whether a velocity keeps its sign; at rest it may show its noise or its offset on the other side, up to a hundredth of the energy.
 bool keeps_its_sign(const Channel& channel);
 
 // The free decays of a record whose DOFs all keep the sign of their rate (a velocity, or an angle's slope): the energy is the

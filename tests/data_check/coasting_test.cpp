@@ -76,6 +76,18 @@ TEST(Coasting, OfTwoRunUpsAreTwo) {
   EXPECT_LE(decays[1].from, 56u * 20 + 8);
 }
 
+// The rig stands for 20 s before and rests after it, where the sensor wanders by up to 4 % of the speed about nought (a wheel's pick-up),
+// far more than its noise from sample to sample.
+TEST(Coasting, StandsBeforeAndAfter) {
+  const auto decays = free_decays(record_of([](double t) {
+    const double v = t < 20 ? 0.0 : run_up(t - 20);
+    return v > 0.0 ? v : 4 * std::sin(0.9 * t);
+  }));
+  ASSERT_EQ(decays.size(), 1u);
+  EXPECT_GE(decays[0].from, 40u * 20);
+  EXPECT_LE(decays[0].from, 40u * 20 + 17 + 8);
+}
+
 // A motor that is ramped up, held for 30 s and ramped down within 2 s decays for a tenth of its time; one that turns back does not
 // keep its sign; one that slows to 60 % (36 % of the energy) shows too little.
 TEST(Coasting, IsNotAMotorsOwnMotion) {

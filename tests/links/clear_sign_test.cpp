@@ -27,9 +27,9 @@ RateGains one_velocity() {
   return gains;
 }
 
-Signs of(const Frame& frame, int means = 4, Scaled noise = {}) {
+Signs of(const Frame& frame, bool measured = true, Scaled noise = {}) {
   ClearSign sign;
-  sign.configure(one_velocity(), means, false, noise);
+  sign.configure(one_velocity(), measured, false, noise);
   Signs result;
   sign.fill(frame, 2, 37, 35, result.is_clear, Column<Code>(result.own));
   return result;
@@ -60,10 +60,28 @@ TEST(ClearSign, IsNotClearWithinFourMeanDifferences) {
 TEST(ClearSign, WhatIsLessThanThreeTimesItsKnownNoiseIsRest) {
   const auto frame = std::make_unique<Frame>();
   for (int i = 0; i < kFrameStride; ++i) frame->raw[kVelocity][i] = 60;
-  const Signs moves = of(*frame, 8, Scaled::from_int(5)), rests = of(*frame, 8, Scaled::from_int(21));
+  const Signs moves = of(*frame, false, Scaled::from_int(5)), rests = of(*frame, false, Scaled::from_int(21));
   for (int i = 2; i < 37; ++i) {
     EXPECT_EQ(moves.clear(i), i >= 2 + 18 ? 1 : 0) << i;
     EXPECT_EQ(rests.clear(i), 0);
+  }
+}
+
+// A link that slips with a rate of 600 and sticks for five samples, where noise of 10 that has passed a low-pass reads 20: neighbours
+// agree, and the mean of the last 64 still knows the motion. Of a measured velocity that is rest, 20 < 30; of a derived one it is not.
+TEST(ClearSign, AMeasuredVelocityThatSticksForLessThanTheMeanIsRest) {
+  const auto slips = std::make_unique<Frame>(), sticks = std::make_unique<Frame>();
+  for (int i = 0; i < kFrameStride; ++i)
+    slips->raw[kVelocity][i] = 600, sticks->raw[kVelocity][i] = i < 20 || i > 24 ? 600 : 20;
+  for (const bool measured : {true, false}) {
+    ClearSign sign;
+    sign.configure(one_velocity(), measured, false, Scaled::from_int(10));
+    Signs signs;
+    for (int block = 0; block < 60; ++block) sign.fill(*slips, 2, 37, 35, signs.is_clear, Column<Code>(signs.own));
+    for (int i = 2; i < 37; ++i) EXPECT_EQ(signs.clear(i), 1);
+    sign.fill(*sticks, 2, 37, 35, signs.is_clear, Column<Code>(signs.own));
+    EXPECT_EQ(signs.clear(22), measured ? 0 : 1);
+    for (int i = 2; i < 18; ++i) EXPECT_EQ(signs.clear(i), 1);
   }
 }
 

@@ -15,7 +15,7 @@ using firmware::Column;
 using firmware::PassedSign;
 
 constexpr int kAdvance = 32, kLength = kAdvance + 3, kBlocks = 20;
-constexpr int kQuarter = (1 << PassedSign::kFractionBits) / 4;
+constexpr int kMostUnknown = (1 << PassedSign::kFractionBits) / 32;
 
 struct Stream {
   std::vector<int> sign;
@@ -45,7 +45,7 @@ void expect_written_out(const Stream& s, const std::vector<int>& tap, size_t new
     if (!s.known[at]) unknown += std::abs(tap[k]);
   }
   EXPECT_EQ(passed, sum) << "sample " << newest;
-  EXPECT_EQ(clear, unknown <= kQuarter) << "sample " << newest;
+  EXPECT_EQ(clear, unknown <= kMostUnknown) << "sample " << newest;
 }
 
 void run(int half, double hold, unsigned seed) {
