@@ -80,7 +80,7 @@ void EnergySums::filter_sign(Frame& frame, int link, int from, int to, int advan
   const Column<Code> sign = frame.codes(kClearSignColumn + link);
   Column<PassedSign> passed = frame.passed_sign(link);
   if (configuration_->sign_half_length > 0)
-    low_passed_sign_[filter].fill(*configuration_, from, to, advance, sign, passed, clear);
+    low_passed_sign_[filter].fill(*configuration_, use_[link].smooth_is_white, from, to, advance, sign, passed, clear);
   else
     for (int n = from; n < to; ++n) passed.put(n, rescale<PassedSign>(sign[n]));
   if (configuration_->high_pass_order > 0)

@@ -19,7 +19,7 @@ constexpr int kLargestInflation = 100;
 constexpr int kLargestNoiseShare = 2;
 
 struct Identifiability {
-  Scaled inflation[kMaxUnknowns];   // 1 or more; 0 where the column is zero or fully dependent
+  Scaled inflation[kMaxUnknowns];   // 1 or more; 0 where the column is zero, fully dependent, or a part of one that is
   Scaled condition_number;          // of the column-scaled rows
   Scaled unresolved[kMaxUnknowns];  // change of parameters that the rows see least, largest relative entry 1
 };

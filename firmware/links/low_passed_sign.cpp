@@ -3,8 +3,10 @@
 namespace firmware {
 namespace {
 
-// A wrong sign is off by two: friction of a sample is known to a sixteenth of itself.
-constexpr PassedSign kMostUnknown = PassedSign::from_raw((1 << PassedSign::kFractionBits) / 32);
+// Of the filter's weight. A wrong sign is off by two: 1/32 leaves friction known to a sixteenth of itself. Where the velocity is
+// measured what is not known are reversals, halves of either sign: a quarter may be.
+constexpr PassedSign kMostUnknownDerived = PassedSign::from_raw((1 << PassedSign::kFractionBits) / 32);
+constexpr PassedSign kMostUnknownMeasured = PassedSign::from_raw((1 << PassedSign::kFractionBits) / 4);
 constexpr int kMostTaps = 2 * kSignFilterHalf + 1;
 
 // Running sums of the taps: of the first k.
@@ -44,14 +46,15 @@ class StepsInWindow {
 
 }  // namespace
 
-void LowPassedSign::fill(const CoreConfiguration& configuration, int from, int to, int advance, Column<Code> sign,
-                         Column<PassedSign> passed, bool* clear) {
+void LowPassedSign::fill(const CoreConfiguration& configuration, bool measured, int from, int to, int advance,
+                         Column<Code> sign, Column<PassedSign> passed, bool* clear) {
   const int taps = 2 * configuration.sign_half_length + 1;
   TapSums sums, sizes;
   for (int k = 0; k < taps; ++k) {
     sums.of[k + 1] = sums.of[k] + configuration.sign_tap[k];
     sizes.of[k + 1] = sizes.of[k] + size_of(configuration.sign_tap[k]);
   }
+  const PassedSign most_unknown = measured ? kMostUnknownMeasured : kMostUnknownDerived;
   StepsInWindow signs(sums, taps), unknown(sizes, taps);
   for (int k = 0, at = state_.at; k < taps; ++k, at = at + 1 == taps ? 0 : at + 1) {  // oldest first
     signs.add(state_.sign[at]);
@@ -66,7 +69,7 @@ void LowPassedSign::fill(const CoreConfiguration& configuration, int from, int t
     signs.add(static_cast<int>(sign[i].raw));
     unknown.add(clear[i] ? 0 : 1);
     passed.put(i, signs.sum());
-    clear[i] = !(kMostUnknown < unknown.sum());
+    clear[i] = !(most_unknown < unknown.sum());
   }
   state_ = at_next;
 }

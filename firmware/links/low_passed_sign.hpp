@@ -13,9 +13,9 @@ class LowPassedSign {
  public:
   void restart() { state_ = State{}; }
   // sign: -1, 0, 1; passed: the filtered sign, may be the same column; clear in: is the sign known; clear out: false
-  // where signs that are not known make up over 1/32 of the filter's weight. Positions [from, to); goes on from
+  // where signs that are not known make up over 1/32 of the filter's weight, 1/4 where the rate is that of measured velocities. Positions [from, to); goes on from
   // from + advance at the next call. Sums of at most 25 taps of 2^20: 31 bits.
-  void fill(const CoreConfiguration& configuration, int from, int to, int advance, Column<Code> sign,
+  void fill(const CoreConfiguration& configuration, bool measured, int from, int to, int advance, Column<Code> sign,
             Column<PassedSign> passed, bool* clear);
 
  private:

@@ -49,3 +49,19 @@ TEST(LateChannel, WhatIsDerivedHasNoDelayToGive) {
             "displacement_1_m is 400 us late against the velocity (+- 2): it is made from other channels; measure it "
             "as well");
 }
+
+// Condition 7: the columns differ well, so something scatters. Beside a force that the rig file lacks that is the force, not noise;
+// beside a channel's delay that has been taken out and explains everything, it is noise again.
+TEST(Unanswered, ScatterIsNoiseOnlyWhereNothingIsSuspected) {
+  EstimateResult result;
+  result.condition_number = 7.0;
+  result.parameters.resize(1);
+  result.parameters[0].info.name = "viscous[1-0]";
+  result.parameters[0].status = firmware::EstimateStatus::kIllConditioned;
+  EXPECT_NE(host_sim::unanswered(result).find("hidden by noise"), std::string::npos);
+  result.warrant.named.effect = "force_offset";
+  EXPECT_NE(host_sim::unanswered(result).find("what the rig file lacks"), std::string::npos);
+  EXPECT_EQ(host_sim::unanswered(result).find("noise"), std::string::npos);
+  result.warrant.explained = true;
+  EXPECT_NE(host_sim::unanswered(result).find("hidden by noise"), std::string::npos);
+}

@@ -15,7 +15,7 @@ using firmware::Column;
 using firmware::PassedSign;
 
 constexpr int kAdvance = 32, kLength = kAdvance + 3, kBlocks = 20;
-constexpr int kMostUnknown = (1 << PassedSign::kFractionBits) / 32;
+constexpr int kOne = 1 << PassedSign::kFractionBits;
 
 struct Stream {
   std::vector<int> sign;
@@ -37,7 +37,8 @@ Stream stream(int taps, double hold, unsigned seed) {
 }
 
 // newest: place in the stream of the window's last sample.
-void expect_written_out(const Stream& s, const std::vector<int>& tap, size_t newest, int32_t passed, bool clear) {
+void expect_written_out(const Stream& s, const std::vector<int>& tap, size_t newest, int32_t passed, int most_unknown,
+                        bool clear) {
   int64_t sum = 0, unknown = 0;
   for (size_t k = 0; k < tap.size(); ++k) {
     const size_t at = newest + 1 - tap.size() + k;
@@ -45,10 +46,11 @@ void expect_written_out(const Stream& s, const std::vector<int>& tap, size_t new
     if (!s.known[at]) unknown += std::abs(tap[k]);
   }
   EXPECT_EQ(passed, sum) << "sample " << newest;
-  EXPECT_EQ(clear, unknown <= kMostUnknown) << "sample " << newest;
+  EXPECT_EQ(clear, unknown <= most_unknown) << "sample " << newest;
 }
 
-void run(int half, double hold, unsigned seed) {
+// measured: a quarter of the weight may be unknown, else 1/32.
+void run(int half, double hold, bool measured, unsigned seed) {
   const auto configuration = std::make_unique<firmware::CoreConfiguration>();
   configuration->sign_half_length = static_cast<uint8_t>(half);
   std::vector<int> tap;
@@ -67,15 +69,17 @@ void run(int half, double hold, unsigned seed) {
     bool clear[kLength];
     for (int i = 0; i < kLength; ++i)
       sign[i] = s.sign[start + static_cast<size_t>(i)], clear[i] = s.known[start + static_cast<size_t>(i)];
-    filter.fill(*configuration, 0, kLength, kAdvance, Column<Code>(sign), Column<PassedSign>(passed), clear);
-    for (int i = 0; i < kLength; ++i) expect_written_out(s, tap, start + static_cast<size_t>(i), passed[i], clear[i]);
+    filter.fill(*configuration, measured, 0, kLength, kAdvance, Column<Code>(sign), Column<PassedSign>(passed), clear);
+    for (int i = 0; i < kLength; ++i)
+      expect_written_out(s, tap, start + static_cast<size_t>(i), passed[i], kOne / (measured ? 4 : 32), clear[i]);
   }
 }
 
 TEST(LowPassedSign, IsTheSumTapByTap) {
   for (const int half : {1, 5, firmware::kSignFilterHalf})
     for (const double hold : {1.0, 4.0, 30.0})
-      run(half, hold, static_cast<unsigned>(half * 100) + static_cast<unsigned>(hold));
+      for (const bool measured : {false, true})
+        run(half, hold, measured, static_cast<unsigned>(half * 100) + static_cast<unsigned>(hold));
 }
 
 }  // namespace

@@ -29,8 +29,13 @@ bool hidden_by_noise(EstimateStatus status, const EstimateResult& result) {
          (result.condition_number < kWellConditioned || !result.inseparable);
 }
 
+bool suspects(const WarrantResult& warrant) { return !warrant.named.effect.empty() && !warrant.explained; }
+
 // Why a parameter has no answer; empty where it has one.
 const char* reason(EstimateStatus status, const EstimateResult& result) {
+  if (hidden_by_noise(status, result) && suspects(result.warrant))
+    return "lost in what the rig file lacks: that scatters in these energies more than the number itself; more of the "
+           "same data will not help before the rig file has it";
   if (hidden_by_noise(status, result))
     return result.integrates
                ? "hidden by noise: a motion that is integrated from rates does not show what is slow, nor where "

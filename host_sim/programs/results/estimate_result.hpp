@@ -61,7 +61,7 @@ std::vector<double> values_of(const EstimateResult& result);
 // EstimateResult::covariance of the core's last solve.
 std::vector<std::vector<double>> covariance_of(const EstimateResult& result, const firmware::EstimatorCore& core);
 
-// Empty where every parameter is answered; else why not and what to measure instead.
+// Empty where every parameter is answered; else why not and what to measure instead. What scatters is noise only where nothing is suspected.
 std::string unanswered(const EstimateResult& result);
 
 }  // namespace host_sim
