@@ -128,7 +128,8 @@ constexpr double kAsGoodAsRight = 1e-3;  // of the motion, over a window: no sen
 // links_too: of the motions between two DOFs as well.
 double motion_error(const Task& task, const State& state, bool links_too = true);
 // Whether windows can tell valleys apart: kFollows, but for what a channel misses all the time, which moves no phase and no shorter
-// window would mend (a sensor's zero, a constant force).
+// window would mend (a sensor's zero, a constant force). Where nothing drives the rig it is enough that half of the stretches are followed so: the
+// loud start outweighs all others, and another mode of a blow, which dies out there, moves no phase either.
 bool follows(const Task& task, const State& state, bool links_too = true);
 // Takes causes that another test found and borne_out() confirms.
 void adopt(const Task& task, const std::vector<Candidate>& found, const std::vector<std::vector<double>>& values,

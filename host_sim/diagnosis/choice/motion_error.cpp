@@ -75,8 +75,41 @@ double motion_error(const Task& task, const State& s, bool links_too) {
   return error_over_motion(task, s, links_too, [](const MotionSums& m) { return m.error; });
 }
 
+namespace {
+
+// Of the stretches that the windows are made of, the error over the motion that half of them do not exceed, the worst channel's; huge
+// where there is no fit.
+double usual_error(const Task& task, const State& s) {
+  if (!s.fit.ok) return 1e300;
+  Evaluator e(task.system, s.model, task.records);
+  const auto parts = static_cast<Index>(parts_for(s.seen.size()));
+  std::vector<std::vector<double>> errors(e.traces(0).size());
+  WindowRun run;
+  for (const Window& w : s.seen) {
+    if (!e.run(w, false, false, run)) return 1e300;
+    for (size_t c = 0; c < errors.size(); ++c)
+      for (Index part = 0; part < parts; ++part) {
+        const Index from = part * w.length / parts, count = (part + 1) * w.length / parts - from;
+        const double error = run.residual.segment(static_cast<Index>(c) * w.length + from, count).squaredNorm();
+        const double motion =
+            motion_square(task.records[w.record], e.traces(w.record)[c], w.from + from, std::max<Index>(count, 1));
+        errors[c].push_back(std::sqrt(error / std::max(1e-300, motion)));
+      }
+  }
+  double worst = 0;
+  for (std::vector<double>& list : errors) {
+    const auto middle = list.begin() + static_cast<std::ptrdiff_t>(list.size() / 2);
+    std::nth_element(list.begin(), middle, list.end());
+    worst = std::max(worst, *middle);
+  }
+  return worst;
+}
+
+}  // namespace
+
 bool follows(const Task& task, const State& s, bool links_too) {
-  return error_over_motion(task, s, links_too, [](const MotionSums& m) { return m.about_mean(); }) < kFollows;
+  if (error_over_motion(task, s, links_too, [](const MotionSums& m) { return m.about_mean(); }) < kFollows) return true;
+  return !forced(task.records) && usual_error(task, s) < kFollows;
 }
 
 }  // namespace diagnosis::runs
