@@ -97,6 +97,18 @@ Scatter scatter_of(const Fitted& fit, const Mat& inverse, Index i, size_t togeth
 // So that 1.96 of it reach Student's 97.5 % point.
 double student_std(const Scatter& s) { return s.se * quantile(boost::math::students_t(s.dof), 0.975) / 1.96; }
 
+// A fit ends where the scores of all blocks together are nought: the scatter of one is nought, that of fewer than kLeastWindows is no
+// measure. As many parts of a window at most are a block.
+size_t most_together(const Fitted& fit) { return std::clamp(fit.gram.size() / kLeastWindows, size_t{1}, fit.parts); }
+
+// Whether a shape of that term's, or of what acts in its place with its coefficient, is fitted.
+bool has_free_shape(const Model& model, size_t term) {
+  for (size_t i = 0; i < model.size(); ++i)
+    if ((i == term || model[i].host == static_cast<int>(term)) && (model[i].shape_free || model[i].shape2_free))
+      return true;
+  return false;
+}
+
 }  // namespace
 
 double promised_fall(const Fitted& fit) {
@@ -115,6 +127,7 @@ std::vector<Determined> determined(const Fitted& fit, const Model& model) {
   const Mat total = total_of(fit.gram);
   const size_t forgotten = static_cast<size_t>(
       std::clamp(kForgotten * fit.memory / fit.block_length + 1, 1.0, static_cast<double>(fit.parts)));
+  const size_t most = most_together(fit);
   std::vector<bool> none(parameters.size(), false), shapes = none;
   for (size_t i = 0; i < parameters.size(); ++i) shapes[i] = parameters[i].shape != 0;
   const Mat inverse = inverse_of(total, none), at_this_shape = inverse_of(total, shapes);
@@ -136,7 +149,9 @@ std::vector<Determined> determined(const Fitted& fit, const Model& model) {
     }
     d.z = normal_deviate(model[parameters[k].term].value / std::max(s.se, 1e-300), s.dof);
     // It is there, and its shape is not determined: what is known of it is its size at this shape.
-    if (std::abs(d.z) > kSure && std::abs(model[parameters[k].term].value) < 1.96 * d.std) d.std = student_std(s);
+    if (has_free_shape(model, parameters[k].term) && std::abs(d.z) > kSure &&
+        std::abs(model[parameters[k].term].value) < 1.96 * d.std)
+      d.std = student_std(forgotten <= most ? s : scatter_of(fit, at_this_shape, i, most));
   }
   return list;
 }
