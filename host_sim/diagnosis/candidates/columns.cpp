@@ -20,6 +20,13 @@ Vec slope_of(const Vec& h, double step_s) {
   return out;
 }
 
+// Whether a link's elongation holds the drift of a base whose displacement nobody measured.
+bool drifts_with_base(const rig_file::Link& link, const Prepared& record) {
+  const Base& base = record.base;
+  return (link.a == rig_file::kBase || link.b == rig_file::kBase) && base.given() && !base.ridden &&
+         base.reading[0].size() == 0;
+}
+
 // Does a simulation miss half of a link's elongation? What acts there acted along the measured one.
 template <typename Simulated, typename Measured>
 bool is_lost(Index len, Simulated simulated, Measured measured) {
@@ -86,9 +93,11 @@ Vec Columns::force(const Term& t, const Window& w, const WindowRun& run, Memory&
       const Mat& m = rate ? run.v : run.x;
       return end(m, l.a, k, rate) - end(m, l.b, k, rate);
     };
+    // of what drifts the rate tells: a drift is slow
+    const bool by_rate = drifts_with_base(l, record);
     const bool lost = is_lost(
-        len, [&](Index k) { return simulated(k, false); },
-        [&](Index k) { return measured(l.a, k, false) - measured(l.b, k, false); });
+        len, [&](Index k) { return simulated(k, by_rate); },
+        [&](Index k) { return measured(l.a, k, by_rate) - measured(l.b, k, by_rate); });
     const auto along = [&](Index k, bool rate) {
       return lost ? measured(l.a, k, rate) - measured(l.b, k, rate) : simulated(k, rate);
     };

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "firmware/vocabulary/effect_table.hpp"
 #include "shown.hpp"
 
 namespace diagnosis::runs {
@@ -357,34 +356,6 @@ bool matters(const State& beside, const Attempt& a) {
   if (a.error < kPays || a.unseen < kPays) return true;
   if (!a.shows_unseen && a.z > kNamed) return true;
   return a.z > kSure && (deviations_unseen(beside, a) > kByChance || moves_a_number(beside, a));
-}
-
-bool is_number_of_rig(const ModelTerm& t) {
-  return !t.added && (t.term.kind == Kind::kMass || t.term.kind == Kind::kStiffness || t.term.kind == Kind::kViscous ||
-                      t.term.kind == Kind::kCoulomb);
-}
-
-namespace {
-
-// Whether anything from `added_from` on takes energy where the link's own dampers do.
-bool damps_link(const Model& model, size_t added_from, int link) {
-  return std::any_of(model.begin() + static_cast<std::ptrdiff_t>(added_from), model.end(), [&](const ModelTerm& t) {
-    return t.term.link == link && link >= 0 && !firmware::row_of(effect_of(t.term.kind)).nature.conservative;
-  });
-}
-
-}  // namespace
-
-bool turns_a_number(const State& beside, const State& with) {
-  const std::vector<Parameter> p = parameters_of(beside.model);
-  const std::vector<Determined> found = determined(beside.fit, beside.model);
-  for (size_t i = 0; i < p.size() && i < found.size(); ++i) {
-    const ModelTerm& t = beside.model[p[i].term];
-    if (is_number_of_rig(t) && !p[i].shape && t.value > kSure * found[i].std && with.model[p[i].term].value < 0 &&
-        !damps_link(with.model, beside.model.size(), t.term.link))
-      return true;
-  }
-  return false;
 }
 
 bool may_be_nought(const State& with, size_t added_from) {

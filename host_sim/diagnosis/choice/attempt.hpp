@@ -70,11 +70,6 @@ bool unseen_agrees(const Attempt& a);
 // the numbers beside which it was put out of its interval; or is beyond doubt where unseen windows cannot tell. Else nobody
 // would act on it.
 bool matters(const State& beside, const Attempt& a);
-// A mass, spring, damper or friction of the rig itself: below nought none can be.
-bool is_number_of_rig(const ModelTerm& t);
-// Whether such a number, surely above nought beside the one model, is below it in the other: what was added
-// there does its work. Of another damping law on the same link nothing is said: before it was there the number did its work.
-bool turns_a_number(const State& beside, const State& with);
 // Whether the 95 % interval of a coefficient from `added_from` on holds nought: such a cause is taken back in the end.
 bool may_be_nought(const State& with, size_t added_from);
 // Share of the unseen windows' squared residual that the coefficients of the terms from `added_from` on move.

@@ -8,6 +8,7 @@
 #include "hidden_mode.hpp"
 #include "horizon.hpp"
 #include "other_shapes.hpp"
+#include "possible.hpp"
 #include "round.hpp"
 #include "warming.hpp"
 
@@ -166,7 +167,7 @@ std::optional<Alone> alone_as_good(const Task& task, const PassedOver& passed, c
   for (const Candidate& candidate : passed.candidates) {
     const Attempt alone =
         attempt(task, passed.part, {candidate}, {std::vector<double>(candidate.terms.size(), 0.0)}, kBaseSteps);
-    if (!alone.state.fit.ok || alone.rounds || turns_a_number(passed.part, alone.state) ||
+    if (!alone.state.fit.ok || alone.rounds || cannot_be(task, passed.part, alone) ||
         may_be_nought(alone.state, passed.part.model.size()))
       continue;
     const State whole = on_all(task, passed.beside, alone.state);

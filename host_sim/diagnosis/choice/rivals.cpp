@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "possible.hpp"
 #include "round.hpp"
 
 namespace diagnosis::runs {
@@ -27,17 +28,6 @@ bool without(const Task& task, const Choice& choice, const State& base, size_t o
 // Alone it left what this one does not.
 bool outdone(const Named& mine, const Candidate& other) {
   return std::any_of(mine.outdone.begin(), mine.outdone.end(), [&](const Candidate& c) { return c.same_place(other); });
-}
-
-// Whether a mass, spring, damper or friction of the rig itself is wholly below nought: what leaves it so is not what acts.
-bool impossible(const State& s) {
-  const std::vector<Parameter> parameters = parameters_of(s.model);
-  const std::vector<Determined> found = determined(s.fit, s.model);
-  for (size_t i = 0; i < parameters.size(); ++i) {
-    const ModelTerm& t = s.model[parameters[i].term];
-    if (is_number_of_rig(t) && !parameters[i].shape && t.value + 1.96 * found[i].std < 0) return true;
-  }
-  return false;
 }
 
 // What channels of a DOF contradict each other in is that fault of one of them: no effect of the rig stands in its place.
@@ -96,7 +86,7 @@ void weigh_rivals(const Task& task, const std::function<void(double)>& progress,
       others.push_back(dry);
       break;
     }
-    const auto no_rival = [&](const Attempt& a) { return impossible(a.state) || turns_a_number(rest, a.state); };
+    const auto no_rival = [&](const Attempt& a) { return below_nought(a.state) || cannot_be(task, rest, a); };
     if (!no_rival(own)) others.erase(std::remove_if(others.begin(), others.end(), no_rival), others.end());
     const auto better = std::min_element(others.begin(), others.end(), [](const Attempt& a, const Attempt& b) {
       return whole_error(a) < whole_error(b);
@@ -107,6 +97,9 @@ void weigh_rivals(const Task& task, const std::function<void(double)>& progress,
     std::vector<Attempt> as_good;
     for (const Attempt& t : others)
       if (t.z > kByChance && unseen_agrees(t) && !clearly_better(own, t, noise)) as_good.push_back(t);
+    const auto can_be = std::find_if_not(as_good.begin(), as_good.end(), no_rival);
+    if (no_rival(own) && can_be != as_good.end()) std::swap(own, *can_be);
+    if (!no_rival(own)) as_good.erase(std::remove_if(as_good.begin(), as_good.end(), no_rival), as_good.end());
     // the simplest of those that do as well is named, unless the data, few as they are, plainly speak for another
     for (Attempt& t : as_good)
       if ((t.complexity < own.complexity && !leaves_much_more(t, own, noise)) ||

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "possible.hpp"
+
 namespace diagnosis::runs {
 namespace {
 
@@ -79,9 +81,9 @@ Round round_of(const Task& task, const State& now, size_t already, const Left& l
     const double left_noise = std::min(1.0, noise / error_over(beside.fit, now.fit));
     return passes(attempt(task, beside, t.candidates, start, kTrialSteps), already, left_noise);
   };
-  // what does the work of a number of the rig, or may be nought, comes behind what does not
+  // what does the work of a number of the rig, puts energy in, or may be nought, comes behind what does not
   const auto beside_all = [&](const Attempt& t) {
-    return stands(t) && !turns_a_number(now, t.state) && !may_be_nought(t.state, now.model.size());
+    return stands(t) && !cannot_be(task, now, t) && !may_be_nought(t.state, now.model.size());
   };
   auto first = std::find_if(singles.begin(), singles.end(), beside_all);
   if (first == singles.end()) first = std::find_if(singles.begin(), singles.end(), stands);
