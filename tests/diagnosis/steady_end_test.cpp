@@ -38,4 +38,23 @@ TEST(SteadyEnd, IsNotWhatARigIsJudgedBy) {
   EXPECT_NEAR(two_masses::value_of(d.baseline, "mass[1]"), 0.01, 5e-4);
 }
 
+// One step of the torque, 5 to 15 N m after 3.3 s of 12.2, read 0.1 s early against the speed: the windows that are kept apart from all over the
+// record are steady as well. 0.5 rad/s of noise of a motion of (15 - 5) / 0.04 = 250 rad/s, 0.28 of it low: 0.5 / (250 sqrt(0.28 * 0.72))
+// = 0.45 %; over steady windows alone it would be noise over noise, 100 %.
+TEST(SteadyEnd, WindowsAsSteadyAreHeldAgainstTheWholeMotion) {
+  std::mt19937_64 random(3);
+  std::normal_distribution<double> normal;
+  std::vector<double> torque, speed;
+  double w = (5 - 0.7) / 0.04;
+  for (int k = 0; k < 12200; ++k) {
+    const double read = k < 3300 ? 5 : 15, acts = k < 3400 ? 5 : 15;
+    if (k % 10 == 0) torque.push_back(read), speed.push_back(w + 0.5 * normal(random));
+    w += 1e-3 * (acts - 0.04 * w - 0.7) / 0.01;
+  }
+  const Diagnosis d = diagnose(shaft::rig(), {shaft::record("step.csv", torque, speed)}, {}, {});
+  EXPECT_TRUE(d.names("sensor_delay", "channel torque_1_N_m")) << two_masses::said(d);
+  EXPECT_NEAR(d.extended.holdout_nrmse_percent.at(0), 0.45, 0.1);
+  EXPECT_LT(d.baseline.holdout_nrmse_percent.at(0), 10);
+}
+
 }  // namespace

@@ -14,13 +14,14 @@ constexpr double kMostPercent = 1000;  // more says no more
 constexpr double kRestart_s = 1;
 
 struct Sums {
-  double error = 0, square = 0, sum = 0, count = 0, travelling = 0;
+  double error = 0, square = 0, sum = 0, count = 0;
+  double motion = 0;  // sum of squares that stands for that about the mean; 0: none does
   void add(const Vec& simulated, const Vec& measured) {
     error += (simulated - measured).squaredNorm(), square += measured.squaredNorm(), sum += measured.sum();
     count += static_cast<double>(measured.size());
   }
   double mean_error() const { return count > 0 ? error / count : 0; }
-  double variance() const { return travelling > 0 ? travelling / count : square / count - std::pow(sum / count, 2); }
+  double variance() const { return motion > 0 ? motion / count : square / count - std::pow(sum / count, 2); }
   double ratio() const { return variance() > 0 ? error / count / variance() : 0; }  // mean square over variance
   bool shows(double noise) const { return variance() > kShown * noise; }
 };
@@ -82,7 +83,12 @@ Score score_unseen(const Task& task, const State& state, const Vec* noise) {
         if (u.record == r && u.from == from && u.state.size()) w.state = u.state;
       runs.push_back(w);
     }
-    if (!apart && ends_steadily(p, pushed, 0.3)) runs = unseen_of(state, r, runs);
+    // windows from all over the record are held against its motion: many of them are as steady as its end, and noise over noise says nothing
+    const bool spread = !apart && ends_steadily(p, pushed, 0.3);
+    if (spread) runs = unseen_of(state, r, runs);
+    const auto motion_of_all = [&](const Vec& y) {
+      return std::pow(rms_about_mean(y.segment(span.from, span.to - span.from)), 2);
+    };
     for (Window w : runs) {
       if (!finite) break;
       w.state = evaluator.carried_state(w);
@@ -127,7 +133,12 @@ Score score_unseen(const Task& task, const State& state, const Vec* noise) {
         if (measured->quantity > 0 && evaluator.has_offset(*measured)) without_mean(alike), without_mean(reading);
         if (accelerometer) without_mean(acceleration), without_mean(simulated_a);
         x[d].add(alike, reading);
-        if (measured->travels) x[d].travelling += motion_square(p, *measured, w.from, w.length);
+        const double samples = static_cast<double>(w.length);
+        if (measured->travels)
+          x[d].motion += motion_square(p, *measured, w.from, w.length);
+        else if (spread)
+          x[d].motion += samples * motion_of_all(measured->y);
+        if (spread) v[d].motion += samples * motion_of_all(g.v), a[d].motion += samples * motion_of_all(g.a);
         v[d].add(run.v.row(i), g.v.segment(w.from, w.length));
         a[d].add(simulated_a, acceleration);
       }
