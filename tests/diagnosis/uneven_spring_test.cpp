@@ -115,6 +115,12 @@ TEST(PossibleLaw, ADamperTakesEnergyAllAlongTheWay) {
   EXPECT_FALSE(Moved(Kind::kQuadraticStiffness, -60, 0.02).drives());
 }
 
+// A damper of the rig below nought drives by itself: what takes some of that back is not held against it.
+TEST(PossibleLaw, WhatTheRigItselfPutsInIsNotTheirs) {
+  EXPECT_FALSE(Moved(Kind::kCubicDamping, 0.1, -0.02).drives());
+  EXPECT_TRUE(Moved(Kind::kCubicDamping, -0.1, -0.02).drives());
+}
+
 // What its interval allows to be nought is not held against it.
 TEST(PossibleLaw, AnIntervalExcuses) {
   Moved moved(Kind::kAsymmetricViscous, 0.025, 0.02);

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <iterator>
 #include <map>
-#include <set>
 
 #include "../fit/error_rates.hpp"
 #include "../fit/run_windows.hpp"
@@ -27,15 +27,16 @@ bool damps_link(const Model& model, size_t added_from, int link) {
 struct Damper {
   Kind kind;
   double shape, shape2, value, std;
+  bool added;
 };
 
 // Bristles bend over a way that is short: they take what friction takes.
-Damper damper_of(const ModelTerm& t, double std) {
+Damper damper_of(const ModelTerm& t, double std, bool added) {
   const Kind kind = t.term.kind == Kind::kPresliding ? Kind::kMissingCoulomb : t.term.kind;
-  return {kind, t.term.shape, t.term.shape2, t.value, std};
+  return {kind, t.term.shape, t.term.shape2, t.value, std, added};
 }
 
-std::vector<Damper> dampers_of(const State& s, int link) {
+std::vector<Damper> dampers_of(const State& s, const std::vector<Term>& added, int link) {
   const std::vector<Parameter> parameters = parameters_of(s.model);
   const std::vector<Determined> found = determined(s.fit, s.model);
   std::vector<Damper> list;
@@ -45,7 +46,8 @@ std::vector<Damper> dampers_of(const State& s, int link) {
     double std = 0;
     for (size_t p = 0; p < parameters.size() && p < found.size(); ++p)
       if (parameters[p].term == i && !parameters[p].shape) std = found[p].std;
-    list.push_back(damper_of(t, std));
+    const bool one = std::any_of(added.begin(), added.end(), [&](const Term& a) { return a.same_place(t.term); });
+    list.push_back(damper_of(t, std, one));
   }
   return list;
 }
@@ -63,16 +65,16 @@ void motion_of(const rig_file::Link& link, const Prepared& p, const Window& wind
   }
 }
 
-// Whether they put energy in at any sample of a window, beyond what their intervals allow.
+// Whether those added put in more energy at any sample of a window than the others take, beyond what the intervals allow.
 bool drive(const std::vector<Damper>& dampers, const Prepared& p, const Window& window, const Vec& u, const Vec& w) {
   for (Index k = 0; k < w.size(); ++k) {
     const double t_s = p.time_s(window.from + k);
-    double power = 0, variance = 0;
+    double power = 0, of_added = 0, variance = 0;
     for (const Damper& d : dampers) {
       const double each = w[k] * law(d.kind, u[k], w[k], law_time(t_s, d.shape, p), d.shape, d.shape2).force;
-      power += d.value * each, variance += each * each * d.std * d.std;
+      power += d.value * each, of_added += d.added ? d.value * each : 0, variance += each * each * d.std * d.std;
     }
-    if (power + kInterval * std::sqrt(variance) < 0) return true;
+    if (of_added < 0 && power + kInterval * std::sqrt(variance) < 0) return true;
   }
   return false;
 }
@@ -107,13 +109,12 @@ bool turns_a_number(const State& beside, const State& with) {
 }
 
 bool drives_a_link(const Task& task, const State& s, const std::vector<Candidate>& added) {
-  std::set<int> links;
+  std::vector<Term> terms;
   for (const Candidate& c : added)
-    for (const Term& t : c.terms)
-      if (takes_energy(t)) links.insert(t.link);
-  if (links.empty()) return false;
+    std::copy_if(c.terms.begin(), c.terms.end(), std::back_inserter(terms), takes_energy);
+  if (terms.empty()) return false;
   std::map<int, std::vector<Damper>> dampers;
-  for (const int link : links) dampers[link] = dampers_of(s, link);
+  for (const Term& t : terms) dampers[t.link] = dampers_of(s, terms, t.link);
   Evaluator evaluator(task.system, s.model, task.records);
   std::atomic<bool> any{false};
   run_windows(evaluator, s.seen, false, [&](size_t i, const WindowRun& run, size_t) {

@@ -11,9 +11,9 @@ bool below_nought(const State& s);
 // Whether such a number, surely above nought beside the one model, is below it in the other: what was added
 // there does its work. Of another damping law on the same link nothing is said: before it was there the number did its work.
 bool turns_a_number(const State& beside, const State& with);
-// Whether all that damps a link on which one of these acts puts energy in somewhere along the motion of the windows fitted, whatever values
-// the 95 % intervals allow: a damper that differs with direction by more than it damps, one that falls below nought at the ends of the
-// way or of a drift. P = w sum_i q_i f_i(u, w, t), w the link's rate.
+// Whether these put more energy into a link somewhere along the motion of the windows fitted than all else that damps it takes, whatever
+// values the 95 % intervals allow: a damper that differs with direction by more than it damps, one that falls below nought at the ends of
+// the way or of a drift. P = w sum_i q_i f_i(u, w, t), w the link's rate. What the rig's own friction below nought puts in is not theirs.
 bool drives_a_link(const Task& task, const State& s, const std::vector<Candidate>& added);
 // Any of these: it comes behind what can be.
 bool cannot_be(const Task& task, const State& beside, const Attempt& with);

@@ -97,9 +97,11 @@ void weigh_rivals(const Task& task, const std::function<void(double)>& progress,
     std::vector<Attempt> as_good;
     for (const Attempt& t : others)
       if (t.z > kByChance && unseen_agrees(t) && !clearly_better(own, t, noise)) as_good.push_back(t);
-    const auto can_be = std::find_if_not(as_good.begin(), as_good.end(), no_rival);
-    if (no_rival(own) && can_be != as_good.end()) std::swap(own, *can_be);
-    if (!no_rival(own)) as_good.erase(std::remove_if(as_good.begin(), as_good.end(), no_rival), as_good.end());
+    // one that drives its link comes behind those that do not
+    const auto drives = [&](const Attempt& t) { return drives_a_link(task, t.state, t.candidates); };
+    const auto damps = std::find_if_not(as_good.begin(), as_good.end(), drives);
+    if (damps != as_good.end() && drives(own)) std::swap(own, *damps);
+    if (!drives(own)) as_good.erase(std::remove_if(as_good.begin(), as_good.end(), drives), as_good.end());
     // the simplest of those that do as well is named, unless the data, few as they are, plainly speak for another
     for (Attempt& t : as_good)
       if ((t.complexity < own.complexity && !leaves_much_more(t, own, noise)) ||
