@@ -121,6 +121,17 @@ TEST(PossibleLaw, WhatTheRigItselfPutsInIsNotTheirs) {
   EXPECT_TRUE(Moved(Kind::kCubicDamping, -0.1, -0.02).drives());
 }
 
+// 1 kg, of which half may be missing, but not one and a half: at one tone a spring reads as a mass below nought.
+TEST(PossibleLaw, AMassErrorLeavesAMass) {
+  Moved moved(Kind::kQuadraticStiffness, 0, 0.02);
+  ModelTerm& error = moved.state.model[3];
+  error.term = on_dof(Kind::kMassError, 0);
+  for (const auto& [value, less_than_none] : {std::pair{0.5, false}, std::pair{-0.5, false}, std::pair{-1.5, true}}) {
+    error.value = value;
+    EXPECT_EQ(lightens_below_nought(moved.state, {Candidate{{error.term}}}), less_than_none) << value;
+  }
+}
+
 // What its interval allows to be nought is not held against it.
 TEST(PossibleLaw, AnIntervalExcuses) {
   Moved moved(Kind::kAsymmetricViscous, 0.025, 0.02);

@@ -96,6 +96,23 @@ bool below_nought(const State& s) {
   return false;
 }
 
+bool lightens_below_nought(const State& s, const std::vector<Candidate>& added) {
+  const std::vector<Parameter> parameters = parameters_of(s.model);
+  const std::vector<Determined> found = determined(s.fit, s.model);
+  for (const Candidate& c : added)
+    for (const Term& term : c.terms) {
+      if (term.kind != Kind::kMassError) continue;
+      double mass = 0, variance = 0;  // with what is carried there
+      for (const ModelTerm& t : s.model)
+        if ((t.term.kind == Kind::kMass || t.term.kind == Kind::kMassError) && t.term.dof == term.dof) mass += t.value;
+      for (size_t i = 0; i < parameters.size() && i < found.size(); ++i)
+        if (!parameters[i].shape && s.model[parameters[i].term].term.same_place(term))
+          variance += found[i].std * found[i].std;
+      if (mass + kInterval * std::sqrt(variance) < 0) return true;
+    }
+  return false;
+}
+
 bool turns_a_number(const State& beside, const State& with) {
   const std::vector<Parameter> p = parameters_of(beside.model);
   const std::vector<Determined> found = determined(beside.fit, beside.model);
@@ -130,7 +147,8 @@ bool drives_a_link(const Task& task, const State& s, const std::vector<Candidate
 }
 
 bool cannot_be(const Task& task, const State& beside, const Attempt& with) {
-  return turns_a_number(beside, with.state) || drives_a_link(task, with.state, with.candidates);
+  return turns_a_number(beside, with.state) || lightens_below_nought(with.state, with.candidates) ||
+         drives_a_link(task, with.state, with.candidates);
 }
 
 }  // namespace diagnosis::runs

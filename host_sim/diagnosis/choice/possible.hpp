@@ -8,6 +8,8 @@ namespace diagnosis::runs {
 bool is_number_of_rig(const ModelTerm& t);
 // Whether such a number is wholly below nought, as its 95 % interval has it.
 bool below_nought(const State& s);
+// Whether a mass error of these leaves less than no mass, as its 95 % interval has it: at one tone a spring looks like that.
+bool lightens_below_nought(const State& s, const std::vector<Candidate>& added);
 // Whether such a number, surely above nought beside the one model, is below it in the other: what was added
 // there does its work. Of another damping law on the same link nothing is said: before it was there the number did its work.
 bool turns_a_number(const State& beside, const State& with);
