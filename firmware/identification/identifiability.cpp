@@ -66,15 +66,10 @@ void start_vector(const NormalEquations& factor, Scaled* vector) {
 // determined without it. Those that make up a hundredth of it, and with it those a hundredth of which it bends, are not told apart.
 [[gnu::noinline]] void entangle_with(const NormalEquations& factor, const Scaled* norm, int left_out,
                                      Scaled* inflation) {
-  Scaled share[kMaxUnknowns];  // of the column that is left out, in columns: R share = its column of R
-  for (int i = left_out - 1; i >= 0; --i) {
-    share[i] = Scaled{};
-    if (!factor.determined(i)) continue;
-    Scaled sum = factor.factor(i, left_out);
-    for (int k = i + 1; k < left_out; ++k) sum -= factor.factor(i, k) * share[k];
-    share[i] = sum / factor.factor(i, i);
+  Scaled share[kMaxUnknowns];
+  factor.combine(left_out, share);
+  for (int i = 0; i < left_out; ++i)
     if (abs(share[i]) * norm[i] * kLargestInflation > norm[left_out]) inflation[i] = Scaled{};
-  }
 }
 
 }  // namespace

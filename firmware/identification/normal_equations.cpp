@@ -72,13 +72,13 @@ Scaled NormalEquations::column_norm(int column) const {
   return sqrt(sum);
 }
 
-void NormalEquations::solve(Scaled* parameters) const {
-  for (int k = unknowns_ - 1; k >= 0; --k) {
-    parameters[k] = Scaled{};
+void NormalEquations::solve_for(const Scaled* right, int columns, Scaled* x) const {
+  for (int k = columns - 1; k >= 0; --k) {
+    x[k] = Scaled{};
     if (!determined(k)) continue;
-    Scaled sum = moment_[k];
-    for (int j = k + 1; j < unknowns_; ++j) sum -= factor_[at(k, j)] * parameters[j];
-    parameters[k] = sum / factor_[at(k, k)];
+    Scaled sum = right[k];
+    for (int j = k + 1; j < columns; ++j) sum -= factor_[at(k, j)] * x[j];
+    x[k] = sum / factor_[at(k, k)];
   }
 }
 

@@ -31,7 +31,9 @@ class NormalEquations {
   void substitute();
   // A column is determined when what the ones before leave of its squared norm is over 2^-46 of it; others get p = 0.
   bool determined(int column) const { return !factor_[at(column, column)].is_zero(); }
-  void solve(Scaled* parameters) const;
+  void solve(Scaled* parameters) const { solve_for(moment_, unknowns_, parameters); }
+  // How the columns before it make up a column: R share = its column of R. As many entries as there are before it.
+  void combine(int column, Scaled* share) const { solve_for(&factor_[at(0, column)], column, share); }
   Scaled residual_square() const;                                                       // what the solution leaves
   const Scaled& factor(int row, int column) const { return factor_[at(row, column)]; }  // of R, row <= column
   Scaled column_norm(int column) const;
@@ -42,6 +44,9 @@ class NormalEquations {
   void apply_covariance(const Scaled* vector, Scaled* result) const;  // result = N^-1 vector
 
  private:
+  // R x = right, of the first columns.
+  void solve_for(const Scaled* right, int columns, Scaled* x) const;
+
   // Place of an entry of a triangle: column by column, each down to its diagonal.
   static constexpr int at(int row, int column) { return column * (column + 1) / 2 + row; }
   static constexpr int kTriangle = kMaxUnknowns * (kMaxUnknowns + 1) / 2;

@@ -97,17 +97,6 @@ bool agree(const Corner& corner, const Corner& wider) {
          std::abs(wider.corner_Hz - corner.corner_Hz) < kAgrees * corner.corner_Hz + 3.0 * wider.std_Hz;
 }
 
-// What the high-pass took away, over what is left.
-double share_taken(const Channel& channel, double corner_Hz, double sample_period_s) {
-  const std::vector<double> before = before_ac_coupling(channel.values, corner_Hz, sample_period_s);
-  double taken = 0.0, left = 0.0;
-  for (size_t i = 0; i < before.size(); ++i) {
-    taken += std::pow(before[i] - channel.values[i], 2);
-    left += std::pow(channel.values[i], 2);
-  }
-  return left > 0.0 ? std::sqrt(taken / left) : 0.0;
-}
-
 Finding finding_of(const Channel& channel, const Channel& beside, const Corner& corner,
                    const rig_file::RigModel* model) {
   const rig_file::ChannelEntry* const entry = model == nullptr ? nullptr : rig_file::entry_of(*model, channel.name);
@@ -147,7 +136,7 @@ std::vector<Finding> find_ac_coupling(const Record& record, const rig_file::RigM
       if (lower == nullptr) continue;
       const auto corner = corner_of(*lower, channel, record.sample_period_s);
       if (!corner || !(corner->corner_Hz > kDeviations * corner->std_Hz) ||
-          share_taken(channel, corner->corner_Hz, record.sample_period_s) < kTakes)
+          share_taken(channel.values, corner->corner_Hz, record.sample_period_s) < kTakes)
         continue;
       findings.push_back(finding_of(channel, *lower, *corner, model));
       break;

@@ -14,7 +14,8 @@ constexpr double kMisses = 0.01;  // of the rms: a phase of as much, which makes
 
 // What a held value is off the motion, which goes on from one update to the next, over the channel's rms.
 double missed(const Channel& channel, const Statistics& statistics, double rows) {
-  const double square = mean_square_step(channel.values, 0, channel.values.size(), static_cast<size_t>(rows + 0.5));
+  const double square =
+      mean_square_step(channel.values, 0, channel.values.size(), static_cast<size_t>(std::lround(rows)));
   return std::sqrt(square * (rows - 1.0) * (2.0 * rows - 1.0) / 6.0) / rows / statistics.rms;
 }
 

@@ -40,6 +40,16 @@ std::vector<double> before_ac_coupling(const std::vector<double>& reading, doubl
   return kept_back;
 }
 
+double share_taken(const std::vector<double>& reading, double corner_Hz, double sample_period_s) {
+  const std::vector<double> before = before_ac_coupling(reading, corner_Hz, sample_period_s);
+  double taken = 0.0, left = 0.0;
+  for (size_t i = 0; i < before.size(); ++i) {
+    taken += (before[i] - reading[i]) * (before[i] - reading[i]);
+    left += reading[i] * reading[i];
+  }
+  return left > 0.0 ? std::sqrt(taken / left) : 0.0;
+}
+
 void undo_ac_coupling(const std::vector<AcCoupling>& couplings, std::vector<Record>& records) {
   for (Record& record : records)
     for (Channel& channel : record.channels)

@@ -17,6 +17,9 @@ struct AcCoupling {
 // integral makes of the sensor's zero and of its drift is not the signal's: its parabola over the record is taken off.
 std::vector<double> before_ac_coupling(const std::vector<double>& reading, double corner_Hz, double sample_period_s);
 
+// What the high-pass took away, over what is left; 0 where nothing is.
+double share_taken(const std::vector<double>& reading, double corner_Hz, double sample_period_s);
+
 // Undoes it in every channel of that name.
 void undo_ac_coupling(const std::vector<AcCoupling>& couplings, std::vector<Record>& records);
 

@@ -8,6 +8,7 @@
 #include "hal/rig_file/channel_entry.hpp"
 #include "host_sim/data_check/to_json.hpp"
 #include "tests/data_check/made_records.hpp"
+#include "tests/data_check/pass_high.hpp"
 
 namespace {
 
@@ -15,16 +16,6 @@ using host_sim::Record;
 using host_sim::data_check::Finding;
 
 constexpr double kTwoPi = 6.283185307179586;
-
-// y' = x' - wc y by the trapezoid.
-void pass_high(std::vector<double>& values, double corner_Hz, double step_s) {
-  const double half = 0.5 * kTwoPi * corner_Hz * step_s;
-  double before = values.front(), y = 0.0;
-  for (double& value : values) {
-    y = ((1.0 - half) * y + value - before) / (1.0 + half);
-    before = value, value = y;
-  }
-}
 
 void pass_low(std::vector<double>& values, double corner_Hz, double step_s) {
   const double half = 0.5 * kTwoPi * corner_Hz * step_s;
@@ -39,7 +30,7 @@ Record behind(double corner_Hz, const char* sensors, made::Drive drive, double n
   made::Options options;
   options.sensors = sensors, options.drive = drive, options.noise = noise, options.seed = seed;
   Record record = made::record(options);
-  if (corner_Hz > 0.0) pass_high(made::values(record, "acceleration_1_m_s2"), corner_Hz, record.sample_period_s);
+  if (corner_Hz > 0.0) made::pass_high(made::values(record, "acceleration_1_m_s2"), corner_Hz, record.sample_period_s);
   return record;
 }
 

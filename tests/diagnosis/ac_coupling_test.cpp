@@ -8,28 +8,17 @@
 #include <cmath>
 
 #include "judgement.hpp"
+#include "tests/data_check/pass_high.hpp"
 
 namespace hidden {
 namespace {
-
-constexpr double kTwoPi = 6.283185307179586;
-
-// y' = x' - wc y by the trapezoid: jw / (jw + wc) with an error of (wT)^2 / 12 of wc / w.
-void pass_high(std::vector<double>& values, double corner_Hz, double step_s) {
-  const double half = 0.5 * kTwoPi * corner_Hz * step_s;
-  double before = values.front(), y = 0;
-  for (double& value : values) {
-    y = ((1 - half) * y + value - before) / (1 + half);
-    before = value, value = y;
-  }
-}
 
 Draw behind(const char* channel, double corner_Hz, const char* sensors, uint64_t seed) {
   Settings s;
   s.hide = Hide::kNothing, s.sensors = sensors, s.dofs = 2;
   Draw draw = make_draw(seed, s);
   for (host_sim::Channel& c : draw.record.channels)
-    if (c.name == channel) pass_high(c.values, corner_Hz, draw.record.sample_period_s);
+    if (c.name == channel) made::pass_high(c.values, corner_Hz, draw.record.sample_period_s);
   return draw;
 }
 
@@ -70,7 +59,7 @@ TEST(AcCoupling, OfTheForceIsThatOfTheAccelerometers) {
   Draw draw = behind("", 0, "xa", 35);
   for (host_sim::Channel& c : draw.record.channels)
     if (c.quantity == host_sim::Quantity::kForce || c.quantity == host_sim::Quantity::kAcceleration)
-      pass_high(c.values, 0.5, draw.record.sample_period_s);
+      made::pass_high(c.values, 0.5, draw.record.sample_period_s);
   const diagnosis::Diagnosis d = answer_to(draw);
   EXPECT_TRUE(d.names("ac_coupling", "channel force_1_N")) << told(draw, d);
   EXPECT_EQ(d.causes.size(), 3u) << told(draw, d);

@@ -46,6 +46,18 @@ std::vector<Move> moves_between(const Model& rest, const Model& named, const Mod
   return list;
 }
 
+// One that drives its link comes behind those that do not.
+void put_drivers_behind(const Task& task, Attempt& own, std::vector<Attempt>& as_good) {
+  const auto damps = [&](const Attempt& t) { return !drives_a_link(task, t.state, t.candidates); };
+  const auto drivers = std::stable_partition(as_good.begin(), as_good.end(), damps);
+  const bool own_drives = !damps(own);
+  if (own_drives && drivers == as_good.begin()) return;
+  as_good.erase(drivers, as_good.end());
+  if (!own_drives) return;
+  own = std::move(as_good.front());
+  as_good.erase(as_good.begin());
+}
+
 void weigh_rivals(const Task& task, const std::function<void(double)>& progress, Choice& choice) {
   if (choice.named.empty()) return;
   const State few = part_of(task, choice.base, 0);
@@ -87,7 +99,8 @@ void weigh_rivals(const Task& task, const std::function<void(double)>& progress,
       break;
     }
     const auto no_rival = [&](const Attempt& a) { return below_nought(a.state) || cannot_be(task, rest, a); };
-    if (!no_rival(own)) others.erase(std::remove_if(others.begin(), others.end(), no_rival), others.end());
+    const bool own_can_be = !no_rival(own);
+    if (own_can_be) others.erase(std::remove_if(others.begin(), others.end(), no_rival), others.end());
     const auto better = std::min_element(others.begin(), others.end(), [](const Attempt& a, const Attempt& b) {
       return whole_error(a) < whole_error(b);
     });
@@ -97,11 +110,7 @@ void weigh_rivals(const Task& task, const std::function<void(double)>& progress,
     std::vector<Attempt> as_good;
     for (const Attempt& t : others)
       if (t.z > kByChance && unseen_agrees(t) && !clearly_better(own, t, noise)) as_good.push_back(t);
-    // one that drives its link comes behind those that do not
-    const auto drives = [&](const Attempt& t) { return drives_a_link(task, t.state, t.candidates); };
-    const auto damps = std::find_if_not(as_good.begin(), as_good.end(), drives);
-    if (damps != as_good.end() && drives(own)) std::swap(own, *damps);
-    if (!drives(own)) as_good.erase(std::remove_if(as_good.begin(), as_good.end(), drives), as_good.end());
+    if (!own_can_be) put_drivers_behind(task, own, as_good);
     // the simplest of those that do as well is named, unless the data, few as they are, plainly speak for another
     for (Attempt& t : as_good)
       if ((t.complexity < own.complexity && !leaves_much_more(t, own, noise)) ||

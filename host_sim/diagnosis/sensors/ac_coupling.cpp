@@ -32,18 +32,11 @@ void join(std::vector<SensorFault>& list, const SensorFault& fault) {
   list.push_back(fault);
 }
 
-// What the high-pass took away, over what is left.
 double share_taken(const SensorFault& fault, const host_sim::Record& record) {
   const auto channel = std::find_if(record.channels.begin(), record.channels.end(),
                                     [&](const host_sim::Channel& c) { return c.name == fault.channel; });
   if (channel == record.channels.end()) return 0;
-  const std::vector<double> before = host_sim::before_ac_coupling(channel->values, fault.value, record.sample_period_s);
-  double taken = 0, left = 0;
-  for (size_t i = 0; i < before.size(); ++i) {
-    taken += (before[i] - channel->values[i]) * (before[i] - channel->values[i]);
-    left += channel->values[i] * channel->values[i];
-  }
-  return left > 0 ? std::sqrt(taken / left) : 0;
+  return host_sim::share_taken(channel->values, fault.value, record.sample_period_s);
 }
 
 }  // namespace

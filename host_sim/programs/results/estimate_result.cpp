@@ -29,8 +29,6 @@ bool hidden_by_noise(EstimateStatus status, const EstimateResult& result) {
          (result.condition_number < kWellConditioned || !result.inseparable);
 }
 
-bool suspects(const WarrantResult& warrant) { return !warrant.named.effect.empty() && !warrant.explained; }
-
 // Why a parameter has no answer; empty where it has one.
 const char* reason(EstimateStatus status, const EstimateResult& result) {
   if (hidden_by_noise(status, result) && suspects(result.warrant))

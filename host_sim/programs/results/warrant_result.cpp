@@ -85,6 +85,8 @@ WarrantResult warrant_of(const rig_file::RigModel& model, const firmware::Warran
   return result;
 }
 
+bool suspects(const WarrantResult& warrant) { return !warrant.named.effect.empty() && !warrant.explained; }
+
 std::string why_not_the_cause(const WarrantResult& warrant) {
   switch (warrant.naming) {
     case firmware::Naming::kExplains:
@@ -104,7 +106,7 @@ std::string why_not_the_cause(const WarrantResult& warrant) {
 }
 
 std::string after_suspicion(const WarrantResult& warrant) {
-  if (warrant.named.effect.empty() || warrant.explained) return "";
+  if (!suspects(warrant)) return "";
   const std::string file = "--extended-rig FILE writes a rig file that has it, for the next estimate";
   if (warrant.naming != firmware::Naming::kExplains)
     return "what to do: host_sim diagnose looks for it in the same data, with more candidates and two at a time; " +

@@ -28,6 +28,8 @@ struct WarrantResult {
   bool explained = false;  // by what has been corrected
 };
 
+// Whether something is found that no correction explains.
+bool suspects(const WarrantResult& warrant);
 // Nothing where the named cause is the cause; else why it is not, in words that follow it.
 std::string why_not_the_cause(const WarrantResult& warrant);
 WarrantResult warrant_of(const rig_file::RigModel& model, const firmware::Warrant& warrant);

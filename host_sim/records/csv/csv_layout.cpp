@@ -29,7 +29,7 @@ struct Header {
   size_t passed_over = 0;  // lines before it that are neither blank nor comments
   bool unnamed = false;    // it is the first row of numbers: nothing stands above
   bool surplus = false;    // it has more names than there are columns
-  std::string unfit;       // of unnamed ones: what a comment above them names, which are not as many
+  std::string unfit = {};  // of unnamed ones: what a comment above them names, which are not as many
 };
 
 using MeansChannel = std::function<bool(const std::string&)>;
@@ -113,7 +113,7 @@ struct TextLine {
 };
 
 Header named_by(const TextLine& line, char separator, size_t passed_over) {
-  return {line.number, separator, line.text, line.rest, passed_over, false, false, ""};
+  return {line.number, separator, line.text, line.rest, passed_over};
 }
 
 Header first_of(const std::vector<TextLine>& lines) {
@@ -129,10 +129,7 @@ Header names_above(const std::vector<TextLine>& above, const TextLine& numbers) 
   if (!above.empty()) return first_of(above);
   std::string_view next = numbers.rest;
   take_line(next);
-  return {numbers.number, likely_separator(numbers.text, next),
-          numbers.text,   numbers.rest,
-          numbers.before, true,
-          false,          ""};
+  return {numbers.number, likely_separator(numbers.text, next), numbers.text, numbers.rest, numbers.before, true};
 }
 
 // "columns: t_s, force_1_N" without the word before the names, where that hides none.
@@ -213,7 +210,7 @@ Header find_header(std::string_view content, const MeansChannel& means_channel) 
     if (comment) line = without_title(without_comment_sign(line), means_channel);
     char separator = ',';
     if (score(line, means_channel, separator) > 0) {
-      const Header header{number, separator, line, rest, passed_over, false, false, ""};
+      const Header header{number, separator, line, rest, passed_over};
       if (!comment) return header;
       NamingComment naming = naming_comment(header, means_channel);
       if (naming.fits()) return header;
@@ -360,7 +357,7 @@ std::string_view first_row(std::string_view content) {
 
 // The names stand behind the headers of LabVIEW's files, in which "Time" is no column.
 Header header_below(const LvmHeader& lvm) {
-  Header header{lvm.lines, lvm.separator, "", lvm.below, lvm.lines, false, false, ""};
+  Header header{lvm.lines, lvm.separator, "", lvm.below, lvm.lines};
   while (!header.rest.empty() && is_blank(header.text)) header.text = take_line(header.rest), ++header.line;
   return header;
 }

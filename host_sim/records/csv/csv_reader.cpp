@@ -61,7 +61,6 @@ class CsvParser {
         comments_.push_back(samples_);
       } else if (!numbers && is_blank(row)) {
         if (begins_lvm_segment(rest)) refuse_segment();
-        if (begins_lvm_segment(rest)) refuse_segment();
         if (!ends_before(rest)) refuse(line_, "is blank, expected " + std::to_string(columns_.size()) + " numbers");
         break;
       } else if (samples_ > 0 && rest.empty() && breaks_off(row)) {
