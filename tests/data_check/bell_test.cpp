@@ -1,5 +1,5 @@
 // Bells made from narrower ones against the plain way.
-#include "host_sim/data_check/bell.hpp"
+#include "host_sim/data_check/measures/bell.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Coast-downs behind a motor's run-up: no period, and no swing about a middle.
-#include "host_sim/data_check/coasting.hpp"
+#include "host_sim/data_check/decay/coasting.hpp"
 
 #include <gtest/gtest.h>
 

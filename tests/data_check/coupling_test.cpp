@@ -1,12 +1,12 @@
 // Accelerometers behind a high-pass, told by what else the DOF has.
-#include "host_sim/data_check/coupling.hpp"
+#include "host_sim/data_check/between_channels/coupling.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "hal/rig_file/channel_entry.hpp"
-#include "host_sim/data_check/to_json.hpp"
+#include "host_sim/data_check/report/to_json.hpp"
 #include "tests/data_check/made_records.hpp"
 #include "tests/data_check/pass_high.hpp"
 

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "host_sim/data_check/clipping.hpp"
 #include "host_sim/data_check/data_check.hpp"
-#include "host_sim/data_check/to_json.hpp"
+#include "host_sim/data_check/flat/clipping.hpp"
+#include "host_sim/data_check/report/to_json.hpp"
 #include "tests/data_check/made_records.hpp"
 
 namespace {

@@ -1,5 +1,5 @@
 // Motion that grows though nothing drives it.
-#include "host_sim/data_check/growth.hpp"
+#include "host_sim/data_check/decay/growth.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // A command that never changes drives the rig all the same.
 #include <gtest/gtest.h>
 
-#include "host_sim/data_check/dead.hpp"
-#include "host_sim/data_check/excitation.hpp"
-#include "host_sim/data_check/statistics.hpp"
+#include "host_sim/data_check/drive/excitation.hpp"
+#include "host_sim/data_check/flat/dead.hpp"
+#include "host_sim/data_check/measures/statistics.hpp"
 #include "tests/data_check/made_records.hpp"
 
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "host_sim/data_check/data_check.hpp"
-#include "host_sim/data_check/to_json.hpp"
+#include "host_sim/data_check/report/to_json.hpp"
 
 namespace {
 

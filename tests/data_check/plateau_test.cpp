@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-#include "host_sim/data_check/clipping.hpp"
+#include "host_sim/data_check/flat/clipping.hpp"
 
 namespace {
 

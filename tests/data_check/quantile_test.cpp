@@ -1,5 +1,5 @@
 // Quantiles against a sorted copy.
-#include "host_sim/data_check/quantile.hpp"
+#include "host_sim/data_check/measures/quantile.hpp"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 
 #include "hal/rig_file/rig_reader.hpp"
 #include "host_sim/data_check/data_check.hpp"
-#include "host_sim/data_check/to_json.hpp"
+#include "host_sim/data_check/report/to_json.hpp"
 #include "host_sim/ingestion/record_reader.hpp"
 #include "host_sim/records/resample.hpp"
 #include "host_sim/records/value_step.hpp"

@@ -1,5 +1,5 @@
 // Where a free decay begins in its recording.
-#include "host_sim/data_check/release.hpp"
+#include "host_sim/data_check/decay/release.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // A ripple that a torque sensor brings along.
-#include "host_sim/data_check/ripple.hpp"
+#include "host_sim/data_check/channel/ripple.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Power spectra: of a tone by hand, and the same bits whoever else asks for others at the same time.
-#include "host_sim/data_check/spectrum.hpp"
+#include "host_sim/data_check/measures/spectrum.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Channels whose sensor updates more slowly than the rows come.
-#include "host_sim/data_check/staircase.hpp"
+#include "host_sim/data_check/channel/staircase.hpp"
 
 #include <gtest/gtest.h>
 

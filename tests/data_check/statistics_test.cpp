@@ -1,5 +1,5 @@
 // What a channel says about itself, against the definitions.
-#include "host_sim/data_check/statistics.hpp"
+#include "host_sim/data_check/measures/statistics.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <random>
 
-#include "host_sim/data_check/quantile.hpp"
+#include "host_sim/data_check/measures/quantile.hpp"
 
 namespace {
 

@@ -1,9 +1,9 @@
 // Files of one session that do not go together.
-#include "host_sim/data_check/unlike.hpp"
+#include "host_sim/data_check/together/unlike.hpp"
 
 #include <gtest/gtest.h>
 
-#include "host_sim/data_check/to_json.hpp"
+#include "host_sim/data_check/report/to_json.hpp"
 #include "host_sim/records/data_file_error.hpp"
 #include "host_sim/records/record_checks.hpp"
 #include "tests/data_check/made_records.hpp"

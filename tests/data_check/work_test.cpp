@@ -1,5 +1,5 @@
 // The work of the forces tells signs that nothing else does.
-#include "host_sim/data_check/work.hpp"
+#include "host_sim/data_check/drive/work.hpp"
 
 #include <gtest/gtest.h>
 

@@ -86,7 +86,7 @@ TEST(TurnedForceRule, AllMassesAndSpringsHaveToBeBelowNoughtBeyondChance) {
   EXPECT_FALSE(says_turned(with(2, 800, 0.4)));
 }
 
-// A known spring says which way the force acts; another test tells that (data_check/rig_balance.hpp).
+// A known spring says which way the force acts; another test tells that (data_check/rig/rig_balance.hpp).
 TEST(TurnedForceRule, WhatIsKnownSaysIt) {
   rig_file::RigModel rig;
   rig.dofs.resize(1), rig.links.resize(1);

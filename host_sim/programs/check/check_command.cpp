@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include "host_sim/data_check/data_check.hpp"
-#include "host_sim/data_check/to_json.hpp"
+#include "host_sim/data_check/report/to_json.hpp"
 #include "host_sim/programs/commands.hpp"
 #include "host_sim/programs/results/result_json.hpp"
 #include "host_sim/programs/shared/data_options.hpp"

@@ -8,7 +8,7 @@
 
 #include "hal/rig_file/compile_rig.hpp"
 #include "hal/rig_file/signal_plan.hpp"
-#include "host_sim/data_check/spectrum.hpp"
+#include "host_sim/data_check/measures/spectrum.hpp"
 #include "host_sim/records/digitise.hpp"
 #include "host_sim/records/thin_out.hpp"
 

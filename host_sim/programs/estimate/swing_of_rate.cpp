@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "host_sim/data_check/period.hpp"
+#include "host_sim/data_check/measures/period.hpp"
 #include "host_sim/programs/shared/weighs.hpp"
 
 namespace host_sim {

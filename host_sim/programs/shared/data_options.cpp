@@ -6,7 +6,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "host_sim/data_check/to_json.hpp"
+#include "host_sim/data_check/report/to_json.hpp"
 #include "host_sim/ingestion/record_reader.hpp"
 #include "host_sim/programs/shared/above_nought.hpp"
 #include "host_sim/programs/shared/failures.hpp"

@@ -1,0 +1,19 @@
+// What lies beside the motion: mains hum, drift, uneven sampling. All of it informs; nothing stops.
+#pragma once
+#include <vector>
+
+#include "host_sim/data_check/data_check.hpp"
+#include "host_sim/data_check/measures/statistics.hpp"
+
+namespace host_sim::data_check {
+
+// hum: a line within 0.1 Hz of 50 or 60 Hz that stands 30 times above the mean power of its surroundings (chance: one
+// in 10^12 per record and line).
+// drift: the means of ten parts of an oscillating channel rise or fall steadily (correlation with time over 0.9) by more
+// than 5 % of its rms.
+std::vector<Finding> find_slow_faults(const Record& record, const Channel& channel, const Statistics& statistics);
+
+// jitter: the file's sample times scatter about even steps by more than a thousandth of a step, rounding left out.
+std::optional<Finding> find_jitter(const Record& record);
+
+}  // namespace host_sim::data_check

@@ -1,0 +1,28 @@
+// The work that the forces do on the rig. A rig has no source of its own: over a record its dampers take, never give.
+#pragma once
+#include <optional>
+
+#include "host_sim/data_check/data_check.hpp"
+#include "host_sim/data_check/drive/excitation.hpp"
+
+namespace host_sim::data_check {
+
+// Of all forces together, each with the velocity of its DOF, averaged alike over a quarter of the drive's shortest period.
+// A DOF with acceleration alone has it with the force's rate instead: the real part of a driving-point mobility is not
+// negative at any frequency, so no weight over frequency makes it so.
+// polarity: the power factor is below -0.5. A late channel alone would have to be late by a twelfth of a period. A fault
+// of several forces; of a single one a doubt, for its sign against the motions is all there is to change.
+// work, a doubt: it is negative, by more.
+// Both only where ten parts of the record agree: chance makes that in one of 1,024. A record whose base moves tells
+// nothing: the base does work too. drive: what drives the record.
+std::optional<Finding> find_negative_work(const Record& record, const Drive& drive);
+
+// A single force that is turned over in some records and not in others is a fault: a sign is of the cable, not of a record.
+void require_one_sign(Report& report);
+
+// What is said of a single force that is turned over.
+constexpr const char* kSignIsChanged = "change the sign of the column (estimate and diagnose do)";
+// Changes the sign of a single force that is turned over, in all records. True where there is one.
+bool turn_over(Report report, std::vector<Record>& records);
+
+}  // namespace host_sim::data_check

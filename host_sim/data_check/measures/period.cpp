@@ -1,0 +1,32 @@
+#include "host_sim/data_check/measures/period.hpp"
+
+#include <algorithm>
+
+#include "host_sim/data_check/measures/statistics.hpp"
+
+namespace host_sim::data_check {
+namespace {
+
+constexpr double kSwings = 0.5;  // of the rms: turns beyond it on both sides are swings, not noise
+
+}  // namespace
+
+double period_of(const std::vector<double>& y) {
+  const auto about = mean_and_rms(y);
+  std::vector<double> half;
+  int side = 0;
+  size_t since = 0;
+  for (size_t i = 0; i < y.size(); ++i) {
+    const double off = y[i] - about.mean;
+    const int now = off > kSwings * about.rms ? 1 : off < -kSwings * about.rms ? -1 : 0;
+    if (now == 0 || now == side) continue;
+    if (side != 0) half.push_back(static_cast<double>(i - since));
+    side = now, since = i;
+  }
+  if (half.size() < 4) return 0.0;
+  const auto middle = half.begin() + static_cast<std::ptrdiff_t>(half.size() / 2);
+  std::nth_element(half.begin(), middle, half.end());
+  return 2.0 * *middle;
+}
+
+}  // namespace host_sim::data_check
