@@ -7,6 +7,7 @@
 #include <random>
 
 #include "host_sim/data_check/data_check.hpp"
+#include "host_sim/data_check/decay/free_decays.hpp"
 #include "host_sim/data_check/decay/release.hpp"
 
 namespace {

@@ -7,6 +7,8 @@
 #include <functional>
 #include <random>
 
+#include "host_sim/data_check/decay/free_decays.hpp"
+
 namespace {
 
 using host_sim::Quantity;

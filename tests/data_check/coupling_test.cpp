@@ -1,5 +1,5 @@
 // Accelerometers behind a high-pass, told by what else the DOF has.
-#include "host_sim/data_check/between_channels/coupling.hpp"
+#include "host_sim/data_check/one_motion/coupling.hpp"
 
 #include <gtest/gtest.h>
 

@@ -8,6 +8,9 @@
 #include <functional>
 #include <random>
 
+#include "host_sim/data_check/data_check.hpp"
+#include "host_sim/data_check/decay/free_decays.hpp"
+
 namespace {
 
 using host_sim::Quantity;

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <random>
 
-#include "host_sim/data_check/channel/spikes.hpp"
+#include "host_sim/data_check/spikes/spikes.hpp"
 #include "tests/data_check/made_records.hpp"
 
 namespace {

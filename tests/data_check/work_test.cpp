@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "host_sim/data_check/drive/one_sign.hpp"
 #include "tests/data_check/made_records.hpp"
 
 namespace {

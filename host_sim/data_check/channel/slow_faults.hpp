@@ -1,4 +1,4 @@
-// What lies beside the motion: mains hum, drift, uneven sampling. All of it informs; nothing stops.
+// What lies beside the motion: mains hum, drift. All of it informs; nothing stops.
 #pragma once
 #include <vector>
 
@@ -12,8 +12,5 @@ namespace host_sim::data_check {
 // drift: the means of ten parts of an oscillating channel rise or fall steadily (correlation with time over 0.9) by more
 // than 5 % of its rms.
 std::vector<Finding> find_slow_faults(const Record& record, const Channel& channel, const Statistics& statistics);
-
-// jitter: the file's sample times scatter about even steps by more than a thousandth of a step, rounding left out.
-std::optional<Finding> find_jitter(const Record& record);
 
 }  // namespace host_sim::data_check

@@ -6,23 +6,21 @@
 
 #include "hal/rig_file/channel_name.hpp"
 #include "host_sim/data_check/measures/statistics.hpp"
+#include "host_sim/data_check/windows/loud.hpp"
 
 namespace host_sim::data_check {
 namespace {
 
-constexpr double kDeviations = 5.0;                           // of noise: chance goes so far once in a million samples
-constexpr size_t kWindows = 500;                              // of a record: a decay is placed to so much of it
-constexpr double kRises = 1.21, kFalls = 0.25, kLost = 0.95;  // of the energy
+constexpr double kDeviations = 5.0;  // of noise: chance goes so far once in a million samples
+constexpr size_t kWindows = 500;     // of a record: a decay is placed to so much of it
+constexpr double kLost = 0.95;       // of the energy
 constexpr double kHeld =
     3.0;  // times as long for the first twentieth as for the next: dry friction needs as long, drag less
-constexpr double kRest = 0.01;       // of the largest energy: less is what a sensor shows of what rests
-constexpr double kShareOfIt = 0.25;  // of what is loud, at least, has to be decay
-constexpr size_t kFewest = 64;       // samples of a decay
-constexpr double kLoud = 0.05;       // of the largest energy: from less no decay is worth its record
+constexpr size_t kFewest = 64;  // samples of a decay
 
 bool turns_one_way(const std::vector<double>& rate) {
   const auto [least, most] = std::minmax_element(rate.begin(), rate.end());
-  return *most > 0.0 ? *least >= -std::sqrt(kRest) * *most : true;
+  return *most > 0.0 ? *least >= -std::sqrt(kRestEnergy) * *most : true;
 }
 
 // Mean rates over windows. Empty where the channel is no rate of something that may turn one way, or it turns back.
@@ -72,25 +70,12 @@ size_t windows_above(const std::vector<double>& energy, size_t from, size_t to, 
   return last - from;
 }
 
-// Whether decays are what the record shows when it is loud: a motor's speed that goes up and down is none.
-bool decays_enough(const std::vector<double>& energy, const std::vector<DecaySpan>& spans, size_t window) {
-  const double loud = kLoud * *std::max_element(energy.begin(), energy.end());
-  size_t all = 0, in_decays = 0;
-  for (size_t i = 0; i < energy.size(); ++i) {
-    if (energy[i] <= loud) continue;
-    ++all;
-    in_decays += std::any_of(spans.begin(), spans.end(),
-                             [&](const DecaySpan& s) { return i * window >= s.from && i * window < s.to; });
-  }
-  return static_cast<double>(in_decays) > kShareOfIt * static_cast<double>(all);
-}
-
 }  // namespace
 
 bool keeps_its_sign(const Channel& channel) {
   if (channel.quantity != Quantity::kVelocity) return false;
   const Statistics s = statistics_of(channel);
-  const double small = std::max(kDeviations * s.noise, std::sqrt(kRest) * std::max(s.highest, -s.lowest));
+  const double small = std::max(kDeviations * s.noise, std::sqrt(kRestEnergy) * std::max(s.highest, -s.lowest));
   return s.lowest >= -small || s.highest <= small;
 }
 
@@ -104,14 +89,15 @@ std::vector<DecaySpan> coasting_decays(const Record& record) {
     // up to its maximum, and down from there until it rises again
     size_t peak = at, lowest = at, end = at;
     for (; end < energy.size(); ++end) {
-      if (energy[end] > kRises * std::max(energy[lowest], kRest * largest) && energy[lowest] < kFalls * energy[peak])
+      if (energy[end] > kRises * std::max(energy[lowest], kRestEnergy * largest) &&
+          energy[lowest] < kFalls * energy[peak])
         break;
       if (energy[end] >= energy[peak]) peak = lowest = end;
       if (energy[end] < energy[lowest]) lowest = end;
     }
     const bool goes_on = end < energy.size();
     const double from_energy = energy[peak];
-    if (energy[lowest] <= kFalls * from_energy && from_energy > kLoud * largest) {
+    if (energy[lowest] <= kFalls * from_energy && from_energy > loud_energy(energy)) {
       const size_t first = at == 0 && energy[0] >= kLost * from_energy ? 0 : peak;
       const size_t top = windows_above(energy, first, end, kLost * from_energy),
                    next = windows_above(energy, first + top, end, kLost * kLost * from_energy);
@@ -121,7 +107,11 @@ std::vector<DecaySpan> coasting_decays(const Record& record) {
     }
     at = std::max(at + 1, goes_on ? lowest + 1 : end);
   }
-  return !spans.empty() && decays_enough(energy, spans, window) ? spans : std::vector<DecaySpan>();
+  const auto is_in_decay = [&](size_t i) {
+    return std::any_of(spans.begin(), spans.end(),
+                       [&](const DecaySpan& s) { return i * window >= s.from && i * window < s.to; });
+  };
+  return !spans.empty() && decays_enough(energy, is_in_decay) ? spans : std::vector<DecaySpan>();
 }
 
 }  // namespace host_sim::data_check

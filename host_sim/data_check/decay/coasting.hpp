@@ -2,7 +2,8 @@
 #pragma once
 #include <vector>
 
-#include "host_sim/data_check/decay/release.hpp"
+#include "host_sim/data_check/decay/decay_span.hpp"
+#include "host_sim/records/record.hpp"
 
 namespace host_sim::data_check {
 

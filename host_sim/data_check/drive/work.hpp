@@ -17,12 +17,4 @@ namespace host_sim::data_check {
 // nothing: the base does work too. drive: what drives the record.
 std::optional<Finding> find_negative_work(const Record& record, const Drive& drive);
 
-// A single force that is turned over in some records and not in others is a fault: a sign is of the cable, not of a record.
-void require_one_sign(Report& report);
-
-// What is said of a single force that is turned over.
-constexpr const char* kSignIsChanged = "change the sign of the column (estimate and diagnose do)";
-// Changes the sign of a single force that is turned over, in all records. True where there is one.
-bool turn_over(Report report, std::vector<Record>& records);
-
 }  // namespace host_sim::data_check

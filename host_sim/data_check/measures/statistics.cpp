@@ -84,6 +84,11 @@ MeanAndRms mean_and_rms(const std::vector<double>& values) {
   return {mean, std::sqrt((of - mean).square().mean())};
 }
 
+bool is_constant(const Channel& channel) {
+  return std::all_of(channel.values.begin(), channel.values.end(),
+                     [&](double value) { return value == channel.values.front(); });
+}
+
 bool drives(const Channel& channel) {
   if (channel.quantity != Quantity::kForce && channel.dof != rig_file::kBase) return false;
   const MeanAndRms of = mean_and_rms(channel.values);
@@ -122,6 +127,12 @@ double mean_square_step(const std::vector<double>& values, size_t first, size_t 
   double sum = 0.0;
   for (size_t i = first; i + lag < end; ++i) sum += std::pow(values[i + lag] - values[i], 2);
   return end > first + lag ? sum / static_cast<double>(end - first - lag) : 0.0;
+}
+
+std::vector<Statistics> statistics_of(const Record& record) {
+  std::vector<Statistics> all;
+  for (const Channel& channel : record.channels) all.push_back(statistics_of(channel));
+  return all;
 }
 
 }  // namespace host_sim::data_check

@@ -24,11 +24,14 @@ struct MeanAndRms {
 };
 MeanAndRms mean_and_rms(const std::vector<double>& values);  // 0 of nothing; of a constant the rms is 0 to the last bit
 
+bool is_constant(const Channel& channel);  // all its values are equal
+
 // A force or a base that changes, or a command that is held at one value other than 0. A measured force that never changes is
 // none: its sensor's zero is not known.
 bool drives(const Channel& channel);
 
 Statistics statistics_of(const Channel& channel);
+std::vector<Statistics> statistics_of(const Record& record);  // of each channel
 
 // How lively a stretch is: mean square of steps over `lag` samples within it; 0 where it holds none.
 double mean_square_step(const std::vector<double>& values, size_t first, size_t end, size_t lag);

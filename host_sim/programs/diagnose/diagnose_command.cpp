@@ -5,7 +5,7 @@
 #include "hal/rig_file/rig_writer.hpp"
 #include "host_sim/data_check/channel/ripple.hpp"
 #include "host_sim/data_check/decay/release.hpp"
-#include "host_sim/data_check/drive/work.hpp"
+#include "host_sim/data_check/drive/one_sign.hpp"
 #include "host_sim/diagnosis/diagnosis.hpp"
 #include "host_sim/diagnosis/sensors/ac_coupling.hpp"
 #include "host_sim/programs/commands.hpp"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "host_sim/data_check/between_channels/kinematics.hpp"
+#include "host_sim/data_check/one_motion/comparison.hpp"
 
 namespace host_sim {
 namespace {

@@ -7,7 +7,7 @@
 #include "hal/rig_file/compile_rig.hpp"
 #include "hal/rig_file/rig_reader.hpp"
 #include "host_sim/data_check/decay/release.hpp"
-#include "host_sim/data_check/drive/work.hpp"
+#include "host_sim/data_check/drive/one_sign.hpp"
 #include "host_sim/programs/commands.hpp"
 #include "host_sim/programs/estimate/accelerometer_zero.hpp"
 #include "host_sim/programs/estimate/estimate_report_data.hpp"

@@ -1,4 +1,4 @@
-#include "host_sim/data_check/between_channels/duplicate.hpp"
+#include "host_sim/data_check/between_dofs/duplicate.hpp"
 
 #include <fmt/format.h>
 

@@ -2,8 +2,8 @@
 #pragma once
 #include <vector>
 
-#include "host_sim/data_check/between_channels/kinematics.hpp"
 #include "host_sim/data_check/data_check.hpp"
+#include "host_sim/data_check/one_motion/integrals.hpp"
 
 namespace host_sim::data_check {
 

@@ -1,126 +1,22 @@
-#include "host_sim/data_check/channel/spikes.hpp"
+#include "host_sim/data_check/spikes/spikes.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "host_sim/data_check/channel/misfit.hpp"
 #include "host_sim/data_check/measures/quantile.hpp"
+#include "host_sim/data_check/spikes/gaps.hpp"
 
 namespace host_sim::data_check {
 namespace {
 
-constexpr size_t kWidest = 3;
-constexpr double kDeviations = 8.0;
-constexpr double kShareOfRange = 0.02;
-constexpr double kOfTheTail = 4.0;  // times the 95 percent quantile: 8 standard deviations again
 constexpr double kBeyondAccelerometers = 1e3, kBeyondForceSensors = 1e6;  // times the range of everything else
 constexpr double kLoneAcceleration =
     1.5;                               // times what 90 % of the samples span: a contact lasts longer than one sample
 constexpr double kBeyondMotion = 5.0;  // times what the velocity spans; an impact turns it round: 1
 constexpr double kHarm = 1.02;
 constexpr double kWorthSaying = 0.1;  // of the range, where no harm is done
-
-struct Gap {
-  size_t first = 0, width = 1;
-  double size = 0.0;
-};
-
-// Cubic through the two samples before and the two behind a gap of one width: the four samples' weights at the gap's samples.
-class Across {
- public:
-  explicit Across(size_t width) : width_(width) {
-    const double t[4] = {-2.0, -1.0, static_cast<double>(width), static_cast<double>(width + 1)};
-    for (size_t k = 0; k < width; ++k)
-      for (int i = 0; i < 4; ++i) {
-        weight_[k][i] = 1.0;
-        for (int j = 0; j < 4; ++j)
-          if (j != i) weight_[k][i] *= (static_cast<double>(k) - t[j]) / (t[i] - t[j]);
-      }
-  }
-  double at(const std::vector<double>& x, size_t first, size_t k) const {
-    const double* w = weight_[k];
-    const double *before = &x[first - 2], *behind = &x[first + width_];
-    return w[0] * before[0] + w[1] * before[1] + w[2] * behind[0] + w[3] * behind[1];
-  }
-  size_t width() const { return width_; }
-
- private:
-  size_t width_;
-  double weight_[kWidest][4] = {};
-};
-
-double off_left(const std::vector<double>& x, size_t i) {
-  return std::abs(x[i] - (3.0 * x[i - 1] - 3.0 * x[i - 2] + x[i - 3]));
-}
-double off_right(const std::vector<double>& x, size_t i) {
-  return std::abs(x[i] - (3.0 * x[i + 1] - 3.0 * x[i + 2] + x[i + 3]));
-}
-
-// Does the stretch stand off what either side leads to, are the sides closer to each other, and is each side smooth by
-// itself? An edge is no spike, and neither is the crest of a swing that only a few samples show.
-bool stands_alone(const std::vector<double>& x, size_t first, size_t width, double size) {
-  return std::abs(x[first + width] - x[first - 1]) < 0.5 * size && off_left(x, first) > 0.5 * size &&
-         off_right(x, first + width - 1) > 0.5 * size && off_left(x, first - 1) < 0.5 * size &&
-         off_right(x, first + width) < 0.5 * size;
-}
-
-// How far a stretch stands off the cubic across it.
-double size_of(const std::vector<double>& x, size_t first, const Across& across) {
-  double size = 0.0;
-  for (size_t k = 0; k < across.width(); ++k) size = std::max(size, std::abs(x[first + k] - across.at(x, first, k)));
-  return size;
-}
-
-// What 95 of 100 stretches of that width are off at most, anywhere in the record.
-double tail_of(const std::vector<double>& x, const Across& across) {
-  constexpr size_t kStride = 5;
-  std::vector<double> sizes;
-  sizes.reserve(x.size() / kStride + 1);
-  for (size_t i = 4; i + 8 < x.size(); i += kStride) sizes.push_back(size_of(x, i, across));
-  return quantile(sizes, 0.95);
-}
-
-std::vector<Gap> spikes_in(const std::vector<double>& x, const Statistics& statistics) {
-  std::vector<Gap> gaps;
-  if (x.size() < 16) return gaps;
-  const std::vector<double> misfit = misfits(x);
-  const double least = std::max({kShareOfRange * statistics.range, 4.0 * statistics.resolution});
-  const Across across[kWidest] = {Across(1), Across(2), Across(3)};
-  double tail[kWidest] = {};
-  for (size_t k = 0; k < kWidest; ++k) tail[k] = kOfTheTail * tail_of(x, across[k]);
-  for (size_t i = 4; i + 8 < x.size(); ++i) {
-    if (misfit[i] < 0.3 * least) continue;
-    for (size_t width = 1; width <= kWidest; ++width) {
-      const double size = size_of(x, i, across[width - 1]);
-      if (size < least || size < tail[width - 1] || !stands_alone(x, i, width, size)) continue;
-      if (size < kDeviations * std::max(usual_near(misfit, i, width), statistics.resolution)) continue;
-      if (is_of_a_ringing(misfit, i, width)) continue;
-      gaps.push_back({i, width, size});
-      i += width + 3;
-      break;
-    }
-  }
-  return gaps;
-}
-
-// Stretches of one value between jumps.
-std::vector<Gap> dropouts_in(const std::vector<double>& x, const Statistics& statistics) {
-  std::vector<Gap> gaps;
-  const std::vector<Run> runs = equal_runs(x, kWidest + 1);
-  if (runs.empty()) return gaps;
-  const std::vector<double> misfit = misfits(x);
-  for (const Run& run : runs) {
-    const size_t last = run.first + run.length - 1;
-    if (run.first < 4 || last + 4 >= x.size()) continue;
-    const double in = off_left(x, run.first), out = off_right(x, last);
-    const double usual = std::max(usual_near(misfit, run.first, run.length), statistics.resolution);
-    const double least = std::max(5.0 * kShareOfRange * statistics.range, 2.0 * kDeviations * usual);
-    if (std::min(in, out) > least) gaps.push_back({run.first, run.length, std::min(in, out)});
-  }
-  return gaps;
-}
 
 std::vector<double> repaired(std::vector<double> x, const std::vector<Gap>& gaps) {
   for (const Gap& gap : gaps) {

@@ -1,4 +1,4 @@
-#include "host_sim/data_check/channel/misfit.hpp"
+#include "host_sim/data_check/spikes/misfit.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "host_sim/data_check/between_channels/exchanged.hpp"
+#include "host_sim/data_check/between_dofs/exchanged.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <set>
 
 #include "hal/rig_file/channel_name.hpp"
-#include "host_sim/data_check/between_channels/kinematics.hpp"
+#include "host_sim/data_check/one_motion/comparison.hpp"
 
 namespace host_sim::data_check {
 namespace {

@@ -1,4 +1,4 @@
-#include "host_sim/data_check/between_channels/coupling.hpp"
+#include "host_sim/data_check/one_motion/coupling.hpp"
 
 #include <fmt/format.h>
 

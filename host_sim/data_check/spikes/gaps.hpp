@@ -1,0 +1,20 @@
+// Stretches that stand off what is around them: spikes of one to three samples, and dropouts.
+#pragma once
+#include <cstddef>
+#include <vector>
+
+#include "host_sim/data_check/measures/statistics.hpp"
+
+namespace host_sim::data_check {
+
+struct Gap {
+  size_t first = 0, width = 1;
+  double size = 0.0;
+};
+
+std::vector<Gap> spikes_in(const std::vector<double>& x, const Statistics& statistics);
+
+// Stretches of one value between jumps.
+std::vector<Gap> dropouts_in(const std::vector<double>& x, const Statistics& statistics);
+
+}  // namespace host_sim::data_check

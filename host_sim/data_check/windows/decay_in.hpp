@@ -1,0 +1,18 @@
+// Whether the energy falls within a stretch of windows as that of a free decay.
+#pragma once
+#include <optional>
+
+#include "host_sim/data_check/windows/between_blows.hpp"
+
+namespace host_sim::data_check {
+
+// In windows; from: the first that has all its energy. Nothing where the span is no decay.
+struct Decay {
+  size_t from = 0, to = 0;
+  double periods = 0.0;  // until it is at rest
+  bool clipped = false;  // up to its first
+};
+
+std::optional<Decay> decay_in(const Windows& energy, const Span& span);
+
+}  // namespace host_sim::data_check
