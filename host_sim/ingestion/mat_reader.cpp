@@ -8,7 +8,8 @@
 #include "host_sim/ingestion/mat_end.hpp"
 #include "host_sim/ingestion/mat_library.hpp"
 #include "host_sim/records/columns/column_meaning.hpp"
-#include "host_sim/records/columns/column_name.hpp"
+#include "host_sim/records/columns/head_hints.hpp"
+#include "host_sim/records/columns/names/column_name.hpp"
 #include "host_sim/records/data_file_error.hpp"
 #include "host_sim/records/record_checks.hpp"
 

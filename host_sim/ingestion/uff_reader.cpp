@@ -10,7 +10,7 @@
 
 #include "hal/rig_file/channel_name.hpp"
 #include "host_sim/ingestion/uff_dataset.hpp"
-#include "host_sim/records/columns/units.hpp"
+#include "host_sim/records/columns/units/units.hpp"
 #include "host_sim/records/data_file_error.hpp"
 #include "host_sim/records/record_checks.hpp"
 

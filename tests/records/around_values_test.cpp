@@ -1,5 +1,5 @@
 // What stands in a table beside its numbers, and what a newcomer's file is told.
-#include "host_sim/records/csv/around_values.hpp"
+#include "host_sim/records/csv/text/around_values.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

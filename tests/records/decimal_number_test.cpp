@@ -1,5 +1,5 @@
 // Numbers of a text against std::from_chars, bit by bit.
-#include "host_sim/records/csv/decimal_number.hpp"
+#include "host_sim/records/csv/text/decimal_number.hpp"
 
 #include <gtest/gtest.h>
 

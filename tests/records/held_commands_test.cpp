@@ -1,5 +1,5 @@
 // Forces that are written at their changes, in rows of their own, beside a motion that is written all the time.
-#include "host_sim/records/csv/held_commands.hpp"
+#include "host_sim/records/csv/blanks/held_commands.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "hal/rig_file/rig_reader.hpp"
-#include "host_sim/records/columns/plain_name.hpp"
+#include "host_sim/records/columns/names/plain_name.hpp"
 #include "host_sim/records/csv/csv_reader.hpp"
 #include "host_sim/records/data_file_error.hpp"
 

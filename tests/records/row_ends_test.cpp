@@ -1,5 +1,5 @@
 // Matrices as they are written for programs that compute, and names of several words above them.
-#include "host_sim/records/csv/row_ends.hpp"
+#include "host_sim/records/csv/text/row_ends.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "host_sim/records/columns/units.hpp"
+#include "host_sim/records/columns/units/units.hpp"
 
 namespace host_sim::data_check {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "host_sim/data_check/rig/balance.hpp"
-#include "host_sim/records/columns/units.hpp"
+#include "host_sim/records/columns/units/units.hpp"
 
 namespace host_sim::data_check {
 

@@ -5,15 +5,11 @@
 #include <vector>
 
 #include "hal/rig_file/rig_model.hpp"
+#include "host_sim/records/columns/column.hpp"
 #include "host_sim/records/columns/reading_options.hpp"
 #include "host_sim/records/record.hpp"
 
 namespace host_sim {
-
-struct Column {
-  std::string head;  // as it stands in the file, without quotes
-  std::string unit;  // of a row of units; may be empty
-};
 
 struct ColumnUse {
   enum class Kind { kIgnored, kTime, kChannel };
@@ -36,11 +32,5 @@ struct ColumnPlan {
 // A rig without DOFs stands for "no rig file": then every channel name is taken.
 ColumnPlan plan_columns(const std::vector<Column>& columns, const rig_file::RigModel& model,
                         const ReadingOptions& options, const std::string& file, size_t line);
-
-// Does the head name a channel, perhaps with a foreign unit or misspelt, or a column that the user chose?
-bool means_channel(const std::string& head, const rig_file::RigModel& model, const ReadingOptions& options);
-
-// What to type for the columns whose heads are quantities' words: --column angle_1="angle" --column torque_1="torque".
-std::string plain_name_hint(const std::vector<Column>& columns, const rig_file::RigModel& model);
 
 }  // namespace host_sim

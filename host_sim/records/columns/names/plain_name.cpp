@@ -1,0 +1,76 @@
+#include "host_sim/records/columns/names/plain_name.hpp"
+
+#include <cctype>
+
+#include "host_sim/records/columns/units/units.hpp"
+
+namespace host_sim {
+namespace {
+
+using firmware::Quantity;
+
+struct Word {
+  const char* word;
+  Quantity quantity;
+  bool rotating;
+};
+constexpr Word kWords[] = {{"position", Quantity::kDisplacement, false},
+                           {"pos", Quantity::kDisplacement, false},
+                           {"displacement", Quantity::kDisplacement, false},
+                           {"disp", Quantity::kDisplacement, false},
+                           {"deflection", Quantity::kDisplacement, false},
+                           {"elongation", Quantity::kDisplacement, false},
+                           {"travel", Quantity::kDisplacement, false},
+                           {"stroke", Quantity::kDisplacement, false},
+                           {"angular_position", Quantity::kDisplacement, true},
+                           {"angular_displacement", Quantity::kDisplacement, true},
+                           {"angle", Quantity::kDisplacement, true},
+                           {"velocity", Quantity::kVelocity, false},
+                           {"vel", Quantity::kVelocity, false},
+                           {"speed", Quantity::kVelocity, false},
+                           {"angvel", Quantity::kVelocity, true},
+                           {"angular_velocity", Quantity::kVelocity, true},
+                           {"angular_speed", Quantity::kVelocity, true},
+                           {"acceleration", Quantity::kAcceleration, false},
+                           {"accel", Quantity::kAcceleration, false},
+                           {"acc", Quantity::kAcceleration, false},
+                           {"angular_acceleration", Quantity::kAcceleration, true},
+                           {"force", Quantity::kForce, false},
+                           {"load", Quantity::kForce, false},
+                           {"torque", Quantity::kForce, true}};
+
+// The word that the name is, or begins with before a "_"; what is behind it is handed out.
+const Word* word_of(const std::string& name, std::string& behind) {
+  std::string low = name;
+  for (char& c : low) c = c == ' ' ? '_' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const Word* found = nullptr;
+  size_t longest = 0;
+  for (const Word& w : kWords) {
+    const std::string word = w.word;
+    const bool whole = low == word, begins = low.compare(0, word.size() + 1, word + "_") == 0;
+    if ((!whole && !begins) || word.size() < longest) continue;
+    found = &w, longest = word.size(), behind = begins ? name.substr(word.size() + 1) : "";
+  }
+  return found;
+}
+
+}  // namespace
+
+std::optional<PlainName> parse_plain_name(const std::string& name, const std::string& unit) {
+  std::string suffix;
+  const Word* word = word_of(name, suffix);
+  if (word == nullptr || (!suffix.empty() && !unit.empty())) return std::nullopt;
+  PlainName plain{{word->quantity, 1, word->rotating}, unit};
+  if (suffix.empty() && unit.empty()) return plain;
+  for (const bool rotating : {word->rotating, !word->rotating}) {
+    const Dimension wanted = dimension_of(word->quantity, rotating);
+    const auto found = suffix.empty() ? find_unit(unit, wanted) : find_unit_suffix(suffix, wanted);
+    if (!found || found->dimension != wanted) continue;
+    plain.channel.rotating = rotating;
+    if (!suffix.empty()) plain.unit = found->word;
+    return plain;
+  }
+  return std::nullopt;
+}
+
+}  // namespace host_sim
