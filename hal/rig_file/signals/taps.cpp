@@ -1,0 +1,124 @@
+#include "hal/rig_file/signals/taps.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "hal/rig_file/filter_design.hpp"
+#include "hal/rig_file/rig_file_error.hpp"
+#include "hal/rig_file/scaled_double.hpp"
+#include "hal/rig_file/signals/planned.hpp"
+
+namespace rig_file {
+namespace {
+
+using firmware::CoreConfiguration;
+using firmware::SignalConfiguration;
+
+constexpr double kSignalPeak = 1 << 22;
+
+// One signal as real numbers: out = sum of h * input, input = codes or their integrated codes.
+struct Design {
+  Impulse impulse;           // SI units out per code in
+  double largest_bound = 0;  // in SI units, from full scale and band
+};
+
+// The same response with zeros at both ends.
+Impulse widened(const Impulse& impulse, size_t length) {
+  Impulse wide(length, 0.0);
+  std::copy(impulse.begin(), impulse.end(), wide.begin() + static_cast<long>((length - impulse.size()) / 2));
+  return wide;
+}
+
+Design design(const CoreConfiguration& c, const SignalRanges& ranges, int node, int q) {
+  const SignalConfiguration& signal = c.signals[node][q];
+  const firmware::ChannelConfiguration& channel = c.channels[node][signal.source];
+  const double period_s = to_double(c.sample_period_s);
+  const double advance = channel.delay_ns * 1e-9 / period_s;
+  if (std::fabs(advance) > 3.0)
+    throw RigFileError("rig", 0, "delay of a channel of " + node_name(node),
+                       std::to_string(channel.delay_ns / 1000) + " us, expected at most 3 sample periods");
+  Design result;
+  result.impulse = differentiates(c) ? low_pass(advance, band(c, ranges)) : shifted_all_pass(advance);
+  const double unit = to_double(channel.unit_per_code);
+  double gain = unit;
+  result.largest_bound = unit * 0.5 * (static_cast<double>(channel.highest_code) - channel.lowest_code);
+  const int d = fused(c, node, q) ? 1 : derivatives(c, node, q);
+  if (d > 0)
+    result.impulse =
+        convolve(result.impulse, d == 1 ? first_difference(band(c, ranges)) : second_difference(band(c, ranges)));
+  for (int i = 0; i < d; ++i) {
+    gain /= period_s;
+    result.largest_bound *= 0.63 / period_s;
+  }
+  // The rule over more samples wherever the history holds it and leaves room for the filter of friction's sign.
+  const Band rule = differentiates(c) && signal.integrations > 1 ? Band::kTenth : Band::kWide;
+  for (int i = 0; i < signal.integrations; ++i) {
+    result.impulse = convolve(result.impulse, sum_to_integral(rule));
+    gain *= period_s * std::ldexp(1.0, c.high_pass_shift - firmware::kIntegrationExtraBits);
+    result.largest_bound /= 2.0 * M_PI;
+  }
+  for (double& tap : result.impulse) tap *= gain;
+  return result;
+}
+
+// The step of the integral of a fused velocity's acceleration over one sample period, in units of `unit`.
+Impulse integral_step(const CoreConfiguration& c, int node, double unit) {
+  const firmware::ChannelConfiguration& channel = c.channels[node][kA];
+  const double period_s = to_double(c.sample_period_s);
+  Impulse step = convolve(shifted_all_pass(channel.delay_ns * 1e-9 / period_s), sum_to_integral());
+  for (double& tap : step) tap *= to_double(channel.unit_per_code) * period_s / unit;
+  return step;
+}
+
+// Integer taps and the unit; the largest value gets 22 bits.
+void quantise(CoreConfiguration& c, const SignalRanges& ranges, int node, int q) {
+  SignalConfiguration& signal = c.signals[node][q];
+  Design made = design(c, ranges, node, q);
+  const double largest = ranges.largest[node][q];
+  const double peak = largest > 0.0 ? largest : made.largest_bound;
+  const double unit = std::exp2(std::ceil(std::log2(peak / kSignalPeak)));
+  double biggest = 0.0;
+  Impulse step;
+  if (fused(c, node, q)) {
+    step = integral_step(c, node, unit);
+    const size_t length = std::max(made.impulse.size(), step.size());
+    made.impulse = widened(made.impulse, length);
+    step = widened(step, length);
+  }
+  for (double tap : made.impulse) biggest = std::max(biggest, std::fabs(tap / unit));
+  const int bits = signal.integrations > 0 ? 25 : 30;  // inputs of 31 or 24 bits, 33 taps: the sum stays below 2^61
+  const int shift = std::clamp(bits - 1 - std::ilogb(biggest), 0, 62);
+  signal.shift = static_cast<uint8_t>(shift);
+  const int half = static_cast<int>(made.impulse.size() / 2);
+  signal.half_length = static_cast<uint8_t>(half);
+  for (int k = 0; k <= 2 * half; ++k)
+    signal.tap[k].raw =
+        static_cast<int32_t>(std::lround(std::ldexp(made.impulse[static_cast<size_t>(k)] / unit, shift)));
+  for (size_t k = 0; k < step.size(); ++k)
+    c.fusion[node].step_tap[k].raw = static_cast<int32_t>(std::lround(std::ldexp(step[k], shift)));
+  signal.unit_per_code = to_scaled(unit);
+}
+
+// The low-pass for friction's sign, as far as the history of the signals reaches.
+void filter_signs(CoreConfiguration& c, const SignalRanges& ranges) {
+  int longest = 0;
+  for (const auto& node : c.signals)
+    for (const SignalConfiguration& signal : node) longest = std::max<int>(longest, signal.half_length);
+  if (!has_friction(c) || !differentiates(c) || 2 * longest + kLowPassHalf > 2 * firmware::kFilterHalf) return;
+  static_assert(kLowPassHalf == firmware::kSignFilterHalf, "the same filter");
+  const Impulse taps = low_pass(0.0, band(c, ranges));
+  c.sign_half_length = kLowPassHalf;
+  for (size_t k = 0; k < taps.size(); ++k)
+    c.sign_tap[k].raw = static_cast<int32_t>(std::lround(std::ldexp(taps[k], firmware::PassedSign::kFractionBits)));
+}
+
+}  // namespace
+
+void make_filters(CoreConfiguration& c, const SignalRanges& ranges) {
+  for (int node = 0; node < firmware::kMaxNodes; ++node)
+    for (int q = 0; q < firmware::kQuantities; ++q)
+      if (c.signals[node][q].available) quantise(c, ranges, node, q);
+  filter_signs(c, ranges);
+}
+
+}  // namespace rig_file
