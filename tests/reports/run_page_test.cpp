@@ -1,0 +1,81 @@
+// The pages of a run and of an estimate as a reader gets them: complete and offline.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "host_sim/reports/page/report.hpp"
+#include "tests/reports/made_up.hpp"
+#include "tests/reports/page_parts.hpp"
+
+namespace {
+
+using namespace host_sim::reports;
+using page_parts::contains;
+using page_parts::expect_offline;
+using page_parts::own_part;
+
+TEST(RunPage, HasEveryPart) {
+  const std::string page = run_page(made_up::run());
+  expect_offline(page);
+  for (const char* id : {"estimates", "convergence", "signals", "accelerations"})
+    EXPECT_TRUE(contains(page, std::string("<h2 id=\"") + id + "\"")) << id;
+  EXPECT_TRUE(contains(page, "5 of 5 true values lie inside their 95 % interval"));
+}
+
+// A spring of 2 N/mm beside a damper: 4 x 4 cells of which one was never visited.
+RigViews made_up_views() {
+  RigViews views;
+  ResponseView response{
+      "acceleration of DOF 1 per force on DOF 1", "acceleration per force", "m/s^2/N", {}, {}, {}, {}, 9};
+  for (int k = 1; k <= 200; ++k) {
+    response.frequency_Hz.push_back(k);
+    response.measured.push_back(1.0 / k);
+    response.simulated.push_back(1.1 / k);
+    response.coherence.push_back(k <= 50 ? 0.99 : 0.1);
+  }
+  views.responses = {response};
+  views.modes = {{{9.8, 9.7, 9.9}, {0.0617, 0.0612, 0.0622}, {1.0, -0.5}}};
+  ForceStateMap map;
+  map.link = "1-0";
+  map.columns = map.rows = 4;
+  map.elongation_low = map.rate_low = -1e-3;
+  map.elongation_high = map.rate_high = 1e-3;
+  for (int cell = 0; cell < 16; ++cell) map.measured.push_back(cell == 5 ? NAN : 2e-3 * (cell % 4) - 3e-3);
+  map.model = map.measured;
+  views.maps = {map};
+  views.residuals = {{1, "N", response.frequency_Hz, response.measured, response.simulated}};
+  views.notes = {"no <displacement> sensor"};
+  return views;
+}
+
+TEST(EstimatePage, HasEveryPart) {
+  EstimateReportData data;
+  data.rig_name = "rig & more";
+  data.files = {"a.csv"};
+  data.parameters = {{"viscous[1-0]", "N s/m", {NAN, NAN, NAN}, {20.0, 19.8, 20.2}, "VALID"},
+                     {"coulomb[1-0]", "N", {NAN, NAN, NAN}, {1.0, 0.2, 1.8}, "ILL_CONDITIONED"}};
+  data.advice = {"Add a second level."};
+  data.dofs = made_up::diagnosis(3000).dofs;
+  data.views = made_up_views();
+  const std::string page = estimate_page(data);
+  expect_offline(page);
+  for (const char* id : {"estimates", "advice", "waveforms", "modes", "responses", "maps", "residuals"})
+    EXPECT_TRUE(contains(page, std::string("<h2 id=\"") + id + "\"")) << id;
+  EXPECT_TRUE(contains(page, "<h1>1 of 2 coefficients are valid</h1>"));
+  EXPECT_TRUE(contains(page, "Average of 9 segments"));
+  EXPECT_TRUE(contains(page, "full depth is 3.00 mN"));
+  EXPECT_TRUE(contains(page, "no &lt;displacement&gt; sensor"));
+  EXPECT_FALSE(contains(own_part(page), "nan"));
+}
+
+// Coherent up to 50 Hz: the running mean over 16 bins falls below a half some 8 bins later, and an eighth is added.
+TEST(EstimatePage, AResponseEndsWhereNothingDrives) {
+  EstimateReportData data;
+  data.views = made_up_views();
+  const std::string page = estimate_page(data);
+  EXPECT_TRUE(contains(page, ">60</text>"));
+  EXPECT_FALSE(contains(page.substr(0, page.find("id=\"maps\"")), ">100</text>"));
+}
+
+}  // namespace
