@@ -1,3 +1,6 @@
+// The rooms in the order in which a record flows through them: each channel on its own (channel, spikes, flat), the times (time_base),
+// channels of one motion (one_motion) and of two (between_dofs), masses and springs (rig), forces (drive), free decays (decay, by the
+// energies of its windows), then all records (together) and what is said (report). All compute with measures.
 #include <algorithm>
 #include <future>
 #include <set>

@@ -119,6 +119,13 @@ void require_motion_channels(const Record& record, const rig_file::RigModel& mod
     if (link.b == rig_file::kBase) require(rig_file::kBase, rig_file::link_rotates(model, link));
 }
 
+std::vector<const Channel*> channels_beyond(const Record& record, const Record& other) {
+  std::vector<const Channel*> beyond;
+  for (const Channel& channel : record.channels)
+    if (other.find(channel.quantity, channel.dof) == nullptr) beyond.push_back(&channel);
+  return beyond;
+}
+
 bool same_period(const Record& a, const Record& b) {
   constexpr double kTolerance = 1e-3;  // all are counted at one rate, and a spring goes with its square
   return std::abs(a.sample_period_s / b.sample_period_s - 1.0) <= kTolerance;
@@ -133,13 +140,10 @@ void require_same_channels(const Record& first, const std::vector<Record>& recor
                           "sampled every " + seconds(record.sample_period_s) + ", expected " +
                               seconds(first.sample_period_s) + " as in " + first.file +
                               " (--resample brings them to one rate)");
-    for (const Channel& channel : first.channels)
-      if (record.find(channel.quantity, channel.dof) == nullptr)
-        throw DataFileError(record.file, 0,
-                            "lacks " + channel.name + ", expected the same channels as in " + first.file);
-    for (const Channel& channel : record.channels)
-      if (first.find(channel.quantity, channel.dof) == nullptr)
-        throw DataFileError(record.file, 0, "has " + channel.name + ", expected the same channels as in " + first.file);
+    const std::string as_in_first = ", expected the same channels as in " + first.file;
+    const std::vector<const Channel*> lacks = channels_beyond(first, record), has = channels_beyond(record, first);
+    if (!lacks.empty()) throw DataFileError(record.file, 0, "lacks " + lacks.front()->name + as_in_first);
+    if (!has.empty()) throw DataFileError(record.file, 0, "has " + has.front()->name + as_in_first);
   }
 }
 

@@ -26,6 +26,9 @@ void keep_times(const std::vector<double>& time_s, const std::function<size_t(si
 // DataFileError.
 void require_motion_channels(const Record& record, const rig_file::RigModel& model);
 
+// The channels of a record that the other lacks.
+std::vector<const Channel*> channels_beyond(const Record& record, const Record& other);
+
 // To a thousandth.
 bool same_period(const Record& a, const Record& b);
 

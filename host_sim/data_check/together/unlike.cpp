@@ -10,11 +10,10 @@
 namespace host_sim::data_check {
 namespace {
 
-// Channels of the one that the other lacks.
-std::string beyond(const Record& record, const Record& other) {
+// With commas between.
+std::string names_of(const std::vector<const Channel*>& channels) {
   std::string names;
-  for (const Channel& channel : record.channels)
-    if (other.find(channel.quantity, channel.dof) == nullptr) names += (names.empty() ? "" : ", ") + channel.name;
+  for (const Channel* channel : channels) names += (names.empty() ? "" : ", ") + channel->name;
   return names;
 }
 
@@ -31,7 +30,7 @@ std::vector<Finding> find_unlike(const std::vector<Record>& records) {
           "{} has {:.6g} samples a second, {} {:.6g}: estimate and diagnose take both together with --resample {:.4g}",
           record.file, 1.0 / record.sample_period_s, first.file, 1.0 / first.sample_period_s,
           1.0 / std::min(record.sample_period_s, first.sample_period_s))));
-    const std::string lacks = beyond(first, record), has = beyond(record, first);
+    const std::string lacks = names_of(channels_beyond(first, record)), has = names_of(channels_beyond(record, first));
     if (lacks.empty() && has.empty()) continue;
     findings.push_back(told(fmt::format(
         "{}{}{}{}{}, against {}: estimate and diagnose take records of the same channels together (--column CHANNEL= "

@@ -1,3 +1,5 @@
+// The stages, each a room: text as UTF-8 and in lines (text), where names, units and numbers stand (layout), what the columns mean
+// (records/columns), numbers row by row (rows), and rows that lack values (blanks). A CsvTable goes from one to the next.
 #include "host_sim/records/csv/csv_reader.hpp"
 
 #include <utility>

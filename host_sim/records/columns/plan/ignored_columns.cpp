@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <optional>
 
-#include "host_sim/records/columns/quoted.hpp"
 #include "host_sim/records/columns/units/units.hpp"
 
 namespace host_sim {

@@ -70,7 +70,7 @@ Header find_header(std::string_view content, const MeansChannel& means_channel) 
     const bool comment = is_comment(line);
     if (comment) line = text_of_comment(line, means_channel);
     char separator = ',';
-    if (score(line, means_channel, separator) > 0) {
+    if (channel_fields(line, means_channel, separator) > 0) {
       const Header header{number, separator, line, rest, passed_over};
       if (!comment) return header;
       NamingComment naming = naming_comment(header, means_channel);

@@ -18,8 +18,8 @@ std::string_view without_title(std::string_view line, const MeansChannel& means_
   if (colon == std::string_view::npos || names == std::string_view::npos || names == colon + 1) return line;
   char separator = ',';
   const std::string_view behind = line.substr(names);
-  return score(behind, means_channel, separator) > 0 &&
-                 score(behind, means_channel, separator) >= score(line, means_channel, separator)
+  return channel_fields(behind, means_channel, separator) > 0 &&
+                 channel_fields(behind, means_channel, separator) >= channel_fields(line, means_channel, separator)
              ? behind
              : line;
 }

@@ -12,7 +12,7 @@ constexpr char kSeparators[] = {'\t', ';', ',', ' '};
 
 }  // namespace
 
-size_t score(std::string_view line, const MeansChannel& means_channel, char& separator) {
+size_t channel_fields(std::string_view line, const MeansChannel& means_channel, char& separator) {
   size_t best = 0;
   for (const char candidate : kSeparators) {
     const std::vector<std::string> fields = split_fields(line, candidate);

@@ -11,7 +11,7 @@ namespace host_sim {
 using MeansChannel = std::function<bool(const std::string&)>;  // of a head
 
 // How many fields mean a channel, and with which separator most do.
-size_t score(std::string_view line, const MeansChannel& means_channel, char& separator);
+size_t channel_fields(std::string_view line, const MeansChannel& means_channel, char& separator);
 
 // "0.004  -1,5e-3": numbers of a table, whatever separates them.
 bool is_row_of_numbers(std::string_view line);
