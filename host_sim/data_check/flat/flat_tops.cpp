@@ -11,8 +11,8 @@ namespace {
 constexpr double kChance = 1e-4;        // of one record to show this without a fault
 constexpr size_t kFewestNoisyRuns = 6;  // slopes amid noise are means over that many
 constexpr size_t kFewestRuns = 3;       // one or two flat tops may be anything
-constexpr double kStepsSeen = 4.0;     // of resolution or deviations of noise: a slope over so many is known to a third
-constexpr size_t kFewestFlat = 3;      // samples: of fewer any sine's top is made that is symmetric to them
+constexpr double kStepsSeen = 4.0;  // of resolution or deviations of noise: a slope over so many is known to a third
+constexpr size_t kFewestFlat = 3;   // samples: of fewer any sine's top is made that is symmetric to them
 
 // Runs of L equal values at the very end of the range: expected number of chance is N p^(L-1). Where a step of the converter is
 // more than the noise, a smooth turn stays on its last step for as long as it is within it, and a stop in friction longer.
