@@ -105,7 +105,7 @@ void identify(const CoreConfiguration& configuration, const BatchTable& table, I
   }
   report_uncertainty(list, fit, memory.sums);
   add_noise_doubt(configuration, list, table, fit, estimates);
-  take_out_regressor_noise(list, table, fit, estimates);
+  const uint64_t nothing_known = take_out_regressor_noise(list, table, fit, estimates);
   end_comparison(list, bias);
   estimates.condition_number = fit.identifiability().condition_number;
   measure_skew(list, table, configuration, estimates);
@@ -114,6 +114,8 @@ void identify(const CoreConfiguration& configuration, const BatchTable& table, I
     parameter.variance_inflation = fit.identifiability().inflation[k];
     parameter.plain_value = parameter.value + bias.difference[k];
     parameter.status = judge(memory, list, table, configuration, k, estimates);
+    if ((nothing_known >> k & 1) != 0 && severity(parameter.status) < severity(EstimateStatus::kIllConditioned))
+      parameter.status = EstimateStatus::kIllConditioned;
     if (parameter.status == EstimateStatus::kIllConditioned && not_told_apart(fit, list, table, estimates, k))
       estimates.inseparable = true;
     estimates.unresolved[k] = fit.identifiability().unresolved[k];

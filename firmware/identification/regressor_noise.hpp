@@ -13,8 +13,9 @@
 
 namespace firmware {
 
-// Corrects values, widens standard deviations and intervals.
-void take_out_regressor_noise(const EquationList& list, const BatchTable& table, WeightedFit& fit,
-                              Estimates& estimates);
+// Corrects values, widens standard deviations and intervals. Returns the parameters that noise may have taken to any part of
+// themselves, a bit for each.
+uint64_t take_out_regressor_noise(const EquationList& list, const BatchTable& table, WeightedFit& fit,
+                                  Estimates& estimates);
 
 }  // namespace firmware

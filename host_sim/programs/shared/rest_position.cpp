@@ -5,14 +5,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <string_view>
 
 #include "host_sim/programs/shared/any_force.hpp"
+#include "host_sim/programs/shared/swing.hpp"
 #include "host_sim/programs/shared/weighs.hpp"
 
 namespace host_sim {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kOneSide = 2.0;  // rms about the mean: a sine whose mean is 1.4 of it just touches zero
 constexpr double kOff = 0.02;     // of the rms: three periods of a decay tell where it rests to 0.3 % of its amplitude
 
@@ -37,42 +39,36 @@ bool is_held_off(const rig_file::RigModel& model, const Record& record, int dof)
                                           [&](const rig_file::Link& link) { return weighs(link) && link.a == dof; });
 }
 
-// Where a rig that nothing drives rests: the mean of its displacement, weighted with the square of its speed, so that what stands
-// still does not count, and with a bell over the record, so that parts of a period at its ends do not.
-class Rest {
- public:
-  void add(const std::vector<double>& y) {
-    for (size_t k = 1; k + 1 < y.size(); ++k) {
-      const double bell = std::sin(kPi * (static_cast<double>(k) + 0.5) / static_cast<double>(y.size()));
-      const double weight = bell * bell * (y[k + 1] - y[k - 1]) * (y[k + 1] - y[k - 1]);
-      sum_ += weight * y[k], squares_ += weight * y[k] * y[k], weights_ += weight;
-    }
-  }
-  Moments moments() const {
-    if (!(weights_ > 0)) return {};
-    const double mean = sum_ / weights_;
-    return {mean, std::sqrt(std::max(0.0, squares_ / weights_ - mean * mean))};
-  }
-
- private:
-  double sum_ = 0, squares_ = 0, weights_ = 0;
-};
-
 Moments about_rest(const std::vector<Record>& records, size_t channel) {
-  Rest rest;
-  for (const Record& record : records) rest.add(record.channels[channel].values);
-  return rest.moments();
+  Swing swing;
+  for (const Record& record : records) swing.add(record.channels[channel].values);
+  return {swing.mean(), swing.rms()};
 }
 
-// Laws that tell one direction from the other, or a base that moves: the mean is then no place of rest.
-bool rests_at_its_mean(const rig_file::RigModel& model, const Record& record) {
-  if (any_force(record)) return false;
-  for (const Channel& channel : record.channels)
-    if (channel.dof == rig_file::kBase) return false;
+bool has(const rig_file::RigModel& model, std::string_view effect) {
   for (const rig_file::Link& link : model.links)
     for (const rig_file::Effect& e : link.effects)
-      if (e.kind == "quadratic_stiffness" || e.kind == "force_offset" || e.kind == "asymmetric_viscous") return false;
-  return true;
+      if (e.kind == effect) return true;
+  return false;
+}
+
+// Laws that pull to one side of themselves, or a base that moves: what the motion swings about is then no place of rest.
+bool swings_about_rest(const rig_file::RigModel& model, const Record& record) {
+  for (const Channel& channel : record.channels)
+    if (channel.dof == rig_file::kBase) return false;
+  return !any_force(record) && !has(model, "force_offset") && !has(model, "asymmetric_viscous");
+}
+
+// What a free rig's motion has for a centre. Beside a spring that is stiffer on one side it moves with the square of the amplitude, and
+// the place of rest is where that would be nought; nothing where the amplitude does not tell.
+std::optional<Moments> centre(const rig_file::RigModel& model, const std::vector<Record>& records, size_t channel) {
+  const Moments all = about_rest(records, channel);
+  if (!has(model, "quadratic_stiffness")) return all;
+  std::vector<const std::vector<double>*> values;
+  for (const Record& record : records) values.push_back(&record.channels[channel].values);
+  const std::optional<double> rest = centre_of_small_swings(values);
+  if (!rest) return {};
+  return Moments{*rest, all.rms};
 }
 
 // Where each record of a free rig rests, where they do not rest alike: a zero that was set anew, a string that was hung up again. Empty
@@ -82,10 +78,9 @@ std::vector<double> own_rests(const std::vector<Record>& records, size_t channel
   std::vector<double> rests;
   double largest = 0;
   for (const Record& record : records) {
-    Rest rest;
-    rest.add(record.channels[channel].values);
-    const Moments own = rest.moments();
-    rests.push_back(own.mean), largest = std::max(largest, own.rms);
+    Swing own;
+    own.add(record.channels[channel].values);
+    rests.push_back(own.mean()), largest = std::max(largest, own.rms());
   }
   const auto [least, most] = std::minmax_element(rests.begin(), rests.end());
   return *most - *least > kOff * largest ? rests : std::vector<double>{};
@@ -103,19 +98,21 @@ std::string said_of_rests(const std::string& name, const std::vector<double>& re
 CountedFromRest count_from_rest(const rig_file::RigModel& model, SharedRecords& records) {
   CountedFromRest rest;
   if (records.get().empty()) return rest;
-  const bool free = rests_at_its_mean(model, records.get().front());
+  const bool alone = swings_about_rest(model, records.get().front()), uneven = has(model, "quadratic_stiffness");
   for (size_t c = 0; c < records.get().front().channels.size(); ++c) {
     if (records.get().front().channels[c].quantity != Quantity::kDisplacement) continue;
     if (is_held_off(model, records.get().front(), records.get().front().channels[c].dof)) continue;
     const std::string& name = records.get().front().channels[c].name;
-    const std::vector<double> rests = free ? own_rests(records.get(), c) : std::vector<double>{};
+    const std::vector<double> rests = alone && !uneven ? own_rests(records.get(), c) : std::vector<double>{};
     for (size_t r = 0; r < rests.size(); ++r)
       for (double& value : records.own()[r].channels[c].values) value -= rests[r];
     if (!rests.empty()) {
       rest.notes.push_back(said_of_rests(name, rests));
       continue;
     }
-    const Moments all = moments(records.get(), c), swing = free ? about_rest(records.get(), c) : all;
+    const std::optional<Moments> own = alone ? centre(model, records.get(), c) : std::nullopt;
+    const bool free = own.has_value();
+    const Moments all = moments(records.get(), c), swing = free ? *own : all;
     const bool one_side = std::fabs(all.mean) > kOneSide * all.rms;
     if (!one_side && !(free && std::fabs(swing.mean) > kOff * swing.rms)) continue;
     for (Record& record : records.own())
