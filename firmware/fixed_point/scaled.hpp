@@ -31,6 +31,7 @@ struct Scaled {
   }
   bool is_zero() const { return mantissa == 0; }
   bool is_negative() const { return mantissa < 0; }
+  bool is_positive() const { return mantissa > 0; }
 
  private:
   // Most numbers are small: to hand them over as such takes half the instructions.
@@ -45,6 +46,9 @@ struct Scaled {
 };
 #pragma pack(pop)
 
+inline constexpr Scaled kScaledOne = {int64_t{1} << 61, -61};
+
+Scaled power_of_two(int32_t exponent);
 Scaled operator+(const Scaled& a, const Scaled& b);
 Scaled operator-(const Scaled& a, const Scaled& b);
 Scaled operator-(const Scaled& a);
@@ -74,7 +78,11 @@ void operator+=(Scaled& a, const Scaled& b);
 void operator-=(Scaled& a, const Scaled& b);
 void operator*=(Scaled& a, const Scaled& b);
 void operator/=(Scaled& a, const Scaled& b);
-Scaled sqrt(const Scaled& a);          // a < 0 gives 0
+// sum += a * b and sum -= a * b, in one step each: most sums are of products.
+void multiply_add(Scaled& sum, const Scaled& a, const Scaled& b);
+void multiply_subtract(Scaled& sum, const Scaled& a, const Scaled& b);
+Scaled sqrt(const Scaled& a);                              // a < 0 gives 0
+Scaled root_of_squares(const Scaled& a, const Scaled& b);  // sqrt(a^2 + b^2)
 Scaled inverse_root(const Scaled& a);  // 1 / sqrt(a) to 2^-28 of itself, in a tenth of the steps; a <= 0 gives 0
 Scaled abs(const Scaled& a);
 Scaled scale_by_power_of_two(const Scaled& a, int32_t power);
@@ -83,6 +91,7 @@ bool operator>(const Scaled& a, const Scaled& b);
 bool operator<=(const Scaled& a, const Scaled& b);
 bool operator>=(const Scaled& a, const Scaled& b);
 bool operator==(const Scaled& a, const Scaled& b);
+bool exceeds(const Scaled& a, const Scaled& b);  // |a| > |b|
 
 // a * 2^fraction_bits rounded to nearest (halves away from zero), saturated to +-(2^62 - 1).
 int64_t to_fixed(const Scaled& a, int32_t fraction_bits);

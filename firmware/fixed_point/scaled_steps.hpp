@@ -23,7 +23,7 @@ namespace scaled_steps {
 constexpr int kMantissaBits = 62;  // |mantissa| < 2^62
 constexpr int32_t kExponentLimit = 1 << 20;
 // What they take on a small processor, for what is done in slices.
-constexpr int32_t kProductWork = 150, kQuotientWork = 800, kRootWork = 1000;
+constexpr int32_t kProductWork = 150, kQuotientWork = 800;
 constexpr int64_t kLargestMantissa = (int64_t{1} << kMantissaBits) - 1;
 
 inline int64_t with_sign(uint64_t value, bool negative) {
@@ -131,6 +131,13 @@ FIRMWARE_STEP_APART Scaled normalised(uint64_t value, int32_t exponent, bool neg
   return aligned_sum(swap ? b : a, swap ? b_exponent : a_exponent, swap ? a : b, swap ? -distance : distance);
 }
 
+// In place: a becomes a + b, where b is negated a - b. All four operators are this one.
+FIRMWARE_STEP_APART void add_to(Scaled& a, const Scaled& b, bool negated) {
+  if (b.mantissa == 0) return;
+  const int64_t addend = negated ? -b.mantissa : b.mantissa;
+  a = a.mantissa == 0 ? Scaled{addend, b.exponent} : any_sum(a.mantissa, a.exponent, addend, b.exponent);
+}
+
 // Of two normal mantissas.
 [[gnu::always_inline]] inline Scaled product(uint64_t a, uint64_t b, int32_t exponent, bool negative) {
   exponent += 61;
@@ -171,27 +178,29 @@ FIRMWARE_STEP Scaled Scaled::from_int(int64_t value, int32_t exponent) {
   return scaled_steps::normalised(magnitude(value), exponent, value < 0);
 }
 
+FIRMWARE_STEP Scaled power_of_two(int32_t exponent) { return Scaled::from_int(1, exponent); }
 FIRMWARE_STEP Scaled Scaled::of(int64_t value) { return from_int(value, 0); }
 FIRMWARE_STEP Scaled Scaled::of(int32_t value) { return from_int(int64_t{value}, 0); }
 FIRMWARE_STEP Scaled Scaled::ratio_of(int64_t numerator, int64_t denominator) {
   return of(numerator) / of(denominator);
 }
 FIRMWARE_STEP Scaled Scaled::ratio_of(int32_t numerator, int32_t denominator) {
-  return of(numerator) / of(denominator);
+  return ratio_of(int64_t{numerator}, int64_t{denominator});
 }
 
+FIRMWARE_STEP void operator+=(Scaled& a, const Scaled& b) { scaled_steps::add_to(a, b, false); }
+FIRMWARE_STEP void operator-=(Scaled& a, const Scaled& b) { scaled_steps::add_to(a, b, true); }
 FIRMWARE_STEP Scaled operator+(const Scaled& a, const Scaled& b) {
-  if (a.mantissa == 0) return b;
-  if (b.mantissa == 0) return a;
-  return scaled_steps::any_sum(a.mantissa, a.exponent, b.mantissa, b.exponent);
+  Scaled sum = a;
+  scaled_steps::add_to(sum, b, false);
+  return sum;
 }
-
-FIRMWARE_STEP Scaled operator-(const Scaled& a) { return {-a.mantissa, a.exponent}; }
 FIRMWARE_STEP Scaled operator-(const Scaled& a, const Scaled& b) {
-  if (a.mantissa == 0) return -b;
-  if (b.mantissa == 0) return a;
-  return scaled_steps::any_sum(a.mantissa, a.exponent, -b.mantissa, b.exponent);
+  Scaled difference = a;
+  scaled_steps::add_to(difference, b, true);
+  return difference;
 }
+FIRMWARE_STEP Scaled operator-(const Scaled& a) { return {-a.mantissa, a.exponent}; }
 
 FIRMWARE_STEP Scaled operator*(const Scaled& a, const Scaled& b) {
   return work_meter == nullptr ? scaled_steps::unreported_product(a, b) : scaled_steps::reported_product(a, b);
@@ -199,11 +208,13 @@ FIRMWARE_STEP Scaled operator*(const Scaled& a, const Scaled& b) {
 
 FIRMWARE_STEP Scaled square(const Scaled& a) { return a * a; }
 
+FIRMWARE_STEP void multiply_add(Scaled& sum, const Scaled& a, const Scaled& b) { sum += a * b; }
+FIRMWARE_STEP void multiply_subtract(Scaled& sum, const Scaled& a, const Scaled& b) { sum -= a * b; }
+
 FIRMWARE_STEP Scaled times(const Scaled& a, int64_t n) {
-  if (a.mantissa == 0 || n == 0) return {};
-  const uint64_t value = magnitude(n);
-  const int shift = scaled_steps::places_up(value);
-  return scaled_steps::product(magnitude(a.mantissa), value << shift, a.exponent - shift, (a.mantissa < 0) != (n < 0));
+  if (n == 0) return {};
+  const int shift = scaled_steps::places_up(magnitude(n));
+  return scaled_steps::unreported_product(a, {n * (int64_t{1} << shift), -shift});
 }
 
 FIRMWARE_STEP Scaled operator/(const Scaled& a, const Scaled& b) {
@@ -225,8 +236,6 @@ FIRMWARE_STEP Scaled quotient(const Scaled& a, const Scaled& b) { return b.is_ze
 FIRMWARE_STEP Scaled whole_times(const Scaled& a, int32_t n) { return a * Scaled::from_int(n); }
 FIRMWARE_STEP Scaled whole_part(const Scaled& a, int32_t n) { return a / Scaled::from_int(n); }
 
-FIRMWARE_STEP void operator+=(Scaled& a, const Scaled& b) { a = a + b; }
-FIRMWARE_STEP void operator-=(Scaled& a, const Scaled& b) { a = a - b; }
 FIRMWARE_STEP void operator*=(Scaled& a, const Scaled& b) { a = a * b; }
 FIRMWARE_STEP void operator/=(Scaled& a, const Scaled& b) { a = a / b; }
 
@@ -245,6 +254,11 @@ FIRMWARE_STEP_ALONE bool operator<(const Scaled& a, const Scaled& b) {
 FIRMWARE_STEP bool operator>(const Scaled& a, const Scaled& b) { return b < a; }
 FIRMWARE_STEP bool operator<=(const Scaled& a, const Scaled& b) { return !(b < a); }
 FIRMWARE_STEP bool operator>=(const Scaled& a, const Scaled& b) { return !(a < b); }
+FIRMWARE_STEP bool exceeds(const Scaled& a, const Scaled& b) {
+  if (a.mantissa == 0 || b.mantissa == 0 || a.exponent == b.exponent)
+    return magnitude(a.mantissa) > magnitude(b.mantissa);
+  return a.exponent > b.exponent;
+}
 FIRMWARE_STEP bool operator==(const Scaled& a, const Scaled& b) {
   return a.mantissa == b.mantissa && (a.mantissa == 0 || a.exponent == b.exponent);
 }

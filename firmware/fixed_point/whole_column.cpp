@@ -11,25 +11,6 @@ Scaled dot(WholeColumn a, WholeColumn b, int count) {
   return Scaled::from_int(sum, a.exponent + b.exponent);
 }
 
-int32_t round_to_column(const Scaled* numbers, int count, int bits, int32_t* value) {
-  report_work(30 * count);
-  constexpr int kMantissaBits = 62;
-  bool any = false;
-  int32_t top = 0;
-  for (int b = 0; b < count; ++b) {
-    if (numbers[b].is_zero()) continue;
-    if (!any || numbers[b].exponent > top) top = numbers[b].exponent;
-    any = true;
-  }
-  for (int b = 0; b < count; ++b) {
-    // The upper half of the mantissa holds as many bits as are kept.
-    const int32_t drop = kMantissaBits - 32 - bits + (top - numbers[b].exponent);
-    const int32_t high = static_cast<int32_t>(numbers[b].mantissa >> 32);
-    value[b] = drop > 31 ? 0 : drop == 0 ? high : ((high >> (drop - 1)) + 1) >> 1;
-  }
-  return top + kMantissaBits - bits;
-}
-
 void add_columns(const int32_t* const* column, const int32_t* factor, int terms, int count, int32_t* target) {
   for (int b = 0; b < count; ++b) {
     report_work(14 + 9 * terms);
