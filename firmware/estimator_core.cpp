@@ -28,8 +28,8 @@ void EstimatorCore::push(const RawSample& sample) {
     collector_.advance();
     if (closing_) close_some();
   }
-  const bool usable = conditioning_.append(sample, frame_, filled_);
-  if (conditioning_.saturated()) note_saturation();
+  const bool usable = conditioning_->append(sample, frame_, filled_);
+  if (conditioning_->saturated()) note_saturation();
   if (!usable || !collector_.level_open()) return;
   ++filled_;
   if (tests_work_) tests_.work();
@@ -67,7 +67,7 @@ void EstimatorCore::aim(uint32_t units) {
 // Works on the block: its columns now, its sums with the next sample, for which there is just room in the frame, and then the
 // frame moves on. Two steps bear what one would.
 void EstimatorCore::process(int count) {
-  sums_.fill_columns(frame_, count);
+  stages_->sums.fill_columns(frame_, count);
   tests_.offer(frame_, count);
   level_samples_ += static_cast<uint32_t>(count);
   filled_columns_ = count;
@@ -77,11 +77,11 @@ void EstimatorCore::move_on() {
   const int count = filled_columns_;
   if (count == 0) return;
   filled_columns_ = 0;
-  sums_.add_block(frame_, count);
+  stages_->sums.add_block(frame_, count);
   report_work(150 * count);
   if (level_samples_ == aim_) {
     finish_closing();
-    sums_.begin_close(frame_, kLeadIn + count);
+    stages_->sums.begin_close(frame_, kLeadIn + count);
     report_work(4000);
     closing_ = true;
     closing_units_ = units_aimed_ - units_;
@@ -89,18 +89,18 @@ void EstimatorCore::move_on() {
     aim(closing_units_);
     // Done in half the time until the next one closes.
     const uint32_t samples = 1 + (aim_ - level_samples_) / 2;
-    pieces_per_sample_ = 1 + sums_.closing_pieces() / static_cast<int>(samples);
-    if (sums_.closes_at_once()) finish_closing();
+    pieces_per_sample_ = 1 + stages_->sums.closing_pieces() / static_cast<int>(samples);
+    if (stages_->sums.closes_at_once()) finish_closing();
   }
   filled_ -= count;
-  conditioning_.move_frame(frame_, count, filled_);
+  conditioning_->move_frame(frame_, count, filled_);
   choose_block();
 }
 
 void EstimatorCore::go_on_closing() {
-  if (!sums_.go_on_closing(batch_)) return;
+  if (!stages_->sums.go_on_closing(stages_->batch)) return;
   closing_ = false;
-  collector_.add(batch_, closing_units_);
+  collector_.add(stages_->batch, closing_units_);
 }
 
 void EstimatorCore::finish_closing() {
@@ -114,16 +114,16 @@ void EstimatorCore::break_window() {
   finish_closing();
   const int rest = filled_ - kLevelMarginSamples;
   if (rest >= 0) {
-    sums_.fill_columns(frame_, rest);
-    sums_.add_block(frame_, rest);
-    if (sums_.samples() > 0) {
-      sums_.close_batch(frame_, kLeadIn + rest, batch_);
-      collector_.add(batch_, 0);
+    stages_->sums.fill_columns(frame_, rest);
+    stages_->sums.add_block(frame_, rest);
+    if (stages_->sums.samples() > 0) {
+      stages_->sums.close_batch(frame_, kLeadIn + rest, stages_->batch);
+      collector_.add(stages_->batch, 0);
     }
   }
-  conditioning_.restart();
+  conditioning_->restart();
   tests_.break_window();
-  sums_.restart();
+  stages_->sums.restart();
   filled_ = 0;
   level_samples_ = units_ = 0;
   aim();
@@ -138,9 +138,9 @@ const Estimates& EstimatorCore::solve() {
   move_on();
   finish_closing();
   collector_.settle();
-  if (corrections_.any() && !any_batch(table_)) return estimates_;  // nothing yet of the corrected channel
-  identify(configuration_, table_, *memory_, estimates_);
-  if (corrections_.any()) corrections_.widen(configuration_, table_, estimates_);
+  if (corrections_->any() && !any_batch(table_)) return estimates_;  // nothing yet of the corrected channel
+  identify(configuration_, table_, stages_->memory, estimates_);
+  if (corrections_->any()) corrections_->widen(configuration_, table_, estimates_);
   tests_.judge(table_.level_count, estimates_);
   if (kCorrectsChannels) correct_channels();
   return estimates_;
@@ -148,8 +148,8 @@ const Estimates& EstimatorCore::solve() {
 
 // Where no level is open the next one is the first that counts.
 void EstimatorCore::correct_channels() {
-  const bool takes = configuration_.corrects_channels && corrections_.take(configuration_, estimates_);
-  if (!takes) return corrections_.tell(estimates_);
+  const bool takes = configuration_.corrects_channels && corrections_->take(configuration_, estimates_);
+  if (!takes) return corrections_->tell(estimates_);
   forgets_ = true;
   if (!collector_.level_open()) return;
   forget_levels();

@@ -33,7 +33,7 @@ class EstimatorCore {
   // per sample on average; the work is done every kBlockSamples samples.
   void push(const RawSample& sample);
   bool saturated() const {
-    return conditioning_.saturated();
+    return conditioning_->saturated();
   }                  // of the last sample: a channel at a rail, a signal cut off
   void end_level();  // closes the window
   // A table's batches, or the stretches of the score tests, are being merged, a few with each sample: ending the level now
@@ -52,15 +52,15 @@ class EstimatorCore {
   const CoreHealth& health() const { return health_; }
   const BatchTable& table() const { return table_; }
   // Of the last solve: how the estimates move together.
-  const NormalEquations& normal_equations() const { return memory_->fit.equations(); }
+  const NormalEquations& normal_equations() const { return stages_->memory.fit.equations(); }
   const ScoreTests& score_tests() const { return tests_; }
 #if FIRMWARE_WARRANT_NUMBERS > 0
   const ScoreSums& score_sums() const { return tests_.sums(); }
   const ScoreTest& score_test() const { return tests_.test(); }
 #endif
   // False: the configuration needs more products of columns or conservative unknowns than this core has room for.
-  bool fits() const { return sums_.complete() && fits_; }
-  int margin_samples() const { return conditioning_.margin_samples(); }  // of a level, that are in no window
+  bool fits() const { return stages_->sums.complete() && fits_; }
+  int margin_samples() const { return conditioning_->margin_samples(); }  // of a level, that are in no window
 
  private:
   void choose_block();
@@ -85,7 +85,7 @@ class EstimatorCore {
   bool fits_ = true;
   bool forgets_ = false;     // what was measured, when the next level begins: a channel is corrected
   bool tests_work_ = false;  // the score tests are on
-  bool closing_ = false;     // into batch_, a few pieces with each sample
+  bool closing_ = false;     // into the batch at hand, a few pieces with each sample
   int pieces_per_sample_ = 1;
   int filled_ = 0;          // samples in the frame
   int full_ = 0;            // at this many the block is worked on
@@ -94,14 +94,18 @@ class EstimatorCore {
   uint32_t level_samples_ = 0;                      // sample intervals summed since the level (or a gap in it) began
   uint32_t units_ = 0, units_aimed_ = 0, aim_ = 0;  // units summed, to be summed, and the latter in samples
   BatchCollector collector_{table_};
-  Conditioning conditioning_;
+  // What is not zero in those that are cleared at once the configuration sets.
+  Zeroed<Conditioning> conditioning_;
   Frame frame_ = {};
-  EnergySums sums_;
+  struct Stages {
+    EnergySums sums;
+    IdentificationMemory memory;
+    Batch batch;
+  };
+  Zeroed<Stages> stages_;
   BatchTable table_;
-  Zeroed<IdentificationMemory> memory_;
-  Batch batch_;
   ScoreTests tests_;
-  ChannelCorrections corrections_;
+  Zeroed<ChannelCorrections> corrections_;
   Estimates estimates_;
 };
 

@@ -33,18 +33,19 @@ ClearSigns clear_signs(const CoreConfiguration& configuration, const EnergySums&
 
 EstimatorCore::EstimatorCore(const CoreConfiguration& configuration, CoreDetail detail)
     : configuration_(configuration) {
-  conditioning_.configure(configuration);
+  conditioning_->configure(configuration);
   const int weights = weights_needed(configuration, detail);
   fits_ = weights <= kWeights && (kDerivesSignals || !needs_filters(configuration));
-  sums_.configure(configuration, fits_ ? weights : kWeights);
-  tests_.configure(configuration, detail == CoreDetail::kFull, sums_.effect_units(), clear_signs(configuration, sums_));
+  stages_->sums.configure(configuration, fits_ ? weights : kWeights);
+  tests_.configure(configuration, detail == CoreDetail::kFull, stages_->sums.effect_units(),
+                   clear_signs(configuration, stages_->sums));
   tests_work_ = tests_.on();
   reset();
 }
 
 void EstimatorCore::reset() {
-  corrections_.clear();
-  conditioning_.shift_nothing();
+  corrections_->clear();
+  conditioning_->shift_nothing();
   forget_levels();
   firmware::clear(estimates_);
   estimates_.unknown_count = configuration_.unknown_count;
@@ -53,11 +54,11 @@ void EstimatorCore::reset() {
 }
 
 void EstimatorCore::forget_levels() {
-  collector_.clear(configuration_, sums_.layout());
+  collector_.clear(configuration_, stages_->sums.layout());
   tests_.clear();
-  corrections_.apply(configuration_, conditioning_);
-  conditioning_.restart();
-  sums_.restart();
+  corrections_->apply(configuration_, *conditioning_);
+  conditioning_->restart();
+  stages_->sums.restart();
   filled_ = 0;
   level_samples_ = units_ = 0;
   closing_ = forgets_ = false;
