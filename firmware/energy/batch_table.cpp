@@ -11,10 +11,9 @@ constexpr int kScaledBits = 62;
 constexpr int64_t kLowest = -(int64_t{1} << (kPackedMantissaBits - 1));  // not normal: its magnitude has 48 bits
 }  // namespace
 
-PackedScaled pack(Scaled value) {
-  if (value.is_zero()) return {};
-  int64_t mantissa = (value.mantissa + (int64_t{1} << (kDroppedBits - 1))) >> kDroppedBits;
-  int32_t exponent = value.exponent + kDroppedBits;
+[[gnu::noinline]] static PackedScaled packed(int32_t exponent, int64_t mantissa) {  // of a Scaled that is not 0
+  mantissa = (mantissa + (int64_t{1} << (kDroppedBits - 1))) >> kDroppedBits;
+  exponent += kDroppedBits;
   const int64_t limit = int64_t{1} << (kPackedMantissaBits - 1);
   if (mantissa >= limit || mantissa < -limit) {  // rounding carried into a new bit
     mantissa >>= 1;
@@ -23,6 +22,10 @@ PackedScaled pack(Scaled value) {
   if (exponent > INT16_MAX) return {};
   if (exponent < INT16_MIN) return {};
   return {static_cast<int64_t>((static_cast<uint64_t>(mantissa) << 16) | static_cast<uint16_t>(exponent))};
+}
+
+PackedScaled pack(const Scaled& value) {
+  return value.is_zero() ? PackedScaled{} : packed(value.exponent, value.mantissa);
 }
 
 [[gnu::noinline]] static Scaled unreported_number(PackedScaled packed) {
@@ -81,7 +84,7 @@ Scaled unpack(PackedScaled packed) {
     }
   }
   const auto normal = static_cast<int64_t>(value);
-  return pack({sum < 0 ? -normal : normal, exponent - kDroppedBits});
+  return packed(exponent - kDroppedBits, sum < 0 ? -normal : normal);
 }
 
 [[gnu::noinline, gnu::cold]] static PackedScaled reported_sum(PackedScaled a, PackedScaled b) {

@@ -38,7 +38,7 @@ struct RowLayout {
 struct PackedScaled {
   int64_t bits = 0;
 };
-PackedScaled pack(Scaled value);
+PackedScaled pack(const Scaled& value);
 Scaled unpack(PackedScaled packed);
 PackedScaled operator+(PackedScaled a,
                        PackedScaled b);  // the same bits as pack(unpack(a) + unpack(b)), in a third of the work

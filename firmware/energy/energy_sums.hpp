@@ -63,7 +63,7 @@ class EnergySums {
   void convert(int product);
   void close_weight(int dof, int weight, Batch& batch);
   void close_dof(int dof, Batch& batch) const;
-  Scaled integral(int product) const { return product == kNoProduct ? Scaled{} : integral_[product]; }
+  const Scaled& integral(int product) const;
   Scaled energy(const Incidence& incidence, int weight) const;
   Scaled friction_energy(const Incidence& incidence, int weight) const;
   Scaled kinetic_energy(int dof, int weight) const;

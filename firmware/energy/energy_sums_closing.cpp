@@ -8,6 +8,7 @@ namespace {
 constexpr int kPlain = static_cast<int>(Weight::kPlain);
 constexpr int kInstrument = static_cast<int>(Weight::kInstrument);
 constexpr int kDisplacement = static_cast<int>(Weight::kDisplacement);
+constexpr Scaled kNothing;
 
 }  // namespace
 
@@ -26,6 +27,10 @@ void EnergySums::read_sums(const Frame& frame, int boundary) {
   }
 }
 
+[[gnu::noinline]] const Scaled& EnergySums::integral(int product) const {
+  return product == kNoProduct ? kNothing : integral_[product];
+}
+
 // The sign of a noisy rate is wrong near a crossing, which takes (noise variance) / (slope) from the integral. The smoothed
 // rate (link_motion.hpp) has 67/200 of the white noise variance of the rate itself, so the loss is extrapolated to no noise:
 // (C_smooth - g C) / (1 - g), g = 67/200.
@@ -37,9 +42,11 @@ Scaled EnergySums::friction_energy(const Incidence& incidence, int weight) const
   const Scaled crossing =
       configuration_->sample_period_s * plan_.column_unit[column] *
       Scaled::from_int(crossing_[&incidence - plan_.incidence][weight].raw, -Crossing::kFractionBits);
-  const Scaled own = integral(incidence.product_a[weight]) + crossing;
+  Scaled own = integral(incidence.product_a[weight]);
+  own += crossing;
   if (weight != kInstrument) return own;
-  const Scaled smooth = integral(incidence.product_smooth) + crossing;
+  Scaled smooth = integral(incidence.product_smooth);
+  smooth += crossing;
   if (!use_[link].smooth_is_white) return smooth;
   return (smooth * 200 - own * 67) / 133;
 }
@@ -62,15 +69,14 @@ Scaled EnergySums::kinetic_energy(int dof, int weight) const {
 Scaled EnergySums::energy(const Incidence& incidence, int weight) const {
   const Term& term = configuration_->terms[incidence.term];
   Scaled result;
-  if (term.kind == TermKind::kMass) {
-    const bool measured = plan_.dof[incidence.dof].has_acceleration;
-    result = measured
-                 ? integral(incidence.product_a[weight]) - shared_noise(incidence.dof, weight, Quantity::kAcceleration)
-                 : kinetic_energy(incidence.dof, weight);
-  } else if (is_sign_term(term.kind)) {
+  if (is_sign_term(term.kind)) {
     result = friction_energy(incidence, weight);
+  } else if (term.kind == TermKind::kMass && !plan_.dof[incidence.dof].has_acceleration) {
+    result = kinetic_energy(incidence.dof, weight);
   } else {
-    result = integral(incidence.product_a[weight]) - integral(incidence.product_b[weight]);
+    result = integral(incidence.product_a[weight]);
+    result -= term.kind == TermKind::kMass ? shared_noise(incidence.dof, weight, Quantity::kAcceleration)
+                                           : integral(incidence.product_b[weight]);
   }
   if (incidence.sign < 0) result = -result;
   if (!any_shared_noise_) return result;
@@ -115,8 +121,13 @@ void EnergySums::close_weight(int i, int q, Batch& batch) {
     dof.elastic_end = pack(elastic_end_);
   }
   if (q != kDisplacement) {
-    if (products.has_acceleration) dof.kinetic_discrepancy[q] = pack(integral(products.acceleration[q]) - kinetic_end_);
-    if (products.has_displacement) dof.elastic_discrepancy[q] = pack(integral(products.displacement[q]) - elastic_end_);
+    const auto less = [&](int product, const Scaled& end) {
+      Scaled difference = integral(product);
+      difference -= end;
+      return pack(difference);
+    };
+    if (products.has_acceleration) dof.kinetic_discrepancy[q] = less(products.acceleration[q], kinetic_end_);
+    if (products.has_displacement) dof.elastic_discrepancy[q] = less(products.displacement[q], elastic_end_);
     return;
   }
   dof.displacement_square() = pack(integral(products.displacement[q]));

@@ -28,7 +28,7 @@ Scaled rate_noise(const CoreConfiguration& configuration, const LinkConfiguratio
     const SignalConfiguration& velocity = configuration.signals[node][kVelocity];
     const Scaled& noise = configuration.shared_noise[node][kPlain][kVelocity];
     if (velocity.integrations > 0) return {};
-    if ((velocity.derived || configuration.sign_half_length > 0) && Scaled{} < noise)
+    if ((velocity.derived || configuration.sign_half_length > 0) && noise.is_positive())
       variance += noise * Scaled::ratio(1000 + configuration.motion_noise_doubt[node], 1000);
     if (coarser < velocity.unit_per_code) coarser = velocity.unit_per_code;
   }

@@ -131,10 +131,10 @@ void set_column_units(const CoreConfiguration& configuration, EquationPlan& plan
   }
   for (int link = 0; link < kMaxLinks; ++link)
     plan.column_unit[kSignColumn + link] = plan.column_unit[kSmoothSignColumn + link] =
-        plan.column_unit[kClearSignColumn + link] = Scaled::from_int(1);
+        plan.column_unit[kClearSignColumn + link] = kScaledOne;
   if (!configuration.filters_sign()) return;
   for (int link = 0; link < kMaxLinks; ++link)
-    plan.column_unit[kClearSignColumn + link] = Scaled::from_int(1, -PassedSign::kFractionBits);
+    plan.column_unit[kClearSignColumn + link] = power_of_two(-PassedSign::kFractionBits);
 }
 
 // Gives every unknown of DOF i a slot, in the order of the unknowns' first appearance.

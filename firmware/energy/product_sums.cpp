@@ -29,6 +29,34 @@ int16_t ProductSums::add(int column_a, int column_b) {
   return static_cast<int16_t>(product_count_++);
 }
 
+#if FIRMWARE_HAS_VECTORS
+void ProductSums::finish_plan() {}
+#else
+void ProductSums::group_around(int column, bool (&done)[kMaxProducts]) {
+  Group group = {};
+  group.shared = static_cast<uint16_t>(column * kFrameStride);
+  int members = 0;
+  for (int i = 0; i < product_count_; ++i) {
+    const Product& p = product_[i];
+    if (done[i] || (p.a != column && p.b != column)) continue;
+    group.other[members] = static_cast<uint16_t>((p.a == column ? p.b : p.a) * kFrameStride);
+    group.product[members] = static_cast<uint16_t>(i);
+    if (++members < 3) continue;
+    for (uint16_t product : group.product) done[product] = true;
+    group_[group_count_++] = group;
+    members = 0;
+  }
+}
+
+void ProductSums::finish_plan() {
+  bool done[kMaxProducts] = {};
+  group_count_ = single_count_ = 0;
+  for (int column = 0; column < kMaxColumns; ++column) group_around(column, done);
+  for (int i = 0; i < product_count_; ++i)
+    if (!done[i]) single_[single_count_++] = static_cast<uint16_t>(i);
+}
+#endif
+
 void ProductSums::start(const Frame& frame, int at) {
   FIRMWARE_PRECONDITION(at >= 1 && at + 1 < kFrameSamples);
   for (int i = 0; i < product_count_; ++i) {

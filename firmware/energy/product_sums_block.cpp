@@ -55,8 +55,6 @@ FIRMWARE_WIDEST_VECTORS void add_dots(const int32_t* shared, const int32_t* cons
   for (int k = 0; k < count; ++k) sum[k] += dot(shared, other[k]);
 }
 
-void ProductSums::finish_plan() {}
-
 FIRMWARE_WIDEST_VECTORS void ProductSums::add_whole_block(const Frame& frame, int from) {
   for (int i = 0; i < product_count_; ++i)
     sum_[i] += dot(&frame.raw[product_[i].a][from], &frame.raw[product_[i].b][from]);
@@ -70,30 +68,6 @@ void add_dots(const int32_t* shared, const int32_t* const* other, int count, int
   int k = 0;
   for (; k + 3 <= count; k += 3) add_dot3(shared, other[k], other[k + 1], other[k + 2], sum[k], sum[k + 1], sum[k + 2]);
   for (; k < count; ++k) sum[k] += dot1(shared, other[k]);
-}
-
-void ProductSums::group_around(int column, bool (&done)[kMaxProducts]) {
-  Group group = {};
-  group.shared = static_cast<uint16_t>(column * kFrameStride);
-  int members = 0;
-  for (int i = 0; i < product_count_; ++i) {
-    const Product& p = product_[i];
-    if (done[i] || (p.a != column && p.b != column)) continue;
-    group.other[members] = static_cast<uint16_t>((p.a == column ? p.b : p.a) * kFrameStride);
-    group.product[members] = static_cast<uint16_t>(i);
-    if (++members < 3) continue;
-    for (uint16_t product : group.product) done[product] = true;
-    group_[group_count_++] = group;
-    members = 0;
-  }
-}
-
-void ProductSums::finish_plan() {
-  bool done[kMaxProducts] = {};
-  group_count_ = single_count_ = 0;
-  for (int column = 0; column < kMaxColumns; ++column) group_around(column, done);
-  for (int i = 0; i < product_count_; ++i)
-    if (!done[i]) single_[single_count_++] = static_cast<uint16_t>(i);
 }
 
 void ProductSums::add_whole_block(const Frame& frame, int from) {
