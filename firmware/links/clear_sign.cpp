@@ -31,37 +31,36 @@ void ClearSign::restart() {
 }
 
 template <typename Number>
-bool ClearSign::judge(Number own, Number around) {
-  known_.differences = known_.differences + rescale<Rate>(size_of(6 * own - around));
-  if (known_.slow) known_.magnitudes = known_.magnitudes + rescale<Rate>(size_of(6 * own));
-  if (++known_.count == kLongMemory) {
-    known_.differences = known_.differences >> 1;
-    known_.magnitudes = known_.magnitudes >> 1;
-    known_.count /= 2;
+bool ClearSign::judge(Known& known, Number own, Number around) const {
+  known.differences = known.differences + rescale<Rate>(size_of(6 * own - around));
+  if (known.slow) known.magnitudes = known.magnitudes + rescale<Rate>(size_of(6 * own));
+  if (++known.count == kLongMemory) {
+    known.differences = known.differences >> 1;
+    known.magnitudes = known.magnitudes >> 1;
+    known.count /= 2;
   }
   if (kDerivesSignals && Rate{} < least_) {
-    known_.near = known_.near + rescale<Rate>(size_of(6 * own)) - (known_.near >> kNearLog2);
-    if (known_.near < (known_.measured ? least_ + least_ : least_)) return false;
-    if (known_.measured && rescale<Rate>(size_of(6 * own)) < (least_ >> kNearLog2)) return false;
+    known.near = known.near + rescale<Rate>(size_of(6 * own)) - (known.near >> kNearLog2);
+    if (known.near < (known.measured ? least_ + least_ : least_)) return false;
+    if (known.measured && rescale<Rate>(size_of(6 * own)) < (least_ >> kNearLog2)) return false;
   }
   if (sign_of(own) != sign_of(around)) return false;
   const Rate size = rescale<Rate>(size_of(around));
-  const int means = known_.measured ? kMeansMeasured : kMeansDerived;
-  const Rate doubt = means * known_.differences + (known_.slow ? known_.magnitudes >> kSlowShareLog2 : Rate{});
-  return doubt < static_cast<int32_t>(known_.count) * size;
+  const int means = known.measured ? kMeansMeasured : kMeansDerived;
+  const Rate doubt = means * known.differences + (known.slow ? known.magnitudes >> kSlowShareLog2 : Rate{});
+  return doubt < static_cast<int32_t>(known.count) * size;
 }
 
 template <typename Number>
 void ClearSign::judge_block(const Number* w, int from, int to, int advance, bool* clear, Column<Code> sign) {
-  const auto judge_one = [&](int i) {
-    clear[i] = judge(w[i], 4 * (w[i - 1] + w[i + 1]) - w[i - 2] - w[i + 2]);
+  const int next = from + advance;  // what is behind it comes again at the next call
+  Known known = known_;
+  for (int i = from; i < to; ++i) {
+    if (i == next) known_ = known;
+    clear[i] = judge(known, w[i], 4 * (w[i - 1] + w[i + 1]) - w[i - 2] - w[i + 2]);
     sign.put(i, Code::from_raw(sign_of(w[i])));
-  };
-  const int next = from + advance < to ? from + advance : to;
-  for (int i = from; i < next; ++i) judge_one(i);
-  const Known at_next = known_;
-  for (int i = next; i < to; ++i) judge_one(i);  // comes again at the next call
-  known_ = at_next;
+  }
+  if (next >= to) known_ = known;
 }
 
 // Where both nodes have one unit the rate is a plain difference of codes: 25 bits, 29 around it.

@@ -42,7 +42,7 @@ class ClearSign {
   };
   // around: six times the interpolated rate. Number: Code where a unit of both is one of the common unit, else Rate.
   template <typename Number>
-  bool judge(Number own, Number around);
+  bool judge(Known& known, Number own, Number around) const;
   template <typename Number>
   void judge_block(const Number* w, int from, int to, int advance, bool* clear, Column<Code> sign);
 

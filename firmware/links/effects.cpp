@@ -20,7 +20,7 @@ LawRatio law_ratio(const Scaled& value) {
 
 LawShape law_shape(const Term& term, ShapeUse use, int32_t exponent_u, int32_t exponent_w,
                    const Scaled& sample_period_s) {
-  const Scaled range_u = Scaled::from_int(1, exponent_u), range_w = Scaled::from_int(1, exponent_w);
+  const Scaled range_u = power_of_two(exponent_u), range_w = power_of_two(exponent_w);
   LawShape shape;
   if (use == ShapeUse::kGap) shape.gap = LawNumber::from_raw(to_fixed(term.shape, kLawFraction - exponent_u));
   if (use == ShapeUse::kTurns) {
@@ -29,19 +29,19 @@ LawShape law_shape(const Term& term, ShapeUse use, int32_t exponent_u, int32_t e
     shape.phase = static_cast<uint32_t>(to_fixed(Scaled::from_int(term.second_shape_q26, 6) * turns_per_radian(), 0));
   }
   if (term.shape.is_zero()) return shape;
-  if (use == ShapeUse::kDecayOfRate) shape.ratio = law_ratio(log2_e() * range_w / term.shape);
-  if (use == ShapeUse::kDecayOfElongation) shape.ratio = law_ratio(log2_e() * range_u / term.shape);
-  if (use == ShapeUse::kDecayOfTime)
-    shape.ratio = law_ratio(log2_e() * sample_period_s / term.shape * Scaled::from_int(1, kLawFraction));
+  const bool of_rate = use == ShapeUse::kDecayOfRate, of_time = use == ShapeUse::kDecayOfTime;
+  if (!of_rate && !of_time && use != ShapeUse::kDecayOfElongation) return shape;
+  const Scaled step = of_time ? scale_by_power_of_two(sample_period_s, kLawFraction) : of_rate ? range_w : range_u;
+  shape.ratio = law_ratio(log2_e() * step / term.shape);
   return shape;
 }
 
 // The unit of a column. Time counts in units of the shape where it levels off, else in samples.
 Scaled law_unit(const Term& term, const CoreLaw& law, int32_t exponent_u, int32_t exponent_w,
                 const Scaled& sample_period_s) {
-  const Scaled unit = Scaled::from_int(1, law.u_power * exponent_u + law.w_power * exponent_w - kLawFraction);
+  const Scaled unit = power_of_two(law.u_power * exponent_u + law.w_power * exponent_w - kLawFraction);
   if (law.use != ShapeUse::kDecayOfTime) return unit;
-  return unit * (term.shape.is_zero() ? Scaled::from_int(1, kLawTimeBits) * sample_period_s : term.shape);
+  return unit * (term.shape.is_zero() ? power_of_two(kLawTimeBits) * sample_period_s : term.shape);
 }
 
 NodeDifference side(const CoreConfiguration& configuration, const LinkConfiguration& link, Quantity quantity) {

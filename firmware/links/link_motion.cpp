@@ -30,29 +30,11 @@ void signs_of_difference(const RateGains& gains, const Frame& frame, bool smooth
     for (int i = from; i < to; ++i) sign.put(i, Code::from_raw(sign_of(rate[i])));
     return;
   }
-  static const int32_t kRest[kFrameStride] = {};
-  const ConstColumn<Code> a = gains.has_a ? frame.codes(gains.column_a) : ConstColumn<Code>(kRest);
-  const ConstColumn<Code> b = gains.has_b ? frame.codes(gains.column_b) : ConstColumn<Code>(kRest);
+  const ConstColumn<Code> a = frame.codes(gains.column_a), b = frame.codes(gains.column_b);
   for (int i = from; i < to; ++i) {
-    const Code left = smooth(a, i), right = smooth(b, i);
+    const Code left = gains.has_a ? smooth(a, i) : Code{}, right = gains.has_b ? smooth(b, i) : Code{};
     sign.put(i, Code::from_raw(static_cast<int32_t>(right < left) - static_cast<int32_t>(left < right)));
   }
-}
-
-RateGains rate_gains(const CoreConfiguration& configuration, const LinkConfiguration& link) {
-  RateGains gains;
-  gains.has_a = link.node_a != kGroundNode;
-  gains.has_b = link.node_b != kGroundNode;
-  const int velocity_index = static_cast<int>(Quantity::kVelocity);
-  gains.column_a = static_cast<uint16_t>(signal_column(gains.has_a ? link.node_a : 0, Quantity::kVelocity));
-  gains.column_b = static_cast<uint16_t>(signal_column(gains.has_b ? link.node_b : 0, Quantity::kVelocity));
-  const Scaled unit_a = gains.has_a ? configuration.signals[link.node_a][velocity_index].unit_per_code : Scaled{};
-  const Scaled unit_b = gains.has_b ? configuration.signals[link.node_b][velocity_index].unit_per_code : Scaled{};
-  const Scaled coarser = unit_a > unit_b ? unit_a : unit_b;
-  if (coarser.is_zero()) return gains;
-  gains.gain_a = RateGain::from_raw(static_cast<int32_t>(to_fixed(unit_a / coarser, RateGain::kFractionBits)));
-  gains.gain_b = RateGain::from_raw(static_cast<int32_t>(to_fixed(unit_b / coarser, RateGain::kFractionBits)));
-  return gains;
 }
 
 void link_rate(const RateGains& gains, const Frame& frame, bool smoothed, int from, int to, Rate* rate) {

@@ -39,9 +39,7 @@ void BlockMotion::configure(const CoreConfiguration& configuration, const Scaled
       signal_unit_[node * kQuantities + q] =
           configuration.signals[node][q].available ? configuration.signals[node][q].unit_per_code : Scaled{};
   for (auto& unit : unit_) unit = Scaled{};
-  const auto unit_of = [](const NodeDifference& d) {
-    return Scaled::from_int(1, d.range_exponent - kDifferenceFraction);
-  };
+  const auto unit_of = [](const NodeDifference& d) { return power_of_two(d.range_exponent - kDifferenceFraction); };
   for (int i = 0; i < configuration.dof_count; ++i) {
     const int row = signal_column(i, Quantity::kAcceleration);
     derives_acceleration_[i] = signal_unit_[row].is_zero();
@@ -58,7 +56,7 @@ void BlockMotion::configure(const CoreConfiguration& configuration, const Scaled
     rate_[l] = difference(Quantity::kVelocity, link.node_a, link.node_b);
     unit_[kElongationColumn + l] = unit_of(elongation_[l]);
     unit_[kRateColumn + l] = unit_of(rate_[l]);
-    unit_[kSoftSignColumn + l] = Scaled::from_int(1, -kSignFraction);
+    unit_[kSoftSignColumn + l] = power_of_two(-kSignFraction);
   }
   for (int i = 0; i < configuration.dof_count; ++i) {
     configure_slope(Slope::kOfDisplacement, i);
@@ -74,7 +72,7 @@ void BlockMotion::configure_slope(Slope slope, int dof) {
   const bool of_velocity = slope == Slope::kOfVelocity;
   unit.steeper = difference(of_velocity ? Quantity::kAcceleration : Quantity::kVelocity, dof, kGroundNode);
   Scaled& column_unit = unit_[slope_rest_column(slope, dof)];
-  column_unit = Scaled::from_int(1, unit.steeper.range_exponent - kDifferenceFraction + kSlopeRestShift);
+  column_unit = power_of_two(unit.steeper.range_exponent - kDifferenceFraction + kSlopeRestShift);
   const int row = signal_column(dof, of_velocity ? Quantity::kVelocity : Quantity::kDisplacement);
   const Scaled ratio = signal_unit_[row] / (Scaled::from_int(840) * configuration_->sample_period_s * column_unit);
   const int shift = kSlopeMantissaBits - 1 - log2_floor(ratio);
@@ -155,6 +153,10 @@ void BlockMotion::keep_tail() {
   for (auto& row : clear_sign_) move(row);
   for (auto& row : counted_) move(row);
   filled_ = kKept;
+}
+
+int32_t BlockMotion::smoothed_at(const NodeDifference& d, int n) const {
+  return smoothed(d, near_[d.column_a][n], near_[d.column_b][n]);
 }
 
 // dv/dt from eight points, within the block, and its instrument.

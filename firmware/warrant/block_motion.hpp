@@ -73,6 +73,7 @@ class BlockMotion {
   const int32_t* signal(int row) const { return &signal_[row][kProbeLead]; }  // [-4, kBlockSamples + 4)
   // The same from the four samples on either side of each (neighbours.hpp): codes in Q3.
   const int32_t* between_neighbours(int row) const { return near_[row]; }
+  int32_t smoothed_at(const NodeDifference& d, int n) const;
   // Does the equation of the DOF leave samples out? Which it counts, and beside no reversal of friction at the DOF.
   bool leaves_out(int dof) const { return signs_.dof[dof]; }
   bool counted(int dof, int sample) const {

@@ -139,9 +139,8 @@ void ScoreSums::measure_scales() {
     for (int q = 0; q < 2; ++q) {
       const NodeDifference& d = scale_[p].difference[q];
       if (!scale_[p].present[q]) continue;
-      const int32_t *a = block_.between_neighbours(d.column_a), *b = block_.between_neighbours(d.column_b);
       for (int n = 0; n < kBlockSamples; ++n) {
-        const int64_t value = smoothed(d, a[n], b[n]) >> kScaleShift;
+        const int64_t value = block_.smoothed_at(d, n) >> kScaleShift;
         square_[p][q] += value * value;
       }
     }
@@ -196,7 +195,7 @@ void ScoreSums::set_noise() {
         const Scaled gain = Scaled::from_int(gains[e], -25);
         const Scaled measured = gain * gain * Scaled::ratio(noise_square_[nodes[e]], samples) * Scaled::ratio(64, 70);
         const Scaled slow = slow_rate_noise(*configuration_, nodes[e], rate.range_exponent);
-        variance = variance + (slow > measured ? slow : measured);
+        variance += slow > measured ? slow : measured;
       }
     const int64_t deviation = to_fixed(sqrt(variance), 0);
     scale.noise_q26 = static_cast<int32_t>(deviation > INT32_MAX ? INT32_MAX : deviation);
@@ -213,9 +212,8 @@ bool ScoreSums::outgrown() const {
       if (!scale.present[q] || bits >= 26) continue;
       const int64_t most = int64_t{1} << (bits > 0 ? bits : 0);
       const NodeDifference& d = scale.difference[q];
-      const int32_t *a = block_.between_neighbours(d.column_a), *b = block_.between_neighbours(d.column_b);
       for (int n = 0; n < kBlockSamples; n += 4)
-        if (size_of(smoothed(d, a[n], b[n])) > most) return true;
+        if (size_of(block_.smoothed_at(d, n)) > most) return true;
     }
   return false;
 }
@@ -276,7 +274,7 @@ void ScoreSums::finish() {
 }
 
 Scaled ScoreSums::force_unit(const Probe& probe) const {
-  return Scaled::from_int(1, force_exponent(probe.form, table_scale(scale_[probe.place])));
+  return power_of_two(force_exponent(probe.form, table_scale(scale_[probe.place])));
 }
 
 Scaled ScoreSums::unit(const Probe& probe, int value) const {
@@ -286,8 +284,8 @@ Scaled ScoreSums::unit(const Probe& probe, int value) const {
   value -= place.equations;
   if (value < place.columns) return own * block_.column_unit(unknown_column_[place.unknown[value]]);
   if (value == place.columns) return own * own;
-  return own * Scaled::from_int(1, -1 - kSlopeStepLog2 -
-                                       quantity_exponent(table_scale(scale_[probe.place]), value - place.columns - 1));
+  return own * power_of_two(-1 - kSlopeStepLog2 -
+                            quantity_exponent(table_scale(scale_[probe.place]), value - place.columns - 1));
 }
 
 Scaled ScoreSums::noise_share(const Probe& probe, int slope, int value, SharedNoise::Of of) const {
