@@ -65,8 +65,8 @@ int worst_skew(const Estimates& estimates, int dofs) {
   for (int i = 0; i < dofs; ++i) {
     const SkewEstimate* const skews[] = {&estimates.displacement_skew[i], &estimates.acceleration_skew[i]};
     for (const SkewEstimate* skew : skews)
-      if (skew->significant && abs(skew->late_s) > largest) {
-        largest = abs(skew->late_s);
+      if (skew->significant && exceeds(skew->late_s, largest)) {
+        largest = skew->late_s;
         worst = i;
       }
   }
@@ -75,7 +75,7 @@ int worst_skew(const Estimates& estimates, int dofs) {
 
 int widest_interval(const Estimates& estimates) {
   for (int k = 0; k < estimates.unknown_count; ++k)
-    if (scale_by_power_of_two(estimates.parameters[k].std, 2) > abs(estimates.parameters[k].value)) return k;
+    if (exceeds(scale_by_power_of_two(estimates.parameters[k].std, 2), estimates.parameters[k].value)) return k;
   return -1;
 }
 

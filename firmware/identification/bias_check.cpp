@@ -13,7 +13,7 @@ void add_equation(const EquationList& list, const LevelColumns& level, const Whi
   if (whitening.deviation.is_zero()) return;
   const ReducedRows& rows = fit.reduce(whitening, e, false);
   const WholeColumn change = rows.residual();
-  const Scaled weight = Scaled::from_int(1) / (whitening.deviation * whitening.deviation);
+  const Scaled weight = whitening.weight();
   Row row;
   if (level.periodic() && !whitened_level_row(list, level, whitening, e, row)) return;
   for (int b = 0; b < level.batch_count(); ++b) {
@@ -41,14 +41,13 @@ void add_level(const EquationList& list, WeightedFit& fit, int batches, BiasChec
     fit.equations().apply_covariance(moment, shift);
     for (int k = 0; k < list.unknown_count; ++k) {
       sum[k] += shift[k];
-      squares[k] += shift[k] * shift[k];
+      multiply_add(squares[k], shift[k], shift[k]);
     }
   }
   for (int k = 0; k < list.unknown_count; ++k) {
     check.difference[k] += sum[k];
     const Scaled of_mean = sum[k] * sum[k] / batches;
-    check.deviation[k] =
-        check.deviation[k] + (batches > 1 ? (squares[k] - of_mean) * Scaled::ratio(batches, batches - 1) : of_mean);
+    check.deviation[k] += batches > 1 ? (squares[k] - of_mean) * Scaled::ratio(batches, batches - 1) : of_mean;
   }
 }
 
@@ -82,7 +81,7 @@ bool bias_suspect(const BiasCheck& check, int unknown, const ParameterEstimate& 
   const Scaled difference = abs(check.difference[unknown]);
   return difference > check.deviation[unknown] * 3 &&
          scale_by_power_of_two(difference, 1) > parameter.ci95_high - parameter.ci95_low &&
-         difference * 20 > abs(parameter.value);
+         exceeds(difference * 20, parameter.value);
 }
 
 }  // namespace firmware

@@ -57,7 +57,7 @@ struct ParameterEstimate {
 // An error that no scatter shows, as a further standard deviation.
 inline void widen(ParameterEstimate& parameter, const Scaled& deviation) {
   if (parameter.std.is_zero()) return;
-  const Scaled wider = sqrt(parameter.std * parameter.std + deviation * deviation);
+  const Scaled wider = root_of_squares(parameter.std, deviation);
   const Scaled half = scale_by_power_of_two(parameter.ci95_high - parameter.ci95_low, -1) * wider / parameter.std;
   parameter.std = wider;
   parameter.ci95_low = parameter.value - half;

@@ -89,7 +89,7 @@ bool is_undetermined(const EquationList& list, const BatchTable& table, const Co
   const Term* term = term_of(configuration, unknown);
   if (term == nullptr) return false;
   const ParameterEstimate& own = estimates.parameters[unknown];
-  if (!reaches_beyond(own, Scaled::from_int(1), abs(own.value))) return false;  // nor beyond what it is a part of
+  if (!reaches_beyond(own, kScaledOne, abs(own.value))) return false;  // nor beyond what it is a part of
   if (term->kind == TermKind::kMass || term->kind == TermKind::kStiffness) return true;
   if (!is_damping(*term)) return false;
   Scaled all, own_work;
@@ -104,7 +104,7 @@ bool is_undetermined(const EquationList& list, const BatchTable& table, const Co
       for (int l = 0; l < table.level_count; ++l) work += abs(work_in(list, table, table.level[l], other).sum);
       if (other.unknown == unknown) own_work = work;
       const ParameterEstimate& parameter = estimates.parameters[other.unknown];
-      if (pass == 0 || !reaches_beyond(parameter, work, all)) known += abs(parameter.value) * work;
+      if (pass == 0 || !reaches_beyond(parameter, work, all)) multiply_add(known, abs(parameter.value), work);
     }
     all = known;
   }

@@ -9,10 +9,10 @@ constexpr int kIterations =
 // vector divided by its norm; returns the norm.
 Scaled normalise(Scaled* vector, int size) {
   Scaled sum;
-  for (int k = 0; k < size; ++k) sum += vector[k] * vector[k];
+  for (int k = 0; k < size; ++k) multiply_add(sum, vector[k], vector[k]);
   const Scaled norm = sqrt(sum);
   if (norm.is_zero()) return norm;
-  const Scaled inverse = Scaled::from_int(1) / norm;
+  const Scaled inverse = kScaledOne / norm;
   for (int k = 0; k < size; ++k) vector[k] *= inverse;
   return norm;
 }
@@ -28,18 +28,18 @@ void start_vector(const NormalEquations& factor, Scaled* vector) {
   const int n = factor.unknowns();
   Scaled middle[kMaxUnknowns], inverse[kMaxUnknowns], square;
   for (int j = 0; j < n; ++j)
-    if (!norm[j].is_zero()) inverse[j] = Scaled::from_int(1) / norm[j];
+    if (!norm[j].is_zero()) inverse[j] = kScaledOne / norm[j];
   start_vector(factor, vector);
   normalise(vector, n);
   for (int turn = 0; turn < kIterations; ++turn) {
     for (int j = 0; j < n; ++j) vector[j] *= inverse[j];
     for (int i = 0; i < n; ++i) {
       middle[i] = Scaled{};
-      for (int j = i; j < n; ++j) middle[i] += factor.factor(i, j) * vector[j];
+      for (int j = i; j < n; ++j) multiply_add(middle[i], factor.factor(i, j), vector[j]);
     }
     for (int j = 0; j < n; ++j) {
       vector[j] = Scaled{};
-      for (int i = 0; i <= j; ++i) vector[j] += factor.factor(i, j) * middle[i];
+      for (int i = 0; i <= j; ++i) multiply_add(vector[j], factor.factor(i, j), middle[i]);
       vector[j] *= inverse[j];
     }
     square = normalise(vector, n);
@@ -59,7 +59,7 @@ void start_vector(const NormalEquations& factor, Scaled* vector) {
     for (int k = 0; k < n; ++k) vector[k] *= norm[k];
     square = normalise(vector, n);
   }
-  return square.is_zero() ? square : Scaled::from_int(1) / sqrt(square);
+  return square.is_zero() ? square : kScaledOne / sqrt(square);
 }
 
 // A column that those before it make up is left out, its parameter taken for zero: whatever it is goes into theirs, however well they are
@@ -88,14 +88,14 @@ void judge_identifiability(NormalEquations& factor, const Scaled* parameters, Id
     if (!factor.determined(k) && !norm[k].is_zero()) entangle_with(factor, norm, k, result.inflation);
   const Scaled largest = largest_singular_value(factor, norm, result.unresolved);
   const Scaled smallest = smallest_singular_value(factor, norm, result.unresolved);
-  result.condition_number = all_determined ? largest / smallest : Scaled::from_int(1, 40);
+  result.condition_number = all_determined ? largest / smallest : power_of_two(40);
 
   Scaled top;
   for (int k = 0; k < n; ++k) {
     Scaled& entry = result.unresolved[k];
     if (norm[k].is_zero() || parameters[k].is_zero()) entry = Scaled{};
     if (!entry.is_zero()) entry /= norm[k] * abs(parameters[k]);
-    if (abs(entry) > abs(top)) top = entry;
+    if (exceeds(entry, top)) top = entry;
   }
   for (int k = 0; k < n; ++k)
     if (!top.is_zero()) result.unresolved[k] /= top;

@@ -43,7 +43,7 @@ bool inseparable(const WeightedFit& fit, const EquationList& list, const BatchTa
   if (estimates.rows < estimates.unknown_count || inflation.is_zero() || parameter.std.is_zero() ||
       inflation > Scaled::from_int(kLargestInflation))
     return true;
-  return inflation * fit.relative_noise() * kLargestNoiseShare > Scaled::from_int(1) &&
+  return inflation * fit.relative_noise() * kLargestNoiseShare > kScaledOne &&
          bent_by_columns(list, table, parameter, unknown);
 }
 
@@ -51,7 +51,7 @@ bool inseparable(const WeightedFit& fit, const EquationList& list, const BatchTa
 bool inseparable_company(const WeightedFit& fit, const EquationList& list, const BatchTable& table,
                          const Estimates& estimates, int unknown) {
   const ParameterEstimate& parameter = estimates.parameters[unknown];
-  if (parameter.std * 10 < abs(parameter.value)) return false;
+  if (exceeds(parameter.value, parameter.std * 10)) return false;
   for (int k = 0; k < estimates.unknown_count; ++k)
     if (inseparable(fit, list, table, estimates, k)) return true;
   return false;

@@ -16,7 +16,7 @@ void remove_mean(Scaled* values, int count) {
 
 Scaled sum_of_squares(const Scaled* values, int count) {
   Scaled sum;
-  for (int b = 0; b < count; ++b) sum += values[b] * values[b];
+  for (int b = 0; b < count; ++b) multiply_add(sum, values[b], values[b]);
   return sum;
 }
 
@@ -25,7 +25,7 @@ Scaled weighted_motion(const BatchDof& batch, bool instrument) {
   const Scaled motion = unpack(batch.velocity_square);
   if (!instrument || batch.weight_square.bits == batch.velocity_instrument.bits) return motion;
   const Scaled counted = unpack(batch.weight_square), all = unpack(batch.velocity_instrument);
-  return counted > Scaled{} && all > Scaled{} ? motion * counted / all : Scaled{};
+  return counted.is_positive() && all.is_positive() ? motion * counted / all : Scaled{};
 }
 
 }  // namespace
@@ -60,7 +60,7 @@ void LevelColumns::load_scale(int dof) {
     const Scaled motion = weighted_motion(batch, list_->instrument);
     used_[b][dof] = level_->periodic || (moves(batch, list_->instrument, least) && !motion.is_zero());
     if (used_[b][dof] && !motion.is_zero()) ++rows_used_[dof];
-    inverse_scale_[b][dof] = level_->periodic ? Scaled::from_int(1) : Scaled{};
+    inverse_scale_[b][dof] = level_->periodic ? kScaledOne : Scaled{};
     if (!level_->periodic && used_[b][dof]) inverse_scale_[b][dof] = inverse_root(motion);
   }
 }
@@ -87,7 +87,7 @@ void LevelColumns::load_row_scale(int e) {
 }
 
 Scaled LevelColumns::weight_share(int e) const {
-  return displacement_row(e) ? displacement_share(level_, 1, list_->equation[e].dof) : Scaled::from_int(1);
+  return displacement_row(e) ? displacement_share(level_, 1, list_->equation[e].dof) : kScaledOne;
 }
 
 void LevelColumns::load_control(int dof, int which) {
@@ -143,7 +143,7 @@ void LevelColumns::load_equation(int e, const Scaled* parameters) {
     for (int b = 0; b < n; ++b) number_[b] = scaled(b, e, energy);
     round(term(e, k));
     const Scaled& p = parameters[unknown_of(k)];
-    energy_square_[e] += square(term(e, k)) * (p * p);
+    multiply_add(energy_square_[e], square(term(e, k)), p * p);
   }
   const int dof = list_->equation[e].dof;
   const auto right_side = [&](const Batch& batch, int row) { return unpack(batch.dof[dof].rhs[weight(row)]); };
@@ -167,7 +167,7 @@ void LevelColumns::load_equation(int e, const Scaled* parameters) {
 void LevelColumns::level_row(int e, Row& row) const {
   clear_row(list_->unknown_count, row);
   for (int b = 0; b < batch_count(); ++b)
-    add_batch_row(*layout_, level_->batch[b], list_->equation[e], Scaled::from_int(1), row);
+    add_batch_row(*layout_, level_->batch[b], list_->equation[e], kScaledOne, row);
   row.rhs = total_[residual(e)];
 }
 

@@ -87,10 +87,15 @@ class LevelColumns {
   template <typename Value>
   Scaled scaled(int b, int e, const Value& value) const {
     const Batch& batch = level_->batch[b];
-    if (level_->periodic) return value(batch, e);
-    if (!displacement_row(e)) return inverse_scale_[b][list_->equation[e].dof] * value(batch, e);
-    if (displacement_scale_[b].is_zero()) return Scaled{};
-    return displacement_scale_[b] * value(batch, e) - other_[b] * value(batch, e - list_->dof_count);
+    Scaled number = value(batch, e);
+    if (level_->periodic) return number;
+    if (!displacement_row(e)) {
+      number *= inverse_scale_[b][list_->equation[e].dof];
+    } else {
+      number *= displacement_scale_[b];
+      multiply_subtract(number, other_[b], value(batch, e - list_->dof_count));
+    }
+    return number;
   }
   void load_scale(int dof);
   void load_row_scale(int e);

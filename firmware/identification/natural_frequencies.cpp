@@ -30,7 +30,7 @@ bool assemble(const CoreConfiguration& configuration, const Estimates& estimates
     if (a < n && b < n) matrix.at(a, b) -= value;
   }
   for (int i = 0; i < n; ++i)
-    if (mass[i] <= Scaled{}) return false;
+    if (!mass[i].is_positive()) return false;
   for (int i = 0; i < n; ++i)
     for (int j = 0; j <= i; ++j) matrix.at(i, j) = matrix.at(i, j) / sqrt(mass[i] * mass[j]);
   return true;
@@ -41,11 +41,10 @@ void rotate(SymmetricMatrix& matrix, int n, int p, int q) {
   const Scaled& coupling = matrix.at(p, q);
   if (coupling.is_zero()) return;
   // t = sgn(h) / (|h| + sqrt(h^2 + 1)), h = (a_qq - a_pp) / (2 a_pq)
-  const Scaled one = Scaled::from_int(1);
   const Scaled half = scale_by_power_of_two((matrix.at(q, q) - matrix.at(p, p)) / coupling, -1);
-  Scaled tangent = one / (abs(half) + sqrt(half * half + one));
+  Scaled tangent = kScaledOne / (abs(half) + sqrt(half * half + kScaledOne));
   if (half.is_negative()) tangent = -tangent;
-  const Scaled cosine = one / sqrt(tangent * tangent + one), sine = tangent * cosine;
+  const Scaled cosine = kScaledOne / sqrt(tangent * tangent + kScaledOne), sine = tangent * cosine;
   const Scaled turned = tangent * coupling;
   matrix.at(p, p) -= turned;
   matrix.at(q, q) += turned;

@@ -25,7 +25,7 @@ Scaled doubtful_power(const CoreConfiguration& configuration, int dof, int weigh
       quantity = term.kind == TermKind::kViscous ? Quantity::kVelocity : Quantity::kDisplacement;
     }
     const Scaled& value = term.unknown < 0 ? term.value : estimates.parameters[term.unknown].value;
-    power += value * noise[static_cast<int>(quantity)];
+    multiply_add(power, value, noise[static_cast<int>(quantity)]);
   }
   return power * Scaled::ratio(configuration.motion_noise_doubt[dof], 1000);
 }
@@ -34,7 +34,7 @@ Scaled doubtful_power(const CoreConfiguration& configuration, int dof, int weigh
 Scaled counted_time(const BatchTable& table, const Batch& batch, int dof) {
   const Scaled time = table.sample_period_s * Scaled::from_int(batch.samples);
   const Scaled counted = unpack(batch.dof[dof].weight_square), all = unpack(batch.dof[dof].velocity_instrument);
-  return all > Scaled{} && counted > Scaled{} ? time * counted / all : time;
+  return all.is_positive() && counted.is_positive() ? time * counted / all : time;
 }
 
 // Adds what the rows of the level that is loaded give to the normal equations where their right-hand sides change so.
@@ -45,10 +45,10 @@ Scaled counted_time(const BatchTable& table, const Batch& batch, int dof) {
   const ReducedRows& rows = fit.reduce(whitening, e, false);
   const WholeColumn change = rows.residual();
   if (!level.periodic()) {
-    const Scaled weight = Scaled::from_int(1) / (whitening.deviation * whitening.deviation);
+    const Scaled weight = kScaledOne / (whitening.deviation * whitening.deviation);
     for (int j = 0; j < rows.unknowns; ++j) {
       Scaled& sum = moment[rows.unknown[j]];
-      sum += dot(rows.column(j), change, level.batch_count()) * weight;
+      multiply_add(sum, dot(rows.column(j), change, level.batch_count()), weight);
     }
     return;
   }
@@ -57,7 +57,7 @@ Scaled counted_time(const BatchTable& table, const Batch& batch, int dof) {
   int64_t total = 0;
   for (int b = 0; b < level.batch_count(); ++b) total += change.value[b];
   const Scaled whitened = Scaled::from_int(total, change.exponent) / whitening.deviation;
-  for (int k = 0; k < list.unknown_count; ++k) moment[k] += row.column[k] * whitened;
+  for (int k = 0; k < list.unknown_count; ++k) multiply_add(moment[k], row.column[k], whitened);
 }
 
 // By what the doubtful right-hand sides shift: their moments are the fit's vector. The doubt is a bound: half of it is a deviation.

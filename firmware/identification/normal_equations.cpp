@@ -4,6 +4,18 @@
 
 namespace firmware {
 
+namespace {
+
+// A column whose diagonal is zero is not determined.
+void divide_or_clear(Scaled& entry, const Scaled& diagonal) {
+  if (diagonal.is_zero())
+    entry = Scaled{};
+  else
+    entry /= diagonal;
+}
+
+}  // namespace
+
 void NormalEquations::clear(int unknowns) {
   unknowns_ = unknowns;
   for (int i = 0; i < at(0, unknowns); ++i, report_work(12)) factor_[i] = Scaled{};
@@ -37,38 +49,37 @@ void NormalEquations::add_right_side(const Row& row) {
 void NormalEquations::factorise() {
   for (int column = 0; column < unknowns_; ++column) {
     for (int row = 0; row <= column; ++row) {
-      const Scaled& whole = factor_[at(row, column)];
-      Scaled sum = whole;
+      Scaled& entry = factor_[at(row, column)];
+      const Scaled whole = entry;
       for (int k = 0; k < row; ++k) {
         const Scaled &a = factor_[at(k, row)], &b = factor_[at(k, column)];
-        if (!a.is_zero() && !b.is_zero()) sum -= a * b;
+        if (!a.is_zero() && !b.is_zero()) multiply_subtract(entry, a, b);
       }
-      const Scaled& diagonal = factor_[at(row, row)];
       if (row < column)
-        factor_[at(row, column)] = diagonal.is_zero() ? Scaled{} : sum / diagonal;
+        divide_or_clear(entry, factor_[at(row, row)]);
       else
-        factor_[at(row, row)] = sum > scale_by_power_of_two(whole, -46) ? sqrt(sum) : Scaled{};
+        entry = entry > scale_by_power_of_two(whole, -46) ? sqrt(entry) : Scaled{};
     }
   }
 }
 
 void NormalEquations::substitute() {
   for (int column = 0; column < unknowns_; ++column) {
-    Scaled sum = moment_[column];
-    for (int k = 0; k < column; ++k) sum -= factor_[at(k, column)] * moment_[k];
-    moment_[column] = determined(column) ? sum / factor_[at(column, column)] : Scaled{};
+    Scaled& entry = moment_[column];
+    for (int k = 0; k < column; ++k) multiply_subtract(entry, factor_[at(k, column)], moment_[k]);
+    divide_or_clear(entry, factor_[at(column, column)]);
   }
 }
 
 Scaled NormalEquations::residual_square() const {
   Scaled left = square_;
-  for (int k = 0; k < unknowns_; ++k) left -= moment_[k] * moment_[k];
+  for (int k = 0; k < unknowns_; ++k) multiply_subtract(left, moment_[k], moment_[k]);
   return left.is_negative() ? Scaled{} : left;
 }
 
 Scaled NormalEquations::column_norm(int column) const {
   Scaled sum;
-  for (int i = 0; i <= column; ++i) sum += factor_[at(i, column)] * factor_[at(i, column)];
+  for (int i = 0; i <= column; ++i) multiply_add(sum, factor_[at(i, column)], factor_[at(i, column)]);
   return sqrt(sum);
 }
 
@@ -76,9 +87,9 @@ void NormalEquations::solve_for(const Scaled* right, int columns, Scaled* x) con
   for (int k = columns - 1; k >= 0; --k) {
     x[k] = Scaled{};
     if (!determined(k)) continue;
-    Scaled sum = right[k];
-    for (int j = k + 1; j < columns; ++j) sum -= factor_[at(k, j)] * x[j];
-    x[k] = sum / factor_[at(k, k)];
+    x[k] = right[k];
+    for (int j = k + 1; j < columns; ++j) multiply_subtract(x[k], factor_[at(k, j)], x[j]);
+    x[k] /= factor_[at(k, k)];
   }
 }
 
@@ -89,18 +100,18 @@ void NormalEquations::invert() {
   for (int column = 0; column < unknowns_; ++column) {
     for (int row = 0; row <= column; ++row) x[at(row, column)] = Scaled{};
     if (!determined(column)) continue;
-    x[at(column, column)] = Scaled::from_int(1) / factor_[at(column, column)];
+    x[at(column, column)] = kScaledOne / factor_[at(column, column)];
     for (int row = column - 1; row >= 0; --row) {
       if (!determined(row)) continue;
-      Scaled sum;
-      for (int j = row + 1; j <= column; ++j) sum -= factor_[at(row, j)] * x[at(j, column)];
-      x[at(row, column)] = sum / factor_[at(row, row)];
+      Scaled& entry = x[at(row, column)];
+      for (int j = row + 1; j <= column; ++j) multiply_subtract(entry, factor_[at(row, j)], x[at(j, column)]);
+      entry /= factor_[at(row, row)];
     }
   }
   for (int i = 0; i < unknowns_; ++i)
     for (int j = i; j < unknowns_; ++j) {
       Scaled sum;
-      for (int k = j; k < unknowns_; ++k) sum += x[at(i, k)] * x[at(j, k)];
+      for (int k = j; k < unknowns_; ++k) multiply_add(sum, x[at(i, k)], x[at(j, k)]);
       x[at(i, j)] = sum;
     }
 }
@@ -109,7 +120,7 @@ void NormalEquations::apply_covariance(const Scaled* vector, Scaled* result) con
   for (int i = 0; i < unknowns_; ++i) {
     result[i] = Scaled{};
     for (int j = 0; j < unknowns_; ++j)
-      if (!vector[j].is_zero()) result[i] += covariance(i, j) * vector[j];
+      if (!vector[j].is_zero()) multiply_add(result[i], covariance(i, j), vector[j]);
   }
 }
 

@@ -15,14 +15,14 @@ void add_row(const EquationList& list, const Row& row, const Scaled* p, const Sc
   Scaled energy, right_side = row.rhs;
   for (int k = 0; k < list.unknown_count; ++k) {
     const Scaled term = row.column[k] * p[k];
-    energy += term * term;
+    multiply_add(energy, term, term);
     right_side += term;
   }
-  energy += right_side * right_side;
+  multiply_add(energy, right_side, right_side);
   if (energy.is_zero()) return;
   const Scaled noise = row.rhs * row.rhs / energy * weight;
   for (int k = 0; k < list.unknown_count; ++k)
-    if (!row.column[k].is_zero()) variance[k] += row.column[k] * row.column[k] * noise;
+    if (!row.column[k].is_zero()) multiply_add(variance[k], row.column[k] * row.column[k], noise);
 }
 
 [[gnu::noinline]] void add_equation(const EquationList& list, const LevelColumns& level, const Whitening& whitening,
@@ -30,12 +30,11 @@ void add_row(const EquationList& list, const Row& row, const Scaled* p, const Sc
   if (whitening.deviation.is_zero()) return;
   Row row;
   if (level.periodic()) {
-    if (whitened_level_row(list, level, whitening, e, row))
-      add_row(list, row, fit.parameters(), Scaled::from_int(1), variance);
+    if (whitened_level_row(list, level, whitening, e, row)) add_row(list, row, fit.parameters(), kScaledOne, variance);
     return;
   }
   const ReducedRows& rows = fit.reduce(whitening, e, true);
-  const Scaled weight = Scaled::from_int(1) / (whitening.deviation * whitening.deviation);
+  const Scaled weight = kScaledOne / (whitening.deviation * whitening.deviation);
   for (int b = 0; b < level.batch_count(); ++b) {
     if (!level.row_used(b, list.equation[e].dof)) continue;
     rows.read(b, list.unknown_count, row);

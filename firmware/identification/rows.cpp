@@ -91,16 +91,16 @@ void add_batch_row(const RowLayout& layout, const Batch& batch, Equation equatio
   const int q = static_cast<int>(equation.weight);
   for (int n = layout.first[equation.dof]; n < layout.first[equation.dof + 1]; ++n) {
     Scaled& column = row.column[layout.unknown[n]];
-    column += factor * unpack(batch.column[q][n]);
+    multiply_add(column, factor, unpack(batch.column[q][n]));
   }
-  row.rhs += factor * unpack(batch.dof[equation.dof].rhs[q]);
+  multiply_add(row.rhs, factor, unpack(batch.dof[equation.dof].rhs[q]));
 }
 
 Scaled batch_residual(const RowLayout& layout, const Batch& batch, Equation equation, const Scaled* parameters) {
   const int q = static_cast<int>(equation.weight);
   Scaled residual = unpack(batch.dof[equation.dof].rhs[q]);
   for (int n = layout.first[equation.dof]; n < layout.first[equation.dof + 1]; ++n)
-    residual -= unpack(batch.column[q][n]) * parameters[layout.unknown[n]];
+    multiply_subtract(residual, unpack(batch.column[q][n]), parameters[layout.unknown[n]]);
   return residual;
 }
 
@@ -112,7 +112,7 @@ Scaled displacement_share(const Level* level, int levels, int dof) {
       displacement += unpack(batch.displacement_square());
       velocity += unpack(batch.velocity_square);
     }
-  return displacement > Scaled{} && velocity > Scaled{} ? displacement / velocity : Scaled::from_int(1);
+  return displacement.is_positive() && velocity.is_positive() ? displacement / velocity : kScaledOne;
 }
 
 bool moves(const BatchDof& dof, bool instrument, const Scaled& least_motion) {

@@ -31,7 +31,7 @@ Scaled scatter(const Level& level, int dof, int weight, bool acceleration, const
     const Sample sample = read(level.batch[b].dof[dof], weight, acceleration);
     const Scaled rest = sample.discrepancy + (ends ? sample.ends : Scaled{}) - tau * sample.energy;
     sum += rest;
-    squares += rest * rest;
+    multiply_add(squares, rest, rest);
   }
   return squares - sum * sum / level.batch_count;
 }
@@ -42,9 +42,9 @@ void add_level(const Level& level, int dof, int weight, bool acceleration, Regre
     const Sample sample = read(level.batch[b].dof[dof], weight, acceleration);
     discrepancy += sample.discrepancy;
     energy += sample.energy;
-    energy_square += sample.energy * sample.energy;
+    multiply_add(energy_square, sample.energy, sample.energy);
   }
-  if (level.batch_count < 3 || discrepancy.is_zero() || energy <= Scaled{}) return;
+  if (level.batch_count < 3 || discrepancy.is_zero() || !energy.is_positive()) return;
   const Scaled tau = discrepancy / energy;
   const int n = level.batch_count;
   Scaled squares = scatter(level, dof, weight, acceleration, tau, false);
@@ -53,14 +53,14 @@ void add_level(const Level& level, int dof, int weight, bool acceleration, Regre
     if (without < squares) squares = without + (squares - without) / n;
   }
   // Where few batches carry the motion, the fitted tau takes most of their scatter with it.
-  const Scaled count = energy * energy / energy_square, spare = count - Scaled::from_int(1);
+  const Scaled count = energy * energy / energy_square, spare = count - kScaledOne;
   if (spare <= Scaled::ratio(1, 4)) return;
   regression.freedom += spare;
   const Scaled variance = squares * count / spare / (energy * energy);
   const Scaled rounding = scale_by_power_of_two(tau * tau, -40);
-  const Scaled weight_of_level = Scaled::from_int(1) / (variance > rounding ? variance : rounding);
+  const Scaled weight_of_level = kScaledOne / (variance > rounding ? variance : rounding);
   regression.weight += weight_of_level;
-  regression.weighted += weight_of_level * tau;
+  multiply_add(regression.weighted, weight_of_level, tau);
 }
 
 // Of the DOF, over all batches.
@@ -71,7 +71,7 @@ Scaled sum_of(const BatchTable& table, int dof, PackedScaled BatchDof::*what) {
   return sum;
 }
 
-Scaled coefficient(const Term& term, const Estimates& estimates) {
+const Scaled& coefficient(const Term& term, const Estimates& estimates) {
   return term.unknown < 0 ? term.value : estimates.parameters[term.unknown].value;
 }
 
@@ -110,12 +110,12 @@ SkewEstimate measure(const BatchTable& table, int dof, int weight, bool accelera
   if (regression.weight.is_zero()) return result;
   result.measured = true;
   result.late_s = regression.weighted / regression.weight;
-  result.std_s = Scaled::from_int(1) / sqrt(regression.weight);
+  result.std_s = kScaledOne / sqrt(regression.weight);
   // Over twice the 95 % interval: four deviations, and more where few batches tell them.
   result.significant =
-      abs(result.late_s) > Scaled::from_int(4) * result.std_s &&
-      abs(result.late_s) > table.sample_period_s / kLeastShareOfPeriod &&
-      abs(result.late_s) > scale_by_power_of_two(result.std_s, 1) * student_quantile_95(regression.freedom);
+      exceeds(result.late_s, Scaled::from_int(4) * result.std_s) &&
+      exceeds(result.late_s, table.sample_period_s / kLeastShareOfPeriod) &&
+      exceeds(result.late_s, scale_by_power_of_two(result.std_s, 1) * student_quantile_95(regression.freedom));
   return result;
 }
 
@@ -150,7 +150,7 @@ Scaled work_of_neighbours(const CoreConfiguration& configuration, const BatchTab
     const int other = link.node_a == dof ? link.node_b : link.node_a;
     if (other >= configuration.dof_count || skews.displacement[other].is_zero()) continue;
     const Scaled damping = abs(coefficient(term, estimates)) * skews.displacement[other];
-    work += damping * sqrt(motion_of(table, dof) * motion_of(table, other));
+    multiply_add(work, damping, sqrt(motion_of(table, dof) * motion_of(table, other)));
   }
   return work;
 }
@@ -164,7 +164,7 @@ void measure_skew(const EquationList& list, const BatchTable& table, const CoreC
     estimates.displacement_skew[i] = measure(table, i, weight, false);
     SkewEstimate& a = estimates.acceleration_skew[i];
     a = measure(table, i, weight, true);
-    a.significant = a.significant && abs(a.late_s) > least_acceleration_skew_s(configuration, table, i, estimates);
+    a.significant = a.significant && exceeds(a.late_s, least_acceleration_skew_s(configuration, table, i, estimates));
   }
 }
 
@@ -203,7 +203,7 @@ bool skew_matters(const EquationList& list, const BatchTable& table, const CoreC
   if (!any) return false;  // nothing imitates damping
   const ParameterEstimate& parameter = estimates.parameters[unknown];
   const Scaled shift = bend_of_skews(list, table, configuration, unknown, significant, estimates);
-  return shift > scale_by_power_of_two(parameter.std, 1) && shift > abs(parameter.value) / 50;
+  return shift > scale_by_power_of_two(parameter.std, 1) && exceeds(shift, parameter.value / 50);
 }
 
 }  // namespace firmware

@@ -31,8 +31,8 @@ void add_relative(const Scaled& residual, const Scaled& right_side, UncertaintyS
   const Scaled freedom = Scaled::from_int(whitening.freedom > 0 ? whitening.freedom : 1);
   fit.equations().apply_covariance(row.column, gain);
   for (int k = 0; k < list.unknown_count; ++k) {
-    right_side += row.column[k] * fit.parameters()[k];
-    if (UncertaintySums::kPulls) sums.pull[k] += gain[k] * row.rhs;
+    multiply_add(right_side, row.column[k], fit.parameters()[k]);
+    if (UncertaintySums::kPulls) multiply_add(sums.pull[k], gain[k], row.rhs);
     add_share(gain[k] * gain[k] * whitening.inflation, freedom, k, sums);
   }
   add_relative(row.rhs, right_side, sums);
@@ -43,7 +43,7 @@ void add_relative(const Scaled& residual, const Scaled& right_side, UncertaintyS
 // is the trace of their hat matrix: so many degrees of freedom less have they, and so much larger is their variance.
 [[gnu::noinline]] void add_rows(WeightedFit& fit, const Whitening& whitening, ReducedRows& rows, int batches,
                                 int unknowns, UncertaintySums& sums) {
-  const Scaled weight = Scaled::from_int(1) / (whitening.deviation * whitening.deviation);
+  const Scaled weight = whitening.weight();
   Scaled factor[kMaxUnknowns], fitted;
   Scaled* const share = fit.vector();
   for (int k = 0; k < unknowns; ++k) {
@@ -51,10 +51,10 @@ void add_relative(const Scaled& residual, const Scaled& right_side, UncertaintyS
     const WholeColumn gain = rows.combine(factor, batches);
     share[k] = dot(gain, gain, batches) * weight;
     for (int j = 0; j < rows.unknowns; ++j)
-      if (rows.unknown[j] == k) fitted += dot(gain, rows.column(j), batches) * weight;
-    if (UncertaintySums::kPulls) sums.pull[k] += dot(gain, rows.residual(), batches) * weight;
+      if (rows.unknown[j] == k) multiply_add(fitted, dot(gain, rows.column(j), batches), weight);
+    if (UncertaintySums::kPulls) multiply_add(sums.pull[k], dot(gain, rows.residual(), batches), weight);
   }
-  const Scaled before = Scaled::from_int(whitening.freedom > 0 ? whitening.freedom : 1), least = Scaled::from_int(1);
+  const Scaled before = Scaled::from_int(whitening.freedom > 0 ? whitening.freedom : 1), least = kScaledOne;
   const Scaled freedom = before < fitted + least ? least : before - fitted;
   for (int k = 0; k < unknowns; ++k) add_share(share[k] * whitening.inflation * (before / freedom), freedom, k, sums);
   for (int j = 0; j < rows.unknowns; ++j) factor[j] = fit.parameters()[rows.unknown[j]];
@@ -77,12 +77,12 @@ void add_equation(const EquationList& list, const LevelColumns& level, const Whi
 // A fit that misses its own weights by far widens the intervals.
 Scaled variance_factor(const EquationList& list, const WeightedFit& fit, uint32_t rows) {
   const int freedom = static_cast<int>(rows) - list.unknown_count;
-  if (freedom <= 0) return Scaled::from_int(1);
+  if (freedom <= 0) return kScaledOne;
   const Scaled misfit = fit.equations().residual_square() / freedom;
   if (!fit.all_measured()) return misfit;
   // Chance takes the misfit over 1 + 5 sqrt(2 / freedom) less than once in 10^4 fits.
-  const Scaled limit = Scaled::from_int(1) + sqrt(Scaled::ratio(50, freedom)) + Scaled::ratio(6, freedom);
-  return misfit > limit ? misfit : Scaled::from_int(1);
+  const Scaled limit = kScaledOne + sqrt(Scaled::ratio(50, freedom)) + Scaled::ratio(6, freedom);
+  return misfit > limit ? misfit : kScaledOne;
 }
 
 void report(const EquationList& list, const WeightedFit& fit, UncertaintySums& sums, const Scaled& factor,
@@ -94,11 +94,11 @@ void report(const EquationList& list, const WeightedFit& fit, UncertaintySums& s
     parameter.value = fit.parameters()[k];
     const Scaled variance = sums.variance(k);
     const Scaled repeated = scale_by_power_of_two(parameter.value, kRepeatedErrorLog2);
-    Scaled of_weights = Scaled::from_int(1), freedom = Scaled::from_int(spare > 0 ? spare : 1);
+    Scaled of_weights = kScaledOne, freedom = Scaled::from_int(spare > 0 ? spare : 1);
     if (measured && !sums.variance_square_per_freedom(k).is_zero()) {
       freedom = variance * variance / sums.variance_square_per_freedom(k);
-      const Scaled chosen = sums.variance_per_freedom(k) / variance - Scaled::from_int(1) / freedom;
-      if (Scaled{} < chosen) of_weights += scale_by_power_of_two(chosen, 2);
+      const Scaled chosen = sums.variance_per_freedom(k) / variance - kScaledOne / freedom;
+      if (chosen.is_positive()) of_weights += scale_by_power_of_two(chosen, 2);
     }
     // No variance: no row tells it.
     parameter.std = variance.is_zero() ? Scaled{} : sqrt(variance * factor * of_weights + repeated * repeated);
@@ -117,7 +117,7 @@ void report(const EquationList& list, const WeightedFit& fit, UncertaintySums& s
 // 6.2 / n, Wilson and Hilferty), the variance is theirs, with as many degrees of freedom as there are levels less one.
 void add_scatter_between_levels(const EquationList& list, int levels, UncertaintySums& sums) {
   const Scaled freedom = Scaled::from_int(levels - 1);
-  const Scaled limit = Scaled::from_int(1) + Scaled::ratio(44, 10) / sqrt(freedom) + Scaled::ratio(62, 10) / freedom;
+  const Scaled limit = kScaledOne + Scaled::ratio(44, 10) / sqrt(freedom) + Scaled::ratio(62, 10) / freedom;
   for (int k = 0; k < list.unknown_count; ++k) {
     const Scaled between = sums.pull_square[k] * Scaled::ratio(levels, levels - 1);
     if (between <= sums.variance(k) * limit) continue;
@@ -145,7 +145,7 @@ void add_uncertainty(const EquationList& list, const LevelColumns& level, int l,
   sums.periodic = sums.periodic && level.periodic();
   for (int e = 0; e < list.count; ++e) add_equation(list, level, fit.whitening(l, e), e, fit, sums);
   for (int k = 0; UncertaintySums::kPulls && k < list.unknown_count; ++k) {
-    sums.pull_square[k] += sums.pull[k] * sums.pull[k];
+    multiply_add(sums.pull_square[k], sums.pull[k], sums.pull[k]);
     sums.pull[k] = Scaled{};
   }
   if (level.batch_count() > 0) ++sums.levels;

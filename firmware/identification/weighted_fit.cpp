@@ -25,8 +25,7 @@ Scaled displacement_ratio(const EquationList& list, const BatchTable& table, int
     const Scaled ratio = sqrt(column_square(table, Weight::kDisplacement, n) / velocity);
     if (ratio > largest) largest = ratio;
   }
-  return largest.is_zero() ? Scaled::from_int(1)
-                           : largest / sqrt(displacement_share(table.level, table.level_count, dof));
+  return largest.is_zero() ? kScaledOne : largest / sqrt(displacement_share(table.level, table.level_count, dof));
 }
 
 }  // namespace
@@ -43,9 +42,8 @@ ReducedRows& WeightedFit::reduce(const Whitening& whitening, int e, bool with_co
 
 void WeightedFit::start_weights() {
   for (int e = 0; e < list_->count; ++e)
-    relative_deviation_[e] = kWeights < 3 || e < list_->dof_count
-                                 ? Scaled::from_int(1)
-                                 : displacement_ratio(*list_, *table_, e - list_->dof_count);
+    relative_deviation_[e] =
+        kWeights < 3 || e < list_->dof_count ? kScaledOne : displacement_ratio(*list_, *table_, e - list_->dof_count);
   for (int l = 0; l < table_->level_count; ++l)
     for (int e = 0; e < list_->count; ++e) whitening_[l][e] = Whitening{};
   for (int k = 0; k < list_->unknown_count; ++k) parameters_[k] = Scaled{};
@@ -97,7 +95,7 @@ void WeightedFit::add_equation(int l, int e) {
   }
   const ReducedRows& rows = reduce(whitening, e, true);
   const int n = level_.batch_count();
-  const Scaled weight = Scaled::from_int(1) / (whitening.deviation * whitening.deviation);
+  const Scaled weight = whitening.weight();
   for (int j = 0; j < rows.unknowns; ++j) {
     for (int i = 0; new_equations_ && i <= j; ++i)
       equations_.add_product(rows.unknown[i], rows.unknown[j], dot(rows.column(i), rows.column(j), n) * weight);

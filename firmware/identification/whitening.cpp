@@ -43,37 +43,40 @@ void gram(const LevelColumns& level, const uint8_t* observable, int size, Scaled
 Scaled regress(Scaled (*sums)[kSize], int predecessors, Scaled* coefficient) {
   bool kept[kSize];
   for (int r = 0; r <= predecessors; ++r) {
-    const Scaled& own = sums[r][r];
+    Scaled* const row = sums[r];
+    const Scaled least = scale_by_power_of_two(row[r], -30);
     for (int c = 0; c <= r; ++c) {
-      Scaled sum = sums[r][c];
       for (int k = 0; k < c; ++k)
-        if (kept[k]) sum -= sums[r][k] * sums[c][k];
-      if (c < r) {
-        sums[r][c] = kept[c] ? sum / sums[c][c] : Scaled{};
-      } else if (r < predecessors) {
-        kept[r] = sum > scale_by_power_of_two(own, -30);
-        sums[r][r] = sqrt(sum);
-      } else {
-        sums[r][r] = sum;
-      }
+        if (kept[k]) multiply_subtract(row[c], row[k], sums[c][k]);
+      if (c == r) break;
+      if (kept[c])
+        row[c] /= sums[c][c];
+      else
+        row[c] = Scaled{};
     }
+    if (r == predecessors) break;
+    kept[r] = row[r] > least;
+    row[r] = sqrt(row[r]);
   }
+  const Scaled* const last = sums[predecessors];
   for (int k = predecessors - 1; k >= 0; --k) {
     coefficient[k] = Scaled{};
     if (!kept[k]) continue;  // NOLINT(clang-analyzer-core.uninitialized.Branch): written above for every row
-    Scaled sum = sums[predecessors][k];
-    for (int j = k + 1; j < predecessors; ++j) sum -= sums[j][k] * coefficient[j];
-    coefficient[k] = sum / sums[k][k];
+    coefficient[k] = last[k];
+    for (int j = k + 1; j < predecessors; ++j) multiply_subtract(coefficient[k], sums[j][k], coefficient[j]);
+    coefficient[k] /= sums[k][k];
   }
-  return sums[predecessors][predecessors];
+  return last[predecessors];
 }
 
 }  // namespace
 
+Scaled Whitening::weight() const { return kScaledOne / (deviation * deviation); }
+
 Whitening measure_whitening(const EquationList& list, const LevelColumns& level, int e, Scaled& relative_noise_square) {
   Whitening result;
   const int rows = level.rows_used(e);
-  result.inflation = Scaled::from_int(1);
+  result.inflation = kScaledOne;
   // Rows that differ are fitted by the equation's own unknowns: what is left of so few more is no scatter.
   const int fitted = level.periodic() ? 0 : level.behind_terms(e) - level.first_term(e);
   if (rows < kLeastBatches + fitted) return result;
@@ -165,14 +168,13 @@ WholeColumn ReducedRows::combine(const Scaled* factor, int count) {
 void reduce_rows(const EquationList& list, const LevelColumns& level, const Whitening& whitening, int e,
                  bool with_controls, ReducedRows& reduced) {
   const int batches = level.batch_count(), dof = list.equation[e].dof;
-  const Scaled one = Scaled::from_int(1);
   Summand summand[kMaxPredecessors + 1];
   reduced.unknowns = 0;
   add_unknowns(level, e, reduced);
   for (int j = 0; j < whitening.count; ++j)
     if (whitening.observable[j] >= kMaxControls) add_unknowns(level, whitening.observable[j] - kMaxControls, reduced);
   for (int k = 0; k < reduced.unknowns; ++k) {
-    int count = add_summand(level, e, reduced.unknown[k], one, summand, 0);
+    int count = add_summand(level, e, reduced.unknown[k], kScaledOne, summand, 0);
     for (int j = 0; j < whitening.count; ++j)
       if (whitening.observable[j] >= kMaxControls)
         count = add_summand(level, whitening.observable[j] - kMaxControls, reduced.unknown[k],
@@ -180,7 +182,7 @@ void reduce_rows(const EquationList& list, const LevelColumns& level, const Whit
     reduced.exponent[k] = sum_columns(summand, count, batches, reduced.value[k]);
   }
   int count = 0;
-  summand[count++] = {level.column(LevelColumns::residual(e)), one};
+  summand[count++] = {level.column(LevelColumns::residual(e)), kScaledOne};
   for (int j = 0; j < whitening.count; ++j)
     if (with_controls || whitening.observable[j] >= kMaxControls)
       summand[count++] = {level.column(whitening.observable[j]), -whitening.coefficient[j]};
@@ -199,11 +201,11 @@ bool whitened_level_row(const EquationList& list, const LevelColumns& level, con
   for (int j = 0; j < whitening.count; ++j) {
     const int observable = whitening.observable[j];
     const Scaled factor = whitening.coefficient[j];
-    row.rhs -= factor * level.total(observable);
+    multiply_subtract(row.rhs, factor, level.total(observable));
     if (observable < kMaxControls) continue;
     Row other;
     level.level_row(observable - kMaxControls, other);
-    for (int k = 0; k < list.unknown_count; ++k) row.column[k] -= factor * other.column[k];
+    for (int k = 0; k < list.unknown_count; ++k) multiply_subtract(row.column[k], factor, other.column[k]);
   }
   for (int k = 0; k < list.unknown_count; ++k) row.column[k] /= whitening.deviation;
   row.rhs /= whitening.deviation;

@@ -20,9 +20,10 @@ struct Whitening {
   uint8_t count = 0;
   uint8_t observable[kMaxPredecessors] = {};
   Scaled coefficient[kMaxPredecessors];
-  Scaled deviation;     // standard deviation of the reduced row; 0: the row is not used
-  int16_t freedom = 0;  // degrees of freedom of deviation
-  Scaled inflation;     // variance factor for regression coefficients that are themselves estimated
+  Scaled deviation;       // standard deviation of the reduced row; 0: the row is not used
+  int16_t freedom = 0;    // degrees of freedom of deviation
+  Scaled inflation;       // variance factor for regression coefficients that are themselves estimated
+  Scaled weight() const;  // 1 / variance, where the row is used
 };
 
 // relative_noise_square: where it is measured, (deviation of one unreduced row / its energy)^2.
