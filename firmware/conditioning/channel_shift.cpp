@@ -20,7 +20,7 @@ ShiftTaps shift_taps(const Scaled& late_samples, const Scaled& gain) {
   const Scaled within = Scaled::from_int(late - (int64_t{whole} << kFractionBits), -kFractionBits);
   taps.first = whole - kBefore;
   for (int j = 0; j < kShiftTaps; ++j) {
-    Scaled tap = Scaled::from_int(1) / gain;
+    Scaled tap = kScaledOne / gain;
     for (int i = 0; i < kShiftTaps; ++i)
       if (i != j) tap = tap * (within + Scaled::from_int(kBefore - i)) / (j - i);
     taps.tap[j].raw = static_cast<int32_t>(to_fixed(tap, kFractionBits));

@@ -12,8 +12,6 @@ constexpr int kMostPeriods = 3;    // what channel_shift reaches
 constexpr int kMostGainPart = 5;   // a gain of more than a fifth is a slip for a person to look at
 constexpr int kAgreeing = 4;       // deviations, of two channels
 
-Scaled magnitude_of_both(const Scaled& a, const Scaled& b) { return sqrt(a * a + b * b); }
-
 // Displacement, velocity and acceleration are there, each a sensor's own.
 bool three_channels(const CoreConfiguration& configuration, int dof) {
   static_assert(static_cast<int>(Quantity::kForce) == 0 && kQuantities == 4,
@@ -38,8 +36,8 @@ bool one_is_late(const Estimates& estimates, const Finding& late) {
   const bool of_velocity = late.quantity == static_cast<uint8_t>(Quantity::kVelocity);
   const bool of_acceleration = late.quantity == static_cast<uint8_t>(Quantity::kAcceleration);
   const Scaled off = of_velocity ? x.late_s - a.late_s : of_acceleration ? x.late_s : a.late_s;
-  const Scaled std = of_velocity ? magnitude_of_both(x.std_s, a.std_s) : of_acceleration ? x.std_s : a.std_s;
-  return abs(off) < std * kAgreeing || times(abs(off), 10) < abs(late.size);
+  const Scaled std = of_velocity ? root_of_squares(x.std_s, a.std_s) : of_acceleration ? x.std_s : a.std_s;
+  return exceeds(std * kAgreeing, off) || exceeds(late.size, times(off, 10));
 }
 
 }  // namespace
@@ -52,7 +50,7 @@ ChannelCorrections::Correction* ChannelCorrections::of(int node, Quantity quanti
   added = Correction{};
   added.node = static_cast<uint8_t>(node);
   added.quantity = quantity;
-  added.gain = Scaled::from_int(1);
+  added.gain = kScaledOne;
   return &added;
 }
 
@@ -69,17 +67,16 @@ bool ChannelCorrections::take(const CoreConfiguration& configuration, const Esti
   if (correction == nullptr) return false;
   // Of a channel that is corrected the rest is taken out too where it is found at all: by more samples than the time before.
   const bool again = correction != &correction_[count_];
-  if (!again && abs(named.size) < named.std * kWellMeasured) return false;
+  if (!again && exceeds(named.std * kWellMeasured, named.size)) return false;
   if (!again && delay && !one_is_late(estimates, named)) return false;
-  const Scaled one = Scaled::from_int(1);
   const Scaled late_s = delay ? correction->late_s + named.size : correction->late_s;
-  const Scaled gain = delay ? correction->gain : correction->gain * (one + named.size);
-  if (abs(late_s) > times(configuration.sample_period_s, kMostPeriods)) return false;
-  if (times(abs(gain - one), kMostGainPart) > one) return false;
+  const Scaled gain = delay ? correction->gain : correction->gain * (kScaledOne + named.size);
+  if (exceeds(late_s, times(configuration.sample_period_s, kMostPeriods))) return false;
+  if (exceeds(times(gain - kScaledOne, kMostGainPart), kScaledOne)) return false;
   correction->late_s = late_s;
   correction->gain = gain;
   correction->last = named;
-  correction->last.size = delay ? late_s : gain - one;
+  correction->last.size = delay ? late_s : gain - kScaledOne;
   if (!again) ++count_;
   return true;
 }
@@ -99,10 +96,8 @@ void ChannelCorrections::widen(const CoreConfiguration& configuration, const Bat
     if (correction_[i].late_s.is_zero()) continue;
     const int dof = correction_[i].node;
     const SkewEstimate &x = estimates.displacement_skew[dof], &a = estimates.acceleration_skew[dof];
-    if (correction_[i].quantity != Quantity::kAcceleration)
-      rest.displacement[dof] = magnitude_of_both(x.late_s, x.std_s);
-    if (correction_[i].quantity != Quantity::kDisplacement)
-      rest.acceleration[dof] = magnitude_of_both(a.late_s, a.std_s);
+    if (correction_[i].quantity != Quantity::kAcceleration) rest.displacement[dof] = root_of_squares(x.late_s, x.std_s);
+    if (correction_[i].quantity != Quantity::kDisplacement) rest.acceleration[dof] = root_of_squares(a.late_s, a.std_s);
   }
   const EquationList list = list_equations(configuration, table);
   for (int k = 0; k < estimates.unknown_count; ++k)
@@ -120,7 +115,7 @@ void ChannelCorrections::tell(Estimates& estimates) const {
   firmware::clear(warrant);
   warrant.tested = warrant.corrected = true;
   warrant.named = last;
-  warrant.gained = Scaled::from_int(1);
+  warrant.gained = kScaledOne;
 }
 
 }  // namespace firmware

@@ -19,17 +19,16 @@ Scaled fault_unit(const CoreConfiguration& configuration, const Estimates& estim
   if (place.kind == PlaceKind::kBaseEnd) return per(Scaled::from_int(probe.form == Form::kRate ? 1 : -1), stiffness);
   if (probe.form == Form::kJerk) return per(configuration.sample_period_s, mass);
   if (probe.form == Form::kForceRate) return -configuration.sample_period_s;
-  return Scaled::from_int(1);
+  return kScaledOne;
 }
 
 Cause slip_of(const Scaled& gain, Cause otherwise, int percent) {
-  const auto near = [&](const Scaled& value, int within) { return abs(gain - value) * 100 < abs(value) * within; };
+  const auto near = [&](const Scaled& value, int within) { return exceeds(value * within, (gain - value) * 100); };
   const Scaled gravity = Scaled::ratio(980665, 100000), thousand = Scaled::from_int(1000);
   if (near(Scaled::from_int(-1), percent)) return Cause::kPolarity;
   const bool large = near(gravity, percent) || near(thousand, percent);
   // A thousandth stands beside noise.
-  const bool small =
-      near(Scaled::from_int(1) / gravity, percent) || near(Scaled::from_int(1) / thousand, kRoughSlipPercent);
+  const bool small = near(kScaledOne / gravity, percent) || near(kScaledOne / thousand, kRoughSlipPercent);
   return large || small ? Cause::kUnit : otherwise;
 }
 

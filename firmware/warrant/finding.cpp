@@ -8,24 +8,24 @@ namespace {
 // A displacement of another gain shows in the springs beside it too; a velocity does not.
 bool gain_shows_in_springs(const CoreConfiguration& configuration, const Estimates& estimates, const ProbePlan& plan,
                            const ScoreTest& test, int probe) {
-  const Place& place = plan.place[plan.probe[probe].place];
+  const Place& place = plan.place_of(probe);
   for (int j = plan.base_count; j < plan.summed_count; ++j) {
-    const Place& at = plan.place[plan.probe[j].place];
+    const Place& at = plan.place_of(j);
     if (plan.probe[j].form != Form::kElongation || at.kind != PlaceKind::kLink || !test.score(j).flagged) continue;
     if (at.node_a != place.node_a && at.node_b != place.node_a) continue;
     const Scaled stiffness = coefficient_at(configuration, estimates, TermKind::kStiffness, at.link);
-    const Scaled least = abs(scale_by_power_of_two(stiffness * test.score(probe).effect, -2));
-    if (abs(test.score(j).effect) > least) return true;
+    const Scaled least = scale_by_power_of_two(stiffness * test.score(probe).effect, -2);
+    if (exceeds(test.score(j).effect, least)) return true;
   }
   return false;
 }
 
 // The DOF's other pair of channels: acceleration and velocity beside velocity and displacement. -1: none that tells as small a gain.
 int other_pair(const ProbePlan& plan, const ScoreTest& test, int probe) {
-  const Place& place = plan.place[plan.probe[probe].place];
+  const Place& place = plan.place_of(probe);
   const Scaled gain = abs(test.score(probe).effect);
   for (int j = plan.base_count; j < plan.summed_count; ++j) {
-    const Place& at = plan.place[plan.probe[j].place];
+    const Place& at = plan.place_of(j);
     if (j == probe || !compares_channels(at.kind) || at.node_a != place.node_a) continue;
     return test.score(j).tested && scale_by_power_of_two(test.score(j).std, 2) < gain ? j : -1;
   }
@@ -33,15 +33,15 @@ int other_pair(const ProbePlan& plan, const ScoreTest& test, int probe) {
 }
 
 Scaled up_to_one(const Scaled& gain) {
-  const Scaled one = Scaled::from_int(1), size = abs(gain);
-  return one < size ? one : size;
+  const Scaled size = abs(gain);
+  return kScaledOne < size ? kScaledOne : size;
 }
 
 // Of two channels that contradict each other, steeper and flatter by one derivative, which is off? A velocity contradicts both
 // its neighbours. Without a third channel a displacement shows in the springs beside it.
 Quantity channel_off(const CoreConfiguration& configuration, const Estimates& estimates, const ProbePlan& plan,
                      const ScoreTest& test, int probe) {
-  const bool of_acceleration = plan.place[plan.probe[probe].place].kind == PlaceKind::kAccelerationChannels;
+  const bool of_acceleration = plan.place_of(probe).kind == PlaceKind::kAccelerationChannels;
   const int other = other_pair(plan, test, probe);
   if (other >= 0) {
     const Scaled gain = up_to_one(test.score(probe).effect), beside = up_to_one(test.score(other).effect);
@@ -82,16 +82,16 @@ Finding finding_of(const CoreConfiguration& configuration, const Estimates& esti
     finding.quantity = static_cast<uint8_t>(off);
     if (off != static_cast<Quantity>(p.quantity)) {  // the flatter of the two
       finding.size = -finding.size;
-      finding.cause = slip_of(Scaled::from_int(1) + finding.size, finding.cause);
+      finding.cause = slip_of(kScaledOne + finding.size, finding.cause);
       return finding;
     }
   }
   // The channel says 1 + e times the truth: e / (1 + e) of what it says is not so.
-  const Scaled true_share = Scaled::from_int(1) - finding.size;
+  const Scaled true_share = kScaledOne - finding.size;
   if (true_share.is_zero()) return finding;
   finding.size /= true_share;
   finding.std /= true_share * true_share;
-  finding.cause = slip_of(Scaled::from_int(1) + finding.size, finding.cause);
+  finding.cause = slip_of(kScaledOne + finding.size, finding.cause);
   return finding;
 }
 

@@ -29,25 +29,30 @@ inline int64_t sign_decay(int64_t w, int64_t per_unit) {
   return exp2_of_minus(Fixed<int64_t, 26>::from_raw(size_of(w) * per_unit)).raw >> (30 - kSignBits);
 }
 
-// sign: of the rate.
-template <Form form>
-inline int64_t force_law(int64_t u, int64_t w, int64_t sign) {
+template <typename Number>
+constexpr Number within(Number value, Number limit) {
+  return value > limit ? limit : value < -limit ? -limit : value;
+}
+
+// sign: of the rate. Number: of 32 bits, or 64 where u or w is beyond what a sample holds.
+template <Form form, typename Number>
+inline int64_t force_law(Number u, Number w, Number sign) {
   if constexpr (form == Form::kElongation || form == Form::kAcceleration) return u;
   if constexpr (form == Form::kElongationSquare) return probe_square(u);
   if constexpr (form == Form::kElongationCube) return (probe_square(u) * u) >> 23;
-  if constexpr (form == Form::kWithinGap) return limited(u, kGap);
-  if constexpr (form == Form::kBeyondStop) return u - limited(u, kStop);
-  if constexpr (form == Form::kForceWithinGap) return limited(w, kGap);
+  if constexpr (form == Form::kWithinGap) return within<Number>(u, kGap);
+  if constexpr (form == Form::kBeyondStop) return u - within<Number>(u, kStop);
+  if constexpr (form == Form::kForceWithinGap) return within<Number>(w, kGap);
   if constexpr (form == Form::kConstant) return 1 << kSignBits;
   if constexpr (form == Form::kRate || form == Form::kForce) return w;
   if constexpr (form == Form::kRateSquare) return w < 0 ? -probe_square(w) : probe_square(w);
   if constexpr (form == Form::kRateCube) return (probe_square(w) * w) >> 23;
-  if constexpr (form == Form::kRateMagnitude) return size_of(w);
+  if constexpr (form == Form::kRateMagnitude) return w < 0 ? -w : w;
   if constexpr (form == Form::kElongationSquareRate) return (probe_square(u) * w) >> 23;
   if constexpr (form == Form::kSign) return sign;
   if constexpr (form == Form::kSignNarrow) return sign == 0 ? 0 : (sign * sign_decay(w, kNarrow)) >> kSignBits;
   if constexpr (form == Form::kSignWide) return sign == 0 ? 0 : (sign * sign_decay(w, kWide)) >> kSignBits;
-  if constexpr (form == Form::kSignElongation) return (sign * size_of(u)) >> kSignBits;
+  if constexpr (form == Form::kSignElongation) return (int64_t{sign} * (u < 0 ? -u : u)) >> kSignBits;
   return 0;  // a slope is no law of u and w
 }
 

@@ -13,12 +13,12 @@ void KnownForce::add(int dof, int column, const Scaled& coefficient) {
 
 // Full scale of every term at once stays within 2^27 units.
 Scaled KnownForce::scale(int dof, const Scaled* column_unit, bool has_force, int32_t force_exponent) {
-  Scaled most = has_force ? Scaled::from_int(1, force_exponent) : Scaled{};
+  Scaled most = has_force ? power_of_two(force_exponent) : Scaled{};
   for (int s = 0; s < shares_; ++s)
     if (share_[s].dof == dof)
-      most += abs(coefficient_[s]) * column_unit[share_[s].column] * Scaled::from_int(1, kDifferenceFraction + 1);
-  if (most.is_zero()) most = Scaled::from_int(1);
-  const Scaled unit = Scaled::from_int(1, log2_floor(most) + 1 - kKnownFraction);
+      multiply_add(most, abs(coefficient_[s]) * column_unit[share_[s].column], power_of_two(kDifferenceFraction + 1));
+  if (most.is_zero()) most = kScaledOne;
+  const Scaled unit = power_of_two(log2_floor(most) + 1 - kKnownFraction);
   for (int s = 0; s < shares_; ++s) {
     if (share_[s].dof != dof) continue;
     const Scaled ratio = coefficient_[s] * column_unit[share_[s].column] / unit;

@@ -16,11 +16,11 @@ Finding late_channel_of(const CoreConfiguration& configuration, const Estimates&
   const SkewEstimate &x = estimates.displacement_skew[dof], &a = estimates.acceleration_skew[dof];
   Finding finding;
   if (!x.significant && !a.significant) return finding;
-  const bool of_acceleration = a.significant && (!x.significant || abs(a.late_s) > abs(x.late_s));
+  const bool of_acceleration = a.significant && (!x.significant || exceeds(a.late_s, x.late_s));
   const SkewEstimate &late = of_acceleration ? a : x, &other = of_acceleration ? x : a;
   const bool alike = other.measured && measures_velocity(configuration, dof) &&
                      late.late_s.is_negative() == other.late_s.is_negative() &&
-                     scale_by_power_of_two(abs(other.late_s), 1) > abs(late.late_s);
+                     exceeds(scale_by_power_of_two(other.late_s, 1), late.late_s);
   finding.cause = cause_of(EffectKind::kSensorDelay);
   finding.node_a = static_cast<int8_t>(dof);
   finding.quantity = static_cast<uint8_t>(of_acceleration ? Quantity::kAcceleration : Quantity::kDisplacement);
@@ -38,7 +38,7 @@ Finding late_channel_of(const CoreConfiguration& configuration, const Estimates&
 bool delay_by_equation(const CoreConfiguration& configuration, const Estimates& estimates, const ProbePlan& plan,
                        const ScoreTest& test, int dof, Scaled& late_s, Scaled& std_s) {
   for (int j = plan.base_count; j < plan.summed_count; ++j) {
-    const Place& at = plan.place[plan.probe[j].place];
+    const Place& at = plan.place_of(j);
     if (plan.probe[j].form != Form::kJerk || at.node_a != dof || !test.score(j).tested) continue;
     const Scaled unit = fault_unit(configuration, estimates, plan.probe[j], at);
     late_s = test.score(j).effect * unit;
@@ -61,9 +61,9 @@ void ask_equation(const CoreConfiguration& configuration, const ProbePlan& plan,
   if (!is_acceleration_beside_force(configuration, late)) return;
   Scaled by_equation_s, std_s;
   const bool answers = delay_by_equation(configuration, estimates, plan, test, late.node_a, by_equation_s, std_s);
-  estimates.warrant.confirmed = answers && scale_by_power_of_two(abs(by_equation_s - late.size), 1) < abs(late.size);
+  estimates.warrant.confirmed = answers && exceeds(late.size, scale_by_power_of_two(by_equation_s - late.size, 1));
   const Scaled chance = scale_by_power_of_two(std_s, 2), most = abs(by_equation_s) + chance;
-  if (!answers || !late.size.is_negative() || scale_by_power_of_two(most, 1) >= abs(late.size)) return;
+  if (!answers || !late.size.is_negative() || !exceeds(late.size, scale_by_power_of_two(most, 1))) return;
   if (by_equation_s < -chance) return;
   late.cause = cause_of(EffectKind::kForceHold);
   late.quantity = static_cast<uint8_t>(Quantity::kForce);
@@ -75,7 +75,7 @@ void ask_equation(const CoreConfiguration& configuration, const ProbePlan& plan,
 int best_at(const ProbePlan& plan, const ScoreTest& test, Form form, int dof, bool grounded = false) {
   int best = -1;
   for (int j = plan.base_count; j < plan.summed_count; ++j) {
-    const Place& at = plan.place[plan.probe[j].place];
+    const Place& at = plan.place_of(j);
     const bool beside = at.kind == PlaceKind::kDof    ? at.node_a == dof
                         : at.kind == PlaceKind::kLink ? at.node_a == dof || at.node_b == dof
                                                       : false;
@@ -92,7 +92,7 @@ bool is_gain(const CoreConfiguration& configuration, const Estimates& estimates,
   const SkewEstimate &x = estimates.displacement_skew[dof], &a = estimates.acceleration_skew[dof];
   if (!x.significant || !a.significant) return false;
   const Scaled most = times(configuration.sample_period_s, kMostPeriods);
-  return x.late_s.is_negative() == a.late_s.is_negative() || abs(x.late_s) > most || abs(a.late_s) > most;
+  return x.late_s.is_negative() == a.late_s.is_negative() || exceeds(x.late_s, most) || exceeds(a.late_s, most);
 }
 
 // Whose gain: a displacement shows in the springs, an acceleration in the mass. A share e of its force is missing where the channel says
@@ -107,16 +107,16 @@ void tell_gain(const CoreConfiguration& configuration, const Estimates& estimate
   const bool of_acceleration = spring < 0 || (inertia >= 0 && test.score(inertia).gain > test.score(spring).gain);
   const int probe = of_acceleration ? inertia : grounded >= 0 ? grounded : spring;
   const ProbeScore& score = test.score(probe);
-  const Scaled own = of_acceleration ? coefficient_at(configuration, estimates, TermKind::kMass, dof)
-                                     : coefficient_at(configuration, estimates, TermKind::kStiffness,
-                                                      plan.place[plan.probe[probe].place].link);
+  const Scaled own = of_acceleration
+                         ? coefficient_at(configuration, estimates, TermKind::kMass, dof)
+                         : coefficient_at(configuration, estimates, TermKind::kStiffness, plan.place_of(probe).link);
   const Scaled said = own + score.effect;
   if (own.is_zero() || said.is_zero()) return;
   late.quantity = static_cast<uint8_t>(of_acceleration ? Quantity::kAcceleration : Quantity::kDisplacement);
   late.size = -(score.effect / said);
   const Scaled std = score.std * abs(own / (said * said)),
                doubt = scale_by_power_of_two(late.size, of_acceleration ? -3 : -1);
-  late.std = sqrt(std * std + doubt * doubt);
+  late.std = root_of_squares(std, doubt);
   late.cause = cause_of(EffectKind::kSensorGain);
   if (of_acceleration || grounded >= 0) late.cause = slip_of(own / said, late.cause, kRoughSlipPercent);
 }
@@ -130,10 +130,10 @@ void tell_delay(const CoreConfiguration& configuration, const Estimates& estimat
   Scaled by_equation_s, std_s;
   const bool of_acceleration =
       delay_by_equation(configuration, estimates, plan, test, late.node_a, by_equation_s, std_s) &&
-      scale_by_power_of_two(abs(by_equation_s - between_s), 1) < abs(between_s);
+      exceeds(between_s, scale_by_power_of_two(by_equation_s - between_s, 1));
   late.quantity = static_cast<uint8_t>(of_acceleration ? Quantity::kAcceleration : Quantity::kDisplacement);
   late.size = of_acceleration ? by_equation_s : -between_s;
-  late.std = of_acceleration ? std_s : sqrt(x.std_s * x.std_s + a.std_s * a.std_s);
+  late.std = of_acceleration ? std_s : root_of_squares(x.std_s, a.std_s);
 }
 
 }  // namespace
@@ -142,7 +142,7 @@ bool late_channel(const CoreConfiguration& configuration, const Estimates& estim
   worst = Finding{};
   for (int dof = 0; dof < configuration.dof_count; ++dof) {
     const Finding finding = late_channel_of(configuration, estimates, dof);
-    if (finding.cause != Cause::kNone && abs(finding.size) > abs(worst.size)) worst = finding;
+    if (finding.cause != Cause::kNone && exceeds(finding.size, worst.size)) worst = finding;
   }
   return worst.cause != Cause::kNone;
 }

@@ -94,7 +94,8 @@ struct ProbePlan {
   int base_count = 0;    // the first ones: those of estimated terms
   int summed_count = 0;  // those with sums of their own; what drifts comes after them
   int value_count = 0;
-  int slopes = 0;  // 2 where signals share noise, else 0
+  int slopes = 0;                           // 2 where signals share noise, else 0
+  const Place& place_of(int number) const;  // of a probe
   // Sums of a probe, in their order.
   int values(const Probe& p) const { return place[p.place].equations + place[p.place].columns + 1 + slopes; }
   int own_value(const Probe& p) const { return p.first_value + place[p.place].equations + place[p.place].columns; }

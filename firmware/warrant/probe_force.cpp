@@ -24,10 +24,11 @@ bool across_a_reversal(const NodeDifference& rate, const int32_t* a, const int32
   return (before > 0) != (after > 0);
 }
 
-int64_t rate_noise(const PlaceScale& scale) {
-  return scale.shift[1] >= 0 ? scale.noise_q26 >> scale.shift[1]
-                             : static_cast<int64_t>(scale.noise_q26) << -scale.shift[1];
+// A rate in Q26 of the range, in Q18 of its rms.
+[[gnu::noinline]] int64_t normal_rate(const PlaceScale& scale, int64_t rate_q26) {
+  return scale.shift[1] >= 0 ? rate_q26 >> scale.shift[1] : rate_q26 << -scale.shift[1];
 }
+int64_t rate_noise(const PlaceScale& scale) { return normal_rate(scale, scale.noise_q26); }
 
 // own: the difference of the place's nodes where the equations have it as a column.
 void fill_quantity(const BlockMotion& block, const PlaceScale& scale, int q, const int32_t* own, PlaceMotion& motion) {
@@ -64,8 +65,7 @@ void fill_used(const BlockMotion& block, const Place& place, const PlaceScale& s
       for (int n = 0; n < kBlockSamples; ++n)
         if (!block.counts(place.dof[e], n)) motion.used[n] = 0;
   if (scale.near_friction) {
-    const int64_t close = int64_t{kReversalDeviations} * scale.noise_q26;
-    const int64_t limit = scale.shift[1] >= 0 ? close >> scale.shift[1] : close << -scale.shift[1];
+    const int64_t limit = normal_rate(scale, int64_t{kReversalDeviations} * scale.noise_q26);
     for (int n = 0; n < kBlockSamples; ++n)
       if (size_of(motion.instrument[1][n]) <= limit) motion.used[n] = 0;
   }
@@ -102,7 +102,7 @@ void fill_law(Form form, const int32_t (&quantity)[2][kBlockSamples], const int3
     constexpr Form kForm = decltype(known)::form;
     if constexpr (!is_slope(kForm))
       for (int n = 0; n < kBlockSamples; ++n) {
-        const int64_t direction = has_sign(kForm) ? sign[n] : 0;
+        const int32_t direction = has_sign(kForm) ? sign[n] : 0;
         force[n] = static_cast<int32_t>(force_law<kForm>(quantity[0][n], quantity[1][n], direction)) & used[n];
       }
   });

@@ -31,6 +31,31 @@ constexpr Candidate kOnLink[] = {
     {Form::kSignElongation, EffectKind::kPreslidingHysteresis},
 };
 
+// At the other places; quantity: of the channel that the cause is in, of a base's end what is measured there.
+struct Elsewhere {
+  PlaceKind kind;
+  Form form;
+  Cause cause;
+  uint8_t quantity;
+  constexpr Elsewhere(PlaceKind k, Form f, EffectKind effect)
+      : kind(k), form(f), cause(cause_of(effect)), quantity(kNoQuantity) {}
+  constexpr Elsewhere(PlaceKind k, Form f, EffectKind effect, Quantity q)
+      : kind(k), form(f), cause(cause_of(effect)), quantity(static_cast<uint8_t>(q)) {}
+};
+constexpr Elsewhere kElsewhere[] = {
+    {PlaceKind::kNoLink, Form::kRate, EffectKind::kMissingViscous},
+    {PlaceKind::kNoLink, Form::kSign, EffectKind::kMissingCoulomb},
+    {PlaceKind::kVelocityChannels, Form::kRate, EffectKind::kSensorGain, Quantity::kVelocity},
+    {PlaceKind::kAccelerationChannels, Form::kAcceleration, EffectKind::kSensorGain, Quantity::kAcceleration},
+    {PlaceKind::kBaseEnd, Form::kRate, EffectKind::kSensorDelay},
+    {PlaceKind::kBaseEnd, Form::kElongation, EffectKind::kSensorGain},
+    {PlaceKind::kDof, Form::kAcceleration, EffectKind::kMassError},
+    {PlaceKind::kDof, Form::kJerk, EffectKind::kSensorDelay, Quantity::kAcceleration},
+    {PlaceKind::kDof, Form::kForce, EffectKind::kSensorGain, Quantity::kForce},
+    {PlaceKind::kDof, Form::kForceWithinGap, EffectKind::kDriveDeadBand, Quantity::kForce},
+    {PlaceKind::kDof, Form::kForceRate, EffectKind::kSensorDelay, Quantity::kForce},
+};
+
 constexpr CoreTerm kMass = row_of(EffectKind::kMassError).core;
 
 // The law by which an estimated term is weighed.
@@ -80,33 +105,13 @@ class Planner {
         if (plan_.place[p].kind == PlaceKind::kLink && !estimated(candidate.core, plan_.place[p].link) &&
             !(candidate.form == Form::kElongation && sets_the_scale(TermKind::kStiffness, plan_.place[p].link)))
           add(p, candidate.form, candidate.cause, kNoQuantity, -1);
-    for (int p = 0; p < plan_.place_count; ++p) {
-      const Place& place = plan_.place[p];
-      if (place.kind == PlaceKind::kNoLink) {
-        add(p, Form::kRate, cause_of(EffectKind::kMissingViscous), kNoQuantity, -1);
-        add(p, Form::kSign, cause_of(EffectKind::kMissingCoulomb), kNoQuantity, -1);
-      } else if (place.kind == PlaceKind::kVelocityChannels) {
-        add(p, Form::kRate, cause_of(EffectKind::kSensorGain), static_cast<uint8_t>(Quantity::kVelocity), -1);
-      } else if (place.kind == PlaceKind::kAccelerationChannels) {
-        add(p, Form::kAcceleration, cause_of(EffectKind::kSensorGain), static_cast<uint8_t>(Quantity::kAcceleration),
-            -1);
-      } else if (place.kind == PlaceKind::kBaseEnd) {
-        add(p, Form::kRate, cause_of(EffectKind::kSensorDelay), measured_quantity(kBaseNode), -1);
-        add(p, Form::kElongation, cause_of(EffectKind::kSensorGain), measured_quantity(kBaseNode), -1);
-      } else if (place.kind == PlaceKind::kDof) {
-        // An acceleration that is made from velocities here has no channel.
-        if (c_.signals[place.node_a][static_cast<int>(Quantity::kAcceleration)].available) {
-          if (!estimated(kMass, place.node_a) && !sets_the_scale(TermKind::kMass, place.node_a))
-            add(p, Form::kAcceleration, cause_of(EffectKind::kMassError), kNoQuantity, -1);
-          add(p, Form::kJerk, cause_of(EffectKind::kSensorDelay), static_cast<uint8_t>(Quantity::kAcceleration), -1);
-        }
-        if (!c_.signals[place.node_a][0].available) continue;
-        if (known_term_in(place.dof[0]))
-          add(p, Form::kForce, cause_of(EffectKind::kSensorGain), static_cast<uint8_t>(Quantity::kForce), -1);
-        add(p, Form::kForceWithinGap, cause_of(EffectKind::kDriveDeadBand), static_cast<uint8_t>(Quantity::kForce), -1);
-        add(p, Form::kForceRate, cause_of(EffectKind::kSensorDelay), static_cast<uint8_t>(Quantity::kForce), -1);
+    for (int p = 0; p < plan_.place_count; ++p)
+      for (const Elsewhere& candidate : kElsewhere) {
+        const Place& place = plan_.place[p];
+        if (candidate.kind != place.kind || !shows(candidate.form, place)) continue;
+        const bool of_base = kHasBase && place.kind == PlaceKind::kBaseEnd;
+        add(p, candidate.form, candidate.cause, of_base ? measured_quantity(kBaseNode) : candidate.quantity, -1);
       }
-    }
     plan_.summed_count = plan_.probe_count;
   }
 
@@ -143,6 +148,17 @@ class Planner {
       if ((link.node_a == a && link.node_b == b) || (link.node_a == b && link.node_b == a)) return true;
     }
     return false;
+  }
+  // Could the force be seen there?
+  bool shows(Form form, const Place& place) const {
+    if (place.kind != PlaceKind::kDof) return true;
+    // An acceleration that is made from velocities here has no channel.
+    const bool moves = form == Form::kAcceleration || form == Form::kJerk;
+    const Quantity quantity = moves ? Quantity::kAcceleration : Quantity::kForce;
+    if (!c_.signals[place.node_a][static_cast<int>(quantity)].available) return false;
+    if (form == Form::kAcceleration)
+      return !estimated(kMass, place.node_a) && !sets_the_scale(TermKind::kMass, place.node_a);
+    return form != Form::kForce || known_term_in(place.dof[0]);
   }
   // Without one all coefficients take up a gain of the force, and what they leave of the force is the residual itself.
   bool known_term_in(int dof) const {
@@ -278,6 +294,8 @@ class Planner {
 };
 
 }  // namespace
+
+const Place& ProbePlan::place_of(int number) const { return place[probe[number].place]; }
 
 void make_probe_plan(const CoreConfiguration& configuration, int most_values, ProbePlan& plan) {
   plan.place_count = plan.probe_count = plan.base_count = plan.summed_count = plan.value_count = 0;

@@ -21,7 +21,7 @@ void ScoreTest::weigh(int number) {
   open(plan.probe[found]);
   for (int e = 0; e < place.equations; ++e) {
     Scaled one[kPlaceEquations];
-    one[e] = Scaled::from_int(1);
+    one[e] = kScaledOne;
     score_sum_.clear();
     add_scores(score_sum_, one);
     report_work(300 * stretches_);
@@ -31,36 +31,33 @@ void ScoreTest::weigh(int number) {
 }
 
 void ScoreTest::weigh_level(const Place& place, int level, int number) {
-  Scaled a, b, c;  // covariance of the equations' residuals
+  Scaled square[kPlaceEquations], both;  // covariance of the equations' residuals
   int from = level_begin_[level], to = level_begin_[level + 1];
   if (to - from < kLeastForWeights) from = 0, to = stretches_;  // all levels where one alone is too short
+  const int own_value = sums_->plan().own_value(*probe_);
   Scaled own;
   for (int s = from; s < to; ++s, report_work(100)) {
-    own += abs(sums_->table().value(s, sums_->plan().own_value(*probe_)));
-    a += square(psi_[s]);
+    own += abs(sums_->table().value(s, own_value));
+    multiply_add(square[0], psi_[s], psi_[s]);
     if (place.equations == 1) continue;
-    b += psi_[s] * d_[s];
-    c += square(d_[s]);
+    multiply_add(both, psi_[s], d_[s]);
+    multiply_add(square[1], d_[s], d_[s]);
   }
-  own = own * unit_[sums_->plan().own_value(*probe_) - probe_->first_value];
-  a += scale_by_power_of_two(a, -6);
-  c += scale_by_power_of_two(c, -6);
+  own *= unit_[own_value - probe_->first_value];
+  for (Scaled& one : square) one += scale_by_power_of_two(one, -6);
   Scaled* g = weight_[number][level];
-  const Scaled covariance[] = {a, c};
-  if (place.equations == 1 || b.is_zero() || a.is_zero() || c.is_zero()) {
-    for (int e = 0; e < place.equations; ++e) {
-      const Scaled weight = covariance[e].is_zero() ? Scaled::from_int(1) : own / covariance[e];
-      g[e] = Scaled{};
-      add_signed(g[e], place.sign[e], weight);
+  const bool apart = place.equations == 1 || both.is_zero() || square[0].is_zero() || square[1].is_zero();
+  Scaled scale;
+  if (!apart) scale = own / (square[0] * square[1] - both * both);
+  for (int e = 0; e < place.equations; ++e, ++g) {
+    *g = Scaled{};
+    if (apart) {
+      add_signed(*g, place.sign[e], square[e].is_zero() ? kScaledOne : own / square[e]);
+      continue;
     }
-    return;
-  }
-  const Scaled scale = own / (a * c - b * b);
-  for (int e = 0; e < 2; ++e) {
-    Scaled sum;
-    add_signed(sum, place.sign[e], covariance[1 - e]);
-    add_signed(sum, -place.sign[1 - e], b);
-    g[e] = sum * scale;
+    add_signed(*g, place.sign[e], square[1 - e]);
+    add_signed(*g, -place.sign[1 - e], both);
+    *g *= scale;
   }
 }
 
@@ -77,11 +74,22 @@ void ScoreTest::add_base(const Probe& probe) {
       base_score_[s][row] = short_scaled(score_sum_.of(sums_->table(), s));
     for (int k = 0; k < place_->columns; ++k) {
       Scaled& entry = normal_[row][place_->unknown[k]];
-      if (!column_weight_[k].is_zero()) entry += column_weight_[k] * column_total(level, k);
+      if (!column_weight_[k].is_zero()) multiply_add(entry, column_weight_[k], column_total(level, k));
     }
   }
   base_doubt_[row] = doubtful_score();
 }
+
+namespace {
+
+void scale_row(Scaled* row, int size, const Scaled& by) {
+  for (int j = 0; j < size; ++j) row[j] *= by;
+}
+void take_off(Scaled* row, int size, const Scaled& factor, const Scaled* other) {
+  for (int j = 0; j < size; ++j) multiply_subtract(row[j], factor, other[j]);
+}
+
+}  // namespace
 
 // Gauss-Jordan with the largest pivot of what is left, rows and columns scaled; a term that is a combination of others is
 // left out (it keeps the estimator's value).
@@ -89,36 +97,38 @@ void ScoreTest::invert() {
   const int n = unknowns_;
   Scaled scale[kMaxUnknowns];
   bool done[kMaxUnknowns] = {};
-  Scaled(*const both[])[kMaxUnknowns] = {normal_, inverse_};
   for (int i = 0; i < n; ++i) {
     scale[i] = sqrt(abs(normal_[i][i]));
     if (scale[i].is_zero()) determined_[i] = false;
-    for (int j = 0; j < n; ++j) inverse_[i][j] = Scaled{};
   }
   for (int i = 0; i < n; ++i)
-    for (int j = 0; j < n; ++j)
-      normal_[i][j] = determined_[i] && determined_[j] ? normal_[i][j] / (scale[i] * scale[j]) : Scaled{};
-  for (int i = 0; i < n; ++i)
-    if (determined_[i]) inverse_[i][i] = Scaled::from_int(1);
+    for (int j = 0; j < n; ++j) {
+      Scaled& entry = normal_[i][j];
+      if (determined_[i] && determined_[j])
+        entry /= scale[i] * scale[j];
+      else
+        entry = Scaled{};
+      inverse_[i][j] = determined_[i] && i == j ? kScaledOne : Scaled{};
+    }
   for (int turn = 0; turn < n; ++turn) {
     int pivot = -1;
     for (int i = 0; i < n; ++i)
-      if (!done[i] && determined_[i] && (pivot < 0 || abs(normal_[i][i]) > abs(normal_[pivot][pivot]))) pivot = i;
+      if (!done[i] && determined_[i] && (pivot < 0 || exceeds(normal_[i][i], normal_[pivot][pivot]))) pivot = i;
     if (pivot < 0) break;
     done[pivot] = true;
-    if (abs(normal_[pivot][pivot]) < Scaled::from_int(1, -16)) {
+    if (exceeds(power_of_two(-16), normal_[pivot][pivot])) {
       determined_[pivot] = false;
       for (int j = 0; j < n; ++j) inverse_[pivot][j] = inverse_[j][pivot] = normal_[pivot][j] = normal_[j][pivot] = {};
       continue;
     }
-    const Scaled by = Scaled::from_int(1) / normal_[pivot][pivot];
-    for (Scaled(*matrix)[kMaxUnknowns] : both)
-      for (int j = 0; j < n; ++j) matrix[pivot][j] *= by;
+    const Scaled by = kScaledOne / normal_[pivot][pivot];
+    scale_row(normal_[pivot], n, by);
+    scale_row(inverse_[pivot], n, by);
     for (int i = 0; i < n; ++i) {
       if (i == pivot || normal_[i][pivot].is_zero()) continue;
       const Scaled factor = normal_[i][pivot];
-      for (Scaled(*matrix)[kMaxUnknowns] : both)
-        for (int j = 0; j < n; ++j) matrix[i][j] -= factor * matrix[pivot][j];
+      take_off(normal_[i], n, factor, normal_[pivot]);
+      take_off(inverse_[i], n, factor, inverse_[pivot]);
     }
   }
   for (int i = 0; i < n; ++i)
@@ -164,12 +174,13 @@ void ScoreTest::measure_step(Scaled* step) {
     for (int s = 0; s < stretches_; ++s, report_work(150)) {
       const Scaled one = square(left_[s] - mean);
       squares += one;
-      fourths += square(one);
+      multiply_add(fourths, one, one);
     }
     difference_std_[k] = sqrt(squares);
     const Scaled stretches = quotient(Scaled::from_int(3) * square(squares), fourths);
-    difference_tenths_[k] = static_cast<uint16_t>(tenths_of_limit(stretches - Scaled::from_int(1), Chance::kOfDoubt));
-    for (int j = 0; j < unknowns_; ++j) difference_doubt_[k] += inverse_[k][j] * base_doubt_[j];
+    difference_tenths_[k] = static_cast<uint16_t>(tenths_of_limit(stretches - kScaledOne, Chance::kOfDoubt));
+    if (!kKeepsProbeNoise) continue;
+    for (int j = 0; j < unknowns_; ++j) multiply_add(difference_doubt_[k], inverse_[k][j], base_doubt_[j]);
     difference_doubt_[k] = abs(difference_doubt_[k]);
   }
 }

@@ -17,7 +17,7 @@ constexpr int kNamingLimit = 4;
 
 // In tenths, over degrees of freedom.
 struct Quantile {
-  int freedom;
+  uint8_t freedom;
   uint16_t tenths[4];
 };
 constexpr Quantile kLimits[] = {{2, {3836, 1256, 192, 45}}, {3, {687, 326, 92, 33}}, {4, {306, 174, 66, 29}},
@@ -37,13 +37,13 @@ Scaled limit(const Scaled& freedom, Chance chance) { return Scaled::ratio(tenths
 // and its limits are wide. Noise that is alike in all stretches is known from all of them. Where it makes a force that rare,
 // the few need to bear it out at a lower chance only for a finding, and for a doubt not at all.
 bool beyond(const ProbeScore& score, Chance chance, const Scaled& share) {
-  if (abs(score.wald) > limit(score.freedom, chance) * share) return true;
-  if (abs(score.even_wald) <= limit(score.even_freedom, chance) * share) return false;
-  return chance != Chance::kOfFinding || abs(score.wald) > limit(score.freedom, Chance::kBearsOut) * share;
+  if (exceeds(score.wald, limit(score.freedom, chance) * share)) return true;
+  if (!exceeds(score.even_wald, limit(score.even_freedom, chance) * share)) return false;
+  return chance != Chance::kOfFinding || exceeds(score.wald, limit(score.freedom, Chance::kBearsOut) * share);
 }
 
 Scaled plain_limit(const Scaled& freedom) {
-  const Scaled most = sqrt(freedom + Scaled::from_int(1)) * Scaled::ratio(kPlainPercent, 100);
+  const Scaled most = sqrt(freedom + kScaledOne) * Scaled::ratio(kPlainPercent, 100);
   return most < Scaled::from_int(kPlainLimit) ? most : Scaled::from_int(kPlainLimit);
 }
 Scaled percent(int value) { return Scaled::ratio(value, 100); }
@@ -153,9 +153,9 @@ Scaled ScoreTest::terms_square(int number, bool own) const {
     const Form form = term.kind == TermKind::kViscous ? Form::kRate : Form::kSign;
     const Scaled& value = term.unknown >= 0 ? parameter_[term.unknown] : term.value;
     for (int j = 0; j < plan.summed_count; ++j, report_work(20)) {
-      const Place& at = plan.place[plan.probe[j].place];
+      const Place& at = plan.place_of(j);
       if (plan.probe[j].form == form && at.kind == PlaceKind::kLink && at.link == term.place)
-        sum += square(value) * abs(own_square_[j]);
+        multiply_add(sum, square(value), abs(own_square_[j]));
     }
   }
   return sum;
@@ -165,7 +165,7 @@ Scaled ScoreTest::rate_kurtosis(int link) const {
   const ProbePlan& plan = sums_->plan();
   Scaled square_sum, fourth_sum;
   for (int j = 0; j < plan.summed_count; ++j) {
-    const Place& place = plan.place[plan.probe[j].place];
+    const Place& place = plan.place_of(j);
     if (place.kind != PlaceKind::kLink || place.link != link) continue;
     if (plan.probe[j].form == Form::kRate) square_sum = own_square_[j];
     if (plan.probe[j].form == Form::kRateSquare) fourth_sum = own_square_[j];
@@ -173,11 +173,12 @@ Scaled ScoreTest::rate_kurtosis(int link) const {
   return quotient(fourth_sum * samples_, square(square_sum));
 }
 
+Scaled ScoreTest::force_square(int number) const { return square(score_[number].effect) * abs(own_square_[number]); }
+
 Scaled ScoreTest::force_ratio(int number) const {
-  const Place& place = sums_->plan().place[sums_->plan().probe[number].place];
+  const Place& place = sums_->plan().place_of(number);
   const Scaled damping = compares_channels(place.kind) ? Scaled{} : damping_square(sums_->plan().probe[number].place);
-  const Scaled force = square(score_[number].effect) * abs(own_square_[number]);
-  return damping.is_zero() ? Scaled::from_int(1) : sqrt(force / damping);
+  return damping.is_zero() ? kScaledOne : sqrt(force_square(number) / damping);
 }
 
 void ScoreTest::judge_size(int number) {
@@ -185,15 +186,14 @@ void ScoreTest::judge_size(int number) {
   const Probe& probe = sums_->plan().probe[number];
   if (pushes(*configuration_, sums_->plan(), probe, score, parameter_)) score.tested = false;
   if (!score.tested) return;
-  const Scaled force = square(score.effect) * abs(own_square_[number]);
   if (compares_channels(sums_->plan().place[probe.place].kind))
-    score.matters = abs(score.effect) > percent(kGainPercent);
+    score.matters = exceeds(score.effect, percent(kGainPercent));
   else
-    score.matters = force > square(percent(kDampingPercent)) * damping_square(probe.place);
+    score.matters = force_square(number) > square(percent(kDampingPercent)) * damping_square(probe.place);
   // The same with the scatter that the effect itself is in: the score over its root.
   const auto plain = [&] { return abs(score.effect * score.information) / sqrt(score.before); };
   score.flagged =
-      score.matters && beyond(score, Chance::kOfFinding, Scaled::from_int(1)) && plain() > plain_limit(score.freedom);
+      score.matters && beyond(score, Chance::kOfFinding, kScaledOne) && plain() > plain_limit(score.freedom);
 }
 
 // The scatter of a place's scores per information is noise alone for the right probe; the smallest one stands for it.
@@ -216,14 +216,13 @@ void ScoreTest::name() {
         any_possible || (score_[j].flagged && !impossible(*configuration_, plan, plan.probe[j], score_[j], parameter_));
   // Channels that contradict each other need no model of the rig to be named.
   const auto of_channels = [&](int j) {
-    return compares_channels(plan.place[plan.probe[j].place].kind) && score_[j].tested &&
-           beyond(score_[j], Chance::kOfFinding, Scaled::from_int(1)) &&
-           abs(score_[j].effect) > percent(kNamedGainPercent);
+    return compares_channels(plan.place_of(j).kind) && score_[j].tested &&
+           beyond(score_[j], Chance::kOfFinding, kScaledOne) && exceeds(score_[j].effect, percent(kNamedGainPercent));
   };
   const auto sees = [&](int j) {
     if (of_channels(j)) return true;
     if (any_possible && impossible(*configuration_, plan, plan.probe[j], score_[j], parameter_)) return false;
-    return score_[j].flagged || (score_[j].matters && abs(score_[j].wald) > Scaled::from_int(kNamingLimit));
+    return score_[j].flagged || (score_[j].matters && exceeds(score_[j].wald, Scaled::from_int(kNamingLimit)));
   };
   const auto better = [&](int j, int than) {
     if (than >= 0 && of_channels(j) != of_channels(than)) return of_channels(j);
@@ -242,7 +241,7 @@ void ScoreTest::name() {
     }
     if (at < 0) continue;
     const bool by_channels = rival_ >= 0 && of_channels(at) != of_channels(rival_);
-    if (rival_ < 0 || (by_channels ? of_channels(at) : abs(score_[at].wald) > abs(score_[rival_].wald))) rival_ = at;
+    if (rival_ < 0 || (by_channels ? of_channels(at) : exceeds(score_[at].wald, score_[rival_].wald))) rival_ = at;
   }
 }
 

@@ -41,7 +41,7 @@ void ScoreTest::add_sums(Combination<kMostProbeSums>& combination, const Scaled*
   for (int slope = 0; slope < shared_slopes(); ++slope) {
     Scaled noise;
     for (int v = 0; v < sums; ++v)
-      if (!factor[v].is_zero() && !noise_[slope][v].is_zero()) noise -= factor[v] * noise_[slope][v];
+      if (!factor[v].is_zero() && !noise_[slope][v].is_zero()) multiply_subtract(noise, factor[v], noise_[slope][v]);
     combination.add(probe_->first_value + sums + 1 + slope, noise * unit_[sums + 1 + slope]);
   }
 }
@@ -86,7 +86,7 @@ Scaled ScoreTest::total(int level, int value, int power) const {
   Scaled sum;
   for (int s = from; s < to; ++s) {
     const Scaled& since = left_[s];  // keep_times()
-    sum = sum + table.value(s, place) * (power == 2 ? since * since : since);
+    multiply_add(sum, table.value(s, place), power == 2 ? since * since : since);
   }
   return sum;
 }
@@ -97,7 +97,7 @@ Scaled ScoreTest::column_total(int level, int column) const {
   for (int slope = 0; slope < shared_slopes(); ++slope) {
     if (noise_[slope][value].is_zero()) continue;
     const int at = place_->equations + place_->columns + 1 + slope;
-    sum -= total(level, at, 1) * unit_[at] * noise_[slope][value];
+    multiply_subtract(sum, total(level, at, 1) * unit_[at], noise_[slope][value]);
   }
   return sum;
 }
@@ -123,7 +123,8 @@ Scaled ScoreTest::doubtful_score() {
     }
     for (int level = 0; level < levels_; ++level) {
       const Scaled slopes = total(level, at, 1);
-      for (int e = 0; e < place.equations; ++e) doubt += weight_[probe_->place][level][e] * slopes * share[e];
+      for (int e = 0; e < place.equations; ++e)
+        multiply_add(doubt, weight_[probe_->place][level][e] * slopes, share[e]);
     }
   }
   return doubt;

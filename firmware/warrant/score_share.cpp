@@ -21,7 +21,7 @@ constexpr int kBeyondAll = 200;  // exponent of what no deviation of a coefficie
 }  // namespace
 
 Scaled share_taken(const Scaled& before, const Scaled& left, const Scaled& noise) {
-  if (noise >= left) return Scaled::from_int(1);
+  if (noise >= left) return kScaledOne;
   return left >= before ? Scaled{} : (before - left) / (before - noise);
 }
 
@@ -51,7 +51,7 @@ bool ScoreTest::outdone() const {
   for (int j = 0; j < plan.probe_count; ++j) {
     const Probe& other = plan.probe[j];
     const bool same = other.place == named.place && other.cause == named.cause;
-    if (!same && score_[j].tested && score_[j].matters && abs(score_[j].wald) > most) return true;
+    if (!same && score_[j].tested && score_[j].matters && exceeds(score_[j].wald, most)) return true;
   }
   return false;
 }
@@ -78,16 +78,16 @@ bool ScoreTest::is_a_fault() const {
   if (named.quantity == kNoQuantity || place.kind != PlaceKind::kDof) return true;
   if (!configuration_->channels[place.node_a][named.quantity].present) return false;
   if (named.form != Form::kForceRate) return true;
-  const Scaled of_delay = square(score_[best_].effect) * abs(own_square_[best_]);
+  const Scaled of_delay = force_square(best_);
   for (int j = 0; j < plan.summed_count; ++j)
     if (plan.probe[j].place == named.place && plan.probe[j].form == Form::kForce)
-      return scale_by_power_of_two(of_delay, 2) < abs(own_square_[j]);
+      return exceeds(own_square_[j], scale_by_power_of_two(of_delay, 2));
   return true;
 }
 
 Naming ScoreTest::naming() const {
   // Channels that contradict each other need no model of the rig.
-  if (compares_channels(sums_->plan().place[sums_->plan().probe[best_].place].kind)) return Naming::kExplains;
+  if (compares_channels(sums_->plan().place_of(best_).kind)) return Naming::kExplains;
   if (explained(kNoiseLog2) < Scaled::from_int(kExplainedEighths, -3)) return Naming::kInPart;
   if (outdone()) return Naming::kOutdone;
   if (made_by_integration()) return Naming::kTakenUp;
@@ -108,23 +108,23 @@ bool ScoreTest::is_all_of_it(int number) const {
 // Where another law of the place leaves less, what the named one leaves may be a force too, and nobody knows its law: bristles that are
 // told as a gap, a friction that wears as a damper that does. It acts where the named one does: no coefficient of that link is spared.
 void ScoreTest::doubt_named_link() {
-  const Place& place = sums_->plan().place[sums_->plan().probe[best_].place];
-  if (place.kind != PlaceKind::kLink || explained(0) == Scaled::from_int(1)) return;
+  const Place& place = sums_->plan().place_of(best_);
+  if (place.kind != PlaceKind::kLink || explained(0) == kScaledOne) return;
   for (int t = 0; t < configuration_->term_count; ++t) {
     const Term& term = configuration_->terms[t];
     if (term.unknown >= 0 && term.kind != TermKind::kMass && term.place == place.link)
-      named_bend_[term.unknown] = Scaled::from_int(1, kBeyondAll);
+      named_bend_[term.unknown] = power_of_two(kBeyondAll);
   }
 }
 
 void ScoreTest::find_named_bends() {
   names_a_force_ = best_ >= 0 && naming() == Naming::kExplains;
   if (!names_a_force_) return;
-  const Scaled least = scale_by_power_of_two(abs(score_[best_].wald), kStandsOutLog2);
+  const Scaled least = scale_by_power_of_two(score_[best_].wald, kStandsOutLog2);
   for (int k = 0; k < unknowns_; ++k) named_bend_[k] = Scaled{};
   for (int j = 0; j < sums_->plan().probe_count; ++j) {
     const ProbeScore& score = score_[j];
-    if (!score.tested || abs(score.wald) < least) continue;
+    if (!score.tested || exceeds(least, score.wald)) continue;
     names_a_force_ = names_a_force_ && is_all_of_it(j);
     open(sums_->plan().probe[j]);
     if (probe_->drifts()) keep_times();

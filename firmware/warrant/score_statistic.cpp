@@ -38,15 +38,15 @@ void ScoreTest::share_out() {
     for (int k = 0; k < place_->columns; ++k) {
       const int unknown = place_->unknown[k];
       const Scaled column = column_total(level, k);
-      taken[unknown] += column_weight_[k] * column;
-      answered[unknown] += answer_[k] * column;
+      multiply_add(taken[unknown], column_weight_[k], column);
+      multiply_add(answered[unknown], answer_[k], column);
     }
   }
   for (int k = 0; k < unknowns_; ++k) {
     share_[k] = bend_[k] = Scaled{};
     for (int j = 0; j < unknowns_; ++j) {
-      if (!taken[j].is_zero() && !inverse_[j][k].is_zero()) share_[k] += taken[j] * inverse_[j][k];
-      if (!answered[j].is_zero() && !inverse_[k][j].is_zero()) bend_[k] += inverse_[k][j] * answered[j];
+      if (!taken[j].is_zero() && !inverse_[j][k].is_zero()) multiply_add(share_[k], taken[j], inverse_[j][k]);
+      if (!answered[j].is_zero() && !inverse_[k][j].is_zero()) multiply_add(bend_[k], inverse_[k][j], answered[j]);
     }
   }
 }
@@ -81,31 +81,36 @@ int ScoreTest::list_base_sums(int level, const Scaled* times, uint8_t* unknown_o
 // beside the effect's own share h of the information. Returns the sum of the shares that they take up.
 Scaled ScoreTest::give_back_level(int level, const ProbeScore& result) {
   const ScoreTable& table = sums_->table();
-  const Scaled one = Scaled::from_int(1), least = Scaled::from_int(1, -2), part = one / result.information,
-               end = end_of(level);
+  const Scaled least = power_of_two(-2), part = kScaledOne / result.information, end = end_of(level);
   uint8_t unknown_of[kMostBaseSums];
   Scaled lost;
   take_level(level);
   const int count = list_base_sums(level, nullptr, unknown_of);
   for (int s = level_begin_[level]; s < level_begin_[level + 1]; ++s) {
+    const Scaled& d = d_[s];
     Scaled g[kMaxUnknowns], taken;
     for (int k = 0; k < place_->columns; ++k) {
       const int value = place_->equations + k;
-      g[place_->unknown[k]] = column_weight_[k] * unit_[value] * table.value(s, probe_->first_value + value);
-      if (probe_->drifts()) g[place_->unknown[k]] *= time(s, end);
+      Scaled& of_unknown = g[place_->unknown[k]];
+      of_unknown = column_weight_[k] * unit_[value] * table.value(s, probe_->first_value + value);
+      if (probe_->drifts()) of_unknown *= time(s, end);
     }
     for (int i = 0; i < count; ++i) g[unknown_of[i]] -= base_sum_.term(table, s, i);
     report_work(150 * count);
     for (int i = 0; i < unknowns_; ++i) {
       if (g[i].is_zero()) continue;
       for (int j = 0; j < unknowns_; ++j)
-        if (!g[j].is_zero()) taken += g[i] * inverse_[i][j] * g[j];
+        if (!g[j].is_zero()) multiply_add(taken, g[i] * inverse_[i][j], g[j]);
       report_work(150 * unknowns_);
     }
-    const Scaled share = d_[s] > Scaled{} ? abs(taken) / d_[s] : Scaled{};
-    lost = lost + (share < one ? share : one);
-    const Scaled rest = one - d_[s] * part - share;
-    left_[s] = (psi_[s] - result.effect * d_[s]) / (rest < least ? least : rest);
+    Scaled share, rest = kScaledOne;
+    if (d.is_positive()) share = abs(taken) / d;
+    lost += share < kScaledOne ? share : kScaledOne;
+    multiply_subtract(rest, d, part);
+    rest -= share;
+    Scaled& left = left_[s] = psi_[s];
+    multiply_subtract(left, result.effect, d);
+    left /= rest < least ? least : rest;
   }
   return lost;
 }
@@ -140,12 +145,13 @@ void ScoreTest::score_level(int level) {
     if (probe_->drifts()) {
       const Scaled& since = left_[s];
       psi_[s] *= since;
-      d_[s] = (d_[s] + own_weight * table.value(s, probe_->first_value + own) * since) * since;
+      multiply_add(d_[s], own_weight * table.value(s, probe_->first_value + own), since);
+      d_[s] *= since;
     }
     psi_[s] -= base;
   }
   base_sum_.add_all(table, from, to, d_);
-  sum_own_ += own_weight * total(level, own, 2);
+  multiply_add(sum_own_, own_weight, total(level, own, 2));
 }
 
 void ScoreTest::keep_bend_of_shape(int number) {
@@ -172,7 +178,7 @@ void ScoreTest::keep_blind(const Probe& probe) {
   const ProbePlan& plan = sums_->plan();
   for (int j = 0; j < plan.base_count; ++j) {
     const Probe& base = plan.probe[j];
-    if (base.form == form && abs(bend_[base.unknown]) > Scaled::ratio(1, 4)) mimics_[base.unknown] = true;
+    if (base.form == form && exceeds(bend_[base.unknown], Scaled::ratio(1, 4))) mimics_[base.unknown] = true;
   }
 }
 
@@ -190,19 +196,19 @@ Scaled ScoreTest::variance_of_sum(const Scaled* share, Scaled& freedom) const {
   Scaled single, squares[kGroupSizes], sum[kGroupSizes];
   int in_group[kGroupSizes] = {};
   for (int s = 0; s < stretches_; ++s, report_work(80 * (1 + sizes))) {
-    single += square(share[s]);
+    multiply_add(single, share[s], share[s]);
     const bool ends = s + 1 == stretches_ || level_of_[s + 1] != level_of_[s];
     for (int i = 0; i < sizes; ++i) {
       sum[i] += share[s];
       if (++in_group[i] < 2 << i && !ends) continue;
-      squares[i] += square(sum[i]);
+      multiply_add(squares[i], sum[i], sum[i]);
       sum[i] = Scaled{};
       in_group[i] = 0;
     }
   }
   Scaled variance = single;
   for (int i = 0; i < sizes; ++i) {
-    const Scaled most = single * (Scaled::from_int(1) + sqrt(Scaled::from_int(8) / groups[i]));
+    const Scaled most = single * (kScaledOne + sqrt(Scaled::from_int(8) / groups[i]));
     if (squares[i] < most || squares[i] < variance) continue;
     variance = squares[i];
     freedom = groups[i];
@@ -258,35 +264,37 @@ bool ScoreTest::conclude(ProbeScore& result) {
   for (int s = 0; s < stretches_; ++s, report_work(200)) {
     sum_psi += psi_[s];
     result.information += d_[s];
-    result.before += square(psi_[s]);
-    d_squares += square(d_[s]);
+    multiply_add(result.before, psi_[s], psi_[s]);
+    multiply_add(d_squares, d_[s], d_[s]);
   }
   if (result.before.is_zero()) return false;
   const Scaled share = quotient(result.information, sum_own_);
   // Neighbours of so few samples a period that they move against the sample: no slope is taken from them either.
   const bool against = result.information.is_negative();
   if (result.information.is_zero() || (against && compares_channels(place_->kind)) ||
-      share < Scaled::from_int(1, kLeastShareLog2)) {
+      share < power_of_two(kLeastShareLog2)) {
     keep_blind(*probe_);
     return false;
   }
   if (against) turn_round(result);
-  result.freedom = square(result.information) / d_squares - Scaled::from_int(1);
+  result.freedom = square(result.information) / d_squares - kScaledOne;
   if (result.freedom < Scaled::from_int(kLeastFreedom)) return false;
   result.tested = true;
-  result.apart = share > Scaled::from_int(1, kApartLog2);
+  result.apart = share > power_of_two(kApartLog2);
   result.effect = (against ? -sum_psi : sum_psi) / result.information;
   return true;
 }
 
 void ScoreTest::judge_by_scatter(ProbeScore& result) {
-  const Scaled one = Scaled::from_int(1), least = Scaled::from_int(1, -2), part = one / result.information;
+  const Scaled least = power_of_two(-2), part = kScaledOne / result.information;
   const Scaled doubtful = doubtful_score();  // while left_ still holds the times
   for (int s = 0; s < stretches_; ++s, report_work(200)) {
-    left_[s] = psi_[s] - result.effect * d_[s];
-    result.scatter += square(left_[s]);
-    const Scaled rest = one - d_[s] * part;
-    if (rest < one) left_[s] = left_[s] / (rest < least ? least : rest);
+    Scaled& left = left_[s] = psi_[s];
+    multiply_subtract(left, result.effect, d_[s]);
+    multiply_add(result.scatter, left, left);
+    Scaled rest = kScaledOne;
+    multiply_subtract(rest, d_[s], part);
+    if (rest < kScaledOne) left /= rest < least ? least : rest;
   }
   const Scaled freedom = result.freedom;
   weigh_up(result, Scaled{}, doubtful);
@@ -304,10 +312,12 @@ void ScoreTest::weigh_up(ProbeScore& result, const Scaled& lost, const Scaled& d
   const Scaled even = even_variance(result, lost), single = result.freedom;
   const Scaled deviation = sqrt(variance_of_sum(left_, result.freedom));
   Scaled doubt;  // what of the score may be noise that signals share, beyond what is taken out
-  for (int k = 0; k < unknowns_; ++k)
-    if (!share_[k].is_zero()) doubt += share_[k] * base_doubt_[k];
-  doubt = abs(doubtful - doubt);
-  const Scaled sure = abs(sum_psi) > doubt ? abs(sum_psi) - doubt : Scaled{};
+  if (kKeepsProbeNoise) {
+    for (int k = 0; k < unknowns_; ++k)
+      if (!share_[k].is_zero()) multiply_add(doubt, share_[k], base_doubt_[k]);
+    doubt = abs(doubtful - doubt);
+  }
+  const Scaled sure = beyond_doubt(abs(sum_psi), doubt);
   result.std = deviation / result.information;
   result.wald = quotient(sum_psi.is_negative() ? -sure : sure, deviation);
   // Where neighbours err alike nothing is alike in all.

@@ -151,6 +151,8 @@ void ScoreTable::end_merge() {
   add_exact(held_);
 }
 
+Scaled ScoreTable::value(int s, int value) const { return long_scaled(number(s, value)); }
+
 Scaled ScoreTable::sum(int from, int to, int value) const {
   static_assert(kMostStretches <= 256, "2^31 2^22 of each");
   constexpr int kGuard = 22;

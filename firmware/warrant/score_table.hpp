@@ -49,7 +49,7 @@ class ScoreTable {
   int levels() const { return level_; }
   const Stretch& stretch(int s) const { return stretch_[s]; }
   ShortScaled number(int s, int value) const { return number_at(place(s, value)); }
-  Scaled value(int s, int value) const { return long_scaled(number(s, value)); }
+  Scaled value(int s, int value) const;
   // Over stretches [from, to), exact to 2^-53 of the largest of them.
   Scaled sum(int from, int to, int value) const;
   // The value's numbers of all stretches, one after the other.

@@ -36,7 +36,7 @@ bool ScoreTest::judge(const CoreConfiguration& configuration, const ScoreSums& s
   // What waits for its block to fill, at a level's two ends, is not left out.
   const int64_t waiting = static_cast<int64_t>(levels_) * kProbeSamples;
   const Scaled offered = Scaled::from_int(static_cast<int64_t>(sums.offered()) - waiting);
-  seen_root_ = samples_ < offered ? sqrt(samples_ / offered) : Scaled::from_int(1);
+  seen_root_ = samples_ < offered ? sqrt(samples_ / offered) : kScaledOne;
   for (int k = 0; k < unknowns_; ++k) {
     parameter_[k] = estimates.parameters[k].value;
     possible_bend_[k] = unlikely_bend_[k] = bend_of_shape_[k] = difference_[k] = Scaled{};

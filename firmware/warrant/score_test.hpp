@@ -53,6 +53,12 @@ struct ProbeScore {
   Scaled gain;           // of the log-likelihood, twice; comparable between probes
 };
 
+// What of a size is beyond doubt. Signals as they are measured share no noise that could be doubted.
+inline Scaled beyond_doubt(const Scaled& size, const Scaled& doubt) {
+  if (!kKeepsProbeNoise) return size;
+  return size > doubt ? size - doubt : Scaled{};
+}
+
 // What an effect takes away of a sum of squares, of what is not noise in it: 0 where it takes nothing, 1 where noise alone is left. All
 // three in one unit.
 Scaled share_taken(const Scaled& before, const Scaled& left, const Scaled& noise);
@@ -77,6 +83,7 @@ class ScoreTest {
   Scaled rate_kurtosis(int link) const;
   // rms force of a probe's effect over that of the dampers beside it.
   Scaled force_ratio(int probe) const;
+  Scaled force_square(int probe) const;  // sum of the effect's forces squared
   // How far a force that the record does not exclude may bend the unknown, at the most: what is found of it, and its deviation,
   // where it is near the limit of chance, or would be had all samples been looked at (score_naming.cpp).
   const Scaled& possible_bend(int unknown) const { return possible_bend_[unknown]; }

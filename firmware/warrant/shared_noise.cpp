@@ -35,7 +35,7 @@ Scaled SharedNoise::of_ends(const Place& place, ProbeWeight weight, Quantity qua
     for (int f = 0; f < 2; ++f) {
       if (mine[e] != others[f] || mine[e] >= kMaxNodes) continue;
       const Scaled part = of_node(mine[e], weight, quantity, of);
-      sum = e == f ? sum + part : sum - part;
+      sum += e == f ? part : -part;
     }
   return sum;
 }
@@ -57,7 +57,7 @@ Scaled SharedNoise::with_known(const Place& place, Form form, int quantity, int 
   Scaled sum = of_ends(place, weight, Quantity::kForce, dof, kGroundNode, of);
   for (int s = 0; s < known_->shares(); ++s)
     if (known_->share(s).dof == dof)
-      sum += known_->coefficient(s) * with_column(place, form, quantity, known_->share(s).column, of);
+      multiply_add(sum, known_->coefficient(s), with_column(place, form, quantity, known_->share(s).column, of));
   return sum;
 }
 

@@ -72,15 +72,14 @@ bool contradicts(const CoreConfiguration& configuration, int unknown, const Para
 }
 
 bool instruments_differ(const ScoreTest& test, int unknown, const ParameterEstimate& parameter) {
-  const Scaled whole = abs(test.difference(unknown)), doubt = test.difference_doubt(unknown);
-  const Scaled difference = whole > doubt ? whole - doubt : Scaled{};
+  const Scaled difference = beyond_doubt(abs(test.difference(unknown)), test.difference_doubt(unknown));
   return difference > test.difference_std(unknown) * test.difference_limit(unknown) &&
          scale_by_power_of_two(difference, 1) > parameter.ci95_high - parameter.ci95_low &&
-         difference * 40 > abs(parameter.value);
+         exceeds(difference * 40, parameter.value);
 }
 
 bool is_wrong_by(const Scaled& bend, const ParameterEstimate& parameter, int deviations = kWrongDeviations) {
-  return bend > parameter.std * deviations && bend * kWrongShare > abs(parameter.value);
+  return bend > parameter.std * deviations && exceeds(bend * kWrongShare, parameter.value);
 }
 
 // What is missing is named, and whatever of what stands out it is, it bends the value by no more than its deviation, which the scatter
@@ -91,8 +90,8 @@ bool stands_beside(const ScoreTest& test, int unknown, const ParameterEstimate& 
 
 // What the score tests' own fit says of the value would make it wrong.
 bool fits_differ(const ScoreTest& test, int unknown, const ParameterEstimate& parameter) {
-  const Scaled whole = abs(test.difference(unknown)), doubt = test.difference_doubt(unknown);
-  const Scaled difference = whole > doubt ? whole - doubt : Scaled{}, std = test.difference_std(unknown);
+  const Scaled difference = beyond_doubt(abs(test.difference(unknown)), test.difference_doubt(unknown));
+  const Scaled& std = test.difference_std(unknown);
   return difference > std * Scaled::ratio(5, 2) && is_wrong_by(difference + std, parameter);
 }
 
@@ -100,7 +99,7 @@ bool fits_differ(const ScoreTest& test, int unknown, const ParameterEstimate& pa
 // no force that would bend it shows.
 bool hardly_tested(const ScoreTest& test, int unknown, const ParameterEstimate& parameter) {
   const Scaled& std = test.difference_std(unknown);
-  return std > parameter.std * kLeastCertain && std * kWrongShare > abs(parameter.value);
+  return std > parameter.std * kLeastCertain && exceeds(std * kWrongShare, parameter.value);
 }
 
 // A law that the link may have would not show.
