@@ -34,6 +34,8 @@ TEST(Dialects, RefusesWithTheReason) {
       {"no channel", "t_s,a,b\n0,1,2\n1,1,2\n", {}, "d.csv:1: names no channel (\"t_s\", \"a\", \"b\")"},
       {"unknown column", "t_s,a\n0,1\n1,1\n", column("force_1", "b"),
        "has no column \"b\" for force_1, expected one of \"t_s\", \"a\""},
+      {"number in place of a name", "t_s,a\n0,1\n1,1\n", column("force_1", "2"),
+       "has no column \"2\" for force_1, expected one of \"t_s\", \"a\", or a place: force_1=#2"},
       {"column of no channel", "t_s,a\n0,1\n1,1\n", column("wobble", "a"), "channel \"wobble\": is not a channel name"},
       {"unknown unit", "t_s,force_1 [parsec]\n0,1\n1,1\n", {}, "is in \"parsec\", which is no known unit"},
       {"wrong kind of unit", "t_s,force_1 [mm]\n0,1\n1,1\n", {}, "is in mm, expected a unit such as N for force_1_N"},

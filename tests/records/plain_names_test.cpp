@@ -143,12 +143,14 @@ TEST(PlainNames, AreFoundBelowAPreamble) {
   EXPECT_DOUBLE_EQ(record.find(Quantity::kDisplacement, 1)->values[1], 2e-3);
 }
 
-// Columns of a table without names are told by their places. The first row counts, also where it holds a place's number.
+// Columns of a table without names are told by their places. The first row counts, also where it holds a place's number. A title has a
+// blank line below it, though it has as many words as there are columns.
 TEST(PlainNames, TablesWithoutNamesHaveNumberedColumns) {
   ReadingOptions options;
   options.columns = {{"t", "1"}, {"force_1", "3"}};
-  for (const char* text : {"0 1 3\n0.5 1 4\n1 2 5\n", "0,1,3\n0.5,1,4\n1,2,5\n",
-                           "# run 3\n\n 0\t1\t3\n0.5\t1\t4\n1\t2\t5\n", "0;1;3\n0,5;1;4\n1;2;5\n"}) {
+  for (const char* text :
+       {"0 1 3\n0.5 1 4\n1 2 5\n", "0,1,3\n0.5,1,4\n1,2,5\n", "# run 3\n\n 0\t1\t3\n0.5\t1\t4\n1\t2\t5\n",
+        "0;1;3\n0,5;1;4\n1;2;5\n", "Frequency without coupling\n\n0 1 3\n0.5 1 4\n1 2 5\n"}) {
     const Record record = host_sim::parse_csv(text, "d.csv", one_dof(false), options);
     EXPECT_DOUBLE_EQ(record.sample_period_s, 0.5);
     EXPECT_EQ(record.find(Quantity::kForce, 1)->values, (std::vector<double>{3, 4, 5})) << text;

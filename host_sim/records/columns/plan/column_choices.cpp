@@ -7,6 +7,14 @@
 #include "host_sim/records/columns/quoted.hpp"
 
 namespace host_sim {
+namespace {
+
+// A number where a name is wanted: of a column, most likely.
+bool is_count(const std::string& text) {
+  return !text.empty() && std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
+}
+
+}  // namespace
 
 bool is_time_choice(const std::string& channel) { return channel == "t" || channel == "t_s" || channel == "time"; }
 
@@ -47,7 +55,8 @@ void check_choices(const ColumnContext& context, const std::vector<Column>& colu
     if (!found.empty())
       context.refuse(fmt::format("has {} columns {} for {}, expected one: take it by its place, {}=#{} or {}=#{}",
                                  found.size(), quoted(head), channel, channel, found[0], channel, found[1]));
-    context.refuse("has no column " + quoted(head) + " for " + channel + ", expected one of " + quoted_heads(columns));
+    context.refuse("has no column " + quoted(head) + " for " + channel + ", expected one of " + quoted_heads(columns) +
+                   (is_count(head) ? ", or a place: " + channel + "=#" + head : ""));
   }
   for (const auto* choices : {&context.options.units, &context.options.sensitivities})
     for (const auto& [channel, text] : *choices)

@@ -23,11 +23,23 @@ Header first_of(const std::vector<TextLine>& lines) {
   return named_by(lines.front(), likely_separator(lines.front().text, lines.front().rest), 0);
 }
 
+// Words with a blank line below them, where blanks alone part them: a title that happens to have as many words as there are columns.
+bool is_title(const TextLine& line, char separator) {
+  std::string_view below = line.rest;
+  return separator == ' ' && is_blank(take_line(below));
+}
+
 // Names that mean nothing to us: the first line above the numbers that has as many fields as they, else the first of all.
-Header names_above(const std::vector<TextLine>& above, const TextLine& numbers) {
-  for (const TextLine& line : above)
-    if (const auto separator = separator_of_names(line.text, numbers.text))
-      return named_by(line, *separator, line.before);
+Header names_above(std::vector<TextLine> above, const TextLine& numbers) {
+  for (size_t i = 0; i < above.size();) {
+    const auto separator = separator_of_names(above[i].text, numbers.text);
+    if (!separator)
+      ++i;
+    else if (!is_title(above[i], *separator))
+      return named_by(above[i], *separator, above[i].before);
+    else
+      above.erase(above.begin() + static_cast<std::ptrdiff_t>(i));
+  }
   if (!above.empty()) return first_of(above);
   std::string_view next = numbers.rest;
   take_line(next);
