@@ -58,6 +58,8 @@ std::vector<Record> read_records(const std::string& path, const rig_file::RigMod
     if (!format.recognises(path, content.text())) continue;
     std::vector<Record> records = format.read(content.text(), path, model, options);
     for (const Record& record : records) require_motion_channels(record, model);
+    if (!options.span.is_all())
+      for (Record& record : records) record = within(std::move(record), options.span);
     if (options.resample_Hz > 0.0) return at_even_steps(records, options.resample_Hz);
     return records;
   }

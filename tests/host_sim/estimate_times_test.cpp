@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstdio>
 #include <random>
+#include <sstream>
 
 #include "tests/host_sim/estimate_fixture.hpp"
 
@@ -122,6 +123,30 @@ TEST_F(Estimate, ADecayAtTwentySamplesAPeriodKnowsItsSpring) {
     held += spring["ci95"][0] <= 80.0 && spring["ci95"][1] >= 80.0 ? 1 : 0;
   }
   EXPECT_GE(held, 5);
+}
+
+// A knock on the cable in the first 50 ms of a decay of c = 1.5 N s/m.
+TEST_F(Estimate, WhatLiesBeforeFromIsLeftOut) {
+  std::istringstream rows(free_decay(4000));
+  std::string text, row;
+  for (int i = 0; std::getline(rows, row); ++i)
+    text += i == 40 || i == 47 ? row.substr(0, row.find(',')) + ",0.4,0.3\n" : row + "\n";
+  workspace_.write("knock.csv", text);
+  const auto refused = host_sim({"estimate", "--rig", "rig.toml", "--data", "knock.csv"});
+  EXPECT_EQ(refused.status, 3);
+  EXPECT_NE(refused.errors.find("spikes"), std::string::npos) << refused.errors;
+  EXPECT_NE(refused.errors.find("--from"), std::string::npos) << refused.errors;
+  const auto result =
+      host_sim({"estimate", "--rig", "rig.toml", "--data", "knock.csv", "--from", "0.1", "--json", "out.json"});
+  ASSERT_EQ(result.status, 0) << result.errors << result.output;
+  EXPECT_NEAR(value(json("out.json"), "viscous[1-0]"), 1.5, 0.002);
+  EXPECT_NE(result.errors.find("taken from 0.1 to 3.999 s: 3900 of 4000 samples"), std::string::npos) << result.errors;
+}
+
+TEST_F(Estimate, FromLiesBeforeTo) {
+  const auto result = host_sim({"estimate", "--rig", "rig.toml", "--data", "data.csv", "--from", "2", "--to", "1"});
+  EXPECT_EQ(result.status, 2);
+  EXPECT_NE(result.errors.find("--from has to lie before --to"), std::string::npos) << result.errors;
 }
 
 }  // namespace

@@ -104,7 +104,9 @@ std::optional<Finding> find_spikes(const Channel& channel, const Statistics& sta
   finding.value = static_cast<double>(gaps.size());
   finding.weight = harm > kHarm ? Weight::kFault : Weight::kDoubt;
   finding.detail = text;
-  finding.detail += harm > kHarm ? ": check the cable and the range, then record again or take them out of the file"
+  finding.detail += harm > kHarm ? ": check the cable and the range, then record again; or empty their cells, which "
+                                   "--resample fills, or leave "
+                                   "out the ends of the record that they are in (--from, --to)"
                                  : ": too small to matter much";
   return finding;
 }

@@ -49,6 +49,9 @@ void add_data_options(CLI::App& command, DataArguments& arguments) {
       .add_option("--resample", arguments.resample_Hz,
                   "samples per second onto which records of uneven times are interpolated; gaps part a record")
       ->check(above_nought());
+  command.add_option("--from", arguments.span.from_s,
+                     "seconds of the file's own time: what every record holds before them is left out");
+  command.add_option("--to", arguments.span.to_s, "the same of what it holds after them");
 }
 
 void add_anyway_option(CLI::App& command, DataArguments& arguments) {
@@ -91,6 +94,8 @@ std::vector<Record> read_data(const std::vector<std::string>& paths, const rig_f
   options.sensitivities = choices("--sensitivity", arguments.sensitivities);
   options.sample_rate_Hz = arguments.sample_rate_Hz;
   options.resample_Hz = arguments.resample_Hz;
+  if (arguments.span.from_s >= arguments.span.to_s) throw UsageError("--from has to lie before --to");
+  options.span = arguments.span;
   // Beside each other; what is said of them, and what is wrong with one, comes in their order.
   std::vector<std::future<std::vector<Record>>> files;
   for (const std::string& path : paths)

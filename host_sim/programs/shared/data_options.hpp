@@ -7,16 +7,18 @@
 #include "hal/rig_file/rig_model.hpp"
 #include "host_sim/data_check/data_check.hpp"
 #include "host_sim/records/record.hpp"
+#include "host_sim/records/time_span.hpp"
 
 namespace host_sim {
 
 struct DataArguments {
   std::vector<std::string> columns, units, sensitivities;  // "acceleration_1=Chan 3"
   double sample_rate_Hz = 0.0, resample_Hz = 0.0;
+  TimeSpan span;                    // --from, --to
   bool in_spite_of_faults = false;  // --anyway
 };
 
-// --column, --unit, --sensitivity, --sample-rate, --resample
+// --column, --unit, --sensitivity, --sample-rate, --resample, --from, --to
 void add_data_options(CLI::App& command, DataArguments& arguments);
 // --anyway, of the commands that compute with the data.
 void add_anyway_option(CLI::App& command, DataArguments& arguments);

@@ -4,6 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include "host_sim/records/time_span.hpp"
+
 namespace host_sim {
 
 struct ReadingOptions {
@@ -15,6 +17,7 @@ struct ReadingOptions {
   Choices sensitivities;        // of a sensor whose column is a voltage: "100 mV/g"
   double sample_rate_Hz = 0.0;  // 0: the file says
   double resample_Hz = 0.0;     // onto even steps (resample.hpp); 0: uneven times are refused
+  TimeSpan span = {};           // of every record
 };
 
 // "acceleration_1=Chan 3" as given on the command line. Throws std::invalid_argument where there is no "=".
