@@ -7,16 +7,17 @@
 #include "../motion/drive_noise.hpp"
 #include "hidden_mode.hpp"
 #include "horizon.hpp"
+#include "needless.hpp"
 #include "other_shapes.hpp"
 #include "possible.hpp"
 #include "round.hpp"
+#include "shown.hpp"
 #include "warming.hpp"
 
 namespace diagnosis::runs {
 namespace {
 
 constexpr size_t kMostCauses = 4;
-constexpr double kFurtherShare = 2e-3;  // of what the causes named before have brought, that a further one must
 // Of a further number of a cause, over windows so short that what is flexible follows anything: half as much again.
 constexpr double kWorthOverShort = 1.5;
 constexpr double kLongDecay = 16;  // periods: an error of 1 % in a frequency is one radian at its end
@@ -83,67 +84,6 @@ Choice rig_fitted(const Task& task) {
 }
 
 namespace {
-
-bool stands_alone(const State& s, const Named& n) {
-  const int at = static_cast<int>(
-      std::find_if(s.model.begin(), s.model.end(),
-                   [&](const ModelTerm& t) { return t.added && n.candidate.terms[0].same_place(t.term); }) -
-      s.model.begin());
-  return n.candidate.terms.size() == 1 && n.candidate.host < 0 &&
-         std::none_of(s.model.begin(), s.model.end(), [&](const ModelTerm& t) { return t.host == at; });
-}
-
-State without(const Task& task, const State& now, const Named& n) {
-  State s = now;
-  const auto gone = std::find_if(s.model.begin(), s.model.end(), [&](const ModelTerm& t) {
-    return t.added && n.candidate.terms[0].same_place(t.term);
-  });
-  const int at = static_cast<int>(gone - s.model.begin());
-  s.model.erase(gone);
-  for (ModelTerm& t : s.model) t.host -= t.host > at;
-  settle(task, s, kBaseSteps);
-  return s;
-}
-
-// Of the rig's error as given, what all the motion would make: more than all where the rig is about right, a part of it where a constant
-// force is the error.
-double motion_over_error(const Task& task, const State& base) {
-  const Evaluator e(task.system, base.model, task.records);
-  double sum = 0;
-  const Index channels = base.fit.mean_square.size();
-  for (Index c = 0; c < channels; ++c) {
-    double motion = 0;
-    for (size_t r = 0; r < task.records.size(); ++r)
-      motion = std::max(motion, rms_about_mean(e.traces(r)[static_cast<size_t>(c)].y));
-    sum += motion * motion / base.fit.mean_square[c];
-  }
-  return sum / static_cast<double>(std::max<Index>(1, channels));
-}
-
-// What a further cause takes of the rig's error as given is less than a share of what the others take, of the motion at most.
-bool takes_little(double error_before, double error_with, double motion) {
-  return error_before - error_with < kFurtherShare * std::min(1 - error_before, motion);
-}
-
-// Causes that the later ones have made needless: without them the windows are followed as well, as far as chance can tell, or so
-// nearly that as further causes they would not have been named.
-void drop_needless(const Task& task, const State& base, State& now, std::vector<Named>& named) {
-  for (size_t i = 0; named.size() > 1 && now.fit.ok && i < named.size();) {
-    if (!stands_alone(now, named[i])) {
-      ++i;
-      continue;
-    }
-    const State fewer = without(task, now, named[i]);
-    if (!fewer.fit.ok || (paired_z(fewer.fit, now.fit) > kByChance &&
-                          !takes_little(error_over(fewer.fit, base.fit), error_over(now.fit, base.fit),
-                                        motion_over_error(task, base)))) {
-      ++i;
-      continue;
-    }
-    now = fewer;
-    named.erase(named.begin() + static_cast<std::ptrdiff_t>(i));
-  }
-}
 
 // What stood beside the cause named last, and what left about as little as that one.
 struct PassedOver {
@@ -219,6 +159,7 @@ void search(const Task& task, double worth, Choice& choice, const std::function<
       with = other->state;
       settle(task, with, kBaseSteps);
     }
+    if (all_shown(task, round.best.state.model) && !all_shown(task, with.model)) break;
     const auto alone =
         exchanged < kMostCauses ? alone_as_good(task, passed, with, round.best.complexity, worth) : std::nullopt;
     if (alone) {

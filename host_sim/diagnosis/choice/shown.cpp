@@ -114,4 +114,8 @@ bool shown(const Task& task, const ModelTerm& t) {
   }
 }
 
+bool all_shown(const Task& task, const Model& model) {
+  return std::all_of(model.begin(), model.end(), [&](const ModelTerm& t) { return !t.added || shown(task, t); });
+}
+
 }  // namespace diagnosis::runs

@@ -10,5 +10,7 @@ constexpr double kTrifle = 2e-4;  // of what is given: no balance, spring tester
 // hidden mass that is a trifle of its DOF's, for a damper that has settled before it can be seen to drift, for a pitch of which the way
 // holds too little to see it repeat, and for a channel's gain that the next quantity of its DOF contradicts.
 bool shown(const Task& task, const ModelTerm& term);
+// Of every cause that a model has beside the rig as given: fitted anew, a shape may have gone where nothing shows it.
+bool all_shown(const Task& task, const Model& model);
 
 }  // namespace diagnosis::runs
