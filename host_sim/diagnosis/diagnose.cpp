@@ -3,6 +3,7 @@
 
 #include "advice.hpp"
 #include "answer/beside_noise.hpp"
+#include "answer/between_rivals.hpp"
 #include "answer/common_lag.hpp"
 #include "answer/filtered_motion.hpp"
 #include "answer/force_hum.hpp"
@@ -165,6 +166,7 @@ Diagnosis judged(const Asked& asked, double& lag_s) {
   runs::say_scale(task, d);
   compare_nothing(d);
   state_rivals(d);
+  runs::mark_replaceable(d);
   runs::mark_undetermined(task, d);
   if (d.verdict == Verdict::kNone && d.minimum_detectable.empty())
     d.minimum_detectable = runs::limits_of_runs(task, choice.base);

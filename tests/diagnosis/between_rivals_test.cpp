@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "host_sim/diagnosis/answer/parameter_status.hpp"
+#include "host_sim/diagnosis/choice/round.hpp"
 
 namespace {
 
@@ -21,7 +22,7 @@ Diagnosis answer_beside(double rivals_damper) {
   stribeck.terms = {on_link(Kind::kStribeck, 0, 0.2)}, dry.terms = {on_link(Kind::kMissingCoulomb, 0)};
   runs::Named named;
   named.candidate = stribeck;
-  named.rivals = {{dry, 1.0, {{on_link(Kind::kViscous, 0), rivals_damper - 11}}}};
+  named.rivals = {{dry, 1.0, {{"viscous[1-0]", rivals_damper - 11}}}};
   runs::Choice choice;
   choice.named = {named};
   Diagnosis d;
@@ -44,6 +45,79 @@ TEST(BetweenRivals, WhatStaysInItsIntervalIs) {
   const Diagnosis d = answer_beside(10.7);
   EXPECT_STREQ(status_word(d.extended.parameters[0], true), "VALID");
   EXPECT_TRUE(d.advice.empty());
+}
+
+// One cause beside another that two may be. What the rig and the sure cause have is compared name by name, in whatever order the models
+// have them; what the one has that the other stands in for is in no rival.
+TEST(BetweenRivals, NumbersOfTheOtherCausesMoveToo) {
+  rig_file::RigModel rig;
+  rig.dofs.resize(1), rig.links.resize(1);
+  rig.dofs[0].mass_kg.value = 3;
+  rig.links[0].a = 1;
+  rig.links[0].viscous_N_s_m.estimate = true;
+  const System system = make_system(rig, true);
+  const std::vector<runs::Prepared> records;
+  const auto term = [](const Term& t, double value, bool added) {
+    runs::ModelTerm m;
+    m.term = t, m.value = value, m.known = false, m.added = added;
+    return m;
+  };
+  const auto damper = [&](double value) { return term(on_link(Kind::kViscous, 0), value, false); };
+  const auto sine = [&](double value, double pitch, double phase) {
+    Term t = on_link(Kind::kCogging, 0, pitch);
+    t.shape2 = phase;
+    return term(t, value, true);
+  };
+  const auto cubic = term(on_link(Kind::kCubicStiffness, 0), 50, true),
+             drag = term(on_link(Kind::kQuadraticDamping, 0), 7, true);
+  const runs::Model rest = {damper(9), sine(1, 0.3, 0)}, named = {damper(11), cubic, sine(2, 0.3, 3.1)},
+                    rival = {damper(10), sine(5, 0.4, -3.1), drag};
+  const std::vector<runs::Move> moves = runs::moves_between({system, records, 0}, rest, named, rival);
+  ASSERT_EQ(moves.size(), 4u);
+  const char* names[] = {"viscous[1-0]", "cogging[1-0]", "cogging_pitch[1-0]", "cogging_phase[1-0]"};
+  const double by[] = {-1, 3, 0.1, 6.283185 - 6.2};
+  for (size_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(moves[i].name, names[i]);
+    EXPECT_NEAR(moves[i].by, by[i], 1e-5);
+  }
+}
+
+Parameter sure_number(const char* name) {
+  Parameter p;
+  p.name = name, p.value = 5, p.std = 0.1;
+  return p;
+}
+
+// Beside a sine that is sure it is a cubic spring or an end stop: the spring's coefficient is nought where it is the stop.
+TEST(BetweenRivals, NumbersOfACauseThatMayBeAnotherAreNotVouchedFor) {
+  Diagnosis d;
+  d.verdict = Verdict::kAmbiguous;
+  for (const char* name : {"cubic_stiffness[1-0]", "cogging[1-0]", "viscous[1-0]"})
+    d.extended.parameters.push_back(sure_number(name));
+  Cause spring, sine;
+  spring.parameters = {d.extended.parameters[0]}, sine.parameters = {d.extended.parameters[1]};
+  spring.rivals = d.ambiguous_with = {{"end_stop", "link 1-0"}};
+  d.causes = {spring, sine};
+  const auto status = [&](size_t i) { return std::string(status_word(d.extended.parameters[i], d.extended_fits())); };
+  runs::mark_replaceable(d);
+  EXPECT_EQ(status(0), "BIAS_SUSPECT");
+  EXPECT_EQ(status(1), "VALID");
+  EXPECT_EQ(status(2), "VALID");
+  d.causes[0].rivals.clear();  // which of them it is in whose place another may stand is not known
+  runs::mark_replaceable(d);
+  EXPECT_EQ(status(1), "BIAS_SUSPECT");
+  EXPECT_EQ(status(2), "VALID");
+}
+
+TEST(BetweenRivals, NumbersOfCausesWithoutEqualsAre) {
+  Diagnosis d;
+  d.verdict = Verdict::kExplained;
+  d.extended.parameters = {sure_number("cubic_stiffness[1-0]")};
+  Cause spring;
+  spring.parameters = d.extended.parameters;
+  d.causes = {spring};
+  runs::mark_replaceable(d);
+  EXPECT_STREQ(status_word(d.extended.parameters[0], d.extended_fits()), "VALID");
 }
 
 }  // namespace

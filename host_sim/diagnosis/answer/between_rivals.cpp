@@ -29,7 +29,7 @@ void mark(const Task& task, const Rival& r, Diagnosis& d) {
   const std::string rival = words(named_place(task, r.candidate.terms[0]));
   for (const Move& m : r.moves)
     for (diagnosis::Parameter& p : d.extended.parameters) {
-      if (p.name != parameter_name(task.system, m.term) || !bent(p, m.by)) continue;
+      if (p.name != m.name || !bent(p, m.by)) continue;
       char text[240];
       std::snprintf(text, sizeof text, "%s is %.4g with the cause named, %.4g with %s in its place", p.name.c_str(),
                     p.value, p.value + m.by, rival.c_str());
@@ -50,13 +50,22 @@ void mark_rows_rivals(const Task& task, const Choice& fitted, const State& with_
     if (std::find(d.ambiguous_with.begin(), d.ambiguous_with.end(), place) == d.ambiguous_with.end()) continue;
     const State rival = attempt(task, base, all, one, noise).state;
     if (!rival.fit.ok) continue;
-    mark(task, {c, error_over(rival.fit, with_it.fit), moves_between(base.model, with_it.model, rival.model)}, d);
+    mark(task, {c, error_over(rival.fit, with_it.fit), moves_between(task, base.model, with_it.model, rival.model)}, d);
   }
 }
 
 void mark_between_rivals(const Task& task, const Choice& choice, Diagnosis& d) {
   for (const Named& named : choice.named)
     for (const Rival& r : named.rivals) mark(task, r, d);
+}
+
+void mark_replaceable(Diagnosis& d) {
+  const bool known = std::any_of(d.causes.begin(), d.causes.end(), [](const Cause& c) { return !c.rivals.empty(); });
+  for (const Cause& c : d.causes) {
+    if (d.ambiguous_with.empty() || (known && c.rivals.empty())) continue;
+    for (const diagnosis::Parameter& own : c.parameters)
+      for (diagnosis::Parameter& p : d.extended.parameters) p.may_be_bent = p.may_be_bent || p.name == own.name;
+  }
 }
 
 void mark_scaled(const Task& task, double factor, Diagnosis& d) {

@@ -11,7 +11,11 @@ void mark_between_rivals(const Task& task, const Choice& choice, Diagnosis& d);
 // with_it: fitted with the cause.
 void mark_rows_rivals(const Task& task, const Choice& fitted, const State& with_it, Diagnosis& d);
 
-// The same of every unknown number where a rig has but two things that set its scale, and a rival says that it is the other: they are
+// Numbers of a cause that another may stand in for are not vouched for: with that one there they are none. Where of several causes it is
+// not known which has the equals, all may be the one.
+void mark_replaceable(Diagnosis& d);
+
+// What mark_between_rivals() does, of every unknown number where a rig has but two things that set its scale, and a rival says that it is the other: they are
 // all by one factor.
 void mark_scaled(const Task& task, double factor, Diagnosis& d);
 

@@ -16,14 +16,15 @@ struct State {
 };
 
 struct Move {
-  Term term;
-  double by = 0;  // SI units
+  std::string name;  // of a parameter: "viscous[1-0]", "cogging_pitch[1-0]"
+  double by = 0;     // SI units
 };
 
 struct Rival {
   Candidate candidate;
-  double error = 0;              // squared error over that of the model named
-  std::vector<Move> moves = {};  // by how much the rig's unknown numbers are other beside it
+  double error = 0;  // squared error over that of the model named
+  std::vector<Move> moves =
+      {};  // by how much the rig's unknown numbers, and those of the other causes, are other beside it
 };
 
 struct Named {

@@ -1,5 +1,8 @@
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
+#include "../answer/answer.hpp"
 #include "possible.hpp"
 #include "round.hpp"
 
@@ -38,11 +41,19 @@ bool may_stand_for(const Named& mine, const Term& other) {
 
 }  // namespace
 
-std::vector<Move> moves_between(const Model& rest, const Model& named, const Model& rival) {
+std::vector<Move> moves_between(const Task& task, const Model& rest, const Model& named, const Model& rival) {
   std::vector<Move> list;
-  for (size_t i = 0; i < rest.size(); ++i)
-    if (!rest[i].known && !rest[i].added && rest[i].host < 0)
-      list.push_back({rest[i].term, rival[i].value - named[i].value});
+  const std::vector<diagnosis::Parameter> beside_named = values_of(task, named), beside_rival = values_of(task, rival);
+  const auto value_in = [](const std::vector<diagnosis::Parameter>& numbers, const std::string& name) {
+    const auto p = std::find_if(numbers.begin(), numbers.end(), [&](const auto& o) { return o.name == name; });
+    return p == numbers.end() ? std::optional<double>() : p->value;
+  };
+  for (const diagnosis::Parameter& p : values_of(task, rest)) {
+    const auto before = value_in(beside_named, p.name), now = value_in(beside_rival, p.name);
+    if (!before || !now) continue;
+    const bool phase = p.name.rfind("cogging_phase[", 0) == 0;  // a turn more is the same
+    list.push_back({p.name, phase ? std::remainder(*now - *before, kTwoPi) : *now - *before});
+  }
   return list;
 }
 
@@ -127,7 +138,7 @@ void weigh_rivals(const Task& task, const std::function<void(double)>& progress,
               [](const Attempt& a, const Attempt& b) { return whole_error(a) < whole_error(b); });
     for (const Attempt& t : as_good)
       mine.rivals.push_back(
-          Rival{t.candidates[0], t.error / own.error, moves_between(rest.model, own.state.model, t.state.model)});
+          Rival{t.candidates[0], t.error / own.error, moves_between(task, rest.model, own.state.model, t.state.model)});
     progress(static_cast<double>(i + 1) / static_cast<double>(choice.named.size()));
   }
 }

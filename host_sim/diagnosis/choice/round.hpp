@@ -17,9 +17,9 @@ struct Round {
 Round round_of(const Task& task, const State& now, size_t already, const Left& left, double noise, double worth,
                Choice& choice);
 
-// By how much the unknown numbers of a rig are other beside a rival than beside the cause named. Both models go on from `rest`, whose
-// terms come first.
-std::vector<Move> moves_between(const Model& rest, const Model& named, const Model& rival);
+// By how much the unknown numbers of a rig, and those of the other causes, are other beside a rival than beside the cause named: all that
+// `rest`, to which one or the other was added, has.
+std::vector<Move> moves_between(const Task& task, const Model& rest, const Model& named, const Model& rival);
 
 // The named causes again, each against every other candidate in its place beside the rest: drops one that is not needed
 // any more, puts a better one in its place, and lists those that do as well.
