@@ -208,6 +208,22 @@ void say_noise_of_drives(const Task& task, const Score& score, Diagnosis& d) {
   d.advice.push_back(text);
 }
 
+// A channel so coarse for the motion that its steps alone put a run as far off as one may be and still follow: what it misses by them is
+// not the rig's fault.
+void say_steps(const Score& score, Diagnosis& d) {
+  for (size_t dof = 0; dof < score.by_steps_percent.size(); ++dof) {
+    const double steps = score.by_steps_percent[dof];
+    if (steps < 100 * kFollows || steps < kMuchOfIt * score.nrmse_percent[dof]) continue;
+    char text[240];
+    std::snprintf(text, sizeof text,
+                  "the unseen motion of DOF %zu is too small for the steps of its channel: they alone make any run "
+                  "miss %.0f %% of it; "
+                  "record with finer steps, a larger motion, or less of its quiet end",
+                  dof + 1, steps);
+    d.advice.push_back(text);
+  }
+}
+
 // Causes that may be there, and which numbers of the rig as given they would take out of their intervals.
 void say_possible(const Task& task, const Choice& choice, Diagnosis& d) {
   if (!d.causes.empty() || !choice.named.empty() || !beyond_noise(choice.base_left)) return;
@@ -242,6 +258,7 @@ double compare_unseen(const Task& task, const State& base, const State& with_cau
               after = any_cause ? score_unseen(task, with_causes, &noise) : before;
   take(before, d.baseline), take(after, d.extended);
   say_noise_of_drives(task, after, d);
+  say_steps(after, d);
   d.gain.clear();
   for (size_t i = 0; i < before.nrmse_percent.size(); ++i) {
     const double old = before.nrmse_percent[i], now = after.nrmse_percent[i];

@@ -42,7 +42,8 @@ double compare_unseen(const Task& task, const State& base, const State& with_cau
 // A model's free run on unseen data, from the measured state at its start; errors over 1000 % are said as 1000.
 struct Score {
   std::vector<double> nrmse_percent, velocity_percent, mse_percent;  // per DOF
-  double worst_percent = 0;                                          // of DOFs whose unseen motion its channel shows
+  std::vector<double> by_steps_percent;  // per DOF: of nrmse_percent, what the steps of its channel alone make
+  double worst_percent = 0;              // of DOFs whose unseen motion its channel shows, beyond those steps
   double by_drives_percent =
       0;  // of that DOF: what another noise of the channels that drive the rig would make of its run
 };

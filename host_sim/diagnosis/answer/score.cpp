@@ -23,6 +23,11 @@ struct Sums {
   double mean_error() const { return count > 0 ? error / count : 0; }
   double variance() const { return motion > 0 ? motion / count : square / count - std::pow(sum / count, 2); }
   double ratio() const { return variance() > 0 ? error / count / variance() : 0; }  // mean square over variance
+  // The same without what the channel's steps make of both.
+  double ratio_beyond(double of_steps) const {
+    const double moves = variance() - of_steps;
+    return moves > 0 ? std::max(0.0, error / count - of_steps) / moves : ratio();
+  }
   bool shows(double noise) const { return variance() > kShown * noise; }
 };
 
@@ -57,7 +62,7 @@ Score score_unseen(const Task& task, const State& state, const Vec* noise) {
   std::vector<Sums> x(n), v(n), a(n), driven(n);  // driven: what noise of the drives makes of x
   DriveNoise drive_noise;
   const bool noisy_drives = noise && !evaluator.massless() && drives_have_noise(task.records);
-  std::vector<double> noise_of(n, 0.0);  // of what stands in x
+  std::vector<double> noise_of(n, 0.0), steps_of(n, 0.0);  // of what stands in x: of all its noise, of its steps
   bool finite = evaluator.sound();
   const bool held = vocabulary::held_in_place(task.system.rig);
   const bool apart = task.training < task.records.size(), pushed = forced(task.records) && !evaluator.massless();
@@ -120,7 +125,7 @@ Score score_unseen(const Task& task, const State& state, const Vec* noise) {
         for (const MotionTrace& t : p.traces)
           if (t.dof == static_cast<int>(d) && (!measured || t.quantity < measured->quantity)) {
             measured = &t;
-            noise_of[d] = t.rounding_variance();
+            noise_of[d] = steps_of[d] = t.rounding_variance();
             if (noise && noise->size())
               noise_of[d] = std::max(noise_of[d], noise_in(t.y, (*noise)[static_cast<Index>(&t - p.traces.data())]));
           }
@@ -150,7 +155,10 @@ Score score_unseen(const Task& task, const State& state, const Vec* noise) {
     score.nrmse_percent.push_back(any ? capped(100 * std::sqrt(x[d].ratio())) : kMostPercent);
     score.velocity_percent.push_back(any ? capped(100 * std::sqrt(v[d].ratio())) : kMostPercent);
     score.mse_percent.push_back(any ? capped(100 * a[d].ratio()) : kMostPercent);
-    const double worst = !any ? kMostPercent : x[d].shows(noise_of[d]) ? score.nrmse_percent.back() : 0;
+    const double beyond_steps = any ? capped(100 * std::sqrt(x[d].ratio_beyond(steps_of[d]))) : kMostPercent;
+    const double worst = any && !x[d].shows(noise_of[d]) ? 0 : beyond_steps;
+    score.by_steps_percent.push_back(any ? capped(100 * std::sqrt(steps_of[d] / std::max(x[d].variance(), 1e-300)))
+                                         : 0);
     if (worst > score.worst_percent)
       score.worst_percent = worst,
       score.by_drives_percent = capped(100 * std::sqrt(driven[d].mean_error() / std::max(x[d].variance(), 1e-300)));

@@ -96,11 +96,15 @@ Left left_by(const System& system, const std::vector<Prepared>& records, const S
     const double level = std::min(median(beside) / kMedianOfSpread, most[static_cast<Index>(c)]);
     double pushed_level = 0;
     for (double value : pushed[c]) pushed_level += value * value;
-    allowed += std::max(level * static_cast<double>(inside.size()), of_steps(records, c) * static_cast<double>(n) / 2);
+    const double steps = of_steps(records, c) * static_cast<double>(n) / 2;  // of all frequencies: where is not known
+    allowed += std::max(level * static_cast<double>(inside.size()), steps);
     left.sensor_noise[static_cast<Index>(c)] = level;
     left.noise[static_cast<Index>(c)] = level + pushed_level / static_cast<double>(pushed[c].size());
     left.in_band[static_cast<Index>(c)] = inside.empty() || allowed <= 0 ? 1 : sum / allowed;
-    highest_lines(p, by_force, static_cast<Index>(low_Hz / bin), static_cast<Index>(top_Hz / bin), bin, driving, left);
+    // what a slow motion loses in its steps repeats with it: lines at its harmonics, which nothing drives
+    if (sum > kSurelyNoise * steps)
+      highest_lines(p, by_force, static_cast<Index>(low_Hz / bin), static_cast<Index>(top_Hz / bin), bin, driving,
+                    left);
     left.hum.push_back(hum_of(over, c, step, driving_each));
   }
   const bool may_be_noise = !over.massless && (state.fit.mean_square.array() <= most.array()).all();
