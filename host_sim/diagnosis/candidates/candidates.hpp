@@ -12,6 +12,7 @@ struct Candidate {
   int sign = 0;        // that its coefficient must have; 0: either
   int complexity = 0;  // numbers that it has beside its coefficient
   bool same_place(const Candidate& o) const { return terms[0].same_place(o.terms[0]); }
+  bool allows(double value) const { return !(sign * value < 0); }
 };
 
 // periodic_too: forces that repeat along the way, at pitches of which there are many.
