@@ -19,13 +19,39 @@ class Columns {
     size_t record = 0;
     double z = 0, v = 0;
   };
+  struct Acting;  // what the terms do in a window
+  struct Way {    // displacement and velocity, or elongation and rate, over a window
+    Vec u, v;
+    Way less(const Way& other) const { return {u - other.u, v - other.v}; }
+  };
+
+  // columns.cpp
+  Acting acting(const std::vector<Term>& terms, const Window& w, const WindowRun& run,
+                const std::vector<MotionTrace>& traces, Mat& out);
+  void balance(const Acting& acting, const Window& w, const std::vector<MotionTrace>& traces, Mat& out) const;
+  void carry(const Acting& acting, const Window& w, const WindowRun& run, const std::vector<MotionTrace>& traces,
+             Mat& out) const;
+  std::pair<int, int> nodes_of(const Term& t) const;
+
+  // column_forces.cpp: positive against the motion of the link's first end, or of the DOF.
   Vec force(const Term& t, const Window& w, const WindowRun& run, Memory& memory) const;
+  Vec link_force(const Term& t, const Window& w, const WindowRun& run, bool follows, Memory& memory) const;
+  Vec bristle_force(const Term& t, const Way& along, bool follows, Memory& memory) const;
+  Vec resonance_force(const Term& t, const Window& w, const WindowRun& run, bool follows, Memory& memory) const;
+  Vec drive_fault(const Term& t, const Window& w) const;
+  bool has_coulomb(int link) const;
+  Way simulated_way(int end, const Window& w, const WindowRun& run) const;
+  Way measured_way(int end, const Window& w) const;
+  Way outer_way(int end, const Window& w) const;  // of the base, or of the ground
+
+  // column_readings.cpp: what is no force on the nodes.
   bool of_channel(const Term& t, const Window& w, const WindowRun& run, const std::vector<MotionTrace>& traces,
                   Vec& rows) const;
-  double base(const Window& w, Index k, bool rate) const;
   // What a base that is read late by a second changes at once: forces on the nodes, and the base's acceleration (where it
   // carries the rig).
   void base_delay(const Window& w, const WindowRun& run, Mat& forces, Vec& carried) const;
+  double base(const Window& w, Index k, bool rate) const;
+
   const System& system_;
   const Model& model_;
   const std::vector<Prepared>& records_;
