@@ -6,6 +6,12 @@
 #include "host_sim/vocabulary/law_table.hpp"
 
 namespace diagnosis::runs {
+namespace {
+
+constexpr double kLongestStep = 0.5;  // of a shape's logarithm
+constexpr double kLeastShare = 0.3;   // of a positive number, that one step may leave of it
+
+}  // namespace
 
 std::vector<Parameter> parameters_of(const Model& model) {
   std::vector<Parameter> list;
@@ -59,6 +65,23 @@ LawValue law(Kind kind, double u, double w, double t_s, double shape, double sha
   const vocabulary::Shape shapes{{shape, shape2}};
   const vocabulary::Force f = vocabulary::force(effect, vocabulary::point(effect, u, w, t_s, shapes), shapes);
   return {f.value, f.slope.u, f.slope.w, shape * f.slope.shape[0], f.slope.shape[1]};
+}
+
+void step_parameters(Model& model, const Vec& change) {
+  const std::vector<Parameter> parameters = parameters_of(model);
+  for (size_t i = 0; i < parameters.size(); ++i) {
+    ModelTerm& t = model[parameters[i].term];
+    const double d = change[static_cast<Index>(i)];
+    if (parameters[i].shape == 2) {
+      const double step = std::clamp(d, -kLongestStep, kLongestStep);
+      t.term.kind == Kind::kCogging ? t.term.shape2 += step : t.term.shape2 *= std::exp(step);
+    } else if (parameters[i].shape) {
+      t.term.shape *= std::exp(std::clamp(d, -kLongestStep, kLongestStep));
+    } else {
+      const double next = t.value + d;
+      t.value = positive(t.term.kind) && !t.corrects && t.value > 0 ? std::max(next, kLeastShare * t.value) : next;
+    }
+  }
 }
 
 }  // namespace diagnosis::runs

@@ -25,6 +25,8 @@ struct Parameter {
   int shape = 0;  // 0: the coefficient; 1: the logarithm of term.shape; 2: term.shape2, see ModelTerm
 };
 std::vector<Parameter> parameters_of(const Model& model);
+// Changes them, but no shape and no positive number by more than a linearisation bears.
+void step_parameters(Model& model, const Vec& change);
 
 // Nothing has inertia: the motion is given and forces answer to it.
 bool massless(const Model& model);
