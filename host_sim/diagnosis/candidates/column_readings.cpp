@@ -12,7 +12,7 @@ bool Columns::of_channel(const Term& t, const Window& w, const WindowRun& run, c
   const Prepared& record = records_[w.record];
   rows.setZero(static_cast<Index>(traces.size()) * len);
   for (size_t c = 0; c < traces.size(); ++c) {
-    if (traces[c].dof != t.dof || traces[c].quantity != (force ? 3 : t.quantity)) continue;
+    if (traces[c].dof != t.dof || traces[c].quantity != (force ? kForceTrace : t.quantity)) continue;
     auto out = rows.segment(static_cast<Index>(c) * len, len);
     const Vec simulated = traces[c].y.segment(w.from, len) - run.residual.segment(static_cast<Index>(c) * len, len);
     if (t.kind == Kind::kChannelDelay || t.kind == Kind::kForceDelay)

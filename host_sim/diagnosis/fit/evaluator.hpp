@@ -27,6 +27,8 @@ struct WindowRun {
   Index nuisances = 0;     // states and offsets, the first columns of slopes
 };
 
+constexpr int kForceTrace = 3;  // quantity of a trace that is a force: what is compared where nothing has mass
+
 class Evaluator {
  public:
   Evaluator(const System& system, const Model& model, const std::vector<Prepared>& records);
@@ -47,11 +49,13 @@ class Evaluator {
   void moved(const Window& w, const Vec& change, Vec& state) const;  // state after a change of the nuisances
 
  private:
+  void take_forces(const Simulator& s, const Prepared& record);
   bool simulate(Simulator& s, const Window& w, bool slopes, bool keep, WindowRun& out) const;
   Simulator& simulator(size_t record, size_t lane);
   void from_motion(const Window& w, bool slopes, WindowRun& out) const;
   void round_jumps(const Window& w, bool slopes, Mat& h, WindowRun& out) const;
   void faults(const Window& w, bool slopes, Mat& h, WindowRun& out) const;
+  Index parameter_of(size_t term) const;  // the first that a term has; -1: none
   const System& system_;
   const Model& model_;
   const std::vector<Prepared>& records_;
