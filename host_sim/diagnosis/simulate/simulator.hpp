@@ -87,6 +87,12 @@ class Simulator {
   double base_rate(double share) const;
   double relative(const Vec& y, Index offset, int a, int b, double base) const;
   void accelerations(const Vec& y, const Outside& o, Vec& acc, bool slopes);
+  void pull_elements(const Vec& y, const Outside& o, bool slopes);
+  void pull_friction(const Vec& y, const Outside& o, bool slopes);
+  void pull(const Element& e, const LawValue& f, const Outside& o, bool slopes);
+  void add_slope(int node, Index column, double value);
+  void add_slopes(const Element& e, Index column, double value);  // of what pulls its ends together by that
+  void finish_slopes(const Outside& o, const Vec& acc);
   double level(const Friction& f, double w) const;
   void renew_yield();
   double hold_force(const Friction& f, const Outside& o) const;

@@ -1,10 +1,10 @@
+// Friction that turns, holds and lets go; and how what sticks shares its forces.
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 
 #include "simulator.hpp"
 
-// Friction that turns, holds and lets go.
 namespace diagnosis::runs {
 namespace {
 
@@ -12,6 +12,39 @@ constexpr int kSearches = 8;    // for the instant
 constexpr double kNear = 1e-3;  // of a friction: what holds it is known no better
 
 }  // namespace
+
+// Accelerations per force: the inverse of the masses, with stuck links as bodies.
+void Simulator::renew_yield() {
+  if (!yield_old_) return;
+  yield_ = mass_.cwiseInverse().asDiagonal();
+  held_.clear();
+  for (const Friction& f : friction_)
+    if (f.sign == 0) held_.push_back(&f);
+  if (!held_.empty()) {
+    Mat b = Mat::Zero(nodes_, static_cast<Index>(held_.size()));
+    for (size_t i = 0; i < held_.size(); ++i) {
+      if (held_[i]->a >= 0) b(held_[i]->a, static_cast<Index>(i)) += 1;
+      if (held_[i]->b >= 0) b(held_[i]->b, static_cast<Index>(i)) -= 1;
+    }
+    const Mat mb = mass_.cwiseInverse().asDiagonal() * b;
+    Mat inner = b.transpose() * mb;
+    inner.diagonal().array() *= 1 + 1e-12;
+    const auto solver = inner.ldlt();
+    by_hold_ = solver.solve(mb.transpose());
+    inner_inverse_ = solver.solve(Mat::Identity(inner.rows(), inner.cols()));
+    yield_ -= mb * by_hold_;
+  }
+  yield_old_ = false;
+}
+
+// How the rates of stuck links would change if their DOFs stayed at rest, per unit of the base's acceleration, turned: what their
+// DOFs must take part in.
+Vec Simulator::with_base() const {
+  Vec c = Vec::Zero(static_cast<Index>(held_.size()));
+  for (size_t i = 0; i < held_.size(); ++i)
+    c[static_cast<Index>(i)] = held_[i]->b == -2 ? 1 : held_[i]->a == -2 ? -1 : 0;
+  return c;
+}
 
 // What holds a stuck link, from the last accelerations(): the force that its ends must exchange.
 double Simulator::hold_force(const Friction& f, const Outside& o) const {
