@@ -44,16 +44,16 @@ Columns::Acting Columns::acting(const std::vector<Term>& terms, const Window& w,
                                 const std::vector<MotionTrace>& traces, Mat& out) {
   if (memory_.size() != terms.size()) memory_.assign(terms.size(), {});
   Acting all;
-  all.force.setZero(static_cast<Index>(terms.size()), w.length);
+  all.force.resize(static_cast<Index>(terms.size()), w.length);
   Vec rows;
   for (size_t i = 0; i < terms.size(); ++i) {
     const Index row = static_cast<Index>(i);
     all.nodes.push_back(nodes_of(terms[i]));
     all.direct.push_back(of_channel(terms[i], w, run, traces, rows));
     if (all.direct[i])
-      out.row(row) = rows;
+      out.row(row) = rows, all.force.row(row).setZero();
     else if (terms[i].kind == Kind::kBaseDelay)
-      base_delay(w, run, all.late_base, all.carried), all.late = row;
+      base_delay(w, run, all.late_base, all.carried), all.late = row, all.force.row(row).setZero();
     else
       all.force.row(row) = force(terms[i], w, run, memory_[i]);
   }
