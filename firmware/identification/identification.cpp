@@ -105,7 +105,7 @@ void identify(const CoreConfiguration& configuration, const BatchTable& table, I
   }
   report_uncertainty(list, fit, memory.sums);
   add_noise_doubt(configuration, list, table, fit, estimates);
-  const uint64_t nothing_known = take_out_regressor_noise(list, table, fit, estimates);
+  const uint64_t nothing_known = kWeights < 3 ? 0 : take_out_regressor_noise(list, table, fit, estimates);
   end_comparison(list, bias);
   estimates.condition_number = fit.identifiability().condition_number;
   measure_skew(list, table, configuration, estimates);

@@ -14,7 +14,7 @@
 namespace firmware {
 
 // Corrects values, widens standard deviations and intervals. Returns the parameters that noise may have taken to any part of
-// themselves, a bit for each.
+// themselves, a bit for each. Of cores with three weights or more.
 uint64_t take_out_regressor_noise(const EquationList& list, const BatchTable& table, WeightedFit& fit,
                                   Estimates& estimates);
 

@@ -52,6 +52,20 @@ TEST(CoarseSteps, WhatStepsLoseIsNotTheRigs) {
   }));
 }
 
+// A limit is a strength that a rig can have: 9e293 N of friction was told where the steps were all that is left. 0.1 N would stop
+// this mass within two swings.
+TEST(CoarseSteps, LimitsAreStrengthsThatARigCanHave) {
+  const Diagnosis d = diagnose(rig(), {decay(0.01, [](double) { return 0.0; })}, {});
+  bool any = false;
+  for (const DetectionLimit& limit : d.minimum_detectable) {
+    if (limit.effect != "missing_coulomb") continue;
+    any = true;
+    EXPECT_GT(limit.strength, 1e-6);
+    EXPECT_LT(limit.strength, 0.1);
+  }
+  EXPECT_TRUE(any);
+}
+
 // The same steps hide no spring that hardens by a seventh at the start.
 TEST(CoarseSteps, AHardeningSpringIsNamedBesideThem) {
   const Diagnosis d = diagnose(rig(), {decay(0.01, [](double x) { return -90 * x * x * x; })}, {});

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "../choice/needless.hpp"
 #include "../first_screen/limits.hpp"
 #include "../motion/link_motion.hpp"
 #include "../sensors/sensor_check.hpp"
@@ -111,7 +112,9 @@ std::vector<DetectionLimit> limits_of_runs(const Task& task, const State& base) 
   if (!base.fit.ok) return limits;
   const std::vector<Candidate> candidates = plain_candidates(task, base);
   const Screen s = screened(task, base, candidates);
-  const double deviations = needed_deviations(base), error = std::max(1e-300, motion_error(task, base));
+  const double deviations = needed_deviations(base);
+  // What a candidate gains is a share of all that is left, the steps of the channels too: of those the motion's error knows nothing.
+  const double error = std::max(motion_error(task, base), 1 / std::sqrt(motion_over_error(task, base)));
   const std::vector<double> damping = damping_of_links(task, base.model);
   for (size_t i = 0; i < candidates.size(); ++i) {
     const Term& t = candidates[i].terms[0];
