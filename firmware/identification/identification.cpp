@@ -62,13 +62,15 @@ bool not_told_apart(const WeightedFit& fit, const EquationList& list, const Batc
   return inseparable(fit, list, table, estimates, unknown) || inseparable_company(fit, list, table, estimates, unknown);
 }
 
-// The gravest that applies.
+// The gravest that applies. nothing_known: of those that noise may have taken to any part of themselves a bit each.
 EstimateStatus judge(const IdentificationMemory& memory, const EquationList& list, const BatchTable& table,
-                     const CoreConfiguration& configuration, int unknown, const Estimates& estimates) {
+                     const CoreConfiguration& configuration, int unknown, const Estimates& estimates,
+                     uint64_t nothing_known) {
   const WeightedFit& fit = memory.fit;
   if (any_saturated(table)) return EstimateStatus::kSaturated;
   if (!is_excited(list, table, configuration, unknown)) return EstimateStatus::kNoExcitation;
-  if (not_told_apart(fit, list, table, estimates, unknown) || filters_alone_move(table, configuration, unknown) ||
+  if ((nothing_known >> unknown & 1) != 0 || not_told_apart(fit, list, table, estimates, unknown) ||
+      filters_alone_move(table, configuration, unknown) ||
       is_undetermined(list, table, configuration, unknown, estimates))
     return EstimateStatus::kIllConditioned;
   if (skew_matters(list, table, configuration, unknown, estimates)) return EstimateStatus::kSkewed;
@@ -113,9 +115,7 @@ void identify(const CoreConfiguration& configuration, const BatchTable& table, I
     ParameterEstimate& parameter = estimates.parameters[k];
     parameter.variance_inflation = fit.identifiability().inflation[k];
     parameter.plain_value = parameter.value + bias.difference[k];
-    parameter.status = judge(memory, list, table, configuration, k, estimates);
-    if ((nothing_known >> k & 1) != 0 && severity(parameter.status) < severity(EstimateStatus::kIllConditioned))
-      parameter.status = EstimateStatus::kIllConditioned;
+    parameter.status = judge(memory, list, table, configuration, k, estimates, nothing_known);
     if (parameter.status == EstimateStatus::kIllConditioned && not_told_apart(fit, list, table, estimates, k))
       estimates.inseparable = true;
     estimates.unresolved[k] = fit.identifiability().unresolved[k];

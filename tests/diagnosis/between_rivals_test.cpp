@@ -10,13 +10,19 @@ namespace {
 
 using namespace diagnosis;
 
-// A damper of 11 +- 0.2 beside the cause named. 1.96 x 0.2 = 0.39: a rival that makes it 10 takes it out, one that makes it 10.7 does not.
-Diagnosis answer_beside(double rivals_damper) {
+// 3 kg on the ground by a damper that is asked for.
+rig_file::RigModel damped_mass() {
   rig_file::RigModel rig;
   rig.dofs.resize(1), rig.links.resize(1);
   rig.dofs[0].mass_kg.value = 3;
   rig.links[0].a = 1;
   rig.links[0].viscous_N_s_m.estimate = true;
+  return rig;
+}
+
+// A damper of 11 +- 0.2 beside the cause named. 1.96 x 0.2 = 0.39: a rival that makes it 10 takes it out, one that makes it 10.7 does not.
+Diagnosis answer_beside(double rivals_damper) {
+  const rig_file::RigModel rig = damped_mass();
   const System system = make_system(rig, true);
   runs::Candidate stribeck, dry;
   stribeck.terms = {on_link(Kind::kStribeck, 0, 0.2)}, dry.terms = {on_link(Kind::kMissingCoulomb, 0)};
@@ -50,11 +56,7 @@ TEST(BetweenRivals, WhatStaysInItsIntervalIs) {
 // One cause beside another that two may be. What the rig and the sure cause have is compared name by name, in whatever order the models
 // have them; what the one has that the other stands in for is in no rival.
 TEST(BetweenRivals, NumbersOfTheOtherCausesMoveToo) {
-  rig_file::RigModel rig;
-  rig.dofs.resize(1), rig.links.resize(1);
-  rig.dofs[0].mass_kg.value = 3;
-  rig.links[0].a = 1;
-  rig.links[0].viscous_N_s_m.estimate = true;
+  const rig_file::RigModel rig = damped_mass();
   const System system = make_system(rig, true);
   const std::vector<runs::Prepared> records;
   const auto term = [](const Term& t, double value, bool added) {

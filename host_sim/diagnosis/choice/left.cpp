@@ -58,23 +58,6 @@ Hum hum_of(const Leftovers& over, size_t channel, double step_s, const std::vect
   return largest;
 }
 
-// What a channel's steps make of the simulated motion, laid end to end as the residuals are: of a slow one it repeats with it. The grid is
-// that of the readings.
-Vec spectrum_of_steps(const std::vector<Prepared>& records, std::vector<Window> windows, size_t channel,
-                      const std::vector<double>& left) {
-  std::stable_sort(windows.begin(), windows.end(),
-                   [](const Window& a, const Window& b) { return a.record < b.record; });
-  std::vector<double> rows;
-  for (const Window& w : windows) {
-    const MotionTrace& trace = records[w.record].traces[channel];
-    for (Index k = 0; k < w.length; ++k) {
-      const double steps = trace.step > 0 ? (trace.y[w.from + k] - left[rows.size()] - trace.y[0]) / trace.step : 0;
-      rows.push_back(trace.step * (std::round(steps) - steps));
-    }
-  }
-  return spectrum(rows);
-}
-
 }  // namespace
 
 Left left_by(const System& system, const std::vector<Prepared>& records, const State& state) {
@@ -118,9 +101,9 @@ Left left_by(const System& system, const std::vector<Prepared>& records, const S
     left.sensor_noise[static_cast<Index>(c)] = level;
     left.noise[static_cast<Index>(c)] = level + pushed_level / static_cast<double>(pushed[c].size());
     left.in_band[static_cast<Index>(c)] = inside.empty() || allowed <= 0 ? 1 : sum / allowed;
-    // lines that the drives' noise or the steps make are no sign; without a mass it is forces that are simulated
+    // lines that the drives' noise or the steps make are no sign
     Vec made = by_force;
-    if (!over.massless) made += spectrum_of_steps(records, state.seen, c, rows[c]);
+    if (!over.steps[c].empty()) made += spectrum(over.steps[c]);
     highest_lines(p, made, static_cast<Index>(low_Hz / bin), static_cast<Index>(top_Hz / bin), bin, driving, left);
     left.hum.push_back(hum_of(over, c, step, driving_each));
   }

@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <cmath>
 #include <memory>
 
 #include "../fit/run_windows.hpp"
@@ -40,13 +41,25 @@ struct NoisyRecords {
   }
 };
 
+bool any_steps(const std::vector<Prepared>& records, size_t channel) {
+  return std::any_of(records.begin(), records.end(), [&](const Prepared& p) { return p.traces[channel].step > 0; });
+}
+
+// Of a slow motion it repeats with it. The grid is that of the readings.
+void add_steps(const MotionTrace& trace, const Window& w, const double* residual, std::vector<double>& rows) {
+  for (Index k = 0; k < w.length; ++k) {
+    const double steps = trace.step > 0 ? (trace.y[w.from + k] - residual[k] - trace.y[0]) / trace.step : 0;
+    rows.push_back(trace.step * (std::round(steps) - steps));
+  }
+}
+
 }  // namespace
 
 bool leave_over(const System& system, const std::vector<Prepared>& records, const State& state, Leftovers& out) {
   Evaluator evaluator(system, state.model, records);
   const size_t channels = evaluator.traces(0).size();
   out.massless = evaluator.massless();
-  out.rows.resize(channels), out.pushed.resize(channels);
+  out.rows.resize(channels), out.pushed.resize(channels), out.steps.resize(channels);
   std::vector<Window> windows = state.seen;
   std::stable_sort(windows.begin(), windows.end(),
                    [](const Window& a, const Window& b) { return a.record < b.record; });
@@ -66,6 +79,8 @@ bool leave_over(const System& system, const std::vector<Prepared>& records, cons
       const Index at = static_cast<Index>(c) * windows[i].length;
       out.rows[c].insert(out.rows[c].end(), rows[i].data() + at, rows[i].data() + at + windows[i].length);
       out.pushed[c].insert(out.pushed[c].end(), pushed[i].data() + at, pushed[i].data() + at + windows[i].length);
+      if (!out.massless && any_steps(records, c))
+        add_steps(records[windows[i].record].traces[c], windows[i], rows[i].data() + at, out.steps[c]);
     }
   return finite;
 }
