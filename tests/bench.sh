@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The long measurements, called by tests/run.sh --bench: docs/speed.md, docs/accuracy.md, docs/coverage.md, docs/warrant.md, docs/diagnosis.md. They take about
+# The long measurements, called by tests/run.sh --bench: docs/speed.md, docs/accuracy.md, docs/coverage.md, docs/estimate_coverage.md, docs/warrant.md, docs/diagnosis.md. They take about
 # an hour on two cores; nothing else should run meanwhile. A page appears whole or not at all.
 #   tests/bench.sh speed    docs/speed.md alone
 set -euo pipefail
@@ -72,6 +72,7 @@ if measured scenario_script; then
 fi
 if measured accuracy_report; then "$bin/accuracy_report" docs/accuracy.md; fi
 if measured coverage_report; then "$bin/coverage_report" docs/coverage.md; fi
+if measured host_sim; then tests/coverage/estimate_conditions.py "$bin" --page docs/estimate_coverage.md > /dev/null; fi
 if measured warrant_bench; then "$bin/warrant_bench" --page docs/warrant.md --draws 100; fi
 if measured diagnosis_report; then "$bin/diagnosis_report" --jobs "$(nproc)" docs/diagnosis.md; fi
 if measured limit_report; then "$bin/limit_report" --draws 10 --out docs/detection_limits.md; fi

@@ -10,7 +10,6 @@ namespace rig_file {
 namespace {
 
 using Taps = std::vector<double>;
-using Records = std::vector<std::vector<firmware::RawSample>>;
 
 constexpr int kDisplacement = static_cast<int>(firmware::Quantity::kDisplacement);
 constexpr double kPi = 3.14159265358979323846;
@@ -57,10 +56,11 @@ Taps band(int order, int sums) {
 
 // Power of the filter's output for first-order noise of unit variance.
 double gain(const Taps& h, double pole) {
+  Taps power(h.size());
+  for (size_t lag = 0; lag < h.size(); ++lag) power[lag] = std::pow(pole, static_cast<double>(lag));
   double sum = 0;
   for (size_t i = 0; i < h.size(); ++i)
-    for (size_t k = 0; k < h.size(); ++k)
-      sum += h[i] * h[k] * std::pow(pole, std::fabs(static_cast<double>(i) - static_cast<double>(k)));
+    for (size_t k = 0; k < h.size(); ++k) sum += h[i] * h[k] * power[i < k ? k - i : i - k];
   return sum;
 }
 
@@ -74,14 +74,15 @@ double mean_square(const std::vector<double>& values, double below) {
 
 // Mean square of the filter's output. A displacement has no jumps, even its second slope alone jumps with friction: there
 // rare large errors count, as they do in products of noise. In other channels a jump is motion and is clipped.
-double power(const Records& records, int node, int q, const Taps& h) {
+double power(const ChannelCodes& records, int q, const Taps& h) {
   std::vector<double> magnitudes;
-  for (const auto& record : records)
-    for (size_t n = 0; n + h.size() <= record.size(); ++n) {
-      double sum = 0.0;
-      for (size_t k = 0; k < h.size(); ++k) sum += h[k] * record[n + k].code[node][q];
-      magnitudes.push_back(std::fabs(sum));
-    }
+  for (const auto& record : records) {
+    if (record.size() < h.size()) continue;
+    std::vector<double> sum(record.size() - h.size() + 1, 0.0);
+    for (size_t k = 0; k < h.size(); ++k)
+      for (size_t n = 0; n < sum.size(); ++n) sum[n] += h[k] * record[n + k];
+    for (const double value : sum) magnitudes.push_back(std::fabs(value));
+  }
   if (magnitudes.empty()) return 0.0;
   if (q == kDisplacement) return mean_square(magnitudes, INFINITY);
   const auto middle = magnitudes.begin() + static_cast<long>(magnitudes.size() / 2);
@@ -108,8 +109,8 @@ struct Bands {
       : order(highest_order), filter{band(order, 0), band(order, order / 2), band(order, order)} {}
   int order;
   Taps filter[3];
-  void read(const Records& records, int node, int quantity) {
-    for (int b = 0; b < 3; ++b) power[b] = rig_file::power(records, node, quantity, filter[b]);
+  void read(const ChannelCodes& records, int quantity) {
+    for (int b = 0; b < 3; ++b) power[b] = rig_file::power(records, quantity, filter[b]);
   }
   double pole(int b) const { return pole_of(filter[0], filter[b], power[b] / power[0]); }
   bool fits(double pole) const {
@@ -121,12 +122,12 @@ struct Bands {
   double power[3] = {};
 };
 
-Bands telling_bands(const Records& records, int node, int quantity) {
+Bands telling_bands(const ChannelCodes& records, int quantity) {
   Bands first(quantity == kDisplacement ? kOrderOfDisplacement : kLeastOrder);
-  first.read(records, node, quantity);
+  first.read(records, quantity);
   for (int order = 2 * first.order; !first.white() && order <= kMostOrder; order *= 2) {
     Bands narrow(order);
-    narrow.read(records, node, quantity);
+    narrow.read(records, quantity);
     if (narrow.white()) return narrow;
   }
   return first;
@@ -135,7 +136,7 @@ Bands telling_bands(const Records& records, int node, int quantity) {
 // Variance of white noise that would have the power which the channel has where it has least, between 2 and 24 periods in a
 // segment of four seconds, of 4096 samples where these are longer (a slow rig is sampled slowly), or of a fifth of the longest record:
 // a bound for noise at low frequencies. 0: the records are too short.
-double low_level(const Records& records, int node, int q, double rate_Hz) {
+double low_level(const ChannelCodes& records, double rate_Hz) {
   size_t longest = 0;
   for (const auto& record : records) longest = std::max(longest, record.size());
   const size_t length = std::min(std::max(static_cast<size_t>(4 * rate_Hz), kLeastSegment), longest / 5);
@@ -144,20 +145,29 @@ double low_level(const Records& records, int node, int q, double rate_Hz) {
   double band_power[kBands] = {};
   double window_power = 0;
   size_t segments = 0;
-  std::vector<double> window(length);
+  std::vector<double> window(length), cosines, sines;  // of all lines, one after the other
   for (size_t n = 0; n < length; ++n) {
     window[n] = 0.5 - 0.5 * std::cos(2 * kPi * (static_cast<double>(n) + 0.5) / static_cast<double>(length));
     window_power += window[n] * window[n];
   }
+  for (int line = 0; line < kBands * kLines; ++line) {
+    const double step = 2 * kPi * (kFirst + line) / static_cast<double>(length);
+    for (size_t n = 0; n < length; ++n)
+      cosines.push_back(std::cos(step * static_cast<double>(n))),
+          sines.push_back(std::sin(step * static_cast<double>(n)));
+  }
   for (const auto& record : records)
     for (size_t from = 0; from + length <= record.size(); from += length / 2, ++segments)
       for (int line = 0; line < kBands * kLines; ++line) {
-        const double step = 2 * kPi * (kFirst + line) / static_cast<double>(length);
-        double cosine = 0, sine = 0, middle = record[from].code[node][q];
+        const double *const turn = cosines.data() + static_cast<size_t>(line) * length, *const quarter =
+                                                                                            sines.data() +
+                                                                                            static_cast<size_t>(line) *
+                                                                                                length;
+        double cosine = 0, sine = 0, middle = record[from];
         for (size_t n = 0; n < length; ++n) {
-          const double value = window[n] * (record[from + n].code[node][q] - middle);
-          cosine += value * std::cos(step * static_cast<double>(n));
-          sine += value * std::sin(step * static_cast<double>(n));
+          const double value = window[n] * (record[from + n] - middle);
+          cosine += value * turn[n];
+          sine += value * quarter[n];
         }
         band_power[line / kLines] += cosine * cosine + sine * sine;
       }
@@ -177,17 +187,17 @@ double pole_between(const Taps& top, double top_power, double low) {
 }
 
 // Noise that differs between records is not what is read of all.
-double spread(const Records& records, int node, int quantity, const Taps& top, double whole) {
+double spread(const ChannelCodes& records, int quantity, const Taps& top, double whole) {
   double most = 0;
   for (const auto& record : records)
-    if (records.size() > 1) most = std::max(most, std::fabs(power({record}, node, quantity, top) / whole - 1.0));
+    if (records.size() > 1) most = std::max(most, std::fabs(power({record}, quantity, top) / whole - 1.0));
   return most;
 }
 
 }  // namespace
 
-ChannelNoise read_noise(const Records& records, int node, int quantity, double rate_Hz) {
-  const Bands bands = telling_bands(records, node, quantity);
+ChannelNoise read_noise(const ChannelCodes& records, int quantity, double rate_Hz) {
+  const Bands bands = telling_bands(records, quantity);
   ChannelNoise noise;
   if (!(bands.power[0] > 0.0)) {  // most codes do not change: a drive that is off, blows, a rig at rest
     const auto is_long = [&](const auto& record) { return record.size() >= bands.filter[0].size(); };
@@ -201,16 +211,16 @@ ChannelNoise read_noise(const Records& records, int node, int quantity, double r
   } else if (quantity == kDisplacement) {
     if (bands.fits(pole)) {
       noise.pole = pole, noise.doubt = kColouredDoubt;
-    } else if (const FilteredNoise filtered = read_filtered_noise(records, node, quantity); filtered.variance > 0.0) {
+    } else if (const FilteredNoise filtered = read_filtered_noise(records); filtered.variance > 0.0) {
       noise.correlation = filtered.correlation, noise.doubt = filtered.doubt;
       white = filtered.variance;
     }
-  } else if (const double low = low_level(records, node, quantity, rate_Hz); low > 0.0) {
+  } else if (const double low = low_level(records, rate_Hz); low > 0.0) {
     if (low > kColouredLevel * white) noise.pole = pole_between(bands.filter[0], bands.power[0], low);
     white = std::min(white, low);
     noise.doubt = kLowDoubt;
   }
-  noise.doubt = std::max(noise.doubt, spread(records, node, quantity, bands.filter[0], bands.power[0]));
+  noise.doubt = std::max(noise.doubt, spread(records, quantity, bands.filter[0], bands.power[0]));
   noise.deviation = std::sqrt(noise.pole == 0.0 ? white : bands.power[0] / gain(bands.filter[0], noise.pole));
   return noise;
 }

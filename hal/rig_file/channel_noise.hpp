@@ -8,7 +8,7 @@
 #include <cmath>
 #include <vector>
 
-#include "firmware/acquisition/raw_sample.hpp"
+#include "hal/rig_file/channel_codes.hpp"
 
 namespace rig_file {
 
@@ -24,8 +24,6 @@ struct ChannelNoise {
   bool white() const { return pole == 0.0 && correlation.empty(); }
 };
 
-// The channel's codes of one sample are sample.code[node][quantity]; one vector a record.
-ChannelNoise read_noise(const std::vector<std::vector<firmware::RawSample>>& records, int node, int quantity,
-                        double rate_Hz);
+ChannelNoise read_noise(const ChannelCodes& records, int quantity, double rate_Hz);
 
 }  // namespace rig_file

@@ -7,8 +7,6 @@
 namespace rig_file {
 namespace {
 
-using Records = std::vector<std::vector<firmware::RawSample>>;
-
 constexpr double kPi = 3.14159265358979323846;
 constexpr int kLength = 256,
               kBins = kLength / 2 + 1;  // of a segment; resolves a twentieth of the sample rate thirteen times
@@ -27,7 +25,7 @@ constexpr double kLeastDoubt = 0.1;
 
 // Mean power of segments that overlap by half, under Blackman and Harris' window: a motion stands 60 dB above the noise, and what it
 // leaves beyond four bins is 92 dB down.
-std::vector<double> spectrum(const Records& records, int node, int quantity) {
+std::vector<double> spectrum(const ChannelCodes& records) {
   std::vector<double> power(kBins, 0.0), window(kLength), turn(kLength);
   double segments = 0, window_power = 0;
   for (int n = 0; n < kLength; ++n) {
@@ -36,20 +34,22 @@ std::vector<double> spectrum(const Records& records, int node, int quantity) {
     window_power += window[n] * window[n];
     turn[n] = std::cos(2 * kPi * n / kLength);
   }
-  std::vector<double> value(kLength);
+  std::vector<double> turns, quarters;  // of all bins, one sample after the other
+  for (int n = 0; n < kLength; ++n)
+    for (int k = 0; k < kBins; ++k)
+      turns.push_back(turn[k * n % kLength]), quarters.push_back(turn[(k * n + kLength / 4) % kLength]);
+  std::vector<double> cosine(kBins), sine(kBins);
   for (const auto& record : records)
     for (size_t from = 0; from + kLength <= record.size(); from += kLength / 2, ++segments) {
       double mean = 0;
-      for (int n = 0; n < kLength; ++n) mean += record[from + n].code[node][quantity] / double{kLength};
-      for (int n = 0; n < kLength; ++n) value[n] = window[n] * (record[from + n].code[node][quantity] - mean);
-      for (int k = 0; k < kBins; ++k) {
-        double cosine = 0, sine = 0;
-        for (int n = 0; n < kLength; ++n) {
-          cosine += value[n] * turn[k * n % kLength];
-          sine += value[n] * turn[(k * n + kLength / 4) % kLength];
-        }
-        power[k] += cosine * cosine + sine * sine;
+      for (int n = 0; n < kLength; ++n) mean += record[from + n] / double{kLength};
+      std::fill(cosine.begin(), cosine.end(), 0.0), std::fill(sine.begin(), sine.end(), 0.0);
+      for (int n = 0; n < kLength; ++n) {
+        const double value = window[n] * (record[from + n] - mean);
+        const double *const of_cosine = turns.data() + n * kBins, *const of_sine = quarters.data() + n * kBins;
+        for (int k = 0; k < kBins; ++k) cosine[k] += value * of_cosine[k], sine[k] += value * of_sine[k];
       }
+      for (int k = 0; k < kBins; ++k) power[k] += cosine[k] * cosine[k] + sine[k] * sine[k];
     }
   for (double& p : power) p /= std::max(segments, 1.0) * window_power;
   return power;
@@ -66,9 +66,9 @@ double band_power(const std::vector<double>& power, int band) {
 
 }  // namespace
 
-FilteredNoise read_filtered_noise(const Records& records, int node, int quantity) {
+FilteredNoise read_filtered_noise(const ChannelCodes& records) {
   FilteredNoise noise;
-  std::vector<double> power = spectrum(records, node, quantity);
+  std::vector<double> power = spectrum(records);
   const double top = band_power(power, kBands - 1);
   int band = 0;
   double ratio = 0;

@@ -5,7 +5,7 @@
 #pragma once
 #include <vector>
 
-#include "firmware/acquisition/raw_sample.hpp"
+#include "hal/rig_file/channel_codes.hpp"
 
 namespace rig_file {
 
@@ -15,6 +15,6 @@ struct FilteredNoise {
   std::vector<double> correlation;  // over lags from 0, of variance 1
 };
 
-FilteredNoise read_filtered_noise(const std::vector<std::vector<firmware::RawSample>>& records, int node, int quantity);
+FilteredNoise read_filtered_noise(const ChannelCodes& records);
 
 }  // namespace rig_file

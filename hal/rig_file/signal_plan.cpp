@@ -14,14 +14,6 @@ using firmware::CoreConfiguration;
 using firmware::kQuantities;
 using firmware::SignalConfiguration;
 
-// Noise that is in the neighbours of a sample although nothing is filtered. A displacement tells: its motion does not reach the top
-// of the spectrum.
-bool coloured_displacement(const CoreConfiguration& c, const SignalRanges& ranges) {
-  for (int node = 0; node < c.dof_count; ++node)
-    if (c.channels[node][kX].present && !ranges.noise[node][kX].white()) return true;
-  return false;
-}
-
 }  // namespace
 
 void plan_signals(CoreConfiguration& configuration, const SignalRanges& ranges) {

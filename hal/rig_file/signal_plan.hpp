@@ -42,8 +42,14 @@ SignalRanges measure_ranges(const firmware::CoreConfiguration& planned,
                             const std::vector<std::vector<firmware::RawSample>>& records,
                             Corner corner = Corner::kAsConfigured);
 
+// Does any signal of a planned configuration pass a filter? Then all do. Where none does, recorded samples tell the plan no more than
+// whether the noise of a displacement has a colour (channel_noise.hpp).
+bool filtered(const firmware::CoreConfiguration& planned);
+
 // Is any signal of a planned configuration the slope of another one?
 bool differentiates(const firmware::CoreConfiguration& planned);
+// An acceleration, of a displacement?
+bool differentiates_twice(const firmware::CoreConfiguration& planned);
 
 // The plan in one line: "velocity and acceleration of DOF 1 derived from displacement; ..." Empty: all measured.
 std::string describe_plan(const firmware::CoreConfiguration& planned);

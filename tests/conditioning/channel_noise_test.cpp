@@ -29,7 +29,8 @@ std::vector<firmware::RawSample> record(Quantity quantity, double motion_Hz, dou
 }
 
 rig_file::ChannelNoise read(const Records& records, Quantity quantity) {
-  return rig_file::read_noise(records, 0, static_cast<int>(quantity), kRate_Hz);
+  return rig_file::read_noise(rig_file::codes_of(records, 0, static_cast<int>(quantity)), static_cast<int>(quantity),
+                              kRate_Hz);
 }
 
 TEST(ChannelNoise, WhiteNoiseBesideASlowMotion) {
@@ -74,7 +75,8 @@ TEST(ChannelNoise, BelowASlowMotionThatFillsTheRest) {
     samples[n].code[0][static_cast<int>(Quantity::kVelocity)] +=
         static_cast<int32_t>(std::lround(4e6 * std::fabs(turns - std::floor(turns) - 0.5)));
   }
-  const auto noise = rig_file::read_noise({samples}, 0, static_cast<int>(Quantity::kVelocity), 64.0);
+  const auto noise = rig_file::read_noise(rig_file::codes_of({samples}, 0, static_cast<int>(Quantity::kVelocity)),
+                                          static_cast<int>(Quantity::kVelocity), 64.0);
   EXPECT_NEAR(noise.deviation, 1e4, 4e3);
 }
 

@@ -14,13 +14,23 @@ using firmware::CoreConfiguration;
 using firmware::kQuantities;
 using firmware::SignalConfiguration;
 
-SignalRanges measure_ranges(const CoreConfiguration& configuration,
-                            const std::vector<std::vector<firmware::RawSample>>& records, Corner corner) {
-  SignalRanges ranges;
+namespace {
+
+using Records = std::vector<std::vector<firmware::RawSample>>;
+
+void read_noise_of(const CoreConfiguration& c, const Records& records, int q, SignalRanges& ranges) {
   for (int node = 0; node < firmware::kMaxNodes; ++node)
-    for (int q = 0; q < kQuantities; ++q)
-      if (configuration.channels[node][q].present)
-        ranges.noise[node][q] = read_noise(records, node, q, 1.0 / to_double(configuration.sample_period_s));
+    if (c.channels[node][q].present)
+      ranges.noise[node][q] = read_noise(codes_of(records, node, q), q, 1.0 / to_double(c.sample_period_s));
+}
+
+}  // namespace
+
+SignalRanges measure_ranges(const CoreConfiguration& configuration, const Records& records, Corner corner) {
+  SignalRanges ranges;
+  read_noise_of(configuration, records, kX, ranges);
+  if (!filtered(configuration) && !coloured_displacement(configuration, ranges)) return ranges;  // asks for no more
+  for (const int q : {kF, kV, kA}) read_noise_of(configuration, records, q, ranges);
   CoreConfiguration planned = configuration;
   if (corner == Corner::kBelowMotion && planned.high_pass_order > 0) {
     const int as_configured = planned.high_pass_shift - octaves_of_period(planned);

@@ -46,6 +46,10 @@ bool differentiates(const CoreConfiguration& c) {
   return any(c, [&](int node, int q) { return derivatives(c, node, q) > 0; });
 }
 
+bool differentiates_twice(const CoreConfiguration& c) {
+  return any(c, [&](int node, int q) { return derivatives(c, node, q) > 1; });
+}
+
 // A delayed channel's filter has no room for more.
 Band band(const CoreConfiguration& c, const SignalRanges& ranges) {
   return ranges.wide_band && differentiates(c) && !delayed(c) ? Band::kWide : Band::kTenth;
@@ -53,6 +57,12 @@ Band band(const CoreConfiguration& c, const SignalRanges& ranges) {
 
 bool filtered(const CoreConfiguration& c) {
   return differentiates(c) || delayed(c) || fuses(c) || c.high_pass_order > 0;
+}
+
+bool coloured_displacement(const CoreConfiguration& c, const SignalRanges& ranges) {
+  for (int node = 0; node < c.dof_count; ++node)
+    if (c.channels[node][kX].present && !ranges.noise[node][kX].white()) return true;
+  return false;
 }
 
 bool has_friction(const CoreConfiguration& c) {

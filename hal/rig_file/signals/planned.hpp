@@ -18,10 +18,11 @@ bool fused(const firmware::CoreConfiguration& c, int node, int q);
 int derivatives(const firmware::CoreConfiguration& c, int node, int q);
 // How often the most integrated signal is.
 int most_integrations(const firmware::CoreConfiguration& c);
-// Does any signal pass a filter? Then all do.
-bool filtered(const firmware::CoreConfiguration& c);
 // What the low-pass of a plan that differentiates lets through.
 Band band(const firmware::CoreConfiguration& c, const SignalRanges& ranges);
+// Noise that is in the neighbours of a sample although nothing is filtered. A displacement tells: its motion does not reach the top
+// of the spectrum.
+bool coloured_displacement(const firmware::CoreConfiguration& c, const SignalRanges& ranges);
 bool has_friction(const firmware::CoreConfiguration& c);
 
 }  // namespace rig_file

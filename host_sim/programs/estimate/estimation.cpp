@@ -5,6 +5,7 @@
 #include <memory>
 #include <sstream>
 
+#include "hal/rig_file/channel_noise.hpp"
 #include "hal/rig_file/first_batches.hpp"
 #include "hal/rig_file/signal_plan.hpp"
 #include "host_sim/can_log/log_writer.hpp"
@@ -62,18 +63,29 @@ firmware::WindowConfiguration window_of(const std::vector<Record>& records, cons
   return window;
 }
 
-// Is any signal of the equations more than a copy of what is measured?
-bool any_filter(const firmware::CoreConfiguration& configuration) {
-  for (const auto& node : configuration.signals)
-    for (const firmware::SignalConfiguration& signal : node)
-      if (signal.available && (signal.derived || signal.half_length > 0 || signal.tap[0].raw != 0)) return true;
-  return configuration.high_pass_order > 0;
+// Noise that has a colour is in the neighbours of a sample, though nothing is filtered.
+bool coloured_displacement(const std::vector<Record>& records,
+                           const std::vector<rig_file::ChannelCalibration>& calibrations) {
+  for (const rig_file::ChannelCalibration& calibration : calibrations) {
+    if (calibration.quantity != firmware::Quantity::kDisplacement) continue;
+    rig_file::ChannelCodes codes;
+    for (const Record& record : records) {
+      const Channel* const channel = record.find(Quantity::kDisplacement, calibration.dof);
+      if (channel == nullptr) break;
+      codes.emplace_back();
+      for (const double value : channel->values) codes.back().push_back(to_code(value, calibration));
+    }
+    if (!rig_file::read_noise(codes, static_cast<int>(calibration.quantity), 1.0 / records.front().sample_period_s)
+             .white())
+      return true;
+  }
+  return false;
 }
 
-// Signals that are derived get the resolution that these records allow.
+// Signals that are derived get the resolution that these records allow, and all signals the noise that they have.
 void fit_signals_to(const std::vector<Record>& records, const std::vector<rig_file::ChannelCalibration>& calibrations,
                     firmware::CoreConfiguration& configuration) {
-  if (!any_filter(configuration)) return;
+  if (!rig_file::filtered(configuration) && !coloured_displacement(records, calibrations)) return;
   std::vector<std::vector<firmware::RawSample>> samples;
   for (const Record& record : records) {
     RecordSampleSource source(record, calibrations);

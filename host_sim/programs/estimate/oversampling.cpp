@@ -16,7 +16,10 @@ namespace host_sim {
 namespace {
 
 constexpr double kAboveNoise = 4.0;
-constexpr double kRatesPerMotion = 10.0;  // the low-pass of derivatives reaches to a tenth of the sample rate
+// Samples that a period of the fastest motion keeps. The low-pass of derivatives reaches to a tenth of the sample rate, or to a fifth where
+// motion goes up there. Noise of a second slope grows with the corner to the power of 5/2, and what it does to friction's sign with
+// that: an eighth is better for every kind of motion but sticking, whose rests a lower rate smears.
+constexpr double kRatesOfSlope = 10.0, kRatesOfSecondSlope = 8.0;
 constexpr size_t kFewestThinned = 8 * firmware::kBlockSamples;
 constexpr size_t kLongestStretch = 2048, kShortestStretch = 256;
 
@@ -72,7 +75,8 @@ Oversampling oversampling_of(const rig_file::RigModel& model, const std::vector<
   Oversampling result;
   const std::vector<rig_file::ChannelCalibration> calibrations = calibrate(records, model);
   const double period_s = records.front().sample_period_s;
-  if (!rig_file::differentiates(rig_file::compile_rig(model, period_s, calibrations))) return result;
+  const firmware::CoreConfiguration planned = rig_file::compile_rig(model, period_s, calibrations);
+  if (!rig_file::differentiates(planned)) return result;
   size_t shortest = records.front().samples();
   for (const Record& record : records) {
     shortest = std::min(shortest, record.samples());
@@ -80,7 +84,8 @@ Oversampling oversampling_of(const rig_file::RigModel& model, const std::vector<
       if (channel.quantity != Quantity::kForce)
         result.motion_Hz = std::max(result.motion_Hz, highest_motion_Hz(channel.values, record.sample_period_s));
   }
-  const double most = 1.0 / (kRatesPerMotion * result.motion_Hz * period_s);
+  const double rates = rig_file::differentiates_twice(planned) ? kRatesOfSecondSlope : kRatesOfSlope;
+  const double most = 1.0 / (rates * result.motion_Hz * period_s);
   size_t factor = most < 2.0 ? 1 : static_cast<size_t>(std::min(most, static_cast<double>(shortest)));
   while (factor > 1 && thinned_samples(shortest, factor) < kFewestThinned) --factor;
   if (factor > 1 && !reaches_its_end(records, calibrations)) result.factor = factor;
