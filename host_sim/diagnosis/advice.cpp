@@ -44,14 +44,24 @@ std::string odd_number(const Cause& c, const rig_file::RigModel& corrected) {
   return "";
 }
 
-// A spring whose displacement reads z too much lacks stiffness times -z, a constant force. Empty where the cause is another, or there
-// is no spring.
-std::string zero_that_is_off(const Cause& c, const rig_file::RigModel& rig) {
+// What a rig file states, or what was found for it.
+double size_of(const rig_file::Coefficient& c, const std::string& name, const Diagnosis& d) {
+  if (!c.estimate) return c.value;
+  for (const Parameter& p : d.extended.parameters)
+    if (p.name == name) return p.value;
+  return 0;
+}
+
+// A spring whose displacement reads z too much lacks stiffness times -z, a constant force; a pendulum that hangs is a spring of its gravity
+// torque. Empty where the cause is another, or there is no spring.
+std::string zero_that_is_off(const Cause& c, const Diagnosis& d) {
   if (c.effect != "force_offset" || c.parameters.empty()) return "";
-  for (const rig_file::Link& l : rig.links) {
+  for (const rig_file::Link& l : d.extended_rig.links) {
     const std::string label = rig_file::link_label(l);
-    if (c.where != "link " + label || !(l.stiffness_N_m.value > 0)) continue;
-    const double too_much = -c.parameters[0].value / l.stiffness_N_m.value, off = std::abs(too_much);
+    const double spring = size_of(l.stiffness_N_m, "stiffness[" + label + "]", d) +
+                          size_of(l.gravity_torque_N_m, "gravity_torque[" + label + "]", d);
+    if (c.where != "link " + label || !(spring > 0)) continue;
+    const double too_much = -c.parameters[0].value / spring, off = std::abs(too_much);
     char text[240];
     std::snprintf(
         text, sizeof text,
@@ -71,7 +81,7 @@ std::vector<std::string> advice_for(const Diagnosis& d) {
   const auto say = [&](const std::string& text) {
     if (!text.empty() && unique.insert(text).second) list.push_back(text);
   };
-  for (const Cause& c : d.causes) say(odd_number(c, d.extended_rig)), say(zero_that_is_off(c, d.extended_rig));
+  for (const Cause& c : d.causes) say(odd_number(c, d.extended_rig)), say(zero_that_is_off(c, d));
   if (d.verdict == Verdict::kAmbiguous) {
     for (const Cause& c : d.causes) say(experiment(c.effect));
     for (const NamedPlace& p : d.ambiguous_with) say(experiment(p.effect));
@@ -90,6 +100,9 @@ std::vector<std::string> advice_for(const Diagnosis& d) {
     say("a force remains that no effect of the vocabulary explains: look at the residual against elongation, rate and "
         "time, "
         "and record with one suspected part removed or held");
+    if (d.verdict == Verdict::kUnknown && d.causes.empty() && !d.possible.empty())
+      say("these records do not bear out " + d.possible.front().place.effect + " on " + d.possible.front().place.where +
+          ", which comes nearest: " + experiment(d.possible.front().place.effect));
   }
   if (d.verdict == Verdict::kNone && !d.unknown_trace.empty())
     say("what is left looks faintly like " + d.unknown_trace +

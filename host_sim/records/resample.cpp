@@ -152,7 +152,7 @@ std::vector<Record> resampled(const Record& record, double rate_Hz) {
     records.push_back(part_at(record, time_s, part, rate_Hz));
   }
   for (size_t c = 0; c < record.channels.size(); ++c) {
-    if (counts_marks(record.channels[c].values)) continue;
+    if (counts_marks(time_s, record.channels[c].values)) continue;
     const double step_of_values = value_step(record.channels[c]);
     const double rows = rows_per_update(record.channels[c].values, step_of_values);
     for (Record& part : records) {

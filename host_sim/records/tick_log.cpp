@@ -14,6 +14,8 @@ namespace {
 
 constexpr double kAlike = 1e-4;    // of the step: the decimals of the file
 constexpr double kOneStep = 0.99;  // of the rows: others lost a tick
+constexpr double kOfAMark = 0.25;  // the time of one: a row that is rounded to a whole count is off by up to a half
+constexpr double kMostRows = 0.9;
 constexpr size_t kPoints = 6;
 constexpr double kSamplesPerTurn = 4.0;
 
@@ -67,12 +69,27 @@ std::vector<double> between_edges(const Record& record, double step, size_t coun
 
 }  // namespace
 
-bool counts_marks(const std::vector<double>& values) {
-  if (values.size() < 2) return false;
-  const double step = std::fabs(step_at(values, 1));
-  for (size_t i = 1; i < values.size(); ++i)
-    if (std::fabs(std::fabs(step_at(values, i)) - step) > kAlike * step) return false;
-  return step > 0.0;
+bool counts_marks(const std::vector<double>& time_s, const std::vector<double>& values) {
+  if (values.size() < 2 || time_s.size() != values.size()) return false;
+  double step = std::fabs(step_at(values, 1));
+  for (size_t i = 1; i < values.size(); ++i) step = std::min(step, std::fabs(step_at(values, i)));
+  if (!(step > 0.0)) return false;
+  size_t unlike = 0, as_long = 0;
+  double marks = 0.0, a_mark_s = 0.0;  // of the row before
+  bool all_single = true, one_way = true;
+  for (size_t i = 1; i < values.size(); ++i) {
+    const double steps = std::fabs(step_at(values, i)) / step, whole = std::nearbyint(steps);
+    if (std::fabs(steps - whole) > kAlike * whole) return false;
+    all_single = all_single && whole == 1.0;
+    one_way = one_way && (step_at(values, i) > 0.0) == (step_at(values, 1) > 0.0);
+    const double now_s = (time_s[i] - time_s[i - 1]) / whole;
+    if (i > 1 && whole != marks) {
+      ++unlike;
+      as_long += std::fabs(now_s / a_mark_s - 1.0) * std::max(whole, marks) < kOfAMark ? 1 : 0;
+    }
+    marks = whole, a_mark_s = now_s;
+  }
+  return all_single || (one_way && static_cast<double>(as_long) > kMostRows * static_cast<double>(unlike));
 }
 
 double tick_step(const Record& record) {

@@ -6,9 +6,10 @@
 
 namespace host_sim {
 
-// A row for each mark that passed (a tooth, a magnet, a revolution): with every row the value grows or falls by one step, and is
-// exact at its instant. The step is then no resolution.
-bool counts_marks(const std::vector<double>& values);
+// A row for each mark that passed (a tooth, a magnet, a revolution), but for those that were missed: from row to row the value grows or
+// falls by whole steps in one direction, and takes as many times longer as there are steps. It is exact at its instant: the step is then
+// no resolution. Of values that are sampled and rounded the steps differ and the times do not.
+bool counts_marks(const std::vector<double>& time_s, const std::vector<double>& values);
 
 // The step of a log of ticks: a record of one channel, in which 99 of 100 rows are one step up or down and the others (a tick was
 // lost) are whole steps, and the motion turns at least once. 0 where the record is none.

@@ -37,9 +37,21 @@ std::string of_arrival(const std::vector<double>& time_s) {
       repeated, time_s.size(), static_cast<double>(time_s.size() - 1) / duration_s);
 }
 
+// Of the steps that are any.
+double falling_share(const std::vector<double>& time_s) {
+  size_t falling = 0, steps = 0;
+  for (size_t i = 1; i < time_s.size(); ++i) falling += time_s[i] < time_s[i - 1], steps += time_s[i] != time_s[i - 1];
+  return steps > 0 ? static_cast<double>(falling) / static_cast<double>(steps) : 0.0;
+}
+
+constexpr double kSeldom = 0.1;  // of rows in no order every second step falls
+
+bool falls_all_along(const std::vector<double>& time_s) { return falling_share(time_s) > 1.0 - kSeldom; }
+
 // Times that fall by a whole recording are those of a clock that has started anew, by a row or two those of rows that are exchanged.
 bool begins_anew(const std::vector<double>& time_s) {
   constexpr double kRows = 16.0;
+  if (falling_share(time_s) > kSeldom) return false;
   const double usual = median_step(time_s);
   for (size_t i = 1; i < time_s.size(); ++i)
     if (time_s[i] < time_s[i - 1] && !(time_s[i - 1] - time_s[i] > kRows * usual)) return false;
@@ -47,12 +59,12 @@ bool begins_anew(const std::vector<double>& time_s) {
 }
 
 bool is_to_be_sorted(const std::vector<double>& time_s) {
-  return median_step(time_s) >= 0.0 && !std::is_sorted(time_s.begin(), time_s.end()) && !begins_anew(time_s);
+  return !falls_all_along(time_s) && !std::is_sorted(time_s.begin(), time_s.end()) && !begins_anew(time_s);
 }
 
 std::string of_order(const std::vector<double>& time_s) {
   if (is_to_be_sorted(time_s)) return "the rows are not in the order of time: sort them";
-  return median_step(time_s) < 0.0
+  return falls_all_along(time_s)
              ? "the times fall all along: turn the order of the rows round, or is this column no time?"
              : "the clock starts anew here: give each recording a file of its own";
 }

@@ -59,5 +59,24 @@ TEST(Advice, ConstantForceOfASpringMayBeTheZeroOfItsDisplacement) {
   EXPECT_TRUE(says(d, "reads 0.03 m too little"));
 }
 
+// A pendulum of 4.8 N m that hangs 0.035 rad beside the zero of its angle lacks -0.168 N m.
+TEST(Advice, ConstantTorqueOfAPendulumMayBeTheZeroOfItsAngle) {
+  Diagnosis d;
+  d.verdict = Verdict::kExplained;
+  d.extended_rig.links.resize(1);
+  d.extended_rig.links[0].a = 1, d.extended_rig.links[0].b = rig_file::kGround;
+  d.extended_rig.links[0].gravity_torque_N_m.value = 4.8;
+  Cause offset;
+  offset.effect = "force_offset", offset.where = "link 1-0";
+  offset.parameters.resize(1);
+  offset.parameters[0].value = -0.168, offset.parameters[0].unit = "N m";
+  d.causes = {offset};
+  EXPECT_TRUE(says(d, "displacement over link 1-0 that reads 0.035 rad too much looks the same"));
+  d.extended_rig.links[0].gravity_torque_N_m.estimate = true;  // its size is what was found
+  EXPECT_FALSE(says(d, "displacement over"));
+  d.extended.parameters = {{"gravity_torque[1-0]", 3.36, "N m", 0.01}};
+  EXPECT_TRUE(says(d, "displacement over link 1-0 that reads 0.05 rad too much looks the same"));
+}
+
 }  // namespace
 }  // namespace diagnosis

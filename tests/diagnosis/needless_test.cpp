@@ -65,4 +65,30 @@ TEST(Needless, AQuadraticSpringDoesNotGoForASineThatNothingShows) {
   EXPECT_TRUE(all_shown(task, now.model));
 }
 
+// Bristles that bend over 50 mrad at some 4 rad/s take 12 ms. A nanosecond of damping of their own is none, 20 ms are.
+TEST(Needless, ADampingOfBristlesThatIsNothingGoes) {
+  rig_file::RigModel rig;
+  rig.dofs.resize(1), rig.links.resize(1);
+  rig.dofs[0].mass_kg.value = 1, rig.dofs[0].rotating = true;
+  rig.links[0].a = 1, rig.links[0].b = rig_file::kGround;
+  rig.links[0].stiffness_N_m.value = 100;
+  const System system = make_system(rig);
+  const std::vector<Prepared> records = prepare_all(rig, {decay()}, {});
+  const Task task{system, records, 1};
+  for (const double time_s : {1e-9, 0.02}) {
+    Term bristles = on_link(Kind::kPresliding, 0, 0.05);
+    bristles.shape2 = time_s;
+    std::vector<Named> causes = {named(bristles)};
+    State now = rig_fitted(task).base;
+    ModelTerm friction;
+    friction.term = bristles, friction.value = 0.2, friction.added = friction.shape_free = friction.shape2_free = true;
+    now.model.push_back(friction);
+    drop_idle_damping(task, now, causes);
+    const ModelTerm& left = now.model.back();
+    EXPECT_EQ(left.shape2_free, time_s > 1e-3);
+    EXPECT_EQ(left.term.shape2, time_s > 1e-3 ? time_s : 0.0);
+    EXPECT_EQ(causes[0].candidate.terms[0].shape2, time_s > 1e-3 ? time_s : 0.0);
+  }
+}
+
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "hal/rig_file/rig_reader.hpp"
 #include "host_sim/diagnosis/fit/start.hpp"
 #include "tests/hidden_rig/draw.hpp"
 #include "two_masses.hpp"
@@ -47,6 +48,42 @@ TEST(StartValues, LeadToTheRightRig) {
         EXPECT_NEAR(p.value, c.value, 4 * p.std) << p.name;
       }
     }
+}
+
+// A link resists with 2 w - 0.1 w |w| N: the rows give a law that drives, and a run with it ends nowhere. It starts from nought, and the damper
+// from what it is without it. Of w = A sin the mean of |w|^3 is 4 A^3 / (3 pi) and of w^2 A^2 / 2, so the damper is 2 - 0.1 * 8 A / (3 pi):
+// for A = 4 m/s 1.660 N s/m.
+TEST(StartValues, ALawThatWouldDriveStartsFromNought) {
+  constexpr double kMass_kg = 2.0, kRate_Hz = 500.0, kTop_m_s = 4.0, kTurn_1_s = 2.0 * M_PI * 2.0;
+  std::vector<double> force, x, v, a;
+  for (int i = 0; i < 5000; ++i) {
+    const double phase = kTurn_1_s * i / kRate_Hz, w = kTop_m_s * std::sin(phase);
+    x.push_back(-kTop_m_s / kTurn_1_s * std::cos(phase)), v.push_back(w);
+    a.push_back(kTop_m_s * kTurn_1_s * std::cos(phase));
+    force.push_back(kMass_kg * a.back() + 2.0 * w - 0.1 * w * std::abs(w));
+  }
+  host_sim::Record record;
+  record.file = "falling.csv", record.sample_period_s = 1 / kRate_Hz;
+  record.channels = {{"force_1_N", host_sim::Quantity::kForce, 1, force},
+                     {"displacement_1_m", host_sim::Quantity::kDisplacement, 1, x},
+                     {"velocity_1_m_s", host_sim::Quantity::kVelocity, 1, v},
+                     {"acceleration_1_m_s2", host_sim::Quantity::kAcceleration, 1, a}};
+  const rig_file::RigModel rig = rig_file::parse_rig(
+      "schema = \"rig/1\"\n[[dof]]\nmass_kg = 2.0\n[[link]]\nbetween = [1, 0]\nviscous_N_s_m = \"estimate\"\n"
+      "[[link.effect]]\nkind = \"quadratic_damping\"\ncoefficient = \"estimate\"\n",
+      "falling.toml");
+  const System system = make_system(rig);
+  const std::vector<runs::Prepared> records = runs::prepare_all(rig, {record}, {});
+  runs::Model model = runs::rig_as_given(system, records);
+  runs::start_values(system, records, model);
+  for (const runs::ModelTerm& t : model) {
+    if (t.term.kind == Kind::kQuadraticDamping) {
+      EXPECT_EQ(t.value, 0.0);
+    }
+    if (t.term.kind == Kind::kViscous) {
+      EXPECT_NEAR(t.value, 1.660, 0.01);
+    }
+  }
 }
 
 }  // namespace

@@ -68,6 +68,8 @@ TEST(AroundValues, TimesThatAreNoneAreToldForWhatTheyAre) {
             std::string::npos);
   EXPECT_NE(with([](int) { return "1.7e9"; }).find("too few digits"), std::string::npos);
   EXPECT_NE(with([](int i) { return fmt::format("{}", 20 - i); }).find("fall all along"), std::string::npos);
+  // 0, 13, 6, 19, 12, ...: every second step falls
+  EXPECT_NE(with([](int i) { return fmt::format("{}", 13 * i % 20); }).find("sort them"), std::string::npos);
   EXPECT_NE(told("millis,displacement_1_m\n0,1\n10,2\n").find("--column t=NAME"), std::string::npos);
 }
 

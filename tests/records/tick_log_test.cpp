@@ -102,13 +102,31 @@ TEST(TickLog, WhatDoesNotTurnOrIsNotAloneIsNone) {
   std::vector<double> time_s, counts;
   for (int i = 0; i < 100; ++i) time_s.push_back(0.01 * i), counts.push_back(i);
   EXPECT_EQ(tick_step(logged(time_s, counts)), 0.0);
-  EXPECT_TRUE(host_sim::counts_marks(logged(time_s, counts).channels[0].values));
+  EXPECT_TRUE(host_sim::counts_marks(time_s, counts));
   Record two = swings(5);
   two.channels.push_back(two.channels[0]);
   EXPECT_EQ(tick_step(two), 0.0);
   Record rests = swings(5);
   rests.channels[0].values[30] = rests.channels[0].values[29];
   EXPECT_EQ(tick_step(rests), 0.0);  // a sample at which nothing passed
+}
+
+// A wheel that slows down passes mark n at t = 100 (1 - sqrt(1 - n / 500)) s. A row that misses one, two or three takes as many times longer, and
+// is as exact. The same revolutions read every 0.3 s and rounded to whole ones have steps of 1 and 2 in the same time.
+TEST(TickLog, MarksThatWereMissedLeaveTheOthersExact) {
+  std::vector<double> time_s, marks;
+  for (int n = 0; n < 300; n += n % 7 == 3 ? 4 : n % 5 == 1 ? 2 : 1)
+    time_s.push_back(100.0 * (1.0 - std::sqrt(1.0 - n / 500.0))), marks.push_back(n);
+  EXPECT_TRUE(host_sim::counts_marks(time_s, marks));
+  std::vector<double> backwards = marks;
+  for (double& value : backwards) value = -value;
+  EXPECT_TRUE(host_sim::counts_marks(time_s, backwards));
+  std::vector<double> even_s, rounded;
+  for (int i = 0; i < 100; ++i) {
+    const double t = 0.16 * i, left = 1.0 - t / 100.0;
+    even_s.push_back(t), rounded.push_back(std::round(500.0 * (1.0 - left * left)));
+  }
+  EXPECT_FALSE(host_sim::counts_marks(even_s, rounded));
 }
 
 }  // namespace

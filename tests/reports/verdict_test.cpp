@@ -112,6 +112,18 @@ TEST(Verdict, NoneDoesNotDenyWhatIsLeft) {
   EXPECT_TRUE(contains(verdict_sentence(data), "neither helps to predict unseen data nor moves a coefficient"));
 }
 
+// A rig that follows with a friction that drives has another law in its place.
+TEST(Verdict, NoneSaysWhichNumberCannotBe) {
+  DiagnosisReportData data;
+  data.verdict = "none";
+  data.parameters = {{"viscous[1-0]", "N s/m", {3.0, 2.9, 3.1}, {}, "BIAS_SUSPECT"},
+                     {"coulomb[1-0]", "N", {-0.4, -0.5, -0.3}, {}, "BIAS_SUSPECT"}};
+  EXPECT_FALSE(contains(verdict_sentence(data), "below nought"));
+  data.parameters[1].impossible = true;
+  EXPECT_TRUE(contains(verdict_sentence(data),
+                       "It does so with coulomb[1-0] below nought, which cannot be: another law has its place."));
+}
+
 // "Explains" beside a free run that misses most of the motion needs a word; what noise makes such a run miss is noise's.
 TEST(Verdict, NoneSaysWhereAFreeRunGoesAstray) {
   DiagnosisReportData data;

@@ -12,6 +12,7 @@
 #include "hum.hpp"
 #include "lasting_error.hpp"
 #include "materiality.hpp"
+#include "possible_causes.hpp"
 
 namespace diagnosis::runs {
 namespace {
@@ -222,25 +223,6 @@ void say_steps(const Score& score, Diagnosis& d) {
                   dof + 1, steps);
     d.advice.push_back(text);
   }
-}
-
-// Causes that may be there, and which numbers of the rig as given they would take out of their intervals.
-void say_possible(const Task& task, const Choice& choice, Diagnosis& d) {
-  if (!d.causes.empty() || !choice.named.empty() || !beyond_noise(choice.base_left)) return;
-  for (const Nearly& n : choice.nearly) {
-    PossibleCause possible{{word_of(n.candidate.terms[0].kind), place(task, n.candidate.terms[0])},
-                           std::clamp(100 * n.share, 0.0, 100.0),
-                           {}};
-    const std::vector<diagnosis::Parameter> beside = values_of(task, n.model);
-    for (diagnosis::Parameter& p : d.baseline.parameters) {
-      const auto other = std::find_if(beside.begin(), beside.end(), [&](const auto& o) { return o.name == p.name; });
-      if (other == beside.end() || !(p.std > 0) || std::abs(other->value - p.value) <= 1.96 * p.std) continue;
-      p.may_be_bent = true;
-      possible.bends.push_back(*other);
-    }
-    d.possible.push_back(possible);
-  }
-  d.extended.parameters = d.baseline.parameters;
 }
 
 }  // namespace

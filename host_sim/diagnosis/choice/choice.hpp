@@ -1,6 +1,7 @@
 // Which effects a rig lacks, as far as its records tell: causes one after the other, or two that help only together.
 #pragma once
 #include <functional>
+#include <optional>
 
 #include "../candidates/candidates.hpp"
 #include "../windows/windows.hpp"
@@ -93,6 +94,8 @@ struct Choice {
   State base, final;
   std::vector<Named> named;
   std::vector<Nearly> nearly;  // beside what is named, over these windows; the best first
+  std::optional<Nearly>
+      nearest;  // where nothing is named: what takes most of seen and of unseen windows, though no test bears it out
   Left base_left, final_left;
   Screen last_screen;  // beside the final model
   std::vector<Candidate> last_candidates;

@@ -184,6 +184,7 @@ void search(const Task& task, double worth, Choice& choice, const std::function<
     progress(static_cast<double>(choice.named.size()) / static_cast<double>(most));
   }
   drop_needless(task, choice.base, now, choice.named);
+  drop_idle_damping(task, now, choice.named);
   choice.final = now;
 }
 

@@ -31,6 +31,8 @@ State without(const Task& task, const State& now, const Named& n) {
   return s;
 }
 
+constexpr double kNoTime = 1e-3;  // of the time that bristles take to bend
+
 }  // namespace
 
 double motion_over_error(const Task& task, const State& base) {
@@ -68,6 +70,19 @@ void drop_needless(const Task& task, const State& base, State& now, std::vector<
     now = fewer;
     named.erase(named.begin() + static_cast<std::ptrdiff_t>(i));
   }
+}
+
+void drop_idle_damping(const Task& task, State& now, std::vector<Named>& named) {
+  bool any = false;
+  for (ModelTerm& t : now.model) {
+    if (!t.added || t.term.kind != Kind::kPresliding || !t.shape2_free) continue;
+    if (std::abs(t.term.shape2) * rate_of(task.system, task.records, t.term.link) > kNoTime * t.term.shape) continue;
+    t.term.shape2 = 0, t.shape2_free = false, any = true;
+  }
+  if (!any) return;
+  settle(task, now, kBaseSteps);
+  for (Named& n : named)
+    if (n.candidate.terms[0].kind == Kind::kPresliding) keep_shape(now.model, n.candidate);
 }
 
 }  // namespace diagnosis::runs

@@ -16,4 +16,7 @@ bool takes_little(double error_before, double error_with, double motion);
 // the records cannot show: a sine of which less than its pitch is travelled bends as the quadratic spring beside it does.
 void drop_needless(const Task& task, const State& base, State& now, std::vector<Named>& named);
 
+// Bristles whose own damping came out as none, a thousandth of the time that they take to bend, have none: a number that is nothing is not told.
+void drop_idle_damping(const Task& task, State& now, std::vector<Named>& named);
+
 }  // namespace diagnosis::runs

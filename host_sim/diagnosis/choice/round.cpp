@@ -38,6 +38,20 @@ Attempt reshaped(const Task& task, const State& now, const std::vector<Candidate
 
 }  // namespace
 
+namespace {
+
+// An effect that leaves less of what the fit has seen and of what it has not, by as much as a cause has to.
+void keep_nearest(const Task& task, const State& now, const std::vector<Attempt>& tried, double noise, Choice& choice) {
+  for (const Attempt& t : tried) {
+    if (!t.state.fit.ok || t.rounds || std::max(t.error, t.unseen) > 1 - kShare) continue;
+    if (cannot_be(task, now, t) || may_be_nought(t.state, now.model.size())) continue;
+    const Nearly found{t.candidates[0], t.state.model, share_of(t, noise)};
+    if (!choice.nearest || found.share > choice.nearest->share) choice.nearest = found;
+  }
+}
+
+}  // namespace
+
 Round round_of(const Task& task, const State& now, size_t already, const Left& left, double noise, double worth,
                Choice& choice) {
   Round round;
@@ -71,6 +85,7 @@ Round round_of(const Task& task, const State& now, size_t already, const Left& l
   choice.nearly.clear();
   for (const Attempt& t : singles)
     if (nearly(t)) choice.nearly.push_back({t.candidates[0], t.state.model, share_of(t, noise)});
+  if (already == 0) keep_nearest(task, now, singles, noise, choice);
   const State beside = rounded(task, now, singles);
   // Where filters round the jumps of friction, damping laws that change with the rate look like that: they have to be there
   // beside it too.

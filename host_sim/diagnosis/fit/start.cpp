@@ -74,6 +74,25 @@ void add_moments(const System& system, const Prepared& r, const Model& model, co
     if (!d.acting.empty() && count > 2 * lag) add_moments(d, forces, lag, m);
 }
 
+// Where noise gives a damper less than nothing, another one has what it lacks, and a run with a law that drives the more the faster it goes
+// ends nowhere. The least of them starts from nought, and the others are solved for without it.
+Vec damping_solved(const Moments& m, const std::vector<size_t>& unknown, const Model& model) {
+  Moments left = m;
+  const Index p = m.right.size();
+  for (Index round = 0; round <= p; ++round) {
+    const Vec values = solved(left.gram, left.right);
+    Index worst = -1;
+    double least = 0;
+    for (Index i = 0; i < p; ++i) {
+      const double size = values[i] * std::sqrt(std::max(0.0, m.gram(i, i)));  // of its force
+      if (damps(model[unknown[static_cast<size_t>(i)]].term.kind) && size < least) worst = i, least = size;
+    }
+    if (worst < 0) return values;
+    left.gram.row(worst).setZero(), left.gram.col(worst).setZero(), left.right[worst] = 0;
+  }
+  return Vec::Zero(p);
+}
+
 bool any_mass(const Model& model, const std::vector<size_t>& unknown) {
   return std::any_of(unknown.begin(), unknown.end(), [&](size_t i) { return model[i].term.kind == Kind::kMass; });
 }
@@ -100,13 +119,12 @@ void start_values(const System& system, const std::vector<Prepared>& records, Mo
   const Index p = static_cast<Index>(unknown.size());
   Moments m{Mat::Zero(p, p), Vec::Zero(p)};
   for (const Prepared& r : records) add_moments(system, r, model, unknown, any_mass(model, unknown), m);
-  const Vec values = solved(m.gram, m.right);
+  const Vec values = damping_solved(m, unknown, model);
   // what must be positive and is not starts from a tenth of what its column could carry alone
   for (Index i = 0; i < p; ++i) {
     ModelTerm& t = model[unknown[static_cast<size_t>(i)]];
     double value = values[i];
     if (positive(t.term.kind) && value <= 0) value = 0.1 * std::abs(m.right[i]) / std::max(1e-300, m.gram(i, i));
-    if ((t.term.kind == Kind::kViscous || t.term.kind == Kind::kCoulomb) && value < 0) value = 0;
     t.value = value;
   }
   fill_from_likes(model);

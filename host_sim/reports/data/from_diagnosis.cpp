@@ -57,11 +57,13 @@ std::vector<ParameterChange> changes(const diagnosis::Diagnosis& found) {
   for (const diagnosis::Parameter& before : found.baseline.parameters) {
     const diagnosis::Parameter* after = found.causes.empty() ? nullptr : find(found.extended.parameters, before.name);
     out.push_back({before.name, before.unit, interval_of(before), after ? interval_of(*after) : nothing,
-                   after ? status_of(*after, found.extended_fits()) : status_of(before, found.baseline_fits())});
+                   after ? status_of(*after, found.extended_fits()) : status_of(before, found.baseline_fits()),
+                   impossible(before) && !before.undetermined});
   }
   for (const diagnosis::Parameter& after : found.extended.parameters)
     if (!found.causes.empty() && find(found.baseline.parameters, after.name) == nullptr)
-      out.push_back({after.name, after.unit, nothing, interval_of(after), status_of(after, found.extended_fits())});
+      out.push_back(
+          {after.name, after.unit, nothing, interval_of(after), status_of(after, found.extended_fits()), false});
   return out;
 }
 

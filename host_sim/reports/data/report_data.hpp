@@ -72,7 +72,8 @@ struct Candidate {
 struct ParameterChange {
   std::string name, unit;
   Interval before, after;
-  std::string status;  // "VALID", ...
+  std::string status;       // "VALID", ...
+  bool impossible = false;  // of the rig as given: below nought beyond its interval
 };
 
 struct DofGain {

@@ -176,6 +176,14 @@ std::string free_run_text(const DiagnosisReportData& data) {
                               ", as small errors of the start and of the numbers grow in it.";
 }
 
+// What explains the measurement with a number that cannot be has another law in its place.
+std::string impossible_text(const DiagnosisReportData& data) {
+  const auto number = std::find_if(data.parameters.begin(), data.parameters.end(),
+                                   [](const ParameterChange& p) { return p.impossible; });
+  if (number == data.parameters.end()) return "";
+  return "It does so with " + number->name + " below nought, which cannot be: another law has its place.";
+}
+
 // Of a rig file that explains the measurement.
 std::string rest_text(const DiagnosisReportData& data) {
   const auto bends =
@@ -229,7 +237,7 @@ std::string verdict_details(const DiagnosisReportData& data) {
     return joined({"They determine none of its coefficients, and no effect that could be missing is seen.",
                    missed.empty() ? "" : "Its simulation misses " + missed + " on unseen data."});
   }
-  if (data.verdict == "none") return joined({rest_text(data), free_run_text(data)});
+  if (data.verdict == "none") return joined({rest_text(data), impossible_text(data), free_run_text(data)});
   if (data.verdict == "ambiguous") return ambiguous_details(data);
   if (!data.cannot_describe.empty()) return data.cannot_describe;
   const std::string missed = missed_text(data.gains, !data.causes.empty());
