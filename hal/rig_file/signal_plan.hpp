@@ -51,6 +51,9 @@ bool differentiates(const firmware::CoreConfiguration& planned);
 // An acceleration, of a displacement?
 bool differentiates_twice(const firmware::CoreConfiguration& planned);
 
+// Is any the integral of another one?
+bool integrates(const firmware::CoreConfiguration& planned);
+
 // The plan in one line: "velocity and acceleration of DOF 1 derived from displacement; ..." Empty: all measured.
 std::string describe_plan(const firmware::CoreConfiguration& planned);
 

@@ -46,6 +46,8 @@ bool differentiates(const CoreConfiguration& c) {
   return any(c, [&](int node, int q) { return derivatives(c, node, q) > 0; });
 }
 
+bool integrates(const CoreConfiguration& c) { return most_integrations(c) > 0; }
+
 bool differentiates_twice(const CoreConfiguration& c) {
   return any(c, [&](int node, int q) { return derivatives(c, node, q) > 1; });
 }

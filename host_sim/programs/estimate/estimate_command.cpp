@@ -14,6 +14,7 @@
 #include "host_sim/programs/estimate/estimation.hpp"
 #include "host_sim/programs/estimate/model_export.hpp"
 #include "host_sim/programs/estimate/oversampling.hpp"
+#include "host_sim/programs/estimate/slow_drift.hpp"
 #include "host_sim/programs/estimate/swing_of_rate.hpp"
 #include "host_sim/programs/results/result_json.hpp"
 #include "host_sim/programs/results/result_table.hpp"
@@ -125,7 +126,8 @@ void estimate(const EstimateArguments& arguments) {
     estimation = estimate_records(model, records.get(), options);
   };
   check.beside([&] {
-    if (const std::string fewer = take_fewer_samples(model, records); !fewer.empty()) notes.push_back(fewer);
+    for (const std::string& told : {take_fewer_samples(model, records), take_off_drift(model, records)})
+      if (!told.empty()) notes.push_back(told);
     const CountedFromRest rest = count_from_rest(model, records);
     for (const auto& told : {rest.notes, take_off_accelerometer_zeros(records)})
       notes.insert(notes.end(), told.begin(), told.end());

@@ -1,0 +1,127 @@
+#include "host_sim/programs/estimate/slow_drift.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "hal/rig_file/compile_rig.hpp"
+#include "hal/rig_file/signal_plan.hpp"
+#include "host_sim/data_check/measures/spectrum.hpp"
+#include "host_sim/records/digitise.hpp"
+
+namespace host_sim {
+namespace {
+
+constexpr double kDriven = 4.0;        // times the noise, of a mean over nine bins
+constexpr double kLeastOfPeak = 1e-6;  // of the strongest bin: less is what the window leaves of it
+constexpr double kMostBelow = 0.01;    // of the channel's power: a drift of a tenth of its rms
+constexpr size_t kHalfMean = 4;        // bins on either side
+constexpr size_t kOfMean = 2;          // bins that a start from rest leaves of the mean under the window
+constexpr double kStandsOut = 12.0;    // times the level, of one bin: chance in exp(-12)
+constexpr double kMedian = 0.6931;     // of a power of white noise, over its mean
+constexpr double kMostOfDrive = 0.25;
+constexpr size_t kFewestBins = 16;  // below the drive: fewer tell no level
+
+struct Spectrum {
+  std::vector<double> power;
+  double bin_Hz = 0.0;
+};
+
+Spectrum spectrum_of(const std::vector<double>& values, double sample_period_s) {
+  const size_t length = data_check::quick_length(values.size());
+  const double mean =
+      std::accumulate(values.begin(), values.begin() + static_cast<long>(length), 0.0) / static_cast<double>(length);
+  return {data_check::power_spectrum(values.data(), length, mean),
+          1.0 / (static_cast<double>(length) * sample_period_s)};
+}
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<long>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+bool drives(const Channel& channel) { return channel.quantity == Quantity::kForce || channel.dof == rig_file::kBase; }
+
+// A channel of motion of which an integral is made: nothing lower is measured at its DOF.
+bool is_integrated(const Record& record, const Channel& channel) {
+  if (channel.quantity != Quantity::kVelocity && channel.quantity != Quantity::kAcceleration) return false;
+  if (record.find(Quantity::kDisplacement, channel.dof) != nullptr) return false;
+  return channel.quantity == Quantity::kVelocity || record.find(Quantity::kVelocity, channel.dof) == nullptr;
+}
+
+}  // namespace
+
+double lowest_drive_Hz(const std::vector<double>& values, double sample_period_s) {
+  const Spectrum s = spectrum_of(values, sample_period_s);
+  const size_t bins = s.power.size();
+  if (bins < 8 * kHalfMean) return 0.0;
+  const double noise = median({s.power.begin() + static_cast<long>(3 * bins / 4), s.power.end()}) / kMedian;
+  const double least = std::max(kDriven * noise, kLeastOfPeak * *std::max_element(s.power.begin() + 1, s.power.end()));
+  const auto drives_at = [&](size_t k) {
+    const double sum = std::accumulate(s.power.begin() + static_cast<long>(k - kHalfMean),
+                                       s.power.begin() + static_cast<long>(k + kHalfMean + 1), 0.0);
+    return sum > least * (2.0 * kHalfMean + 1.0);
+  };
+  double whole = 0.0, below = 0.0;
+  for (size_t k = 1; k < bins; ++k) whole += std::max(0.0, s.power[k] - noise);
+  size_t k = 1;
+  for (; k < bins && below <= kMostBelow * whole; ++k) below += std::max(0.0, s.power[k] - noise);
+  if (k + kHalfMean >= bins) return 0.0;
+  while (k > 1 + kHalfMean && drives_at(k)) --k;
+  return k <= 1 + 2 * kHalfMean ? 0.0 : static_cast<double>(k) * s.bin_Hz;
+}
+
+double drift_end_Hz(const std::vector<double>& values, double sample_period_s, double lowest_Hz) {
+  const Spectrum s = spectrum_of(values, sample_period_s);
+  const size_t half = static_cast<size_t>(0.5 * lowest_Hz / s.bin_Hz),
+               most = std::min(static_cast<size_t>(0.9 * lowest_Hz / s.bin_Hz), s.power.size());
+  if (half < kFewestBins || most < half + kFewestBins / 2) return 0.0;
+  const double level = median({s.power.begin() + static_cast<long>(half), s.power.begin() + static_cast<long>(most)});
+  for (size_t k = half; k > kOfMean; --k)
+    if (s.power[k] > kStandsOut * level / kMedian) return static_cast<double>(k + 1) * s.bin_Hz;
+  return 0.0;
+}
+
+void take_off_cosines(std::vector<double>& values, double sample_period_s, double end_Hz) {
+  const double n = static_cast<double>(values.size());
+  const size_t count = static_cast<size_t>(2.0 * end_Hz * n * sample_period_s);
+  std::vector<double> cosine(values.size());
+  for (size_t k = 1; k <= count; ++k) {
+    double sum = 0.0;
+    for (size_t i = 0; i < values.size(); ++i) {
+      cosine[i] = std::cos(M_PI * static_cast<double>(k) * (static_cast<double>(i) + 0.5) / n);
+      sum += cosine[i] * values[i];
+    }
+    for (size_t i = 0; i < values.size(); ++i) values[i] -= 2.0 / n * sum * cosine[i];
+  }
+}
+
+std::string take_off_drift(const rig_file::RigModel& model, SharedRecords& records) {
+  const std::vector<Record>& given = records.get();
+  const firmware::CoreConfiguration planned =
+      rig_file::compile_rig(model, given.front().sample_period_s, calibrate(given, model));
+  if (!rig_file::integrates(planned)) return {};
+  double lowest_Hz = INFINITY, end_Hz = 0.0;
+  for (const Record& record : given)
+    for (const Channel& channel : record.channels)
+      if (drives(channel)) lowest_Hz = std::min(lowest_Hz, lowest_drive_Hz(channel.values, record.sample_period_s));
+  if (!std::isfinite(lowest_Hz) || lowest_Hz == 0.0) return {};
+  for (const Record& record : given)
+    for (const Channel& channel : record.channels)
+      if (drives(channel) || is_integrated(record, channel))
+        end_Hz = std::max(end_Hz, drift_end_Hz(channel.values, record.sample_period_s, lowest_Hz));
+  if (end_Hz == 0.0 || end_Hz > kMostOfDrive * lowest_Hz) return {};
+  for (Record& record : records.own())
+    for (Channel& channel : record.channels) take_off_cosines(channel.values, record.sample_period_s, end_Hz);
+  return fmt::format(
+      "channels drift up to {:.2g} Hz, what is integrated among them, and nothing drives the rig below {:.3g} Hz: what "
+      "is slower is taken "
+      "off "
+      "all channels",
+      end_Hz, lowest_Hz);
+}
+
+}  // namespace host_sim
