@@ -113,7 +113,7 @@ struct Task {
   size_t training;
 };
 Choice rig_fitted(const Task& task);
-// Whether the rig file as given is right already; and whether what it misses of unseen data is too little for
+// Whether the rig file as given is right already, of every channel that is measured; and whether what it misses of unseen data is too little for
 // simulations to tell causes apart, where it is not noise.
 bool right(const Task& task, const Choice& choice);
 // Free run on unseen data, NRMSE of the worst DOF.

@@ -35,7 +35,8 @@ double missed_percent(const Task& task, const State& state) {
 }
 
 bool right(const Task& task, const Choice& choice) {
-  return choice.base.fit.ok && missed_percent(task, choice.base) < kRight_percent;
+  return choice.base.fit.ok && missed_percent(task, choice.base) < kRight_percent &&
+         motion_error(task, choice.base, false) < 0.01 * kNearEnough_percent;
 }
 
 bool near_enough(const Task& task, const Choice& choice) {
