@@ -47,7 +47,7 @@ std::string advice_text(const rig_file::RigModel& model, const firmware::Estimat
       return "add a record at a level that lies further off (these differ by a factor of " +
              fmt::format("{:.2g}", level_ratio) + "), of a wider band, or drive another DOF";
     case firmware::Advice::kRaiseLevel:
-      return "raise the level, or drive another DOF: what " + name + " acts on hardly moves";
+      return "raise the level, or drive another DOF: what " + name + " acts on hardly moves, or noise hides which way";
     case firmware::Advice::kLongerRecord:
       return "record longer: these data have too few windows to measure any scatter";
     case firmware::Advice::kLowerLevel:

@@ -39,7 +39,9 @@ const char* reason(EstimateStatus status, const EstimateResult& result) {
                ? "hidden by noise: a motion that is integrated from rates does not show what is slow, nor where "
                  "friction changes its direction; measure the displacement as well (diagnose asks for less)"
                : "hidden by noise: the energies of these data scatter as much as they are; raise the level, "
-                 "measure velocity or acceleration as well, or filter all channels alike and record slower";
+                 "measure velocity or acceleration as well, or filter all channels alike and record slower (diagnose "
+                 "asks for "
+                 "less)";
   switch (status) {
     case EstimateStatus::kStale:
       if (result.integrates)
@@ -52,7 +54,8 @@ const char* reason(EstimateStatus status, const EstimateResult& result) {
       return "these data cannot separate it from the others; a record at another level and another frequency, or of a "
              "random band, can";
     case EstimateStatus::kNoExcitation:
-      return "what it acts on does not move; raise the level, or drive a DOF that moves it";
+      return "what it acts on does not move, or noise hides everywhere which way its friction acts; raise the level, "
+             "measure the velocity as well, or drive a DOF that moves it (diagnose asks for less)";
     case EstimateStatus::kSaturated:
       return "a sensor or a sum reached its full scale; lower the level or widen the range, then record again";
     default:
