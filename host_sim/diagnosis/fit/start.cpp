@@ -74,8 +74,18 @@ void add_moments(const System& system, const Prepared& r, const Model& model, co
     if (!d.acting.empty() && count > 2 * lag) add_moments(d, forces, lag, m);
 }
 
-// Where noise gives a damper less than nothing, another one has what it lacks, and a run with a law that drives the more the faster it goes
-// ends nowhere. The least of them starts from nought, and the others are solved for without it.
+bool grows(Kind kind) { return kind == Kind::kQuadraticDamping || kind == Kind::kCubicDamping; }
+
+// An unknown damper of a link that has another one which grows faster than its rate, and the other itself.
+bool trades(const Model& model, const std::vector<size_t>& unknown, size_t term) {
+  const Term& own = model[term].term;
+  if (own.link < 0 || !(grows(own.kind) || own.kind == Kind::kViscous || own.kind == Kind::kCoulomb)) return false;
+  return std::any_of(unknown.begin(), unknown.end(),
+                     [&](size_t i) { return grows(model[i].term.kind) && model[i].term.link == own.link; });
+}
+
+// A law that drives the more the faster it goes ends nowhere in a run. Of dampers that trade with one the least that noise gives less than
+// nothing starts from nought, and the others are solved for without it: one of them has what it lacks.
 Vec damping_solved(const Moments& m, const std::vector<size_t>& unknown, const Model& model) {
   Moments left = m;
   const Index p = m.right.size();
@@ -85,7 +95,7 @@ Vec damping_solved(const Moments& m, const std::vector<size_t>& unknown, const M
     double least = 0;
     for (Index i = 0; i < p; ++i) {
       const double size = values[i] * std::sqrt(std::max(0.0, m.gram(i, i)));  // of its force
-      if (damps(model[unknown[static_cast<size_t>(i)]].term.kind) && size < least) worst = i, least = size;
+      if (size < least && trades(model, unknown, unknown[static_cast<size_t>(i)])) worst = i, least = size;
     }
     if (worst < 0) return values;
     left.gram.row(worst).setZero(), left.gram.col(worst).setZero(), left.right[worst] = 0;
@@ -125,6 +135,7 @@ void start_values(const System& system, const std::vector<Prepared>& records, Mo
     ModelTerm& t = model[unknown[static_cast<size_t>(i)]];
     double value = values[i];
     if (positive(t.term.kind) && value <= 0) value = 0.1 * std::abs(m.right[i]) / std::max(1e-300, m.gram(i, i));
+    if ((t.term.kind == Kind::kViscous || t.term.kind == Kind::kCoulomb) && value < 0) value = 0;
     t.value = value;
   }
   fill_from_likes(model);

@@ -28,11 +28,6 @@ bool massless(const Model& model) {
                       [](const ModelTerm& t) { return t.term.kind == Kind::kMass && (t.value > 0 || !t.known); });
 }
 
-bool damps(Kind kind) {
-  return kind == Kind::kViscous || kind == Kind::kCoulomb || kind == Kind::kQuadraticDamping ||
-         kind == Kind::kCubicDamping;
-}
-
 bool positive(Kind kind) {
   switch (kind) {
     case Kind::kMass:

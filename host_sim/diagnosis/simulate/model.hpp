@@ -33,8 +33,6 @@ bool massless(const Model& model);
 
 // Whether a negative coefficient has no physical sense.
 bool positive(Kind kind);
-// A law of damping that drives its link where its coefficient is below nought.
-bool damps(Kind kind);
 
 // Time constant of a drift from record to record, constant within each: warming.
 constexpr double kAcrossRecords = -1;
