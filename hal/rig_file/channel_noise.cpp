@@ -225,4 +225,14 @@ ChannelNoise read_noise(const ChannelCodes& records, int quantity, double rate_H
   return noise;
 }
 
+bool hardly_noisy(const ChannelCodes& displacement) {
+  constexpr double kLittle = 1e-5;
+  double sum = 0, squares = 0, count = 0;
+  for (const auto& record : displacement)
+    for (const double code : record) sum += code, squares += code * code, ++count;
+  const double variance = count > 0 ? squares / count - sum / count * (sum / count) : 0;
+  const Taps top = band(kOrderOfDisplacement, 0);
+  return power(displacement, kDisplacement, top) <= kLittle * kLittle * variance * gain(top, 0.0);
+}
+
 }  // namespace rig_file

@@ -26,4 +26,8 @@ struct ChannelNoise {
 
 ChannelNoise read_noise(const ChannelCodes& records, int quantity, double rate_Hz);
 
+// Whether the top of a displacement's spectrum holds so little, a hundred thousandth of its rms as white noise, that noise of no colour (a pole of
+// 0.9 has 19 times as much) moves anything.
+bool hardly_noisy(const ChannelCodes& displacement);
+
 }  // namespace rig_file

@@ -75,6 +75,7 @@ bool coloured_displacement(const std::vector<Record>& records,
       codes.emplace_back();
       for (const double value : channel->values) codes.back().push_back(to_code(value, calibration));
     }
+    if (rig_file::hardly_noisy(codes)) continue;
     if (!rig_file::read_noise(codes, static_cast<int>(calibration.quantity), 1.0 / records.front().sample_period_s)
              .white())
       return true;

@@ -104,24 +104,27 @@ std::string take_off_drift(const rig_file::RigModel& model, SharedRecords& recor
   const firmware::CoreConfiguration planned =
       rig_file::compile_rig(model, given.front().sample_period_s, calibrate(given, model));
   if (!rig_file::integrates(planned)) return {};
-  double lowest_Hz = INFINITY, end_Hz = 0.0;
+  double lowest_Hz = INFINITY;
   for (const Record& record : given)
     for (const Channel& channel : record.channels)
       if (drives(channel)) lowest_Hz = std::min(lowest_Hz, lowest_drive_Hz(channel.values, record.sample_period_s));
   if (!std::isfinite(lowest_Hz) || lowest_Hz == 0.0) return {};
+  double of_motion_Hz = 0.0, of_drives_Hz = 0.0;
   for (const Record& record : given)
-    for (const Channel& channel : record.channels)
+    for (const Channel& channel : record.channels) {
+      double& end_Hz = is_integrated(record, channel) ? of_motion_Hz : of_drives_Hz;
       if (drives(channel) || is_integrated(record, channel))
         end_Hz = std::max(end_Hz, drift_end_Hz(channel.values, record.sample_period_s, lowest_Hz));
-  if (end_Hz == 0.0 || end_Hz > kMostOfDrive * lowest_Hz) return {};
+    }
+  const double end_Hz = std::max(of_motion_Hz, of_drives_Hz);
+  if (of_motion_Hz == 0.0 || end_Hz > kMostOfDrive * lowest_Hz) return {};
   for (Record& record : records.own())
     for (Channel& channel : record.channels) take_off_cosines(channel.values, record.sample_period_s, end_Hz);
   return fmt::format(
-      "channels drift up to {:.2g} Hz, what is integrated among them, and nothing drives the rig below {:.3g} Hz: what "
-      "is slower is taken "
+      "what is integrated drifts, and nothing drives the rig below {:.3g} Hz: what is slower than {:.2g} Hz is taken "
       "off "
       "all channels",
-      end_Hz, lowest_Hz);
+      lowest_Hz, end_Hz);
 }
 
 }  // namespace host_sim
