@@ -44,11 +44,18 @@ TEST(SlowDrift, TheDriveBeginsAboveAGap) {
 
 // The faster of the two slow waves has 0.0625 Hz; its window reaches four bins further above 1 % of noise.
 TEST(SlowDrift, EndsWhereItMeetsTheNoise) {
-  const double end_Hz = host_sim::drift_end_Hz(recorded(1.0, 0.01, 4), kPeriod_s, 5.85);
+  const double end_Hz = host_sim::drift_end_Hz(recorded(1.0, 0.01, 4), kPeriod_s, 5.85, 0);
   EXPECT_GT(end_Hz, 0.0625);
   EXPECT_LT(end_Hz, 0.25);
   for (unsigned seed = 5; seed < 25; ++seed)
-    EXPECT_EQ(host_sim::drift_end_Hz(recorded(0.0, 0.01, seed), kPeriod_s, 5.85), 0.0) << seed;
+    EXPECT_EQ(host_sim::drift_end_Hz(recorded(0.0, 0.01, seed), kPeriod_s, 5.85, 0), 0.0) << seed;
+}
+
+// Of the tones' integral, some 11 Hz, half a percent of them at 0.05 Hz is as much: (11 / 0.05) * 0.005 = 1.1. A twentieth of that is nothing.
+TEST(SlowDrift, CountsByWhatItMakesOfTheIntegral) {
+  EXPECT_GT(host_sim::drift_end_Hz(recorded(0.25, 1e-4, 4), kPeriod_s, 5.85, 1), 0.0);
+  EXPECT_EQ(host_sim::drift_end_Hz(recorded(0.0125, 1e-4, 4), kPeriod_s, 5.85, 1), 0.0);
+  EXPECT_GT(host_sim::drift_end_Hz(recorded(0.0125, 1e-4, 4), kPeriod_s, 5.85, 2), 0.0);
 }
 
 // Half periods k = 1 to 2 * 0.2 Hz * 40 s = 16 are gone; a tone of 8 Hz is what it was but for 1 / (8 Hz * 40 s) at the ends.

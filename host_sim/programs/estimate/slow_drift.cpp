@@ -21,6 +21,7 @@ constexpr size_t kHalfMean = 4;        // bins on either side
 constexpr size_t kOfMean = 2;          // bins that a start from rest leaves of the mean under the window
 constexpr double kStandsOut = 12.0;    // times the level, of one bin: chance in exp(-12)
 constexpr double kMedian = 0.6931;     // of a power of white noise, over its mean
+constexpr double kMatters = 1.0;       // of the power of the integral: as large as the displacement itself
 constexpr double kMostOfDrive = 0.25;
 constexpr size_t kFewestBins = 16;  // below the drive: fewer tell no level
 
@@ -74,15 +75,20 @@ double lowest_drive_Hz(const std::vector<double>& values, double sample_period_s
   return k <= 1 + 2 * kHalfMean ? 0.0 : static_cast<double>(k) * s.bin_Hz;
 }
 
-double drift_end_Hz(const std::vector<double>& values, double sample_period_s, double lowest_Hz) {
+double drift_end_Hz(const std::vector<double>& values, double sample_period_s, double lowest_Hz, int integrations) {
   const Spectrum s = spectrum_of(values, sample_period_s);
   const size_t half = static_cast<size_t>(0.5 * lowest_Hz / s.bin_Hz),
                most = std::min(static_cast<size_t>(0.9 * lowest_Hz / s.bin_Hz), s.power.size());
   if (half < kFewestBins || most < half + kFewestBins / 2) return 0.0;
   const double level = median({s.power.begin() + static_cast<long>(half), s.power.begin() + static_cast<long>(most)});
-  for (size_t k = half; k > kOfMean; --k)
-    if (s.power[k] > kStandsOut * level / kMedian) return static_cast<double>(k + 1) * s.bin_Hz;
-  return 0.0;
+  size_t end = half;
+  while (end > kOfMean && s.power[end] <= kStandsOut * level / kMedian) --end;
+  if (end <= kOfMean) return 0.0;
+  double slow = 0.0, motion = 0.0;  // of the integral
+  for (size_t k = 1; k < s.power.size(); ++k)
+    (k <= end ? slow : motion) += s.power[k] * std::pow(static_cast<double>(k), -2.0 * integrations);
+  if (integrations > 0 && slow < kMatters * motion) return 0.0;
+  return static_cast<double>(end + 1) * s.bin_Hz;
 }
 
 void take_off_cosines(std::vector<double>& values, double sample_period_s, double end_Hz) {
@@ -112,9 +118,11 @@ std::string take_off_drift(const rig_file::RigModel& model, SharedRecords& recor
   double of_motion_Hz = 0.0, of_drives_Hz = 0.0;
   for (const Record& record : given)
     for (const Channel& channel : record.channels) {
-      double& end_Hz = is_integrated(record, channel) ? of_motion_Hz : of_drives_Hz;
-      if (drives(channel) || is_integrated(record, channel))
-        end_Hz = std::max(end_Hz, drift_end_Hz(channel.values, record.sample_period_s, lowest_Hz));
+      const bool integrated = is_integrated(record, channel);
+      const int times = !integrated ? 0 : channel.quantity == Quantity::kVelocity ? 1 : 2;
+      double& end_Hz = integrated ? of_motion_Hz : of_drives_Hz;
+      if (drives(channel) || integrated)
+        end_Hz = std::max(end_Hz, drift_end_Hz(channel.values, record.sample_period_s, lowest_Hz, times));
     }
   const double end_Hz = std::max(of_motion_Hz, of_drives_Hz);
   if (of_motion_Hz == 0.0 || end_Hz > kMostOfDrive * lowest_Hz) return {};

@@ -18,8 +18,9 @@ namespace host_sim {
 double lowest_drive_Hz(const std::vector<double>& values, double sample_period_s);
 
 // The highest frequency below lowest_Hz / 2 at which the channel stands out of its noise there, by twelve times the level between lowest_Hz / 2
-// and 0.9 lowest_Hz (white noise does so once in 160000 bins). 0: nowhere.
-double drift_end_Hz(const std::vector<double>& values, double sample_period_s, double lowest_Hz);
+// and 0.9 lowest_Hz (white noise does so once in 160000 bins). 0: nowhere, or what is slower makes less of the power of that many
+// integrals of it than the motion.
+double drift_end_Hz(const std::vector<double>& values, double sample_period_s, double lowest_Hz, int integrations);
 
 // The channel without its cosines of half periods up to end_Hz (a discrete cosine transform's, which no jump between the record's ends
 // disturbs).
