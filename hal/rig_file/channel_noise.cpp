@@ -152,17 +152,16 @@ double low_level(const ChannelCodes& records, double rate_Hz) {
   }
   for (int line = 0; line < kBands * kLines; ++line) {
     const double step = 2 * kPi * (kFirst + line) / static_cast<double>(length);
-    for (size_t n = 0; n < length; ++n)
-      cosines.push_back(std::cos(step * static_cast<double>(n))),
-          sines.push_back(std::sin(step * static_cast<double>(n)));
+    for (size_t n = 0; n < length; ++n) {
+      cosines.push_back(std::cos(step * static_cast<double>(n)));
+      sines.push_back(std::sin(step * static_cast<double>(n)));
+    }
   }
   for (const auto& record : records)
     for (size_t from = 0; from + length <= record.size(); from += length / 2, ++segments)
       for (int line = 0; line < kBands * kLines; ++line) {
-        const double *const turn = cosines.data() + static_cast<size_t>(line) * length, *const quarter =
-                                                                                            sines.data() +
-                                                                                            static_cast<size_t>(line) *
-                                                                                                length;
+        const double* const turn = cosines.data() + static_cast<size_t>(line) * length;
+        const double* const quarter = sines.data() + static_cast<size_t>(line) * length;
         double cosine = 0, sine = 0, middle = record[from];
         for (size_t n = 0; n < length; ++n) {
           const double value = window[n] * (record[from + n] - middle);

@@ -8,13 +8,10 @@
 #include "hal/rig_file/signals/taps.hpp"
 
 namespace rig_file {
-namespace {
 
 using firmware::CoreConfiguration;
 using firmware::kQuantities;
 using firmware::SignalConfiguration;
-
-}  // namespace
 
 void plan_signals(CoreConfiguration& configuration, const SignalRanges& ranges) {
   choose_sources(configuration, ranges);

@@ -58,6 +58,8 @@ double take_clock(const std::vector<double>& time_s, Record& record) {
 
 }  // namespace
 
+bool is_drive(const Channel& channel) { return channel.quantity == Quantity::kForce || channel.dof == rig_file::kBase; }
+
 Channel channel_of_name(const std::string& name, const rig_file::RigModel& model, const std::string& file,
                         size_t line) {
   const bool any = model.dofs.empty() && rig_file::parse_channel_name(name);

@@ -9,6 +9,9 @@
 
 namespace host_sim {
 
+// A force, or a channel of the moving base.
+bool is_drive(const Channel& channel);
+
 // The channel of that name, without values. Throws DataFileError (with the line) where the rig has no use for the name;
 // a rig without DOFs stands for "no rig file" and has use for every channel.
 Channel channel_of_name(const std::string& name, const rig_file::RigModel& model, const std::string& file, size_t line);

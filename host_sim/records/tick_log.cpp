@@ -21,6 +21,18 @@ constexpr double kSamplesPerTurn = 4.0;
 
 double step_at(const std::vector<double>& values, size_t row) { return values[row] - values[row - 1]; }
 
+double least_step(const std::vector<double>& values) {
+  double step = std::fabs(step_at(values, 1));
+  for (size_t i = 1; i < values.size(); ++i) step = std::min(step, std::fabs(step_at(values, i)));
+  return step;
+}
+
+// How many of these a row is from the one before; 0 where that is no whole number.
+double whole_steps(const std::vector<double>& values, size_t row, double step) {
+  const double steps = std::fabs(step_at(values, row)) / step, whole = std::nearbyint(steps);
+  return std::fabs(steps - whole) > kAlike * whole ? 0.0 : whole;
+}
+
 // From one turn to the next more than a step: to and fro over one edge is no motion.
 size_t turns_of(const std::vector<double>& values) {
   size_t turns = 0, run = 1;
@@ -71,15 +83,14 @@ std::vector<double> between_edges(const Record& record, double step, size_t coun
 
 bool counts_marks(const std::vector<double>& time_s, const std::vector<double>& values) {
   if (values.size() < 2 || time_s.size() != values.size()) return false;
-  double step = std::fabs(step_at(values, 1));
-  for (size_t i = 1; i < values.size(); ++i) step = std::min(step, std::fabs(step_at(values, i)));
+  const double step = least_step(values);
   if (!(step > 0.0)) return false;
   size_t unlike = 0, as_long = 0;
   double marks = 0.0, a_mark_s = 0.0;  // of the row before
   bool all_single = true, one_way = true;
   for (size_t i = 1; i < values.size(); ++i) {
-    const double steps = std::fabs(step_at(values, i)) / step, whole = std::nearbyint(steps);
-    if (std::fabs(steps - whole) > kAlike * whole) return false;
+    const double whole = whole_steps(values, i, step);
+    if (whole == 0.0) return false;
     all_single = all_single && whole == 1.0;
     one_way = one_way && (step_at(values, i) > 0.0) == (step_at(values, 1) > 0.0);
     const double now_s = (time_s[i] - time_s[i - 1]) / whole;
@@ -95,16 +106,15 @@ bool counts_marks(const std::vector<double>& time_s, const std::vector<double>& 
 double tick_step(const Record& record) {
   if (record.channels.size() != 1 || record.time_s.size() < kFewestSamples) return 0.0;
   const std::vector<double>& values = record.channels[0].values;
-  double step = std::fabs(step_at(values, 1));
-  for (size_t i = 1; i < values.size(); ++i) step = std::min(step, std::fabs(step_at(values, i)));
+  const double step = least_step(values);
   if (!(step > 0.0)) return 0.0;
   size_t single = 0, turns = 0;
   double sum = 0.0, counted = 0.0;
   for (size_t i = 1; i < values.size(); ++i) {
-    const double steps = std::fabs(step_at(values, i)) / step, whole = std::nearbyint(steps);
-    if (std::fabs(steps - whole) > kAlike * whole) return 0.0;
+    const double whole = whole_steps(values, i, step);
+    if (whole == 0.0) return 0.0;
     single += whole == 1.0 ? 1 : 0;
-    sum += steps * step, counted += whole;
+    sum += std::fabs(step_at(values, i)), counted += whole;
     if (i > 1 && (step_at(values, i) > 0.0) != (step_at(values, i - 1) > 0.0)) ++turns;
   }
   const bool ticks = static_cast<double>(single) >= kOneStep * static_cast<double>(values.size() - 1);

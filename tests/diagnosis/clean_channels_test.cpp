@@ -26,13 +26,7 @@ host_sim::Record recorded(double late_s, double gain) {
     x.push_back(at), v.push_back(late), a.push_back(gain * slope);
     force.push_back(2 * slope + 8000 * at + 12 * rate);
   }
-  host_sim::Record record;
-  record.file = "clean.csv", record.sample_period_s = 1 / kRate_Hz;
-  record.channels = {{"force_1_N", host_sim::Quantity::kForce, 1, force},
-                     {"displacement_1_m", host_sim::Quantity::kDisplacement, 1, x},
-                     {"velocity_1_m_s", host_sim::Quantity::kVelocity, 1, v},
-                     {"acceleration_1_m_s2", host_sim::Quantity::kAcceleration, 1, a}};
-  return record;
+  return two_masses::of_one_mass("clean.csv", kRate_Hz, force, x, v, a);
 }
 
 Diagnosis diagnosed(double late_s, double gain) {

@@ -62,12 +62,7 @@ TEST(StartValues, ALawThatWouldDriveStartsFromNought) {
     a.push_back(kTop_m_s * kTurn_1_s * std::cos(phase));
     force.push_back(kMass_kg * a.back() + 2.0 * w - 0.1 * w * std::abs(w));
   }
-  host_sim::Record record;
-  record.file = "falling.csv", record.sample_period_s = 1 / kRate_Hz;
-  record.channels = {{"force_1_N", host_sim::Quantity::kForce, 1, force},
-                     {"displacement_1_m", host_sim::Quantity::kDisplacement, 1, x},
-                     {"velocity_1_m_s", host_sim::Quantity::kVelocity, 1, v},
-                     {"acceleration_1_m_s2", host_sim::Quantity::kAcceleration, 1, a}};
+  const host_sim::Record record = two_masses::of_one_mass("falling.csv", kRate_Hz, force, x, v, a);
   const rig_file::RigModel rig = rig_file::parse_rig(
       "schema = \"rig/1\"\n[[dof]]\nmass_kg = 2.0\n[[link]]\nbetween = [1, 0]\nviscous_N_s_m = \"estimate\"\n"
       "[[link.effect]]\nkind = \"quadratic_damping\"\ncoefficient = \"estimate\"\n",

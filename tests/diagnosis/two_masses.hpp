@@ -26,6 +26,19 @@ State stepped(const State& s, double h, const Drive& start, const Drive& middle,
   return moved(moved(moved(moved(s, k1, h / 6), k2, h / 3), k3, h / 3), k4, h / 6);
 }
 
+// All that can be measured of one mass that a force drives.
+inline host_sim::Record of_one_mass(const char* file, double rate_Hz, const std::vector<double>& force,
+                                    const std::vector<double>& x, const std::vector<double>& v,
+                                    const std::vector<double>& a) {
+  host_sim::Record record;
+  record.file = file, record.sample_period_s = 1 / rate_Hz;
+  record.channels = {{"force_1_N", host_sim::Quantity::kForce, 1, force},
+                     {"displacement_1_m", host_sim::Quantity::kDisplacement, 1, x},
+                     {"velocity_1_m_s", host_sim::Quantity::kVelocity, 1, v},
+                     {"acceleration_1_m_s2", host_sim::Quantity::kAcceleration, 1, a}};
+  return record;
+}
+
 // "explained, backlash on link 1-2"
 inline std::string said(const diagnosis::Diagnosis& d) {
   std::string text = diagnosis::verdict_word(d.verdict);

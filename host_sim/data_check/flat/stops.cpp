@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "hal/rig_file/rig_model.hpp"
 #include "host_sim/data_check/measures/statistics.hpp"
+#include "host_sim/records/record_checks.hpp"
 
 namespace host_sim::data_check {
 namespace {
@@ -63,7 +63,7 @@ std::vector<size_t> stops_of(const Record& record) {
   for (size_t i = 0; i < record.channels.size(); ++i) {
     const Channel& channel = record.channels[i];
     const bool may_stop =  // a drive ends when it is switched off
-        lives[i].steps.empty() || channel.quantity == Quantity::kForce || channel.dof == rig_file::kBase;
+        lives[i].steps.empty() || is_drive(channel);
     if (!may_stop) stops[i] = dies_at(lives, i) * (record.samples() / kWindows);
   }
   return stops;

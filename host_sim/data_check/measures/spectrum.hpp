@@ -12,4 +12,7 @@ size_t quick_length(size_t samples);
 // Power of each bin of n values from `from` on, the mean taken off, under a Hann window.
 std::vector<double> power_spectrum(const double* from, size_t n, double mean);
 
+// The median of the bins [first, last), at least one: the level of noise, which lines do not raise.
+double median_power(const std::vector<double>& power, size_t first, size_t last);
+
 }  // namespace host_sim::data_check

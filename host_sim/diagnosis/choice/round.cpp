@@ -36,10 +36,6 @@ Attempt reshaped(const Task& task, const State& now, const std::vector<Candidate
   return found;
 }
 
-}  // namespace
-
-namespace {
-
 // An effect that leaves less of what the fit has seen and of what it has not, by as much as a cause has to.
 void keep_nearest(const Task& task, const State& now, const std::vector<Attempt>& tried, double noise, Choice& choice) {
   for (const Attempt& t : tried) {

@@ -36,11 +36,7 @@ void check_records(const std::vector<Record>& records) {
                          ", several cycles of the lowest frequency");
 }
 
-bool has_force(const Record& record) {
-  for (const Channel& channel : record.channels)
-    if (channel.quantity == Quantity::kForce || channel.dof == rig_file::kBase) return true;
-  return false;
-}
+bool has_force(const Record& record) { return std::any_of(record.channels.begin(), record.channels.end(), is_drive); }
 
 firmware::WindowConfiguration window_of(const std::vector<Record>& records, const EstimationOptions& options) {
   const Record& record = records.front();

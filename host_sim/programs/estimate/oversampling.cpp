@@ -63,9 +63,7 @@ double highest_motion_Hz(const std::vector<double>& values, double sample_period
     const double slope = 2.0 * std::sin(0.5 * M_PI * static_cast<double>(k) / static_cast<double>(bins - 1));
     power[k] /= slope * slope;
   }
-  std::vector<double> top(power.begin() + static_cast<long>(3 * bins / 4), power.end());
-  std::nth_element(top.begin(), top.begin() + static_cast<long>(top.size() / 2), top.end());
-  const double noise = top[top.size() / 2];
+  const double noise = data_check::median_power(power, 3 * bins / 4, bins);
   size_t k = bins - 2;
   while (k > 1 && power[k - 1] + power[k] + power[k + 1] <= 3.0 * kAboveNoise * noise) --k;
   return static_cast<double>(k + 1) * 0.5 / (static_cast<double>(bins - 1) * sample_period_s);

@@ -10,6 +10,7 @@
 #include "hal/rig_file/signal_plan.hpp"
 #include "host_sim/data_check/measures/spectrum.hpp"
 #include "host_sim/records/digitise.hpp"
+#include "host_sim/records/record_checks.hpp"
 
 namespace host_sim {
 namespace {
@@ -38,14 +39,6 @@ Spectrum spectrum_of(const std::vector<double>& values, double sample_period_s) 
           1.0 / (static_cast<double>(length) * sample_period_s)};
 }
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<long>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
-bool drives(const Channel& channel) { return channel.quantity == Quantity::kForce || channel.dof == rig_file::kBase; }
-
 // A channel of motion of which an integral is made: nothing lower is measured at its DOF.
 bool is_integrated(const Record& record, const Channel& channel) {
   if (channel.quantity != Quantity::kVelocity && channel.quantity != Quantity::kAcceleration) return false;
@@ -59,7 +52,7 @@ double lowest_drive_Hz(const std::vector<double>& values, double sample_period_s
   const Spectrum s = spectrum_of(values, sample_period_s);
   const size_t bins = s.power.size();
   if (bins < 8 * kHalfMean) return 0.0;
-  const double noise = median({s.power.begin() + static_cast<long>(3 * bins / 4), s.power.end()}) / kMedian;
+  const double noise = data_check::median_power(s.power, 3 * bins / 4, bins) / kMedian;
   const double least = std::max(kDriven * noise, kLeastOfPeak * *std::max_element(s.power.begin() + 1, s.power.end()));
   const auto drives_at = [&](size_t k) {
     const double sum = std::accumulate(s.power.begin() + static_cast<long>(k - kHalfMean),
@@ -80,7 +73,7 @@ double drift_end_Hz(const std::vector<double>& values, double sample_period_s, d
   const size_t half = static_cast<size_t>(0.5 * lowest_Hz / s.bin_Hz),
                most = std::min(static_cast<size_t>(0.9 * lowest_Hz / s.bin_Hz), s.power.size());
   if (half < kFewestBins || most < half + kFewestBins / 2) return 0.0;
-  const double level = median({s.power.begin() + static_cast<long>(half), s.power.begin() + static_cast<long>(most)});
+  const double level = data_check::median_power(s.power, half, most);
   size_t end = half;
   while (end > kOfMean && s.power[end] <= kStandsOut * level / kMedian) --end;
   if (end <= kOfMean) return 0.0;
@@ -107,13 +100,16 @@ void take_off_cosines(std::vector<double>& values, double sample_period_s, doubl
 
 std::string take_off_drift(const rig_file::RigModel& model, SharedRecords& records) {
   const std::vector<Record>& given = records.get();
+  const std::vector<Channel>& channels = given.front().channels;
+  if (std::none_of(channels.begin(), channels.end(), [&](const Channel& c) { return is_integrated(given.front(), c); }))
+    return {};
   const firmware::CoreConfiguration planned =
       rig_file::compile_rig(model, given.front().sample_period_s, calibrate(given, model));
   if (!rig_file::integrates(planned)) return {};
   double lowest_Hz = INFINITY;
   for (const Record& record : given)
     for (const Channel& channel : record.channels)
-      if (drives(channel)) lowest_Hz = std::min(lowest_Hz, lowest_drive_Hz(channel.values, record.sample_period_s));
+      if (is_drive(channel)) lowest_Hz = std::min(lowest_Hz, lowest_drive_Hz(channel.values, record.sample_period_s));
   if (!std::isfinite(lowest_Hz) || lowest_Hz == 0.0) return {};
   double of_motion_Hz = 0.0, of_drives_Hz = 0.0;
   for (const Record& record : given)
@@ -121,7 +117,7 @@ std::string take_off_drift(const rig_file::RigModel& model, SharedRecords& recor
       const bool integrated = is_integrated(record, channel);
       const int times = !integrated ? 0 : channel.quantity == Quantity::kVelocity ? 1 : 2;
       double& end_Hz = integrated ? of_motion_Hz : of_drives_Hz;
-      if (drives(channel) || integrated)
+      if (is_drive(channel) || integrated)
         end_Hz = std::max(end_Hz, drift_end_Hz(channel.values, record.sample_period_s, lowest_Hz, times));
     }
   const double end_Hz = std::max(of_motion_Hz, of_drives_Hz);

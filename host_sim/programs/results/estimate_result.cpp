@@ -39,9 +39,8 @@ const char* reason(EstimateStatus status, const EstimateResult& result) {
                ? "hidden by noise: a motion that is integrated from rates does not show what is slow, nor where "
                  "friction changes its direction; measure the displacement as well (diagnose asks for less)"
                : "hidden by noise: the energies of these data scatter as much as they are; raise the level, "
-                 "measure velocity or acceleration as well, or filter all channels alike and record slower (diagnose "
-                 "asks for "
-                 "less)";
+                 "measure velocity or acceleration as well, or filter all channels alike and record slower "
+                 "(diagnose asks for less)";
   switch (status) {
     case EstimateStatus::kStale:
       if (result.integrates)

@@ -62,8 +62,7 @@ std::vector<ParameterChange> changes(const diagnosis::Diagnosis& found) {
   }
   for (const diagnosis::Parameter& after : found.extended.parameters)
     if (!found.causes.empty() && find(found.baseline.parameters, after.name) == nullptr)
-      out.push_back(
-          {after.name, after.unit, nothing, interval_of(after), status_of(after, found.extended_fits()), false});
+      out.push_back({after.name, after.unit, nothing, interval_of(after), status_of(after, found.extended_fits())});
   return out;
 }
 
