@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <vector>
 
-#include "hal/rig_file/toml_checks.hpp"
+#include "hal/rig_file/toml/toml_checks.hpp"
 
 namespace rig_file {
 namespace {

@@ -2,8 +2,8 @@
 #pragma once
 #include <string>
 
-#include "hal/rig_file/effect_words.hpp"
 #include "hal/rig_file/rig_model.hpp"
+#include "hal/rig_file/toml/effect_words.hpp"
 
 namespace rig_file {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "hal/rig_file/shared_noise.hpp"
+#include "hal/rig_file/recorded/shared_noise.hpp"
 #include "hal/rig_file/signals/planned.hpp"
 #include "hal/rig_file/signals/sources.hpp"
 #include "hal/rig_file/signals/taps.hpp"

@@ -15,7 +15,7 @@
 
 #include "firmware/acquisition/raw_sample.hpp"
 #include "firmware/configuration/configuration.hpp"
-#include "hal/rig_file/channel_noise.hpp"
+#include "hal/rig_file/recorded/channel_noise.hpp"
 
 namespace rig_file {
 

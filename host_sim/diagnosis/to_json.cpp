@@ -1,8 +1,8 @@
 // Contract section 5, "diagnosis/1".
 #include <nlohmann/json.hpp>
 
-#include "answer/parameter_status.hpp"
 #include "diagnosis.hpp"
+#include "numbers/parameter_status.hpp"
 
 namespace diagnosis {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "hal/rig_file/effect_words.hpp"
+#include "hal/rig_file/toml/effect_words.hpp"
 #include "host_sim/force_balance/derivative.hpp"
 #include "host_sim/vocabulary/law.hpp"
 

@@ -5,7 +5,7 @@
 #include "firmware/can_protocol/packing.hpp"
 #include "hal/rig_file/channel_name.hpp"
 #include "hal/rig_file/compile_rig.hpp"
-#include "host_sim/records/data_file_error.hpp"
+#include "host_sim/records/files/data_file_error.hpp"
 
 namespace host_sim {
 namespace {

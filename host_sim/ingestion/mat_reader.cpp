@@ -10,7 +10,7 @@
 #include "host_sim/records/columns/column_meaning.hpp"
 #include "host_sim/records/columns/head_hints.hpp"
 #include "host_sim/records/columns/names/column_name.hpp"
-#include "host_sim/records/data_file_error.hpp"
+#include "host_sim/records/files/data_file_error.hpp"
 #include "host_sim/records/record_checks.hpp"
 
 namespace host_sim {

@@ -4,11 +4,11 @@
 #include "host_sim/ingestion/sensor_log_reader.hpp"
 #include "host_sim/ingestion/uff_reader.hpp"
 #include "host_sim/records/csv/csv_reader.hpp"
-#include "host_sim/records/data_file_error.hpp"
-#include "host_sim/records/file_content.hpp"
-#include "host_sim/records/input_files.hpp"
+#include "host_sim/records/files/data_file_error.hpp"
+#include "host_sim/records/files/file_content.hpp"
+#include "host_sim/records/files/input_files.hpp"
 #include "host_sim/records/record_checks.hpp"
-#include "host_sim/records/resample.hpp"
+#include "host_sim/records/times/resample.hpp"
 
 namespace host_sim {
 namespace {

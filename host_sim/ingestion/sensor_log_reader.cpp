@@ -5,7 +5,7 @@
 
 #include "host_sim/can_log/log_reader.hpp"
 #include "host_sim/ingestion/log_calibration.hpp"
-#include "host_sim/records/data_file_error.hpp"
+#include "host_sim/records/files/data_file_error.hpp"
 #include "host_sim/records/record_checks.hpp"
 
 namespace host_sim {

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "host_sim/records/data_file_error.hpp"
+#include "host_sim/records/files/data_file_error.hpp"
 
 namespace host_sim::uff {
 namespace {

@@ -11,7 +11,7 @@
 #include "hal/rig_file/channel_name.hpp"
 #include "host_sim/ingestion/uff_dataset.hpp"
 #include "host_sim/records/columns/units/units.hpp"
-#include "host_sim/records/data_file_error.hpp"
+#include "host_sim/records/files/data_file_error.hpp"
 #include "host_sim/records/record_checks.hpp"
 
 namespace host_sim {

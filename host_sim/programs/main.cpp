@@ -9,7 +9,7 @@
 #include "host_sim/programs/shared/failures.hpp"
 #include "host_sim/programs/shared/help_text.hpp"
 #include "host_sim/programs/shared/human_output.hpp"
-#include "host_sim/records/output_file.hpp"
+#include "host_sim/records/files/output_file.hpp"
 
 namespace {
 

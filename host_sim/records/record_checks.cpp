@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "hal/rig_file/channel_name.hpp"
-#include "host_sim/records/data_file_error.hpp"
-#include "host_sim/records/even_times.hpp"
-#include "host_sim/records/uneven_times.hpp"
+#include "host_sim/records/files/data_file_error.hpp"
+#include "host_sim/records/times/even_times.hpp"
+#include "host_sim/records/times/uneven_times.hpp"
 
 namespace host_sim {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <sstream>
 
-#include "hal/rig_file/effect_words.hpp"
+#include "hal/rig_file/toml/effect_words.hpp"
 
 namespace vocabulary {
 namespace {

@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "hal/rig_file/effect_words.hpp"
+#include "hal/rig_file/toml/effect_words.hpp"
 #include "host_sim/vocabulary/law.hpp"
 
 namespace vocabulary {

@@ -9,7 +9,7 @@
 #include "hal/fake/fake_configuration_store.hpp"
 #include "hal/fake/fake_devices.hpp"
 #include "hal/rig_file/compile_rig.hpp"
-#include "hal/rig_file/rig_reader.hpp"
+#include "hal/rig_file/toml/rig_reader.hpp"
 
 extern "C" void allocation_guard_begin();
 extern "C" void allocation_guard_end();

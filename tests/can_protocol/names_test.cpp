@@ -5,7 +5,7 @@
 #include "firmware/can_protocol/messages.hpp"
 #include "firmware/can_protocol/packing.hpp"
 #include "hal/rig_file/compile_rig.hpp"
-#include "hal/rig_file/effect_words.hpp"
+#include "hal/rig_file/toml/effect_words.hpp"
 #include "host_sim/can_log/known_names.hpp"
 
 namespace {

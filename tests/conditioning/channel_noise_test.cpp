@@ -1,5 +1,5 @@
 // The noise of a channel is read beside a motion: white, coloured, different from record to record, or not to be told from it.
-#include "hal/rig_file/channel_noise.hpp"
+#include "hal/rig_file/recorded/channel_noise.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Filters of the wide band, and when they are taken.
-#include "hal/rig_file/motion_band.hpp"
+#include "hal/rig_file/recorded/motion_band.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // How far down a motion reaches, and the corner of the high-pass that follows it up.
-#include "hal/rig_file/slowest_motion.hpp"
+#include "hal/rig_file/recorded/slowest_motion.hpp"
 
 #include <gtest/gtest.h>
 

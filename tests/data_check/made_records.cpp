@@ -5,7 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "hal/rig_file/rig_reader.hpp"
+#include "hal/rig_file/toml/rig_reader.hpp"
 
 namespace made {
 namespace {

@@ -5,12 +5,12 @@
 #include <filesystem>
 #include <random>
 
-#include "hal/rig_file/rig_reader.hpp"
+#include "hal/rig_file/toml/rig_reader.hpp"
 #include "host_sim/data_check/data_check.hpp"
 #include "host_sim/data_check/report/to_json.hpp"
 #include "host_sim/ingestion/record_reader.hpp"
-#include "host_sim/records/resample.hpp"
-#include "host_sim/records/value_step.hpp"
+#include "host_sim/records/steps/value_step.hpp"
+#include "host_sim/records/times/resample.hpp"
 #include "tests/data_check/made_records.hpp"
 #include "tests/host_sim/run_program.hpp"
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "hal/rig_file/rig_reader.hpp"
+#include "hal/rig_file/toml/rig_reader.hpp"
 #include "host_sim/data_check/data_check.hpp"
 
 namespace {

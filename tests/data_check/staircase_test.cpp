@@ -6,8 +6,8 @@
 #include <cmath>
 #include <random>
 
-#include "host_sim/records/resample.hpp"
-#include "host_sim/records/updates.hpp"
+#include "host_sim/records/steps/updates.hpp"
+#include "host_sim/records/times/resample.hpp"
 
 namespace {
 

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "host_sim/data_check/report/to_json.hpp"
-#include "host_sim/records/data_file_error.hpp"
+#include "host_sim/records/files/data_file_error.hpp"
 #include "host_sim/records/record_checks.hpp"
 #include "tests/data_check/made_records.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "host_sim/diagnosis/answer/parameter_status.hpp"
+#include "host_sim/diagnosis/numbers/parameter_status.hpp"
 #include "tests/hidden_rig/draw.hpp"
 #include "two_masses.hpp"
 

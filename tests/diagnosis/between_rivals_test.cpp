@@ -1,10 +1,10 @@
 // Numbers that hang on which of several causes it is.
-#include "host_sim/diagnosis/answer/between_rivals.hpp"
+#include "host_sim/diagnosis/numbers/between_rivals.hpp"
 
 #include <gtest/gtest.h>
 
-#include "host_sim/diagnosis/answer/parameter_status.hpp"
 #include "host_sim/diagnosis/choice/round.hpp"
+#include "host_sim/diagnosis/numbers/parameter_status.hpp"
 
 namespace {
 

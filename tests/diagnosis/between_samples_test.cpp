@@ -1,5 +1,5 @@
 // Values between samples, against the sines they were taken from.
-#include "host_sim/diagnosis/motion/between_samples.hpp"
+#include "host_sim/diagnosis/band/between_samples.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,8 +5,9 @@
 #include <cmath>
 
 #include "host_sim/diagnosis/answer/answer.hpp"
-#include "host_sim/diagnosis/choice/attempt.hpp"
-#include "host_sim/diagnosis/choice/with_motion.hpp"
+#include "host_sim/diagnosis/numbers/numbers_of.hpp"
+#include "host_sim/diagnosis/residual/with_motion.hpp"
+#include "host_sim/diagnosis/trial/paired.hpp"
 
 namespace {
 

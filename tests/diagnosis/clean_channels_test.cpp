@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "hal/rig_file/rig_reader.hpp"
+#include "hal/rig_file/toml/rig_reader.hpp"
 #include "two_masses.hpp"
 
 namespace {

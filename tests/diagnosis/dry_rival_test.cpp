@@ -5,7 +5,8 @@
 #include <cmath>
 #include <random>
 
-#include "host_sim/diagnosis/choice/attempt.hpp"
+#include "host_sim/diagnosis/trial/attempt.hpp"
+#include "host_sim/diagnosis/trial/bristles.hpp"
 #include "tests/hidden_rig/draw.hpp"
 #include "two_masses.hpp"
 

@@ -1,11 +1,11 @@
 // Intervals of records with hardly any noise: as wide as elastic forces that are not quite right make the numbers.
-#include "host_sim/diagnosis/answer/elastic_doubt.hpp"
+#include "host_sim/diagnosis/numbers/elastic_doubt.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "host_sim/diagnosis/fit/start.hpp"
+#include "host_sim/diagnosis/first_values/start.hpp"
 #include "tests/hidden_rig/draw.hpp"
 #include "two_masses.hpp"
 

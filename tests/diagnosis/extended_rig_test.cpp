@@ -1,8 +1,8 @@
 // The rig file that a diagnosis writes is read again, whatever was named.
 #include <gtest/gtest.h>
 
-#include "hal/rig_file/rig_reader.hpp"
-#include "hal/rig_file/rig_writer.hpp"
+#include "hal/rig_file/toml/rig_reader.hpp"
+#include "hal/rig_file/toml/rig_writer.hpp"
 #include "host_sim/diagnosis/terms/naming.hpp"
 
 namespace diagnosis {

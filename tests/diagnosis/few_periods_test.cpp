@@ -7,7 +7,8 @@
 #include <random>
 
 #include "host_sim/diagnosis/answer/answer.hpp"
-#include "host_sim/diagnosis/choice/attempt.hpp"
+#include "host_sim/diagnosis/trial/attempt.hpp"
+#include "host_sim/diagnosis/trial/merit.hpp"
 #include "two_masses.hpp"
 
 namespace {

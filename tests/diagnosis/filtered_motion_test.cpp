@@ -1,5 +1,5 @@
 // An anti-alias filter before the motion channels that the force does not pass.
-#include "host_sim/diagnosis/answer/filtered_motion.hpp"
+#include "host_sim/diagnosis/channels/filtered_motion.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "host_sim/diagnosis/fit/start.hpp"
+#include "host_sim/diagnosis/first_values/start.hpp"
 #include "two_masses.hpp"
 
 namespace {

@@ -7,8 +7,9 @@
 
 #include "host_sim/diagnosis/choice/horizon.hpp"
 #include "host_sim/diagnosis/diagnosis.hpp"
-#include "host_sim/diagnosis/fit/mode_scan.hpp"
-#include "host_sim/diagnosis/fit/start.hpp"
+#include "host_sim/diagnosis/first_values/mode_scan.hpp"
+#include "host_sim/diagnosis/first_values/start.hpp"
+#include "host_sim/diagnosis/trial/bristles.hpp"
 #include "two_masses.hpp"
 
 namespace {

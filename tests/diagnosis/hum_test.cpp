@@ -1,5 +1,5 @@
 // Mains hum that a model leaves over: of one channel, of all of them.
-#include "host_sim/diagnosis/answer/hum.hpp"
+#include "host_sim/diagnosis/hums/hum.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <random>
 #include <tuple>
 
-#include "host_sim/diagnosis/choice/lines.hpp"
 #include "host_sim/diagnosis/record/fourier.hpp"
+#include "host_sim/diagnosis/residual/lines.hpp"
 
 namespace diagnosis::runs {
 namespace {

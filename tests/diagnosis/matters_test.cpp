@@ -3,8 +3,9 @@
 
 #include <cmath>
 
-#include "host_sim/diagnosis/answer/materiality.hpp"
-#include "host_sim/diagnosis/choice/attempt.hpp"
+#include "host_sim/diagnosis/doubts/materiality.hpp"
+#include "host_sim/diagnosis/trial/attempt.hpp"
+#include "host_sim/diagnosis/trial/merit.hpp"
 #include "tests/hidden_rig/draw.hpp"
 #include "two_masses.hpp"
 

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "hal/rig_file/rig_reader.hpp"
+#include "hal/rig_file/toml/rig_reader.hpp"
 #include "host_sim/diagnosis/diagnosis.hpp"
 #include "host_sim/ingestion/record_reader.hpp"
 

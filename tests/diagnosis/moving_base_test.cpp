@@ -4,7 +4,7 @@
 #include <cmath>
 #include <random>
 
-#include "host_sim/diagnosis/fit/start.hpp"
+#include "host_sim/diagnosis/first_values/start.hpp"
 #include "host_sim/diagnosis/motion/fused.hpp"
 #include "host_sim/diagnosis/simulate/simulator.hpp"
 

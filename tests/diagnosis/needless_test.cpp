@@ -1,12 +1,13 @@
 // Which of two causes is dropped where one of them does.
-#include "host_sim/diagnosis/choice/needless.hpp"
+#include "host_sim/diagnosis/doubts/needless.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "host_sim/diagnosis/choice/shown.hpp"
+#include "host_sim/diagnosis/doubts/shown.hpp"
+#include "host_sim/diagnosis/trial/attempt.hpp"
 
 namespace {
 

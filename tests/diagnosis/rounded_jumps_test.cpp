@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "host_sim/diagnosis/fit/rounding.hpp"
+#include "host_sim/diagnosis/readings/rounding.hpp"
 #include "tests/hidden_rig/draw.hpp"
 #include "two_masses.hpp"
 

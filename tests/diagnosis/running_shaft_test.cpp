@@ -6,7 +6,7 @@
 #include <functional>
 #include <random>
 
-#include "host_sim/diagnosis/answer/parameter_status.hpp"
+#include "host_sim/diagnosis/numbers/parameter_status.hpp"
 #include "host_sim/diagnosis/record/series.hpp"
 #include "two_masses.hpp"
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "host_sim/diagnosis/answer/parameter_status.hpp"
+#include "host_sim/diagnosis/numbers/parameter_status.hpp"
 #include "two_masses.hpp"
 
 namespace {

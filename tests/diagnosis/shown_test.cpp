@@ -1,5 +1,5 @@
 // What records can show of a fitted shape.
-#include "host_sim/diagnosis/choice/shown.hpp"
+#include "host_sim/diagnosis/doubts/shown.hpp"
 
 #include <gtest/gtest.h>
 

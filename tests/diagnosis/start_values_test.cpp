@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "hal/rig_file/rig_reader.hpp"
-#include "host_sim/diagnosis/fit/start.hpp"
+#include "hal/rig_file/toml/rig_reader.hpp"
+#include "host_sim/diagnosis/first_values/start.hpp"
 #include "tests/hidden_rig/draw.hpp"
 #include "two_masses.hpp"
 

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "draw.hpp"
-#include "host_sim/diagnosis/choice/lines.hpp"
+#include "host_sim/diagnosis/residual/lines.hpp"
 #include "tests/hidden_rig/draw.hpp"
 #include "two_masses.hpp"
 

@@ -1,12 +1,12 @@
 // An error that nobody could put right is no finding.
-#include "host_sim/diagnosis/answer/trifles.hpp"
+#include "host_sim/diagnosis/doubts/trifles.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
-#include "host_sim/diagnosis/answer/laws_apart.hpp"
+#include "host_sim/diagnosis/doubts/laws_apart.hpp"
 
 namespace diagnosis::runs {
 namespace {

@@ -1,9 +1,9 @@
 // Numbers whose intervals are wider than all that they are a part of.
-#include "host_sim/diagnosis/answer/undetermined.hpp"
+#include "host_sim/diagnosis/numbers/undetermined.hpp"
 
 #include <gtest/gtest.h>
 
-#include "host_sim/diagnosis/answer/parameter_status.hpp"
+#include "host_sim/diagnosis/numbers/parameter_status.hpp"
 
 namespace diagnosis::runs {
 namespace {

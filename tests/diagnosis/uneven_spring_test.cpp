@@ -2,7 +2,7 @@
 #include <cmath>
 #include <random>
 
-#include "host_sim/diagnosis/choice/possible.hpp"
+#include "host_sim/diagnosis/doubts/possible.hpp"
 #include "host_sim/diagnosis/fit/evaluator.hpp"
 #include "two_masses.hpp"
 

@@ -1,5 +1,5 @@
 // Constant forces in all springs at a DOF that are one wrong zero: 1000 N/m to the ground and 500 N/m to mass 2.
-#include "host_sim/diagnosis/answer/zero_of_channel.hpp"
+#include "host_sim/diagnosis/channels/zero_of_channel.hpp"
 
 #include <gtest/gtest.h>
 

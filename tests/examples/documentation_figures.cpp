@@ -5,9 +5,9 @@
 #include <exception>
 #include <random>
 
-#include "hal/rig_file/rig_reader.hpp"
+#include "hal/rig_file/toml/rig_reader.hpp"
 #include "host_sim/plant/motion/simulate.hpp"
-#include "host_sim/records/output_file.hpp"
+#include "host_sim/records/files/output_file.hpp"
 #include "host_sim/reports/figures/plot.hpp"
 
 namespace {

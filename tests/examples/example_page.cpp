@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "host_sim/records/output_file.hpp"
+#include "host_sim/records/files/output_file.hpp"
 #include "host_sim/reports/figures/numbers.hpp"
 #include "host_sim/reports/page/shared_parts.hpp"
 #include "host_sim/reports/sections/diagnosis_pictures.hpp"

@@ -4,9 +4,9 @@
 #include <exception>
 #include <filesystem>
 
-#include "hal/rig_file/rig_reader.hpp"
+#include "hal/rig_file/toml/rig_reader.hpp"
 #include "host_sim/ingestion/record_reader.hpp"
-#include "host_sim/records/output_file.hpp"
+#include "host_sim/records/files/output_file.hpp"
 #include "host_sim/reports/data/from_diagnosis.hpp"
 #include "tests/examples/example_page.hpp"
 

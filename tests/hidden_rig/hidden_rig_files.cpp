@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "draw.hpp"
-#include "hal/rig_file/rig_writer.hpp"
+#include "hal/rig_file/toml/rig_writer.hpp"
 #include "host_sim/records/csv/csv_writer.hpp"
 
 namespace {

@@ -5,7 +5,7 @@
 
 #include "draw.hpp"
 #include "hal/rig_file/compile_rig.hpp"
-#include "hal/rig_file/rig_writer.hpp"
+#include "hal/rig_file/toml/rig_writer.hpp"
 #include "host_sim/records/csv/csv_writer.hpp"
 #include "noise.hpp"
 

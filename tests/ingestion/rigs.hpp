@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "hal/rig_file/rig_reader.hpp"
-#include "host_sim/records/data_file_error.hpp"
+#include "hal/rig_file/toml/rig_reader.hpp"
+#include "host_sim/records/files/data_file_error.hpp"
 
 namespace test_rigs {
 

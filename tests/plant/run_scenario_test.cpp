@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string>
 
-#include "hal/rig_file/effect_words.hpp"
+#include "hal/rig_file/toml/effect_words.hpp"
 #include "tests/plant/scenario_texts.hpp"
 #include "tests/vocabulary/typical_shape.hpp"
 

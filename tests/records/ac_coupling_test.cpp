@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "hal/rig_file/rig_reader.hpp"
-#include "hal/rig_file/rig_writer.hpp"
+#include "hal/rig_file/toml/rig_reader.hpp"
+#include "hal/rig_file/toml/rig_writer.hpp"
 
 namespace {
 

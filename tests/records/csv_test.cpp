@@ -5,10 +5,10 @@
 #include <chrono>
 #include <random>
 
-#include "hal/rig_file/rig_reader.hpp"
+#include "hal/rig_file/toml/rig_reader.hpp"
 #include "host_sim/records/csv/csv_reader.hpp"
 #include "host_sim/records/csv/csv_writer.hpp"
-#include "host_sim/records/data_file_error.hpp"
+#include "host_sim/records/files/data_file_error.hpp"
 
 namespace {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "host_sim/records/csv/csv_reader.hpp"
-#include "host_sim/records/data_file_error.hpp"
+#include "host_sim/records/files/data_file_error.hpp"
 #include "tests/records/two_dofs.hpp"
 
 namespace {

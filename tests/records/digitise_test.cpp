@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "hal/rig_file/rig_reader.hpp"
+#include "hal/rig_file/toml/rig_reader.hpp"
 #include "host_sim/records/csv/csv_reader.hpp"
 
 namespace {

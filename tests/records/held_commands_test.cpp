@@ -8,8 +8,8 @@
 #include <functional>
 
 #include "host_sim/records/csv/csv_reader.hpp"
-#include "host_sim/records/data_file_error.hpp"
-#include "host_sim/records/resample.hpp"
+#include "host_sim/records/files/data_file_error.hpp"
+#include "host_sim/records/times/resample.hpp"
 
 namespace {
 

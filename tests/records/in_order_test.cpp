@@ -1,5 +1,5 @@
 // Sorted numbers against std::sort: spread, in steps, all in one place.
-#include "host_sim/records/in_order.hpp"
+#include "host_sim/records/times/in_order.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
 // A result file appears whole or not at all.
-#include "host_sim/records/output_file.hpp"
+#include "host_sim/records/files/output_file.hpp"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
 
 #include <filesystem>
 
-#include "host_sim/records/file_content.hpp"
+#include "host_sim/records/files/file_content.hpp"
 
 namespace {
 

@@ -1,10 +1,10 @@
 // Recordings of one part: heads without a DOF's number, and tables without heads.
 #include <gtest/gtest.h>
 
-#include "hal/rig_file/rig_reader.hpp"
+#include "hal/rig_file/toml/rig_reader.hpp"
 #include "host_sim/records/columns/names/plain_name.hpp"
 #include "host_sim/records/csv/csv_reader.hpp"
-#include "host_sim/records/data_file_error.hpp"
+#include "host_sim/records/files/data_file_error.hpp"
 
 namespace {
 

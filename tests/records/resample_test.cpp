@@ -1,5 +1,5 @@
 // Samples at uneven times onto even steps.
-#include "host_sim/records/resample.hpp"
+#include "host_sim/records/times/resample.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <random>
 
 #include "host_sim/records/csv/csv_reader.hpp"
-#include "host_sim/records/data_file_error.hpp"
+#include "host_sim/records/files/data_file_error.hpp"
 
 namespace {
 

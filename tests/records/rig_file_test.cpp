@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "hal/rig_file/compile_rig.hpp"
-#include "hal/rig_file/rig_reader.hpp"
-#include "hal/rig_file/rig_writer.hpp"
+#include "hal/rig_file/toml/rig_reader.hpp"
+#include "hal/rig_file/toml/rig_writer.hpp"
 
 namespace {
 

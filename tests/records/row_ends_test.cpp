@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "hal/rig_file/rig_reader.hpp"
+#include "hal/rig_file/toml/rig_reader.hpp"
 #include "host_sim/records/csv/csv_reader.hpp"
 
 namespace {

@@ -1,9 +1,9 @@
 // Two tables in one file, side by side, of different lengths and under the same names.
 #include <gtest/gtest.h>
 
-#include "hal/rig_file/rig_reader.hpp"
+#include "hal/rig_file/toml/rig_reader.hpp"
 #include "host_sim/records/csv/csv_reader.hpp"
-#include "host_sim/records/data_file_error.hpp"
+#include "host_sim/records/files/data_file_error.hpp"
 
 namespace {
 

@@ -1,13 +1,13 @@
 // Logs that hold a row for each tick of an encoder.
-#include "host_sim/records/tick_log.hpp"
+#include "host_sim/records/steps/tick_log.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "host_sim/records/data_file_error.hpp"
-#include "host_sim/records/resample.hpp"
+#include "host_sim/records/files/data_file_error.hpp"
+#include "host_sim/records/times/resample.hpp"
 
 namespace {
 

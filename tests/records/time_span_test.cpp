@@ -1,9 +1,9 @@
 // The part of a record between two instants.
-#include "host_sim/records/time_span.hpp"
+#include "host_sim/records/times/time_span.hpp"
 
 #include <gtest/gtest.h>
 
-#include "host_sim/records/data_file_error.hpp"
+#include "host_sim/records/files/data_file_error.hpp"
 
 namespace {
 

@@ -2,7 +2,7 @@
 #pragma once
 #include <string>
 
-#include "hal/rig_file/rig_reader.hpp"
+#include "hal/rig_file/toml/rig_reader.hpp"
 
 namespace two_dofs {
 

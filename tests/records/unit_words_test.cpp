@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hal/rig_file/rig_reader.hpp"
+#include "hal/rig_file/toml/rig_reader.hpp"
 #include "host_sim/records/columns/units/units.hpp"
 #include "host_sim/records/csv/csv_reader.hpp"
 

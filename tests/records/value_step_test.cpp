@@ -1,5 +1,5 @@
 // The step of a coarse converter, read off its values.
-#include "host_sim/records/value_step.hpp"
+#include "host_sim/records/steps/value_step.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hal/rig_file/rig_reader.hpp"
+#include "hal/rig_file/toml/rig_reader.hpp"
 #include "host_sim/plant/motion/simulate.hpp"
 #include "host_sim/reports/views/free_simulation.hpp"
 #include "host_sim/vocabulary/held_in_place.hpp"

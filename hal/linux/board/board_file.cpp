@@ -8,7 +8,7 @@
 #include "hal/linux/board/output_sections.hpp"
 #include "hal/rig_file/channel_name.hpp"
 #include "hal/rig_file/compile_rig.hpp"
-#include "hal/rig_file/rig_from_toml.hpp"
+#include "hal/rig_file/toml/rig_from_toml.hpp"
 
 namespace board {
 namespace {

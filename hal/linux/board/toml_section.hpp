@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "hal/rig_file/toml_checks.hpp"
+#include "hal/rig_file/toml/toml_checks.hpp"
 
 namespace board {
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hal/rig_file/recorded/shared_noise.hpp"
+#include "hal/rig_file/recorded/slowest_motion.hpp"
 #include "hal/rig_file/scaled_double.hpp"
-#include "hal/rig_file/shared_noise.hpp"
 #include "hal/rig_file/signals/planned.hpp"
-#include "hal/rig_file/slowest_motion.hpp"
 
 namespace rig_file {
 namespace {

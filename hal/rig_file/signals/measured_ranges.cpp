@@ -1,12 +1,12 @@
 #include <algorithm>
 
-#include "hal/rig_file/motion_band.hpp"
+#include "hal/rig_file/recorded/motion_band.hpp"
+#include "hal/rig_file/recorded/slowest_motion.hpp"
 #include "hal/rig_file/scaled_double.hpp"
 #include "hal/rig_file/signal_plan.hpp"
 #include "hal/rig_file/signals/high_pass.hpp"
 #include "hal/rig_file/signals/largest.hpp"
 #include "hal/rig_file/signals/planned.hpp"
-#include "hal/rig_file/slowest_motion.hpp"
 
 namespace rig_file {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "host_sim/records/updates.hpp"
+#include "host_sim/records/steps/updates.hpp"
 
 namespace host_sim::data_check {
 namespace {

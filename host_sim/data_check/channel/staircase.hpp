@@ -7,7 +7,7 @@
 
 namespace host_sim::data_check {
 
-// staircase: each value is held over several rows (host_sim/records/updates.hpp). A doubt where what is missed meanwhile is over
+// staircase: each value is held over several rows (host_sim/records/steps/updates.hpp). A doubt where what is missed meanwhile is over
 // 1 % of the channel's rms. Of a force nothing is said: a command is held.
 std::optional<Finding> find_staircase(const Record& record, const Channel& channel, const Statistics& statistics);
 

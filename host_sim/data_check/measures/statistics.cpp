@@ -9,7 +9,7 @@
 
 #include "hal/rig_file/rig_model.hpp"
 #include "host_sim/data_check/measures/quantile.hpp"
-#include "host_sim/records/value_step.hpp"
+#include "host_sim/records/steps/value_step.hpp"
 
 namespace host_sim::data_check {
 namespace {

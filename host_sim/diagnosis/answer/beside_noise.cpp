@@ -3,7 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "../choice/most_noise.hpp"
+#include "../choice/round.hpp"
+#include "../numbers/numbers_of.hpp"
+#include "../residual/most_noise.hpp"
+#include "../trial/attempt.hpp"
+#include "../trial/merit.hpp"
 #include "answer.hpp"
 
 namespace diagnosis::runs {

@@ -2,8 +2,10 @@
 #pragma once
 #include <functional>
 
-#include "../choice/attempt.hpp"
 #include "../diagnosis.hpp"
+#include "../residual/left.hpp"
+#include "../trial/attempt.hpp"
+#include "../trial/merit.hpp"
 
 namespace diagnosis::runs {
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../numbers/numbers_of.hpp"
 #include "answer.hpp"
 
 namespace diagnosis::runs {

@@ -2,14 +2,16 @@
 
 #include <algorithm>
 
-#include "../choice/attempt.hpp"
+#include "../channels/rounded_jumps.hpp"
 #include "../choice/horizon.hpp"
-#include "../choice/most_noise.hpp"
-#include "../choice/rounded_jumps.hpp"
+#include "../hums/hum.hpp"
+#include "../numbers/between_rivals.hpp"
+#include "../numbers/numbers_of.hpp"
+#include "../residual/most_noise.hpp"
 #include "../terms/naming.hpp"
+#include "../trial/bristles.hpp"
+#include "../unseen/compare_unseen.hpp"
 #include "beside_noise.hpp"
-#include "between_rivals.hpp"
-#include "hum.hpp"
 #include "rows_outdone.hpp"
 #include "run_limits.hpp"
 

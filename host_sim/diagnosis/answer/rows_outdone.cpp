@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "../choice/attempt.hpp"
+#include "../choice/round.hpp"
+#include "../trial/attempt.hpp"
+#include "../trial/merit.hpp"
 
 namespace diagnosis::runs {
 namespace {

@@ -4,12 +4,13 @@
 #include <cmath>
 #include <limits>
 
-#include "../choice/needless.hpp"
+#include "../doubts/materiality.hpp"
+#include "../doubts/needless.hpp"
 #include "../first_screen/limits.hpp"
 #include "../motion/link_motion.hpp"
+#include "../numbers/numbers_of.hpp"
 #include "../sensors/sensor_check.hpp"
 #include "../terms/naming.hpp"
-#include "materiality.hpp"
 
 namespace diagnosis::runs {
 namespace {

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "../fit/fault_shapes.hpp"
+#include "../readings/fault_shapes.hpp"
 #include "columns.hpp"
 
 namespace diagnosis::runs {

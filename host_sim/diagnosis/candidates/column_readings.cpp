@@ -1,5 +1,5 @@
 // Columns of sensors' faults: those of a channel's own reading, and the delay of the base's channels.
-#include "../fit/fault_shapes.hpp"
+#include "../readings/fault_shapes.hpp"
 #include "columns.hpp"
 
 namespace diagnosis::runs {

@@ -4,7 +4,7 @@
 
 #include "../motion/link_motion.hpp"
 #include "candidates.hpp"
-#include "hal/rig_file/effect_words.hpp"
+#include "hal/rig_file/toml/effect_words.hpp"
 #include "host_sim/vocabulary/held_in_place.hpp"
 
 namespace diagnosis::runs {

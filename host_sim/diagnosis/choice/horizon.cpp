@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "../fit/mode_scan.hpp"
-#include "attempt.hpp"
+#include "../first_values/mode_scan.hpp"
+#include "../trial/settle.hpp"
 
 namespace diagnosis::runs {
 namespace {

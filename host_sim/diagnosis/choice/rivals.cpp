@@ -2,8 +2,11 @@
 #include <cmath>
 #include <optional>
 
-#include "../answer/answer.hpp"
-#include "possible.hpp"
+#include "../doubts/possible.hpp"
+#include "../numbers/numbers_of.hpp"
+#include "../trial/attempt.hpp"
+#include "../trial/bristles.hpp"
+#include "../trial/merit.hpp"
 #include "round.hpp"
 
 namespace diagnosis::runs {

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "possible.hpp"
+#include "../doubts/possible.hpp"
+#include "../trial/attempt.hpp"
+#include "../trial/bristles.hpp"
+#include "../trial/merit.hpp"
 
 namespace diagnosis::runs {
 namespace {

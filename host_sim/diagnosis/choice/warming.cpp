@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../trial/merit.hpp"
+
 namespace diagnosis::runs {
 namespace {
 

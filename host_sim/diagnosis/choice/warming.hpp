@@ -1,6 +1,6 @@
 // Dampers that change from record to record.
 #pragma once
-#include "attempt.hpp"
+#include "../trial/attempt.hpp"
 
 namespace diagnosis::runs {
 

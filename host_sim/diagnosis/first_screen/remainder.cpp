@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "../choice/lines.hpp"
+#include "../residual/lines.hpp"
 #include "outsiders.hpp"
 
 namespace diagnosis {

@@ -1,4 +1,4 @@
-#include "band.hpp"
+#include "../band/band.hpp"
 #include "fused.hpp"
 #include "guess.hpp"
 

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "band.hpp"
+#include "../band/band.hpp"
 
 namespace diagnosis::runs {
 

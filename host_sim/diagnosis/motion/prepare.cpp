@@ -1,14 +1,14 @@
 // From a record to what is simulated against it.
 #include <algorithm>
 
+#include "../band/band.hpp"
+#include "../band/between_samples.hpp"
+#include "../band/thinning.hpp"
 #include "../record/motion.hpp"
 #include "../record/riding.hpp"
-#include "band.hpp"
-#include "between_samples.hpp"
 #include "hal/rig_file/channel_entry.hpp"
-#include "host_sim/records/value_step.hpp"
+#include "host_sim/records/steps/value_step.hpp"
 #include "period.hpp"
-#include "thinning.hpp"
 #include "windowed_force.hpp"
 
 namespace diagnosis::runs {

@@ -1,6 +1,6 @@
 // The rig file's own terms.
 #include "../search/candidates.hpp"
-#include "hal/rig_file/effect_words.hpp"
+#include "hal/rig_file/toml/effect_words.hpp"
 
 namespace diagnosis {
 

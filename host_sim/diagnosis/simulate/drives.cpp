@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "../motion/between_samples.hpp"
+#include "../band/between_samples.hpp"
 #include "simulator.hpp"
 
 // What acts from outside, between the samples too: forces and the base.

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "../motion/between_samples.hpp"
+#include "../band/between_samples.hpp"
 
 namespace diagnosis::runs {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "hal/rig_file/channel_entry.hpp"
-#include "hal/rig_file/effect_words.hpp"
+#include "hal/rig_file/toml/effect_words.hpp"
 
 namespace diagnosis {
 namespace {

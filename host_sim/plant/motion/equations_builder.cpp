@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hal/rig_file/effect_words.hpp"
+#include "hal/rig_file/toml/effect_words.hpp"
 #include "host_sim/plant/motion/equations.hpp"
 #include "host_sim/plant/plant_error.hpp"
 

@@ -2,7 +2,7 @@
 #pragma once
 #include <string>
 
-#include "hal/rig_file/toml_checks.hpp"
+#include "hal/rig_file/toml/toml_checks.hpp"
 #include "host_sim/plant/scenario/scenario.hpp"
 
 namespace host_sim {

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hal/rig_file/rig_writer.hpp"
+#include "hal/rig_file/toml/rig_writer.hpp"
 #include "host_sim/data_check/channel/ripple.hpp"
 #include "host_sim/data_check/decay/release.hpp"
 #include "host_sim/data_check/drive/one_sign.hpp"

@@ -11,7 +11,7 @@
 #include "host_sim/programs/shared/rest_balance.hpp"
 #include "host_sim/programs/shared/rest_position.hpp"
 #include "host_sim/programs/shared/turned_force.hpp"
-#include "host_sim/records/data_file_error.hpp"
+#include "host_sim/records/files/data_file_error.hpp"
 
 namespace host_sim {
 namespace {

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "hal/rig_file/compile_rig.hpp"
-#include "hal/rig_file/rig_reader.hpp"
+#include "hal/rig_file/toml/rig_reader.hpp"
 #include "host_sim/data_check/decay/release.hpp"
 #include "host_sim/data_check/drive/one_sign.hpp"
 #include "host_sim/programs/commands.hpp"

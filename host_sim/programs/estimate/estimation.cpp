@@ -5,16 +5,16 @@
 #include <memory>
 #include <sstream>
 
-#include "hal/rig_file/channel_noise.hpp"
 #include "hal/rig_file/first_batches.hpp"
+#include "hal/rig_file/recorded/channel_noise.hpp"
 #include "hal/rig_file/signal_plan.hpp"
 #include "host_sim/can_log/log_writer.hpp"
 #include "host_sim/programs/estimate/channel_correction.hpp"
 #include "host_sim/programs/estimate/channel_pairs.hpp"
 #include "host_sim/programs/results/fit_quality.hpp"
 #include "host_sim/programs/shared/failures.hpp"
-#include "host_sim/records/data_file_error.hpp"
 #include "host_sim/records/digitise.hpp"
+#include "host_sim/records/files/data_file_error.hpp"
 #include "host_sim/records/parts_kept.hpp"
 #include "host_sim/records/record_checks.hpp"
 #include "host_sim/virtual_rig/board_configuration.hpp"

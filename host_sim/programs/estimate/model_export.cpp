@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "host_sim/ingestion/mat_library.hpp"
-#include "host_sim/records/output_file.hpp"
+#include "host_sim/records/files/output_file.hpp"
 #include "host_sim/response/linear_rig.hpp"
 
 namespace host_sim {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "hal/interface/can_bus.hpp"
-#include "host_sim/records/output_file.hpp"
+#include "host_sim/records/files/output_file.hpp"
 
 namespace host_sim {
 

@@ -2,9 +2,9 @@
 
 #include <filesystem>
 
-#include "hal/rig_file/rig_writer.hpp"
+#include "hal/rig_file/toml/rig_writer.hpp"
 #include "host_sim/records/csv/csv_writer.hpp"
-#include "host_sim/records/output_file.hpp"
+#include "host_sim/records/files/output_file.hpp"
 
 namespace host_sim {
 namespace {

@@ -7,7 +7,7 @@
 #include "hal/rig_file/rig_model.hpp"
 #include "host_sim/data_check/data_check.hpp"
 #include "host_sim/records/record.hpp"
-#include "host_sim/records/time_span.hpp"
+#include "host_sim/records/times/time_span.hpp"
 
 namespace host_sim {
 

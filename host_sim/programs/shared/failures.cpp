@@ -5,8 +5,8 @@
 
 #include "hal/rig_file/rig_file_error.hpp"
 #include "host_sim/diagnosis/record/motion.hpp"
-#include "host_sim/records/data_file_error.hpp"
-#include "host_sim/records/output_file.hpp"
+#include "host_sim/records/files/data_file_error.hpp"
+#include "host_sim/records/files/output_file.hpp"
 #include "host_sim/reports/page/report.hpp"
 
 namespace host_sim {

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "host_sim/programs/shared/failures.hpp"
-#include "host_sim/records/output_file.hpp"
+#include "host_sim/records/files/output_file.hpp"
 
 namespace host_sim {
 

@@ -1,7 +1,7 @@
 #include "host_sim/programs/shared/inputs.hpp"
 
-#include "hal/rig_file/rig_reader.hpp"
-#include "host_sim/records/input_files.hpp"
+#include "hal/rig_file/toml/rig_reader.hpp"
+#include "host_sim/records/files/input_files.hpp"
 
 namespace host_sim {
 

@@ -6,8 +6,8 @@
 #include <initializer_list>
 #include <thread>
 
-#include "host_sim/records/file_content.hpp"
-#include "host_sim/records/output_file.hpp"
+#include "host_sim/records/files/file_content.hpp"
+#include "host_sim/records/files/output_file.hpp"
 
 namespace host_sim {
 namespace {

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "host_sim/records/time_span.hpp"
+#include "host_sim/records/times/time_span.hpp"
 
 namespace host_sim {
 

@@ -13,7 +13,7 @@
 #include "host_sim/records/csv/rows/csv_table.hpp"
 #include "host_sim/records/csv/text/row_ends.hpp"
 #include "host_sim/records/csv/text/text_encoding.hpp"
-#include "host_sim/records/data_file_error.hpp"
+#include "host_sim/records/files/data_file_error.hpp"
 #include "host_sim/records/record_checks.hpp"
 
 namespace host_sim {

@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "hal/rig_file/coefficient_walk.hpp"
-#include "host_sim/diagnosis/answer/parameter_status.hpp"
+#include "host_sim/diagnosis/numbers/parameter_status.hpp"
 #include "host_sim/reports/data/candidates.hpp"
 #include "host_sim/reports/figures/numbers.hpp"
 #include "host_sim/reports/views/comparison.hpp"

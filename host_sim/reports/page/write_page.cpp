@@ -2,7 +2,7 @@
 #include <filesystem>
 #include <set>
 
-#include "host_sim/records/output_file.hpp"
+#include "host_sim/records/files/output_file.hpp"
 #include "host_sim/reports/figures/figure_csv.hpp"
 #include "host_sim/reports/page/page.hpp"
 

@@ -2,7 +2,7 @@
 
 #include "hal/rig_file/channel_name.hpp"
 #include "host_sim/records/columns/quoted.hpp"
-#include "host_sim/records/data_file_error.hpp"
+#include "host_sim/records/files/data_file_error.hpp"
 
 namespace host_sim {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "host_sim/records/even_times.hpp"
-#include "host_sim/records/resample.hpp"
+#include "host_sim/records/times/even_times.hpp"
+#include "host_sim/records/times/resample.hpp"
 
 namespace host_sim {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "host_sim/records/even_times.hpp"
+#include "host_sim/records/times/even_times.hpp"
 
 namespace host_sim {
 namespace {

@@ -6,7 +6,7 @@
 #include "host_sim/records/csv/blanks/blank_ends.hpp"
 #include "host_sim/records/csv/blanks/fill_blanks.hpp"
 #include "host_sim/records/csv/text/text_lines.hpp"
-#include "host_sim/records/data_file_error.hpp"
+#include "host_sim/records/files/data_file_error.hpp"
 
 namespace host_sim {
 

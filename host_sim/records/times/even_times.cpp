@@ -1,0 +1,157 @@
+#include "host_sim/records/times/even_times.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace host_sim {
+
+TimeLine line_through(const std::vector<double>& time_s, const std::vector<double>& index) {
+  const auto n = static_cast<double>(time_s.size());
+  double middle = 0.0, mean = 0.0, moment = 0.0, spread = 0.0;
+  for (size_t i = 0; i < time_s.size(); ++i) middle += index[i] / n, mean += (time_s[i] - time_s[0]) / n;
+  for (size_t i = 0; i < time_s.size(); ++i) {
+    moment += (index[i] - middle) * (time_s[i] - time_s[0] - mean);
+    spread += (index[i] - middle) * (index[i] - middle);
+  }
+  TimeLine line;
+  line.step = moment / spread;
+  line.start = time_s[0] + mean - middle * line.step;
+  double squares = 0.0;
+  for (size_t i = 0; i < time_s.size(); ++i) {
+    const double off = time_s[i] - line.start - index[i] * line.step;
+    squares += off * off;
+  }
+  line.rms = std::sqrt(squares / n);
+  return line;
+}
+
+std::vector<double> counted(size_t samples) {
+  std::vector<double> index(samples);
+  for (size_t i = 0; i < samples; ++i) index[i] = static_cast<double>(i);
+  return index;
+}
+
+void weights_at(const double* time_s, size_t points, double t, double* weight) {
+  for (size_t j = 0; j < points; ++j) {
+    weight[j] = 1.0;
+    for (size_t k = 0; k < points; ++k)
+      if (k != j) weight[j] *= (t - time_s[k]) / (time_s[j] - time_s[k]);
+  }
+}
+
+double median_step(const std::vector<double>& time_s) {
+  std::vector<double> steps(time_s.size() - 1);
+  for (size_t i = 0; i < steps.size(); ++i) steps[i] = time_s[i + 1] - time_s[i];
+  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+  std::nth_element(steps.begin(), middle, steps.end());
+  return *middle;
+}
+
+namespace {
+
+// How times were written: the place of the last decimal, decade by decade of the times from the latest on. Numbers of so many
+// significant digits have a place ten times finer a decade earlier; some programs write those up to a second, and decimals
+// from there on.
+struct Written {
+  double place_s = 0.0;          // the coarsest of decades that hold enough times to tell; 0: not so written
+  int latest = 0;                // decade
+  std::vector<double> places_s;  // of the latest decade, the one before, ...
+  bool finer_early() const { return !places_s.empty() && places_s.back() < 0.5 * place_s; }
+  double place_of(double t) const { return places_s.empty() ? place_s : places_s[index_of(t)]; }
+  size_t index_of(double t) const {
+    const int decade = t == 0.0 ? latest : static_cast<int>(std::floor(std::log10(std::abs(t)) + 1e-12));
+    return static_cast<size_t>(std::clamp(latest - decade, 0, static_cast<int>(places_s.size()) - 1));
+  }
+};
+
+// Whole to 1e-3 of a unit: decimals are read to double precision.
+bool whole_in(double t, double place_s) {
+  const double units = t / place_s;
+  return std::abs(units - std::nearbyint(units)) < 1e-3;
+}
+
+constexpr size_t kTells = 16;  // so many times are no chance: all whole by ten finer places at one in 10^16
+
+// 0.001 s for 0.977 and 1.950.
+Written in_decimals(const std::vector<double>& time_s, double latest_s) {
+  constexpr size_t kDecades = 8;
+  Written written;
+  written.places_s.assign(kDecades, 1.0);
+  written.latest = static_cast<int>(std::floor(std::log10(latest_s) + 1e-12));
+  std::vector<size_t> count(kDecades, 0);
+  for (const double t : time_s) {
+    if (t == 0.0) continue;
+    const size_t at = written.index_of(t);
+    double& place = written.places_s[at];
+    ++count[at];
+    for (const double finest = 0.5e-9 * std::pow(10.0, -static_cast<double>(at)); !whole_in(t, place);)
+      if ((place *= 0.1) < finest) return {};
+  }
+  double earlier_s = 0.0;  // a few times may be whole by chance: no more than tenfold from decade to decade
+  for (size_t at = kDecades; at-- > 0;) {
+    double& place = written.places_s[at];
+    if (earlier_s > 0.0 && count[at] < kTells) place = std::min(place, count[at] > 0 ? 10.0 * earlier_s : earlier_s);
+    if (count[at] > 0) earlier_s = place;
+    if (count[at] >= kTells) written.place_s = std::max(written.place_s, place);
+  }
+  for (size_t at = 1; at < kDecades; ++at)
+    written.places_s[at] = std::min(written.places_s[at], written.places_s[at - 1]);
+  if (written.place_s == 0.0) written.place_s = written.places_s[0];
+  return written;
+}
+
+// Numbers of single precision: their spacing at the latest time.
+Written in_single_precision(const std::vector<double>& time_s, double latest_s) {
+  const auto single = [](double t) { return static_cast<double>(static_cast<float>(t)) == t; };
+  const auto upper = static_cast<float>(latest_s);
+  if (!std::all_of(time_s.begin(), time_s.end(), single)) return {};
+  return {std::nextafterf(upper, 2.0F * upper) - upper, 0, {}};
+}
+
+// How far from even steps times may lie, in units of their last decimal. Even times that were rounded lie within half a
+// unit of a line (the line through rounded times may miss the true one by a little, so 0.6). Those of a clock that is
+// read beside an even sampling, in whole ticks, lie within one. A sample that is missing throws them off by half a step.
+constexpr double kRounded = 0.6, kTick = 1.0, kTicksOfAStep = 4.0;
+// Where early times are finer than late ones, the line through n of them misses by what the late ones were rounded by: what
+// they scatter about it, at the line's end twice that over sqrt(n), and four standard deviations of it.
+constexpr double kLineError = 4.0 * 2.0;
+
+EvenTimes even_if_written(const std::vector<double>& time_s, const Written& written) {
+  EvenTimes even;
+  const double usual = median_step(time_s);
+  if (!(written.place_s > 0.0)) return even;
+  std::vector<double> index = counted(time_s.size());
+  const bool shows_lost = usual >= kTicksOfAStep * written.place_s;
+  for (size_t i = 1; shows_lost && i < index.size(); ++i) {
+    const double steps = std::round((time_s[i] - time_s[i - 1]) / usual);
+    if (steps < 1.0) return even;  // two rows at one time
+    index[i] = index[i - 1] + steps;
+  }
+  const TimeLine line = line_through(time_s, index);
+  if (!(line.step > 0.0)) return even;
+  const double units = shows_lost ? kTick : kRounded;
+  const double of_line_s =
+      written.finer_early() ? kLineError * line.rms / std::sqrt(static_cast<double>(time_s.size())) : 0.0;
+  for (size_t i = 0; i < time_s.size(); ++i) {
+    const double on_line_s = line.start + index[i] * line.step;
+    if (std::abs(time_s[i] - on_line_s) > units * written.place_of(time_s[i]) + of_line_s) return {};
+    even.time_s.push_back(on_line_s);
+  }
+  even.step_s = line.step, even.place_s = written.place_s;
+  even.lost = index.back() + 1 > static_cast<double>(index.size());
+  return even;
+}
+
+}  // namespace
+
+EvenTimes even_times(const std::vector<double>& time_s) {
+  if (time_s.size() < 16) return {};
+  double latest_s = 0.0;
+  for (const double t : time_s) latest_s = std::max(latest_s, std::abs(t));
+  if (!(latest_s > 0.0)) return {};
+  EvenTimes even = even_if_written(time_s, in_decimals(time_s, latest_s));
+  if (!(even.step_s > 0.0)) even = even_if_written(time_s, in_single_precision(time_s, latest_s));
+  return even;
+}
+
+}  // namespace host_sim
