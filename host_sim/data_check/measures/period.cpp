@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "host_sim/data_check/measures/statistics.hpp"
+#include "host_sim/records/median.hpp"
 
 namespace host_sim::data_check {
 namespace {
@@ -23,10 +24,7 @@ double period_of(const std::vector<double>& y) {
     if (side != 0) half.push_back(static_cast<double>(i - since));
     side = now, since = i;
   }
-  if (half.size() < 4) return 0.0;
-  const auto middle = half.begin() + static_cast<std::ptrdiff_t>(half.size() / 2);
-  std::nth_element(half.begin(), middle, half.end());
-  return 2.0 * *middle;
+  return half.size() < 4 ? 0.0 : 2.0 * median(std::move(half));
 }
 
 }  // namespace host_sim::data_check

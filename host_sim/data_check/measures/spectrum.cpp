@@ -8,6 +8,8 @@
 #include <memory>
 #include <mutex>
 
+#include "host_sim/records/median.hpp"
+
 namespace host_sim::data_check {
 namespace {
 
@@ -71,10 +73,7 @@ std::vector<double> power_spectrum(const double* from, size_t n, double mean) {
 }
 
 double median_power(const std::vector<double>& power, size_t first, size_t last) {
-  std::vector<double> part(power.begin() + static_cast<long>(first), power.begin() + static_cast<long>(last));
-  const auto middle = part.begin() + static_cast<long>(part.size() / 2);
-  std::nth_element(part.begin(), middle, part.end());
-  return *middle;
+  return median({power.begin() + static_cast<long>(first), power.begin() + static_cast<long>(last)});
 }
 
 }  // namespace host_sim::data_check

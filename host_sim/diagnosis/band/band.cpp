@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "host_sim/records/median.hpp"
+
 namespace diagnosis::runs {
 namespace {
 
@@ -15,9 +17,8 @@ constexpr double kOutside = 0.01;                // of a motion's square sum: a 
 // Where a record is rest for the most part, the part that holds all but a hundredth of its motion's square sum; else all of it. A taper over
 // the whole of a short decay takes the decay itself away.
 Vec moving_part(const Vec& y) {
-  std::vector<double> order(y.data(), y.data() + y.size());
-  std::nth_element(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(order.size() / 2), order.end());
-  const double middle = order[order.size() / 2], noise = white_noise_sum(y) / static_cast<double>(y.size());
+  const double middle = host_sim::median({y.data(), y.data() + y.size()}),
+               noise = white_noise_sum(y) / static_cast<double>(y.size());
   Vec sum(y.size());
   double so_far = 0;
   for (Index i = 0; i < y.size(); ++i) sum[i] = so_far += (y[i] - middle) * (y[i] - middle) - noise;
@@ -38,9 +39,7 @@ struct NetPower {
 NetPower net_power(const Vec& y, double step_s) {
   const size_t n = fast_length(static_cast<size_t>(y.size()));
   const Vec p = Fourier(n).forward(tapered(y.head(static_cast<Index>(n)))).cwiseAbs2();
-  std::vector<double> upper(p.data() + p.size() / 2, p.data() + p.size());
-  std::nth_element(upper.begin(), upper.begin() + static_cast<std::ptrdiff_t>(upper.size() / 2), upper.end());
-  const double floor = upper[upper.size() / 2] / kMedianOfSpread;
+  const double floor = host_sim::median({p.data() + p.size() / 2, p.data() + p.size()}) / kMedianOfSpread;
   NetPower net{Vec::Zero(p.size()), static_cast<double>(n) * step_s, floor};
   for (Index i = 0; i < p.size(); ++i) {
     const Index a = std::max<Index>(0, i - kHalfSmooth), b = std::min(p.size() - 1, i + kHalfSmooth);

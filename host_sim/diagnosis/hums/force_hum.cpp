@@ -10,6 +10,7 @@
 #include "../terms/naming.hpp"
 #include "../trial/paired.hpp"
 #include "../trial/settle.hpp"
+#include "host_sim/records/median.hpp"
 
 namespace diagnosis::runs {
 namespace {
@@ -62,7 +63,7 @@ double line_near(const Vec& force, double step_s, double nominal_Hz) {
   for (Index i = from - kAround; i <= to + kAround; ++i)
     if (std::abs(i - peak) > kLeakage) around.push_back(power[i]);
   if (kAlone * *std::max_element(around.begin(), around.end()) > power[peak]) return 0;
-  return power[peak] * kMedianOfSpread / std::max(1e-300, median(around));
+  return power[peak] * kMedianOfSpread / std::max(1e-300, host_sim::median(around));
 }
 
 // The largest hum of a motion channel beside a model, over its signal.

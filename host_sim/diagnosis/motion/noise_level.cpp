@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "../band/band.hpp"
+#include "host_sim/records/median.hpp"
 
 namespace diagnosis::runs {
 
@@ -16,9 +17,8 @@ double noise_level(const Vec& f) {
   if (f.size() == 0 || f.cwiseAbs().maxCoeff() == 0) return 0;
   const size_t n = fast_length(static_cast<size_t>(f.size()));
   const Vec power = Fourier(n).forward(tapered(f.head(static_cast<Index>(n)))).cwiseAbs2() / static_cast<double>(n);
-  std::vector<double> top(power.data() + power.size() * 2 / 3, power.data() + power.size() * 4 / 5);
-  std::nth_element(top.begin(), top.begin() + static_cast<std::ptrdiff_t>(top.size() / 2), top.end());
-  return std::sqrt(top[top.size() / 2] / kMedianOfSpread);
+  const double top = host_sim::median({power.data() + power.size() * 2 / 3, power.data() + power.size() * 4 / 5});
+  return std::sqrt(top / kMedianOfSpread);
 }
 
 Vec noise_along_force(const Prepared& p, size_t dof) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "../band/band.hpp"
+#include "host_sim/records/median.hpp"
 
 namespace diagnosis::runs {
 namespace {
@@ -15,10 +16,7 @@ constexpr double kBlowsShare = 0.2;         // of the samples, at most
 }  // namespace
 
 Windowed windowed(const Vec& f) {
-  const auto median_of = [](Vec y) {
-    std::nth_element(y.begin(), y.begin() + y.size() / 2, y.end());
-    return y[y.size() / 2];
-  };
+  const auto median_of = [](const Vec& y) { return host_sim::median({y.data(), y.data() + y.size()}); };
   const double zero = median_of(f), sigma = median_of((f.array() - zero).abs()) / kMedianOfNormal;
   const auto quiet = [&](Index i) { return std::abs(f[i] - zero) <= kNoiseReaches * sigma; };
   Index loud = 0;

@@ -2,17 +2,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "host_sim/records/median.hpp"
 #include "motion.hpp"
 
 namespace diagnosis {
 namespace {
-
-double median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 // Spectrum over frequency of first-order noise with this corner, one far above it; without a corner white.
 struct Colour {
@@ -27,7 +21,7 @@ double band_variance(const Spectrum& z, double low, double high, double energy, 
   const double bins = static_cast<double>(2 * (z.size() - 1));
   for (Eigen::Index i = static_cast<Eigen::Index>(low * bins); i < static_cast<Eigen::Index>(high * bins); ++i)
     power.push_back(std::norm(z[i]) / colour(kTwoPi * static_cast<double>(i) / bins));
-  return median(power) / kMedianOfSpread / energy;
+  return host_sim::median(power) / kMedianOfSpread / energy;
 }
 
 // White noise is as strong everywhere; first-order noise seven times weaker at the end of the free band than at its start;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "host_sim/records/median.hpp"
 #include "leftovers.hpp"
 #include "lines.hpp"
 #include "most_noise.hpp"
@@ -93,7 +94,7 @@ Left left_by(const System& system, const std::vector<Prepared>& records, const S
       if (static_cast<double>(i) >= from) beside.push_back(p[i]);
       if (hertz >= low_Hz && hertz <= top_Hz) inside.push_back(p[i]), sum += p[i], allowed += by_force[i];
     }
-    const double level = std::min(median(beside) / kMedianOfSpread, most[static_cast<Index>(c)]);
+    const double level = std::min(host_sim::median(beside) / kMedianOfSpread, most[static_cast<Index>(c)]);
     double pushed_level = 0;
     for (double value : pushed[c]) pushed_level += value * value;
     const double steps = of_steps(records, c) * static_cast<double>(n) / 2;  // of all frequencies: where is not known

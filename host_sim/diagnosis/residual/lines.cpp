@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "host_sim/records/median.hpp"
+
 namespace diagnosis::runs {
 namespace {
 
@@ -12,7 +14,7 @@ constexpr Index kLeakage = 2;  // bins that a line between two of them spreads o
 double level_of(const Vec& power, Index from, Index to) {
   std::vector<double> list;
   for (Index k = std::max<Index>(1, from); k <= std::min(power.size() - 1, to); ++k) list.push_back(power[k]);
-  return median(list) / kMedianOfSpread;
+  return host_sim::median(list) / kMedianOfSpread;
 }
 
 bool any_drives(const std::vector<Vec>& driving, Index i) {
@@ -48,12 +50,6 @@ bool of_mains(double hertz, double bin_Hz) {
     if (order >= 1 && std::abs(hertz - order * mains) < kMainsWidth_Hz * order + 2 * bin_Hz) return true;
   }
   return false;
-}
-
-double median(std::vector<double> v) {
-  if (v.empty()) return 0;
-  std::nth_element(v.begin(), v.begin() + static_cast<std::ptrdiff_t>(v.size() / 2), v.end());
-  return v[v.size() / 2];
 }
 
 void highest_lines(const Vec& power, const Vec& by_drives, Index from, Index to, double bin_Hz,

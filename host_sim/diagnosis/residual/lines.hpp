@@ -12,8 +12,6 @@ constexpr double kMainsWidth_Hz = 0.2;  // of the mains' frequency and its multi
 constexpr double kAlone = 9;      // times the power of any other line: harmonics of a drive may fall on the mains too
 constexpr double kOneOfThem = 3;  // times the hum of any other channel, each over its own signal: then it is this one's
 
-double median(std::vector<double> values);
-
 // Whether a frequency is that of the mains or a multiple, as near as a spectrum of such bins tells.
 bool of_mains(double hertz, double bin_Hz);
 

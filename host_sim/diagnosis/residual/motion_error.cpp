@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "host_sim/records/median.hpp"
+
 namespace diagnosis::runs {
 namespace {
 
@@ -97,11 +99,7 @@ double usual_error(const Task& task, const State& s) {
       }
   }
   double worst = 0;
-  for (std::vector<double>& list : errors) {
-    const auto middle = list.begin() + static_cast<std::ptrdiff_t>(list.size() / 2);
-    std::nth_element(list.begin(), middle, list.end());
-    worst = std::max(worst, *middle);
-  }
+  for (const std::vector<double>& list : errors) worst = std::max(worst, host_sim::median(list));
   return worst;
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "host_sim/records/median.hpp"
+
 namespace host_sim {
 
 TimeLine line_through(const std::vector<double>& time_s, const std::vector<double>& index) {
@@ -42,9 +44,7 @@ void weights_at(const double* time_s, size_t points, double t, double* weight) {
 double median_step(const std::vector<double>& time_s) {
   std::vector<double> steps(time_s.size() - 1);
   for (size_t i = 0; i < steps.size(); ++i) steps[i] = time_s[i + 1] - time_s[i];
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::nth_element(steps.begin(), middle, steps.end());
-  return *middle;
+  return median(std::move(steps));
 }
 
 namespace {

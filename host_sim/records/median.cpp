@@ -1,0 +1,14 @@
+#include "host_sim/records/median.hpp"
+
+#include <algorithm>
+
+namespace host_sim {
+
+double median(std::vector<double> values) {
+  if (values.empty()) return 0.0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+}  // namespace host_sim
