@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "host_sim/data_check/measures/quantile.hpp"
+#include "host_sim/data_check/spikes/answered.hpp"
 #include "host_sim/data_check/spikes/gaps.hpp"
 
 namespace host_sim::data_check {
@@ -16,7 +17,9 @@ constexpr double kLoneAcceleration =
     1.5;                               // times what 90 % of the samples span: a contact lasts longer than one sample
 constexpr double kBeyondMotion = 5.0;  // times what the velocity spans; an impact turns it round: 1
 constexpr double kHarm = 1.02;
-constexpr double kWorthSaying = 0.1;  // of the range, where no harm is done
+constexpr double kHammer = 0.1;             // of a force's rms, without its blows
+constexpr double kHalf = 0.5, kSure = 4.0;  // of the momentum, deviations: once in 30,000 records
+constexpr double kWorthSaying = 0.1;        // of the range, where no harm is done
 
 std::vector<double> repaired(std::vector<double> x, const std::vector<Gap>& gaps) {
   for (const Gap& gap : gaps) {
@@ -63,6 +66,16 @@ bool impossible(const Gap& gap, Quantity quantity, double usual, const Statistic
   return neighbours.velocity_range > 0.0 && change > kBeyondMotion * neighbours.velocity_range;
 }
 
+// Blows of a force that its DOF's motion does not show.
+bool none_acted(const Channel& channel, const std::vector<Gap>& blows, const Neighbours& neighbours) {
+  if (channel.quantity != Quantity::kForce || neighbours.record == nullptr || blows.empty()) return false;
+  // of a hammer nothing is left without its blows
+  if (mean_square(repaired(channel.values, blows), 0) < kHammer * kHammer * mean_square(channel.values, 0))
+    return false;
+  const Answered motion = answered(*neighbours.record, channel, blows, neighbours.velocity_step);
+  return motion.std > 0.0 && motion.share + kSure * motion.std < kHalf;
+}
+
 }  // namespace
 
 std::optional<Finding> find_spikes(const Channel& channel, const Statistics& statistics, const Neighbours& neighbours) {
@@ -70,6 +83,7 @@ std::optional<Finding> find_spikes(const Channel& channel, const Statistics& sta
   std::vector<Gap> gaps = spikes_in(x, statistics);
   const bool continuous = channel.quantity == Quantity::kDisplacement || channel.quantity == Quantity::kVelocity;
   size_t dropouts = 0;
+  bool unanswered = false;
   if (continuous) {
     const std::vector<Gap> more = dropouts_in(x, statistics);
     dropouts = more.size();
@@ -80,7 +94,8 @@ std::optional<Finding> find_spikes(const Channel& channel, const Statistics& sta
     const auto possible = [&](const Gap& gap) {
       return !impossible(gap, channel.quantity, usual, statistics, neighbours);
     };
-    gaps.erase(std::remove_if(gaps.begin(), gaps.end(), possible), gaps.end());
+    unanswered = none_acted(channel, gaps, neighbours);
+    if (!unanswered) gaps.erase(std::remove_if(gaps.begin(), gaps.end(), possible), gaps.end());
   }
   if (gaps.empty()) return std::nullopt;
   const auto largest =
@@ -91,19 +106,21 @@ std::optional<Finding> find_spikes(const Channel& channel, const Statistics& sta
     if (const double clean = mean_square(without, order); clean > 0.0)
       harm = std::max(harm, mean_square(x, order) / clean);
   if (harm <= kHarm && largest->size < kWorthSaying * statistics.range) return std::nullopt;
+  const auto [lowest, highest] = std::minmax_element(without.begin(), without.end());
   std::string text =
       fmt::format("{} {}; the largest at {:.6g} s (sample {}) is {:.3g}, where the rest spans {:.3g}", gaps.size(),
                   dropouts == gaps.size() ? (dropouts == 1 ? "dropout" : "dropouts")
                   : gaps.size() == 1      ? "spike"
                                           : "spikes",
                   static_cast<double>(largest->first) * neighbours.sample_period_s, largest->first + 1,
-                  x[largest->first], statistics.range);
+                  x[largest->first], *highest - *lowest);
   Finding finding;
   finding.kind = "spikes";
   finding.channel = channel.name;
   finding.value = static_cast<double>(gaps.size());
   finding.weight = harm > kHarm ? Weight::kFault : Weight::kDoubt;
   finding.detail = text;
+  if (unanswered) finding.detail += ", and the motion shows nothing of them";
   finding.detail += harm > kHarm ? ": check the cable and the range, then record again; or empty their cells, which "
                                    "--resample fills, or leave "
                                    "out the ends of the record that they are in (--from, --to)"

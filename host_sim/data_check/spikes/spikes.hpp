@@ -19,6 +19,7 @@ struct Neighbours {
   // what the velocity spans; 0 where that is not known.
   double velocity_step = 0.0, velocity_range = 0.0;
   std::vector<KnownChannel> forces;  // of the record: an acceleration under a blow is no fault
+  const Record* record = nullptr;    // of a force: whose motion tells whether a blow acted
 };
 
 // A spike: one to three samples off both what stands before and what stands behind them, alone, by more than 8 standard
@@ -28,7 +29,8 @@ struct Neighbours {
 // Displacement and velocity cannot do that. An acceleration can, at an impact, and a force, at a hammer's blow: those
 // are named where they would have changed the velocity by more than 5 times all that it spans, or are beyond any range
 // (1000 times the rest for an acceleration, a million times for a force), or a single sample of an acceleration that is
-// 1.5 times what 90 % of its samples span while no force strikes.
+// 1.5 times what 90 % of its samples span while no force strikes; or where the motion of the force's DOF shows less than half of the
+// momentum that the blows together should have brought, by four deviations (answered.hpp): then none of them acted.
 // A dropout: four and more equal values of a displacement or velocity, entered and left by jumps.
 // What does no harm and is below a tenth of the range is not said. A fault where they raise the mean square of what the estimation makes of the channel by more than 2 %.
 std::optional<Finding> find_spikes(const Channel& channel, const Statistics& statistics, const Neighbours& neighbours);

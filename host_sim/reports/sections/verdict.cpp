@@ -45,7 +45,8 @@ std::string missed_text(const std::vector<DofGain>& gains, bool extended) {
   if (most > 100.0)
     std::snprintf(out, sizeof out, "more than the whole signal of DOF %d", dof);
   else
-    std::snprintf(out, sizeof out, "%.2g %% of the signal of DOF %d", most, dof);
+    std::snprintf(out, sizeof out, most < 10.0 ? "%.2g %% of the signal of DOF %d" : "%.0f %% of the signal of DOF %d",
+                  most, dof);
   return out;
 }
 
