@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "host_sim/diagnosis/sensors/ac_coupling.hpp"
 #include "judgement.hpp"
 #include "tests/data_check/pass_high.hpp"
 
@@ -91,6 +92,24 @@ TEST(AcCoupling, IsLookedForInEveryRecord) {
   EXPECT_GT(limit->strength, 0);
   EXPECT_LT(limit->strength, 0.3);
   EXPECT_EQ(limit->unit, "Hz");
+}
+
+// 4 +- 0.1 N s/m reaches from 3.804 to 4.196. A cause has to take 30 % of what unseen data are missed by.
+TEST(AcCoupling, MattersWhereItMovesANumberOrPays) {
+  diagnosis::Diagnosis as_recorded, undone;
+  as_recorded.baseline.parameters = {{"viscous[1-0]", 4.0, "N s/m", 0.1}, {"mass[1]", 2.0, "kg", 0.0, false}};
+  as_recorded.baseline.holdout_nrmse_percent = {2.0};
+  undone = as_recorded;
+  undone.baseline.parameters[0].value = 4.19, undone.baseline.parameters[1].value = 3.0;
+  undone.baseline.holdout_nrmse_percent = {1.5};
+  EXPECT_FALSE(diagnosis::undoing_matters(undone, as_recorded));
+  undone.baseline.parameters[0].value = 4.2;
+  EXPECT_TRUE(diagnosis::undoing_matters(undone, as_recorded));
+  undone.baseline.parameters[0].value = 4.0, undone.baseline.holdout_nrmse_percent = {1.3};
+  EXPECT_TRUE(diagnosis::undoing_matters(undone, as_recorded));
+  undone.baseline.parameters.erase(undone.baseline.parameters.begin());  // a number that is told no more
+  undone.baseline.holdout_nrmse_percent = {2.0};
+  EXPECT_TRUE(diagnosis::undoing_matters(undone, as_recorded));
 }
 
 }  // namespace hidden

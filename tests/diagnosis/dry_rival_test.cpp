@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+#include "host_sim/diagnosis/choice/choice.hpp"
 #include "host_sim/diagnosis/trial/attempt.hpp"
 #include "host_sim/diagnosis/trial/bristles.hpp"
 #include "tests/hidden_rig/draw.hpp"
