@@ -203,14 +203,14 @@ Diagnosis judged_without(const std::vector<SensorFault>& couplings, const Asked&
   return d;
 }
 
-// A high-pass that channels of one DOF tell of is undone before anything else is judged; one that changes nothing is not spoken of. Where the rig does not fit then, the force may
+// A high-pass that channels of one DOF tell of is undone before anything else is judged; one that is small and changes nothing is not spoken of. Where the rig does not fit then, the force may
 // have one too.
 Diagnosis judged_as_coupled(const Asked& asked) {
   std::vector<SensorFault> couplings = ac_couplings(asked);
   if (couplings.empty()) return judged_behind_filters(asked);
   const Diagnosis of_motion = judged_without(couplings, asked);
   const bool alone = of_motion.causes.size() == couplings.size();
-  if (alone && of_motion.verdict == Verdict::kExplained) {
+  if (alone && of_motion.verdict == Verdict::kExplained && all_small(couplings, asked.training.front())) {
     const Diagnosis as_recorded = judged_behind_filters(asked);
     if (as_recorded.verdict == Verdict::kNone && !undoing_matters(of_motion, as_recorded)) return as_recorded;
   }

@@ -9,9 +9,10 @@
 namespace diagnosis {
 namespace {
 
-constexpr double kTrifle = 2e-4;     // of the channel's rms, as of a gain: nobody could put it right
-constexpr double kInterval = 1.96;   // standard deviations
-constexpr double kPaysUnseen = 0.7;  // of what was missed on unseen data, as of any cause
+constexpr double kTrifle = 2e-4;       // of the channel's rms, as of a gain: nobody could put it right
+constexpr double kCalibration = 0.01;  // of the channel's rms: sensors are not better calibrated
+constexpr double kInterval = 1.96;     // standard deviations
+constexpr double kPaysUnseen = 0.7;    // of what was missed on unseen data, as of any cause
 
 // A second channel of one DOF, without which nothing can be told.
 bool any_pair(const host_sim::Record& record) {
@@ -77,6 +78,11 @@ bool pays_unseen(const Diagnosis& with, const Diagnosis& without) {
     return missed.empty() ? 0.0 : *std::max_element(missed.begin(), missed.end());
   };
   return worst(with) < kPaysUnseen * worst(without);
+}
+
+bool all_small(const std::vector<SensorFault>& found, const host_sim::Record& record) {
+  return std::all_of(found.begin(), found.end(),
+                     [&](const SensorFault& f) { return share_taken(f, record) < kCalibration; });
 }
 
 bool undoing_matters(const Diagnosis& undone, const Diagnosis& as_recorded) {

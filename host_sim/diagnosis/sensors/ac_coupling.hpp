@@ -17,6 +17,9 @@ std::vector<SensorFault> forces_coupled_alike(const std::vector<SensorFault>& fo
 // Whether the rig as given misses less of unseen data in the one diagnosis, by as much as names a cause (30 %).
 bool pays_unseen(const Diagnosis& with, const Diagnosis& without);
 
+// Whether all of them take less of their channels away than a calibration is wrong by.
+bool all_small(const std::vector<SensorFault>& found, const host_sim::Record& record);
+
 // Whether it pays to say so: unseen data are simulated better with them undone, or a number of the rig as given leaves its 95 % interval.
 bool undoing_matters(const Diagnosis& undone, const Diagnosis& as_recorded);
 
