@@ -21,6 +21,7 @@
 #include "record/riding.hpp"
 #include "residual/leaves_trace.hpp"
 #include "sensors/ac_coupling.hpp"
+#include "sensors/lone_channel.hpp"
 #include "trial/settle.hpp"
 #include "valleys/wrong_numbers.hpp"
 
@@ -222,14 +223,33 @@ Diagnosis judged_as_coupled(const Asked& asked) {
   return pays_unseen(of_all, of_motion) ? of_all : of_motion;
 }
 
+// Where the rig cannot describe the records at all it may be one kind of sensor that tells another story than the others of the same
+// DOFs: an acceleration that is noise, a slip of unit. What the others say, where the rig describes that.
+Diagnosis judged_by_those_that_agree(const Asked& asked) {
+  const Diagnosis of_all = judged_as_coupled(asked);
+  if (of_all.cannot_describe.empty()) return of_all;
+  for (const auto quantity :
+       {host_sim::Quantity::kAcceleration, host_sim::Quantity::kVelocity, host_sim::Quantity::kDisplacement}) {
+    const std::vector<std::string> names = spared_by_others(asked.training.front(), quantity);
+    if (names.empty()) continue;
+    const std::vector<host_sim::Record> training = without_channels(asked.training, names),
+                                        holdout = without_channels(asked.holdout, names);
+    Diagnosis d = judged_as_coupled({asked.rig, training, holdout, asked.options, asked.ground_known});
+    if (!d.cannot_describe.empty()) continue;
+    d.channels_left_out = names;
+    return d;
+  }
+  return of_all;
+}
+
 }  // namespace
 
 Diagnosis diagnose(const rig_file::RigModel& rig, const std::vector<host_sim::Record>& training,
                    const std::vector<host_sim::Record>& holdout, const Options& options) {
   if (training.empty()) throw CannotAnswer("no record to diagnose");
-  if (!on_measured_base(rig, training)) return judged_as_coupled({rig, training, holdout, options});
+  if (!on_measured_base(rig, training)) return judged_by_those_that_agree({rig, training, holdout, options});
   const std::vector<host_sim::Record> riding_training = riding(rig, training), riding_holdout = riding(rig, holdout);
-  return judged_as_coupled({rig, riding_training, riding_holdout, options, !base_runs_on(training)});
+  return judged_by_those_that_agree({rig, riding_training, riding_holdout, options, !base_runs_on(training)});
 }
 
 }  // namespace diagnosis

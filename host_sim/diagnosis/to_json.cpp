@@ -59,6 +59,7 @@ json to_json(const Diagnosis& d) {
          {"remainder_percent", d.remainder_percent},
          {"advice", d.advice},
          {"cannot_describe", d.cannot_describe},
+         {"channels_left_out", d.channels_left_out},
          {"force_between_samples", d.force_between_samples},
          {"unknown_trace", d.unknown_trace},
          {"baseline_misfit", d.baseline_misfit},

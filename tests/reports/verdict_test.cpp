@@ -83,6 +83,24 @@ TEST(Verdict, SaysHowMuchRemains) {
   EXPECT_EQ(verdict_sentence(data), "The rig file cannot describe this recording. It misses everything.");
 }
 
+// 99.7 % to two digits is no number that anybody reads.
+TEST(Verdict, SaysNearlyAllInWholePercent) {
+  DiagnosisReportData data;
+  data.verdict = "unknown";
+  data.gains = {{1, 99.7, 99.7, 0.0, 0.0}};
+  EXPECT_TRUE(contains(verdict_details(data), "misses 100 % of the signal of DOF 1"));
+}
+
+TEST(Verdict, SaysWhichChannelsWereLeftOut) {
+  DiagnosisReportData data;
+  data.verdict = "none";
+  data.channels_left_out = {"acceleration_1_m_s2"};
+  EXPECT_TRUE(
+      contains(verdict_sentence(data), "without acceleration_1_m_s2, which does not go with the other channels"));
+  data.channels_left_out.push_back("acceleration_2_m_s2");
+  EXPECT_TRUE(contains(verdict_sentence(data), "without acceleration_1_m_s2 and acceleration_2_m_s2, which do not go"));
+}
+
 // A force that is mostly noise shakes every simulation: that is no force that the rig file lacks.
 TEST(Verdict, SaysWhereNoiseHidesAll) {
   DiagnosisReportData data;

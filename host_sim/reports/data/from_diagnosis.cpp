@@ -112,6 +112,7 @@ DiagnosisReportData findings_of(const rig_file::RigModel& rig, const std::vector
   data.more_remains = found.more_remains;
   data.noise_hides = found.noise_hides();
   data.cannot_describe = found.cannot_describe;
+  data.channels_left_out = found.channels_left_out;
   const bool extended = !found.causes.empty();
   data.facts.push_back(text(found.baseline_misfit, "misfit (1 is noise alone): %.3g") +
                        (extended ? text(found.extended_misfit, " as given, %.3g extended") : ""));

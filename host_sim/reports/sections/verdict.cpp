@@ -232,7 +232,17 @@ std::string verdict_headline(const DiagnosisReportData& data) {
   return headline_of_causes(named_in(data.causes));
 }
 
-std::string verdict_details(const DiagnosisReportData& data) {
+namespace {
+
+std::string left_out_text(const DiagnosisReportData& data) {
+  const std::vector<std::string>& names = data.channels_left_out;
+  if (names.empty()) return "";
+  return "This is said without " + listed(names, "and") + (names.size() == 1 ? ", which does" : ", which do") +
+         " not go with the other channels of the same place: with " + (names.size() == 1 ? "it" : "them") +
+         " the rig file describes nothing. Look at " + (names.size() == 1 ? "its sensor." : "these sensors.");
+}
+
+std::string details_of(const DiagnosisReportData& data) {
   if (tells_nothing(data)) {
     const std::string missed = missed_text(data.gains, false);
     return joined({"They determine none of its coefficients, and no effect that could be missing is seen.",
@@ -253,6 +263,10 @@ std::string verdict_details(const DiagnosisReportData& data) {
                                     : "";
   return joined({rest_of_causes(named_in(data.causes)), gain_text(data.gains), remainder});
 }
+
+}  // namespace
+
+std::string verdict_details(const DiagnosisReportData& data) { return joined({details_of(data), left_out_text(data)}); }
 
 std::string verdict_sentence(const DiagnosisReportData& data) {
   return joined({verdict_headline(data) + ".", verdict_details(data)});
