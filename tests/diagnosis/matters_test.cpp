@@ -102,6 +102,15 @@ TEST(Matters, WhatTakesMuchComesNearestThoughTheRecordIsShort) {
   EXPECT_TRUE(comes_near(4.0, 0.75, 0.75));  // sure
 }
 
+TEST(Matters, NothingIsNamedForARunThatMissesTheWholeMotionAllTheSame) {
+  Diagnosis d;
+  d.baseline.holdout_nrmse_percent = {40, 319};
+  EXPECT_TRUE(simulates_nothing(d, 160));
+  EXPECT_FALSE(simulates_nothing(d, 90));
+  d.baseline.holdout_nrmse_percent = {40, 80};
+  EXPECT_FALSE(simulates_nothing(d, 160));
+}
+
 // 1.6 % missed of unseen data as given and 4.8 % with a torque's gain, one DOF; a run that is far off as given tells nothing.
 TEST(Matters, WhatSimulatesUnseenDataWorseIsNotNamed) {
   Diagnosis d;

@@ -16,6 +16,8 @@ namespace diagnosis::runs {
 namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
+// Strengths that nobody records with: a hundred times what damps the link, ten times what a channel reads, a quarter of a period late.
+constexpr double kBeyondDamping_percent = 1e4, kBeyondReading = 10, kBeyondPeriod = 0.25;
 
 // In standard deviations of the windows fitted: it has to be sure there and to pay on those that are left, which are fewer, or
 // to be beyond doubt where those cannot tell.
@@ -91,6 +93,15 @@ std::vector<double> damping_of_links(const Task& task, const Model& model) {
   return list;
 }
 
+bool of_time(Kind kind) { return kind == Kind::kChannelDelay || kind == Kind::kForceDelay || kind == Kind::kBaseDelay; }
+
+// Whether a limit is no answer: these records do not show the effect, however strong it is.
+bool beyond_all(const Task& task, Kind kind, const DetectionLimit& limit) {
+  if (of_time(kind)) return limit.strength > kBeyondPeriod * task.records[0].period_s;
+  if (kind == Kind::kChannelGain || kind == Kind::kForceGain) return limit.strength > kBeyondReading;
+  return limit.percent_of_damping_force > kBeyondDamping_percent;
+}
+
 }  // namespace
 
 void raise_limits(const Task& task, const State& base, std::vector<DetectionLimit>& limits) {
@@ -129,6 +140,7 @@ std::vector<DetectionLimit> limits_of_runs(const Task& task, const State& base) 
     const double force = strength * (t.link >= 0 ? force_rms(task, t) : t.dof >= 0 ? dof_force_rms(task, t) : 0);
     const double beside = damping_at(task.system, damping, t);
     limit.percent_of_damping_force = std::isinf(strength) ? kNever : beside > 0 ? 100 * force / beside : 0;
+    if (beyond_all(task, t.kind, limit)) limit.strength = limit.percent_of_damping_force = kNever;
     limits.push_back(limit);
   }
   return limits;

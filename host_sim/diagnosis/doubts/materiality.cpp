@@ -67,10 +67,16 @@ bool simulates_worse(const Diagnosis& d) {
          std::all_of(d.gain.begin(), d.gain.end(), [](double gain) { return gain * kLeastGain < 1; });
 }
 
+bool simulates_nothing(const Diagnosis& d, double worst_free_run) {
+  const std::vector<double>& without = d.baseline.holdout_nrmse_percent;
+  return worst_free_run > 100 &&
+         std::any_of(without.begin(), without.end(), [](double missed) { return missed > 100; });
+}
+
 bool immaterial(const Task& task, const Choice& choice, bool noise, double worst_free_run,
                 const std::vector<ActiveTerm>& base, const std::vector<ActiveTerm>& full, const Diagnosis& d) {
   if (choice.named.empty()) return false;
-  if (simulates_worse(d)) return true;
+  if (simulates_worse(d) || simulates_nothing(d, worst_free_run)) return true;
   const bool pays =
       std::all_of(choice.named.begin(), choice.named.end(), [](const Named& n) { return n.unseen_deviations > kSure; });
   if (noise && (pays || moved(base, full)) && laws_apart(task, choice.base.model, choice.final.model) > kLeastGain - 1)

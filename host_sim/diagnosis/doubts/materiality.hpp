@@ -12,6 +12,9 @@ constexpr double kLeastGain = 1.05;  // on unseen data: a twentieth less missed 
 // wholly below nought beside them alone: they fit better and are not what acts here.
 bool simulates_worse(const Diagnosis& d);
 
+// Whether the free run of unseen data misses the whole motion with the causes (worst_free_run, percent) as without.
+bool simulates_nothing(const Diagnosis& d, double worst_free_run);
+
 // A cause beside which as much remains as before explains nothing: of what acts here it is not the name. Where only
 // noise remains it is a cause still if the rig's own numbers are others beside it, and the forces they make are. Where the
 // free run misses the whole motion with it as without, no window speaks for it.
