@@ -22,6 +22,14 @@ TEST(Numbers, KeepTheDigitsAskedFor) {
   EXPECT_EQ(number_text(31249000.0, 3), "3.12e+07");
 }
 
+TEST(Numbers, SharesAreReadInPercent) {
+  EXPECT_EQ(percent_text(4.13), "4.1");
+  EXPECT_EQ(percent_text(68.4), "68");
+  EXPECT_EQ(percent_text(99.7), "100");
+  EXPECT_EQ(percent_text(412.3), "412");
+  EXPECT_EQ(percent_text(NAN), "–");
+}
+
 // The diagnosis says no more than that an error is 1000 % or larger.
 TEST(Numbers, AnErrorOfAThousandPercentIsNoNumber) {
   EXPECT_EQ(missed_text(9.294), "9.29");

@@ -85,7 +85,7 @@ std::string limits_text(const reports::DiagnosisReportData& data) {
     const double percent = limit.percent_of_damping_force;
     rows.push_back({reports::cause_text(limit.effect, limit.where), reports::number_text(limit.strength, 2),
                     std::isfinite(limit.strength) ? reports::unit_text(limit.unit) : "not in these data",
-                    std::isfinite(percent) ? reports::number_text(percent, 2) + " %" : ""});
+                    std::isfinite(percent) ? reports::percent_text(percent) + " %" : ""});
   }
   return "\n" + table(rows);
 }

@@ -56,6 +56,13 @@ std::string number_html(double value, int digits) {
   return out + " × 10<sup>" + (power < 0 ? "−" : "") + std::to_string(std::abs(power)) + "</sup>";
 }
 
+std::string percent_text(double percent) {
+  if (!(percent >= 99.5) || std::isinf(percent)) return number_text(percent, 2);
+  char out[40];
+  std::snprintf(out, sizeof out, "%.0f", percent);
+  return out;
+}
+
 std::string missed_text(double percent) { return percent >= 1000.0 ? ">1000" : number_text(percent, 3); }
 
 std::string missed_html(double percent) { return percent >= 1000.0 ? "&gt;1000" : number_html(percent, 3); }

@@ -22,7 +22,10 @@ std::string number_html(double value, int digits = 4);
 // Plain text: "20.05", "3.12e+07".
 std::string number_text(double value, int digits = 4);
 
-// The same of an error in percent; from 1000 on, where no more is said, ">1000".
+// A share in percent to two digits, from a hundred on whole: "4.1", "68", "412".
+std::string percent_text(double percent);
+
+// An error in percent to three digits; from 1000 on, where no more is said, ">1000".
 std::string missed_text(double percent);
 std::string missed_html(double percent);
 

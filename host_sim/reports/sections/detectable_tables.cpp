@@ -14,7 +14,7 @@ std::string cell_of(const Detectable& limit) {
   std::string cell = number_html(limit.strength, 2);
   if (limit.unit != "1") cell += " " + escaped(unit_text(limit.unit));
   const double percent = limit.percent_of_damping_force;
-  return std::isfinite(percent) ? cell + "<br><span class=\"dim\">" + number_html(percent, 2) + " %</span>" : cell;
+  return std::isfinite(percent) ? cell + "<br><span class=\"dim\">" + percent_text(percent) + " %</span>" : cell;
 }
 
 // Where a word stands in a list that it joins where it is new.
