@@ -24,6 +24,17 @@ std::vector<double> swings(double rest, double b) {
   return y;
 }
 
+// 40 swings of 5 cm about 0.3 m, 100 samples each, and at every fourth crest one value that is 3 cm too large. From sample to sample it moves ten times
+// as fast as the swing ever does; over a quarter of a period the swing moves 7 cm.
+TEST(Swing, SingleWrongValuesDoNotMoveItsCentre) {
+  std::vector<double> y;
+  for (int k = 0; k < 4000; ++k)
+    y.push_back(0.3 + 0.05 * std::cos(2 * std::acos(-1.0) * k / 100.0) + (k % 400 == 0 && k > 0 ? 0.03 : 0.0));
+  host_sim::Swing swing;
+  swing.add(y);
+  EXPECT_NEAR(swing.mean(), 0.3, 0.0005);
+}
+
 TEST(CentreOfSmallSwings, IsWhereItMovesToAsTheyDie) {
   const std::vector<double> y = swings(0.3, -0.2);
   EXPECT_NEAR(host_sim::centre_of_small_swings({&y}).value(), 0.3, 0.01);

@@ -13,10 +13,21 @@ constexpr double kAmplitudes = 2;  // square of the largest amplitude over that 
 // Of the largest square: at 3 % of the amplitude friction holds, and what is left is noise.
 constexpr double kQuiet = 1e-3;
 
-size_t periods_of(const std::vector<double>& y, double mean) {
+constexpr size_t kSpeedParts =
+    8;  // of a period, from where and to where a speed is taken: single wrong values and noise hardly move it
+
+size_t periods_of(const std::vector<double>& y, size_t from, size_t to, double mean) {
   size_t rises = 0;
-  for (size_t k = 1; k < y.size(); ++k) rises += y[k - 1] < mean && y[k] >= mean;
+  for (size_t k = from + 1; k < to; ++k) rises += y[k - 1] < mean && y[k] >= mean;
   return rises;
+}
+
+// Samples in an eighth of a period about the plain mean; one where noise crosses it all the time.
+size_t eighth_of_a_period(const std::vector<double>& y, size_t from, size_t to) {
+  double sum = 0;
+  for (size_t k = from; k < to; ++k) sum += y[k];
+  const size_t periods = periods_of(y, from, to, sum / static_cast<double>(to - from));
+  return periods == 0 ? 1 : std::max<size_t>(1, (to - from) / (kSpeedParts * periods));
 }
 
 struct Stretch {
@@ -26,7 +37,7 @@ struct Stretch {
 void add_stretches(const std::vector<double>& y, std::vector<Stretch>& list) {
   Swing whole;
   whole.add(y);
-  const size_t count = std::min(kMostStretches, periods_of(y, whole.mean()) / kPeriods);
+  const size_t count = std::min(kMostStretches, periods_of(y, 0, y.size(), whole.mean()) / kPeriods);
   for (size_t i = 0; i < count; ++i) {
     Swing swing;
     swing.add(y, i * y.size() / count, (i + 1) * y.size() / count);
@@ -37,9 +48,11 @@ void add_stretches(const std::vector<double>& y, std::vector<Stretch>& list) {
 }  // namespace
 
 void Swing::add(const std::vector<double>& y, size_t from, size_t to) {
-  for (size_t k = std::max<size_t>(1, from); k + 1 < y.size() && k < to; ++k) {
+  if (to <= from) return;
+  const size_t reach = eighth_of_a_period(y, from, to);
+  for (size_t k = std::max(reach, from); k + reach < y.size() && k < to; ++k) {
     const double bell = std::sin(kPi * (static_cast<double>(k - from) + 0.5) / static_cast<double>(to - from));
-    const double speed = y[k + 1] - y[k - 1], weight = bell * bell * speed * speed;
+    const double speed = y[k + reach] - y[k - reach], weight = bell * bell * speed * speed;
     sum_ += weight * y[k], squares_ += weight * y[k] * y[k], weights_ += weight;
   }
 }

@@ -6,7 +6,7 @@
 
 namespace host_sim {
 
-// The mean of a displacement, weighted with the square of its speed, so that what stands still does not count, and with a bell over each
+// The mean of a displacement, weighted with the square of its speed over a quarter of a period, so that what stands still does not count, and with a bell over each
 // stretch, so that parts of a period at its ends do not.
 class Swing {
  public:
