@@ -1,0 +1,173 @@
+#include "judged.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "advice.hpp"
+#include "answer/answer.hpp"
+#include "answer/beside_noise.hpp"
+#include "answer/rows_borne_out.hpp"
+#include "answer/run_limits.hpp"
+#include "channels/common_lag.hpp"
+#include "channels/held_force.hpp"
+#include "channels/rounded_jumps.hpp"
+#include "channels/zero_of_channel.hpp"
+#include "doubts/trifles.hpp"
+#include "hums/force_hum.hpp"
+#include "hums/hum.hpp"
+#include "hums/mains_hum.hpp"
+#include "numbers/between_rivals.hpp"
+#include "numbers/scale.hpp"
+#include "numbers/undetermined.hpp"
+#include "residual/leaves_trace.hpp"
+#include "valleys/wrong_numbers.hpp"
+
+namespace diagnosis {
+namespace {
+
+// Of the records, in motion: at rest there is noise alone, and friction that holds is no law of motion.
+constexpr double kKeptMoving = 0.7;
+constexpr size_t kLeastDecays = 3;  // two for the fit
+
+bool springs_and_masses_known(const rig_file::RigModel& rig) {
+  return std::none_of(rig.dofs.begin(), rig.dofs.end(), [](const rig_file::Dof& d) { return d.mass_kg.estimate; }) &&
+         std::none_of(rig.links.begin(), rig.links.end(),
+                      [](const rig_file::Link& l) { return l.stiffness_N_m.estimate; });
+}
+
+bool two_channels_a_dof(const runs::Prepared& p) { return p.traces.size() > p.guess.size() - 1; }
+
+constexpr double kMostlyNoise = 0.8;  // of the squared residual
+
+// Where nothing is named nothing is gained: what was compared was with causes that were taken back since.
+void compare_nothing(Diagnosis& d) {
+  if (!d.causes.empty()) return;
+  std::fill(d.gain.begin(), d.gain.end(), 1.0);
+  std::fill(d.remainder_percent.begin(), d.remainder_percent.end(), 100.0);
+}
+
+// Rivals of a cause are those that are still said.
+void state_rivals(Diagnosis& d) {
+  const auto unsaid = [&](const NamedPlace& p) {
+    return std::find(d.ambiguous_with.begin(), d.ambiguous_with.end(), p) == d.ambiguous_with.end();
+  };
+  for (Cause& c : d.causes) c.rivals.erase(std::remove_if(c.rivals.begin(), c.rivals.end(), unsaid), c.rivals.end());
+  if (d.causes.size() == 1) d.causes[0].rivals = d.ambiguous_with;
+}
+
+// Goes on from a fitted rig and names what is missing by free runs.
+runs::Choice searched(const Asked& asked, const runs::Task& task, const runs::Choice& from) {
+  runs::Choice found = from;
+  const auto& progress = asked.options.progress;
+  runs::choose(task, found, [&](double share) {
+    if (progress) progress(0.6 + 0.3 * share);
+  });
+  return found;
+}
+
+// By free runs, from the rig as given with the sensor faults that they bear out. Numbers of the rig file that may be wrong may
+// stand for something else: they are the answer where causes beside the rig as given leave more than noise, and simulate
+// unseen data worse.
+void answer_by_runs(const Asked& asked, const runs::Task& task, const RowsSay& say, const runs::Choice* numbers,
+                    runs::Choice& choice) {
+  if (!runs::massless(asked.rig) && two_channels_a_dof(task.records[0]))
+    runs::adopt_faults(task, say.asked ? say.faults : motion_faults(asked), choice);
+  if (!choice.searched) choice = searched(asked, task, choice);
+  const bool explained = choice.final.fit.ok && !choice.named.empty() && !runs::beyond_noise(choice.final_left);
+  if (!numbers || explained) return;
+  const runs::Choice renumbered = searched(asked, task, *numbers);
+  if (!choice.final.fit.ok || runs::missed_percent(task, renumbered.final) < runs::missed_percent(task, choice.final))
+    choice = renumbered;
+}
+
+// What the free runs lose in noise and the rows see beside nothing else is there.
+bool trace_is_there(const runs::Task& task, const RowsSay& say, const runs::Choice& choice) {
+  const Remainder& left = say.left;
+  return left.trace_alone && !runs::near_enough(task, choice) &&
+         (left.trace_Hz == 0 || runs::leaves_tone(task, choice.final, left.trace_Hz)) &&
+         (left.trace_link < 0 || runs::leaves_repetition(task, choice.final, left.trace_link));
+}
+
+// Numbers of the rig as given beside the accelerometers' rounding of friction's jumps. A cause may stand for what they round: where one
+// is named it is not asked.
+bool round_jumps(const runs::Task& task, std::vector<runs::Prepared>& records, runs::Choice& choice) {
+  if (!choice.named.empty() || !runs::round_jumps(task, records, choice.final)) return false;
+  choice.base = choice.final;
+  choice.base_left = choice.final_left = runs::left_by(task.system, task.records, choice.final);
+  return true;
+}
+
+// What free runs say, with numbers beside rounded jumps; also where causes were taken back that may have stood for them.
+void answer(const runs::Task& task, std::vector<runs::Prepared>& records, runs::Choice& choice, Diagnosis& d) {
+  const Diagnosis before = d;
+  round_jumps(task, records, choice);
+  runs::answer(task, choice, d);
+  if (!d.causes.empty() || choice.named.empty()) return;
+  runs::Choice alone = choice;
+  alone.named.clear(), alone.final = alone.base, alone.final_left = alone.base_left;
+  if (!round_jumps(task, records, alone)) return;
+  d = before, choice = alone;
+  runs::answer(task, choice, d);
+}
+
+}  // namespace
+
+Diagnosis judged(const Asked& asked, double& lag_s) {
+  const auto& [rig, training, holdout, options, ground_known] = asked;
+  const auto progress = [&](double share) {
+    if (asked.options.progress) asked.options.progress(share);
+  };
+  const System system = make_system(rig, ground_known);
+  std::vector<runs::Prepared> records = runs::prepare_all(rig, training, holdout);
+  const bool kept_moving = runs::moving_share(records) > kKeptMoving;
+  // The last swings of a decay are too small to bear anything out: of several decays the last is the unseen one.
+  const bool last_unseen = holdout.empty() && !kept_moving && training.size() >= kLeastDecays;
+  const runs::Task task{system, records, training.size() - (last_unseen ? 1 : 0)};
+  runs::Choice choice = runs::rig_fitted(task);
+  if (!runs::massless(rig) && !runs::right(task, choice) && runs::held_force(task, records, choice))
+    choice = runs::rig_fitted(task);
+  std::vector<runs::Hum> hum = runs::take_out_hum(task, choice, records);
+  if (!hum.empty()) choice = runs::rig_fitted(task), choice.hum_taken = std::move(hum);
+  progress(0.3);
+  Diagnosis d;
+  d.driven = runs::forced(records) || records[0].guess.back().given;
+  RowsSay say;
+  const bool right = !runs::massless(rig) && runs::right(task, choice);
+  const bool rows_can_tell =
+      runs::forced(records) && kept_moving && !runs::massless(rig) && springs_and_masses_known(rig);
+  if (!right && !runs::massless(rig) && !rows_can_tell)
+    choice.noise_is_enough = runs::noise_share(choice.base_left, choice.base.fit) > kMostlyNoise;
+  runs::Choice numbers = choice;
+  const runs::Wrong wrong = right ? runs::Wrong::kNo : runs::name_wrong_numbers(task, numbers);
+  const bool answered = !right && wrong != runs::Wrong::kSurely && rows_can_tell &&
+                        runs::answered_by_rows(asked, task, records, choice, say, d);
+  progress(0.6);
+  if (!answered) {
+    if (wrong == runs::Wrong::kSurely)
+      choice = numbers;
+    else if (!right)
+      answer_by_runs(asked, task, say, wrong == runs::Wrong::kNo ? nullptr : &numbers, choice);
+    answer(task, records, choice, d);
+    if (d.verdict == Verdict::kNone && trace_is_there(task, say, choice)) d.verdict = Verdict::kUnknown;
+  }
+  runs::name_holds(task, d);
+  if (d.verdict != Verdict::kUnknown) runs::name_force_hum(task, choice.final, d);
+  lag_s = runs::say_common_lag(task, d);
+  runs::say_shared_hum(task, choice, d);
+  runs::drop_undetermined(d, runs::motion_error(task, choice.base) < runs::kFollows);
+  runs::drop_trifles(task, d);
+  runs::name_zeros(task, d);
+  if (d.verdict == Verdict::kNone && !right) runs::doubt_numbers(task, choice.final, choice.final_left, d);
+  runs::say_scale(task, d);
+  compare_nothing(d);
+  state_rivals(d);
+  runs::mark_replaceable(d);
+  runs::mark_undetermined(task, d);
+  if (d.verdict == Verdict::kNone && d.minimum_detectable.empty())
+    d.minimum_detectable = runs::limits_of_runs(task, choice.base);
+  for (const std::string& advice : advice_for(d)) d.advice.push_back(advice);
+  progress(1);
+  return d;
+}
+
+}  // namespace diagnosis
