@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "../motion/link_motion.hpp"
+#include "../windows/windows.hpp"
 #include "candidates.hpp"
 #include "hal/rig_file/toml/effect_words.hpp"
 #include "host_sim/vocabulary/held_in_place.hpp"
@@ -80,7 +81,7 @@ std::vector<Candidate> candidates_beside(const System& s, const Model& model, co
   }
   const bool scale_known =
       std::any_of(model.begin(), model.end(), [](const ModelTerm& t) { return t.known && !t.added && t.value != 0; });
-  const bool based = records[0].guess.back().given;
+  const bool based = records[0].guess.back().given, driven = based || forced(records);
   if (based) add({Term{Kind::kBaseDelay}}, 0);
   for (size_t i = 0; i < s.links.size(); ++i) {
     const int l = static_cast<int>(i);
@@ -165,7 +166,10 @@ std::vector<Candidate> candidates_beside(const System& s, const Model& model, co
       if (!trace_of(records[0], dof, q)) continue;
       Term gain = on_dof(Kind::kChannelGain, dof), delay = on_dof(Kind::kChannelDelay, dof);
       gain.quantity = delay.quantity = q;
-      if (scale_known || records[0].traces.size() > 1) add({gain}, 0), add({delay}, 0);
+      const bool others = records[0].traces.size() > 1;
+      if (scale_known || others) add({gain}, 0);
+      // late against what? a free motion that one channel tells is the same motion a little later
+      if (others || (scale_known && driven)) add({delay}, 0);
     }
   }
   return list;

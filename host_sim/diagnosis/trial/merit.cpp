@@ -124,7 +124,8 @@ bool passes(const Attempt& a, size_t already, double noise) {
   const bool plain = unseen_noise < kMostlyNoise && again;
   // beside something larger that nobody knows
   const bool surely = plain && single && already == 0 && a.z > kSure && a.unseen_deviations > kSure;
-  if (surely && share_of(a, noise) > kLeastSureShare) return true;
+  // what is loud in the windows fitted may be another's: of the others it takes what a cause has to
+  if (surely && (share_of(a, noise) > kLeastSureShare || unseen_share_of(a, noise) > least)) return true;
   // Something is missing, and two tests that know nothing of each other say what: 5 % twice is as rare as kSure once. Of pairs there
   // are many: one that leaves next to nothing of windows that it has not seen is none that chance picked.
   const bool whole = std::min(share_of(a, noise), unseen_share_of(a, noise)) > kNearlyAll;
