@@ -2,6 +2,7 @@
 #include "answer/rows_borne_out.hpp"
 #include "channels/filtered_motion.hpp"
 #include "judged.hpp"
+#include "record/released.hpp"
 #include "record/riding.hpp"
 #include "sensors/ac_coupling.hpp"
 #include "sensors/lone_channel.hpp"
@@ -91,7 +92,10 @@ Diagnosis judged_by_those_that_agree(const Asked& asked) {
 Diagnosis diagnose(const rig_file::RigModel& rig, const std::vector<host_sim::Record>& training,
                    const std::vector<host_sim::Record>& holdout, const Options& options) {
   if (training.empty()) throw CannotAnswer("no record to diagnose");
-  if (!on_measured_base(rig, training)) return judged_by_those_that_agree({rig, training, holdout, options});
+  if (!on_measured_base(rig, training)) {
+    const std::vector<host_sim::Record> free = from_release(training), unseen = from_release(holdout);
+    return judged_by_those_that_agree({rig, free, unseen, options});
+  }
   const std::vector<host_sim::Record> riding_training = riding(rig, training), riding_holdout = riding(rig, holdout);
   return judged_by_those_that_agree({rig, riding_training, riding_holdout, options, !base_runs_on(training)});
 }

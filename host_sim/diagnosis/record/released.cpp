@@ -1,0 +1,48 @@
+#include "released.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace diagnosis {
+namespace {
+
+// Of a record: its start. At the end of a decay nothing is as large as at its start: what follows is compared over as much again.
+constexpr double kStart = 0.02;
+constexpr size_t kLeast = 50;  // samples of that
+constexpr double kTimes = 2;   // the steps behind it; what is taken for one and is none costs the start alone
+
+bool driven(const host_sim::Record& record) {
+  return std::any_of(record.channels.begin(), record.channels.end(),
+                     [](const host_sim::Channel& c) { return c.quantity == host_sim::Quantity::kForce || c.dof < 1; });
+}
+
+// Samples before the jump of one channel; 0: there is none.
+size_t held_samples(const std::vector<double>& y) {
+  const size_t start = std::max(kLeast, static_cast<size_t>(kStart * static_cast<double>(y.size())));
+  if (y.size() < 4 * start) return 0;
+  const auto step = [&](size_t k) { return std::abs(y[k + 1] - y[k]); };
+  size_t largest = 0;
+  for (size_t k = 1; k < start; ++k)
+    if (step(k) > step(largest)) largest = k;
+  double behind = 0;
+  for (size_t k = largest + 1; k < largest + 2 * start; ++k) behind = std::max(behind, step(k));
+  return step(largest) > kTimes * behind ? largest + 1 : 0;
+}
+
+}  // namespace
+
+std::vector<host_sim::Record> from_release(std::vector<host_sim::Record> records) {
+  for (host_sim::Record& record : records) {
+    if (driven(record)) continue;
+    size_t held = 0;
+    for (const host_sim::Channel& c : record.channels)
+      if (c.quantity == host_sim::Quantity::kAcceleration) held = std::max(held, held_samples(c.values));
+    if (held == 0) continue;
+    for (host_sim::Channel& c : record.channels)
+      c.values.erase(c.values.begin(), c.values.begin() + static_cast<std::ptrdiff_t>(held));
+    record.start_s += static_cast<double>(held) * record.sample_period_s;
+  }
+  return records;
+}
+
+}  // namespace diagnosis
