@@ -1,11 +1,9 @@
 // The cause that does best beside a model, or two that help only together.
 #pragma once
-#include "../trial/attempt.hpp"
+#include "../trial/singles.hpp"
 #include "choice.hpp"
 
 namespace diagnosis::runs {
-
-constexpr size_t kShortList = 5;  // causes that a search tries first, those that the linearisation promises most of
 
 struct Round {
   Attempt best;
