@@ -1,6 +1,7 @@
 // Measured or simulated data in SI units: what a CSV, a MAT or UFF file or a sensor log is read into.
 #pragma once
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,8 @@ struct Record {
   std::vector<double> time_s;     // of samples at uneven times, to be resampled; else empty
   double own_step_s = 0.0;        // of channels that are in rows of their own, s: the usual step of the fastest; else 0
   double time_jitter_s = 0.0;     // rms of the file's sample times about even steps; 0 where it has none
+  // The file's samples before the first of these; none where these are no samples of the file, or where some between them are left out.
+  std::optional<size_t> left_out_before = 0;
   std::vector<std::string> notes;  // what the reader made of the file: factors, ignored columns
   size_t samples() const { return channels.empty() ? 0 : channels.front().values.size(); }
   const Channel* find(Quantity quantity, int dof) const {

@@ -52,6 +52,7 @@ Record thinned(const Record& record, size_t factor) {
   for (Channel& channel : result.channels) channel.values = filtered(channel.values, filter, factor);
   result.sample_period_s = record.sample_period_s * static_cast<double>(factor);
   result.start_s = record.start_s + record.sample_period_s * static_cast<double>(kThinningReach * factor);
+  result.left_out_before.reset();
   return result;
 }
 

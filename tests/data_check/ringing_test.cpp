@@ -12,7 +12,10 @@ namespace {
 using namespace host_sim::data_check;
 
 bool has_spikes(const host_sim::Channel& channel) {
-  return find_spikes(channel, statistics_of(channel), {0.1, 1, 0.0, 0.0, {}}).has_value();
+  host_sim::Record record;
+  record.sample_period_s = 0.1;
+  record.channels = {channel};
+  return find_spikes(channel, statistics_of(channel), {record, 1, 0.0, 0.0, {}}).has_value();
 }
 
 // A swing of 60 to 120 samples a period that dies, with noise of 0.002 or 0.01 of it, and a burst of a twentieth to three tenths of it.

@@ -40,6 +40,8 @@ TEST(TimeSpan, BothEndsBelongToIt) {
   EXPECT_NEAR(part.start_s, 5.3, 1e-12);
   ASSERT_EQ(part.notes.size(), 1u);
   EXPECT_EQ(part.notes[0], "taken from 5.3 to 5.6 s: 4 of 10 samples");
+  EXPECT_EQ(part.left_out_before, 3u);
+  EXPECT_EQ(within(part, {5.5, 6}).left_out_before, 5u);
 }
 
 TEST(TimeSpan, AnOpenEndTakesAll) {

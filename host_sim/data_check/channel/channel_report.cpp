@@ -59,7 +59,7 @@ ChannelReport report_of(const Record& record, const std::vector<Statistics>& all
   const Statistics& statistics = all[index];
   ChannelReport report{channel.name, statistics.rms, statistics.mean, statistics.noise, statistics.resolution, {}};
   if (statistics.lowest == statistics.highest) return report;
-  Neighbours neighbours{record.sample_period_s, differentiated(record, channel), 0.0, 0.0, {}, &record};
+  Neighbours neighbours{record, differentiated(record, channel), 0.0, 0.0, {}};
   for (size_t i = 0; i < all.size(); ++i)
     if (record.channels[i].quantity == Quantity::kForce) neighbours.forces.push_back({&record.channels[i], &all[i]});
   if (channel.dof >= 1) {

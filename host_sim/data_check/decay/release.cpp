@@ -32,7 +32,7 @@ std::optional<Finding> finding_of(const Record& record, const SortedDecays& sort
                      (sorted.dropped.empty()
                           ? ""
                           : ", and so is " + listed(sorted.dropped) + ", which is at rest or too short to tell"),
-                 static_cast<double>(decays[0].from) * record.sample_period_s};
+                 record.start_s + static_cast<double>(decays[0].from) * record.sample_period_s};
 }
 
 }  // namespace
@@ -62,6 +62,7 @@ std::vector<std::string> keep_decays(std::vector<Record>& records) {
         channel.values = {begin + static_cast<std::ptrdiff_t>(d.from), begin + static_cast<std::ptrdiff_t>(d.to)};
       }
       part.start_s += static_cast<double>(d.from) * record.sample_period_s;
+      if (part.left_out_before) *part.left_out_before += d.from;
       kept.push_back(std::move(part));
     }
   }

@@ -99,8 +99,8 @@ std::vector<std::optional<Finding>> find_dead(const Record& record, const std::v
     if (is_constant(channel)) findings[i] = finding_of(record, channel, moves_elsewhere[i]);
     if (stops[i] == 0) continue;
     std::string text =
-        fmt::format("stops for good near {:.4g} s, while the other channels go on: did the sensor fail, or its cable?",
-                    static_cast<double>(stops[i]) * record.sample_period_s);
+        fmt::format("stops for good near {} s, while the other channels go on: did the sensor fail, or its cable?",
+                    said_instant_s(record, static_cast<double>(stops[i])));
     findings[i] = Finding{"dead", Weight::kFault, channel.name, text, std::nullopt};
   }
   return findings;

@@ -56,13 +56,25 @@ std::pair<double, double> noise_of(const std::vector<double>& values) {
   return {noise_by_differences(fourth, kFourth), noise_by_differences(sixth, kSixth)};
 }
 
+double length_s(const Record& record) { return static_cast<double>(record.samples()) * record.sample_period_s; }
+
+// In the file's own seconds, to `fine_s`.
+std::string instant_s(const Record& record, double sample, double fine_s) {
+  const double end_s = std::abs(record.start_s) + length_s(record);
+  const int digits = std::clamp(static_cast<int>(std::ceil(std::log10(end_s / fine_s) - 1e-9)), 3, 15);
+  return fmt::format("{:.{}g}", record.start_s + sample * record.sample_period_s, digits);
+}
+
 }  // namespace
 
 std::string said_instant_s(const Record& record, double sample) {
-  const double length_s = static_cast<double>(record.samples()) * record.sample_period_s;
-  const double end_s = std::abs(record.start_s) + length_s;
-  const int digits = std::clamp(3 + static_cast<int>(std::ceil(std::log10(end_s / length_s))), 3, 15);
-  return fmt::format("{:.{}g}", record.start_s + sample * record.sample_period_s, digits);
+  return instant_s(record, sample, 1e-3 * length_s(record));
+}
+
+std::string said_sample(const Record& record, size_t sample) {
+  const std::string when = instant_s(record, static_cast<double>(sample), 0.1 * record.sample_period_s) + " s";
+  if (!record.left_out_before) return when;
+  return when + fmt::format(" (sample {})", *record.left_out_before + sample + 1);
 }
 
 std::vector<Run> equal_runs(const std::vector<double>& values, size_t shortest) {

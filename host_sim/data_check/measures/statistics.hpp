@@ -36,8 +36,10 @@ std::vector<Statistics> statistics_of(const Record& record);  // of each channel
 // How lively a stretch is: mean square of steps over `lag` samples within it; 0 where it holds none.
 double mean_square_step(const std::vector<double>& values, size_t first, size_t end, size_t lag);
 
-// When a sample was taken, in s, to a thousandth of the record's length.
+// When a sample was taken, in the file's own seconds, to a thousandth of the record's length.
 std::string said_instant_s(const Record& record, double sample);
+// The same to the sample, with its number in the file where it has one: "17.6 s (sample 1661)".
+std::string said_sample(const Record& record, size_t sample);
 
 // Runs of at least `shortest` equal values.
 struct Run {

@@ -68,11 +68,11 @@ bool impossible(const Gap& gap, Quantity quantity, double usual, const Statistic
 
 // Blows of a force that its DOF's motion does not show.
 bool none_acted(const Channel& channel, const std::vector<Gap>& blows, const Neighbours& neighbours) {
-  if (channel.quantity != Quantity::kForce || neighbours.record == nullptr || blows.empty()) return false;
+  if (channel.quantity != Quantity::kForce || blows.empty()) return false;
   // of a hammer nothing is left without its blows
   if (mean_square(repaired(channel.values, blows), 0) < kHammer * kHammer * mean_square(channel.values, 0))
     return false;
-  const Answered motion = answered(*neighbours.record, channel, blows, neighbours.velocity_step);
+  const Answered motion = answered(neighbours.record, channel, blows, neighbours.velocity_step);
   return motion.std > 0.0 && motion.share + kSure * motion.std < kHalf;
 }
 
@@ -107,13 +107,11 @@ std::optional<Finding> find_spikes(const Channel& channel, const Statistics& sta
       harm = std::max(harm, mean_square(x, order) / clean);
   if (harm <= kHarm && largest->size < kWorthSaying * statistics.range) return std::nullopt;
   const auto [lowest, highest] = std::minmax_element(without.begin(), without.end());
-  std::string text =
-      fmt::format("{} {}; the largest at {:.6g} s (sample {}) is {:.3g}, where the rest spans {:.3g}", gaps.size(),
-                  dropouts == gaps.size() ? (dropouts == 1 ? "dropout" : "dropouts")
-                  : gaps.size() == 1      ? "spike"
-                                          : "spikes",
-                  static_cast<double>(largest->first) * neighbours.sample_period_s, largest->first + 1,
-                  x[largest->first], *highest - *lowest);
+  std::string text = fmt::format("{} {}; the largest at {} is {:.3g}, where the rest spans {:.3g}", gaps.size(),
+                                 dropouts == gaps.size() ? (dropouts == 1 ? "dropout" : "dropouts")
+                                 : gaps.size() == 1      ? "spike"
+                                                         : "spikes",
+                                 said_sample(neighbours.record, largest->first), x[largest->first], *highest - *lowest);
   Finding finding;
   finding.kind = "spikes";
   finding.channel = channel.name;

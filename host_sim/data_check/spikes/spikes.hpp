@@ -13,13 +13,12 @@ struct KnownChannel {
 };
 
 struct Neighbours {
-  double sample_period_s = 0.0;
+  const Record& record;    // that the channel is of: the motion of a force's DOF tells whether a blow acted
   int differentiated = 0;  // how often the estimation differentiates the channel: 2 for a displacement alone
   // Of an acceleration or force: what one sample of 1 changes the velocity by (the sample period, over the mass), and
   // what the velocity spans; 0 where that is not known.
   double velocity_step = 0.0, velocity_range = 0.0;
   std::vector<KnownChannel> forces;  // of the record: an acceleration under a blow is no fault
-  const Record* record = nullptr;    // of a force: whose motion tells whether a blow acted
 };
 
 // A spike: one to three samples off both what stands before and what stands behind them, alone, by more than 8 standard

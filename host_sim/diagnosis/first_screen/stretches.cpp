@@ -16,6 +16,7 @@ host_sim::Record part_of(const host_sim::Record& record, size_t first, size_t co
   part.file = record.file;
   part.sample_period_s = record.sample_period_s, part.time_jitter_s = record.time_jitter_s;
   part.start_s = record.start_s + static_cast<double>(first) * record.sample_period_s;
+  if (record.left_out_before) part.left_out_before = *record.left_out_before + first;
   for (const host_sim::Channel& c : record.channels) {
     const auto begin = c.values.begin() + static_cast<std::ptrdiff_t>(first);
     part.channels.push_back(

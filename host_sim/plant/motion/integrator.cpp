@@ -42,8 +42,8 @@ void Integrator::Working::scale_memories() {
 void Integrator::Working::grow_scale() {
   for (size_t i = 0; i < 2 * equations.masses(); ++i) {
     if (!std::isfinite(y[i]))
-      throw PlantError("simulation stopped at t = " + std::to_string(t) + " s: the motion of mass " +
-                       std::to_string(i % equations.masses() + 1) +
+      throw PlantError("simulation stopped at t = " + std::to_string(options.told_from_s + t) +
+                       " s: the motion of mass " + std::to_string(i % equations.masses() + 1) +
                        " is no longer finite (negative damping or stiffness?)");
     scale[i] = std::max(scale[i], std::fabs(y[i]));
     double& largest = i < equations.masses() ? root_scale.displacement : root_scale.velocity;
@@ -104,7 +104,8 @@ void Integrator::advance_to(double t_s) {
   bool by_series = w.series.has_value();
   for (long taken = 0; w.t < t_s; ++taken) {
     if (taken > w.options.most_steps_per_sample) {
-      w.message = std::to_string(taken) + " steps without reaching t = " + std::to_string(t_s) + " s";
+      w.message =
+          std::to_string(taken) + " steps without reaching t = " + std::to_string(w.options.told_from_s + t_s) + " s";
       w.check(-1, "ERKStepEvolve");
     }
     if (by_series && (by_series = w.series_step(t_s))) continue;

@@ -20,6 +20,7 @@ struct IntegratorOptions {
   double relative_tolerance =
       1e-10;  // local error per step, of the largest displacement and velocity of each mass so far
   long most_steps_per_sample = 200000;
+  double told_from_s = 0.0;  // what messages add to the time: where a record begins in its file
 };
 
 class Integrator {

@@ -94,8 +94,8 @@ struct Integrator::Working {
   void handle_root();
   void check(int flag, const char* what) {
     if (flag >= 0) return;
-    throw PlantError(std::string("simulation stopped at t = ") + std::to_string(t) + " s in " + what + ": " + message +
-                     " (a rig with extreme stiffness, or a motion that grows without bound?)");
+    throw PlantError(std::string("simulation stopped at t = ") + std::to_string(options.told_from_s + t) + " s in " +
+                     what + ": " + message + " (a rig with extreme stiffness, or a motion that grows without bound?)");
   }
 };
 

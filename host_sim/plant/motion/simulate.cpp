@@ -128,7 +128,9 @@ Record free_run(const rig_file::RigModel& rig, const Record& record, size_t from
   Record result = make_record(rig, h, record.start_s + static_cast<double>(from) * h, count, {false, false});
   const double start_s = static_cast<double>(from) * h;
   const Motion base = excitation.base_m ? excitation.base_m->motion(start_s) : Motion{};
-  Integrator integrator(equations, excitation, options.integrator, start_s, h,
+  IntegratorOptions integrator_options = options.integrator;
+  integrator_options.told_from_s = record.start_s;
+  Integrator integrator(equations, excitation, integrator_options, start_s, h,
                         equations.initial_state(initial.x_m, initial.v_m_s, base));
   for (size_t k = 0; k < count; ++k) {
     integrator.advance_to(static_cast<double>(from + k) * h);

@@ -127,6 +127,7 @@ Record resampled_ticks(const Record& record, double step, double rate_Hz) {
   out.file = record.file;
   out.start_s = record.time_s[1];
   out.sample_period_s = 1.0 / rate_Hz;
+  out.left_out_before.reset();
   const size_t count = samples_at(record.file, record.time_s.back() - record.time_s[1], rate_Hz);
   const Channel& channel = record.channels[0];
   out.channels.push_back(

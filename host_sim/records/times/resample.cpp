@@ -93,6 +93,7 @@ Record part_at(const Record& record, const std::vector<double>& time_s, const Pa
   out.file = record.file;
   out.start_s = time_s[part.first];
   out.sample_period_s = 1.0 / rate_Hz;
+  out.left_out_before.reset();
   const size_t count = samples_at(record.file, time_s[part.end - 1] - out.start_s, rate_Hz);
   std::vector<Range> ranges;
   for (const Channel& channel : record.channels) {

@@ -52,6 +52,7 @@ Record within(Record record, const TimeSpan& span) {
   record.notes.push_back(fmt::format("taken from {:.6g} to {:.6g} s: {} of {} samples", instant_s(part.first),
                                      instant_s(part.end - 1), part.end - part.first, count));
   if (!own_times) record.start_s = instant_s(part.first);
+  if (record.left_out_before) *record.left_out_before += part.first;
   for (Channel& channel : record.channels) keep(part, channel.values);
   if (own_times) keep(part, record.time_s);
   return record;

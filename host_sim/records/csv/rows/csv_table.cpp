@@ -42,6 +42,7 @@ void CsvTable::keep_samples(size_t first, size_t end) {
 void CsvTable::keep_samples(const std::vector<bool>& keep) {
   for (Channel& channel : record.channels) keep_only(keep, channel.values);
   keep_only(keep, time_s);
+  record.left_out_before.reset();
   samples = time_s.size();
 }
 
