@@ -76,6 +76,21 @@ TEST(Staircase, AForceIsACommandAndIsHeld) {
   EXPECT_FALSE(found(record));
 }
 
+// 7 levels of 1 cm that are crossed every tenth row or so, a fourth of the zeros written in full: as rows stay, so does the motion, and a
+// step to the next level is no dropout.
+TEST(Staircase, ACoarseConverterIsNoneNorDoesItDropOut) {
+  Record record;
+  record.file = "made.csv", record.sample_period_s = 0.01;
+  record.channels = {{"displacement_1_m", Quantity::kDisplacement, 1, {}}};
+  for (int i = 0; i < 20000; ++i) {
+    const double x = 0.034 * std::sin(2 * M_PI / 150 * i) * std::exp(-2e-5 * i), rounded = 0.01 * std::round(100 * x);
+    record.channels[0].values.push_back(rounded == 0.0 && i % 4 == 0 ? 1e-6 * std::round(1e6 * x) : rounded);
+  }
+  const auto report = host_sim::data_check::check({record}, nullptr);
+  EXPECT_EQ(report.worst(), Weight::kInforms);
+  EXPECT_NEAR(report.records[0].channels[0].resolution, 0.01, 1e-6);
+}
+
 // Interpolation rounds the stairs off; it is told all the same.
 TEST(Staircase, IsToldOfResampledRowsToo) {
   for (const double rate_Hz : {500.0, 1000.0}) {

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <cstring>
 
+#include "host_sim/records/steps/levels.hpp"
 #include "host_sim/records/times/in_order.hpp"
 
 namespace host_sim {
@@ -165,8 +166,10 @@ double value_step(const std::vector<double>& values) {
   if (steps.size() < 20) return 0.0;
   const double smallest = smallest_of(steps);
   if (const double unit = whole_unit(steps, smallest, kAll); unit > 0.0) return unit;
-  const double usual = usual_step(steps);
-  if (const double unit = usual > 0.0 ? whole_unit(steps, usual, kMost) : 0.0; unit > 0.0) return unit;
+  if (const double usual = usual_step(steps); usual > 0.0) {
+    if (const double unit = whole_unit(steps, usual, kMost); unit > 0.0) return unit;
+    if (on_few_levels(values, usual)) return usual;
+  }
   return rounded_unit(steps, smallest);
 }
 
