@@ -7,6 +7,7 @@
 
 #include "host_sim/data_check/measures/quantile.hpp"
 #include "host_sim/data_check/spikes/answered.hpp"
+#include "host_sim/data_check/spikes/carried.hpp"
 #include "host_sim/data_check/spikes/gaps.hpp"
 
 namespace host_sim::data_check {
@@ -52,6 +53,12 @@ bool struck(const std::vector<KnownChannel>& forces, size_t sample) {
       if (std::abs(values[i] - force.statistics->mean) > 3.0 * force.statistics->rms) return true;
   }
   return false;
+}
+
+std::vector<Gap> not_struck(std::vector<Gap> gaps, const std::vector<KnownChannel>& forces) {
+  gaps.erase(std::remove_if(gaps.begin(), gaps.end(), [&](const Gap& gap) { return struck(forces, gap.first); }),
+             gaps.end());
+  return gaps;
 }
 
 // Of an acceleration or a force: no blow is like that. usual: between the 5 and 95 percent quantiles.
@@ -105,6 +112,10 @@ std::optional<Finding> find_spikes(const Channel& channel, const Statistics& sta
   for (int order = 0; order <= neighbours.differentiated; ++order)
     if (const double clean = mean_square(without, order); clean > 0.0)
       harm = std::max(harm, mean_square(x, order) / clean);
+  Carried also;
+  if (continuous) also = carried(neighbours.record, channel, not_struck(gaps, neighbours.forces));
+  const bool told_there = also.harm > std::max(harm, kHarm);
+  harm = std::max(harm, also.harm);
   if (harm <= kHarm && largest->size < kWorthSaying * statistics.range) return std::nullopt;
   const auto [lowest, highest] = std::minmax_element(without.begin(), without.end());
   std::string text = fmt::format("{} {}; the largest at {} is {:.3g}, where the rest spans {:.3g}", gaps.size(),
@@ -118,6 +129,7 @@ std::optional<Finding> find_spikes(const Channel& channel, const Statistics& sta
   finding.value = static_cast<double>(gaps.size());
   finding.weight = harm > kHarm ? Weight::kFault : Weight::kDoubt;
   finding.detail = text;
+  if (told_there) finding.detail += ", and " + also.channel->name + " jumps with them";
   if (unanswered) finding.detail += ", and the motion shows nothing of them";
   finding.detail += harm > kHarm ? ": check the cable and the range, then record again; or empty their cells, which "
                                    "--resample fills, or leave "

@@ -31,7 +31,8 @@ struct Neighbours {
 // 1.5 times what 90 % of its samples span while no force strikes; or where the motion of the force's DOF shows less than half of the
 // momentum that the blows together should have brought, by four deviations (answered.hpp): then none of them acted.
 // A dropout: four and more equal values of a displacement or velocity, entered and left by jumps.
-// What does no harm and is below a tenth of the range is not said. A fault where they raise the mean square of what the estimation makes of the channel by more than 2 %.
+// What does no harm and is below a tenth of the range is not said. A fault where they raise the mean square of what the estimation makes of the channel
+// by more than 2 %, or that of a velocity or acceleration that was computed from it (carried.hpp): all channels of a DOF enter its equation.
 std::optional<Finding> find_spikes(const Channel& channel, const Statistics& statistics, const Neighbours& neighbours);
 
 }  // namespace host_sim::data_check
