@@ -10,6 +10,7 @@
 
 #include "host_sim/data_check/data_check.hpp"
 #include "host_sim/data_check/decay/free_decays.hpp"
+#include "host_sim/data_check/windows/decay_in.hpp"
 
 namespace {
 
@@ -54,6 +55,30 @@ TEST(Release, OfADecayFromItsFirstSampleTakesNothing) {
 TEST(Release, OfADecayThatStopsTakesNothing) {
   EXPECT_EQ(samples_before_release(record_of([](double t) { return std::max(0.0, 1 - t / 4) * std::cos(kTurn * t); })),
             0u);
+}
+
+// A mode of 40 Hz that is gone after 2 s and one of 3 Hz and a third of it that loses half in 14 s, 10 s at 500 Hz. A period is 16 samples by
+// the many fast swings, 166 in the end: the mean square over 16 is that of a piece of the slow swing then, next to nothing at its turns.
+TEST(Release, OfASlowModeThatOutlivesAFastOneTakesNothing) {
+  Record record = record_of(
+      [](double t) {
+        return std::exp(-t / 5) * std::cos(2 * kPi * 8 * t) + 0.35 * std::exp(-t / 100) * std::cos(2 * kPi * 0.6 * t);
+      },
+      Quantity::kAcceleration, 50);
+  record.sample_period_s = 0.002;  // all five times as fast
+  EXPECT_EQ(host_sim::data_check::find_release(record), std::nullopt);
+}
+
+// 30 windows that lose a hundredth each, by 1.35 in all. A rise by a fourth is a blow, and what loses a thousandth each is no decay.
+TEST(Release, EnergyFallsThroughout) {
+  const auto falls = [](double loss, double rise) {
+    host_sim::data_check::Windows energy;
+    for (int i = 0; i < 30; ++i) energy.push_back((i < 20 ? 1 : rise) * std::pow(1 - loss, i));
+    return host_sim::data_check::falls_throughout(energy);
+  };
+  EXPECT_TRUE(falls(0.01, 1.0));
+  EXPECT_FALSE(falls(0.01, 1.3));
+  EXPECT_FALSE(falls(0.001, 1.0));
 }
 
 // Let go at 1.5 s: after that, and no more than one and a half periods after.

@@ -16,6 +16,8 @@ namespace {
 
 constexpr size_t kLeastSamples = 128;  // of a record that estimate and diagnose both take
 constexpr double kLongPeriods = 16.0;  // of so many a whole one is not too much to lose
+constexpr double kSlower =
+    2.0;  // times the period: a window of one is then half a swing, which is as loud as any other
 
 bool is_driven(const Record& record) { return std::any_of(record.channels.begin(), record.channels.end(), drives); }
 
@@ -25,11 +27,8 @@ struct FoundDecay {
   bool silent = false;
 };
 
-// Of what swings.
-std::vector<FoundDecay> swinging_decays(const Record& record) {
-  const std::map<int, const Channel*> channels = rate_channels(record);
-  double period = 0.0;
-  for (const auto& [dof, channel] : channels) period = std::max(period, period_of(channel->values));
+// Of what swings with that period.
+std::vector<FoundDecay> decays_of(const Record& record, const std::map<int, const Channel*>& channels, double period) {
   const auto hop = static_cast<size_t>(std::lround(period / kHops));
   if (hop < 1) return {};
   Windows energy = energies(channels, hop);
@@ -51,6 +50,23 @@ std::vector<FoundDecay> swinging_decays(const Record& record) {
     const size_t to = d.to == energy.size() ? record.samples() : (d.to + kHops - 1) * hop;
     found.push_back({{(d.from + lost) * hop, to, d.clipped}, energy[d.from] < rest});
   }
+  return found;
+}
+
+// Of what swings. Where a fast mode has died away and a slow one swings on, the mean square over a period of the fast one rises and
+// falls with the slow one's swing. Over a period of the slow one it falls all along, if nothing comes in.
+std::vector<FoundDecay> swinging_decays(const Record& record) {
+  const std::map<int, const Channel*> channels = rate_channels(record);
+  double period = 0.0, slowest = 0.0;
+  for (const auto& [dof, channel] : channels) {
+    period = std::max(period, period_of(channel->values));
+    slowest = std::max(slowest, slowest_period_of(channel->values, kRestEnergy));
+  }
+  std::vector<FoundDecay> found = decays_of(record, channels, period);
+  const bool clipped = std::any_of(found.begin(), found.end(), [](const FoundDecay& d) { return d.span.clipped; });
+  if (found.empty() || clipped || slowest < kSlower * period) return found;
+  const auto hop = static_cast<size_t>(std::lround(slowest / kHops));
+  if (falls_throughout(energies(channels, hop))) return {{{0, record.samples(), false}}};
   return found;
 }
 

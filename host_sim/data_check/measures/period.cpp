@@ -27,4 +27,20 @@ double period_of(const std::vector<double>& y) {
   return half.size() < 4 ? 0.0 : 2.0 * median(std::move(half));
 }
 
+double slowest_period_of(const std::vector<double>& y, double share) {
+  constexpr size_t kParts = 8;
+  std::vector<std::vector<double>> parts;
+  double loudest = 0.0;
+  for (size_t k = 0; k < kParts; ++k) {
+    const auto at = [&](size_t part) { return y.begin() + static_cast<std::ptrdiff_t>(part * y.size() / kParts); };
+    parts.emplace_back(at(k), at(k + 1));
+    loudest = std::max(loudest, mean_and_rms(parts.back()).rms);
+  }
+  double slowest = 0.0;
+  for (const std::vector<double>& part : parts)
+    if (const double rms = mean_and_rms(part).rms; rms * rms >= share * loudest * loudest)
+      slowest = std::max(slowest, period_of(part));
+  return slowest;
+}
+
 }  // namespace host_sim::data_check

@@ -15,4 +15,8 @@ struct Decay {
 
 std::optional<Decay> decay_in(const Windows& energy, const Span& span);
 
+// Whether a record is one decay: the energy never rises by more than noise and beats make, each quarter has less than the one before, and
+// the last less than the first by more than that.
+bool falls_throughout(const Windows& energy);
+
 }  // namespace host_sim::data_check
