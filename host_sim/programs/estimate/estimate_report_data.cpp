@@ -15,6 +15,11 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
+reports::Interval interval_of(const ParameterResult& p) {
+  if (!p.has_interval()) return {p.value, kNone, kNone};
+  return {p.value, p.ci95_low, p.ci95_high};
+}
+
 void add_facts(const std::vector<Record>& records, const EstimateResult& result, reports::EstimateReportData& data) {
   for (const Record& record : records) data.files.push_back(std::filesystem::path(record.file).filename().string());
   data.facts.push_back(std::to_string(result.samples) + fmt::format(" samples at {:g} Hz", result.sample_rate_Hz));
@@ -46,8 +51,7 @@ reports::EstimateReportData estimate_report_data(const rig_file::RigModel& model
   data.rig_name = model.name.empty() ? "the rig" : model.name;
   add_facts(records, result, data);
   for (const ParameterResult& p : result.parameters)
-    data.parameters.push_back(
-        {p.info.name, p.info.unit, {kNone, kNone, kNone}, {p.value, p.ci95_low, p.ci95_high}, status_word(p.status)});
+    data.parameters.push_back({p.info.name, p.info.unit, {kNone, kNone, kNone}, interval_of(p), status_word(p.status)});
   if (!result.advice.empty()) data.advice.push_back(result.advice);
   data.notes = result.notes;
   const rig_file::RigModel rig = rig_file::with_values(model, values_of(result));

@@ -18,6 +18,11 @@ struct ParameterResult {
   firmware::EstimateStatus status = firmware::EstimateStatus::kStale;
   std::optional<double> truth;  // simulated rigs
   std::optional<double> paper;  // the paper's own estimate
+  // Of a number that is not known, no scatter means that there was none to be had (one window, say), not that it is exact.
+  bool has_interval() const {
+    return ci95_high > ci95_low ||
+           firmware::severity(status) < firmware::severity(firmware::EstimateStatus::kIllConditioned);
+  }
 };
 
 // How late a channel is against the velocity of its DOF, measured without any model.

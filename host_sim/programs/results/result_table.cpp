@@ -51,9 +51,10 @@ std::vector<Column> columns_of(const EstimateResult& result) {
     truth.cells.push_back(p.truth ? plain(*p.truth, 6) : "");
     paper.cells.push_back(p.paper ? plain(*p.paper, 7) : "");
     const bool nothing = p.status == EstimateStatus::kStale && p.value == 0.0 && half == 0.0;  // was never estimated
-    value.cells.push_back(nothing ? "-" : rounded_to(p.value, half));
-    low.cells.push_back(nothing ? "-" : rounded_to(p.ci95_low, half));
-    high.cells.push_back(nothing ? "-" : rounded_to(p.ci95_high, half));
+    const bool known = !nothing && p.has_interval();
+    value.cells.push_back(nothing ? "-" : known ? rounded_to(p.value, half) : plain(p.value, 3));
+    low.cells.push_back(known ? rounded_to(p.ci95_low, half) : "-");
+    high.cells.push_back(known ? rounded_to(p.ci95_high, half) : "-");
     unit.cells.push_back(p.info.unit);
     status.cells.push_back(status_word(p.status));
   }

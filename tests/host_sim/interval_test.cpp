@@ -1,0 +1,45 @@
+// What the table of estimates says of an interval that is not known, of results made by hand.
+#include <gtest/gtest.h>
+
+#include <iterator>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "host_sim/programs/results/result_table.hpp"
+
+namespace {
+
+using firmware::EstimateStatus;
+
+// The words of the row of a stiffness of 32.68221 N/m.
+std::vector<std::string> row(EstimateStatus status, double half) {
+  host_sim::EstimateResult result;
+  host_sim::ParameterResult parameter;
+  parameter.info.name = "stiffness[1-0]", parameter.info.unit = "N/m";
+  parameter.value = 32.68221, parameter.std = half / 1.96, parameter.status = status;
+  parameter.ci95_low = parameter.value - half, parameter.ci95_high = parameter.value + half;
+  result.parameters = {parameter};
+  std::istringstream table(host_sim::format_table(result, false, 0));
+  std::string line;
+  std::getline(table, line), std::getline(table, line);
+  std::istringstream words(line);
+  return {std::istream_iterator<std::string>(words), {}};
+}
+
+using Words = std::vector<std::string>;
+
+TEST(Interval, OfNoWidthIsADashWhereTheNumberIsNotKnown) {
+  EXPECT_EQ(row(EstimateStatus::kIllConditioned, 0),
+            (Words{"stiffness[1-0]", "32.7", "-", "-", "N/m", "ILL_CONDITIONED"}));
+  EXPECT_EQ(row(EstimateStatus::kNoExcitation, 0), (Words{"stiffness[1-0]", "32.7", "-", "-", "N/m", "NO_EXCITATION"}));
+}
+
+TEST(Interval, IsToldWhereItIsKnown) {
+  EXPECT_EQ(row(EstimateStatus::kIllConditioned, 20),
+            (Words{"stiffness[1-0]", "32.7", "12.7", "52.7", "N/m", "ILL_CONDITIONED"}));
+  EXPECT_EQ(row(EstimateStatus::kValid, 0),
+            (Words{"stiffness[1-0]", "32.68221", "32.68221", "32.68221", "N/m", "VALID"}));
+}
+
+}  // namespace
