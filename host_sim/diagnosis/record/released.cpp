@@ -41,6 +41,7 @@ std::vector<host_sim::Record> from_release(std::vector<host_sim::Record> records
     for (host_sim::Channel& c : record.channels)
       c.values.erase(c.values.begin(), c.values.begin() + static_cast<std::ptrdiff_t>(held));
     record.start_s += static_cast<double>(held) * record.sample_period_s;
+    if (record.left_out_before) *record.left_out_before += held;
   }
   return records;
 }
