@@ -93,8 +93,11 @@ Diagnosis diagnose(const rig_file::RigModel& rig, const std::vector<host_sim::Re
                    const std::vector<host_sim::Record>& holdout, const Options& options) {
   if (training.empty()) throw CannotAnswer("no record to diagnose");
   if (!on_measured_base(rig, training)) {
-    const std::vector<host_sim::Record> free = from_release(training), unseen = from_release(holdout);
-    return judged_by_those_that_agree({rig, free, unseen, options});
+    if (!any_begins_held(training) && !any_begins_held(holdout))
+      return judged_by_those_that_agree({rig, training, holdout, options});
+    const std::vector<host_sim::Record> released_training = from_release(training),
+                                        released_holdout = from_release(holdout);
+    return judged_by_those_that_agree({rig, released_training, released_holdout, options});
   }
   const std::vector<host_sim::Record> riding_training = riding(rig, training), riding_holdout = riding(rig, holdout);
   return judged_by_those_that_agree({rig, riding_training, riding_holdout, options, !base_runs_on(training)});

@@ -42,6 +42,8 @@ TEST(Released, RowsBeforeItAreLeftOut) {
     EXPECT_NEAR(rest[0].start_s, 1e-3 * held, 1e-9);
   }
   EXPECT_EQ(from_release({decay(0, 3)})[0].samples(), 3000u);
+  EXPECT_TRUE(any_begins_held({decay(0, 3), decay(1, 3)}));
+  EXPECT_FALSE(any_begins_held({decay(0, 3), decay(0, 4)}));
 }
 
 TEST(Released, WhatAForceDrivesIsKeptWhole) {

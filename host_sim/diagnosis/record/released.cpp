@@ -29,15 +29,24 @@ size_t held_samples(const std::vector<double>& y) {
   return step(largest) > kTimes * behind ? largest + 1 : 0;
 }
 
+size_t held_samples(const host_sim::Record& record) {
+  size_t held = 0;
+  if (driven(record)) return held;
+  for (const host_sim::Channel& c : record.channels)
+    if (c.quantity == host_sim::Quantity::kAcceleration) held = std::max(held, held_samples(c.values));
+  return held;
+}
+
 }  // namespace
+
+bool any_begins_held(const std::vector<host_sim::Record>& records) {
+  return std::any_of(records.begin(), records.end(),
+                     [](const host_sim::Record& record) { return held_samples(record) > 0; });
+}
 
 std::vector<host_sim::Record> from_release(std::vector<host_sim::Record> records) {
   for (host_sim::Record& record : records) {
-    if (driven(record)) continue;
-    size_t held = 0;
-    for (const host_sim::Channel& c : record.channels)
-      if (c.quantity == host_sim::Quantity::kAcceleration) held = std::max(held, held_samples(c.values));
-    if (held == 0) continue;
+    const size_t held = held_samples(record);
     for (host_sim::Channel& c : record.channels)
       c.values.erase(c.values.begin(), c.values.begin() + static_cast<std::ptrdiff_t>(held));
     record.start_s += static_cast<double>(held) * record.sample_period_s;

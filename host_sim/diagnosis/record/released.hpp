@@ -11,4 +11,7 @@ namespace diagnosis {
 // for at the start of records that no force and no base drives; a jump is one that is twice as large as any behind it.
 std::vector<host_sim::Record> from_release(std::vector<host_sim::Record> records);
 
+// Whether there is anything to leave out.
+bool any_begins_held(const std::vector<host_sim::Record>& records);
+
 }  // namespace diagnosis
