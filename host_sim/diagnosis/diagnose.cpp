@@ -42,8 +42,8 @@ Diagnosis judged_without(const std::vector<SensorFault>& couplings, const Asked&
   return d;
 }
 
-// A high-pass that channels of one DOF tell of is undone before anything else is judged; one that is small and changes nothing is not spoken of. Where the rig does not fit then, the force may
-// have one too.
+// A high-pass that channels of one DOF tell of is undone before anything else is judged; one that is small and changes nothing is not
+// spoken of. Where the rig does not fit then, the force may have one too.
 Diagnosis judged_as_coupled(const Asked& asked) {
   std::vector<SensorFault> couplings = ac_couplings(asked);
   if (couplings.empty()) return judged_behind_filters(asked);

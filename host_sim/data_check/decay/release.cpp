@@ -6,6 +6,7 @@
 
 #include "host_sim/data_check/decay/free_decays.hpp"
 #include "host_sim/data_check/measures/statistics.hpp"
+#include "host_sim/records/stretch.hpp"
 
 namespace host_sim::data_check {
 namespace {
@@ -55,15 +56,8 @@ std::vector<std::string> keep_decays(std::vector<Record>& records) {
     for (const DecaySpan& d : sorted.kept) {
       if (number > 0 && room == 0) break;
       room -= number > 0 ? 1 : 0;
-      Record part = record;
-      if (++number > 1) part.file += fmt::format(", decay {}", number);
-      for (Channel& channel : part.channels) {
-        const auto begin = channel.values.begin();
-        channel.values = {begin + static_cast<std::ptrdiff_t>(d.from), begin + static_cast<std::ptrdiff_t>(d.to)};
-      }
-      part.start_s += static_cast<double>(d.from) * record.sample_period_s;
-      if (part.left_out_before) *part.left_out_before += d.from;
-      kept.push_back(std::move(part));
+      kept.push_back(stretch_of(record, d.from, d.to));
+      if (++number > 1) kept.back().file += fmt::format(", decay {}", number);
     }
   }
   records = std::move(kept);

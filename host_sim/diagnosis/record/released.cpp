@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "host_sim/records/record_checks.hpp"
+#include "host_sim/records/stretch.hpp"
+
 namespace diagnosis {
 namespace {
 
@@ -10,11 +13,6 @@ namespace {
 constexpr double kStart = 0.02;
 constexpr size_t kLeast = 50;  // samples of that
 constexpr double kTimes = 2;   // the steps behind it; what is taken for one and is none costs the start alone
-
-bool driven(const host_sim::Record& record) {
-  return std::any_of(record.channels.begin(), record.channels.end(),
-                     [](const host_sim::Channel& c) { return c.quantity == host_sim::Quantity::kForce || c.dof < 1; });
-}
 
 // Samples before the jump of one channel; 0: there is none.
 size_t held_samples(const std::vector<double>& y) {
@@ -31,7 +29,7 @@ size_t held_samples(const std::vector<double>& y) {
 
 size_t held_samples(const host_sim::Record& record) {
   size_t held = 0;
-  if (driven(record)) return held;
+  if (std::any_of(record.channels.begin(), record.channels.end(), host_sim::is_drive)) return held;
   for (const host_sim::Channel& c : record.channels)
     if (c.quantity == host_sim::Quantity::kAcceleration) held = std::max(held, held_samples(c.values));
   return held;
@@ -45,13 +43,11 @@ bool any_begins_held(const std::vector<host_sim::Record>& records) {
 }
 
 std::vector<host_sim::Record> from_release(std::vector<host_sim::Record> records) {
-  for (host_sim::Record& record : records) {
-    const size_t held = held_samples(record);
-    for (host_sim::Channel& c : record.channels)
-      c.values.erase(c.values.begin(), c.values.begin() + static_cast<std::ptrdiff_t>(held));
-    record.start_s += static_cast<double>(held) * record.sample_period_s;
-    if (record.left_out_before) *record.left_out_before += held;
-  }
+  for (host_sim::Record& record : records)
+    if (const size_t held = held_samples(record); held > 0) {
+      const size_t end = record.samples();
+      record = host_sim::stretch_of(std::move(record), held, end);
+    }
   return records;
 }
 

@@ -42,9 +42,10 @@ size_t most_pairs(const Beside& b) {
 
 std::vector<Attempt> tried_pairs(const Beside& b, const Attempt* single) {
   const double with_best = gain_with_best(b, single);
+  const size_t most = most_pairs(b);
   std::vector<Attempt> pairs;
   for (const ScreenedPair& p : promising_pairs(b)) {
-    if (pairs.size() >= most_pairs(b)) break;
+    if (pairs.size() >= most) break;
     if (single && 1 - p.gain > 0.5 * (1 - with_best)) break;
     const std::vector<Candidate> both = {b.all[p.first], b.all[p.second]};
     const auto same = [&](const Attempt& t) {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "host_sim/records/files/data_file_error.hpp"
+#include "host_sim/records/stretch.hpp"
 
 namespace host_sim {
 namespace {
@@ -30,11 +31,6 @@ Samples at_own_times(const std::vector<double>& time_s, const TimeSpan& span) {
   return {static_cast<size_t>(first - time_s.begin()), static_cast<size_t>(end - time_s.begin())};
 }
 
-void keep(const Samples& part, std::vector<double>& values) {
-  values.resize(part.end);
-  values.erase(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(part.first));
-}
-
 }  // namespace
 
 Record within(Record record, const TimeSpan& span) {
@@ -51,11 +47,7 @@ Record within(Record record, const TimeSpan& span) {
                     part.end > part.first ? part.end - part.first : 0, instant_s(0), instant_s(count - 1)));
   record.notes.push_back(fmt::format("taken from {:.6g} to {:.6g} s: {} of {} samples", instant_s(part.first),
                                      instant_s(part.end - 1), part.end - part.first, count));
-  if (!own_times) record.start_s = instant_s(part.first);
-  if (record.left_out_before) *record.left_out_before += part.first;
-  for (Channel& channel : record.channels) keep(part, channel.values);
-  if (own_times) keep(part, record.time_s);
-  return record;
+  return stretch_of(std::move(record), part.first, part.end);
 }
 
 }  // namespace host_sim
