@@ -1,6 +1,7 @@
 #include "firmware/estimator_core.hpp"
 
 #include "firmware/fixed_point/work_meter.hpp"
+#include "firmware/identification/backward_time.hpp"
 
 namespace firmware {
 namespace {
@@ -142,6 +143,7 @@ const Estimates& EstimatorCore::solve() {
   identify(configuration_, table_, stages_->memory, estimates_);
   if (corrections_->any()) corrections_->widen(configuration_, table_, estimates_);
   tests_.judge(table_.level_count, estimates_);
+  if (configuration_.runs_back()) run_forward(configuration_, estimates_);
   if (kCorrectsChannels) correct_channels();
   return estimates_;
 }

@@ -143,6 +143,7 @@ struct CoreConfiguration {
   bool asks_for_filtered_sign() const { return high_pass_order > 0 || sign_half_length > 0; }
   // These never where no channel is derived: such a core refuses what asks for it.
   bool filters_sign() const { return kDerivesSignals && asks_for_filtered_sign(); }
+  bool runs_back() const { return kDerivesSignals && time_runs_back; }
   bool fuses(int node) const { return kDerivesSignals && fusion[node].used; }
   WindowConfiguration window;
   // What the score tests (firmware/warrant) may cost: products of two numbers a sample; 0: no tests.
@@ -150,6 +151,8 @@ struct CoreConfiguration {
   // A well-measured delay or gain of a channel is taken out on the board (firmware/warrant/channel_correction.hpp). Not stored: false
   // where the program beside the core has all the samples, and does it itself.
   bool corrects_channels = true;
+  // The samples of each level come last first, velocities turned over: identification/backward_time.hpp. Not stored: a board cannot.
+  bool time_runs_back = false;
 };
 
 // Fills signals with plain copies of the measured channels.

@@ -137,6 +137,8 @@ struct Nature {
   Work work;
   constexpr Nature(bool c, Memory m, Events e, AtRest r, Work w)
       : conservative(c), memory(m), events(e), at_rest(r), work(w) {}
+  // A motion seen backwards has the other rate at the same place: what dissipates seems to push.
+  constexpr bool turns_with_time() const { return !conservative && memory == Memory::kNone && work == Work::kOneSign; }
 };
 
 struct CoreTerm {  // the column of the core that carries it

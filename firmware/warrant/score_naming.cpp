@@ -1,5 +1,6 @@
 // What is beyond chance and large enough, and which probe is named for it.
 #include "firmware/fixed_point/work_meter.hpp"
+#include "firmware/identification/backward_time.hpp"
 #include "firmware/warrant/score_test.hpp"
 
 namespace firmware {
@@ -59,7 +60,8 @@ bool pushes(const CoreConfiguration& configuration, const ProbePlan& plan, const
     const Term& term = configuration.terms[t];
     if (term.kind != TermKind::kCoulomb || term.place != place.link) continue;
     const Scaled& friction = term.unknown >= 0 ? parameter[term.unknown] : term.value;
-    return (score.effect + friction + scale_by_power_of_two(score.std, 1)).is_negative();
+    const Scaled both = forwards(configuration, TermKind::kCoulomb, score.effect + friction);
+    return (both + scale_by_power_of_two(score.std, 1)).is_negative();
   }
   return false;
 }
@@ -69,8 +71,9 @@ bool pushes(const CoreConfiguration& configuration, const ProbePlan& plan, const
 bool impossible(const CoreConfiguration& configuration, const ProbePlan& plan, const Probe& probe,
                 const ProbeScore& score, const Scaled* parameter) {
   const Place& place = plan.place[probe.place];
-  const Scaled most = score.effect + scale_by_power_of_two(score.std, 1);
-  if (place.kind == PlaceKind::kNoLink) return most.is_negative();
+  const Scaled twice = scale_by_power_of_two(score.std, 1), most = score.effect + twice;
+  if (place.kind == PlaceKind::kNoLink)
+    return (forwards(configuration, TermKind::kViscous, score.effect) + twice).is_negative();
   if (probe.form == Form::kForceWithinGap) return most.is_negative();
   if (place.kind != PlaceKind::kDof || probe.form != Form::kAcceleration) return false;
   for (int t = 0; t < configuration.term_count; ++t) {

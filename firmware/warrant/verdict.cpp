@@ -1,5 +1,6 @@
 #include "firmware/warrant/verdict.hpp"
 
+#include "firmware/identification/backward_time.hpp"
 #include "firmware/warrant/finding.hpp"
 #include "firmware/warrant/late_channel.hpp"
 
@@ -57,10 +58,17 @@ void tell(const CoreConfiguration& configuration, const ScoreSums& sums, const S
   if (rival >= 0) warrant.rival_share = test.score(rival).gain / test.score(best).gain;
 }
 
+// Are all numbers from the value to this side of its deviations below nought, and cannot be?
+bool below_nought(const CoreConfiguration& configuration, int unknown, const Scaled& value, const Scaled& reach) {
+  const Term* term = term_of(configuration, unknown);
+  return term != nullptr && is_in(kNotNegative, term->kind) &&
+         (forwards(configuration, term->kind, value) + reach).is_negative();
+}
+
 // The whole interval is on the impossible side: one right number in 40 that is nought is there by chance, and none is to be relied on.
 bool impossible(const CoreConfiguration& configuration, int unknown, const ParameterEstimate& parameter) {
-  const Term* term = term_of(configuration, unknown);
-  return term != nullptr && is_in(kNotNegative, term->kind) && parameter.ci95_high.is_negative();
+  return below_nought(configuration, unknown, parameter.ci95_high, {}) &&
+         (!configuration.runs_back() || below_nought(configuration, unknown, parameter.ci95_low, {}));
 }
 
 // So far on that side that it is no chance: the model is wrong there, and bends the neighbours too. Not a number that the data do not
@@ -68,7 +76,7 @@ bool impossible(const CoreConfiguration& configuration, int unknown, const Param
 bool contradicts(const CoreConfiguration& configuration, int unknown, const ParameterEstimate& parameter) {
   return severity(parameter.status) < severity(EstimateStatus::kIllConditioned) &&
          impossible(configuration, unknown, parameter) &&
-         (parameter.value + parameter.std * kImpossibleDeviations).is_negative();
+         below_nought(configuration, unknown, parameter.value, parameter.std * kImpossibleDeviations);
 }
 
 bool instruments_differ(const ScoreTest& test, int unknown, const ParameterEstimate& parameter) {

@@ -5,12 +5,14 @@
 #include <memory>
 #include <sstream>
 
+#include "firmware/identification/backward_time.hpp"
 #include "hal/rig_file/first_batches.hpp"
 #include "hal/rig_file/recorded/channel_noise.hpp"
 #include "hal/rig_file/signal_plan.hpp"
 #include "host_sim/can_log/log_writer.hpp"
 #include "host_sim/programs/estimate/channel_correction.hpp"
 #include "host_sim/programs/estimate/channel_pairs.hpp"
+#include "host_sim/programs/estimate/from_its_end.hpp"
 #include "host_sim/programs/results/fit_quality.hpp"
 #include "host_sim/programs/shared/failures.hpp"
 #include "host_sim/records/digitise.hpp"
@@ -187,6 +189,12 @@ EstimateResult result_from(const rig_file::RigModel& model, const std::vector<Re
                            const firmware::CoreConfiguration& configuration, const Target& target) {
   EstimateResult result = result_of(model, target.estimates(), records);
   result.covariance = covariance_of(result, target.core());
+  for (size_t i = 0; i < result.covariance.size(); ++i)
+    for (double& with : result.covariance[i]) {
+      const auto j = static_cast<int>(&with - result.covariance[i].data());
+      if (firmware::turns_over(configuration, static_cast<int>(i)) != firmware::turns_over(configuration, j))
+        with = -with;
+    }
   result.samples = samples_of(records);
   result.sample_rate_Hz = 1.0 / records.front().sample_period_s;
   result.levels = static_cast<unsigned>(records.size());
@@ -198,10 +206,12 @@ EstimateResult result_from(const rig_file::RigModel& model, const std::vector<Re
   return result;
 }
 
-Estimation estimate_as_told(const rig_file::RigModel& model, const std::vector<Record>& records,
-                            const EstimationOptions& options) {
+// from_end: the records come last sample first.
+Estimation estimate_in_order(const rig_file::RigModel& model, const std::vector<Record>& records,
+                             const EstimationOptions& options, bool from_end) {
   const std::vector<rig_file::ChannelCalibration> calibrations = calibrate(records, model);
-  const firmware::CoreConfiguration configuration = configuration_for(model, records, calibrations, options);
+  firmware::CoreConfiguration configuration = configuration_for(model, records, calibrations, options);
+  if (from_end) run_back(configuration);
   Estimation estimation;
   if (!options.frames) {
     CoreAlone core(configuration);
@@ -213,6 +223,17 @@ Estimation estimate_as_told(const rig_file::RigModel& model, const std::vector<R
   feed(records, calibrations, options, board);
   estimation.result = result_from(model, records, configuration, board);
   estimation.frames = board.frames();
+  return estimation;
+}
+
+Estimation estimate_as_told(const rig_file::RigModel& model, const std::vector<Record>& records,
+                            const EstimationOptions& options) {
+  if (!begins_in_motion(model, records)) return estimate_in_order(model, records, options, false);
+  Estimation estimation = estimate_in_order(backwards(model), backwards(records), options, true);
+  estimation.result.notes.push_back(
+      "nothing drives the rig and not all of its displacements are measured: the records are read from their end, "
+      "where the motion "
+      "that is integrated has come to rest");
   return estimation;
 }
 

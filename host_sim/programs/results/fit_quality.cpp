@@ -9,6 +9,7 @@
 #include "host_sim/force_balance/force_balance.hpp"
 #include "host_sim/plant/motion/simulate.hpp"
 #include "host_sim/plant/plant_error.hpp"
+#include "host_sim/records/record_checks.hpp"
 
 namespace host_sim {
 namespace {
@@ -44,13 +45,18 @@ Series acceleration_of(const Record& signals, const Record& like, int dof) {
   return second_derivative(*values(Quantity::kDisplacement), signals.sample_period_s);
 }
 
-// A free decay is nothing but its initial state, which accelerations do not tell.
+bool still(const Channel& channel) {
+  const auto [lowest, highest] = std::minmax_element(channel.values.begin(), channel.values.end());
+  return channel.quantity == Quantity::kForce && *lowest == *highest;
+}
+
+// A free decay is nothing but its initial state, which rates do not tell.
 bool begins_unknown(const Record& record) {
-  return std::all_of(record.channels.begin(), record.channels.end(), [](const Channel& c) {
-    const auto [lowest, highest] = std::minmax_element(c.values.begin(), c.values.end());
-    return (c.quantity == Quantity::kAcceleration && c.dof != rig_file::kBase) ||
-           (c.quantity == Quantity::kForce && *lowest == *highest);
-  });
+  const auto moves_alone = [](const Channel& c) { return is_drive(c) ? still(c) : true; };
+  return std::all_of(record.channels.begin(), record.channels.end(), moves_alone) &&
+         std::any_of(record.channels.begin(), record.channels.end(), [&](const Channel& c) {
+           return !is_drive(c) && record.find(Quantity::kDisplacement, c.dof) == nullptr;
+         });
 }
 
 bool runs_freely(const rig_file::RigModel& rig) {
@@ -102,12 +108,12 @@ std::vector<Record> judge_fit(const rig_file::RigModel& model, const std::vector
       result.mse_note = "nothing has been estimated to simulate with";
     } else if (runs_freely(rig) && std::any_of(records.begin(), records.end(), begins_unknown)) {
       result.mse_note =
-          "accelerations do not tell the state from which a free decay begins; diagnose fits it and simulates from "
-          "there";
+          "velocities and accelerations do not tell the state from which a free decay begins; diagnose fits it and "
+          "simulates from there";
     } else if (runs_freely(rig)) {
       simulated = free_running_error(rig, records, sums);
     } else {
-      result.mse_of = "force balance of each DOF's equation (a massless rig cannot run freely)";
+      result.mse_of = "force balance of each DOF's equation (a rig without a mass above nought cannot run freely)";
       force_balance_error(rig, records, sums);
     }
   } catch (const PlantError& error) {
