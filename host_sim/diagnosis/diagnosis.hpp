@@ -110,7 +110,8 @@ struct Diagnosis {
   double baseline_misfit = 0;                    // chi-squared per degree of freedom: 1 is noise alone
   double extended_misfit = 0;
   bool driven = true;         // by a force that is measured, or by a base
-  bool more_remains = false;  // beside the named causes, whichever of a set they are: more than noise
+  // Beside the named causes, whichever of a set they are, or the rig as given that explains the measurement: more than noise.
+  bool more_remains = false;
   rig_file::RigModel extended_rig;
   std::vector<RankedCandidate> ranked;  // the first twelve, best first
 };

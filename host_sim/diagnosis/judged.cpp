@@ -20,6 +20,7 @@
 #include "numbers/scale.hpp"
 #include "numbers/undetermined.hpp"
 #include "residual/leaves_trace.hpp"
+#include "residual/most_noise.hpp"
 #include "valleys/wrong_numbers.hpp"
 
 namespace diagnosis {
@@ -110,6 +111,15 @@ void answer(const runs::Task& task, std::vector<runs::Prepared>& records, runs::
   runs::answer(task, choice, d);
 }
 
+// What is left of a rig that follows its motion goes with it: a force that no effect explains may be in its numbers.
+void doubt_all_numbers(const runs::Task& task, const runs::Choice& choice, Diagnosis& d) {
+  const bool more = runs::beyond_noise(choice.final_left) && choice.final_left.worst() > runs::kBeyondNoise;
+  if (!choice.final.fit.ok || !more || runs::near_enough(task, choice)) return;
+  d.more_remains = true;
+  for (ModelScore* score : {&d.baseline, &d.extended})
+    for (Parameter& p : score->parameters) p.may_be_bent = true;
+}
+
 }  // namespace
 
 Diagnosis judged(const Asked& asked, double& lag_s) {
@@ -157,7 +167,10 @@ Diagnosis judged(const Asked& asked, double& lag_s) {
   runs::drop_undetermined(d, runs::motion_error(task, choice.base) < runs::kFollows);
   runs::drop_trifles(task, d);
   runs::name_zeros(task, d);
-  if (d.verdict == Verdict::kNone && !right) runs::doubt_numbers(task, choice.final, choice.final_left, d);
+  if (d.verdict == Verdict::kNone && !right) {
+    runs::doubt_numbers(task, choice.final, choice.final_left, d);
+    if (!answered && choice.named.empty()) doubt_all_numbers(task, choice, d);
+  }
   runs::say_scale(task, d);
   compare_nothing(d);
   state_rivals(d);

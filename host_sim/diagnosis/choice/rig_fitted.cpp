@@ -25,6 +25,42 @@ void from_smooth_start(const Task& task, const Model& start, State& s, double& p
   if (follows(task, smooth)) s = smooth, periods = reached;
 }
 
+// The friction that takes as much as a damper does over all records' motion: c times the integral of w^2 over that of |w|.
+double friction_like(const Task& task, const rig_file::Link& link, double viscous) {
+  double square = 0, way = 0;
+  for (const Prepared& p : task.records) {
+    const Vec none = Vec::Zero(p.guess[0].v.size());
+    const auto of = [&](int dof) -> const Vec& {
+      return dof >= 1 ? p.guess[static_cast<size_t>(dof - 1)].v : dof < 0 ? p.guess.back().v : none;
+    };
+    const Vec rate = of(link.a) - of(link.b);
+    square += rate.squaredNorm(), way += rate.cwiseAbs().sum();
+  }
+  return way > 0 ? viscous * square / way : 0;
+}
+
+// The other end of the valley: what the balance of forces shares between a link's damper and its friction is all friction's. Where the rig
+// with its frictions leaves more than a right one, it is fitted from there too, and the better is gone on from.
+void from_frictional_start(const Task& task, const Model& start, State& s) {
+  if (massless(start) || !s.fit.ok || motion_error(task, s) < kAsGoodAsRight) return;
+  State rough = s;
+  rough.model = start;
+  bool any = false;
+  for (ModelTerm& friction : rough.model)
+    for (ModelTerm& damper : rough.model) {
+      if (friction.term.kind != Kind::kCoulomb || damper.term.kind != Kind::kViscous || friction.known || damper.known ||
+          friction.term.link != damper.term.link || !(damper.value > 0))
+        continue;
+      const rig_file::Link& link = task.system.links[static_cast<size_t>(friction.term.link)];
+      friction.value = std::max(0.0, friction.value) + friction_like(task, link, damper.value);
+      damper.value = 0, any = true;
+    }
+  if (!any) return;
+  forget_states(rough);
+  rough.fit = fit(task.system, task.records, rough.model, rough.seen, kBaseSteps);
+  if (rough.fit.ok && error_over(rough.fit, s.fit) < 1) s = rough;
+}
+
 }  // namespace
 
 Choice rig_fitted(const Task& task) {
@@ -36,6 +72,7 @@ Choice rig_fitted(const Task& task) {
   choice.periods = horizon(task, now, longest_horizon(task.records), massless(now.model));
   from_smooth_start(task, start, now, choice.periods);
   if (!massless(start) && !follows(task, now, false)) over_longer(task, start, choice.periods, now);
+  from_frictional_start(task, start, now);
   settle_unseen(task, now);
   choice.base = choice.final = now;
   if (now.fit.ok) choice.base_left = choice.final_left = left_by(task.system, task.records, now);

@@ -9,12 +9,9 @@
 #include "host_sim/data_check/decay/release.hpp"
 #include "host_sim/data_check/drive/one_sign.hpp"
 #include "host_sim/programs/commands.hpp"
-#include "host_sim/programs/estimate/accelerometer_zero.hpp"
 #include "host_sim/programs/estimate/estimate_report_data.hpp"
-#include "host_sim/programs/estimate/estimation.hpp"
 #include "host_sim/programs/estimate/model_export.hpp"
-#include "host_sim/programs/estimate/oversampling.hpp"
-#include "host_sim/programs/estimate/slow_drift.hpp"
+#include "host_sim/programs/estimate/prepared_estimation.hpp"
 #include "host_sim/programs/estimate/swing_of_rate.hpp"
 #include "host_sim/programs/results/result_json.hpp"
 #include "host_sim/programs/results/result_table.hpp"
@@ -23,8 +20,6 @@
 #include "host_sim/programs/shared/human_output.hpp"
 #include "host_sim/programs/shared/inputs.hpp"
 #include "host_sim/programs/shared/one_heap.hpp"
-#include "host_sim/programs/shared/rest_balance.hpp"
-#include "host_sim/programs/shared/rest_position.hpp"
 #include "host_sim/programs/shared/shared_records.hpp"
 #include "host_sim/programs/shared/terminal.hpp"
 #include "host_sim/programs/shared/turned_force.hpp"
@@ -126,14 +121,9 @@ void estimate(const EstimateArguments& arguments) {
     estimation = estimate_records(model, records.get(), options);
   };
   check.beside([&] {
-    for (const std::string& told : {take_fewer_samples(model, records), take_off_drift(model, records)})
-      if (!told.empty()) notes.push_back(told);
-    const CountedFromRest rest = count_from_rest(model, records);
-    for (const auto& told : {rest.notes, take_off_accelerometer_zeros(records)})
-      notes.insert(notes.end(), told.begin(), told.end());
-    estimate_all();
-    if (balance_rest(rig_file::with_values(model, values_of(estimation.result)), rest.held_off, records))
-      estimate_all();
+    ProgressBar bar("estimating");
+    options.progress = [&bar](double share) { bar.show(share); };
+    estimation = estimate_prepared(model, records, options, notes);
   });
   if (data_check::turn_over(check.require(), records.own())) estimate_all();
   if (may_be_turned(model, records.get()) && says_turned(estimation.result)) {

@@ -192,6 +192,10 @@ std::string rest_text(const DiagnosisReportData& data) {
   if (bends != data.possible.end())
     return "What is left beyond measurement noise may be " + possible_text(data) +
            ", though too little of it to be sure; " + bends->bends + " would then be " + bends->to + ".";
+  if (data.more_remains)
+    return "What is left is no noise, though no effect of the vocabulary is borne out by it: a force that is missing "
+           "may be in the "
+           "numbers.";
   return data.leaves_noise_alone
              ? "Nothing is left beyond measurement noise that these data could show."
              : "What is left beyond measurement noise neither helps to predict unseen data nor moves a coefficient.";

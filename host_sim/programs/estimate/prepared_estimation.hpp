@@ -1,0 +1,16 @@
+// The estimation of records as a person has them: thinned, drifts and zeros taken off, then asked of the core.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "host_sim/programs/estimate/estimation.hpp"
+#include "host_sim/programs/shared/shared_records.hpp"
+
+namespace host_sim {
+
+// Changes the records to what the core is given, and leaves the units of converters' codes in the rig file to the data where those have
+// changed. notes: gets what to say of it. Where forces hold a displacement off its mean it is estimated twice. Throws as estimate_records().
+Estimation estimate_prepared(rig_file::RigModel& model, SharedRecords& records, const EstimationOptions& options,
+                             std::vector<std::string>& notes);
+
+}  // namespace host_sim
