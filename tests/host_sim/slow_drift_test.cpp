@@ -1,5 +1,5 @@
 // Velocities and accelerations that drift, and what is integrated of them.
-#include "host_sim/programs/estimate/slow_drift.hpp"
+#include "host_sim/programs/shared/slow_drift.hpp"
 
 #include <cmath>
 #include <cstdio>
@@ -44,18 +44,18 @@ TEST(SlowDrift, TheDriveBeginsAboveAGap) {
 
 // The faster of the two slow waves has 0.0625 Hz; its window reaches four bins further above 1 % of noise.
 TEST(SlowDrift, EndsWhereItMeetsTheNoise) {
-  const double end_Hz = host_sim::drift_end_Hz(recorded(1.0, 0.01, 4), kPeriod_s, 5.85, 0);
+  const double end_Hz = host_sim::drift_end_Hz(recorded(1.0, 0.01, 4), kPeriod_s, 5.85, 0, 0.0);
   EXPECT_GT(end_Hz, 0.0625);
   EXPECT_LT(end_Hz, 0.25);
   for (unsigned seed = 5; seed < 25; ++seed)
-    EXPECT_EQ(host_sim::drift_end_Hz(recorded(0.0, 0.01, seed), kPeriod_s, 5.85, 0), 0.0) << seed;
+    EXPECT_EQ(host_sim::drift_end_Hz(recorded(0.0, 0.01, seed), kPeriod_s, 5.85, 0, 0.0), 0.0) << seed;
 }
 
 // Of the tones' integral, some 11 Hz, half a percent of them at 0.05 Hz is as much: (11 / 0.05) * 0.005 = 1.1. A twentieth of that is nothing.
 TEST(SlowDrift, CountsByWhatItMakesOfTheIntegral) {
-  EXPECT_GT(host_sim::drift_end_Hz(recorded(0.25, 1e-4, 4), kPeriod_s, 5.85, 1), 0.0);
-  EXPECT_EQ(host_sim::drift_end_Hz(recorded(0.0125, 1e-4, 4), kPeriod_s, 5.85, 1), 0.0);
-  EXPECT_GT(host_sim::drift_end_Hz(recorded(0.0125, 1e-4, 4), kPeriod_s, 5.85, 2), 0.0);
+  EXPECT_GT(host_sim::drift_end_Hz(recorded(0.25, 1e-4, 4), kPeriod_s, 5.85, 1, 1.0), 0.0);
+  EXPECT_EQ(host_sim::drift_end_Hz(recorded(0.0125, 1e-4, 4), kPeriod_s, 5.85, 1, 1.0), 0.0);
+  EXPECT_GT(host_sim::drift_end_Hz(recorded(0.0125, 1e-4, 4), kPeriod_s, 5.85, 2, 1.0), 0.0);
 }
 
 // Half periods k = 1 to 2 * 0.2 Hz * 40 s = 16 are gone; a tone of 8 Hz is what it was but for 1 / (8 Hz * 40 s) at the ends.
@@ -112,6 +112,50 @@ TEST_F(DriftingVelocity, IsNotTakenForWhatTheRigLacks) {
     EXPECT_EQ(viscous["status"], "VALID") << result.output;
     EXPECT_NEAR(viscous["value"].get<double>(), 6.0, 4.0 * viscous["std"].get<double>());
     EXPECT_LT(viscous["std"].get<double>(), 0.3);
+  }
+}
+
+// The same rig with the force and 20 s of its displacement, which a sensor that warms up carries off by three times its rms, with a time
+// constant of half the record.
+class DriftingDisplacement : public DriftingVelocity {
+ protected:
+  std::string warm(double drift_m) {
+    std::mt19937 random(32);
+    std::normal_distribution<double> normal;
+    std::string text = "t_s,force_1_N,displacement_1_m\n";
+    for (int i = 0; i < kSamples / 2; ++i) {
+      const double t_s = kPeriod_s * i;
+      double x = 0.0, v = 0.0, a = 0.0;
+      for (int k = 0; k < 24; ++k) {
+        const double w = 2.0 * M_PI * (6.0 + 0.5 * k), phase = w * t_s + 0.7 * k * k;
+        x += 1e-3 * std::sin(phase), v += 1e-3 * w * std::cos(phase), a -= 1e-3 * w * w * std::sin(phase);
+      }
+      char row[96];
+      std::snprintf(row, sizeof row, "%.3f,%.9g,%.9g\n", t_s, 2.0 * a + 8000.0 * x + 6.0 * v + 0.2 * normal(random),
+                    x + drift_m * (1.0 - std::exp(-t_s / 10.0)) + 3.5e-6 * normal(random));
+      text += row;
+    }
+    return text;
+  }
+};
+
+TEST_F(DriftingDisplacement, PullsNoSpring) {
+  workspace_.write("rig.toml",
+                   "schema = \"rig/1\"\nname = \"slide\"\n[[dof]]\nmass_kg = 2.0\n[[link]]\nbetween = [1, 0]\n"
+                   "stiffness_N_m = 8000.0\nviscous_N_s_m = \"estimate\"\n");
+  for (const double drift_m : {0.0, 10e-3}) {
+    workspace_.write("x.csv", warm(drift_m));
+    const auto result = host_sim({"estimate", "--rig", "rig.toml", "--data", "x.csv", "--json", "out.json"});
+    ASSERT_EQ(result.status, 0) << result.errors << result.output;
+    EXPECT_EQ(result.output.find("displacement_1_m drifts") != std::string::npos, drift_m > 0.0) << result.output;
+    const auto estimated = json("out.json")["parameters"][0];
+    EXPECT_EQ(estimated["status"], "VALID") << result.output;
+    EXPECT_NEAR(estimated["value"].get<double>(), 6.0, 4.0 * estimated["std"].get<double>());
+    EXPECT_LT(estimated["std"].get<double>(), 0.1);
+    const auto diagnosed = host_sim({"diagnose", "--rig", "rig.toml", "--data", "x.csv", "--json", "out.json"});
+    ASSERT_EQ(diagnosed.status, 0) << diagnosed.errors;
+    EXPECT_EQ(json("out.json")["verdict"], "none") << diagnosed.output;
+    EXPECT_EQ(diagnosed.errors.find("displacement_1_m drifts") != std::string::npos, drift_m > 0.0) << diagnosed.errors;
   }
 }
 

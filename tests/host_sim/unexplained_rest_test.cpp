@@ -108,4 +108,43 @@ TEST_F(UnexplainedRest, AShortDecayIsFittedFromBothEndsOfItsValley) {
     EXPECT_NEAR(p["value"].get<double>(), p["name"] == "coulomb[1-0]" ? 1.2 : 6.5, 0.1) << sentence_;
 }
 
+// 1 kg between springs of 10 N/m, of which the further end is moved, and 0.5 N s/m. The displacement is counted from where the near spring pulls with
+// 16 N, ten times what it does on the rms: without that the rig file follows nothing.
+TEST_F(UnexplainedRest, ADisplacementThatCountsFromFarOffIsAConstantForce) {
+  workspace_.write(
+      "rig.toml",
+      "schema = \"rig/1\"\nname = \"between springs\"\n[[dof]]\nmass_kg = 1.0\n[[link]]\nbetween = [1, 0]\n"
+      "stiffness_N_m = \"estimate\"\nviscous_N_s_m = \"estimate\"\n[[link]]\nbetween = [1, \"base\"]\n"
+      "stiffness_N_m = \"estimate\"\n");
+  std::mt19937 random(5);
+  std::normal_distribution<double> normal;
+  std::string text = "t_s,displacement_1_m,displacement_base_m\n";
+  for (int i = 0; i < 2400; ++i) {
+    const double t = 0.02 * i;
+    double x = 0.0, v = 0.0, a = 0.0;
+    for (int k = 0; k < 12; ++k) {
+      const double w = 2.0 + 0.5 * k, phase = w * t + 0.7 * k * k;
+      x += 0.06 * std::sin(phase), v += 0.06 * w * std::cos(phase), a -= 0.06 * w * w * std::sin(phase);
+    }
+    char row[96];
+    std::snprintf(row, sizeof row, "%.2f,%.7g,%.7g\n", t, x + 2e-4 * normal(random),
+                  (a + 0.5 * v + 20.0 * x - 16.0) / 10.0 + 2e-4 * normal(random));
+    text += row;
+  }
+  workspace_.write("1.csv", text);
+  const auto result = host_sim({"diagnose", "--rig", "rig.toml", "--data", "1.csv", "--json", "out.json"});
+  ASSERT_EQ(result.status, 0) << result.errors;
+  const auto out = json("out.json");
+  ASSERT_EQ(out["causes"].size(), 1u) << result.output;
+  EXPECT_EQ(out["causes"][0]["effect"], "force_offset");
+  for (const auto& p : out["extended"]["parameters"]) {
+    if (p["name"] == "force_offset[1-0]") {
+      EXPECT_NEAR(p["value"].get<double>(), -16.0, 0.3) << result.output;
+    }
+    if (p["name"] == "viscous[1-0]") {
+      EXPECT_NEAR(p["value"].get<double>(), 0.5, 0.05) << result.output;
+    }
+  }
+}
+
 }  // namespace

@@ -12,6 +12,7 @@
 #include "host_sim/programs/diagnose/diagnosis_text.hpp"
 #include "host_sim/programs/diagnose/driven_records.hpp"
 #include "host_sim/programs/diagnose/energies_say.hpp"
+#include "host_sim/programs/diagnose/without_drift.hpp"
 #include "host_sim/programs/results/result_json.hpp"
 #include "host_sim/programs/shared/data_options.hpp"
 #include "host_sim/programs/shared/failures.hpp"
@@ -60,6 +61,8 @@ void diagnose(const DiagnoseArguments& arguments) {
       std::fprintf(stderr, "%s\n", told.c_str());
     line.begin("searching for what the rig file lacks");
     found = diagnosis::diagnose(model, training, holdout, options);
+    if (const std::string told = diagnose_without_drift(model, training, holdout, found); !told.empty())
+      std::fprintf(stderr, "%s\n", told.c_str());
     ask_energies(training, found);
     for (const std::string& told : data_check::ripples_of(check)) found.advice.push_back(told);
     for (std::vector<Record>* records : {&training, &holdout})

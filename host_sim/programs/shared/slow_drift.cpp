@@ -1,16 +1,18 @@
-#include "host_sim/programs/estimate/slow_drift.hpp"
+#include "host_sim/programs/shared/slow_drift.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 #include "hal/rig_file/compile_rig.hpp"
 #include "hal/rig_file/signal_plan.hpp"
 #include "host_sim/data_check/measures/spectrum.hpp"
 #include "host_sim/records/digitise.hpp"
 #include "host_sim/records/record_checks.hpp"
+#include "host_sim/vocabulary/held_in_place.hpp"
 
 namespace host_sim {
 namespace {
@@ -23,8 +25,12 @@ constexpr size_t kOfMean = 2;          // bins that a start from rest leaves of 
 constexpr double kStandsOut = 12.0;    // times the level, of one bin: chance in exp(-12)
 constexpr double kMedian = 0.6931;     // of a power of white noise, over its mean
 constexpr double kMatters = 1.0;       // of the power of the integral: as large as the displacement itself
-constexpr double kMostOfDrive = 0.25;
-constexpr size_t kFewestBins = 16;  // below the drive: fewer tell no level
+constexpr double kMostOfDrive = 0.35;  // the drive's lowest is told four bins too low
+constexpr size_t kFewestBins = 8, kFewestOfLevel = 6;  // below the drive: fewer tell no level
+// Of the power of a displacement, that is measured: a tenth of its rms. The springs' share of it stands in the equations as a constant force
+// does, while sensors are not better.
+constexpr double kSlowDisplacement = 0.01;
+constexpr double kNothingLeft = 1e-4;  // of its power: what a smooth drift has higher up is a hundredth of the rms
 
 struct Spectrum {
   std::vector<double> power;
@@ -68,11 +74,12 @@ double lowest_drive_Hz(const std::vector<double>& values, double sample_period_s
   return k <= 1 + 2 * kHalfMean ? 0.0 : static_cast<double>(k) * s.bin_Hz;
 }
 
-double drift_end_Hz(const std::vector<double>& values, double sample_period_s, double lowest_Hz, int integrations) {
+double drift_end_Hz(const std::vector<double>& values, double sample_period_s, double lowest_Hz, int integrations,
+                    double least_share) {
   const Spectrum s = spectrum_of(values, sample_period_s);
   const size_t half = static_cast<size_t>(0.5 * lowest_Hz / s.bin_Hz),
                most = std::min(static_cast<size_t>(0.9 * lowest_Hz / s.bin_Hz), s.power.size());
-  if (half < kFewestBins || most < half + kFewestBins / 2) return 0.0;
+  if (half < kFewestBins || most < half + kFewestOfLevel) return 0.0;
   const double level = data_check::median_power(s.power, half, most);
   size_t end = half;
   while (end > kOfMean && s.power[end] <= kStandsOut * level / kMedian) --end;
@@ -80,7 +87,9 @@ double drift_end_Hz(const std::vector<double>& values, double sample_period_s, d
   double slow = 0.0, motion = 0.0;  // of the integral
   for (size_t k = 1; k < s.power.size(); ++k)
     (k <= end ? slow : motion) += s.power[k] * std::pow(static_cast<double>(k), -2.0 * integrations);
-  if (integrations > 0 && slow < kMatters * motion) return 0.0;
+  if (slow < least_share * motion) return 0.0;
+  for (double left = 0.0; integrations == 0 && least_share > 0.0 && end > 1; --end)
+    if ((left += s.power[end]) > kNothingLeft * motion) break;
   return static_cast<double>(end + 1) * s.bin_Hz;
 }
 
@@ -98,37 +107,79 @@ void take_off_cosines(std::vector<double>& values, double sample_period_s, doubl
   }
 }
 
-std::string take_off_drift(const rig_file::RigModel& model, SharedRecords& records) {
-  const std::vector<Record>& given = records.get();
-  const std::vector<Channel>& channels = given.front().channels;
-  if (std::none_of(channels.begin(), channels.end(), [&](const Channel& c) { return is_integrated(given.front(), c); }))
-    return {};
-  const firmware::CoreConfiguration planned =
-      rig_file::compile_rig(model, given.front().sample_period_s, calibrate(given, model));
-  if (!rig_file::integrates(planned)) return {};
+namespace {
+
+// How often a channel is integrated, and from what share of the motion on its drift matters there.
+struct Asked {
+  int integrations = 0;
+  double least_share = 0.0;
+};
+
+// Nothing of a channel whose drift is nobody's loss.
+std::optional<Asked> asked_of(DriftOf which, const Record& record, const Channel& channel) {
+  if (is_drive(channel)) return Asked{};
+  if (which == DriftOf::kDisplacements)
+    return channel.quantity == Quantity::kDisplacement ? std::optional<Asked>({0, kSlowDisplacement}) : std::nullopt;
+  if (!is_integrated(record, channel)) return std::nullopt;
+  return Asked{channel.quantity == Quantity::kVelocity ? 1 : 2, kMatters};
+}
+
+// Below all that drives any record; 0: nothing does, or a drive reaches down to the record's length.
+double lowest_drive_of(const std::vector<Record>& records) {
   double lowest_Hz = INFINITY;
-  for (const Record& record : given)
+  for (const Record& record : records)
     for (const Channel& channel : record.channels)
       if (is_drive(channel)) lowest_Hz = std::min(lowest_Hz, lowest_drive_Hz(channel.values, record.sample_period_s));
-  if (!std::isfinite(lowest_Hz) || lowest_Hz == 0.0) return {};
-  double of_motion_Hz = 0.0, of_drives_Hz = 0.0;
-  for (const Record& record : given)
+  return std::isfinite(lowest_Hz) ? lowest_Hz : 0.0;
+}
+
+// Is there anything to ask? Of what is integrated the core's plan tells whether it is.
+bool concerns(DriftOf which, const rig_file::RigModel& model, const std::vector<Record>& records) {
+  if (which == DriftOf::kDisplacements) return vocabulary::held_in_place(model);  // what no spring holds wanders
+  const std::vector<Channel>& channels = records.front().channels;
+  return std::any_of(channels.begin(), channels.end(),
+                     [&](const Channel& c) { return is_integrated(records.front(), c); }) &&
+         rig_file::integrates(rig_file::compile_rig(model, records.front().sample_period_s, calibrate(records, model)));
+}
+
+}  // namespace
+
+Drift drift_of(DriftOf which, const rig_file::RigModel& model, const std::vector<Record>& records) {
+  Drift drift;
+  if (!concerns(which, model, records)) return {};
+  drift.lowest_drive_Hz = lowest_drive_of(records);
+  if (drift.lowest_drive_Hz == 0.0) return {};
+  double of_drives_Hz = 0.0;
+  for (const Record& record : records)
     for (const Channel& channel : record.channels) {
-      const bool integrated = is_integrated(record, channel);
-      const int times = !integrated ? 0 : channel.quantity == Quantity::kVelocity ? 1 : 2;
-      double& end_Hz = integrated ? of_motion_Hz : of_drives_Hz;
-      if (is_drive(channel) || integrated)
-        end_Hz = std::max(end_Hz, drift_end_Hz(channel.values, record.sample_period_s, lowest_Hz, times));
+      const auto asked = asked_of(which, record, channel);
+      if (!asked) continue;
+      const double end_Hz = drift_end_Hz(channel.values, record.sample_period_s, drift.lowest_drive_Hz,
+                                         asked->integrations, asked->least_share);
+      double& end_of_kind_Hz = is_drive(channel) ? of_drives_Hz : drift.end_Hz;
+      if (end_Hz > 0.0 && !is_drive(channel) && drift.channel.empty()) drift.channel = channel.name;
+      end_of_kind_Hz = std::max(end_of_kind_Hz, end_Hz);
     }
-  const double end_Hz = std::max(of_motion_Hz, of_drives_Hz);
-  if (of_motion_Hz == 0.0 || end_Hz > kMostOfDrive * lowest_Hz) return {};
-  for (Record& record : records.own())
-    for (Channel& channel : record.channels) take_off_cosines(channel.values, record.sample_period_s, end_Hz);
+  if (drift.end_Hz == 0.0) return {};
+  drift.end_Hz = std::max(drift.end_Hz, of_drives_Hz);
+  return drift.end_Hz > kMostOfDrive * drift.lowest_drive_Hz ? Drift{} : drift;
+}
+
+void take_off(DriftOf which, const Drift& drift, std::vector<Record>& records) {
+  for (Record& record : records)
+    for (Channel& channel : record.channels) {
+      take_off_cosines(channel.values, record.sample_period_s, drift.end_Hz);
+      if (which == DriftOf::kIntegrated) continue;
+      const double mean = std::accumulate(channel.values.begin(), channel.values.end(), 0.0) /
+                          static_cast<double>(channel.values.size());
+      for (double& value : channel.values) value -= mean;
+    }
+}
+
+std::string said_of(const Drift& drift) {
   return fmt::format(
-      "what is integrated drifts, and nothing drives the rig below {:.3g} Hz: what is slower than {:.2g} Hz is taken "
-      "off "
-      "all channels",
-      lowest_Hz, end_Hz);
+      "{} drifts, and nothing drives the rig below {:.3g} Hz: what is slower than {:.2g} Hz is taken off all channels",
+      drift.channel, drift.lowest_drive_Hz, drift.end_Hz);
 }
 
 }  // namespace host_sim
