@@ -1,9 +1,8 @@
-#include <algorithm>
-
 #include "advice.hpp"
 #include "answer/rows_borne_out.hpp"
 #include "channels/filtered_motion.hpp"
 #include "judged.hpp"
+#include "off_its_zero.hpp"
 #include "record/released.hpp"
 #include "record/riding.hpp"
 #include "sensors/ac_coupling.hpp"
@@ -17,9 +16,6 @@ const char* verdict_word(Verdict v) {
 }
 
 namespace {
-
-constexpr double kAllOfIt_percent = 100;  // of a signal, missed by a free run: not even its mean is right
-constexpr double kFollowed_percent = 50;  // a run that misses less is in phase
 
 // Also where all motion channels lag the force.
 Diagnosis judged_behind_filters(const Asked& asked) {
@@ -66,12 +62,6 @@ Diagnosis judged_as_coupled(const Asked& asked) {
   return pays_unseen(of_all, of_motion) ? of_all : of_motion;
 }
 
-bool describes(const Asked& asked) {
-  const System system = make_system(asked.rig, asked.ground_known);
-  const std::vector<runs::Prepared> records = runs::prepare_all(asked.rig, asked.training, asked.holdout);
-  return !runs::rig_fitted({system, records, asked.training.size()}).base_fits_nothing;
-}
-
 // Where the rig cannot describe the records at all it may be one kind of sensor that tells another story than the others of the same
 // DOFs: an acceleration that is noise, a slip of unit. What the others say, where the rig describes that.
 Diagnosis judged_by_those_that_agree(const Asked& asked) {
@@ -92,51 +82,8 @@ Diagnosis judged_by_those_that_agree(const Asked& asked) {
   return of_all;
 }
 
-double most_missed(const Diagnosis& d) {
-  const std::vector<double>& missed = d.extended.holdout_nrmse_percent;
-  return missed.empty() ? 1e300 : *std::max_element(missed.begin(), missed.end());
-}
-
-// The judgement of a rig with a constant force beside that of the rig as given: the force is its cause.
-Diagnosis with_offset_named(Diagnosis d, const Diagnosis& as_given, const rig_file::Link& link) {
-  const std::string label = rig_file::link_label(link);
-  Cause offset;
-  offset.effect = "force_offset", offset.where = "link " + label;
-  const std::string name = offset.effect + "[" + label + "]";
-  for (const Parameter& p : d.extended.parameters)
-    if (p.name == name) offset.parameters.push_back(p);
-  const double before = most_missed(as_given), after = most_missed(d);
-  offset.explains_percent = 100 * std::max(0.0, 1 - after / before);
-  d.causes.insert(d.causes.begin(), offset);
-  if (d.verdict == Verdict::kNone) d.verdict = d.more_remains ? Verdict::kPartly : Verdict::kExplained;
-  if (d.verdict == Verdict::kUnknown) d.verdict = Verdict::kPartly, d.more_remains = true;
-  d.baseline = as_given.baseline, d.baseline_misfit = as_given.baseline_misfit;
-  for (size_t i = 0; i < d.gain.size() && i < as_given.baseline.holdout_nrmse_percent.size(); ++i) {
-    const double was = as_given.baseline.holdout_nrmse_percent[i], is = d.extended.holdout_nrmse_percent[i];
-    d.gain[i] = is > 0 ? was / is : 1, d.remainder_percent[i] = was > 0 ? 100 * is / was : 100;
-  }
-  return d;
-}
-
-// A spring pulls towards its rest: where a displacement counts from far off it, a constant force as large as all others stands in the
-// equations, and a rig without it follows nothing. One that does so with such a force on a link lacks that.
-Diagnosis judged_off_its_zero(const Asked& asked) {
-  Diagnosis best = judged_by_those_that_agree(asked);
-  const bool astray = best.verdict == Verdict::kUnknown && best.causes.empty() && most_missed(best) > kAllOfIt_percent;
-  if (!astray && best.cannot_describe.empty()) return best;
-  const Diagnosis as_given = best;
-  const Options silent{asked.options.top_of_band, nullptr};
-  for (size_t l = 0; l < asked.rig.links.size(); ++l) {
-    if (asked.rig.links[l].b > 0) continue;
-    rig_file::RigModel rig = asked.rig;
-    rig.links[l].effects.push_back({"force_offset", {0.0, true}, {}});
-    const Asked off{rig, asked.training, asked.holdout, silent, asked.ground_known};
-    if (!describes(off)) continue;
-    const Diagnosis d = judged_by_those_that_agree(off);
-    if (d.cannot_describe.empty() && most_missed(d) < kFollowed_percent && most_missed(d) < most_missed(best))
-      best = with_offset_named(d, as_given, rig.links[l]);
-  }
-  return best;
+Diagnosis judged_wherever_it_rests(const Asked& asked) {
+  return judged_off_its_zero(asked, judged_by_those_that_agree);
 }
 
 }  // namespace
@@ -146,13 +93,13 @@ Diagnosis diagnose(const rig_file::RigModel& rig, const std::vector<host_sim::Re
   if (training.empty()) throw CannotAnswer("no record to diagnose");
   if (!on_measured_base(rig, training)) {
     if (!any_begins_held(training) && !any_begins_held(holdout))
-      return judged_off_its_zero({rig, training, holdout, options});
+      return judged_wherever_it_rests({rig, training, holdout, options});
     const std::vector<host_sim::Record> released_training = from_release(training),
                                         released_holdout = from_release(holdout);
-    return judged_off_its_zero({rig, released_training, released_holdout, options});
+    return judged_wherever_it_rests({rig, released_training, released_holdout, options});
   }
   const std::vector<host_sim::Record> riding_training = riding(rig, training), riding_holdout = riding(rig, holdout);
-  return judged_off_its_zero({rig, riding_training, riding_holdout, options, !base_runs_on(training)});
+  return judged_wherever_it_rests({rig, riding_training, riding_holdout, options, !base_runs_on(training)});
 }
 
 }  // namespace diagnosis

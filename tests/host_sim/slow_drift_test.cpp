@@ -1,5 +1,5 @@
 // Velocities and accelerations that drift, and what is integrated of them.
-#include "host_sim/programs/shared/slow_drift.hpp"
+#include "host_sim/programs/shared/slow_part.hpp"
 
 #include <cmath>
 #include <cstdio>

@@ -9,7 +9,7 @@
 
 #include "hal/rig_file/compile_rig.hpp"
 #include "hal/rig_file/signal_plan.hpp"
-#include "host_sim/data_check/measures/spectrum.hpp"
+#include "host_sim/programs/shared/slow_part.hpp"
 #include "host_sim/records/digitise.hpp"
 #include "host_sim/records/record_checks.hpp"
 #include "host_sim/vocabulary/held_in_place.hpp"
@@ -17,33 +17,11 @@
 namespace host_sim {
 namespace {
 
-constexpr double kDriven = 4.0;        // times the noise, of a mean over nine bins
-constexpr double kLeastOfPeak = 1e-6;  // of the strongest bin: less is what the window leaves of it
-constexpr double kMostBelow = 0.01;    // of the channel's power: a drift of a tenth of its rms
-constexpr size_t kHalfMean = 4;        // bins on either side
-constexpr size_t kOfMean = 2;          // bins that a start from rest leaves of the mean under the window
-constexpr double kStandsOut = 12.0;    // times the level, of one bin: chance in exp(-12)
-constexpr double kMedian = 0.6931;     // of a power of white noise, over its mean
 constexpr double kMatters = 1.0;       // of the power of the integral: as large as the displacement itself
 constexpr double kMostOfDrive = 0.35;  // the drive's lowest is told four bins too low
-constexpr size_t kFewestBins = 8, kFewestOfLevel = 6;  // below the drive: fewer tell no level
 // Of the power of a displacement, that is measured: a tenth of its rms. The springs' share of it stands in the equations as a constant force
 // does, while sensors are not better.
 constexpr double kSlowDisplacement = 0.01;
-constexpr double kNothingLeft = 1e-4;  // of its power: what a smooth drift has higher up is a hundredth of the rms
-
-struct Spectrum {
-  std::vector<double> power;
-  double bin_Hz = 0.0;
-};
-
-Spectrum spectrum_of(const std::vector<double>& values, double sample_period_s) {
-  const size_t length = data_check::quick_length(values.size());
-  const double mean =
-      std::accumulate(values.begin(), values.begin() + static_cast<long>(length), 0.0) / static_cast<double>(length);
-  return {data_check::power_spectrum(values.data(), length, mean),
-          1.0 / (static_cast<double>(length) * sample_period_s)};
-}
 
 // A channel of motion of which an integral is made: nothing lower is measured at its DOF.
 bool is_integrated(const Record& record, const Channel& channel) {
@@ -51,63 +29,6 @@ bool is_integrated(const Record& record, const Channel& channel) {
   if (record.find(Quantity::kDisplacement, channel.dof) != nullptr) return false;
   return channel.quantity == Quantity::kVelocity || record.find(Quantity::kVelocity, channel.dof) == nullptr;
 }
-
-}  // namespace
-
-double lowest_drive_Hz(const std::vector<double>& values, double sample_period_s) {
-  const Spectrum s = spectrum_of(values, sample_period_s);
-  const size_t bins = s.power.size();
-  if (bins < 8 * kHalfMean) return 0.0;
-  const double noise = data_check::median_power(s.power, 3 * bins / 4, bins) / kMedian;
-  const double least = std::max(kDriven * noise, kLeastOfPeak * *std::max_element(s.power.begin() + 1, s.power.end()));
-  const auto drives_at = [&](size_t k) {
-    const double sum = std::accumulate(s.power.begin() + static_cast<long>(k - kHalfMean),
-                                       s.power.begin() + static_cast<long>(k + kHalfMean + 1), 0.0);
-    return sum > least * (2.0 * kHalfMean + 1.0);
-  };
-  double whole = 0.0, below = 0.0;
-  for (size_t k = 1; k < bins; ++k) whole += std::max(0.0, s.power[k] - noise);
-  size_t k = 1;
-  for (; k < bins && below <= kMostBelow * whole; ++k) below += std::max(0.0, s.power[k] - noise);
-  if (k + kHalfMean >= bins) return 0.0;
-  while (k > 1 + kHalfMean && drives_at(k)) --k;
-  return k <= 1 + 2 * kHalfMean ? 0.0 : static_cast<double>(k) * s.bin_Hz;
-}
-
-double drift_end_Hz(const std::vector<double>& values, double sample_period_s, double lowest_Hz, int integrations,
-                    double least_share) {
-  const Spectrum s = spectrum_of(values, sample_period_s);
-  const size_t half = static_cast<size_t>(0.5 * lowest_Hz / s.bin_Hz),
-               most = std::min(static_cast<size_t>(0.9 * lowest_Hz / s.bin_Hz), s.power.size());
-  if (half < kFewestBins || most < half + kFewestOfLevel) return 0.0;
-  const double level = data_check::median_power(s.power, half, most);
-  size_t end = half;
-  while (end > kOfMean && s.power[end] <= kStandsOut * level / kMedian) --end;
-  if (end <= kOfMean) return 0.0;
-  double slow = 0.0, motion = 0.0;  // of the integral
-  for (size_t k = 1; k < s.power.size(); ++k)
-    (k <= end ? slow : motion) += s.power[k] * std::pow(static_cast<double>(k), -2.0 * integrations);
-  if (slow < least_share * motion) return 0.0;
-  for (double left = 0.0; integrations == 0 && least_share > 0.0 && end > 1; --end)
-    if ((left += s.power[end]) > kNothingLeft * motion) break;
-  return static_cast<double>(end + 1) * s.bin_Hz;
-}
-
-void take_off_cosines(std::vector<double>& values, double sample_period_s, double end_Hz) {
-  const double n = static_cast<double>(values.size());
-  const size_t count = static_cast<size_t>(2.0 * end_Hz * n * sample_period_s);
-  std::vector<double> cosine(values.size());
-  for (size_t k = 1; k <= count; ++k) {
-    double sum = 0.0;
-    for (size_t i = 0; i < values.size(); ++i) {
-      cosine[i] = std::cos(M_PI * static_cast<double>(k) * (static_cast<double>(i) + 0.5) / n);
-      sum += cosine[i] * values[i];
-    }
-    for (size_t i = 0; i < values.size(); ++i) values[i] -= 2.0 / n * sum * cosine[i];
-  }
-}
-
-namespace {
 
 // How often a channel is integrated, and from what share of the motion on its drift matters there.
 struct Asked {
