@@ -48,8 +48,8 @@ void from_frictional_start(const Task& task, const Model& start, State& s) {
   bool any = false;
   for (ModelTerm& friction : rough.model)
     for (ModelTerm& damper : rough.model) {
-      if (friction.term.kind != Kind::kCoulomb || damper.term.kind != Kind::kViscous || friction.known || damper.known ||
-          friction.term.link != damper.term.link || !(damper.value > 0))
+      if (friction.term.kind != Kind::kCoulomb || damper.term.kind != Kind::kViscous || friction.known ||
+          damper.known || friction.term.link != damper.term.link || !(damper.value > 0))
         continue;
       const rig_file::Link& link = task.system.links[static_cast<size_t>(friction.term.link)];
       friction.value = std::max(0.0, friction.value) + friction_like(task, link, damper.value);
