@@ -109,7 +109,7 @@ struct Diagnosis {
   std::string unknown_trace;                     // what the unexplained force looks like, where it leaves a plain trace
   double baseline_misfit = 0;                    // chi-squared per degree of freedom: 1 is noise alone
   double extended_misfit = 0;
-  bool driven = true;         // by a force that is measured, or by a base
+  bool driven = true;  // by a force that is measured, or by a base
   // Beside the named causes, whichever of a set they are, or the rig as given that explains the measurement: more than noise.
   bool more_remains = false;
   rig_file::RigModel extended_rig;
