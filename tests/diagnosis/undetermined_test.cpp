@@ -69,5 +69,17 @@ TEST(UndeterminedNumbers, IsHeldAgainstTheWholeForceOfTheLink) {
   EXPECT_EQ(statuses(OneLink().with(2, 4, 0.2)), "VALID VALID ");
 }
 
+// A torque of gravity of 7.6 +- 8.1 N m is none, one of 7.6 +- 0.8 N m is one.
+TEST(UndeterminedNumbers, AWeightIsHeldAgainstItself) {
+  for (const double std : {4.15, 0.4}) {
+    const OneLink rig;
+    const System system = make_system(rig.rig);
+    Diagnosis d;
+    d.baseline.parameters = {{"gravity_torque[1-0]", 7.6, "N m", std}};
+    mark_undetermined(Task{system, rig.records, 1}, d);
+    EXPECT_EQ(statuses(d), std > 1 ? "ILL_CONDITIONED " : "VALID ");
+  }
+}
+
 }  // namespace
 }  // namespace diagnosis::runs

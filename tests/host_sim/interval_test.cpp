@@ -42,4 +42,21 @@ TEST(Interval, IsToldWhereItIsKnown) {
             (Words{"stiffness[1-0]", "32.68221", "32.68221", "32.68221", "N/m", "VALID"}));
 }
 
+// Whether the table of one damper of this value +- 1 has these words.
+bool says(double value, EstimateStatus status, const std::string& words) {
+  host_sim::EstimateResult result;
+  host_sim::ParameterResult parameter;
+  parameter.info.name = "viscous[1-0]", parameter.info.unit = "N s/m";
+  parameter.value = value, parameter.std = 0.5, parameter.status = status;
+  parameter.ci95_low = value - 1.0, parameter.ci95_high = value + 1.0;
+  result.parameters = {parameter}, result.warrant.tested = true;
+  return host_sim::format_table(result, false, 0).find(words) != std::string::npos;
+}
+
+TEST(Contradiction, ANumberThatCannotBeIsNotNothing) {
+  EXPECT_TRUE(says(-3.0, EstimateStatus::kModelSuspect, "viscous[1-0] is below nought, which cannot be"));
+  EXPECT_FALSE(says(-3.0, EstimateStatus::kModelSuspect, "finds nothing"));
+  EXPECT_TRUE(says(3.0, EstimateStatus::kValid, "finds nothing"));
+}
+
 }  // namespace

@@ -33,8 +33,9 @@ bool reaches_beyond(const diagnosis::Parameter& p, double per_unit, double all) 
 }
 
 void mark(const Task& task, std::vector<diagnosis::Parameter>& list) {
+  const auto is = [](const diagnosis::Parameter& p, const char* word) { return p.name.rfind(word, 0) == 0; };
   for (diagnosis::Parameter& p : list)
-    if (p.std > 0 && (p.name.rfind("mass[", 0) == 0 || p.name.rfind("stiffness[", 0) == 0))
+    if (p.std > 0 && (is(p, "mass[") || is(p, "stiffness[") || is(p, "gravity_torque[")))
       p.undetermined = p.undetermined || reaches_beyond(p, 1, std::abs(p.value));
   for (size_t l = 0; l < task.system.known_links; ++l) {
     const rig_file::Link& link = task.system.links[l];

@@ -103,6 +103,16 @@ std::string format_fit(const EstimateResult& result) {
   return text;
 }
 
+// A coefficient that is surely below nought, where it cannot be, contradicts the rig file though no force stands out.
+std::string said_of_model(const EstimateResult& result) {
+  for (const ParameterResult& p : result.parameters)
+    if (result.warrant.named.effect.empty() && p.status == firmware::EstimateStatus::kModelSuspect && p.ci95_high < 0)
+      return p.info.name +
+             " is below nought, which cannot be: another law has its place, and no other number is to be relied on "
+             "before the rig file has it (diagnose looks for it)";
+  return warrant_text(result.warrant);
+}
+
 }  // namespace
 
 std::string format_table(const EstimateResult& result, bool colours, int width) {
@@ -118,7 +128,7 @@ std::string format_table(const EstimateResult& result, bool colours, int width) 
       const std::string cell = padded(column.cells[row], last ? 0 : column.width(), column.right);
       text += last ? coloured(cell, colour_of(result.parameters[row].status), colours) + "\n" : cell + gap;
     }
-  for (const std::string& line : {warrant_text(result.warrant), after_suspicion(result.warrant)})
+  for (const std::string& line : {said_of_model(result), after_suspicion(result.warrant)})
     if (!line.empty()) text += wrapped(line, width, "  ") + "\n";
   std::istringstream fit(format_fit(result));
   for (std::string line; std::getline(fit, line);) text += wrapped(line, width, "  ") + "\n";
