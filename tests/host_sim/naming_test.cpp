@@ -46,7 +46,8 @@ TEST(NamingText, NoShareIsToldOfWhatIsNotToldApart) {
 }
 
 // A pendulum, I = 0.2 kg m^2, G = 4.5 N m, c = 0.004 N m s, friction of 0.03 N m, that swings from 0.5 rad and comes to rest, seen by a
-// gyroscope whose zero walks. Integrated, its angle goes on after the rest, where no torque does: that looks like a spring of about -G.
+// gyroscope whose zero walks. Integrated, its angle goes on after the rest, where no torque does: that looks like a spring of about -G where the
+// record is read from its beginning.
 std::string gyroscope(double walk_rad_s) {
   constexpr double kInertia = 0.2, kGravity = 4.5, kViscous = 0.004, kFriction = 0.03, kStep_s = 5e-4;
   std::mt19937 random(1);
@@ -84,15 +85,15 @@ class NamingOnRecords : public test_support::ProgramTest {
   std::string said_;
 };
 
+// The rig file has no friction, and says so much: something is missing, and it is no spring.
 TEST_F(NamingOnRecords, WhatIntegrationMakesOfSlowNoiseIsNoStiffness) {
   const auto warrant = warrant_with(0.0012);
   EXPECT_FALSE(warrant.contains("suspect")) << warrant;
   ASSERT_TRUE(warrant.contains("nearest")) << warrant;
-  EXPECT_EQ(warrant["nearest"]["effect"], "stiffness_error");
-  EXPECT_NEAR(warrant["nearest"]["size"].get<double>(), -4.5, 0.7);
-  EXPECT_NE(warrant["nearest"]["not_the_cause"].get<std::string>().find("integration"), std::string::npos);
+  EXPECT_NE(warrant["nearest"]["effect"], "stiffness_error");
   EXPECT_NE(said_.find("none of the board's candidates"), std::string::npos) << said_;
   EXPECT_EQ(said_.find("suspects"), std::string::npos) << said_;
+  EXPECT_NEAR(value(json("out.json"), "mass[1]"), 0.2, 0.002);
 }
 
 }  // namespace

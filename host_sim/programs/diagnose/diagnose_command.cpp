@@ -18,6 +18,7 @@
 #include "host_sim/programs/shared/failures.hpp"
 #include "host_sim/programs/shared/human_output.hpp"
 #include "host_sim/programs/shared/inputs.hpp"
+#include "host_sim/programs/shared/one_heap.hpp"
 #include "host_sim/programs/shared/stage_line.hpp"
 #include "host_sim/programs/shared/terminal.hpp"
 #include "host_sim/records/record_checks.hpp"
@@ -36,6 +37,7 @@ struct DiagnoseArguments {
 };
 
 void diagnose(const DiagnoseArguments& arguments) {
+  use_one_heap();
   const rig_file::RigModel model = read_rig(arguments.rig);
   ResultTarget json(arguments.json), extended_rig(arguments.extended_rig);
   std::FILE* const people = human_stream(json, extended_rig);
