@@ -17,8 +17,8 @@
 namespace host_sim {
 namespace {
 
-constexpr double kMatters = 1.0;       // of the power of the integral: as large as the displacement itself
-constexpr double kMostOfDrive = 0.35;  // the drive's lowest is told four bins too low
+constexpr double kMatters = 1.0;  // of the power of the integral: as large as the displacement itself
+constexpr double kMostOfDrive = 0.25, kMostBesideMeasured = 0.35;  // the drive's lowest is told four bins too low
 // Of the power of a displacement, that is measured: a tenth of its rms. The springs' share of it stands in the equations as a constant force
 // does, while sensors are not better.
 constexpr double kSlowDisplacement = 0.01;
@@ -83,7 +83,8 @@ Drift drift_of(DriftOf which, const rig_file::RigModel& model, const std::vector
     }
   if (drift.end_Hz == 0.0) return {};
   drift.end_Hz = std::max(drift.end_Hz, of_drives_Hz);
-  return drift.end_Hz > kMostOfDrive * drift.lowest_drive_Hz ? Drift{} : drift;
+  const double most = which == DriftOf::kDisplacements ? kMostBesideMeasured : kMostOfDrive;
+  return drift.end_Hz > most * drift.lowest_drive_Hz ? Drift{} : drift;
 }
 
 void take_off(DriftOf which, const Drift& drift, std::vector<Record>& records) {

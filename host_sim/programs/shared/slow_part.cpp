@@ -16,8 +16,10 @@ constexpr size_t kHalfMean = 4;        // bins on either side
 constexpr size_t kOfMean = 2;          // bins that a start from rest leaves of the mean under the window
 constexpr double kStandsOut = 12.0;    // times the level, of one bin: chance in exp(-12)
 constexpr double kMedian = 0.6931;     // of a power of white noise, over its mean
-constexpr size_t kFewestBins = 8, kFewestOfLevel = 6;  // below the drive: fewer tell no level
-constexpr double kNothingLeft = 1e-4;  // of its power: what a smooth drift has higher up is a hundredth of the rms
+constexpr size_t kFewestBins = 16, kFewestOfLevel = 8;  // below the drive: fewer tell no level
+constexpr size_t kFewestOfMeasured = 8,
+                 kFewestOfItsLevel = 6;  // of a displacement, whose drift has to be a tenth of it besides
+constexpr double kNothingLeft = 1e-4;    // of its power: what a smooth drift has higher up is a hundredth of the rms
 
 struct Spectrum {
   std::vector<double> power;
@@ -59,7 +61,10 @@ double drift_end_Hz(const std::vector<double>& values, double sample_period_s, d
   const Spectrum s = spectrum_of(values, sample_period_s);
   const size_t half = static_cast<size_t>(0.5 * lowest_Hz / s.bin_Hz),
                most = std::min(static_cast<size_t>(0.9 * lowest_Hz / s.bin_Hz), s.power.size());
-  if (half < kFewestBins || most < half + kFewestOfLevel) return 0.0;
+  const bool measured = integrations == 0 && least_share > 0.0;
+  if (half < (measured ? kFewestOfMeasured : kFewestBins) ||
+      most < half + (measured ? kFewestOfItsLevel : kFewestOfLevel))
+    return 0.0;
   const double level = data_check::median_power(s.power, half, most);
   size_t end = half;
   while (end > kOfMean && s.power[end] <= kStandsOut * level / kMedian) --end;
@@ -68,7 +73,7 @@ double drift_end_Hz(const std::vector<double>& values, double sample_period_s, d
   for (size_t k = 1; k < s.power.size(); ++k)
     (k <= end ? slow : motion) += s.power[k] * std::pow(static_cast<double>(k), -2.0 * integrations);
   if (slow < least_share * motion) return 0.0;
-  for (double left = 0.0; integrations == 0 && least_share > 0.0 && end > 1; --end)
+  for (double left = 0.0; measured && end > 1; --end)
     if ((left += s.power[end]) > kNothingLeft * motion) break;
   return static_cast<double>(end + 1) * s.bin_Hz;
 }
