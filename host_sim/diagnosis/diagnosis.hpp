@@ -67,6 +67,11 @@ struct RankedCandidate {
 struct ModelScore {
   std::vector<Parameter> parameters;
   std::vector<double> holdout_nrmse_percent;  // displacement, per DOF
+  // Of the worst DOF; huge where nothing was run.
+  double most_missed_percent() const {
+    const auto worst = std::max_element(holdout_nrmse_percent.begin(), holdout_nrmse_percent.end());
+    return worst == holdout_nrmse_percent.end() ? 1e300 : *worst;
+  }
   std::vector<double> holdout_velocity_nrmse_percent;
   std::vector<double> holdout_mse_percent;  // acceleration, Eq. 13, per DOF
 };

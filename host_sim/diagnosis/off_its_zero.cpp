@@ -10,11 +10,6 @@ namespace {
 constexpr double kAllOfIt_percent = 100;  // of a signal, missed by a free run: not even its mean is right
 constexpr double kFollowed_percent = 50;  // a run that misses less is in phase
 
-double most_missed(const Diagnosis& d) {
-  const std::vector<double>& missed = d.extended.holdout_nrmse_percent;
-  return missed.empty() ? 1e300 : *std::max_element(missed.begin(), missed.end());
-}
-
 // The judgement of a rig with a constant force beside that of the rig as given: the force is its cause.
 Diagnosis with_offset_named(Diagnosis d, const Diagnosis& as_given, const rig_file::Link& link) {
   const std::string label = rig_file::link_label(link);
@@ -23,7 +18,7 @@ Diagnosis with_offset_named(Diagnosis d, const Diagnosis& as_given, const rig_fi
   const std::string name = offset.effect + "[" + label + "]";
   for (const Parameter& p : d.extended.parameters)
     if (p.name == name) offset.parameters.push_back(p);
-  const double before = most_missed(as_given), after = most_missed(d);
+  const double before = as_given.extended.most_missed_percent(), after = d.extended.most_missed_percent();
   offset.explains_percent = 100 * std::max(0.0, 1 - after / before);
   d.causes.insert(d.causes.begin(), offset);
   if (d.verdict == Verdict::kNone) d.verdict = d.more_remains ? Verdict::kPartly : Verdict::kExplained;
@@ -46,7 +41,8 @@ bool describes(const Asked& asked) {
 
 Diagnosis judged_off_its_zero(const Asked& asked, Diagnosis (*judge)(const Asked&)) {
   Diagnosis best = judge(asked);
-  const bool astray = best.verdict == Verdict::kUnknown && best.causes.empty() && most_missed(best) > kAllOfIt_percent;
+  const bool astray = best.verdict == Verdict::kUnknown && best.causes.empty() &&
+                      best.extended.most_missed_percent() > kAllOfIt_percent;
   if (!astray && best.cannot_describe.empty()) return best;
   const Diagnosis as_given = best;
   const Options silent{asked.options.top_of_band, nullptr};
@@ -57,7 +53,8 @@ Diagnosis judged_off_its_zero(const Asked& asked, Diagnosis (*judge)(const Asked
     const Asked off{rig, asked.training, asked.holdout, silent, asked.ground_known};
     if (!describes(off)) continue;
     const Diagnosis d = judge(off);
-    if (d.cannot_describe.empty() && most_missed(d) < kFollowed_percent && most_missed(d) < most_missed(best))
+    if (d.cannot_describe.empty() && d.extended.most_missed_percent() < kFollowed_percent &&
+        d.extended.most_missed_percent() < best.extended.most_missed_percent())
       best = with_offset_named(d, as_given, rig.links[l]);
   }
   return best;

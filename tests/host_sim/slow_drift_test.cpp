@@ -1,10 +1,9 @@
 // Velocities and accelerations that drift, and what is integrated of them.
-#include "host_sim/programs/shared/slow_part.hpp"
-
 #include <cmath>
 #include <cstdio>
 #include <random>
 
+#include "host_sim/programs/shared/slow_part.hpp"
 #include "tests/host_sim/program_test.hpp"
 
 namespace {
@@ -78,17 +77,29 @@ TEST(SlowDrift, TakesOffCosinesAndNoMore) {
 // large as the displacement of 10 Hz is.
 class DriftingVelocity : public test_support::ProgramTest {
  protected:
+  void SetUp() override {
+    workspace_.write("rig.toml",
+                     "schema = \"rig/1\"\nname = \"slide\"\n[[dof]]\nmass_kg = 2.0\n[[link]]\nbetween = [1, 0]\n"
+                     "stiffness_N_m = 8000.0\nviscous_N_s_m = \"estimate\"\n");
+  }
+  struct Motion {
+    double x = 0.0, v = 0.0, a = 0.0;
+  };
+  static Motion motion(double t_s) {
+    Motion m;
+    for (int k = 0; k < 24; ++k) {
+      const double w = 2.0 * M_PI * (6.0 + 0.5 * k), phase = w * t_s + 0.7 * k * k;
+      m.x += 1e-3 * std::sin(phase), m.v += 1e-3 * w * std::cos(phase), m.a -= 1e-3 * w * w * std::sin(phase);
+    }
+    return m;
+  }
   std::string record(double slow) {
     std::mt19937 random(31);
     std::normal_distribution<double> normal;
     std::string text = "t_s,force_1_N,velocity_1_m_s\n";
     for (int i = 0; i < kSamples; ++i) {
       const double t_s = kPeriod_s * i;
-      double x = 0.0, v = 0.0, a = 0.0;
-      for (int k = 0; k < 24; ++k) {
-        const double w = 2.0 * M_PI * (6.0 + 0.5 * k), phase = w * t_s + 0.7 * k * k;
-        x += 1e-3 * std::sin(phase), v += 1e-3 * w * std::cos(phase), a -= 1e-3 * w * w * std::sin(phase);
-      }
+      const auto [x, v, a] = motion(t_s);
       char row[96];
       std::snprintf(row, sizeof row, "%.3f,%.9g,%.9g\n", t_s, 2.0 * a + 8000.0 * x + 6.0 * v + 0.2 * normal(random),
                     v + 0.26 * (slow * drift(t_s) + 0.01 * normal(random)));
@@ -99,9 +110,6 @@ class DriftingVelocity : public test_support::ProgramTest {
 };
 
 TEST_F(DriftingVelocity, IsNotTakenForWhatTheRigLacks) {
-  workspace_.write("rig.toml",
-                   "schema = \"rig/1\"\nname = \"slide\"\n[[dof]]\nmass_kg = 2.0\n[[link]]\nbetween = [1, 0]\n"
-                   "stiffness_N_m = 8000.0\nviscous_N_s_m = \"estimate\"\n");
   for (const double slow : {0.0, 1.0}) {
     workspace_.write("v.csv", record(slow));
     const auto result = host_sim({"estimate", "--rig", "rig.toml", "--data", "v.csv", "--json", "out.json"});
@@ -125,11 +133,7 @@ class DriftingDisplacement : public DriftingVelocity {
     std::string text = "t_s,force_1_N,displacement_1_m\n";
     for (int i = 0; i < kSamples / 2; ++i) {
       const double t_s = kPeriod_s * i;
-      double x = 0.0, v = 0.0, a = 0.0;
-      for (int k = 0; k < 24; ++k) {
-        const double w = 2.0 * M_PI * (6.0 + 0.5 * k), phase = w * t_s + 0.7 * k * k;
-        x += 1e-3 * std::sin(phase), v += 1e-3 * w * std::cos(phase), a -= 1e-3 * w * w * std::sin(phase);
-      }
+      const auto [x, v, a] = motion(t_s);
       char row[96];
       std::snprintf(row, sizeof row, "%.3f,%.9g,%.9g\n", t_s, 2.0 * a + 8000.0 * x + 6.0 * v + 0.2 * normal(random),
                     x + drift_m * (1.0 - std::exp(-t_s / 10.0)) + 3.5e-6 * normal(random));
@@ -140,9 +144,6 @@ class DriftingDisplacement : public DriftingVelocity {
 };
 
 TEST_F(DriftingDisplacement, PullsNoSpring) {
-  workspace_.write("rig.toml",
-                   "schema = \"rig/1\"\nname = \"slide\"\n[[dof]]\nmass_kg = 2.0\n[[link]]\nbetween = [1, 0]\n"
-                   "stiffness_N_m = 8000.0\nviscous_N_s_m = \"estimate\"\n");
   for (const double drift_m : {0.0, 10e-3}) {
     workspace_.write("x.csv", warm(drift_m));
     const auto result = host_sim({"estimate", "--rig", "rig.toml", "--data", "x.csv", "--json", "out.json"});

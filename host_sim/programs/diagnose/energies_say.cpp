@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "hal/rig_file/compile_rig.hpp"
+#include "host_sim/diagnosis/residual/most_noise.hpp"
 #include "host_sim/programs/estimate/prepared_estimation.hpp"
 
 namespace host_sim {
@@ -13,12 +14,10 @@ using diagnosis::Diagnosis;
 using diagnosis::Verdict;
 using firmware::EstimateStatus;
 
-constexpr double kBeyondNoise = 3;  // bands of few lines scatter by as much, as in the diagnosis itself
-
 bool can_be_asked(const Diagnosis& found) {
   const bool content = found.verdict == Verdict::kNone || found.verdict == Verdict::kExplained;
   const auto of_channel = [](const diagnosis::Cause& c) { return c.where.rfind("channel ", 0) == 0; };
-  return content && found.extended_misfit > kBeyondNoise && !found.extended.parameters.empty() &&
+  return content && found.extended_misfit > diagnosis::runs::kBeyondNoise && !found.extended.parameters.empty() &&
          std::none_of(found.causes.begin(), found.causes.end(), of_channel) &&
          rig_file::simulator_only_effects(found.extended_rig).empty();
 }

@@ -1,7 +1,5 @@
 #include "host_sim/programs/diagnose/without_drift.hpp"
 
-#include <algorithm>
-
 #include "host_sim/programs/shared/slow_drift.hpp"
 
 namespace host_sim {
@@ -11,11 +9,6 @@ using diagnosis::Diagnosis;
 using diagnosis::Verdict;
 
 constexpr double kMuchLess = 0.5;  // of what a free run of unseen data misses
-
-double most_missed(const Diagnosis& d) {
-  const std::vector<double>& missed = d.extended.holdout_nrmse_percent;
-  return missed.empty() ? 1e300 : *std::max_element(missed.begin(), missed.end());
-}
 
 }  // namespace
 
@@ -27,7 +20,8 @@ std::string diagnose_without_drift(const rig_file::RigModel& rig, std::vector<Re
   std::vector<Record> fitted = training, others = unseen;
   take_off(DriftOf::kDisplacements, drift, fitted), take_off(DriftOf::kDisplacements, drift, others);
   Diagnosis d = diagnosis::diagnose(rig, fitted, others);
-  if (!d.cannot_describe.empty() || most_missed(d) > kMuchLess * most_missed(found)) return "";
+  if (!d.cannot_describe.empty() || d.extended.most_missed_percent() > kMuchLess * found.extended.most_missed_percent())
+    return "";
   found = d, training = fitted, unseen = others;
   return said_of(drift);
 }

@@ -115,16 +115,13 @@ void estimate(const EstimateArguments& arguments) {
   options.frames = !arguments.log.empty();
   if (arguments.frequency_Hz > 0.0) options.excitation_Hz = arguments.frequency_Hz;
   Estimation estimation;
-  const auto estimate_all = [&] {
+  const auto watched = [&](const auto& work) {
     ProgressBar bar("estimating");
     options.progress = [&bar](double share) { bar.show(share); };
-    estimation = estimate_records(model, records.get(), options);
+    estimation = work();
   };
-  check.beside([&] {
-    ProgressBar bar("estimating");
-    options.progress = [&bar](double share) { bar.show(share); };
-    estimation = estimate_prepared(model, records, options, notes);
-  });
+  const auto estimate_all = [&] { watched([&] { return estimate_records(model, records.get(), options); }); };
+  check.beside([&] { watched([&] { return estimate_prepared(model, records, options, notes); }); });
   if (data_check::turn_over(check.require(), records.own())) estimate_all();
   if (may_be_turned(model, records.get()) && says_turned(estimation.result)) {
     notes.push_back(turn_forces(records.own()));

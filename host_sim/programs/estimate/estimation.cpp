@@ -189,12 +189,10 @@ EstimateResult result_from(const rig_file::RigModel& model, const std::vector<Re
                            const firmware::CoreConfiguration& configuration, const Target& target) {
   EstimateResult result = result_of(model, target.estimates(), records);
   result.covariance = covariance_of(result, target.core());
+  const auto turned = [&](size_t k) { return firmware::turns_over(configuration, static_cast<int>(k)); };
   for (size_t i = 0; i < result.covariance.size(); ++i)
-    for (double& with : result.covariance[i]) {
-      const auto j = static_cast<int>(&with - result.covariance[i].data());
-      if (firmware::turns_over(configuration, static_cast<int>(i)) != firmware::turns_over(configuration, j))
-        with = -with;
-    }
+    for (size_t j = 0; j < result.covariance.size(); ++j)
+      if (turned(i) != turned(j)) result.covariance[i][j] = -result.covariance[i][j];
   result.samples = samples_of(records);
   result.sample_rate_Hz = 1.0 / records.front().sample_period_s;
   result.levels = static_cast<unsigned>(records.size());
@@ -232,8 +230,7 @@ Estimation estimate_as_told(const rig_file::RigModel& model, const std::vector<R
   Estimation estimation = estimate_in_order(backwards(model), backwards(records), options, true);
   estimation.result.notes.push_back(
       "nothing drives the rig and not all of its displacements are measured: the records are read from their end, "
-      "where the motion "
-      "that is integrated has come to rest");
+      "where the motion that is integrated has come to rest");
   return estimation;
 }
 

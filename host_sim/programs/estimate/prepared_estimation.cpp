@@ -39,7 +39,7 @@ Estimation estimate_prepared(rig_file::RigModel& model, SharedRecords& records, 
                              std::vector<std::string>& notes) {
   const Drift drift = drift_of(DriftOf::kDisplacements, model, records.get());
   rig_file::RigModel other_model = model;
-  SharedRecords without = records;
+  SharedRecords without = drift.end_Hz > 0.0 ? records : SharedRecords({});  // who holds them has them copied
   const std::vector<std::string> before = notes;
   Estimation estimation = estimate_as_recorded(model, records, options, notes);
   if (drift.end_Hz == 0.0 || valid(estimation) == estimation.result.parameters.size()) return estimation;

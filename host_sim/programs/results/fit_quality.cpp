@@ -52,7 +52,7 @@ bool still(const Channel& channel) {
 
 // A free decay is nothing but its initial state, which rates do not tell.
 bool begins_unknown(const Record& record) {
-  const auto moves_alone = [](const Channel& c) { return is_drive(c) ? still(c) : true; };
+  const auto moves_alone = [](const Channel& c) { return !is_drive(c) || still(c); };
   return std::all_of(record.channels.begin(), record.channels.end(), moves_alone) &&
          std::any_of(record.channels.begin(), record.channels.end(), [&](const Channel& c) {
            return !is_drive(c) && record.find(Quantity::kDisplacement, c.dof) == nullptr;

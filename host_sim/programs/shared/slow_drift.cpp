@@ -31,18 +31,19 @@ bool is_integrated(const Record& record, const Channel& channel) {
 }
 
 // How often a channel is integrated, and from what share of the motion on its drift matters there.
-struct Asked {
+struct Tolerance {
   int integrations = 0;
   double least_share = 0.0;
 };
 
 // Nothing of a channel whose drift is nobody's loss.
-std::optional<Asked> asked_of(DriftOf which, const Record& record, const Channel& channel) {
-  if (is_drive(channel)) return Asked{};
+std::optional<Tolerance> tolerance_of(DriftOf which, const Record& record, const Channel& channel) {
+  if (is_drive(channel)) return Tolerance{};
   if (which == DriftOf::kDisplacements)
-    return channel.quantity == Quantity::kDisplacement ? std::optional<Asked>({0, kSlowDisplacement}) : std::nullopt;
+    return channel.quantity == Quantity::kDisplacement ? std::optional<Tolerance>({0, kSlowDisplacement})
+                                                       : std::nullopt;
   if (!is_integrated(record, channel)) return std::nullopt;
-  return Asked{channel.quantity == Quantity::kVelocity ? 1 : 2, kMatters};
+  return Tolerance{channel.quantity == Quantity::kVelocity ? 1 : 2, kMatters};
 }
 
 // Below all that drives any record; 0: nothing does, or a drive reaches down to the record's length.
@@ -73,10 +74,10 @@ Drift drift_of(DriftOf which, const rig_file::RigModel& model, const std::vector
   double of_drives_Hz = 0.0;
   for (const Record& record : records)
     for (const Channel& channel : record.channels) {
-      const auto asked = asked_of(which, record, channel);
-      if (!asked) continue;
+      const auto tolerance = tolerance_of(which, record, channel);
+      if (!tolerance) continue;
       const double end_Hz = drift_end_Hz(channel.values, record.sample_period_s, drift.lowest_drive_Hz,
-                                         asked->integrations, asked->least_share);
+                                         tolerance->integrations, tolerance->least_share);
       double& end_of_kind_Hz = is_drive(channel) ? of_drives_Hz : drift.end_Hz;
       if (end_Hz > 0.0 && !is_drive(channel) && drift.channel.empty()) drift.channel = channel.name;
       end_of_kind_Hz = std::max(end_of_kind_Hz, end_Hz);

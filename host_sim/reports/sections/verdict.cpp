@@ -194,8 +194,7 @@ std::string rest_text(const DiagnosisReportData& data) {
            ", though too little of it to be sure; " + bends->bends + " would then be " + bends->to + ".";
   if (data.more_remains)
     return "What is left is no noise, though no effect of the vocabulary is borne out by it: a force that is missing "
-           "may be in the "
-           "numbers.";
+           "may be in the numbers.";
   return data.leaves_noise_alone
              ? "Nothing is left beyond measurement noise that these data could show."
              : "What is left beyond measurement noise neither helps to predict unseen data nor moves a coefficient.";
