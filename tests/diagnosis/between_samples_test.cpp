@@ -60,4 +60,31 @@ TEST(BetweenSamples, FinerSeriesKeepTheirSamples) {
   EXPECT_NEAR(fine[4 * 30 + 3], sine_at(0.15, 30.75), 2e-6);
 }
 
+TEST(BetweenSamples, WhatIsAskedAgainIsNotMadeAgain) {
+  KeptFiner kept;
+  const Vec y = sine(0.15, 60);
+  const auto first = kept.of(y, 0, 4);
+  EXPECT_EQ(kept.of(Vec(y), 0, 4), first);  // by its values, wherever they stand
+  EXPECT_EQ(*first, finer(y, 4));
+  EXPECT_NE(kept.of(y, 0.5, 4), first);
+  EXPECT_NE(kept.of(y, 0, 2), first);
+}
+
+TEST(BetweenSamples, ASeriesThatWasChangedIsMadeAnew) {
+  KeptFiner kept;
+  Vec y = sine(0.15, 60);
+  const auto first = kept.of(y, 0, 4);
+  y[30] += 1e-9;
+  EXPECT_EQ((*kept.of(y, 0, 4))[4 * 30], y[30]);
+  EXPECT_EQ((*first)[4 * 30], sine(0.15, 60)[30]);  // who holds it keeps it
+}
+
+TEST(BetweenSamples, WhatWasAskedLongAgoIsLetGo) {
+  KeptFiner kept;
+  const Vec y = sine(0.15, 60);
+  const std::weak_ptr<const Vec> first = kept.of(y, 0, 4);
+  for (int i = 1; i <= 4; ++i) kept.of(y, 0.1 * i, 4);
+  EXPECT_TRUE(first.expired());
+}
+
 }  // namespace

@@ -3,9 +3,11 @@
 #pragma once
 #include <Eigen/Core>
 #include <array>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "../band/kept_finer.hpp"
 #include "../record/series.hpp"
 #include "hal/rig_file/rig_model.hpp"
 #include "host_sim/records/record.hpp"
@@ -61,6 +63,7 @@ struct Prepared {
   Base base;
   bool held = false;        // its forces stay at their samples until the next ones
   double rounded_over = 0;  // samples over which accelerometers round a jump (rounding.hpp); 0: they do not
+  std::shared_ptr<KeptFiner> between_samples = std::make_shared<KeptFiner>();  // its drives
   Index smooth_half = 0, slow_half = 0;  // samples that the guesses are smoothed over, and their drift taken off
   double time_s(Index sample) const { return static_cast<double>(sample) * step_s; }
 };

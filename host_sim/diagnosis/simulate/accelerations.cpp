@@ -104,7 +104,8 @@ inline void Simulator::finish_slopes(const Outside& o, const Vec& acc) {
     for (Index p : by_mass_[static_cast<size_t>(node)]) add_slope(node, states() + p, -(acc[node] + o.carried));
   }
   if (held_.empty()) return;
-  slope_x_ = yield_ * slope_x_;
+  alone_.swap(slope_x_);  // as if nothing stuck
+  slope_x_.noalias() = yield_.lazyProduct(alone_);
   if (by_base_delay_ >= 0 && !record_.base.ridden)
     slope_x_.col(states() + by_base_delay_) += o.jerk * (by_hold_.transpose() * with_base());
 }
@@ -115,13 +116,14 @@ void Simulator::accelerations(const Vec& y, const Outside& o, Vec& acc, bool slo
   renew_yield();
   pull_elements(y, o, slopes);
   pull_friction(y, o, slopes);
-  net_ -= o.carried * mass_;
-  if (held_.empty())
-    acc = net_.cwiseQuotient(mass_);
-  else
-    acc = yield_ * net_;
-  if (!held_.empty() && o.a != 0)  // what sticks to the moving base goes with it
-    acc += o.a * (by_hold_.transpose() * with_base());
+  if (o.carried != 0) net_ -= o.carried * mass_;
+  if (held_.empty()) {  // one by one, as they were written: pairs would have to wait for it
+    acc.resize(nodes_);
+    for (Index node = 0; node < nodes_; ++node) acc[node] = net_[node] / mass_[node];
+  } else {
+    acc.noalias() = yield_.lazyProduct(net_);
+    if (o.a != 0) acc += o.a * (by_hold_.transpose() * with_base());  // what sticks to the moving base goes with it
+  }
   if (slopes) finish_slopes(o, acc);
 }
 

@@ -130,7 +130,7 @@ void Simulator::affine_step(Vec& y, Sensitivity* s) const {
   taken.head(ns) = y;
   for (size_t d = 0; d < fine_.size(); ++d)
     for (Index at = 0; at < 3; ++at)
-      taken[ns + 3 * static_cast<Index>(d) + at] = drive_at(fine_[d], 0.5 * static_cast<double>(at));
+      taken[ns + 3 * static_cast<Index>(d) + at] = drive_at(*fine_[d], 0.5 * static_cast<double>(at));
   for (const Friction& f : friction_) {
     const double force = f.sign * level(f, 0);
     if (f.a >= 0) taken[stay + f.a] -= force;

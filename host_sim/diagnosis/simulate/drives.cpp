@@ -15,14 +15,15 @@ double Simulator::drive_at(const Vec& fine, double r) const {
 
 // Outside::v alone.
 double Simulator::base_rate(double r) const {
-  if (base_x_.size() == 0) return 0;
-  const double f0 = base_v_[at_], f1 = base_v_[at_ + 1], f2 = base_v_[at_ + 2];
+  if (!base_x_) return 0;
+  const Vec& v = *base_v_;
+  const double f0 = v[at_], f1 = v[at_ + 1], f2 = v[at_ + 2];
   return f0 + r * (-3 * f0 + 4 * f1 - f2) + r * r * (2 * f0 - 4 * f1 + 2 * f2);
 }
 
 // Two instants to a substep, of a channel that reads late.
-Vec Simulator::upsampled(const Vec& y, double late_s) const {
-  return finer(late_s != 0 ? delayed(y, -late_s / record_.step_s) : y, 2 * substeps_);
+Simulator::Fine Simulator::upsampled(const Vec& y, double late_s) const {
+  return record_.between_samples->of(y, -late_s / record_.step_s, 2 * substeps_);
 }
 
 // Channels that read late: the base was there earlier.
@@ -37,11 +38,12 @@ void Simulator::upsample_base(const Model& model) {
   if (!record_.base.ridden) base_x_ = made(base.x), base_v_ = made(base.v);
   if (by_base_delay_ < 0) return;
   const double h = record_.step_s / (2 * substeps_);
-  const Index n = base_a_.size();
+  const Vec& acceleration = *base_a_;
+  const Index n = acceleration.size();
   base_jerk_.resize(n);
   for (Index i = 0; i < n; ++i) {
     const Index a = std::max<Index>(0, i - 1), b = std::min(n - 1, i + 1);
-    base_jerk_[i] = (base_a_[b] - base_a_[a]) / (static_cast<double>(b - a) * h);
+    base_jerk_[i] = (acceleration[b] - acceleration[a]) / (static_cast<double>(b - a) * h);
   }
 }
 
@@ -62,7 +64,7 @@ void Simulator::upsample(const Model& model) {
   }
   const double h = record_.step_s / (2 * substeps_);
   for (ForceFault& f : faults_) {
-    const Vec& force = fine_[f.fine = where[f.fine]];
+    const Vec& force = *fine_[f.fine = where[f.fine]];
     Vec slope(count);
     for (Index i = 0; i < count; ++i) {
       const double t = static_cast<double>(i) * h;
@@ -87,7 +89,7 @@ void Simulator::upsample(const Model& model) {
     for (const ModelTerm& t : model)
       if (t.term.kind == faults_[i].kind && t.term.dof == fine_node_[faults_[i].fine] &&
           t.term.shape == faults_[i].frequency)
-        fine_[faults_[i].fine] += t.value * fine_slope_[i];
+        fine_[faults_[i].fine] = std::make_shared<const Vec>(*fine_[faults_[i].fine] + t.value * fine_slope_[i]);
   }
 }
 
@@ -98,9 +100,9 @@ Simulator::Outside Simulator::outside(double r) const {
     const double f0 = y[at_], f1 = y[at_ + 1], f2 = y[at_ + 2];
     return f0 + r * (-3 * f0 + 4 * f1 - f2) + r * r * (2 * f0 - 4 * f1 + 2 * f2);
   };
-  for (size_t i = 0; i < fine_.size(); ++i) o.force[fine_node_[i]] += drive_at(fine_[i], r);
-  if (base_x_.size()) o.x = at(base_x_), o.v = at(base_v_), o.a = at(base_a_);
-  if (record_.base.ridden) o.carried = at(base_a_);
+  for (size_t i = 0; i < fine_.size(); ++i) o.force[fine_node_[i]] += drive_at(*fine_[i], r);
+  if (base_x_) o.x = at(*base_x_), o.v = at(*base_v_), o.a = at(*base_a_);
+  if (record_.base.ridden) o.carried = at(*base_a_);
   if (base_jerk_.size()) o.jerk = at(base_jerk_);
   o.t_s = (static_cast<double>(at_) / 2 + r) * record_.step_s / substeps_;
   return o;

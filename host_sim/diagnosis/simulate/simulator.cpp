@@ -113,7 +113,7 @@ void Simulator::accelerations(Index sample, const Vec& y, Vec& a, Mat* slopes) {
   Outside o = outside(last ? 1 : 0);
   for (size_t i = 0; i < fine_.size() && (late_ || (steps_ && last));
        ++i) {  // what is read at this instant acts at once
-    const Vec& f = fine_[i];
+    const Vec& f = *fine_[i];
     const double behind = late_ ? 0.5 * record_.read_every_s / record_.step_s : 0;
     const double share = static_cast<double>(2 * substeps_), now = static_cast<double>(sample) * share;
     o.force[fine_node_[i]] += between(f, static_cast<Index>(now + behind * share), std::fmod(behind * share, 1)) -

@@ -6,6 +6,7 @@
 // jump there as the trajectory's kink demands (saltation matrix).
 #pragma once
 #include <array>
+#include <memory>
 
 #include "model.hpp"
 
@@ -80,7 +81,8 @@ class Simulator {
   void affine_step(Vec& y, Sensitivity* s) const;
   void upsample(const Model& model);
   void upsample_base(const Model& model);
-  Vec upsampled(const Vec& y, double late_s) const;
+  using Fine = std::shared_ptr<const Vec>;  // on the fine instants: 2 substeps per sample
+  Fine upsampled(const Vec& y, double late_s) const;
   Outside outside(double share) const;  // of the present substep
   // Of what drives the rig, on the fine instants: held from sample to sample, or the parabola through the present substep.
   double drive_at(const Vec& fine, double share) const;
@@ -116,7 +118,7 @@ class Simulator {
   std::vector<std::vector<Index>> by_mass_;  // per node: parameters that add to its mass
   std::vector<std::pair<int, int>> link_ends_;
   int substeps_ = 1;
-  std::vector<Vec> fine_;  // force per node with one, 2 substeps per sample
+  std::vector<Fine> fine_;  // force per node with one
   std::vector<int> fine_node_;
   struct ForceFault {
     Kind kind;
@@ -127,14 +129,15 @@ class Simulator {
     double coefficient;  // beside this share of the band
   };
   std::vector<ForceFault> faults_;
-  std::vector<Vec> fine_slope_;               // of faults_, on the same instants
-  Vec base_x_, base_v_, base_a_, base_jerk_;  // jerk: where the base's delay is fitted
+  std::vector<Vec> fine_slope_;  // of faults_, on the same instants
+  Fine base_x_, base_v_, base_a_;
+  Vec base_jerk_;  // where the base's delay is fitted
   Index by_base_delay_ = -1;
   Index at_ = 0;  // first fine instant of the present substep
   // A force that is held over the samples of the record acts, over those of a record that was thinned out, as one that is late
   // by half of one of them; but an acceleration shows it at once.
   bool steps_ = false, late_ = false;
-  Mat yield_, slope_x_;
+  Mat yield_, slope_x_, alone_;
   Vec net_;
   Sensitivity ka_[4], stage_[4];       // of accelerations and states, at the stages of a step
   std::vector<const Friction*> held_;  // links that stick

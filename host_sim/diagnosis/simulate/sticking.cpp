@@ -92,14 +92,16 @@ void Simulator::turn(Friction& f, double at, Vec& y, Sensitivity* s) {
 std::pair<Simulator::Friction*, double> Simulator::first_to_let_go(const Vec& y0, const Vec& y, double from) {
   std::pair<Friction*, double> first{nullptr, 2};
   if (all_slide()) return first;
-  Vec acc, middle;
+  static thread_local Vec acc, middle;
   const auto net_at = [&](const Vec& state, double at) {
     const Outside o = outside(at);
     accelerations(state, o, acc, false);
     return o;
   };
   const auto excess = [&](const Friction& f, const Outside& o) { return std::abs(hold_force(f, o)) - level(f, 0); };
-  std::vector<std::pair<Friction*, double>> loose;  // and by how much what would hold them exceeds their friction
+  static thread_local std::vector<std::pair<Friction*, double>>
+      loose;  // and by how much what would hold them exceeds their friction
+  loose.clear();
   const Outside last = net_at(y, 1);
   for (Friction& f : friction_)
     if (f.sign == 0 && excess(f, last) > 0) loose.push_back({&f, excess(f, last)});

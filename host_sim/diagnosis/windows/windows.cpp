@@ -18,10 +18,10 @@ Index a_period(const Prepared& p) { return std::max<Index>(2, static_cast<Index>
 class Motion {
  public:
   explicit Motion(const Prepared& record) : p_(record) {
-    for (size_t d = 0; d + 1 < p_.guess.size(); ++d) rate_.push_back(p_.guess[d].v);
+    for (size_t d = 0; d + 1 < p_.guess.size(); ++d) rate_.emplace_back(p_.guess[d].v);
     double least = least_motion();
     if (least > kAtRest) {  // it never rests, or the rates from sample to sample are those of its noise
-      const std::vector<Vec> fine = std::exchange(rate_, coarse_rates());
+      const std::vector<Rate> fine = std::exchange(rate_, coarse_rates());
       const double least_of_coarse = least_motion();
       if (least_of_coarse > kAtRest)
         rate_ = fine;
@@ -33,18 +33,17 @@ class Motion {
   // Of a stretch over that of the record, rms, of the DOF that moves most there.
   double of(Index from, Index length) const {
     double most = 0;
-    for (const Vec& v : rate_) {
-      const double all = v.squaredNorm() / static_cast<double>(v.size());
-      if (all > 0) most = std::max(most, v.segment(from, length).squaredNorm() / static_cast<double>(length) / all);
-    }
+    for (const Rate& r : rate_)
+      if (r.mean_square > 0)
+        most = std::max(most, r.v.segment(from, length).squaredNorm() / static_cast<double>(length) / r.mean_square);
     return std::sqrt(most);
   }
   // The same of what is about the means: at constant speed nothing varies.
   double varies(Index from, Index length) const {
     double most = 0;
-    for (const Vec& v : rate_) {
-      const double all = rms_about_mean(v);
-      if (all > 0) most = std::max(most, rms_about_mean(v.segment(from, length)) / all);
+    for (const Rate& r : rate_) {
+      const double all = rms_about_mean(r.v);
+      if (all > 0) most = std::max(most, rms_about_mean(r.v.segment(from, length)) / all);
     }
     return most;
   }
@@ -53,6 +52,11 @@ class Motion {
   const Prepared& record() const { return p_; }
 
  private:
+  struct Rate {
+    explicit Rate(const Vec& rate) : v(rate), mean_square(v.squaredNorm() / static_cast<double>(v.size())) {}
+    Vec v;
+    double mean_square;
+  };
   double least_motion() const {
     const Index part = a_period(p_);
     double least = 1;
@@ -60,9 +64,9 @@ class Motion {
     return least;
   }
   // Over a quarter of a period, which takes noise of displacements down by as many samples.
-  std::vector<Vec> coarse_rates() const {
+  std::vector<Rate> coarse_rates() const {
     const Index half = std::max<Index>(1, a_period(p_) / 8);
-    std::vector<Vec> list;
+    std::vector<Rate> list;
     for (size_t d = 0; d + 1 < p_.guess.size(); ++d) {
       const Vec& x = p_.guess[d].x;
       Vec rate(x.size());
@@ -70,12 +74,12 @@ class Motion {
         const Index from = std::max<Index>(0, i - half), to = std::min<Index>(x.size() - 1, i + half);
         rate[i] = (x[to] - x[from]) / (static_cast<double>(std::max<Index>(1, to - from)) * p_.step_s);
       }
-      list.push_back(rate);
+      list.emplace_back(rate);
     }
     return list;
   }
   const Prepared& p_;
-  std::vector<Vec> rate_;
+  std::vector<Rate> rate_;
   double rest_;
 };
 
