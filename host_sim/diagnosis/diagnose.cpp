@@ -2,6 +2,7 @@
 #include "answer/rows_borne_out.hpp"
 #include "channels/filtered_motion.hpp"
 #include "judged.hpp"
+#include "later_start.hpp"
 #include "off_its_zero.hpp"
 #include "record/released.hpp"
 #include "record/riding.hpp"
@@ -70,7 +71,7 @@ Diagnosis judged_by_those_that_agree(const Asked& asked) {
   for (const auto quantity :
        {host_sim::Quantity::kAcceleration, host_sim::Quantity::kVelocity, host_sim::Quantity::kDisplacement}) {
     const std::vector<std::string> names = spared_by_others(asked.training.front(), quantity);
-    if (names.empty()) continue;
+    if (names.empty() || go_with_the_others(asked.rig, asked.training, names)) continue;
     const std::vector<host_sim::Record> training = without_channels(asked.training, names),
                                         holdout = without_channels(asked.holdout, names);
     const Asked of_the_others{asked.rig, training, holdout, asked.options, asked.ground_known};
@@ -86,6 +87,10 @@ Diagnosis judged_wherever_it_rests(const Asked& asked) {
   return judged_off_its_zero(asked, judged_by_those_that_agree);
 }
 
+Diagnosis judged_whenever_it_begins(const Asked& asked) {
+  return judged_from_a_later_start(asked, judged_wherever_it_rests);
+}
+
 }  // namespace
 
 Diagnosis diagnose(const rig_file::RigModel& rig, const std::vector<host_sim::Record>& training,
@@ -93,13 +98,13 @@ Diagnosis diagnose(const rig_file::RigModel& rig, const std::vector<host_sim::Re
   if (training.empty()) throw CannotAnswer("no record to diagnose");
   if (!on_measured_base(rig, training)) {
     if (!any_begins_held(training) && !any_begins_held(holdout))
-      return judged_wherever_it_rests({rig, training, holdout, options});
+      return judged_whenever_it_begins({rig, training, holdout, options});
     const std::vector<host_sim::Record> released_training = from_release(training),
                                         released_holdout = from_release(holdout);
-    return judged_wherever_it_rests({rig, released_training, released_holdout, options});
+    return judged_whenever_it_begins({rig, released_training, released_holdout, options});
   }
   const std::vector<host_sim::Record> riding_training = riding(rig, training), riding_holdout = riding(rig, holdout);
-  return judged_wherever_it_rests({rig, riding_training, riding_holdout, options, !base_runs_on(training)});
+  return judged_whenever_it_begins({rig, riding_training, riding_holdout, options, !base_runs_on(training)});
 }
 
 }  // namespace diagnosis

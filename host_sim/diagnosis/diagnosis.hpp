@@ -110,6 +110,8 @@ struct Diagnosis {
   std::string cannot_describe;  // why the rig file is no model of these records at all; empty: it is one
   std::vector<std::string>
       channels_left_out;  // with which the rig file cannot describe the records, and without which it can
+  std::vector<double>
+      told_from_s;  // per record, s of its file: the start from which the rig file describes it; empty: all is judged
   std::string force_between_samples = "smooth";  // or "linear", "steps": how it acts there, as the motion tells
   std::string unknown_trace;                     // what the unexplained force looks like, where it leaves a plain trace
   double baseline_misfit = 0;                    // chi-squared per degree of freedom: 1 is noise alone

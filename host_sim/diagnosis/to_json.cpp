@@ -60,6 +60,7 @@ json to_json(const Diagnosis& d) {
          {"advice", d.advice},
          {"cannot_describe", d.cannot_describe},
          {"channels_left_out", d.channels_left_out},
+         {"told_from_s", d.told_from_s},
          {"force_between_samples", d.force_between_samples},
          {"unknown_trace", d.unknown_trace},
          {"baseline_misfit", d.baseline_misfit},

@@ -69,7 +69,9 @@ TEST(DeadBand, ItsWidthIsFitted) {
     ASSERT_EQ(said(d), "explained, drive_dead_band on channel force_1_N") << width_N;
     const diagnosis::Parameter share = parameter_of(d.extended, "drive_dead_band[1]");
     const double width = value_of(d.extended, "drive_dead_band_width[1]");
-    if (width_N > 4) EXPECT_NEAR(share.value, 1.0, 3 * share.std) << width_N;
+    if (width_N > 4) {
+      EXPECT_NEAR(share.value, 1.0, 3 * share.std) << width_N;
+    }
     EXPECT_NEAR(share.value * width, width_N, 0.02 * width_N);
     EXPECT_LT(share.std, 0.05) << width_N;
     EXPECT_NEAR(width, width_N, 0.1 * width_N);

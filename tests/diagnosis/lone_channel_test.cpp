@@ -30,6 +30,38 @@ TEST(LoneChannel, IsOneOfSeveralOfItsDof) {
   EXPECT_EQ(rest[0].channels[2].name, "acceleration_base_m_s2");
 }
 
+// 20 s at 100 Hz of sin(2 pi t), its rate times a gain, and white noise of as much of the rate.
+host_sim::Record with_velocity(double gain, double noise_share) {
+  std::mt19937 random(8);
+  std::normal_distribution<double> noise;
+  std::vector<double> x, v;
+  for (int k = 0; k < 2000; ++k) {
+    const double turn = 2 * M_PI * k / 100.0;
+    x.push_back(std::sin(turn) + 1e-3 * noise(random));
+    v.push_back(2 * M_PI * (gain * std::cos(turn) + noise_share * noise(random)));
+  }
+  host_sim::Record record;
+  record.sample_period_s = 1 / 100.0;
+  record.channels = {{"displacement_1_m", Quantity::kDisplacement, 1, x},
+                     {"velocity_1_m_s", Quantity::kVelocity, 1, v}};
+  return record;
+}
+
+// A channel with much noise of high frequency tells the same motion; one of other units, or turned round, does not.
+TEST(LoneChannel, GoesWithTheOthersWhereItTellsTheSameMotion) {
+  rig_file::RigModel rig;
+  rig.dofs.resize(1);
+  const auto goes = [&](double gain, double noise_share) {
+    return go_with_the_others(rig, {with_velocity(gain, noise_share)}, {"velocity_1_m_s"});
+  };
+  EXPECT_TRUE(goes(1, 0));
+  EXPECT_TRUE(goes(1, 0.4));
+  EXPECT_TRUE(goes(0.95, 0.1));
+  EXPECT_FALSE(goes(-1, 0));
+  EXPECT_FALSE(goes(0.7, 0));
+  EXPECT_FALSE(goes(9.81, 0));
+}
+
 // 0.2 kg on 14.45 N/m (1.353 Hz) with 0.003 N s/m (a time constant of 133 s), let go at 5 cm: 40 s at 200 Hz. Displacement to 0.1 mm. The
 // accelerometer's cable hums: 1 m/s^2 at 14.8 Hz, where the motion's own is 3.6.
 host_sim::Record humming_decay(bool with_acceleration) {

@@ -35,6 +35,14 @@ TEST(Interval, OfNoWidthIsADashWhereTheNumberIsNotKnown) {
   EXPECT_EQ(row(EstimateStatus::kNoExcitation, 0), (Words{"stiffness[1-0]", "32.7", "-", "-", "N/m", "NO_EXCITATION"}));
 }
 
+// 32.7 +- 654 (20 times) is the last that says how large it may be.
+TEST(Interval, ANumberWhoseMagnitudeIsNotKnownIsADash) {
+  EXPECT_EQ(row(EstimateStatus::kIllConditioned, 660),
+            (Words{"stiffness[1-0]", "-", "-", "-", "N/m", "ILL_CONDITIONED"}));
+  EXPECT_NE(row(EstimateStatus::kIllConditioned, 640)[1], "-");
+  EXPECT_NE(row(EstimateStatus::kValid, 660)[1], "-");
+}
+
 TEST(Interval, IsToldWhereItIsKnown) {
   EXPECT_EQ(row(EstimateStatus::kIllConditioned, 20),
             (Words{"stiffness[1-0]", "32.7", "12.7", "52.7", "N/m", "ILL_CONDITIONED"}));

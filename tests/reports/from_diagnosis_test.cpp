@@ -85,6 +85,17 @@ TEST(FromDiagnosis, CarriesTheFindingsOver) {
   EXPECT_NE(reports::diagnosis_page(data).find("unseen data is 20 times smaller"), std::string::npos);
 }
 
+// 1.74e8 +- 8e11 is no number.
+TEST(FromDiagnosis, ShowsNoNumberWhoseMagnitudeIsNotKnown) {
+  Case c;
+  c.found.baseline.parameters[0].undetermined = true, c.found.baseline.parameters[0].std = 59;  // of 6
+  EXPECT_EQ(data_of(c, {}).parameters[0].before.value, 6.0);
+  c.found.baseline.parameters[0].std = 61;
+  EXPECT_TRUE(std::isnan(data_of(c, {}).parameters[0].before.value));
+  c.found.baseline.parameters[0].undetermined = false;  // a friction that is nought, as well as it can be told
+  EXPECT_EQ(data_of(c, {}).parameters[0].before.value, 6.0);
+}
+
 // The pictures are made with the parameters found: the extended rig follows the record, the given one does not.
 TEST(FromDiagnosis, PicturesUseTheParametersFound) {
   const Case c;

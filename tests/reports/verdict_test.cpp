@@ -101,6 +101,16 @@ TEST(Verdict, SaysWhichChannelsWereLeftOut) {
   EXPECT_TRUE(contains(verdict_sentence(data), "without acceleration_1_m_s2 and acceleration_2_m_s2, which do not go"));
 }
 
+TEST(Verdict, SaysFromWhereItHolds) {
+  DiagnosisReportData data;
+  data.verdict = "none";
+  EXPECT_FALSE(contains(verdict_sentence(data), "s on"));
+  data.told_from_s = {4.3516};
+  EXPECT_TRUE(contains(verdict_sentence(data), "This is said of the motion from 4.35 s on: before, "));
+  data.told_from_s = {4.3516, 7.0};
+  EXPECT_TRUE(contains(verdict_sentence(data), "from 4.35 and 7.00 s on"));
+}
+
 // A force that is mostly noise shakes every simulation: that is no force that the rig file lacks.
 TEST(Verdict, SaysWhereNoiseHidesAll) {
   DiagnosisReportData data;

@@ -3,6 +3,7 @@
 
 #include "../first_values/start.hpp"
 #include "../motion/drive_noise.hpp"
+#include "../motion/link_motion.hpp"
 #include "../trial/settle.hpp"
 #include "horizon.hpp"
 
@@ -27,16 +28,8 @@ void from_smooth_start(const Task& task, const Model& start, State& s, double& p
 
 // The friction that takes as much as a damper does over all records' motion: c times the integral of w^2 over that of |w|.
 double friction_like(const Task& task, const rig_file::Link& link, double viscous) {
-  double square = 0, way = 0;
-  for (const Prepared& p : task.records) {
-    const Vec none = Vec::Zero(p.guess[0].v.size());
-    const auto of = [&](int dof) -> const Vec& {
-      return dof >= 1 ? p.guess[static_cast<size_t>(dof - 1)].v : dof < 0 ? p.guess.back().v : none;
-    };
-    const Vec rate = of(link.a) - of(link.b);
-    square += rate.squaredNorm(), way += rate.cwiseAbs().sum();
-  }
-  return way > 0 ? viscous * square / way : 0;
+  const UnitWork work = unit_work_of(link, task.records);
+  return work.coulomb > 0 ? viscous * work.viscous / work.coulomb : 0;
 }
 
 // The other end of the valley: what the balance of forces shares between a link's damper and its friction is all friction's. Where the rig

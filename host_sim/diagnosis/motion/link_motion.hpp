@@ -17,4 +17,18 @@ inline Vec motion_of(const rig_file::Link& link, const Prepared& p, Vec Guess::*
   return sum;
 }
 
+// What unit coefficients of a link take over all records' motion, to a sample's period: sums of w^2 and of |w|, w its rate.
+struct UnitWork {
+  double viscous = 0, coulomb = 0;
+};
+
+inline UnitWork unit_work_of(const rig_file::Link& link, const std::vector<Prepared>& records) {
+  UnitWork work;
+  for (const Prepared& p : records) {
+    const Vec rate = motion_of(link, p, &Guess::v);
+    work.viscous += rate.squaredNorm(), work.coulomb += rate.lpNorm<1>();
+  }
+  return work;
+}
+
 }  // namespace diagnosis::runs

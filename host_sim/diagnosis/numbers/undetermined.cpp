@@ -3,27 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../motion/link_motion.hpp"
 #include "parameter_status.hpp"
 
 namespace diagnosis::runs {
 namespace {
-
-// Of unit coefficients of the link, over all records: sums of w^2 and of |w|, w its rate.
-struct UnitWork {
-  double viscous = 0, coulomb = 0;
-};
-
-UnitWork unit_work_of(const Task& task, const rig_file::Link& link) {
-  UnitWork work;
-  for (const Prepared& p : task.records) {
-    const auto rate = [&](int end) -> Vec {
-      return end >= 1 ? p.guess[static_cast<size_t>(end - 1)].v : Vec::Zero(p.samples);
-    };
-    const Vec w = rate(link.a) - rate(link.b);
-    work.viscous += w.squaredNorm(), work.coulomb += w.lpNorm<1>();
-  }
-  return work;
-}
 
 // Its work is in no parameter.
 bool given(const rig_file::Coefficient& coefficient) { return !coefficient.estimate && coefficient.value != 0; }
@@ -41,7 +25,7 @@ void mark(const Task& task, std::vector<diagnosis::Parameter>& list) {
     const rig_file::Link& link = task.system.links[l];
     const std::string label = "[" + rig_file::link_label(link) + "]";
     if (given(link.viscous_N_s_m) || given(link.coulomb_N)) continue;
-    const UnitWork work = unit_work_of(task, link);
+    const UnitWork work = unit_work_of(link, task.records);
     const auto work_per_unit = [&](const std::string& name) {
       return name == "viscous" + label ? work.viscous : name == "coulomb" + label ? work.coulomb : 0.0;
     };

@@ -10,7 +10,7 @@ namespace diagnosis {
 class Consistency {
  public:
   Consistency(const FusedRecord& f, size_t dof) : f_(f), s_(f.spectra[dof]) {
-    first_ = static_cast<Eigen::Index>(std::ceil(1.0 / f.bin_Hz()));
+    first_ = f.first_beyond(f.slow_Hz);
     energy_ = f.outer.weight.squaredNorm();
     motion_ = Spectrum::Zero(f.last_bin + 1);
     for (Eigen::Index i = first_; i <= f.last_bin; ++i) {

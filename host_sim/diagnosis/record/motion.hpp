@@ -55,6 +55,7 @@ struct FusedRecord {
   double inner_energy = 0;                   // sum of inner^2
   bool coarse = false;                       // a channel takes few values: its rounding errors follow the motion
   Eigen::Index first_bin = 0, last_bin = 0;  // bins of the equation rows
+  double slow_Hz = 0;                        // what is integrated may drift below it
   std::vector<DofSpectra> spectra;           // per DOF, then the base
   std::vector<DofMotion> motion;             // per DOF, then the base
   std::vector<Series> force;                 // per DOF; empty where not measured
@@ -63,6 +64,7 @@ struct FusedRecord {
   double hold_doubt_s = 0;                   // standard deviation of the delay that its correction may have left
   std::vector<Series> force_noise;           // per bin: variance per sample; empty where not measured
   double bin_Hz() const { return 1.0 / (static_cast<double>(samples) * period_s); }
+  Eigen::Index first_beyond(double hertz) const { return static_cast<Eigen::Index>(std::ceil(hertz / bin_Hz())); }
   double omega(Eigen::Index bin) const { return 6.283185307179586 * static_cast<double>(bin) * bin_Hz(); }
 };
 

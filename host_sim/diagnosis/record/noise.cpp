@@ -51,7 +51,7 @@ double unexplained(const FusedRecord& f, const DofSpectra& s, size_t channel, si
                    double highest, const std::array<Colour, 3>& colour) {
   const double energy = f.outer.weight.squaredNorm();
   std::vector<double> power, known;
-  for (Eigen::Index i = static_cast<Eigen::Index>(0.5 / f.bin_Hz()); i <= f.last_bin; ++i) {
+  for (Eigen::Index i = std::max<Eigen::Index>(1, f.first_beyond(0.5 * f.slow_Hz)); i <= f.last_bin; ++i) {
     const Complex ratio =
         derivative(f.omega(i), static_cast<int>(channel)) / derivative(f.omega(i), static_cast<int>(other));
     const double phase = f.omega(i) * f.period_s, own = colour[channel](phase);
@@ -88,7 +88,7 @@ double likelihood(const FusedRecord& f, const DofSpectra& s) {
   const double energy = f.outer.weight.squaredNorm();
   const size_t counted = s.measured[0] && s.measured[1] ? 2 : 3;
   double sum = 0;
-  for (Eigen::Index i = static_cast<Eigen::Index>(1.0 / f.bin_Hz()); i <= f.last_bin; ++i) {
+  for (Eigen::Index i = f.first_beyond(f.slow_Hz); i <= f.last_bin; ++i) {
     double information = 0, power = 0, scale = 0;
     Complex motion = 0;
     for (size_t q = 0; q < counted; ++q) {

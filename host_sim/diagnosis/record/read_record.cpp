@@ -7,6 +7,10 @@
 namespace diagnosis {
 namespace {
 
+// What is integrated drifts below it; of the sampling rate, at most: the motion of a tower or a ship is not all drift.
+constexpr double kDrifts_Hz = 1, kDriftsOfRate = 0.01;
+constexpr double kRamp = 0.25, kRampOfRecord = 0.05;  // of the period of that, and of the record
+
 // So few different values that rounding is no noise of its own.
 bool coarse(const host_sim::Channel& c) {
   std::vector<double> values = c.values;
@@ -30,7 +34,8 @@ FusedRecord read_record(const rig_file::RigModel& rig, const host_sim::Record& r
                        " samples; a diagnosis needs at least 400");
   f.fourier = std::make_shared<Fourier>(f.samples);
   const double length_s = static_cast<double>(f.samples) * f.period_s;
-  const double ramp_s = std::min(0.25, 0.05 * length_s);
+  f.slow_Hz = std::min(kDrifts_Hz, kDriftsOfRate / f.period_s);
+  const double ramp_s = std::min(kRamp / f.slow_Hz, kRampOfRecord * length_s);
   f.outer = make_ramp(f.samples, f.period_s, 0, ramp_s);
   f.inner = make_ramp(f.samples, f.period_s, ramp_s, ramp_s).weight;
   f.inner_energy = f.inner.squaredNorm();
@@ -49,7 +54,7 @@ FusedRecord read_record(const rig_file::RigModel& rig, const host_sim::Record& r
                             : Series());
   }
   f.spectra.push_back(transform(record, rig_file::kBase, f));
-  f.first_bin = absolute ? 0 : static_cast<Eigen::Index>(std::ceil(1.0 / f.bin_Hz()));
+  f.first_bin = absolute ? 0 : f.first_beyond(f.slow_Hz);
   return f;
 }
 

@@ -74,7 +74,7 @@ std::vector<Constant> constants_of(const FusedRecord& f, size_t integrated, cons
 // Adds the constants with which least is left below the rows, against noise and what slow motion there may be.
 void settle_constants(const FusedRecord& f, const std::array<bool, 3>& measured, size_t integrated, Spectra3& z) {
   const double energy = f.outer.weight.squaredNorm(), bins = static_cast<double>(f.samples);
-  const Eigen::Index rows = std::max<Eigen::Index>(static_cast<Eigen::Index>(std::ceil(1.0 / f.bin_Hz())), 3);
+  const Eigen::Index rows = std::max<Eigen::Index>(f.first_beyond(f.slow_Hz), 3);
   std::array<double, 3> rms{};
   Spectrum slower = z[integrated];
   for (size_t q = integrated + 1; q-- > 0;) {

@@ -12,6 +12,7 @@
 namespace host_sim {
 namespace {
 
+constexpr double kNoMagnitude = 20;    // half intervals over the number: not even how large it is is known
 constexpr double kMostPercent = 1000;  // more says no more than that the simulation is another motion
 
 using can_log::rounded_to;
@@ -50,7 +51,9 @@ std::vector<Column> columns_of(const EstimateResult& result) {
     name.cells.push_back(p.info.name);
     truth.cells.push_back(p.truth ? plain(*p.truth, 6) : "");
     paper.cells.push_back(p.paper ? plain(*p.paper, 7) : "");
-    const bool nothing = p.status == EstimateStatus::kStale && p.value == 0.0 && half == 0.0;  // was never estimated
+    const bool never = p.status == EstimateStatus::kStale && p.value == 0.0 && half == 0.0;
+    const bool nothing =
+        never || (p.status == EstimateStatus::kIllConditioned && half > kNoMagnitude * std::abs(p.value));
     const bool known = !nothing && p.has_interval();
     value.cells.push_back(nothing ? "-" : known ? rounded_to(p.value, half) : plain(p.value, 3));
     low.cells.push_back(known ? rounded_to(p.ci95_low, half) : "-");

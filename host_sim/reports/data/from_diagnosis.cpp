@@ -24,6 +24,14 @@ Interval interval_of(const diagnosis::Parameter& parameter) {
   return {parameter.value, parameter.value - half, parameter.value + half};
 }
 
+constexpr double kNoMagnitude = 10;  // standard deviations over the number: not even how large it is is known
+
+// A number to show: none where the records do not tell its order of magnitude.
+Interval shown(const diagnosis::Parameter& p) {
+  if (p.undetermined && p.std > kNoMagnitude * std::abs(p.value)) return {kNone, kNone, kNone};
+  return interval_of(p);
+}
+
 std::string parameter_text(const diagnosis::Parameter& parameter) {
   const Interval interval = interval_of(parameter);
   std::string text = parameter.name + " = " + number_text(parameter.value, 4) + " " + unit_text(parameter.unit);
@@ -56,13 +64,13 @@ std::vector<ParameterChange> changes(const diagnosis::Diagnosis& found) {
   const Interval nothing{kNone, kNone, kNone};
   for (const diagnosis::Parameter& before : found.baseline.parameters) {
     const diagnosis::Parameter* after = found.causes.empty() ? nullptr : find(found.extended.parameters, before.name);
-    out.push_back({before.name, before.unit, interval_of(before), after ? interval_of(*after) : nothing,
+    out.push_back({before.name, before.unit, shown(before), after ? shown(*after) : nothing,
                    after ? status_of(*after, found.extended_fits()) : status_of(before, found.baseline_fits()),
                    impossible(before) && !before.undetermined});
   }
   for (const diagnosis::Parameter& after : found.extended.parameters)
     if (!found.causes.empty() && find(found.baseline.parameters, after.name) == nullptr)
-      out.push_back({after.name, after.unit, nothing, interval_of(after), status_of(after, found.extended_fits())});
+      out.push_back({after.name, after.unit, nothing, shown(after), status_of(after, found.extended_fits())});
   return out;
 }
 
@@ -113,6 +121,7 @@ DiagnosisReportData findings_of(const rig_file::RigModel& rig, const std::vector
   data.noise_hides = found.noise_hides();
   data.cannot_describe = found.cannot_describe;
   data.channels_left_out = found.channels_left_out;
+  data.told_from_s = found.told_from_s;
   const bool extended = !found.causes.empty();
   data.facts.push_back(text(found.baseline_misfit, "misfit (1 is noise alone): %.3g") +
                        (extended ? text(found.extended_misfit, " as given, %.3g extended") : ""));

@@ -6,6 +6,7 @@
 #include <initializer_list>
 #include <vector>
 
+#include "host_sim/reports/figures/numbers.hpp"
 #include "host_sim/reports/sections/at_fault.hpp"
 
 namespace host_sim::reports {
@@ -245,6 +246,14 @@ std::string left_out_text(const DiagnosisReportData& data) {
          " the rig file describes nothing. Look at " + (names.size() == 1 ? "its sensor." : "these sensors.");
 }
 
+std::string later_start_text(const DiagnosisReportData& data) {
+  if (data.told_from_s.empty()) return "";
+  std::vector<std::string> instants;
+  for (double s : data.told_from_s) instants.push_back(number_text(s, 3));
+  return "This is said of the motion from " + listed(instants, "and") +
+         " s on: before, the rig file describes nothing (a hand that still holds or pulls, faster modes of a blow).";
+}
+
 std::string details_of(const DiagnosisReportData& data) {
   if (tells_nothing(data)) {
     const std::string missed = missed_text(data.gains, false);
@@ -269,7 +278,9 @@ std::string details_of(const DiagnosisReportData& data) {
 
 }  // namespace
 
-std::string verdict_details(const DiagnosisReportData& data) { return joined({details_of(data), left_out_text(data)}); }
+std::string verdict_details(const DiagnosisReportData& data) {
+  return joined({details_of(data), left_out_text(data), later_start_text(data)});
+}
 
 std::string verdict_sentence(const DiagnosisReportData& data) {
   return joined({verdict_headline(data) + ".", verdict_details(data)});

@@ -1,0 +1,82 @@
+// Free decays that begin with something that the rig file has not.
+#include "host_sim/diagnosis/later_start.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "two_masses.hpp"
+
+namespace {
+
+using namespace diagnosis;
+using host_sim::Quantity;
+
+constexpr double kMass_kg = 1, kStiffness_N_m = 40, kViscous_N_s_m = 0.3;  // 1.007 Hz, a time constant of 6.7 s
+
+// 40 s at 50 Hz of a displacement. Until `held_s` a hand moves the mass, 20 mm at 0.37 and 10 mm at 0.83 Hz, and lets go where it is then;
+// x = e^(-a t) (x0 cos w t + (a x0 + v0) / w sin w t) from there, a = c / 2 m. Noise of 0.1 mm.
+host_sim::Record handled(double held_s, unsigned seed) {
+  const auto hand = [](double t) { return 0.02 * std::sin(2.3248 * t) + 0.01 * std::sin(5.215 * t + 1); };
+  const double x0 = hand(held_s),
+               v0 = 0.02 * 2.3248 * std::cos(2.3248 * held_s) + 0.01 * 5.215 * std::cos(5.215 * held_s + 1);
+  const double a = kViscous_N_s_m / (2 * kMass_kg), omega = std::sqrt(kStiffness_N_m / kMass_kg - a * a);
+  std::mt19937 random(seed);
+  std::normal_distribution<double> noise(0, 1e-4);
+  std::vector<double> x;
+  for (int k = 0; k < 2000; ++k) {
+    const double t = k / 50.0, gone = t - held_s;
+    x.push_back((gone < 0 ? hand(t)
+                          : std::exp(-a * gone) *
+                                (x0 * std::cos(omega * gone) + (a * x0 + v0) / omega * std::sin(omega * gone))) +
+                noise(random));
+  }
+  host_sim::Record record;
+  record.sample_period_s = 1 / 50.0;
+  record.channels = {{"displacement_1_m", Quantity::kDisplacement, 1, x}};
+  return record;
+}
+
+rig_file::RigModel one_mass() {
+  rig_file::RigModel rig;
+  rig.dofs.resize(1), rig.links.resize(1);
+  rig.dofs[0].mass_kg.value = kMass_kg;
+  rig.links[0].a = 1, rig.links[0].b = rig_file::kGround;
+  rig.links[0].stiffness_N_m.estimate = rig.links[0].viscous_N_s_m.estimate = true;
+  return rig;
+}
+
+TEST(LaterStart, ADecayThatBeginsInAHandIsToldFromWhereItIsFree) {
+  const Diagnosis d = diagnose(one_mass(), {handled(9, 3)}, {}, {});
+  EXPECT_EQ(d.verdict, Verdict::kNone);
+  EXPECT_EQ(d.cannot_describe, "");
+  ASSERT_EQ(d.told_from_s.size(), 1u);
+  EXPECT_GE(d.told_from_s[0], 9);
+  EXPECT_LE(d.told_from_s[0], 20);
+  const Parameter stiffness = two_masses::parameter_of(d.baseline, "stiffness[1-0]"),
+                  viscous = two_masses::parameter_of(d.baseline, "viscous[1-0]");
+  EXPECT_NEAR(stiffness.value, kStiffness_N_m, 4 * stiffness.std);
+  EXPECT_NEAR(viscous.value, kViscous_N_s_m, 4 * viscous.std);
+  EXPECT_LT(viscous.std, 0.02 * kViscous_N_s_m);
+}
+
+TEST(LaterStart, ADecayThatIsFreeFromItsStartIsToldWhole) {
+  const Diagnosis d = diagnose(one_mass(), {handled(0, 4)}, {}, {});
+  EXPECT_EQ(d.verdict, Verdict::kNone);
+  EXPECT_TRUE(d.told_from_s.empty());
+}
+
+// What a force drives has no start of its own: where nothing is described, that is the answer.
+TEST(LaterStart, IsNotSoughtWhereAForceIsMeasured) {
+  std::mt19937 random(7);
+  std::normal_distribution<double> noise;
+  host_sim::Record record = handled(40, 5);
+  record.channels.push_back({"force_1_N", Quantity::kForce, 1, {}});
+  for (size_t k = 0; k < record.samples(); ++k) record.channels[1].values.push_back(noise(random));
+  const Diagnosis d = diagnose(one_mass(), {record}, {}, {});
+  EXPECT_TRUE(d.told_from_s.empty());
+  EXPECT_NE(d.verdict, Verdict::kNone);
+}
+
+}  // namespace
