@@ -1,9 +1,9 @@
 #include "advice.hpp"
 #include "answer/rows_borne_out.hpp"
 #include "channels/filtered_motion.hpp"
+#include "forces_of_rest.hpp"
 #include "judged.hpp"
 #include "later_start.hpp"
-#include "off_its_zero.hpp"
 #include "record/released.hpp"
 #include "record/riding.hpp"
 #include "sensors/ac_coupling.hpp"
@@ -84,7 +84,7 @@ Diagnosis judged_by_those_that_agree(const Asked& asked) {
 }
 
 Diagnosis judged_wherever_it_rests(const Asked& asked) {
-  return judged_off_its_zero(asked, judged_by_those_that_agree);
+  return judged_where_it_rests(asked, judged_by_those_that_agree);
 }
 
 Diagnosis judged_whenever_it_begins(const Asked& asked) {

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "forces_of_rest.hpp"
 #include "host_sim/records/record_checks.hpp"
 #include "host_sim/records/stretch.hpp"
-#include "off_its_zero.hpp"
 #include "windows/windows.hpp"
 
 namespace diagnosis {

@@ -69,4 +69,40 @@ TEST(MissingSpring, ThatNoLinkOfTheRigFileHasIsNamed) {
   EXPECT_NEAR(value_of(d.extended, "viscous[1-2]"), kViscous_N_s_m[1], 0.03 * kViscous_N_s_m[1]);
 }
 
+// 1.9 kg on 6800 N/m (9.52 Hz) with 5.8 N s/m, let go from x0: 3 s at 500 Hz of x = x0 e^(-a t) (cos w t + a / w sin w t), a = c / 2 m.
+// Noise of 10 um.
+host_sim::Record decay(double x0_m, double zero_m, unsigned seed) {
+  constexpr double kA = 5.8 / 3.8;
+  const double omega = std::sqrt(6800 / 1.9 - kA * kA);
+  std::mt19937_64 random(seed);
+  std::normal_distribution<double> noise(0, 1e-5);
+  std::vector<double> x;
+  for (int k = 0; k < 1500; ++k) {
+    const double t = k / 500.0;
+    x.push_back(zero_m + x0_m * std::exp(-kA * t) * (std::cos(omega * t) + kA / omega * std::sin(omega * t)) +
+                noise(random));
+  }
+  host_sim::Record made;
+  made.file = "decay.csv", made.sample_period_s = 1 / 500.0;
+  made.channels = {{"displacement_1_m", Quantity::kDisplacement, 1, x}};
+  return made;
+}
+
+diagnosis::Diagnosis of_decays_without_the_spring(double zero_m) {
+  rig_file::RigModel rig;
+  rig.dofs.resize(1), rig.links.resize(1);
+  rig.dofs[0].mass_kg.value = 1.9;
+  rig.links[0].a = 1, rig.links[0].b = rig_file::kGround;
+  rig.links[0].viscous_N_s_m.estimate = rig.links[0].coulomb_N.estimate = true;
+  return diagnosis::diagnose(rig, {decay(0.01, zero_m, 1), decay(0.007, zero_m, 2), decay(0.012, zero_m, 3)}, {});
+}
+
+// Nothing pulls a free mass back in the rig file: it follows no decay.
+TEST(MissingSpring, OfTheOnlyMassIsNamedInADecay) {
+  const diagnosis::Diagnosis d = of_decays_without_the_spring(0);
+  EXPECT_EQ(said(d), "explained, stiffness_error on link 1-0");
+  EXPECT_NEAR(value_of(d.extended, "stiffness_error[1-0]"), 6800, 7);
+  EXPECT_NEAR(value_of(d.extended, "viscous[1-0]"), 5.8, 0.06);
+}
+
 }  // namespace

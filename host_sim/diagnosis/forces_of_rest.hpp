@@ -1,0 +1,16 @@
+// Rigs that lack what says where they rest: a constant force, a spring.
+#pragma once
+#include "diagnosis.hpp"
+#include "first_screen/rows_say.hpp"
+
+namespace diagnosis {
+
+// Whether the rig as given follows its records over any window at all.
+bool describes(const Asked& asked);
+
+// A spring pulls towards its rest, and where a displacement counts from far off that a constant force as large as all others stands in
+// the equations: a rig without the one or the other follows nothing. One that does so with them on a link lacks them. judge: says what
+// it says of records, of the rig as given and of those with the forces.
+Diagnosis judged_where_it_rests(const Asked& asked, Diagnosis (*judge)(const Asked&));
+
+}  // namespace diagnosis
