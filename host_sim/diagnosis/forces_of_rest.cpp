@@ -28,8 +28,7 @@ std::vector<Trial> trials_on(const rig_file::RigModel& rig, size_t link, bool of
   };
   const Trial as_given{rig, {}};
   const bool sprung_already = has_spring(rig.links[link].stiffness_N_m);
-  if (sprung_already && !offset_too) return {};
-  if (sprung_already) return {off(as_given)};
+  if (sprung_already) return offset_too ? std::vector<Trial>{off(as_given)} : std::vector<Trial>{};
   Trial sprung = as_given;
   sprung.rig.links[link].stiffness_N_m.estimate = true;
   sprung.named.push_back({"stiffness", "stiffness_error"});
@@ -77,11 +76,15 @@ bool describes(const Asked& asked) {
   return !runs::rig_fitted({system, records, asked.training.size()}).base_fits_nothing;
 }
 
+bool follows_nothing(const Diagnosis& d) {
+  const bool astray =
+      d.verdict == Verdict::kUnknown && d.causes.empty() && d.extended.most_missed_percent() > kAllOfIt_percent;
+  return astray || !d.cannot_describe.empty();
+}
+
 Diagnosis judged_where_it_rests(const Asked& asked, Diagnosis (*judge)(const Asked&)) {
   Diagnosis best = judge(asked);
-  const bool astray = best.verdict == Verdict::kUnknown && best.causes.empty() &&
-                      best.extended.most_missed_percent() > kAllOfIt_percent;
-  const bool followed_nothing = astray || !best.cannot_describe.empty();
+  const bool followed_nothing = follows_nothing(best);
   if (!followed_nothing && !lacks_a_spring(best, asked.rig)) return best;
   const Diagnosis as_given = best;
   const Options silent{asked.options.top_of_band, nullptr};

@@ -8,6 +8,9 @@ namespace diagnosis {
 // Whether the rig as given follows its records over any window at all.
 bool describes(const Asked& asked);
 
+// Whether it describes nothing, or a run that nothing explains misses the whole motion.
+bool follows_nothing(const Diagnosis& d);
+
 // A spring pulls towards its rest, and where a displacement counts from far off that a constant force as large as all others stands in
 // the equations: a rig without the one or the other follows nothing. One that does so with them on a link lacks them. judge: says what
 // it says of records, of the rig as given and of those with the forces.

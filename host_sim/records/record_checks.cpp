@@ -60,6 +60,8 @@ double take_clock(const std::vector<double>& time_s, Record& record) {
 
 bool is_drive(const Channel& channel) { return channel.quantity == Quantity::kForce || channel.dof == rig_file::kBase; }
 
+bool has_drive(const Record& record) { return std::any_of(record.channels.begin(), record.channels.end(), is_drive); }
+
 Channel channel_of_name(const std::string& name, const rig_file::RigModel& model, const std::string& file,
                         size_t line) {
   const bool any = model.dofs.empty() && rig_file::parse_channel_name(name);

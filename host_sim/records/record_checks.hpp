@@ -11,6 +11,7 @@ namespace host_sim {
 
 // A force, or a channel of the moving base.
 bool is_drive(const Channel& channel);
+bool has_drive(const Record& record);
 
 // The channel of that name, without values. Throws DataFileError (with the line) where the rig has no use for the name;
 // a rig without DOFs stands for "no rig file" and has use for every channel.

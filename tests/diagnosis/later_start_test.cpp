@@ -67,6 +67,22 @@ TEST(LaterStart, ADecayThatIsFreeFromItsStartIsToldWhole) {
   EXPECT_TRUE(d.told_from_s.empty());
 }
 
+// Half of 420 samples is too short for a diagnosis: what is said of all stands.
+TEST(LaterStart, IsNotSoughtWhereTooLittleWouldBeLeft) {
+  host_sim::Record record = handled(9, 6);
+  record.channels[0].values.resize(420);  // 8.4 s, all in the hand
+  const Diagnosis d = diagnose(one_mass(), {record}, {}, {});
+  EXPECT_TRUE(d.told_from_s.empty());
+  EXPECT_EQ(d.verdict, Verdict::kUnknown);
+}
+
+// A force channel of noughts drives nothing.
+TEST(LaterStart, IsSoughtBesideAForceThatNeverActs) {
+  host_sim::Record record = handled(9, 3);
+  record.channels.push_back({"force_1_N", Quantity::kForce, 1, std::vector<double>(record.samples(), 0.0)});
+  EXPECT_EQ(diagnose(one_mass(), {record}, {}, {}).told_from_s.size(), 1u);
+}
+
 // What a force drives has no start of its own: where nothing is described, that is the answer.
 TEST(LaterStart, IsNotSoughtWhereAForceIsMeasured) {
   std::mt19937 random(7);

@@ -29,7 +29,7 @@ size_t held_samples(const std::vector<double>& y) {
 
 size_t held_samples(const host_sim::Record& record) {
   size_t held = 0;
-  if (std::any_of(record.channels.begin(), record.channels.end(), host_sim::is_drive)) return held;
+  if (host_sim::has_drive(record)) return held;
   for (const host_sim::Channel& c : record.channels)
     if (c.quantity == host_sim::Quantity::kAcceleration) held = std::max(held, held_samples(c.values));
   return held;

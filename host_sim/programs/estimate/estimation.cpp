@@ -38,12 +38,10 @@ void check_records(const std::vector<Record>& records) {
                          ", several cycles of the lowest frequency");
 }
 
-bool has_force(const Record& record) { return std::any_of(record.channels.begin(), record.channels.end(), is_drive); }
-
 firmware::WindowConfiguration window_of(const std::vector<Record>& records, const EstimationOptions& options) {
   const Record& record = records.front();
   firmware::WindowConfiguration window;
-  window.mode = has_force(record) ? firmware::WindowMode::kInterval : firmware::WindowMode::kFreeDecay;
+  window.mode = has_drive(record) ? firmware::WindowMode::kInterval : firmware::WindowMode::kFreeDecay;
   if (!options.excitation_Hz) {
     size_t shortest = record.samples();
     for (const Record& other : records) shortest = std::min(shortest, other.samples());
