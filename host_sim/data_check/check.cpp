@@ -71,7 +71,8 @@ void check_motion(const Record& record, const rig_file::RigModel* model, const D
   Record middle;
   const Record& compared = middle_of(record, middle);
   compare_channels(compared, model, report);
-  if (!has_fault(report)) attach(find_ac_coupling(compared, model), report);
+  if (!has_fault(report))
+    attach(find_ac_coupling(compared, model, drive.lines_Hz.empty() ? 0.0 : drive.lines_Hz.back()), report);
   find_time_unit(record, model, report);
   if (model != nullptr && !has_fault(report)) attach(check_rig_balance(compared, *model), report);
   if (!has_fault(report) && !any_finding(report, [](const Finding& f) { return f.kind == "polarity"; }))

@@ -52,6 +52,15 @@ TEST(Coupling, OfAnAccelerometerIsToldWithItsCornerAndKey) {
       }
 }
 
+// What half a sample of a jump in every period makes is no corner: at 10 Hz and 1 kHz 3 % of the channel.
+TEST(Coupling, WhereTonesDriveItHasToBeMoreThanHalfASample) {
+  const Record record = behind(0.1, "xa", made::Drive::kRandom, 1e-3, 5);
+  EXPECT_EQ(host_sim::data_check::find_ac_coupling(record, nullptr).size(), 1u);
+  EXPECT_EQ(host_sim::data_check::find_ac_coupling(record, nullptr, 10.0).size(), 0u);
+  const Record strong = behind(1.0, "xa", made::Drive::kRandom, 1e-3, 5);
+  EXPECT_EQ(host_sim::data_check::find_ac_coupling(strong, nullptr, 10.0).size(), 1u);
+}
+
 TEST(Coupling, IsPartOfTheCheck) {
   const rig_file::RigModel rig = made::chain();
   const host_sim::data_check::Report report =

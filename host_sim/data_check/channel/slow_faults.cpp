@@ -7,6 +7,7 @@
 #include <complex>
 
 #include "firmware/fixed_point/wider_vectors.hpp"
+#include "host_sim/data_check/channel/harmonic.hpp"
 
 namespace host_sim::data_check {
 namespace {
@@ -14,6 +15,7 @@ namespace {
 constexpr double kPi = 3.14159265358979323846;
 constexpr size_t kMostSamples = 1 << 16;  // of a spectrum at single frequencies
 constexpr double kAboveSurroundings = 30.0;
+constexpr double kLeastHum = 1e-4;  // of the channel: less bends no number
 constexpr size_t kParts = 10;
 constexpr double kSteady = 0.9, kDriftShare = 0.05;
 
@@ -69,8 +71,9 @@ std::optional<Finding> find_hum(const Channel& channel, const Statistics& statis
   const double line = *std::max_element(amplitude, amplitude + kLine);
   double around = 0.0;
   for (size_t k = kLine; k < kFrequencies; ++k) around += amplitude[k] * amplitude[k];
-  if (!(line * line > kAboveSurroundings * around / static_cast<double>(kAround)) || line < 1e-6 * statistics.rms)
+  if (!(line * line > kAboveSurroundings * around / static_cast<double>(kAround)) || line < kLeastHum * statistics.rms)
     return std::nullopt;
+  if (is_harmonic(channel, statistics.mean, sample_period_s, mains_Hz)) return std::nullopt;
   std::string text = fmt::format(
       "carries a line at {:.0f} Hz of amplitude {:.3g} ({:.2g} % of its rms): mains hum, if the excitation has no such "
       "line",

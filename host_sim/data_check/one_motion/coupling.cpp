@@ -127,7 +127,8 @@ std::optional<Corner> corner_of(const Channel& lower, const Channel& acceleratio
   return best && beyond && agree(*best, *beyond) ? best : std::nullopt;
 }
 
-std::vector<Finding> find_ac_coupling(const Record& record, const rig_file::RigModel* model) {
+std::vector<Finding> find_ac_coupling(const Record& record, const rig_file::RigModel* model, double tone_Hz) {
+  const double least_share = std::max(kTakes, 0.5 * kTwoPi * tone_Hz * record.sample_period_s);
   std::vector<Finding> findings;
   for (const Channel& channel : record.channels) {
     if (channel.quantity != Quantity::kAcceleration) continue;
@@ -136,7 +137,7 @@ std::vector<Finding> find_ac_coupling(const Record& record, const rig_file::RigM
       if (lower == nullptr) continue;
       const auto corner = corner_of(*lower, channel, record.sample_period_s);
       if (!corner || !(corner->corner_Hz > kDeviations * corner->std_Hz) ||
-          share_taken(channel.values, corner->corner_Hz, record.sample_period_s) < kTakes)
+          share_taken(channel.values, corner->corner_Hz, record.sample_period_s) < least_share)
         continue;
       findings.push_back(finding_of(channel, *lower, *corner, model));
       break;
