@@ -4,13 +4,12 @@
 #include <cmath>
 
 #include "advice.hpp"
-#include "answer/answer.hpp"
 #include "answer/beside_noise.hpp"
 #include "answer/rows_borne_out.hpp"
 #include "answer/run_limits.hpp"
+#include "by_runs.hpp"
 #include "channels/common_lag.hpp"
 #include "channels/held_force.hpp"
-#include "channels/rounded_jumps.hpp"
 #include "channels/zero_of_channel.hpp"
 #include "doubts/trifles.hpp"
 #include "hums/force_hum.hpp"
@@ -19,7 +18,6 @@
 #include "numbers/between_rivals.hpp"
 #include "numbers/scale.hpp"
 #include "numbers/undetermined.hpp"
-#include "residual/leaves_trace.hpp"
 #include "residual/most_noise.hpp"
 #include "valleys/wrong_numbers.hpp"
 
@@ -35,8 +33,6 @@ bool springs_and_masses_known(const rig_file::RigModel& rig) {
          std::none_of(rig.links.begin(), rig.links.end(),
                       [](const rig_file::Link& l) { return l.stiffness_N_m.estimate; });
 }
-
-bool two_channels_a_dof(const runs::Prepared& p) { return p.traces.size() > p.guess.size() - 1; }
 
 constexpr double kMostlyNoise = 0.8;  // of the squared residual
 
@@ -54,61 +50,6 @@ void state_rivals(Diagnosis& d) {
   };
   for (Cause& c : d.causes) c.rivals.erase(std::remove_if(c.rivals.begin(), c.rivals.end(), unsaid), c.rivals.end());
   if (d.causes.size() == 1) d.causes[0].rivals = d.ambiguous_with;
-}
-
-// Goes on from a fitted rig and names what is missing by free runs.
-runs::Choice searched(const Asked& asked, const runs::Task& task, const runs::Choice& from) {
-  runs::Choice found = from;
-  const auto& progress = asked.options.progress;
-  runs::choose(task, found, [&](double share) {
-    if (progress) progress(0.6 + 0.3 * share);
-  });
-  return found;
-}
-
-// By free runs, from the rig as given with the sensor faults that they bear out. Numbers of the rig file that may be wrong may
-// stand for something else: they are the answer where causes beside the rig as given leave more than noise, and simulate
-// unseen data worse.
-void answer_by_runs(const Asked& asked, const runs::Task& task, const RowsSay& say, const runs::Choice* numbers,
-                    runs::Choice& choice) {
-  if (!runs::massless(asked.rig) && two_channels_a_dof(task.records[0]))
-    runs::adopt_faults(task, say.asked ? say.faults : motion_faults(asked), choice);
-  if (!choice.searched) choice = searched(asked, task, choice);
-  const bool explained = choice.final.fit.ok && !choice.named.empty() && !runs::beyond_noise(choice.final_left);
-  if (!numbers || explained) return;
-  const runs::Choice renumbered = searched(asked, task, *numbers);
-  if (!choice.final.fit.ok || runs::missed_percent(task, renumbered.final) < runs::missed_percent(task, choice.final))
-    choice = renumbered;
-}
-
-// What the free runs lose in noise and the rows see beside nothing else is there.
-bool trace_is_there(const runs::Task& task, const RowsSay& say, const runs::Choice& choice) {
-  const Remainder& left = say.left;
-  return left.trace_alone && !runs::near_enough(task, choice) &&
-         (left.trace_Hz == 0 || runs::leaves_tone(task, choice.final, left.trace_Hz)) &&
-         (left.trace_link < 0 || runs::leaves_repetition(task, choice.final, left.trace_link));
-}
-
-// Numbers of the rig as given beside the accelerometers' rounding of friction's jumps. A cause may stand for what they round: where one
-// is named it is not asked.
-bool round_jumps(const runs::Task& task, std::vector<runs::Prepared>& records, runs::Choice& choice) {
-  if (!choice.named.empty() || !runs::round_jumps(task, records, choice.final)) return false;
-  choice.base = choice.final;
-  choice.base_left = choice.final_left = runs::left_by(task.system, task.records, choice.final);
-  return true;
-}
-
-// What free runs say, with numbers beside rounded jumps; also where causes were taken back that may have stood for them.
-void answer(const runs::Task& task, std::vector<runs::Prepared>& records, runs::Choice& choice, Diagnosis& d) {
-  const Diagnosis before = d;
-  round_jumps(task, records, choice);
-  runs::answer(task, choice, d);
-  if (!d.causes.empty() || choice.named.empty()) return;
-  runs::Choice alone = choice;
-  alone.named.clear(), alone.final = alone.base, alone.final_left = alone.base_left;
-  if (!round_jumps(task, records, alone)) return;
-  d = before, choice = alone;
-  runs::answer(task, choice, d);
 }
 
 // What is left of a rig that follows its motion goes with it: a force that no effect explains may be in its numbers.
@@ -157,7 +98,7 @@ Diagnosis judged(const Asked& asked, double& lag_s) {
       choice = numbers;
     else if (!right)
       answer_by_runs(asked, task, say, wrong == runs::Wrong::kNo ? nullptr : &numbers, choice);
-    answer(task, records, choice, d);
+    answer_beside_rounded_jumps(task, records, choice, d);
     if (d.verdict == Verdict::kNone && trace_is_there(task, say, choice)) d.verdict = Verdict::kUnknown;
   }
   runs::name_holds(task, d);
