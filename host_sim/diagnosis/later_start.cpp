@@ -1,5 +1,6 @@
 #include "later_start.hpp"
 
+#include <algorithm>
 #include <optional>
 
 #include "forces_of_rest.hpp"
@@ -36,6 +37,14 @@ std::vector<host_sim::Record> begun_later(std::vector<host_sim::Record> records,
   return records;
 }
 
+// Of a record whose start is cut off already, because a hand acts there, more of the start may be the hand's.
+bool begins_cut(const std::vector<host_sim::Record>& records) {
+  return std::any_of(records.begin(), records.end(),
+                     [](const host_sim::Record& record) { return record.left_out_before.value_or(0) > 0; });
+}
+
+bool leaves_something(const Diagnosis& d) { return d.verdict == Verdict::kUnknown || d.more_remains; }
+
 // Nothing where the rig file describes nothing of it either, or too little is left to tell.
 std::optional<Diagnosis> told(const Asked& asked, Diagnosis (*judge)(const Asked&)) try {
   if (!describes(asked)) return {};
@@ -49,7 +58,8 @@ std::optional<Diagnosis> told(const Asked& asked, Diagnosis (*judge)(const Asked
 
 Diagnosis judged_from_a_later_start(const Asked& asked, Diagnosis (*judge)(const Asked&)) {
   const Diagnosis of_all = judge(asked);
-  if (!follows_nothing(of_all)) return of_all;
+  const bool nothing = follows_nothing(of_all);
+  if (!nothing && !(leaves_something(of_all) && begins_cut(asked.training))) return of_all;
   const std::vector<runs::Prepared> records = runs::prepare_all(asked.rig, asked.training, asked.holdout);
   if (runs::forced(records)) return of_all;
   const std::vector<runs::Span> spans = spans_of_motion(records);
@@ -63,7 +73,7 @@ Diagnosis judged_from_a_later_start(const Asked& asked, Diagnosis (*judge)(const
     std::optional<Diagnosis> d = told(later, judge);
     if (!d) continue;
     for (const host_sim::Record& record : training) d->told_from_s.push_back(record.start_s);
-    if (d->verdict != Verdict::kUnknown) return *d;
+    if (nothing ? d->verdict != Verdict::kUnknown : !leaves_something(*d)) return *d;
     if (!best.cannot_describe.empty()) best = *d;
   }
   return best;

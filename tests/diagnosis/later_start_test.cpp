@@ -6,6 +6,7 @@
 #include <cmath>
 #include <random>
 
+#include "host_sim/records/stretch.hpp"
 #include "two_masses.hpp"
 
 namespace {
@@ -74,6 +75,17 @@ TEST(LaterStart, IsNotSoughtWhereTooLittleWouldBeLeft) {
   Diagnosis d;
   EXPECT_NO_THROW(d = diagnose(one_mass(), {record}, {}, {}));
   EXPECT_NE(d.verdict, Verdict::kNone);
+}
+
+// Of a record that `check` cut one second too early: 0.94 s of the hand are left, and a bent spring would do.
+TEST(LaterStart, MoreOfTheHandThanWasCutOffIsLeftOut) {
+  const host_sim::Record cut = host_sim::stretch_of(handled(9, 3), 403, 2000);  // from 8.06 s
+  const Diagnosis d = diagnose(one_mass(), {cut}, {}, {});
+  EXPECT_EQ(two_masses::said(d), "none");
+  ASSERT_EQ(d.told_from_s.size(), 1u);
+  EXPECT_GE(d.told_from_s[0], 9);
+  const Parameter viscous = two_masses::parameter_of(d.baseline, "viscous[1-0]");
+  EXPECT_NEAR(viscous.value, kViscous_N_s_m, 4 * viscous.std);
 }
 
 // A force channel of noughts drives nothing.

@@ -251,7 +251,8 @@ std::string later_start_text(const DiagnosisReportData& data) {
   std::vector<std::string> instants;
   for (double s : data.told_from_s) instants.push_back(number_text(s, 3));
   return "This is said of the motion from " + listed(instants, "and") +
-         " s on: before, the rig file describes nothing (a hand that still holds or pulls, faster modes of a blow).";
+         " s on: before, something acts that the rig file has not (a hand that still holds or pulls, faster modes of a "
+         "blow).";
 }
 
 std::string details_of(const DiagnosisReportData& data) {
