@@ -12,6 +12,8 @@ namespace {
 
 constexpr double kLaterStarts[] = {0.125, 0.25, 0.375, 0.5};  // of the motion: half of it has to be left
 
+constexpr double kAllOfIt_percent = 100;  // of a signal, missed by a free run
+
 // Of each record, in its own samples.
 std::vector<runs::Span> spans_of_motion(const std::vector<runs::Prepared>& records) {
   std::vector<runs::Span> spans;
@@ -45,11 +47,13 @@ bool begins_cut(const std::vector<host_sim::Record>& records) {
 
 bool leaves_something(const Diagnosis& d) { return d.verdict == Verdict::kUnknown || d.more_remains; }
 
-// Nothing where the rig file describes nothing of it either, or too little is left to tell.
+// Nothing where the rig file describes nothing of it either, too little is left to tell, or what is unseen is missed by all it is: what
+// slows down all the time looks simple in its last part.
 std::optional<Diagnosis> told(const Asked& asked, Diagnosis (*judge)(const Asked&)) try {
   if (!describes(asked)) return {};
   const Diagnosis d = judge(asked);
-  return d.cannot_describe.empty() ? std::optional<Diagnosis>(d) : std::nullopt;
+  if (!d.cannot_describe.empty() || d.extended.most_missed_percent() > kAllOfIt_percent) return {};
+  return d;
 } catch (const CannotAnswer&) {
   return {};
 }

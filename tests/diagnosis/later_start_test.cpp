@@ -88,6 +88,32 @@ TEST(LaterStart, MoreOfTheHandThanWasCutOffIsLeftOut) {
   EXPECT_NEAR(viscous.value, kViscous_N_s_m, 4 * viscous.std);
 }
 
+double missed_percent = 0;  // by what is judged from a later start
+
+Diagnosis judge_by_its_start(const Asked& asked) {
+  Diagnosis d;
+  d.verdict = Verdict::kNone;
+  if (asked.training[0].start_s == 0)
+    d.verdict = Verdict::kUnknown, d.cannot_describe = "nothing is followed";
+  else
+    d.extended.holdout_nrmse_percent = {missed_percent};
+  return d;
+}
+
+// A coasting shaft with drag had been "none" from 5 s on, beside 367 % missed.
+TEST(LaterStart, IsNoneWhereAllOfWhatFollowsIsMissed) {
+  const rig_file::RigModel rig = one_mass();
+  const std::vector<host_sim::Record> training{handled(9, 3)}, holdout;
+  const Options options;
+  const Asked asked{rig, training, holdout, options};
+  missed_percent = 72;
+  EXPECT_EQ(judged_from_a_later_start(asked, judge_by_its_start).told_from_s.size(), 1u);
+  missed_percent = 367;
+  const Diagnosis d = judged_from_a_later_start(asked, judge_by_its_start);
+  EXPECT_TRUE(d.told_from_s.empty());
+  EXPECT_EQ(d.cannot_describe, "nothing is followed");
+}
+
 // A force channel of noughts drives nothing.
 TEST(LaterStart, IsSoughtBesideAForceThatNeverActs) {
   host_sim::Record record = handled(9, 3);
