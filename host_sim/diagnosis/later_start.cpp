@@ -5,6 +5,7 @@
 
 #include "forces_of_rest.hpp"
 #include "host_sim/records/stretch.hpp"
+#include "host_sim/vocabulary/held_in_place.hpp"
 #include "windows/windows.hpp"
 
 namespace diagnosis {
@@ -62,6 +63,7 @@ std::optional<Diagnosis> told(const Asked& asked, Diagnosis (*judge)(const Asked
 
 Diagnosis judged_from_a_later_start(const Asked& asked, Diagnosis (*judge)(const Asked&)) {
   const Diagnosis of_all = judge(asked);
+  if (!vocabulary::held_in_place(asked.rig)) return of_all;  // what coasts has no start: all of it is one slowing down
   const bool nothing = follows_nothing(of_all);
   if (!nothing && !(leaves_something(of_all) && begins_cut(asked.training))) return of_all;
   const std::vector<runs::Prepared> records = runs::prepare_all(asked.rig, asked.training, asked.holdout);

@@ -114,6 +114,16 @@ TEST(LaterStart, IsNoneWhereAllOfWhatFollowsIsMissed) {
   EXPECT_EQ(d.cannot_describe, "nothing is followed");
 }
 
+// What coasts slows down all the time: its last part is as simple as it is short.
+TEST(LaterStart, IsNoneOfWhatNoSpringHolds) {
+  rig_file::RigModel rig = one_mass();
+  rig.links[0].stiffness_N_m.estimate = false;
+  const std::vector<host_sim::Record> training{handled(9, 3)}, holdout;
+  const Options options;
+  missed_percent = 1;
+  EXPECT_TRUE(judged_from_a_later_start({rig, training, holdout, options}, judge_by_its_start).told_from_s.empty());
+}
+
 // A force channel of noughts drives nothing.
 TEST(LaterStart, IsSoughtBesideAForceThatNeverActs) {
   host_sim::Record record = handled(9, 3);
