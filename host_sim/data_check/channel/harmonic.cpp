@@ -9,7 +9,7 @@ namespace host_sim::data_check {
 namespace {
 
 constexpr size_t kMostSamples = 1 << 16;
-constexpr double kPlace = 0.2;         // bins: how well a peak is placed by its bins under a Hann window, beside what dies out
+constexpr double kPlace = 0.2;  // bins: how well a peak is placed by its bins under a Hann window, beside what dies out
 constexpr double kBeside = 1.0 / 3.0;  // of a line: odd harmonics of dry friction fall more slowly than that
 
 // What a tone in bin `at` (a broken number) has, from the powers around it: a Hann window spreads it over four bins.
