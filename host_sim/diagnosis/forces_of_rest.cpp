@@ -7,7 +7,6 @@
 namespace diagnosis {
 namespace {
 
-constexpr double kAllOfIt_percent = 100;  // of a signal, missed by a free run: not even its mean is right
 constexpr double kForOneMore = 0.5;       // of what is missed with one force, at most, where two are named
 constexpr double kFollowed_percent = 50;  // a run that misses less is in phase
 
@@ -26,14 +25,14 @@ std::vector<Trial> trials_on(const rig_file::RigModel& rig, size_t link, bool of
     t.named.push_back({"force_offset", "force_offset"});
     return t;
   };
-  const Trial as_given{rig, {}};
-  const bool sprung_already = has_spring(rig.links[link].stiffness_N_m);
-  if (sprung_already) return offset_too ? std::vector<Trial>{off(as_given)} : std::vector<Trial>{};
-  Trial sprung = as_given;
+  std::vector<Trial> list;
+  if (offset_too) list.push_back(off({rig, {}}));
+  if (has_spring(rig.links[link].stiffness_N_m)) return list;
+  Trial sprung{rig, {{"stiffness", "stiffness_error"}}};
   sprung.rig.links[link].stiffness_N_m.estimate = true;
-  sprung.named.push_back({"stiffness", "stiffness_error"});
-  if (!offset_too) return {sprung};
-  return {off(as_given), sprung, off(sprung)};
+  list.push_back(sprung);
+  if (offset_too) list.push_back(off(sprung));
+  return list;
 }
 
 // The spring was found from a fit of a rig that nothing pulls back: its own values are better first values.

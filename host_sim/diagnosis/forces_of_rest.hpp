@@ -5,6 +5,8 @@
 
 namespace diagnosis {
 
+constexpr double kAllOfIt_percent = 100;  // of a signal, missed by a free run: not even its mean is right
+
 // Whether the rig as given follows its records over any window at all.
 bool describes(const Asked& asked);
 

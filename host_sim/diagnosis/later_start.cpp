@@ -13,8 +13,6 @@ namespace {
 
 constexpr double kLaterStarts[] = {0.125, 0.25, 0.375, 0.5};  // of the motion: half of it has to be left
 
-constexpr double kAllOfIt_percent = 100;  // of a signal, missed by a free run
-
 // Of each record, in its own samples.
 std::vector<runs::Span> spans_of_motion(const std::vector<runs::Prepared>& records) {
   std::vector<runs::Span> spans;

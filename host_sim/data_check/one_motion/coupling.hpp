@@ -20,9 +20,9 @@ struct Corner {
 std::optional<Corner> corner_of(const Channel& lower, const Channel& acceleration, double sample_period_s);
 
 // ac_coupling: a corner of more than eight deviations, where the high-pass takes 0.2 % of the channel's rms and more (a damping
-// ratio of half of it). A doubt. tone_Hz: the highest of the tones that drive
-// the record, 0 where a band does; where every period is the same, what sampling makes of friction's jumps is so too, up to the phase of
-// half a sample, and no part of the record tells it from a corner. model: nothing where there is no rig file; what it states is undone already.
+// ratio of half of it). A doubt. model: nothing where there is no rig file; what it states is undone already.
+// tone_Hz: the highest of the tones that drive the record, 0 where a band does. Where every period is the same, what sampling makes of
+// friction's jumps is so too, up to the phase of half a sample, and no part of the record tells it from a corner.
 std::vector<Finding> find_ac_coupling(const Record& record, const rig_file::RigModel* model, double tone_Hz = 0.0);
 
 }  // namespace host_sim::data_check
