@@ -32,12 +32,12 @@ TEST(RestBalance, OfAChainIsWhereItsSpringsHoldTheMeanForces) {
                      {"force_2_N", Quantity::kForce, 2, f2},
                      {"displacement_2_m", Quantity::kDisplacement, 2, x2}};
   host_sim::SharedRecords records({record});
-  ASSERT_TRUE(balance_rest(rig, {1, 3}, records));
+  ASSERT_TRUE(balance_rest(host_sim::MeanOf::kDriven, rig, {1, 3}, records));
   EXPECT_NEAR(records.get()[0].channels[1].values[7] - x1[7], 0.04, 1e-9);
   EXPECT_NEAR(records.get()[0].channels[3].values[7] - x2[7], 0.06, 1e-9);
-  EXPECT_FALSE(balance_rest(rig, {1, 3}, records));  // it is there
-  rig.links[0].stiffness_N_m.value = 0;              // nothing holds it any more
-  EXPECT_FALSE(balance_rest(rig, {1, 3}, records));
+  EXPECT_FALSE(balance_rest(host_sim::MeanOf::kDriven, rig, {1, 3}, records));  // it is there
+  rig.links[0].stiffness_N_m.value = 0;                                         // nothing holds it any more
+  EXPECT_FALSE(balance_rest(host_sim::MeanOf::kDriven, rig, {1, 3}, records));
 }
 
 const char* const kRig =

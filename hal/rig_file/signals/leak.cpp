@@ -26,6 +26,14 @@ double own_frequency_square(const CoreConfiguration& c, int node) {
   return mass > 0.0 ? stiffness / mass : 0.0;
 }
 
+// The core begins two time constants after a record does. A motion that is over by then has not been seen.
+int longest_leak(double moving_samples) {
+  constexpr double kTimeConstants = 2.0, kMostOfMotion = 0.5;
+  if (!(moving_samples > 0.0)) return kMostLeak;
+  const double longest = std::log2(kMostOfMotion * moving_samples / kTimeConstants);
+  return std::clamp(static_cast<int>(longest), kLeastLeak, kMostLeak);
+}
+
 }  // namespace
 
 // The corner at which x' of white noise sx and the integral of an acceleration of white noise sa add the least noise:
@@ -38,9 +46,10 @@ int leak_shift(const CoreConfiguration& c, const SignalRanges& ranges, int node)
   };
   const double sx = noise(kX), sa = noise(kA);
   const double ratio = sx > 0.0 && sa > 0.0 ? sa / sx : own_frequency_square(c, node);
-  if (!(ratio > 0.0)) return kMiddleLeak;
+  const int most = longest_leak(ranges.moving_samples[node]);
+  if (!(ratio > 0.0)) return std::min(kMiddleLeak, most);
   const double corner = std::cbrt(ratio * ratio * period_s / 4.0);
-  return std::clamp(static_cast<int>(std::lround(-std::log2(corner * period_s))), kLeastLeak, kMostLeak);
+  return std::clamp(static_cast<int>(std::lround(-std::log2(corner * period_s))), kLeastLeak, most);
 }
 
 }  // namespace rig_file

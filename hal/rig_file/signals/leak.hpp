@@ -5,7 +5,8 @@
 
 namespace rig_file {
 
-// Its time constant as a power of two of sample periods: least noise.
+// Its time constant as a power of two of sample periods: least noise, of those whose start, which tells nothing, is no more than
+// half of the motion.
 int leak_shift(const firmware::CoreConfiguration& c, const SignalRanges& ranges, int node);
 
 }  // namespace rig_file

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "hal/rig_file/recorded/motion_band.hpp"
+#include "hal/rig_file/recorded/moving_samples.hpp"
 #include "hal/rig_file/recorded/slowest_motion.hpp"
 #include "hal/rig_file/scaled_double.hpp"
 #include "hal/rig_file/signal_plan.hpp"
@@ -31,6 +32,9 @@ SignalRanges measure_ranges(const CoreConfiguration& configuration, const Record
   read_noise_of(configuration, records, kX, ranges);
   if (!filtered(configuration) && !coloured_displacement(configuration, ranges)) return ranges;  // asks for no more
   for (const int q : {kF, kV, kA}) read_noise_of(configuration, records, q, ranges);
+  for (int node = 0; node < firmware::kMaxNodes; ++node)
+    if (configuration.fusion[node].used)
+      ranges.moving_samples[node] = fewest_moving_samples(codes_of(records, node, kA));
   CoreConfiguration planned = configuration;
   if (corner == Corner::kBelowMotion && planned.high_pass_order > 0) {
     const int as_configured = planned.high_pass_shift - octaves_of_period(planned);

@@ -36,11 +36,11 @@ std::optional<EstimateResult> estimates_of(const rig_file::RigModel& rig, const 
 
 void balance(const rig_file::RigModel& rig, const std::vector<size_t>& channels, SharedRecords& records) {
   if (rig_file::parameter_names(rig).empty()) {
-    balance_rest(rig, channels, records);
+    balance_rest(MeanOf::kDriven, rig, channels, records);
     return;
   }
   const auto found = estimates_of(rig, records.get());
-  if (found) balance_rest(rig_file::with_values(rig, values_of(*found)), channels, records);
+  if (found) balance_rest(MeanOf::kDriven, rig_file::with_values(rig, values_of(*found)), channels, records);
 }
 
 }  // namespace
@@ -49,7 +49,7 @@ std::vector<std::string> count_forced_from_rest(const rig_file::RigModel& rig, s
                                                 std::vector<Record>& unseen) {
   if (!any_force(training.front()) || !has_mass(rig)) return {};
   SharedRecords records(training);
-  const CountedFromRest rest = count_from_rest(rig, records);
+  const CountedFromRest rest = count_from_rest(CentreOf::kOneSide, rig, records);
   if (rest.held_off.empty()) return {};
   balance(rig, rest.held_off, records);
   for (const size_t c : rest.held_off) {

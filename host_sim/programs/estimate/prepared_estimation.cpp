@@ -1,6 +1,9 @@
 #include "host_sim/programs/estimate/prepared_estimation.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
 
 #include "hal/rig_file/compile_rig.hpp"
 #include "host_sim/programs/estimate/accelerometer_zero.hpp"
@@ -13,24 +16,66 @@ namespace host_sim {
 
 namespace {
 
-Estimation estimate_as_recorded(rig_file::RigModel& model, SharedRecords& records, const EstimationOptions& options,
-                                std::vector<std::string>& notes) {
-  if (const std::string told = take_fewer_samples(model, records); !told.empty()) notes.push_back(told);
-  const Drift drift = drift_of(DriftOf::kIntegrated, model, records.get());
-  if (drift.end_Hz > 0.0) take_off(DriftOf::kIntegrated, drift, records.own()), notes.push_back(said_of(drift));
-  const CountedFromRest rest = count_from_rest(model, records);
-  for (const auto& told : {rest.notes, take_off_accelerometer_zeros(records)})
-    notes.insert(notes.end(), told.begin(), told.end());
-  Estimation estimation = estimate_records(model, records.get(), options);
-  if (balance_rest(rig_file::with_values(model, values_of(estimation.result)), rest.held_off, records))
-    estimation = estimate_records(model, records.get(), options);
-  return estimation;
-}
-
 size_t valid(const Estimation& estimation) {
   const auto& p = estimation.result.parameters;
   return static_cast<size_t>(std::count_if(
       p.begin(), p.end(), [](const ParameterResult& one) { return one.status == firmware::EstimateStatus::kValid; }));
+}
+
+// Of two preparations of the same records: which suspects nothing, warrants more, and else which the records scatter less about. A zero
+// that is elsewhere than it is counted from scatters, on either side.
+bool better(const Estimation& one, const Estimation& other) {
+  const bool suspicious = suspects(one.result.warrant);
+  if (suspicious != suspects(other.result.warrant)) return !suspicious;
+  if (valid(one) != valid(other)) return valid(one) > valid(other);
+  double ratio = 0.0;
+  for (size_t k = 0; k < one.result.parameters.size(); ++k)
+    ratio += std::log(one.result.parameters[k].std / other.result.parameters[k].std);
+  return ratio < 0.0;
+}
+
+// What the core is given, and what it answers.
+struct Prepared {
+  rig_file::RigModel model;
+  SharedRecords records;
+  std::vector<std::string> notes;
+  Estimation estimation;
+};
+
+// Where the forces say that it rests elsewhere it is estimated once more from there.
+void balance(MeanOf of, const std::vector<size_t>& channels, const EstimationOptions& options, Prepared& prepared) {
+  Prepared balanced = prepared;
+  const rig_file::RigModel rig = rig_file::with_values(balanced.model, values_of(balanced.estimation.result));
+  if (!balance_rest(of, rig, channels, balanced.records)) return;
+  balanced.estimation = estimate_records(balanced.model, balanced.records.get(), options);
+  if (of == MeanOf::kDriven || better(balanced.estimation, prepared.estimation)) prepared = std::move(balanced);
+}
+
+void estimate_counted(CentreOf centre, const EstimationOptions& options, Prepared& prepared) {
+  const CountedFromRest rest = count_from_rest(centre, prepared.model, prepared.records);
+  for (const auto& told : {rest.notes, take_off_accelerometer_zeros(prepared.records)})
+    prepared.notes.insert(prepared.notes.end(), told.begin(), told.end());
+  prepared.estimation = estimate_records(prepared.model, prepared.records.get(), options);
+  balance(MeanOf::kDriven, rest.held_off, options, prepared);
+  balance(MeanOf::kFreeMotion, rest.swinging, options, prepared);
+}
+
+bool swings_elsewhere(const Prepared& prepared) {
+  SharedRecords once = prepared.records, all = prepared.records;
+  const auto notes = count_from_rest(CentreOf::kOneSide, prepared.model, once).notes;
+  return count_from_rest(CentreOf::kFreeSwings, prepared.model, all).notes != notes;
+}
+
+void estimate_as_recorded(const EstimationOptions& options, Prepared& prepared) {
+  auto& [model, records, notes, estimation] = prepared;
+  if (const std::string told = take_fewer_samples(model, records); !told.empty()) notes.push_back(told);
+  const Drift drift = drift_of(DriftOf::kIntegrated, model, records.get());
+  if (drift.end_Hz > 0.0) take_off(DriftOf::kIntegrated, drift, records.own()), notes.push_back(said_of(drift));
+  if (!swings_elsewhere(prepared)) return estimate_counted(CentreOf::kOneSide, options, prepared);
+  Prepared shifted = prepared;
+  estimate_counted(CentreOf::kOneSide, options, prepared);
+  estimate_counted(CentreOf::kFreeSwings, options, shifted);
+  if (better(shifted.estimation, estimation)) prepared = std::move(shifted);
 }
 
 }  // namespace
@@ -38,18 +83,19 @@ size_t valid(const Estimation& estimation) {
 Estimation estimate_prepared(rig_file::RigModel& model, SharedRecords& records, const EstimationOptions& options,
                              std::vector<std::string>& notes) {
   const Drift drift = drift_of(DriftOf::kDisplacements, model, records.get());
-  rig_file::RigModel other_model = model;
-  SharedRecords without = drift.end_Hz > 0.0 ? records : SharedRecords({});  // who holds them has them copied
-  const std::vector<std::string> before = notes;
-  Estimation estimation = estimate_as_recorded(model, records, options, notes);
-  if (drift.end_Hz == 0.0 || valid(estimation) == estimation.result.parameters.size()) return estimation;
-  take_off(DriftOf::kDisplacements, drift, without.own());
-  std::vector<std::string> other_notes = before;
-  other_notes.push_back(said_of(drift));
-  Estimation other = estimate_as_recorded(other_model, without, options, other_notes);
-  if (suspects(other.result.warrant) || valid(other) <= valid(estimation)) return estimation;
-  model = other_model, records = without, notes = other_notes;
-  return other;
+  Prepared prepared{model, std::move(records), notes, {}};
+  std::optional<Prepared> without;
+  if (drift.end_Hz > 0.0) without = prepared;  // who holds the records has them copied
+  estimate_as_recorded(options, prepared);
+  if (without && valid(prepared.estimation) < prepared.estimation.result.parameters.size()) {
+    take_off(DriftOf::kDisplacements, drift, without->records.own());
+    without->notes.push_back(said_of(drift));
+    estimate_as_recorded(options, *without);
+    if (!suspects(without->estimation.result.warrant) && valid(without->estimation) > valid(prepared.estimation))
+      prepared = std::move(*without);
+  }
+  model = std::move(prepared.model), records = std::move(prepared.records), notes = std::move(prepared.notes);
+  return std::move(prepared.estimation);
 }
 
 }  // namespace host_sim

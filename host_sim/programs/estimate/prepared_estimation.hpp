@@ -9,9 +9,10 @@
 namespace host_sim {
 
 // Changes the records to what the core is given, and leaves the units of converters' codes in the rig file to the data where those have
-// changed. notes: gets what to say of it. Where forces hold a displacement off its mean it is estimated twice,
-// and where one is slower than all that drives the rig: as recorded and without, which stands where it warrants more and suspects nothing. Throws
-// as estimate_records().
+// changed. notes: gets what to say of it. Estimated twice: where forces hold a displacement off its mean; where a free motion seems to
+// swing about another place than its zero, from either, and what suspects nothing, warrants more or scatters less stands; where a
+// displacement is slower than all that drives the rig, as recorded and without, which stands where it warrants more and suspects
+// nothing. Throws as estimate_records().
 Estimation estimate_prepared(rig_file::RigModel& model, SharedRecords& records, const EstimationOptions& options,
                              std::vector<std::string>& notes);
 

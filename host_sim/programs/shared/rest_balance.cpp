@@ -14,20 +14,23 @@ constexpr double kAtRest = 1e-3;    // of the root mean square: a constant force
 constexpr double kFarthest = 1.0;   // of it: farther off is not the mean of a force, but a model that is another rig's
 constexpr double kDistinct = 1e-6;  // of the stiffest direction: below it nothing holds the rig there
 
-// Mean over all records of what is left of each equation of motion.
-Eigen::VectorXd mean_left(const rig_file::RigModel& rig, const std::vector<Record>& records) {
-  Eigen::VectorXd sum = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(rig.dofs.size()));
-  double weights = 0.0;
-  for (const Record& record : records) {
-    const std::vector<Series> left = force_balance(rig, record).residual;
-    const size_t count = left.front().size();
+// Of what is left of each equation of motion, over these records.
+Eigen::VectorXd mean_left(MeanOf of, const rig_file::RigModel& rig, const Record* begin, const Record* end) {
+  const auto dofs = static_cast<Eigen::Index>(rig.dofs.size());
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(dofs), weights = sum;
+  for (const Record* record = begin; record != end; ++record) {
+    const ForceBalance balance = force_balance(rig, *record);
+    const size_t count = balance.residual.front().size();
     for (size_t k = 0; k < count; ++k) {
       const double s = std::sin(kPi * (static_cast<double>(k) + 0.5) / static_cast<double>(count)), bell = s * s;
-      for (size_t i = 0; i < left.size(); ++i) sum[static_cast<Eigen::Index>(i)] += bell * left[i][k];
-      weights += bell;
+      for (size_t i = 0; i < rig.dofs.size(); ++i) {
+        const double speed = balance.velocity[i][k], weight = of == MeanOf::kDriven ? bell : bell * speed * speed;
+        sum[static_cast<Eigen::Index>(i)] += weight * balance.residual[i][k];
+        weights[static_cast<Eigen::Index>(i)] += weight;
+      }
     }
   }
-  return sum / weights;
+  return sum.cwiseQuotient(weights);
 }
 
 // Forces on the DOFs per displacement of the channels' DOFs.
@@ -52,7 +55,8 @@ double rms_of(const std::vector<Record>& records, size_t channel) {
 
 }  // namespace
 
-bool balance_rest(const rig_file::RigModel& rig, const std::vector<size_t>& channels, SharedRecords& records) {
+bool balance_rest(MeanOf of, const rig_file::RigModel& rig, const std::vector<size_t>& channels,
+                  SharedRecords& records) {
   if (channels.empty() || records.get().empty()) return false;
   std::vector<int> moved;
   for (const size_t c : channels) moved.push_back(records.get().front().channels[c].dof);
@@ -60,17 +64,23 @@ bool balance_rest(const rig_file::RigModel& rig, const std::vector<size_t>& chan
   Eigen::ColPivHouseholderQR<Eigen::MatrixXd> solver(stiffness);
   solver.setThreshold(kDistinct);
   if (solver.rank() < stiffness.cols()) return false;
-  const Eigen::VectorXd off = solver.solve(mean_left(rig, records.get()));
+  const Record* const first = records.get().data();
+  const size_t each = of == MeanOf::kDriven ? records.get().size() : 1;
+  std::vector<Eigen::VectorXd> off;
   bool any = false;
-  for (size_t c = 0; c < channels.size(); ++c) {
-    const double share = std::abs(off[static_cast<Eigen::Index>(c)]) / rms_of(records.get(), channels[c]);
-    if (!(share < kFarthest)) return false;
-    any = any || share > kAtRest;
+  for (size_t r = 0; r < records.get().size(); r += each) {
+    off.push_back(solver.solve(mean_left(of, rig, first + r, first + r + each)));
+    for (size_t c = 0; c < channels.size(); ++c) {
+      const double share = std::abs(off.back()[static_cast<Eigen::Index>(c)]) / rms_of(records.get(), channels[c]);
+      if (!(share < kFarthest)) return false;
+      any = any || share > kAtRest;
+    }
   }
   if (!any) return false;
-  for (Record& record : records.own())
+  std::vector<Record>& own = records.own();
+  for (size_t r = 0; r < own.size(); ++r)
     for (size_t c = 0; c < channels.size(); ++c)
-      for (double& value : record.channels[channels[c]].values) value += off[static_cast<Eigen::Index>(c)];
+      for (double& value : own[r].channels[channels[c]].values) value += off[r / each][static_cast<Eigen::Index>(c)];
   return true;
 }
 

@@ -95,7 +95,7 @@ std::string said_of_rests(const std::string& name, const std::vector<double>& re
 
 }  // namespace
 
-CountedFromRest count_from_rest(const rig_file::RigModel& model, SharedRecords& records) {
+CountedFromRest count_from_rest(CentreOf of, const rig_file::RigModel& model, SharedRecords& records) {
   CountedFromRest rest;
   if (records.get().empty()) return rest;
   const bool alone = swings_about_rest(model, records.get().front()), uneven = has(model, "quadratic_stiffness");
@@ -103,21 +103,23 @@ CountedFromRest count_from_rest(const rig_file::RigModel& model, SharedRecords& 
     if (records.get().front().channels[c].quantity != Quantity::kDisplacement) continue;
     if (is_held_off(model, records.get().front(), records.get().front().channels[c].dof)) continue;
     const std::string& name = records.get().front().channels[c].name;
+    const Moments all = moments(records.get(), c);
+    const bool one_side = std::fabs(all.mean) > kOneSide * all.rms;
+    if (!one_side && !(alone && of == CentreOf::kFreeSwings)) continue;
     const std::vector<double> rests = alone && !uneven ? own_rests(records.get(), c) : std::vector<double>{};
     for (size_t r = 0; r < rests.size(); ++r)
       for (double& value : records.own()[r].channels[c].values) value -= rests[r];
     if (!rests.empty()) {
+      rest.swinging.push_back(c);
       rest.notes.push_back(said_of_rests(name, rests));
       continue;
     }
     const std::optional<Moments> own = alone ? centre(model, records.get(), c) : std::nullopt;
-    const bool free = own.has_value();
-    const Moments all = moments(records.get(), c), swing = free ? *own : all;
-    const bool one_side = std::fabs(all.mean) > kOneSide * all.rms;
-    if (!one_side && !(free && std::fabs(swing.mean) > kOff * swing.rms)) continue;
+    const Moments swing = own.value_or(all);
+    if (!one_side && !(own && std::fabs(swing.mean) > kOff * swing.rms)) continue;
     for (Record& record : records.own())
       for (double& value : record.channels[c].values) value -= swing.mean;
-    if (!free) rest.held_off.push_back(c);
+    (own ? rest.swinging : rest.held_off).push_back(c);
     rest.notes.push_back(
         one_side
             ? fmt::format("{} never comes to its zero: counted from its mean, {:.4g}, as the position of rest", name,

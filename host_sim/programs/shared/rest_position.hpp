@@ -13,14 +13,16 @@ namespace host_sim {
 
 struct CountedFromRest {
   std::vector<std::string> notes;  // what to say of each channel that was changed
-  // Channels that are counted from their mean though forces drive the rig: where that is from its rest the forces say (balance_rest()).
-  std::vector<size_t> held_off;
+  // Channels that are counted from their mean though forces drive the rig, and from what they swing about: how far that is from their
+  // rest the forces say (balance_rest()).
+  std::vector<size_t> held_off, swinging;
 };
 
 // Takes out of every displacement or angle the mean over all records where the motion stays on one side of zero: where the mean is
-// over twice the root mean square about it. Where nothing drives the rig also what it swings about, where that is over 2 % of the
+// over twice the root mean square about it. kFreeSwings: where nothing drives the rig also what it swings about, where that is over 2 % of the
 // root mean square; record by record where they do not swing about the same place. Not the angle of a driven arm with a gravity
 // torque: that is G sin(u) of the angle as it is.
-CountedFromRest count_from_rest(const rig_file::RigModel& model, SharedRecords& records);
+enum class CentreOf { kOneSide, kFreeSwings };
+CountedFromRest count_from_rest(CentreOf of, const rig_file::RigModel& model, SharedRecords& records);
 
 }  // namespace host_sim
