@@ -71,6 +71,27 @@ std::optional<ChannelCorrection> of_warrant(const WarrantResult& warrant, const 
   return correction;
 }
 
+bool only_force(const std::string& channel, const Record& record) {
+  return std::all_of(record.channels.begin(), record.channels.end(),
+                     [&](const Channel& other) { return other.quantity != Quantity::kForce || other.name == channel; });
+}
+
+// By an error of the scale of all masses and springs that may be as large as the force's gain: a rectangular distribution of that half
+// width (GUM, JCGM 100:2008, 4.3.7), of which twice the standard deviation is in the 95 % interval.
+void widen(double gain, EstimateResult& result) {
+  std::vector<double> doubt;
+  for (ParameterResult& p : result.parameters) {
+    doubt.push_back(std::fabs(gain * p.value) / std::sqrt(3.0));
+    if (p.std == 0.0) continue;  // nothing is known of it
+    p.std = std::hypot(p.std, doubt.back());
+    p.ci95_low -= 2.0 * doubt.back(), p.ci95_high += 2.0 * doubt.back();
+  }
+  for (size_t i = 0; i < result.covariance.size(); ++i)
+    for (size_t j = 0; j < result.covariance.size(); ++j)
+      result.covariance[i][j] +=
+          std::copysign(doubt[i] * doubt[j], result.parameters[i].value * result.parameters[j].value);
+}
+
 }  // namespace
 
 std::vector<ChannelCorrection> delays_to_correct(const std::vector<SkewResult>& skews,
@@ -148,11 +169,17 @@ bool corrections_hold(const EstimateResult& corrected, const std::vector<Channel
          std::all_of(corrections.begin(), corrections.end(), [](const auto& c) { return c.by_channels; });
 }
 
-void tell_corrections(const std::vector<ChannelCorrection>& corrections, EstimateResult& corrected) {
+void tell_corrections(const std::vector<ChannelCorrection>& corrections, const std::vector<Record>& records,
+                      EstimateResult& corrected) {
   WarrantResult& warrant = corrected.warrant;
   for (const ChannelCorrection& c : corrections) {
-    corrected.notes.push_back(correction_note(c));
-    const bool gain = c.gain != 0.0;
+    const bool gain = c.gain != 0.0, scale = gain && !c.by_channels && only_force(c.channel, records.front());
+    corrected.notes.push_back(
+        correction_note(c) + (scale ? fmt::format("; were it right, every mass, spring and coefficient would be {:.4g} "
+                                                  "times as large: the intervals hold both",
+                                                  1.0 + c.gain)
+                                    : ""));
+    if (scale) widen(c.gain, corrected);
     warrant.corrected.push_back({gain ? "sensor_gain" : "sensor_delay", std::string(kOfChannel) + c.channel,
                                  gain ? c.gain : c.late_us * 1e-6, gain ? c.std : c.std * 1e-6, gain ? "" : "s"});
   }

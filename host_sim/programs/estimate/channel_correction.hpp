@@ -47,8 +47,10 @@ std::vector<Record> without_gains(const std::vector<ChannelCorrection>& correcti
 bool corrections_hold(const EstimateResult& corrected, const std::vector<ChannelCorrection>& corrections,
                       const std::vector<Record>& records);
 
-// Says in the corrected result what has been corrected.
-void tell_corrections(const std::vector<ChannelCorrection>& corrections, EstimateResult& corrected);
+// Says in the corrected result what has been corrected. The gain of the only force of a rig is known by its masses and springs alone: were
+// the force right, they and every coefficient would be 1 + gain times as large, so the intervals hold that too.
+void tell_corrections(const std::vector<ChannelCorrection>& corrections, const std::vector<Record>& records,
+                      EstimateResult& corrected);
 // "displacement_1_m was 399 us late (+- 2): corrected"
 std::string correction_note(const ChannelCorrection& correction);
 

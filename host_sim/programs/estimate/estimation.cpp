@@ -51,7 +51,7 @@ Estimation estimate_corrected(const rig_file::RigModel& model, const std::vector
   const std::vector<Record>& corrected_records = scaled.empty() ? records : scaled;
   Estimation corrected = estimate_as_told(with_delays(model, corrections), corrected_records, options);
   if (!corrections_hold(corrected.result, corrections, records)) return corrected;
-  tell_corrections(corrections, corrected.result);
+  tell_corrections(corrections, records, corrected.result);
   corrected.simulated = judge_fit(model, corrected_records, corrected.result);
   return corrected;
 }
