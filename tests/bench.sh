@@ -72,6 +72,7 @@ if measured scenario_script; then
 fi
 if measured accuracy_report; then "$bin/accuracy_report" docs/accuracy.md; fi
 if measured coverage_report; then "$bin/coverage_report" docs/coverage.md; fi
+if measured host_sim; then python3 tests/accuracy/one_percent.py "$bin" --page docs/limits.md; fi
 if measured host_sim; then tests/coverage/estimate_conditions.py "$bin" --page docs/estimate_coverage.md > /dev/null; fi
 if measured warrant_bench; then "$bin/warrant_bench" --page docs/warrant.md --draws 100; fi
 if measured diagnosis_report; then "$bin/diagnosis_report" --jobs "$(nproc)" docs/diagnosis.md; fi

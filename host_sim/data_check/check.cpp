@@ -14,6 +14,7 @@
 #include "host_sim/data_check/decay/forgiven.hpp"
 #include "host_sim/data_check/decay/growth.hpp"
 #include "host_sim/data_check/decay/release.hpp"
+#include "host_sim/data_check/decay/undying.hpp"
 #include "host_sim/data_check/drive/excitation.hpp"
 #include "host_sim/data_check/drive/one_sign.hpp"
 #include "host_sim/data_check/drive/work.hpp"
@@ -79,6 +80,8 @@ void check_motion(const Record& record, const rig_file::RigModel* model, const D
     if (auto work = find_negative_work(compared, drive)) attach({std::move(*work)}, report);
   if (!has_fault(report))
     if (auto growth = find_growth(record)) attach({std::move(*growth)}, report);
+  if (!has_fault(report))
+    if (auto undying = find_undying(record)) attach({std::move(*undying)}, report);
   if (!has_fault(report))
     if (auto release = find_release(record)) attach({std::move(*release)}, report);
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <functional>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -79,6 +80,13 @@ struct ModelScore {
 // Misfit up to which a sentence may call what is left noise: it is 0.95 to 1.05 on complete drawn rigs.
 constexpr double kStillNoise = 2;
 
+// A record that does not go with the others; beyond noise, of a free run.
+struct OddRecord {
+  size_t record = 0;  // from 0, in the order in which they were given
+  std::string file;
+  double missed_percent = 0, others_percent = 0;  // the others': at most
+};
+
 struct Diagnosis {
   Verdict verdict = Verdict::kNone;
   bool baseline_fits() const { return verdict == Verdict::kNone; }
@@ -94,7 +102,8 @@ struct Diagnosis {
   }
   // The free run misses much, and what is left over the fitted stretches is noise: a force that is mostly noise does that.
   bool noise_hides() const {
-    return verdict == Verdict::kUnknown && causes.empty() && cannot_describe.empty() && leaves_noise_alone();
+    return verdict == Verdict::kUnknown && causes.empty() && cannot_describe.empty() && !odd_record &&
+           leaves_noise_alone();
   }
   // Whether what the rig as given leaves is noise, and looks like nothing else.
   bool leaves_noise_alone() const { return baseline_misfit < kStillNoise && unknown_trace.empty(); }
@@ -112,6 +121,7 @@ struct Diagnosis {
       channels_left_out;  // with which the rig file cannot describe the records, and without which it can
   std::vector<double>
       told_from_s;  // per record, s of its file: the start from which the rig file describes it; empty: all is judged
+  std::optional<OddRecord> odd_record;
   std::string force_between_samples = "smooth";  // or "linear", "steps": how it acts there, as the motion tells
   std::string unknown_trace;                     // what the unexplained force looks like, where it leaves a plain trace
   double baseline_misfit = 0;                    // chi-squared per degree of freedom: 1 is noise alone

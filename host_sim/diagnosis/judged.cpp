@@ -11,6 +11,7 @@
 #include "channels/common_lag.hpp"
 #include "channels/held_force.hpp"
 #include "channels/zero_of_channel.hpp"
+#include "doubts/odd_record.hpp"
 #include "doubts/trifles.hpp"
 #include "hums/force_hum.hpp"
 #include "hums/hum.hpp"
@@ -112,6 +113,7 @@ Diagnosis judged(const Asked& asked, double& lag_s) {
     runs::doubt_numbers(task, choice.final, choice.final_left, d);
     if (!answered && choice.named.empty()) doubt_all_numbers(task, choice, d);
   }
+  runs::say_odd_record(task, choice, d);
   runs::say_scale(task, d);
   compare_nothing(d);
   state_rivals(d);

@@ -39,6 +39,14 @@ json to_json(const Cause& c) {
           {"rivals", to_json(c.rivals)}};
 }
 
+json odd_record(const Diagnosis& d) {
+  if (!d.odd_record) return nullptr;
+  return {{"record", d.odd_record->record + 1},
+          {"file", d.odd_record->file},
+          {"missed_percent", d.odd_record->missed_percent},
+          {"others_percent", d.odd_record->others_percent}};
+}
+
 json to_json(const ModelScore& s, bool fits) {
   json parameters = to_json(s.parameters);
   for (size_t i = 0; i < s.parameters.size(); ++i) parameters[i]["status"] = status_word(s.parameters[i], fits);
@@ -61,6 +69,7 @@ json to_json(const Diagnosis& d) {
          {"cannot_describe", d.cannot_describe},
          {"channels_left_out", d.channels_left_out},
          {"told_from_s", d.told_from_s},
+         {"odd_record", odd_record(d)},
          {"force_between_samples", d.force_between_samples},
          {"unknown_trace", d.unknown_trace},
          {"baseline_misfit", d.baseline_misfit},

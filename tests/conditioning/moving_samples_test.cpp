@@ -22,21 +22,21 @@ std::vector<int32_t> decay(double samples_of_decay, int count) {
 
 // exp(-n / tau) of turning sign: sum of squares tau / 2, of fourth powers tau / 4: tau^2 / 4 / (tau / 4) = tau.
 TEST(MovingSamples, ADecayMovesForItsTimeConstant) {
-  EXPECT_NEAR(rig_file::fewest_moving_samples({decay(300, 5000)}), 300, 3);
-  EXPECT_NEAR(rig_file::fewest_moving_samples({decay(300, 50000)}), 300, 3);  // rest adds nothing
+  EXPECT_NEAR(rig_file::fewest_moving_samples<int32_t>({decay(300, 5000)}), 300, 3);
+  EXPECT_NEAR(rig_file::fewest_moving_samples<int32_t>({decay(300, 50000)}), 300, 3);  // rest adds nothing
 }
 
 // +-1 moves all the time; the shortest record counts.
 TEST(MovingSamples, TheRecordThatMovesLeast) {
   std::vector<int32_t> square;
   for (int n = 0; n < 4000; ++n) square.push_back(n % 2 ? 1000 : -1000);
-  EXPECT_NEAR(rig_file::fewest_moving_samples({square}), 4000, 1);
-  EXPECT_NEAR(rig_file::fewest_moving_samples({square, decay(300, 5000)}), 300, 3);
+  EXPECT_NEAR(rig_file::fewest_moving_samples<int32_t>({square}), 4000, 1);
+  EXPECT_NEAR(rig_file::fewest_moving_samples<int32_t>({square, decay(300, 5000)}), 300, 3);
 }
 
 TEST(MovingSamples, NothingThatMovesIsNotKnown) {
-  EXPECT_EQ(rig_file::fewest_moving_samples({}), 0);
-  EXPECT_EQ(rig_file::fewest_moving_samples({std::vector<int32_t>(100, 7)}), 0);
+  EXPECT_EQ(rig_file::fewest_moving_samples<int32_t>({}), 0);
+  EXPECT_EQ(rig_file::fewest_moving_samples<int32_t>({std::vector<int32_t>(100, 7)}), 0);
 }
 
 // Of a displacement that is a million times better than its acceleration: the longest time constant there is, 2^10 samples. A core that

@@ -91,6 +91,17 @@ void withdraw_causes(const Task& task, const Terms& base, Diagnosis& d) {
   d.extended_rig = extended_rig(task.system, base);
 }
 
+// Of the motion of every DOF, error of the free runs of unseen data: four fifths of its variance are missed. Where windows do no better,
+// or are so short that they follow anything, nothing of the motion is known, whatever noise hides; and no number is.
+constexpr double kMissesAll = 0.9;
+
+bool follows_nothing(const Task& task, const Choice& choice, const Diagnosis& d) {
+  const std::vector<double>& missed = d.extended.holdout_nrmse_percent;
+  if (missed.empty() || massless(choice.final.model)) return false;
+  if (*std::min_element(missed.begin(), missed.end()) < 100 * kMissesAll) return false;
+  return !windows_tell(task, choice) || motion_error(task, choice.final, false) > kMissesAll;
+}
+
 // What the rows named and the runs did not: what those name themselves in the end was not rejected.
 void keep_rejected(Diagnosis& d) {
   const auto named = [&](const Cause& r) {
@@ -109,6 +120,8 @@ void say_cannot_describe(const Task& task, const Choice& choice, Diagnosis& d) {
       "Even over %.2g of a period, each from its own best start, its simulation misses %.0f %% of the motion.",
       choice.periods, std::min(100.0, 100 * motion_error(task, choice.final)));
   d.cannot_describe = text;
+  if (!beyond_noise(choice.final_left))
+    d.cannot_describe += " What it misses looks like noise, and may be nothing else.";
   std::snprintf(
       text, sizeof text,
       "count the modes in the spectrum (the rig file has %zu DOF), and check the units and the channels' places",
@@ -154,9 +167,11 @@ void answer(const Task& task, const Choice& choice, Diagnosis& d) {
     d.verdict =
         (noise && !needed) || motion_error(task, choice.base) < kAsGoodAsRight ? Verdict::kNone : Verdict::kUnknown;
   }
+  const bool nothing = follows_nothing(task, choice, d);
+  if (nothing) withdraw_causes(task, base, d), d.verdict = Verdict::kUnknown;
   if (!d.causes.empty()) mark_between_rivals(task, choice, d);
-  if (!choice.base_fits_nothing) say_possible(task, choice, d);
-  if (choice.base_fits_nothing && choice.named.empty()) say_cannot_describe(task, choice, d);
+  if (!choice.base_fits_nothing && !nothing) say_possible(task, choice, d);
+  if (nothing || (choice.base_fits_nothing && choice.named.empty())) say_cannot_describe(task, choice, d);
   name_hum(task, choice, d);
   keep_rejected(d);
 }

@@ -66,7 +66,7 @@ inline void Simulator::pull_elements(const Vec& y, const Outside& o, bool slopes
       const double omega = kTwoPi * e.shape;
       pull(e,
            {omega * omega * u + 2 * e.shape2 * omega * w, omega * omega, 2 * e.shape2 * omega,
-            2 * omega * omega * u + 2 * e.shape2 * omega * w},
+            2 * omega * omega * u + 2 * e.shape2 * omega * w, 2 * e.shape2 * omega * w},
            o, slopes);
       continue;
     }

@@ -93,6 +93,7 @@ Simulator::Rates Simulator::rates() const {
     if (e.by_value >= 0) join(e, k, c, r.state_slopes[static_cast<size_t>(e.by_value)]);
     if (resonance && e.by_shape >= 0)
       join(e, 2 * e.value * k, e.value * c, r.state_slopes[static_cast<size_t>(e.by_shape)]);
+    if (resonance && e.by_shape2 >= 0) join(e, 0, e.value * c, r.state_slopes[static_cast<size_t>(e.by_shape2)]);
   }
   for (Index node = 0; node < n; ++node)
     for (Index p : by_mass_[static_cast<size_t>(node)]) {

@@ -106,7 +106,8 @@ void Simulator::compile(const System& system, const Model& model) {
       const int h = static_cast<int>(hidden++);
       mass_[h] = value;
       if (by_value >= 0) by_mass_[static_cast<size_t>(h)].push_back(by_value);
-      elements_.push_back({kind, t.term.dof, h, value, t.term.shape, t.term.shape2, by_value, by_shape, -1});
+      elements_.push_back(
+          {kind, t.term.dof, h, value, t.term.shape, t.term.shape2, by_value, by_shape, -1, index_of(i, 2)});
     } else if (t.term.link >= 0 && !replaced[i]) {
       const auto [a, b] = link_ends_[static_cast<size_t>(t.term.link)];
       Element e{kind, a, b, value, t.term.shape, t.term.shape2, by_value, by_shape, -1};

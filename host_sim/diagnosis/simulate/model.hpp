@@ -12,11 +12,12 @@ struct ModelTerm {
   double value = 0;  // SI units
   double std = 0;    // 0: not fitted
   bool known = true;
-  bool added = false;        // not of the rig file
-  bool corrects = false;     // a number that the rig file states, of a kind that is positive: of either sign
-  bool shape_free = false;   // term.shape is fitted too, in its logarithm
-  bool shape2_free = false;  // term.shape2 too: a phase as it is, a time constant in its logarithm
-  int host = -1;             // acts in place of this term's force, with its coefficient
+  bool added = false;       // not of the rig file
+  bool corrects = false;    // a number that the rig file states, of a kind that is positive: of either sign
+  bool shape_free = false;  // term.shape is fitted too, in its logarithm
+  bool shape2_free =
+      false;      // term.shape2 too: a phase as it is, a time constant and a damping ratio in their logarithm
+  int host = -1;  // acts in place of this term's force, with its coefficient
 };
 using Model = std::vector<ModelTerm>;
 
@@ -46,7 +47,7 @@ struct LawValue {
   double force = 0, by_u = 0, by_w = 0, by_log_shape = 0, by_shape2 = 0;
 };
 bool is_linear(Kind kind);  // in elongation and rate, without shapes
-// Of bristles bent by z, and its slope in z. by_shape2: per unit of the logarithm of their time constant.
+// Of bristles bent by z, and its slope in z. by_shape2: per unit of the logarithm of their time constant (a resonance: of its damping ratio).
 LawValue bristles(double w, double z, double length, double time_s, double& by_z);
 LawValue law(Kind kind, double u, double w, double t_s, double shape, double shape2);
 

@@ -22,6 +22,9 @@ Score score_of(const std::vector<DofErrors>& dofs, bool finite) {
     score.by_steps_percent.push_back(any ? capped(100 * std::sqrt(of.steps / variance)) : 0);
     const double beyond_steps = any ? capped(100 * std::sqrt(of.x.ratio_beyond(of.steps))) : kMostPercent;
     const double worst = any && !of.x.shows(of.noise) ? 0 : beyond_steps;
+    const double beyond = std::max(0.0, of.x.mean_error() - of.noise - of.driven.mean_error()) / variance;
+    if (any && of.x.shows(of.noise))
+      score.beyond_noise_percent = std::max(score.beyond_noise_percent, capped(100 * std::sqrt(beyond)));
     if (worst <= score.worst_percent) continue;
     score.worst_percent = worst;
     score.by_drives_percent = capped(100 * std::sqrt(of.driven.mean_error() / variance));

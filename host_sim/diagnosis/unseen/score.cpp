@@ -136,4 +136,10 @@ Score score_unseen(const Task& task, const State& state, const Vec* noise) {
   return runs.score();
 }
 
+Score score_record(const Task& task, const State& state, size_t record, const Vec& noise) {
+  FreeRuns runs(task, state, &noise);
+  runs.over(record);
+  return runs.score();
+}
+
 }  // namespace diagnosis::runs

@@ -151,8 +151,9 @@ std::vector<ChannelCorrection> pair_corrections(const std::vector<Record>& recor
   }
   if (worst.delays() > kClear && worst.delays() > worst.gains()) {
     if (std::abs(worst.late_s) > kMostPeriods * records.front().sample_period_s) return {};
-    return {correction_of(*worst.displacement, -worst.late_s, worst.late_std_s, 0.0, 0.0),
-            correction_of(*worst.acceleration, worst.late_s, worst.late_std_s, 0.0, 0.0)};
+    const ChannelCorrection late = correction_of(*worst.displacement, -worst.late_s, worst.late_std_s, 0.0, 0.0);
+    if (worst.late_s < 0.0) return {late};  // an acceleration leads behind a high-pass, by less the faster it is
+    return {late, correction_of(*worst.acceleration, worst.late_s, worst.late_std_s, 0.0, 0.0)};
   }
   if (worst.gains() < kClear || std::abs(worst.gain) > kMostGain) return {};
   return {correction_of(*worst.displacement, 0.0, 0.0, 1.0 / (1.0 + worst.gain) - 1.0, worst.gain_std),

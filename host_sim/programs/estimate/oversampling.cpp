@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "hal/rig_file/compile_rig.hpp"
+#include "hal/rig_file/recorded/moving_samples.hpp"
 #include "hal/rig_file/signal_plan.hpp"
 #include "host_sim/data_check/measures/spectrum.hpp"
 #include "host_sim/records/digitise.hpp"
@@ -39,6 +40,19 @@ std::vector<double> power_of_differences(const std::vector<double>& values) {
     for (size_t k = 0; k < power.size(); ++k) sum[k] += power[k];
   }
   return sum;
+}
+
+// What the low-pass of the derivatives takes at a record's start may be as long as the bulk of its motion, no longer: friction ends it soon.
+size_t most_of_motion(const std::vector<Record>& records) {
+  constexpr double kReach = 2 * firmware::kFilterHalf + 1;
+  double most = 1e9;
+  for (const Record& record : records)
+    for (const Channel& channel : record.channels) {
+      if (channel.quantity == Quantity::kForce) continue;
+      const double moving = rig_file::moving_samples(channel.values);
+      if (moving > 0.0) most = std::min(most, moving / kReach);
+    }
+  return std::max<size_t>(1, static_cast<size_t>(most));
 }
 
 bool reaches_its_end(const std::vector<Record>& records,
@@ -85,6 +99,7 @@ Oversampling oversampling_of(const rig_file::RigModel& model, const std::vector<
   const double rates = rig_file::differentiates_twice(planned) ? kRatesOfSecondSlope : kRatesOfSlope;
   const double most = 1.0 / (rates * result.motion_Hz * period_s);
   size_t factor = most < 2.0 ? 1 : static_cast<size_t>(std::min(most, static_cast<double>(shortest)));
+  factor = std::min(factor, most_of_motion(records));
   while (factor > 1 && thinned_samples(shortest, factor) < kFewestThinned) --factor;
   if (factor > 1 && !reaches_its_end(records, calibrations)) result.factor = factor;
   return result;

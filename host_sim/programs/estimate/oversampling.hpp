@@ -18,8 +18,9 @@ struct Oversampling {
   double motion_Hz = 0.0;  // no channel of motion rises above its noise beyond this
 };
 
-// Factor 1 where no signal of the rig's equations is made by differences, a sensor reaches its end, or the shortest record would be left
-// with fewer samples than eight stretches of the score tests take.
+// Factor 1 where no signal of the rig's equations is made by differences, a sensor reaches its end, the shortest record would be left
+// with fewer samples than eight stretches of the score tests take, or the filters would take longer to
+// begin than the bulk of a motion lasts.
 Oversampling oversampling_of(const rig_file::RigModel& model, const std::vector<Record>& records);
 
 // The highest frequency at which the channel's power, a mean over three bins, is over four times its noise: the median of the

@@ -8,7 +8,7 @@
 
 namespace host_sim {
 
-// Changes the records to what the core is given, and leaves the units of converters' codes in the rig file to the data where those have
+// Changes the records to what the core is given (high-passes undone, thinned, drifts and zeros taken off), and leaves the units of converters' codes in the rig file to the data where those have
 // changed. notes: gets what to say of it. Estimated twice: where forces hold a displacement off its mean; where a free motion seems to
 // swing about another place than its zero, from either, and what suspects nothing, warrants more or scatters less stands; where a
 // displacement is slower than all that drives the rig, as recorded and without, which stands where it warrants more and suspects

@@ -13,6 +13,7 @@ namespace host_sim {
 namespace {
 
 constexpr double kNoMagnitude = 20;    // half intervals over the number: not even how large it is is known
+constexpr double kMuchMissed_percent = 5;
 constexpr double kMostPercent = 1000;  // more says no more than that the simulation is another motion
 
 using can_log::rounded_to;
@@ -113,7 +114,13 @@ std::string said_of_model(const EstimateResult& result) {
       return p.info.name +
              " is below nought, which cannot be: another law has its place, and no other number is to be relied on "
              "before the rig file has it (diagnose looks for it)";
-  return warrant_text(result.warrant);
+  double most_missed = 0.0;
+  for (const auto& mse : result.mse_percent) most_missed = std::max(most_missed, mse.value_or(0.0));
+  if (!result.warrant.tested || !result.warrant.named.effect.empty() || most_missed < kMuchMissed_percent)
+    return warrant_text(result.warrant);
+  return warrant_text(result.warrant) + ", though a free run with these numbers misses " +
+         (most_missed > kMostPercent ? "over 1000" : plain(most_missed, 2)) +
+         " % of the motion (MSE below): that may be noise; host_sim diagnose tells";
 }
 
 }  // namespace

@@ -88,9 +88,10 @@ WarrantResult warrant_of(const rig_file::RigModel& model, const firmware::Warran
 bool suspects(const WarrantResult& warrant) { return !warrant.named.effect.empty() && !warrant.explained; }
 
 std::string why_not_the_cause(const WarrantResult& warrant) {
+  constexpr double kMeasured = 2.0;  // standard deviations
   switch (warrant.naming) {
     case firmware::Naming::kExplains:
-      return "";
+      return std::fabs(warrant.named.size) < kMeasured * warrant.named.std ? "its size may as well be nought" : "";
     case firmware::Naming::kInPart:
       return "it leaves more than noise";
     case firmware::Naming::kOutdone:
@@ -108,7 +109,7 @@ std::string why_not_the_cause(const WarrantResult& warrant) {
 std::string after_suspicion(const WarrantResult& warrant) {
   if (!suspects(warrant)) return "";
   const std::string file = "--extended-rig FILE writes a rig file that has it, for the next estimate";
-  if (warrant.naming != firmware::Naming::kExplains)
+  if (!why_not_the_cause(warrant).empty())
     return "what to do: host_sim diagnose looks for it in the same data, with more candidates and two at a time; " +
            file;
   return "what to do: host_sim diagnose asks the same data whether that is it; " + file;
@@ -131,7 +132,7 @@ std::string warrant_text(const WarrantResult& warrant) {
   if (warrant.named.effect.empty())
     return warrant.tested ? "the board finds nothing that the rig file lacks"
                           : "the board cannot test the rig file with these data";
-  const bool is_cause = warrant.naming == firmware::Naming::kExplains;
+  const bool is_cause = why_not_the_cause(warrant).empty();
   std::string text =
       is_cause ? "the board suspects " + finding_text(warrant)
                : "the rig file lacks something that none of the board's candidates explains alone (nearest: " +

@@ -94,6 +94,24 @@ std::string text(double value, const char* format) {
   return out;
 }
 
+// Where the others agree to a twentieth it is plain which record is the odd one.
+std::string odd_record_text(const diagnosis::Diagnosis& found) {
+  constexpr double kAgree_percent = 5;
+  if (!found.odd_record) return "";
+  const diagnosis::OddRecord& odd = *found.odd_record;
+  const std::string name = "ecord " + std::to_string(odd.record + 1) + " (" +
+                           std::filesystem::path(odd.file).filename().string() + ")",
+                    shares = text(odd.missed_percent, "%.0f %%"), others = text(odd.others_percent, "%.2g %%");
+  const std::string disagree = odd.others_percent < kAgree_percent
+                                   ? "R" + name + " does not go with the others: a free run misses " + shares +
+                                         " of its motion and at most " + others + " of theirs."
+                                   : "The records do not go with each other: a free run misses " + shares +
+                                         " of the motion of r" + name + " and at most " + others + " of the others'.";
+  return disagree +
+         " Ask what has changed (another specimen, a stop that one alone reaches, a mounting), and diagnose each by "
+         "itself.";
+}
+
 }  // namespace
 
 rig_file::RigModel with_parameters(const rig_file::RigModel& rig, const std::vector<diagnosis::Parameter>& parameters) {
@@ -122,6 +140,7 @@ DiagnosisReportData findings_of(const rig_file::RigModel& rig, const std::vector
   data.cannot_describe = found.cannot_describe;
   data.channels_left_out = found.channels_left_out;
   data.told_from_s = found.told_from_s;
+  data.odd_record = odd_record_text(found);
   const bool extended = !found.causes.empty();
   data.facts.push_back(text(found.baseline_misfit, "misfit (1 is noise alone): %.3g") +
                        (extended ? text(found.extended_misfit, " as given, %.3g extended") : ""));

@@ -107,6 +107,7 @@ struct DiagnosisReportData {
   std::string cannot_describe;     // a sentence where the rig file is no model of the recording at all; else empty
   std::vector<std::string> channels_left_out;  // that do not go with the others of their DOFs
   std::vector<double> told_from_s;             // per record, s: what is said holds from there on; empty: of all
+  std::string odd_record;                      // a sentence where one record does not go with the others; else empty
   std::vector<Cause> causes;
   std::vector<PossibleCause> possible;                              // where none is named
   std::vector<std::pair<std::string, std::string>> ambiguous_with;  // effect, where; of every cause

@@ -231,6 +231,7 @@ std::string verdict_headline(const DiagnosisReportData& data) {
     return capitalised(one_at_fault_text(possible.at_fault)) + ", and these data cannot tell which";
   }
   if (!data.cannot_describe.empty()) return "The rig file cannot describe this recording";
+  if (data.causes.empty() && !data.odd_record.empty()) return "The rig file does not explain all of the records";
   if (data.noise_hides) return "The data are too noisy to tell whether the rig file is right";
   if (data.causes.empty()) return "The rig file does not explain the measurement";
   return headline_of_causes(named_in(data.causes));
@@ -265,6 +266,7 @@ std::string details_of(const DiagnosisReportData& data) {
   if (data.verdict == "ambiguous") return ambiguous_details(data);
   if (!data.cannot_describe.empty()) return data.cannot_describe;
   const std::string missed = missed_text(data.gains, !data.causes.empty());
+  if (data.causes.empty() && !data.odd_record.empty()) return "";
   if (data.causes.empty())
     return joined({missed.empty() ? "" : "Its simulation misses " + missed + " on unseen data.",
                    data.noise_hides ? "What is left is no more than the noise of the channels makes of it."
@@ -280,7 +282,7 @@ std::string details_of(const DiagnosisReportData& data) {
 }  // namespace
 
 std::string verdict_details(const DiagnosisReportData& data) {
-  return joined({details_of(data), left_out_text(data), later_start_text(data)});
+  return joined({data.odd_record, details_of(data), left_out_text(data), later_start_text(data)});
 }
 
 std::string verdict_sentence(const DiagnosisReportData& data) {

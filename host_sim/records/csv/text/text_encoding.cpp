@@ -93,6 +93,7 @@ const char* other_format(std::string_view content) {
   } kOthers[] = {{"PK\x03\x04", "an Excel workbook or another archive"},
                  {"\xD0\xCF\x11\xE0", "an old Excel workbook"},
                  {"\x93NUMPY", "a NumPy array (.npy; numpy.savetxt writes what is read)"},
+                 {"\x1F\x8B", "compressed by gzip (gunzip writes what is read)"},
                  {"TDSm", "a TDMS file"},
                  {"{", "JSON"},
                  {"[{", "JSON"},
