@@ -37,6 +37,18 @@ State fitted_without(const Task& task, const State& state, size_t record) {
   return other;
 }
 
+// What is missed of it with numbers of its own: much of it then is its start, which no numbers mend.
+double missed_by_itself(const Task& task, const State& state, size_t record, const Vec& noise) {
+  State own = state;
+  own.seen.clear(), own.unseen.clear();
+  for (const std::vector<Window>* windows : {&state.seen, &state.unseen})
+    for (const Window& w : *windows)
+      if (w.record == record) own.seen.push_back(w);
+  if (own.seen.empty()) return 0;
+  settle(task, own, kBaseSteps);
+  return own.fit.ok ? score_record(task, own, record, noise).beyond_noise_percent : 0;
+}
+
 }  // namespace
 
 std::optional<OddRecord> odd_record(const Task& task, const Choice& choice) {
@@ -53,6 +65,9 @@ std::optional<OddRecord> odd_record(const Task& task, const Choice& choice) {
     if (missed[r] < kOdd_percent || missed[r] < kTimes * others || others > 100 * kFollows) continue;
     if (!odd || others < odd->others_percent) odd = OddRecord{r, task.records[r].file, missed[r], others};
   }
+  const bool far_off = odd && odd->missed_percent > 100 * kFollows;  // another law in it is no matter of numbers
+  if (odd && !far_off && 2 * missed_by_itself(task, choice.final, odd->record, noise) > odd->missed_percent)
+    return std::nullopt;
   return odd;
 }
 

@@ -12,7 +12,7 @@
 namespace host_sim {
 namespace {
 
-constexpr double kNoMagnitude = 20;    // half intervals over the number: not even how large it is is known
+constexpr double kNoMagnitude = 20;  // half intervals over the number: not even how large it is is known
 constexpr double kMuchMissed_percent = 5;
 constexpr double kMostPercent = 1000;  // more says no more than that the simulation is another motion
 
