@@ -17,6 +17,7 @@
 #include "hums/hum.hpp"
 #include "hums/mains_hum.hpp"
 #include "numbers/between_rivals.hpp"
+#include "numbers/clock.hpp"
 #include "numbers/scale.hpp"
 #include "numbers/undetermined.hpp"
 #include "residual/most_noise.hpp"
@@ -115,6 +116,7 @@ Diagnosis judged(const Asked& asked, double& lag_s) {
   }
   runs::say_odd_record(task, choice, d);
   runs::say_scale(task, d);
+  runs::say_clock(task, d);
   compare_nothing(d);
   state_rivals(d);
   runs::mark_replaceable(d);

@@ -49,7 +49,9 @@ TEST(OddRecord, IsToldWhereverItStands) {
     const Diagnosis d = diagnose(one_mass(2, 800), records, {});
     // that of the middle looks like a drift of the damper as well
     EXPECT_TRUE(d.odd_record.has_value() || d.names("drifting_viscous", "link 1-0")) << odd;
-    if (odd != 1) EXPECT_GT(d.odd_record.value().missed_percent, 5);
+    if (odd != 1) {
+      EXPECT_GT(d.odd_record.value().missed_percent, 5);
+    }
     EXPECT_TRUE(d.verdict == Verdict::kUnknown || d.verdict == Verdict::kPartly) << verdict_word(d.verdict);
     for (const Parameter& p : d.extended.parameters) {
       EXPECT_STRNE(status_word(p, d.extended_fits()), "VALID") << p.name;
