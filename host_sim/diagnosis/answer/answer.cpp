@@ -13,6 +13,7 @@
 #include "../residual/most_noise.hpp"
 #include "../unseen/compare_unseen.hpp"
 #include "../unseen/score.hpp"
+#include "cannot_describe.hpp"
 #include "possible_causes.hpp"
 
 namespace diagnosis::runs {
@@ -67,11 +68,6 @@ rig_file::RigModel written_rig(const Task& task, const State& fitted) {
 
 namespace {
 
-// Windows shorter than a period follow anything from their own states: what is noise there need not be over the records.
-bool windows_tell(const Task& task, const Choice& choice) {
-  return choice.periods >= std::min(kLeastPeriods, longest_horizon(task.records));
-}
-
 Verdict verdict_of(const Task& task, const Choice& choice, bool noise, double worst_free_run, const Diagnosis& d) {
   if (!choice.named.empty())
     return !d.ambiguous_with.empty() ? Verdict::kAmbiguous : d.more_remains ? Verdict::kPartly : Verdict::kExplained;
@@ -91,17 +87,6 @@ void withdraw_causes(const Task& task, const Terms& base, Diagnosis& d) {
   d.extended_rig = extended_rig(task.system, base);
 }
 
-// Of the motion of every DOF, error of the free runs of unseen data: four fifths of its variance are missed. Where windows do no better,
-// or are so short that they follow anything, nothing of the motion is known, whatever noise hides; and no number is.
-constexpr double kMissesAll = 0.9;
-
-bool follows_nothing(const Task& task, const Choice& choice, const Diagnosis& d) {
-  const std::vector<double>& missed = d.extended.holdout_nrmse_percent;
-  if (missed.empty() || massless(choice.final.model)) return false;
-  if (*std::min_element(missed.begin(), missed.end()) < 100 * kMissesAll) return false;
-  return !windows_tell(task, choice) || motion_error(task, choice.final, false) > kMissesAll;
-}
-
 // What the rows named and the runs did not: what those name themselves in the end was not rejected.
 void keep_rejected(Diagnosis& d) {
   const auto named = [&](const Cause& r) {
@@ -110,23 +95,6 @@ void keep_rejected(Diagnosis& d) {
            std::any_of(d.ambiguous_with.begin(), d.ambiguous_with.end(), same);
   };
   d.rejected.erase(std::remove_if(d.rejected.begin(), d.rejected.end(), named), d.rejected.end());
-}
-
-void say_cannot_describe(const Task& task, const Choice& choice, Diagnosis& d) {
-  d.baseline.parameters.clear(), d.extended.parameters.clear();  // numbers of a model that is not this rig's
-  char text[200];
-  std::snprintf(
-      text, sizeof text,
-      "Even over %.2g of a period, each from its own best start, its simulation misses %.0f %% of the motion.",
-      choice.periods, std::min(100.0, 100 * motion_error(task, choice.final)));
-  d.cannot_describe = text;
-  if (!beyond_noise(choice.final_left))
-    d.cannot_describe += " What it misses looks like noise, and may be nothing else.";
-  std::snprintf(
-      text, sizeof text,
-      "count the modes in the spectrum (the rig file has %zu DOF), and check the units and the channels' places",
-      task.system.dofs());
-  d.advice.push_back(text);
 }
 
 }  // namespace
