@@ -193,7 +193,7 @@ Model joined(const Model& model, const Candidate& c, const std::vector<double>& 
     t.shape_free = k == Kind::kBacklash || k == Kind::kEndStop || k == Kind::kStribeck || k == Kind::kPresliding ||
                    k == Kind::kResonance || k == Kind::kCogging || k == Kind::kDeadBand ||
                    (k == Kind::kDriftingViscous && t.term.shape > 0);
-    t.shape2_free = k == Kind::kCogging || ((k == Kind::kPresliding || k == Kind::kResonance) && t.term.shape2 > 0);
+    t.shape2_free = k == Kind::kCogging || (k == Kind::kPresliding && t.term.shape2 > 0);
     if (t.host >= 0) t.value = out[static_cast<size_t>(t.host)].value;
     out.push_back(t);
   }

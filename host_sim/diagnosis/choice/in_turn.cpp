@@ -10,6 +10,7 @@
 #include "../trial/attempt.hpp"
 #include "../trial/merit.hpp"
 #include "../valleys/other_shapes.hpp"
+#include "free_damping.hpp"
 #include "round.hpp"
 #include "warming.hpp"
 
@@ -94,6 +95,7 @@ void name_in_turn(const Task& task, double worth, Choice& choice, const std::fun
       with = other->state;
       settle(task, with, kBaseSteps);
     }
+    free_damping(task, with);
     if (all_shown(task, round.best.state.model) && !all_shown(task, with.model)) break;
     const auto alone =
         exchanged < kMostCauses ? alone_as_good(task, passed, with, round.best.complexity, worth) : std::nullopt;

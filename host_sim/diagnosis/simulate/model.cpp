@@ -9,7 +9,9 @@ namespace diagnosis::runs {
 namespace {
 
 constexpr double kLongestStep = 0.5;  // of a shape's logarithm
-constexpr double kLeastShare = 0.3;   // of a positive number, that one step may leave of it
+// Of a resonance's damping: what is damped beyond turns no more, and what is damped less no record is long enough to tell.
+constexpr double kLeastRatio = 1e-4, kMostRatio = 1;
+constexpr double kLeastShare = 0.3;  // of a positive number, that one step may leave of it
 
 }  // namespace
 
@@ -75,6 +77,7 @@ void step_parameters(Model& model, const Vec& change) {
     if (parameters[i].shape == 2) {
       const double step = std::clamp(d, -kLongestStep, kLongestStep);
       t.term.kind == Kind::kCogging ? t.term.shape2 += step : t.term.shape2 *= std::exp(step);
+      if (t.term.kind == Kind::kResonance) t.term.shape2 = std::clamp(t.term.shape2, kLeastRatio, kMostRatio);
     } else if (parameters[i].shape) {
       t.term.shape *= std::exp(std::clamp(d, -kLongestStep, kLongestStep));
     } else {

@@ -1,5 +1,6 @@
 #include "hidden_mode.hpp"
 
+#include "../choice/free_damping.hpp"
 #include "../choice/horizon.hpp"
 #include "../first_values/mode_scan.hpp"
 #include "../trial/attempt.hpp"
@@ -46,6 +47,7 @@ bool adopted(const Task& task, const SpectralBalance& balance, const HiddenMode&
       Named{named, found.z, share_of(found, noise), {}, found.shows_unseen, false, found.unseen_deviations});
   choice.base_fits_nothing = false;
   choice.final = found.state;
+  free_damping(task, choice.final);
   return true;
 }
 
