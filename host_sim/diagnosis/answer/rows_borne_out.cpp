@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "../channels/rounded_jumps.hpp"
+#include "../choice/free_damping.hpp"
 #include "../choice/horizon.hpp"
 #include "../hums/hum.hpp"
 #include "../numbers/between_rivals.hpp"
@@ -154,11 +155,12 @@ bool answered_by_rows(const Asked& asked, const Task& task, std::vector<Prepared
   const bool rounded = round_jumps(task, records, with_them);
   // a force that is held between its samples is none of the free runs' terms
   const bool held = d.force_between_samples == "steps" && !task.records[0].held;
+  const bool damped = !held && free_damping(task, with_them);
   const bool refitted =
       any_contradicts(d.extended.parameters, numbers_of(task, with_them)) && from_rows(task, say, with_them);
   const std::vector<diagnosis::Parameter> numbers = numbers_of(task, with_them);
   // numbers of one fit belong together: a friction means nothing with the rate at which that of another falls
-  const bool theirs = !held && any_contradicts(d.extended.parameters, numbers);
+  const bool theirs = damped || (!held && any_contradicts(d.extended.parameters, numbers));
   if (theirs) {
     d.extended_rig = written_rig(task, with_them);
     state_delays(d.causes, d.extended_rig);

@@ -6,6 +6,7 @@
 #include "../trial/merit.hpp"
 #include "../valleys/other_shapes.hpp"
 #include "choice.hpp"
+#include "free_damping.hpp"
 
 namespace diagnosis::runs {
 
@@ -17,6 +18,7 @@ void adopt(const Task& task, const std::vector<Candidate>& found, const std::vec
     choice.named.push_back(Named{c, t.z, share_of(t, noise_share(choice.base_left, choice.base.fit)), {}, true});
   }
   choice.final = t.state;
+  free_damping(task, choice.final);
 }
 
 namespace {

@@ -3,6 +3,7 @@
 
 #include "../trial/merit.hpp"
 #include "../valleys/hidden_mode.hpp"
+#include "free_damping.hpp"
 #include "horizon.hpp"
 #include "in_turn.hpp"
 #include "round.hpp"
@@ -73,6 +74,7 @@ void choose(const Task& task, Choice& choice, const std::function<void(double)>&
       name_hidden_mode(task, choice))
     name_in_turn(task, kWorth, choice, progress);
   weigh_rivals(task, progress, choice);
+  free_damping(task, choice.final);
   choice.final_left = left_by(task.system, task.records, choice.final);
 }
 
