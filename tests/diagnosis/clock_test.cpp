@@ -75,6 +75,9 @@ TEST(Clock, IsNotSpokenOfWhereItIsRight) {
   rig_file::RigModel one_wrong = two_masses();
   one_wrong.links[1].stiffness_N_m.value = 6000;
   EXPECT_FALSE(speaks_of_the_clock(diagnose(one_wrong, {said_at(500, Quantity::kDisplacement)}, {})));
+  rig_file::RigModel in_grams = two_masses();
+  for (rig_file::Dof& dof : in_grams.dofs) dof.mass_kg.value *= 1000;
+  EXPECT_FALSE(speaks_of_the_clock(diagnose(in_grams, {said_at(500, Quantity::kDisplacement)}, {})));
 }
 
 }  // namespace

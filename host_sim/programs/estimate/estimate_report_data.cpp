@@ -52,7 +52,7 @@ reports::EstimateReportData estimate_report_data(const rig_file::RigModel& model
   add_facts(records, result, data);
   for (const ParameterResult& p : result.parameters)
     data.parameters.push_back({p.info.name, p.info.unit, {kNone, kNone, kNone}, interval_of(p), status_word(p.status)});
-  if (!result.advice.empty()) data.advice.push_back(result.advice);
+  data.advice = next_steps(result);
   data.notes = result.notes;
   const rig_file::RigModel rig = rig_file::with_values(model, values_of(result));
   const size_t worst = reports::worst_record(records, simulated);

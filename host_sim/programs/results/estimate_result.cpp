@@ -122,6 +122,11 @@ std::vector<double> values_of(const EstimateResult& result) {
   return values;
 }
 
+std::vector<std::string> next_steps(const EstimateResult& result) {
+  if (suspects(result.warrant)) return {after_suspicion(result.warrant)};
+  return result.advice.empty() ? std::vector<std::string>{} : std::vector<std::string>{result.advice};
+}
+
 std::string unanswered(const EstimateResult& result) {
   std::map<EstimateStatus, std::string> names;
   for (const ParameterResult& parameter : result.parameters) {

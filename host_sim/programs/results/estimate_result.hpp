@@ -66,6 +66,9 @@ std::vector<double> values_of(const EstimateResult& result);
 // EstimateResult::covariance of the core's last solve.
 std::vector<std::vector<double>> covariance_of(const EstimateResult& result, const firmware::EstimatorCore& core);
 
+// What to do next: where something is suspected, ask what it is; more data of the same kind help only where nothing is.
+std::vector<std::string> next_steps(const EstimateResult& result);
+
 // Empty where every parameter is answered; else why not and what to measure instead. What scatters is noise only where nothing is suspected.
 std::string unanswered(const EstimateResult& result);
 

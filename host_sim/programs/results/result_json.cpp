@@ -65,7 +65,7 @@ ordered_json to_json(const EstimateResult& result) {
         {{"channel", skew.channel}, {"late", skew.late_us}, {"std", skew.std_us}, {"significant", skew.significant}});
   json["warrant"] = to_json(result.warrant);
   json["unresolved"] = result.unresolved;
-  json["advice"] = result.advice.empty() ? ordered_json::array() : ordered_json::array({result.advice});
+  json["advice"] = next_steps(result);
   json["notes"] = result.notes;
   return json;
 }

@@ -138,8 +138,9 @@ std::string format_table(const EstimateResult& result, bool colours, int width) 
       const std::string cell = padded(column.cells[row], last ? 0 : column.width(), column.right);
       text += last ? coloured(cell, colour_of(result.parameters[row].status), colours) + "\n" : cell + gap;
     }
-  for (const std::string& line : {said_of_model(result), after_suspicion(result.warrant)})
-    if (!line.empty()) text += wrapped(line, width, "  ") + "\n";
+  text += wrapped(said_of_model(result), width, "  ") + "\n";
+  if (const std::string step = after_suspicion(result.warrant); !step.empty())
+    text += wrapped("what to do: " + step, width, "  ") + "\n";
   std::istringstream fit(format_fit(result));
   for (std::string line; std::getline(fit, line);) text += wrapped(line, width, "  ") + "\n";
   for (const std::string& note : result.notes) text += wrapped("note: " + note, width, "  ") + "\n";

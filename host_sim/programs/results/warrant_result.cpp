@@ -110,9 +110,8 @@ std::string after_suspicion(const WarrantResult& warrant) {
   if (!suspects(warrant)) return "";
   const std::string file = "--extended-rig FILE writes a rig file that has it, for the next estimate";
   if (!why_not_the_cause(warrant).empty())
-    return "what to do: host_sim diagnose looks for it in the same data, with more candidates and two at a time; " +
-           file;
-  return "what to do: host_sim diagnose asks the same data whether that is it; " + file;
+    return "host_sim diagnose looks for it in the same data, with more candidates and two at a time; " + file;
+  return "host_sim diagnose asks the same data whether that is it; " + file;
 }
 
 namespace {
