@@ -34,7 +34,7 @@ SignalRanges measure_ranges(const CoreConfiguration& configuration, const Record
   for (const int q : {kF, kV, kA}) read_noise_of(configuration, records, q, ranges);
   for (int node = 0; node < firmware::kMaxNodes; ++node)
     if (configuration.fusion[node].used)
-      ranges.moving_samples[node] = fewest_moving_samples(codes_of(records, node, kA));
+      ranges.moving_samples[node] = fewest_moving_samples(codes_of(records, node, kX));
   CoreConfiguration planned = configuration;
   if (corner == Corner::kBelowMotion && planned.high_pass_order > 0) {
     const int as_configured = planned.high_pass_shift - octaves_of_period(planned);
