@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "host_sim/data_check/decay/free_decays.hpp"
 #include "host_sim/data_check/measures/period.hpp"
@@ -17,10 +16,6 @@ namespace {
 constexpr double kRise = 2.0, kLeastCrest = 0.05;
 constexpr size_t kFewestCrests = 5;
 constexpr double kNotFallen = 0.5;
-
-double mean(std::vector<double>::const_iterator from, std::vector<double>::const_iterator to) {
-  return std::accumulate(from, to, 0.0) / static_cast<double>(to - from);
-}
 
 }  // namespace
 
@@ -54,11 +49,12 @@ std::optional<Finding> find_undying(const Record& record) {
   size_t most = 0;
   for (const DecaySpan& span : spans) {
     const size_t from = std::min(energy.size(), span.from / hop), to = std::min(energy.size(), span.to / hop);
-    const std::vector<double> found(
-        crests({energy.begin() + static_cast<std::ptrdiff_t>(from), energy.begin() + static_cast<std::ptrdiff_t>(to)}));
+    const std::vector<double> found =
+        crests({energy.begin() + static_cast<std::ptrdiff_t>(from), energy.begin() + static_cast<std::ptrdiff_t>(to)});
     if (found.size() < kFewestCrests) continue;
     const auto middle = found.begin() + static_cast<std::ptrdiff_t>(found.size() / 2);
-    if (mean(middle, found.end()) >= kNotFallen * mean(found.begin(), middle)) most = std::max(most, found.size());
+    const double earlier = mean_and_rms({found.begin(), middle}).mean, later = mean_and_rms({middle, found.end()}).mean;
+    if (later >= kNotFallen * earlier) most = std::max(most, found.size());
   }
   if (most == 0) return std::nullopt;
   return Finding{"work", Weight::kDoubt, "",

@@ -45,6 +45,7 @@ struct Prepared {
 
 // Where the forces say that it rests elsewhere it is estimated once more from there.
 void balance(MeanOf of, const std::vector<size_t>& channels, const EstimationOptions& options, Prepared& prepared) {
+  if (channels.empty()) return;
   Prepared balanced = prepared;
   const rig_file::RigModel rig = rig_file::with_values(balanced.model, values_of(balanced.estimation.result));
   if (!balance_rest(of, rig, channels, balanced.records)) return;
