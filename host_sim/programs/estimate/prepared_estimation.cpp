@@ -53,8 +53,8 @@ void balance(MeanOf of, const std::vector<size_t>& channels, const EstimationOpt
   if (of == MeanOf::kDriven || better(balanced.estimation, prepared.estimation)) prepared = std::move(balanced);
 }
 
-void estimate_counted(CentreOf centre, const EstimationOptions& options, Prepared& prepared) {
-  const CountedFromRest rest = count_from_rest(centre, prepared.model, prepared.records);
+// rest: what has been taken off its records.
+void estimate_counted(const CountedFromRest& rest, const EstimationOptions& options, Prepared& prepared) {
   for (const auto& told : {rest.notes, take_off_accelerometer_zeros(prepared.records)})
     prepared.notes.insert(prepared.notes.end(), told.begin(), told.end());
   prepared.estimation = estimate_records(prepared.model, prepared.records.get(), options);
@@ -62,22 +62,19 @@ void estimate_counted(CentreOf centre, const EstimationOptions& options, Prepare
   balance(MeanOf::kFreeMotion, rest.swinging, options, prepared);
 }
 
-bool swings_elsewhere(const Prepared& prepared) {
-  SharedRecords once = prepared.records, all = prepared.records;
-  const auto notes = count_from_rest(CentreOf::kOneSide, prepared.model, once).notes;
-  return count_from_rest(CentreOf::kFreeSwings, prepared.model, all).notes != notes;
-}
-
 void estimate_as_recorded(const EstimationOptions& options, Prepared& prepared) {
   auto& [model, records, notes, estimation] = prepared;
   if (const std::string told = take_fewer_samples(model, records); !told.empty()) notes.push_back(told);
   const Drift drift = drift_of(DriftOf::kIntegrated, model, records.get());
   if (drift.end_Hz > 0.0) take_off(DriftOf::kIntegrated, drift, records.own()), notes.push_back(said_of(drift));
-  if (!swings_elsewhere(prepared)) return estimate_counted(CentreOf::kOneSide, options, prepared);
-  Prepared shifted = prepared;
-  estimate_counted(CentreOf::kOneSide, options, prepared);
-  estimate_counted(CentreOf::kFreeSwings, options, shifted);
-  if (better(shifted.estimation, estimation)) prepared = std::move(shifted);
+  std::optional<Prepared> shifted = prepared;
+  const CountedFromRest all = count_from_rest(CentreOf::kFreeSwings, model, shifted->records);
+  const CountedFromRest once = count_from_rest(CentreOf::kOneSide, model, records);
+  if (all.notes == once.notes) shifted.reset();
+  estimate_counted(once, options, prepared);
+  if (!shifted) return;
+  estimate_counted(all, options, *shifted);
+  if (better(shifted->estimation, estimation)) prepared = std::move(*shifted);
 }
 
 }  // namespace
