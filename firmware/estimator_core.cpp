@@ -1,7 +1,7 @@
 #include "firmware/estimator_core.hpp"
 
 #include "firmware/fixed_point/work_meter.hpp"
-#include "firmware/identification/backward_time.hpp"
+#include "firmware/identification/rows/backward_time.hpp"
 
 namespace firmware {
 namespace {

@@ -7,8 +7,8 @@
 #include "firmware/energy/batch_collector.hpp"
 #include "firmware/energy/energy_sums.hpp"
 #include "firmware/identification/identification.hpp"
-#include "firmware/warrant/channel_correction.hpp"
 #include "firmware/warrant/score_tests.hpp"
+#include "firmware/warrant/verdict/channel_correction.hpp"
 
 namespace firmware {
 

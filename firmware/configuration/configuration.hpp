@@ -94,11 +94,11 @@ struct WindowConfiguration {
   uint32_t batch_samples = 0;
 };
 
-// What the score tests may cost a sample, apart from a number of products (firmware/warrant/probe_budget.hpp):
+// What the score tests may cost a sample, apart from a number of products (firmware/warrant/probes/probe_budget.hpp):
 constexpr uint16_t kAllProbes = 65535;      // every candidate on every sample
 constexpr uint16_t kDefaultProbes = 65534;  // the same at the start of each level, then 1.6 times the core
 
-// What the score tests' instruments share with a node's own signals through filters (firmware/warrant/shared_noise.hpp): mean
+// What the score tests' instruments share with a node's own signals through filters (firmware/warrant/probes/shared_noise.hpp): mean
 // products of noise, SI units. An instrument is interpolated from the four neighbours on either side.
 enum class ProbeWeight : uint8_t { kDisplacement, kVelocity, kAcceleration, kAccelerationSlope, kForce, kNone };
 constexpr int kMotionProbeWeights = 4;
@@ -148,7 +148,7 @@ struct CoreConfiguration {
   WindowConfiguration window;
   // What the score tests (firmware/warrant) may cost: products of two numbers a sample; 0: no tests.
   uint16_t probe_products_per_sample = kDefaultProbes;
-  // A well-measured delay or gain of a channel is taken out on the board (firmware/warrant/channel_correction.hpp). Not stored: false
+  // A well-measured delay or gain of a channel is taken out on the board (firmware/warrant/verdict/channel_correction.hpp). Not stored: false
   // where the program beside the core has all the samples, and does it itself.
   bool corrects_channels = true;
   // The samples of each level come last first, velocities turned over: identification/backward_time.hpp. Not stored: a board cannot.

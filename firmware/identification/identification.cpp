@@ -1,13 +1,13 @@
 #include "firmware/identification/identification.hpp"
 
-#include "firmware/identification/advice.hpp"
-#include "firmware/identification/bias_check.hpp"
-#include "firmware/identification/excitation_check.hpp"
-#include "firmware/identification/noise_doubt.hpp"
-#include "firmware/identification/open_scale.hpp"
-#include "firmware/identification/regressor_noise.hpp"
-#include "firmware/identification/skew.hpp"
-#include "firmware/identification/slow_motion.hpp"
+#include "firmware/identification/conditions/advice.hpp"
+#include "firmware/identification/conditions/excitation_check.hpp"
+#include "firmware/identification/conditions/open_scale.hpp"
+#include "firmware/identification/conditions/skew.hpp"
+#include "firmware/identification/conditions/slow_motion.hpp"
+#include "firmware/identification/intervals/bias_check.hpp"
+#include "firmware/identification/intervals/noise_doubt.hpp"
+#include "firmware/identification/intervals/regressor_noise.hpp"
 
 namespace firmware {
 namespace {

@@ -2,10 +2,10 @@
 #pragma once
 #include "firmware/configuration/configuration.hpp"
 #include "firmware/energy/batch_table.hpp"
-#include "firmware/identification/bias_check.hpp"
 #include "firmware/identification/estimate.hpp"
-#include "firmware/identification/uncertainty.hpp"
-#include "firmware/identification/weighted_fit.hpp"
+#include "firmware/identification/fit/weighted_fit.hpp"
+#include "firmware/identification/intervals/bias_check.hpp"
+#include "firmware/identification/intervals/uncertainty.hpp"
 
 namespace firmware {
 

@@ -1,7 +1,7 @@
 // The course of a step: stop line, samples, excitation, safe state. See rig_controller.hpp.
 #include "firmware/rig_controller/rig_controller.hpp"
 
-#include "firmware/can_protocol/packing.hpp"
+#include "firmware/can_protocol/messages/packing.hpp"
 
 namespace firmware {
 

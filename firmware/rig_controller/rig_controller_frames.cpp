@@ -1,5 +1,5 @@
 // What RigController sends and receives. Layouts: firmware/can_protocol/frame_table.hpp.
-#include "firmware/can_protocol/packing.hpp"
+#include "firmware/can_protocol/messages/packing.hpp"
 #include "firmware/rig_controller/rig_controller.hpp"
 #include "firmware/version.hpp"
 

@@ -2,7 +2,7 @@
 // without room for them (FIRMWARE_WARRANT_NUMBERS 0) they take no memory and no time, and estimates go out as they are.
 #pragma once
 #include "firmware/configuration/zeroed.hpp"
-#include "firmware/warrant/verdict.hpp"
+#include "firmware/warrant/verdict/verdict.hpp"
 
 namespace firmware {
 

@@ -43,7 +43,7 @@ class Samples final : public hal::SampleSource {
 };
 
 // The CAN controller. Bus-off and the like are delivered as error frames in SocketCAN's form (linux/can/error.h), which
-// firmware/rig_controller/bus_monitor.hpp reads.
+// firmware/rig_controller/bus/bus_monitor.hpp reads.
 class Can final : public hal::CanBus {
  public:
   hal::CanResult send(const hal::CanFrame& frame) override;
@@ -78,7 +78,7 @@ class Dog final : public hal::Watchdog {
   void feed() override;
 };
 
-// Two pages of flash, written in turn, each with a generation and a check sum (hal/linux/file_configuration_store.hpp
+// Two pages of flash, written in turn, each with a generation and a check sum (hal/linux/store/file_configuration_store.hpp
 // has the same scheme on files). A board without flash keeps this body: settings are then those of the program.
 class Store final : public hal::ConfigurationStore {
  public:

@@ -4,7 +4,7 @@
 #include <streambuf>
 #include <string>
 
-#include "hal/linux/file_descriptor.hpp"
+#include "hal/linux/system/file_descriptor.hpp"
 
 namespace can_log {
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "firmware/can_protocol/estimate_frames.hpp"
+#include "firmware/can_protocol/streams/estimate_frames.hpp"
 #include "host_sim/can_log/readable.hpp"
 #include "host_sim/can_log/sdo_text.hpp"
 

@@ -4,8 +4,8 @@
 #include <string>
 
 #include "firmware/can_protocol/can_frame.hpp"
-#include "firmware/can_protocol/messages.hpp"
-#include "firmware/can_protocol/packing.hpp"
+#include "firmware/can_protocol/messages/messages.hpp"
+#include "firmware/can_protocol/messages/packing.hpp"
 
 namespace can_log {
 

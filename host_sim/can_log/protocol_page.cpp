@@ -2,8 +2,8 @@
 
 #include <sstream>
 
-#include "firmware/can_protocol/bus_load.hpp"
 #include "firmware/can_protocol/frame_table.hpp"
+#include "firmware/can_protocol/load/bus_load.hpp"
 #include "host_sim/can_log/readable.hpp"
 #include "host_sim/can_log/table_text.hpp"
 

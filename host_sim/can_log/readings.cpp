@@ -1,6 +1,6 @@
 #include "host_sim/can_log/readings.hpp"
 
-#include "firmware/can_protocol/estimate_frames.hpp"
+#include "firmware/can_protocol/streams/estimate_frames.hpp"
 #include "host_sim/can_log/readable.hpp"
 #include "host_sim/can_log/table_text.hpp"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "firmware/can_protocol/packing.hpp"
+#include "firmware/can_protocol/messages/packing.hpp"
 #include "host_sim/can_log/candump_line.hpp"
 #include "host_sim/can_log/known_names.hpp"
 

@@ -1,6 +1,6 @@
 #include "host_sim/can_log/sdo_text.hpp"
 
-#include "firmware/can_protocol/packing.hpp"
+#include "firmware/can_protocol/messages/packing.hpp"
 #include "host_sim/can_log/readable.hpp"
 
 namespace can_log {

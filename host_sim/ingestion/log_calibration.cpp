@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "firmware/can_protocol/packing.hpp"
+#include "firmware/can_protocol/messages/packing.hpp"
 #include "hal/rig_file/channel_name.hpp"
 #include "hal/rig_file/compile_rig.hpp"
 #include "host_sim/records/files/data_file_error.hpp"

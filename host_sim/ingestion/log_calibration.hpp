@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "firmware/can_protocol/messages.hpp"
-#include "firmware/can_protocol/sensor_frames.hpp"
+#include "firmware/can_protocol/messages/messages.hpp"
+#include "firmware/can_protocol/streams/sensor_frames.hpp"
 #include "hal/rig_file/rig_model.hpp"
 
 namespace host_sim {

@@ -1,6 +1,6 @@
 // The controller's configuration for a host that replays samples: node 1, a window every second.
 #pragma once
-#include "firmware/rig_controller/controller_configuration.hpp"
+#include "firmware/rig_controller/settings/controller_configuration.hpp"
 #include "hal/rig_file/rig_model.hpp"
 
 namespace host_sim {

@@ -7,7 +7,7 @@
 #include <fstream>
 #include <iostream>
 
-#include "firmware/rig_controller/controller_configuration.hpp"
+#include "firmware/rig_controller/settings/controller_configuration.hpp"
 #include "hal/rig_file/compile_rig.hpp"
 #include "hal/rig_file/first_batches.hpp"
 #include "host_sim/virtual_rig/board_configuration.hpp"

@@ -1,7 +1,7 @@
 // Reads a script (script.hpp) event by event.
 #pragma once
 #include "firmware/acquisition/raw_sample.hpp"
-#include "firmware/rig_controller/controller_configuration.hpp"
+#include "firmware/rig_controller/settings/controller_configuration.hpp"
 #include "tests/bare_metal/script.hpp"
 
 namespace bare_metal {

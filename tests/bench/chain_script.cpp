@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "firmware/rig_controller/controller_configuration.hpp"
+#include "firmware/rig_controller/settings/controller_configuration.hpp"
 #include "hal/rig_file/first_batches.hpp"
 #include "tests/bench/bench_rig.hpp"
 

@@ -1,6 +1,6 @@
 // What a rig sends, counted by hand. A classic frame of n bytes takes 47 + 8 n bits and a stuff bit for every four of
 // the 34 + 8 n - 1 that may be stuffed: 8 bytes 135, 7 bytes 125, 5 bytes 105, 1 byte 65 bits.
-#include "firmware/can_protocol/bus_plan.hpp"
+#include "firmware/can_protocol/load/bus_plan.hpp"
 
 #include <gtest/gtest.h>
 

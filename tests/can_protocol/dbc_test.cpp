@@ -7,9 +7,9 @@
 #include <sstream>
 #include <string>
 
-#include "firmware/can_protocol/estimate_frames.hpp"
-#include "firmware/can_protocol/packing.hpp"
-#include "firmware/can_protocol/sensor_frames.hpp"
+#include "firmware/can_protocol/messages/packing.hpp"
+#include "firmware/can_protocol/streams/estimate_frames.hpp"
+#include "firmware/can_protocol/streams/sensor_frames.hpp"
 #include "tests/can_protocol/dbc_reader.hpp"
 
 namespace {

@@ -1,12 +1,12 @@
 // Block-floating to decimal: by hand, and against long double (64 bits of mantissa) over the range of all rigs.
-#include "firmware/can_protocol/decimal.hpp"
+#include "firmware/can_protocol/values/decimal.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
-#include "firmware/can_protocol/estimate_frames.hpp"
+#include "firmware/can_protocol/streams/estimate_frames.hpp"
 
 namespace firmware {
 namespace {

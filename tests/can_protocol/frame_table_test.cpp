@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "firmware/can_protocol/frame_plan_check.hpp"
-#include "firmware/can_protocol/packing.hpp"
+#include "firmware/can_protocol/messages/packing.hpp"
 
 namespace firmware {
 namespace can {

@@ -2,8 +2,8 @@
 // rotating.
 #include <gtest/gtest.h>
 
-#include "firmware/can_protocol/messages.hpp"
-#include "firmware/can_protocol/packing.hpp"
+#include "firmware/can_protocol/messages/messages.hpp"
+#include "firmware/can_protocol/messages/packing.hpp"
 #include "hal/rig_file/compile_rig.hpp"
 #include "hal/rig_file/toml/effect_words.hpp"
 #include "host_sim/can_log/known_names.hpp"

@@ -1,11 +1,11 @@
 // Frames by hand: identifiers and bytes are worked out in the comments, from docs/can_protocol.md.
-#include "firmware/can_protocol/packing.hpp"
+#include "firmware/can_protocol/messages/packing.hpp"
 
 #include <gtest/gtest.h>
 
 #include <string>
 
-#include "firmware/can_protocol/estimate_frames.hpp"
+#include "firmware/can_protocol/streams/estimate_frames.hpp"
 
 namespace firmware {
 namespace {

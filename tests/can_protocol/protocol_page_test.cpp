@@ -6,8 +6,8 @@
 #include <fstream>
 #include <sstream>
 
-#include "firmware/can_protocol/bus_load.hpp"
 #include "firmware/can_protocol/frame_table.hpp"
+#include "firmware/can_protocol/load/bus_load.hpp"
 #include "host_sim/can_log/decode.hpp"
 
 namespace can_log {

@@ -4,9 +4,9 @@
 #include <random>
 #include <vector>
 
-#include "firmware/can_protocol/estimate_frames.hpp"
-#include "firmware/can_protocol/packing.hpp"
-#include "firmware/can_protocol/sensor_frames.hpp"
+#include "firmware/can_protocol/messages/packing.hpp"
+#include "firmware/can_protocol/streams/estimate_frames.hpp"
+#include "firmware/can_protocol/streams/sensor_frames.hpp"
 
 namespace firmware {
 namespace {

@@ -1,5 +1,5 @@
 // Requests as a CANopen master sends them, answers worked out from CiA 301.
-#include "firmware/can_protocol/sdo_server.hpp"
+#include "firmware/can_protocol/streams/sdo_server.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Sensor frames by hand, and their joining to samples when frames are missing, late, repeated or out of order.
-#include "firmware/can_protocol/sensor_frames.hpp"
+#include "firmware/can_protocol/streams/sensor_frames.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The bits of a float from integers: by hand, then against the processor's own conversion of an exact long double.
-#include "firmware/can_protocol/single_precision.hpp"
+#include "firmware/can_protocol/values/single_precision.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <cstring>
 #include <random>
 
-#include "firmware/can_protocol/estimate_frames.hpp"
-#include "firmware/can_protocol/packing.hpp"
+#include "firmware/can_protocol/messages/packing.hpp"
+#include "firmware/can_protocol/streams/estimate_frames.hpp"
 
 namespace firmware {
 namespace {

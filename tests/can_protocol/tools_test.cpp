@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "firmware/can_protocol/estimate_frames.hpp"
-#include "firmware/can_protocol/packing.hpp"
+#include "firmware/can_protocol/messages/packing.hpp"
+#include "firmware/can_protocol/streams/estimate_frames.hpp"
 #include "host_sim/can_log/log_reader.hpp"
 #include "host_sim/can_log/log_writer.hpp"
 

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <memory>
 
-#include "firmware/can_protocol/estimate_frames.hpp"
-#include "firmware/can_protocol/packing.hpp"
+#include "firmware/can_protocol/messages/packing.hpp"
+#include "firmware/can_protocol/streams/estimate_frames.hpp"
 #include "firmware/rig_controller/rig_controller.hpp"
 #include "hal/fake/fake_can_bus.hpp"
 #include "hal/fake/fake_configuration_store.hpp"

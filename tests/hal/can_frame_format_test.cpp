@@ -1,6 +1,6 @@
 // Frames in the kernel's form. The expected words are written out from linux/can.h: bit 31 extended, 30 remote, 29
 // error.
-#include "hal/linux/can_frame_format.hpp"
+#include "hal/linux/can/can_frame_format.hpp"
 
 #include <gtest/gtest.h>
 

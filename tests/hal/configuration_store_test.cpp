@@ -6,8 +6,8 @@
 #include <set>
 
 #include "firmware/configuration/bytes.hpp"
-#include "hal/linux/file_configuration_store.hpp"
-#include "hal/linux/posix_file_operations.hpp"
+#include "hal/linux/store/file_configuration_store.hpp"
+#include "hal/linux/store/posix_file_operations.hpp"
 #include "tests/hal/power_cut_files.hpp"
 
 namespace {

@@ -1,13 +1,13 @@
 // GPIO lines: names, answers where there is no chip, and on the emulated board (tests/board) levels of a real line.
 // Edges come from outside the board: tests/board/guest/stop.sh.
-#include "hal/linux/gpio_line.hpp"
+#include "hal/linux/gpio/gpio_line.hpp"
 
 #include <gtest/gtest.h>
 
 #include <fstream>
 #include <string>
 
-#include "hal/linux/line_name.hpp"
+#include "hal/linux/gpio/line_name.hpp"
 
 namespace {
 

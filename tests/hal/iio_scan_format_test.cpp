@@ -1,5 +1,5 @@
 // Bytes of IIO buffers in layouts that real drivers have. Every value is worked out by hand from the bytes beside it.
-#include "hal/linux/iio_scan_format.hpp"
+#include "hal/linux/iio/iio_scan_format.hpp"
 
 #include <gtest/gtest.h>
 

@@ -7,11 +7,11 @@
 #include <filesystem>
 #include <fstream>
 
-#include "hal/linux/iio_buffer_source.hpp"
-#include "hal/linux/iio_direct_source.hpp"
-#include "hal/linux/iio_drive_output.hpp"
-#include "hal/linux/monotonic_clock.hpp"
-#include "hal/linux/sysfs.hpp"
+#include "hal/linux/iio/iio_buffer_source.hpp"
+#include "hal/linux/iio/iio_direct_source.hpp"
+#include "hal/linux/iio/iio_drive_output.hpp"
+#include "hal/linux/system/monotonic_clock.hpp"
+#include "hal/linux/system/sysfs.hpp"
 
 namespace {
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "hal/linux/file_operations.hpp"
+#include "hal/linux/store/file_operations.hpp"
 
 namespace hal_test {
 

@@ -1,13 +1,13 @@
 // SocketCAN against the kernel. Where the kernel has no CAN the answer must say so; where there is a vcan0 (the
 // emulated boards), frames go there and back.
-#include "hal/linux/socket_can.hpp"
+#include "hal/linux/can/socket_can.hpp"
 
 #include <gtest/gtest.h>
 #include <net/if.h>
 #include <poll.h>
 #include <sys/socket.h>
 
-#include "hal/linux/monotonic_clock.hpp"
+#include "hal/linux/system/monotonic_clock.hpp"
 
 namespace {
 

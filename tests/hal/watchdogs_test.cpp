@@ -1,5 +1,5 @@
 // The words that systemd waits for, read from a socket in its place.
-#include "hal/linux/watchdogs.hpp"
+#include "hal/linux/system/watchdogs.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The thread for long calculations: each work once, its writes seen, the starter not held up.
-#include "hal/linux/worker_thread.hpp"
+#include "hal/linux/system/worker_thread.hpp"
 
 #include <gtest/gtest.h>
 #include <semaphore.h>

@@ -1,5 +1,5 @@
 // Numbers of a motion that was read from its end.
-#include "firmware/identification/backward_time.hpp"
+#include "firmware/identification/rows/backward_time.hpp"
 
 #include <gtest/gtest.h>
 

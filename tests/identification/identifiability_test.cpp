@@ -1,5 +1,5 @@
 // Which parameters rows can tell apart: rows of whole numbers, worked out by hand.
-#include "firmware/identification/identifiability.hpp"
+#include "firmware/identification/fit/identifiability.hpp"
 
 #include <gtest/gtest.h>
 

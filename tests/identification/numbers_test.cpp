@@ -1,8 +1,8 @@
 // Normal equations and Student quantile against numbers worked out by hand or printed in tables.
 #include <gtest/gtest.h>
 
-#include "firmware/identification/normal_equations.hpp"
-#include "firmware/identification/student_quantile.hpp"
+#include "firmware/identification/fit/normal_equations.hpp"
+#include "firmware/identification/intervals/student_quantile.hpp"
 #include "hal/rig_file/scaled_double.hpp"
 
 namespace {

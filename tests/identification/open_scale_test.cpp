@@ -1,5 +1,5 @@
 // A chain 0 - 1 - 2 whose first mass is driven: what a mass of open scale does to the numbers beside it. Statuses by hand.
-#include "firmware/identification/open_scale.hpp"
+#include "firmware/identification/conditions/open_scale.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "firmware/identification/natural_frequencies.hpp"
+#include "firmware/identification/conditions/natural_frequencies.hpp"
 #include "tests/identification/hand_table.hpp"
 
 using firmware::Advice;

@@ -1,7 +1,7 @@
 // Numbers whose intervals are wider than all that they are a part of: hand vectors, then a table with that much scatter.
 #include <gtest/gtest.h>
 
-#include "firmware/identification/excitation_check.hpp"
+#include "firmware/identification/conditions/excitation_check.hpp"
 #include "tests/identification/hand_table.hpp"
 
 using firmware::EstimateStatus;

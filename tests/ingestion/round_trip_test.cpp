@@ -4,7 +4,7 @@
 #include <random>
 #include <sstream>
 
-#include "firmware/can_protocol/sensor_frames.hpp"
+#include "firmware/can_protocol/streams/sensor_frames.hpp"
 #include "host_sim/can_log/log_writer.hpp"
 #include "host_sim/ingestion/sensor_log_reader.hpp"
 #include "tests/ingestion/rigs.hpp"

@@ -1,7 +1,7 @@
 // Frames as a controller would send them, with a time.
 #pragma once
-#include "firmware/can_protocol/estimate_frames.hpp"
-#include "firmware/can_protocol/packing.hpp"
+#include "firmware/can_protocol/messages/packing.hpp"
+#include "firmware/can_protocol/streams/estimate_frames.hpp"
 #include "host_sim/can_log/candump_line.hpp"
 
 namespace frames {

@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "firmware/rig_controller/controller_configuration.hpp"
+#include "firmware/rig_controller/settings/controller_configuration.hpp"
 #include "tests/rig_controller/bench.hpp"
 
 namespace {

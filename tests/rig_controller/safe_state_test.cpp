@@ -1,5 +1,5 @@
 // Every transition of docs/controller.md's table of states, with outputs that refuse and a bus that does not take frames.
-#include "firmware/rig_controller/safe_state.hpp"
+#include "firmware/rig_controller/safety/safe_state.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,8 +6,8 @@
 #include <fstream>
 #include <sstream>
 
-#include "firmware/can_protocol/messages.hpp"
-#include "firmware/can_protocol/packing.hpp"
+#include "firmware/can_protocol/messages/messages.hpp"
+#include "firmware/can_protocol/messages/packing.hpp"
 #include "firmware/can_protocol/value_tables.hpp"
 #include "hal/rig_file/compile_rig.hpp"
 #include "hal/rig_file/toml/effect_words.hpp"

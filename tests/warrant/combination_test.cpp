@@ -1,5 +1,5 @@
 // A combination of a table's numbers over many stretches at once has the bits of that over each of them.
-#include "firmware/warrant/combination.hpp"
+#include "firmware/warrant/sums/combination.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core_run.hpp"
-#include "firmware/warrant/score_sums.hpp"
+#include "firmware/warrant/sums/score_sums.hpp"
 #include "hal/rig_file/scaled_double.hpp"
 
 namespace {

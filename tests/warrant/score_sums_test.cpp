@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "firmware/energy/product_sums.hpp"
-#include "firmware/warrant/probe_force.hpp"
-#include "firmware/warrant/score_table.hpp"
+#include "firmware/warrant/probes/probe_force.hpp"
+#include "firmware/warrant/sums/score_table.hpp"
 #include "hal/rig_file/scaled_double.hpp"
 
 namespace {

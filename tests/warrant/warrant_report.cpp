@@ -3,7 +3,7 @@
 #include <cstdio>
 
 #include "core_run.hpp"
-#include "firmware/warrant/verdict.hpp"
+#include "firmware/warrant/verdict/verdict.hpp"
 #include "hal/rig_file/scaled_double.hpp"
 
 using rig_file::to_double;

@@ -6,19 +6,19 @@
 #include <optional>
 #include <string>
 
-#include "firmware/rig_controller/can_sample_source.hpp"
+#include "firmware/rig_controller/bus/can_sample_source.hpp"
 #include "firmware/rig_controller/rig_controller.hpp"
 #include "hal/linux/board/board_file.hpp"
-#include "hal/linux/file_configuration_store.hpp"
-#include "hal/linux/gpio_line.hpp"
-#include "hal/linux/iio_buffer_source.hpp"
-#include "hal/linux/iio_direct_source.hpp"
-#include "hal/linux/iio_drive_output.hpp"
-#include "hal/linux/monotonic_clock.hpp"
-#include "hal/linux/posix_file_operations.hpp"
-#include "hal/linux/socket_can.hpp"
-#include "hal/linux/watchdogs.hpp"
-#include "hal/linux/worker_thread.hpp"
+#include "hal/linux/can/socket_can.hpp"
+#include "hal/linux/gpio/gpio_line.hpp"
+#include "hal/linux/iio/iio_buffer_source.hpp"
+#include "hal/linux/iio/iio_direct_source.hpp"
+#include "hal/linux/iio/iio_drive_output.hpp"
+#include "hal/linux/store/file_configuration_store.hpp"
+#include "hal/linux/store/posix_file_operations.hpp"
+#include "hal/linux/system/monotonic_clock.hpp"
+#include "hal/linux/system/watchdogs.hpp"
+#include "hal/linux/system/worker_thread.hpp"
 
 namespace board {
 

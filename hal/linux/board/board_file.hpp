@@ -3,12 +3,12 @@
 #include <string>
 #include <vector>
 
-#include "firmware/can_protocol/bus_plan.hpp"
-#include "firmware/can_protocol/sensor_frames.hpp"
-#include "firmware/rig_controller/controller_configuration.hpp"
-#include "hal/linux/gpio_line.hpp"
-#include "hal/linux/iio_channel.hpp"
-#include "hal/linux/iio_drive_output.hpp"
+#include "firmware/can_protocol/load/bus_plan.hpp"
+#include "firmware/can_protocol/streams/sensor_frames.hpp"
+#include "firmware/rig_controller/settings/controller_configuration.hpp"
+#include "hal/linux/gpio/gpio_line.hpp"
+#include "hal/linux/iio/iio_channel.hpp"
+#include "hal/linux/iio/iio_drive_output.hpp"
 #include "hal/rig_file/rig_model.hpp"
 
 namespace board {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "firmware/can_protocol/bus_plan.hpp"
+#include "firmware/can_protocol/load/bus_plan.hpp"
 #include "hal/rig_file/rig_file_error.hpp"
 
 namespace board {

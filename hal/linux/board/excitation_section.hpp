@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "firmware/rig_controller/controller_configuration.hpp"
+#include "firmware/rig_controller/settings/controller_configuration.hpp"
 #include "hal/linux/board/toml_section.hpp"
 
 namespace board {

@@ -20,7 +20,7 @@
 #include "hal/linux/board/bus_check.hpp"
 #include "hal/linux/board/run.hpp"
 #include "hal/linux/board/safe_outputs.hpp"
-#include "hal/linux/real_time.hpp"
+#include "hal/linux/system/real_time.hpp"
 #include "hal/rig_file/rig_file_error.hpp"
 
 namespace {

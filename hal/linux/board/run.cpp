@@ -10,7 +10,7 @@
 #include <memory>
 
 #include "hal/linux/board/run_marker.hpp"
-#include "hal/linux/real_time.hpp"
+#include "hal/linux/system/real_time.hpp"
 
 // Defined by tests alone: from here on an allocation is an error.
 extern "C" void allocation_guard_begin() __attribute__((weak));

@@ -7,7 +7,7 @@
 
 #include <cstdlib>
 
-#include "hal/linux/file_descriptor.hpp"
+#include "hal/linux/system/file_descriptor.hpp"
 
 namespace board {
 

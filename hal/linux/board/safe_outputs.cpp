@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "firmware/can_protocol/packing.hpp"
+#include "firmware/can_protocol/messages/packing.hpp"
 #include "hal/linux/board/output_sections.hpp"
-#include "hal/linux/gpio_line.hpp"
-#include "hal/linux/iio_drive_output.hpp"
-#include "hal/linux/watchdogs.hpp"
+#include "hal/linux/gpio/gpio_line.hpp"
+#include "hal/linux/iio/iio_drive_output.hpp"
+#include "hal/linux/system/watchdogs.hpp"
 
 namespace board {
 namespace {

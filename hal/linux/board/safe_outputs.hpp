@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "hal/linux/board/board_file.hpp"
-#include "hal/linux/socket_can.hpp"
+#include "hal/linux/can/socket_can.hpp"
 
 namespace board {
 

@@ -95,7 +95,7 @@ void add_to_energies(const CoreConfiguration& c, int node, double variance, cons
   }
 }
 
-// The same for the instruments of the score tests (firmware/warrant/neighbours.hpp).
+// The same for the instruments of the score tests (firmware/warrant/motion/neighbours.hpp).
 double between_neighbours(const std::vector<double>& v, size_t n) {
   return (54 * (v[n - 1] + v[n + 1]) + 39 * (v[n - 2] + v[n + 2]) + 14 * (v[n - 3] + v[n + 3]) -
           21 * (v[n - 4] + v[n + 4])) /

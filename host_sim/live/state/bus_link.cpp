@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "firmware/can_protocol/bus_load.hpp"
+#include "firmware/can_protocol/load/bus_load.hpp"
 #include "host_sim/can_log/readable.hpp"
 
 namespace live {

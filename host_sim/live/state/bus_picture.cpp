@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "firmware/can_protocol/estimate_frames.hpp"
+#include "firmware/can_protocol/streams/estimate_frames.hpp"
 #include "host_sim/can_log/readable.hpp"
 
 namespace live {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "firmware/can_protocol/messages.hpp"
-#include "firmware/can_protocol/packing.hpp"
+#include "firmware/can_protocol/messages/messages.hpp"
+#include "firmware/can_protocol/messages/packing.hpp"
 
 namespace live {
 

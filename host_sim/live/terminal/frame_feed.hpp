@@ -4,8 +4,8 @@
 #include <string>
 
 #include "firmware/can_protocol/can_frame.hpp"
-#include "hal/linux/file_descriptor.hpp"
-#include "hal/linux/socket_can.hpp"
+#include "hal/linux/can/socket_can.hpp"
+#include "hal/linux/system/file_descriptor.hpp"
 #include "host_sim/can_log/candump_line.hpp"
 
 namespace live {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <csignal>
 
-#include "hal/linux/monotonic_clock.hpp"
+#include "hal/linux/system/monotonic_clock.hpp"
 #include "host_sim/live/screen/screen.hpp"
 #include "host_sim/live/terminal/controls.hpp"
 #include "host_sim/live/terminal/window.hpp"

@@ -4,7 +4,7 @@
 #include <memory>
 #include <sstream>
 
-#include "firmware/identification/backward_time.hpp"
+#include "firmware/identification/rows/backward_time.hpp"
 #include "hal/rig_file/signal_plan.hpp"
 #include "host_sim/can_log/log_writer.hpp"
 #include "host_sim/programs/estimate/from_its_end.hpp"

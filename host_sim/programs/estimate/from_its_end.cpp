@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "firmware/identification/backward_time.hpp"
+#include "firmware/identification/rows/backward_time.hpp"
 #include "firmware/vocabulary/effect_table.hpp"
 #include "host_sim/records/record_checks.hpp"
 

@@ -1,4 +1,4 @@
-// Free motions whose displacement is integrated: the core reads them from their end, where they rest (firmware/identification/backward_time.hpp).
+// Free motions whose displacement is integrated: the core reads them from their end, where they rest (firmware/identification/rows/backward_time.hpp).
 #pragma once
 #include <vector>
 

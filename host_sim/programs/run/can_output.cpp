@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <thread>
 
-#include "hal/linux/socket_can.hpp"
+#include "hal/linux/can/socket_can.hpp"
 #include "host_sim/can_log/log_writer.hpp"
 #include "host_sim/programs/shared/failures.hpp"
 

@@ -8,8 +8,8 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "firmware/can_protocol/sensor_frames.hpp"
-#include "hal/linux/socket_can.hpp"
+#include "firmware/can_protocol/streams/sensor_frames.hpp"
+#include "hal/linux/can/socket_can.hpp"
 
 namespace {
 

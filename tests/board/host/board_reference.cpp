@@ -6,7 +6,7 @@
 #include <iostream>
 #include <memory>
 
-#include "firmware/rig_controller/can_sample_source.hpp"
+#include "firmware/rig_controller/bus/can_sample_source.hpp"
 #include "firmware/rig_controller/rig_controller.hpp"
 #include "hal/fake/fake_can_bus.hpp"
 #include "hal/fake/fake_configuration_store.hpp"

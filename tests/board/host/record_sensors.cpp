@@ -9,7 +9,7 @@
 #include <limits>
 #include <sstream>
 
-#include "firmware/can_protocol/sensor_frames.hpp"
+#include "firmware/can_protocol/streams/sensor_frames.hpp"
 #include "hal/rig_file/channel_name.hpp"
 #include "host_sim/can_log/log_writer.hpp"
 #include "host_sim/virtual_rig/virtual_rig.hpp"

@@ -1,0 +1,38 @@
+// Which element of an IIO device feeds which channel of the rig, and where devices are found.
+#pragma once
+#include <cstdint>
+#include <string>
+
+#include "firmware/configuration/configuration.hpp"
+#include "hal/linux/iio/iio_scan_format.hpp"
+
+namespace hal {
+
+struct IioChannel {
+  std::string element;  // as sysfs names it, without ending: "in_voltage3", "in_accel_x"
+  uint8_t node = 0;     // of the rig
+  firmware::Quantity quantity = firmware::Quantity::kForce;
+  bool rails_told = false;  // the board's file says where it saturates; else the driver's word width does
+};
+
+// The codes at which a converter saturates.
+struct CodeRange {
+  int32_t lowest = -firmware::kLargestCode;
+  int32_t highest = firmware::kLargestCode;
+};
+
+// Where the kernel keeps devices; other folders in tests.
+struct IioRoots {
+  std::string devices = "/sys/bus/iio/devices";
+  std::string character_devices = "/dev";
+};
+
+// "iio:device0" for a device's own name ("ads8688") or for that; empty where there is none. Also finds triggers.
+std::string find_iio_device(const IioRoots& roots, const std::string& name);
+
+// Codes have up to 24 bits, with or without sign; wider samples keep their upper 24 bits. A value that its own width
+// cannot hold becomes the nearest that it can: a saturated one.
+int32_t code_of(int64_t value, const ScanType& type);
+CodeRange code_range(const ScanType& type);
+
+}  // namespace hal
