@@ -61,6 +61,21 @@ Uncertain with_interval(double value, const std::vector<std::vector<double>>& sl
 
 }  // namespace
 
+double slowest_mode_Hz(const rig_file::RigModel& model) {
+  rig_file::RigModel known = model;
+  for (rig_file::Link& link : known.links)
+    for (rig_file::Coefficient* c : {&link.stiffness_N_m, &link.gravity_torque_N_m})
+      if (c->estimate) *c = {};
+  const auto has_mass = [](const rig_file::Dof& dof) { return !dof.mass_kg.estimate && dof.mass_kg.value > 0.0; };
+  if (!std::all_of(known.dofs.begin(), known.dofs.end(), has_mass)) return 0.0;
+  const LinearRig rig = linear_rig(known);
+  const Eigen::VectorXd scale = rig.mass.diagonal().cwiseSqrt().cwiseInverse();
+  const Eigen::MatrixXd stiffness = scale.asDiagonal() * rig.stiffness * scale.asDiagonal();
+  const Eigen::VectorXd squares = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(stiffness).eigenvalues();
+  const double least = squares.minCoeff();
+  return least > kRigidBody * squares.maxCoeff() ? std::sqrt(least) / (2.0 * M_PI) : 0.0;
+}
+
 std::vector<Mode> modes_of(const rig_file::RigModel& rig) {
   const LinearRig linear = linear_rig(rig);
   if (linear.mass.rows() == 0 || !(linear.mass.diagonal().minCoeff() > 0.0)) return {};

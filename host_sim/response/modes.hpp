@@ -20,6 +20,10 @@ struct Mode {
 // mass. rig: every coefficient a number.
 std::vector<Mode> modes_of(const rig_file::RigModel& rig);
 
+// No mode of the undamped rig is slower, Hz: the root of the least eigenvalue of M^-1/2 K M^-1/2, where springs that are estimated
+// count as none. 0 where a mass is estimated or nought, and where something moves against no spring.
+double slowest_mode_Hz(const rig_file::RigModel& model);
+
 struct Uncertain {
   double value, low, high;  // 95 % interval; low = high = value: no uncertainty known
 };

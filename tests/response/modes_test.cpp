@@ -49,6 +49,17 @@ double determinant_share(const std::vector<double>& m, const std::vector<double>
 
 }  // namespace
 
+// Masses 1 and 1, springs 2 (to ground), 3 (between): eigenvalues of (5 -3; -3 3) are 4 -+ sqrt(10), the least 0.837722.
+TEST(Modes, SlowestOfAChain) {
+  rig_file::RigModel rig = chain({1, 1}, {2, 3}, {0, 0});
+  EXPECT_NEAR(slowest_mode_Hz(rig), std::sqrt(4 - std::sqrt(10.0)) / (2.0 * M_PI), 1e-12);
+  rig.links[0].stiffness_N_m.estimate = true;  // may be nought: the two move together against nothing
+  EXPECT_EQ(slowest_mode_Hz(rig), 0.0);
+  rig.links[0].stiffness_N_m.estimate = false;
+  rig.dofs[1].mass_kg.estimate = true;  // may be as heavy as it likes
+  EXPECT_EQ(slowest_mode_Hz(rig), 0.0);
+}
+
 // m = 2, k = 800, c = 1.5: omega = 20, zeta = 1.5 / (2 sqrt(1600)) = 0.01875.
 TEST(Modes, OneMass) {
   const std::vector<Mode> modes = modes_of(chain({2.0}, {800.0}, {1.5}));

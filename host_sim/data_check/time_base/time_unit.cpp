@@ -6,13 +6,14 @@
 #include <cmath>
 #include <optional>
 
+#include "host_sim/response/modes.hpp"
+
 namespace host_sim::data_check {
 namespace {
 
 constexpr double kSame = 0.02;                          // of a factor and its square
 constexpr double kYear2000 = 36526, kYear2100 = 73050;  // day numbers
 constexpr double kShortestStep_s = 1e-5;                // of rigs: a day number's is 1e-8 at a kilohertz
-constexpr double kTwoPi = 6.283185307179586;
 
 std::string unit_of(double factor) {
   for (const auto& [size, word] : {std::pair{1e3, "ms"}, {1e6, "us"}, {1e-3, "ks"}, {1.0 / 60, "minutes"}})
@@ -58,24 +59,6 @@ void name_the_times_too(const Record& record, RecordReport& report) {
     }
 }
 
-// No mode is slower than this: every spring between masses only adds. 0 where the rig file does not know, or a mass hangs on no ground.
-double slowest_Hz(const rig_file::RigModel& model) {
-  double slowest = 0;
-  for (size_t d = 0; d < model.dofs.size(); ++d) {
-    double stiffness = 0;
-    for (const rig_file::Link& l : model.links) {
-      const bool to_ground = (l.a == static_cast<int>(d) + 1 && l.b == rig_file::kGround) ||
-                             (l.b == static_cast<int>(d) + 1 && l.a == rig_file::kGround);
-      if (to_ground && !l.stiffness_N_m.estimate) stiffness += l.stiffness_N_m.value;
-    }
-    const rig_file::Coefficient& mass = model.dofs[d].mass_kg;
-    if (mass.estimate || !(mass.value > 0) || !(stiffness > 0)) return 0;
-    const double hertz = std::sqrt(stiffness / mass.value) / kTwoPi;
-    slowest = slowest == 0 ? hertz : std::min(slowest, hertz);
-  }
-  return slowest;
-}
-
 Finding told(const std::string& text, Weight weight = Weight::kFault) {
   return {"unit", weight, "t_s", text, std::nullopt};
 }
@@ -104,7 +87,7 @@ void find_time_unit(const Record& record, const rig_file::RigModel* model, Recor
     return;
   }
   name_the_times_too(record, report);
-  const double slowest = model != nullptr ? slowest_Hz(*model) : 0, rate_Hz = 1.0 / record.sample_period_s;
+  const double slowest = model != nullptr ? slowest_mode_Hz(*model) : 0, rate_Hz = 1.0 / record.sample_period_s;
   if (slowest > 0.5 * rate_Hz)
     report.findings.push_back(
         told(fmt::format("the rig's slowest mode lies at {:.3g} Hz or above, and samples at {:.3g} Hz cannot show "

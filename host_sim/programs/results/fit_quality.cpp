@@ -1,5 +1,7 @@
 #include "host_sim/programs/results/fit_quality.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <future>
@@ -10,6 +12,7 @@
 #include "host_sim/plant/motion/simulate.hpp"
 #include "host_sim/plant/plant_error.hpp"
 #include "host_sim/records/record_checks.hpp"
+#include "host_sim/response/modes.hpp"
 
 namespace host_sim {
 namespace {
@@ -57,6 +60,11 @@ bool begins_unknown(const Record& record) {
          std::any_of(record.channels.begin(), record.channels.end(), [&](const Channel& c) {
            return !is_drive(c) && record.find(Quantity::kDisplacement, c.dof) == nullptr;
          });
+}
+
+// Samples that are too slow to show the rig's slowest mode, which a run from them would go through all the same.
+bool too_slow_for(const rig_file::RigModel& rig, const Record& record) {
+  return 2.0 * record.sample_period_s * slowest_mode_Hz(rig) > 1.0;
 }
 
 bool runs_freely(const rig_file::RigModel& rig) {
@@ -110,6 +118,12 @@ std::vector<Record> judge_fit(const rig_file::RigModel& model, const std::vector
       result.mse_note =
           "velocities and accelerations do not tell the state from which a free decay begins; diagnose fits it and "
           "simulates from there";
+    } else if (runs_freely(rig) && std::any_of(records.begin(), records.end(),
+                                               [&](const Record& record) { return too_slow_for(rig, record); })) {
+      result.mse_note = fmt::format(
+          "no simulation: the rig's slowest mode lies at {:.3g} Hz, and samples at {:.3g} Hz cannot show it; are the "
+          "times in seconds?",
+          slowest_mode_Hz(rig), 1.0 / records.front().sample_period_s);
     } else if (runs_freely(rig)) {
       simulated = free_running_error(rig, records, sums);
     } else {
