@@ -21,9 +21,9 @@ double Simulator::level(const Friction& f, double w) const {
   return sum;
 }
 
-// Of a node by a column of the state and the parameters. What sticks shares its forces later, by yield_.
+// Of a node by a column of the state and the parameters. What sticks shares its forces later, by now_->yield.
 inline void Simulator::add_slope(int node, Index column, double value) {
-  if (node >= 0) slope_x_(node, column) += (held_.empty() ? lightness_[node] : 1.0) * value;
+  if (node >= 0) slope_x_(node, column) += (now_->held.empty() ? lightness_[node] : 1.0) * value;
 }
 
 inline void Simulator::add_slopes(const Element& e, Index column, double value) {
@@ -39,7 +39,7 @@ inline void Simulator::pull(const Element& e, const LawValue& f, const Outside& 
   for (int side = 0; side < 2; ++side) {
     const int node = side == 0 ? e.a : e.b, other = side == 0 ? e.b : e.a;
     if (node < 0) continue;
-    const double light = held_.empty() ? lightness_[node] : 1.0, ku = light * stiff, cw = light * drag;
+    const double light = now_->held.empty() ? lightness_[node] : 1.0, ku = light * stiff, cw = light * drag;
     slope_x_(node, node) -= ku, slope_x_(node, nodes_ + node) -= cw;
     if (other >= 0) slope_x_(node, other) += ku, slope_x_(node, nodes_ + other) += cw;
   }
@@ -103,11 +103,11 @@ inline void Simulator::finish_slopes(const Outside& o, const Vec& acc) {
     if (by_base_delay_ >= 0 && record_.base.ridden) add_slope(node, states() + by_base_delay_, -o.jerk * mass_[node]);
     for (Index p : by_mass_[static_cast<size_t>(node)]) add_slope(node, states() + p, -(acc[node] + o.carried));
   }
-  if (held_.empty()) return;
+  if (now_->held.empty()) return;
   alone_.swap(slope_x_);  // as if nothing stuck
-  slope_x_.noalias() = yield_.lazyProduct(alone_);
+  slope_x_.noalias() = now_->yield.lazyProduct(alone_);
   if (by_base_delay_ >= 0 && !record_.base.ridden)
-    slope_x_.col(states() + by_base_delay_) += o.jerk * (by_hold_.transpose() * with_base());
+    slope_x_.col(states() + by_base_delay_) += o.jerk * (now_->by_hold.transpose() * with_base());
 }
 
 void Simulator::accelerations(const Vec& y, const Outside& o, Vec& acc, bool slopes) {
@@ -117,12 +117,13 @@ void Simulator::accelerations(const Vec& y, const Outside& o, Vec& acc, bool slo
   pull_elements(y, o, slopes);
   pull_friction(y, o, slopes);
   if (o.carried != 0) net_ -= o.carried * mass_;
-  if (held_.empty()) {  // one by one, as they were written: pairs would have to wait for it
+  if (now_->held.empty()) {  // one by one, as they were written: pairs would have to wait for it
     acc.resize(nodes_);
     for (Index node = 0; node < nodes_; ++node) acc[node] = net_[node] / mass_[node];
   } else {
-    acc.noalias() = yield_.lazyProduct(net_);
-    if (o.a != 0) acc += o.a * (by_hold_.transpose() * with_base());  // what sticks to the moving base goes with it
+    acc.noalias() = now_->yield.lazyProduct(net_);
+    if (o.a != 0)
+      acc += o.a * (now_->by_hold.transpose() * with_base());  // what sticks to the moving base goes with it
   }
   if (slopes) finish_slopes(o, acc);
 }

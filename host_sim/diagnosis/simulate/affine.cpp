@@ -3,7 +3,7 @@
 
 #include "simulator.hpp"
 
-// A substep of a few masses on springs, dampers and dry friction that slides: its four stages are one product, made once.
+// A substep of a few masses on springs, dampers and dry friction: its four stages are one product, made once.
 namespace diagnosis::runs {
 namespace {
 
@@ -78,12 +78,13 @@ void Simulator::join(const Element& e, double stiffness, double damping, Mat& ra
   }
 }
 
-Simulator::Rates Simulator::rates() const {
+// yield: of the nodes, which share their forces where a link sticks.
+Simulator::Rates Simulator::rates(const Mat& yield) const {
   const Index n = nodes_;
   const size_t count = static_cast<size_t>(parameters_);
   Rates r{Mat::Zero(2 * n, 2 * n), Mat::Zero(2 * n, n), std::vector<Mat>(count, Mat::Zero(2 * n, 2 * n)),
           std::vector<Mat>(count, Mat::Zero(2 * n, n))};
-  r.by_state.topRightCorner(n, n).setIdentity(), r.by_force.bottomRows(n) = lightness_.asDiagonal();
+  r.by_state.topRightCorner(n, n).setIdentity(), r.by_force.bottomRows(n) = yield;
   for (const Element& e : elements_) {
     if (is_dry(e.kind)) continue;
     const bool resonance = e.kind == Kind::kResonance;
@@ -95,39 +96,54 @@ Simulator::Rates Simulator::rates() const {
       join(e, 2 * e.value * k, e.value * c, r.state_slopes[static_cast<size_t>(e.by_shape)]);
     if (resonance && e.by_shape2 >= 0) join(e, 0, e.value * c, r.state_slopes[static_cast<size_t>(e.by_shape2)]);
   }
+  const Mat shared = yield * mass_.asDiagonal();  // of what each node would do alone
+  const auto share = [&](Mat& rates) { rates.bottomRows(n) = (shared * rates.bottomRows(n)).eval(); };
+  share(r.by_state);
+  for (Mat& slopes : r.state_slopes) share(slopes);
   for (Index node = 0; node < n; ++node)
     for (Index p : by_mass_[static_cast<size_t>(node)]) {
-      r.state_slopes[static_cast<size_t>(p)].row(n + node) -= lightness_[node] * r.by_state.row(n + node);
-      r.force_slopes[static_cast<size_t>(p)].row(n + node) -= lightness_[node] * r.by_force.row(n + node);
+      r.state_slopes[static_cast<size_t>(p)].bottomRows(n) -= yield.col(node) * r.by_state.row(n + node);
+      r.force_slopes[static_cast<size_t>(p)].bottomRows(n) -= yield.col(node) * r.by_force.row(n + node);
     }
   return r;
 }
 
-void Simulator::make_affine() {
+bool Simulator::all_lines() const {
   const bool alone = !record_.guess.back().given && faults_.empty() && by_base_delay_ < 0 && !record_.base.ridden;
   const bool lines = std::all_of(elements_.begin(), elements_.end(), [](const Element& e) {
     return e.linear || e.kind == Kind::kResonance || is_dry(e.kind);
   });
-  if (!sound_ || !alone || !lines || nodes_ > kMostNodes) return;
+  return sound_ && alone && lines && nodes_ <= kMostNodes;
+}
+
+void Simulator::make_affine(Yield& of) const {
   const double h = record_.step_s / substeps_;
-  const Rates r = rates();
+  const Rates r = rates(of.yield);
   const Mat ha = h * r.by_state, nothing = Mat::Zero(states(), states());
-  affine_.map = map_of(powers(ha, nothing), false, h, r.by_force, nothing, fine_node_);
-  affine_.by_state = affine_.map.leftCols(states());
-  affine_.slopes.resize(states() * parameters_, affine_.map.cols());
+  Affine& affine = of.affine;
+  affine.map = map_of(powers(ha, nothing), false, h, r.by_force, nothing, fine_node_);
+  affine.by_state = affine.map.leftCols(states());
+  affine.slopes.resize(states() * parameters_, affine.map.cols());
   for (Index p = 0; p < parameters_; ++p) {
     const size_t at = static_cast<size_t>(p);
     const Mat slope = map_of(powers(ha, h * r.state_slopes[at]), true, h, r.by_force, r.force_slopes[at], fine_node_);
-    for (Index row = 0; row < states(); ++row) affine_.slopes.row(row * parameters_ + p) = slope.row(row);
+    for (Index row = 0; row < states(); ++row) affine.slopes.row(row * parameters_ + p) = slope.row(row);
   }
-  affine_.is = true;
 }
 
-void Simulator::affine_step(Vec& y, Sensitivity* s) const {
+// For a whole substep from where it is; none where it is not affine.
+const Simulator::Affine* Simulator::affine_now() {
+  if (!affine_) return nullptr;
+  renew_yield();
+  if (now_->affine.map.size() == 0) make_affine(*now_);
+  return &now_->affine;
+}
+
+void Simulator::affine_step(const Affine& affine, Vec& y, Sensitivity* s) const {
   static thread_local Vec taken, moved;
   static thread_local Sensitivity next;
-  const Index n = nodes_, ns = 2 * n, stay = affine_.map.cols() - n;
-  taken.setZero(affine_.map.cols());
+  const Index n = nodes_, ns = 2 * n, stay = affine.map.cols() - n;
+  taken.setZero(affine.map.cols());
   taken.head(ns) = y;
   for (size_t d = 0; d < fine_.size(); ++d)
     for (Index at = 0; at < 3; ++at)
@@ -137,19 +153,19 @@ void Simulator::affine_step(Vec& y, Sensitivity* s) const {
     if (f.a >= 0) taken[stay + f.a] -= force;
     if (f.b >= 0) taken[stay + f.b] += force;
   }
-  y.noalias() = affine_.map * taken;
+  y.noalias() = affine.map * taken;
   if (!s) return;
   next.setZero(s->rows(), s->cols());
-  moved.noalias() = affine_.slopes * taken;
+  moved.noalias() = affine.slopes * taken;
   for (Index r = 0; r < ns; ++r) next.row(r).tail(parameters_) = moved.segment(r * parameters_, parameters_);
   for (const Friction& f : friction_)
     for (size_t i : f.levels) {
       const Index column = ns + elements_[i].by_value;
       if (elements_[i].by_value < 0) continue;
-      if (f.a >= 0) next.col(column) -= f.sign * affine_.map.col(stay + f.a);
-      if (f.b >= 0) next.col(column) += f.sign * affine_.map.col(stay + f.b);
+      if (f.a >= 0) next.col(column) -= f.sign * affine.map.col(stay + f.a);
+      if (f.b >= 0) next.col(column) += f.sign * affine.map.col(stay + f.b);
     }
-  add_product(affine_.by_state, *s, next);
+  add_product(affine.by_state, *s, next);
   s->swap(next);
 }
 

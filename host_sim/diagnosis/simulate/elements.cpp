@@ -43,7 +43,7 @@ Simulator::Simulator(const System& system, const Model& model, const Prepared& r
   late_ = record.held && record.step_s > 1.5 * record.read_every_s, steps_ = record.held && !late_;
   if (massless_) return;
   upsample(model);
-  make_affine();
+  affine_ = all_lines();
 }
 
 // So many that no mode of the springs and dampers is damped by the steps.

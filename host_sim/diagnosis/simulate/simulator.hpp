@@ -6,6 +6,7 @@
 // jump there as the trajectory's kink demands (saltation matrix).
 #pragma once
 #include <array>
+#include <map>
 #include <memory>
 
 #include "model.hpp"
@@ -22,13 +23,15 @@ void answer(const Mat& slopes, const Sensitivity& of_state, Sensitivity& rows);
 class Simulator {
  public:
   Simulator(const System& system, const Model& model, const Prepared& record);
+  Simulator(const Simulator&) = delete;  // points into itself
+  Simulator& operator=(const Simulator&) = delete;
   Index states() const { return 2 * nodes_ + hysteresis_; }
   Index nodes() const { return nodes_; }
   Index parameters() const { return parameters_; }
   bool sound() const { return sound_; }  // every node has mass
   bool massless() const { return massless_; }
   // Whether one product carries a state, and its sensitivity, over a step: what advance() asks of accelerations() is not needed then.
-  bool affine() const { return affine_.is; }
+  bool affine() const { return affine_; }
 
   // The state at a sample from the record's guess.
   Vec guessed_state(Index sample) const;
@@ -42,7 +45,7 @@ class Simulator {
   // How those accelerations answer to states and parameters at the start: their slopes, from the last accelerations(), times how
   // the state does. The step from there goes on with them.
   const Sensitivity& rows_of_accelerations(const Mat& slopes, const Sensitivity& of_state);
-  const Mat& yield() const { return yield_; }  // accelerations per force on each node, at the last accelerations()
+  const Mat& yield() const { return now_->yield; }  // accelerations per force on each node, at the last accelerations()
 
   // Forces of a model without masses under given motion, and their slopes by the parameters (dofs x parameters).
   void forces_of_motion(const Mat& x, const Mat& v, const Mat& a, Mat& force, std::vector<Mat>& slopes) const;
@@ -71,14 +74,30 @@ class Simulator {
     double jerk = 0;             // of the base
     double t_s = 0;
   };
+  // Of a substep of springs, dampers and dry friction (affine.cpp). What it takes: the state, every drive at its start,
+  // middle and end, and a force on each node that stays.
+  struct Affine {
+    Mat map, by_state;  // to the state at its end; its first columns alone
+    Mat slopes;         // of the map: a row per state and parameter, the parameters of a state together
+  };
+  // How the nodes give way while the same links stick.
+  struct Yield {
+    std::vector<const Friction*> held;  // links that stick
+    Mat yield;                          // accelerations per force on each node
+    Mat by_hold, inner_inverse;  // what holds them per force on each node (links x nodes); inverse of their inertia
+    Affine affine;               // empty until it is asked for
+  };
   void compile(const System& system, const Model& model);
   double steps_per_second() const;
   struct Rates;
   void join(const Element& e, double stiffness, double damping, Mat& rates) const;
-  Rates rates() const;
-  void make_affine();
+  Rates rates(const Mat& yield) const;
+  Yield yield_of_present() const;
+  bool all_lines() const;
+  void make_affine(Yield& of) const;
+  const Affine* affine_now();
   bool all_slide() const;
-  void affine_step(Vec& y, Sensitivity* s) const;
+  void affine_step(const Affine& affine, Vec& y, Sensitivity* s) const;
   void upsample(const Model& model);
   void upsample_base(const Model& model);
   using Fine = std::shared_ptr<const Vec>;  // on the fine instants: 2 substeps per sample
@@ -137,20 +156,15 @@ class Simulator {
   // A force that is held over the samples of the record acts, over those of a record that was thinned out, as one that is late
   // by half of one of them; but an acceleration shows it at once.
   bool steps_ = false, late_ = false;
-  Mat yield_, slope_x_, alone_;
+  Mat slope_x_, alone_;
   Vec net_;
-  Sensitivity ka_[4], stage_[4];       // of accelerations and states, at the stages of a step
-  std::vector<const Friction*> held_;  // links that stick
-  Mat by_hold_, inner_inverse_;  // what holds them per force on each node (links x nodes); inverse of their inertia
-  bool yield_old_ = true;
+  Sensitivity ka_[4], stage_[4];  // of accelerations and states, at the stages of a step
   Vec acc_[4];
-  // Of a substep of springs, dampers and dry friction that slides (affine.cpp). What it takes: the state, every drive at its start,
-  // middle and end, and a force on each node that stays.
-  struct Affine {
-    bool is = false;
-    Mat map, by_state;  // to the state at its end; its first columns alone
-    Mat slopes;         // of the map: a row per state and parameter, the parameters of a state together
-  } affine_;
+  std::map<std::vector<char>, Yield> yields_;  // by which links stick
+  std::vector<char> sticks_;                   // the key of the present one,
+  Yield* now_ = nullptr;                       // which is this,
+  bool yield_old_ = true;                      // unless a link has turned, been stopped or let go since
+  bool affine_ = false;                        // nothing but such elements
   // The state whose accelerations stand in acc_[0], their slopes in slope_x_ where there are some, since accelerations(sample, ..):
   // the step from there begins with them.
   struct Begun {

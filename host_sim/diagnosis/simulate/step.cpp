@@ -80,10 +80,11 @@ void Simulator::carry(int stage, const Sensitivity& from, double step_s, Sensiti
 
 // One Runge-Kutta step over a part of the present substep, modes held.
 void Simulator::step(double from, double length, Vec& y, Sensitivity* s) {
-  if (affine_.is && from == 0 && length == 1 && all_slide()) {
-    begun_.is = false;
-    return affine_step(y, s);
-  }
+  if (from == 0 && length == 1)
+    if (const Affine* const affine = affine_now()) {
+      begun_.is = false;
+      return affine_step(*affine, y, s);
+    }
   const double h = length * record_.step_s / substeps_;
   const Outside o0 = outside(from), o1 = outside(from + 0.5 * length), o2 = outside(from + length);
   static thread_local Vec y0, yn;

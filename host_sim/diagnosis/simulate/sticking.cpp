@@ -14,49 +14,57 @@ constexpr double kNear = 1e-3;  // of a friction: what holds it is known no bett
 }  // namespace
 
 // Accelerations per force: the inverse of the masses, with stuck links as bodies.
+Simulator::Yield Simulator::yield_of_present() const {
+  Yield of;
+  of.yield = mass_.cwiseInverse().asDiagonal();
+  for (const Friction& f : friction_)
+    if (f.sign == 0) of.held.push_back(&f);
+  if (of.held.empty()) return of;
+  Mat b = Mat::Zero(nodes_, static_cast<Index>(of.held.size()));
+  for (size_t i = 0; i < of.held.size(); ++i) {
+    if (of.held[i]->a >= 0) b(of.held[i]->a, static_cast<Index>(i)) += 1;
+    if (of.held[i]->b >= 0) b(of.held[i]->b, static_cast<Index>(i)) -= 1;
+  }
+  const Mat mb = mass_.cwiseInverse().asDiagonal() * b;
+  Mat inner = b.transpose() * mb;
+  inner.diagonal().array() *= 1 + 1e-12;
+  const auto solver = inner.ldlt();
+  of.by_hold = solver.solve(mb.transpose());
+  of.inner_inverse = solver.solve(Mat::Identity(inner.rows(), inner.cols()));
+  of.yield -= mb * of.by_hold;
+  return of;
+}
+
 void Simulator::renew_yield() {
   if (!yield_old_) return;
-  yield_ = mass_.cwiseInverse().asDiagonal();
-  held_.clear();
-  for (const Friction& f : friction_)
-    if (f.sign == 0) held_.push_back(&f);
-  if (!held_.empty()) {
-    Mat b = Mat::Zero(nodes_, static_cast<Index>(held_.size()));
-    for (size_t i = 0; i < held_.size(); ++i) {
-      if (held_[i]->a >= 0) b(held_[i]->a, static_cast<Index>(i)) += 1;
-      if (held_[i]->b >= 0) b(held_[i]->b, static_cast<Index>(i)) -= 1;
-    }
-    const Mat mb = mass_.cwiseInverse().asDiagonal() * b;
-    Mat inner = b.transpose() * mb;
-    inner.diagonal().array() *= 1 + 1e-12;
-    const auto solver = inner.ldlt();
-    by_hold_ = solver.solve(mb.transpose());
-    inner_inverse_ = solver.solve(Mat::Identity(inner.rows(), inner.cols()));
-    yield_ -= mb * by_hold_;
-  }
+  sticks_.clear();
+  for (const Friction& f : friction_) sticks_.push_back(f.sign == 0);
+  auto found = yields_.find(sticks_);
+  if (found == yields_.end()) found = yields_.emplace(sticks_, yield_of_present()).first;
+  now_ = &found->second;
   yield_old_ = false;
 }
 
 // How the rates of stuck links would change if their DOFs stayed at rest, per unit of the base's acceleration, turned: what their
 // DOFs must take part in.
 Vec Simulator::with_base() const {
-  Vec c = Vec::Zero(static_cast<Index>(held_.size()));
-  for (size_t i = 0; i < held_.size(); ++i)
-    c[static_cast<Index>(i)] = held_[i]->b == -2 ? 1 : held_[i]->a == -2 ? -1 : 0;
+  Vec c = Vec::Zero(static_cast<Index>(now_->held.size()));
+  for (size_t i = 0; i < now_->held.size(); ++i)
+    c[static_cast<Index>(i)] = now_->held[i]->b == -2 ? 1 : now_->held[i]->a == -2 ? -1 : 0;
   return c;
 }
 
 // What holds a stuck link, from the last accelerations(): the force that its ends must exchange.
 double Simulator::hold_force(const Friction& f, const Outside& o) const {
-  const Index own = std::find(held_.begin(), held_.end(), &f) - held_.begin();
-  const double carried = o.a != 0 ? o.a * inner_inverse_.row(own).dot(with_base()) : 0;
-  return by_hold_.row(own).dot(net_) - carried;
+  const Index own = std::find(now_->held.begin(), now_->held.end(), &f) - now_->held.begin();
+  const double carried = o.a != 0 ? o.a * now_->inner_inverse.row(own).dot(with_base()) : 0;
+  return now_->by_hold.row(own).dot(net_) - carried;
 }
 
 // A link's rate has come to zero: it sticks, or slides on in the other direction.
 void Simulator::turn(Friction& f, double at, Vec& y, Sensitivity* s) {
   const Outside o = outside(at);
-  Vec before, after;
+  static thread_local Vec before, after;
   accelerations(y, o, before, false);
   const double falling = relative(before, 0, f.a, f.b, o.a);
   const int was = f.sign;
@@ -126,7 +134,7 @@ std::pair<Simulator::Friction*, double> Simulator::first_to_let_go(const Vec& y0
 
 void Simulator::let_go(Friction& f, double at, const Vec& y) {
   const Outside o = outside(at);
-  Vec acc;
+  static thread_local Vec acc;
   accelerations(y, o, acc, false);
   f.sign = hold_force(f, o) > 0 ? 1 : -1, yield_old_ = true;
 }
