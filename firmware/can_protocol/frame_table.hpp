@@ -291,7 +291,6 @@ inline constexpr const FrameDescription* kFrames[] = {
     &kBusHealth,      &kEstimateFd, &kEstimateFloatFd, &kIdentity, &kWindow,         &kDiagnosisSize,
     &kDiagnosisRival, &kEstimate,   &kDiagnosis,       &kSdoReply, &kEstimateFloat,  &kSdoRequest,
     &kParameter,      &kScaling,    &kRange,           &kHeartbeat};
-constexpr int kFrameCount = static_cast<int>(sizeof(kFrames) / sizeof(kFrames[0]));
 
 }  // namespace can
 }  // namespace firmware

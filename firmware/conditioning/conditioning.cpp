@@ -175,7 +175,7 @@ bool Conditioning::filter(int32_t* column) {
       column[path.column] = (path.turn & kFused ? fused(path) : delayed(newest[path.window])).raw;
   }
   if (++history_at_ == kHistory) history_at_ = 0;
-  ++received_;
+  if (received_ != UINT32_MAX) ++received_;  // a level may be longer
   return received_ > static_cast<uint32_t>(history_samples_);
 }
 

@@ -17,4 +17,10 @@ void copy_measured_signals(CoreConfiguration& configuration) {
   }
 }
 
+const Term* term_of(const CoreConfiguration& configuration, int unknown) {
+  for (int t = 0; t < configuration.term_count; ++t)
+    if (configuration.terms[t].unknown == unknown) return &configuration.terms[t];
+  return nullptr;
+}
+
 }  // namespace firmware

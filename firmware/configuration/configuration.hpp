@@ -151,11 +151,14 @@ struct CoreConfiguration {
   // A well-measured delay or gain of a channel is taken out on the board (firmware/warrant/verdict/channel_correction.hpp). Not stored: false
   // where the program beside the core has all the samples, and does it itself.
   bool corrects_channels = true;
-  // The samples of each level come last first, velocities turned over: identification/backward_time.hpp. Not stored: a board cannot.
+  // The samples of each level come last first, velocities turned over: firmware/identification/rows/backward_time.hpp. Not stored: a board cannot.
   bool time_runs_back = false;
 };
 
 // Fills signals with plain copies of the measured channels.
 void copy_measured_signals(CoreConfiguration& configuration);
+
+// The term whose coefficient is that unknown; nullptr: none.
+const Term* term_of(const CoreConfiguration& configuration, int unknown);
 
 }  // namespace firmware

@@ -5,6 +5,7 @@
 namespace firmware {
 namespace {
 
+constexpr int kCountBits = 40;  // of samples since a level's start: a year at 20 kHz
 constexpr int kDofNumbers = sizeof(BatchDof) / sizeof(PackedScaled);
 
 // A batch in parts: the columns of a weight, then the numbers of a DOF.
@@ -57,12 +58,10 @@ void BatchCollector::clear(const CoreConfiguration& configuration, const RowLayo
   units_per_cycle_ = 16;
   if (periodic_) {
     // At least 8 samples, at most 1023 and a rounded one.
-    while (units_per_cycle_ > 1 &&
-           window.cycle_samples_numerator < 8 * units_per_cycle_ * window.cycle_samples_denominator)
+    const uint64_t of_cycle = window.cycle_samples_denominator;
+    while (units_per_cycle_ > 1 && window.cycle_samples_numerator < 8 * units_per_cycle_ * of_cycle)
       units_per_cycle_ /= 2;
-    while (window.cycle_samples_numerator >
-           (kMaxBatchSamples - 1) * units_per_cycle_ * window.cycle_samples_denominator)
-      units_per_cycle_ *= 2;
+    while (window.cycle_samples_numerator > (kMaxBatchSamples - 1) * units_per_cycle_ * of_cycle) units_per_cycle_ *= 2;
     unit_numerator_ = window.cycle_samples_numerator;
     unit_denominator_ = window.cycle_samples_denominator * units_per_cycle_;
   }
@@ -90,7 +89,7 @@ uint32_t BatchCollector::unit_end(uint32_t unit) const {
   if (unit_denominator_ == 1) return unit * unit_numerator_;
   const uint64_t twice = 2 * static_cast<uint64_t>(unit) * unit_numerator_ + unit_denominator_;
   return static_cast<uint32_t>(
-      short_quotient(twice, 2 * static_cast<uint64_t>(unit_denominator_), 32));  // nearest sample
+      short_quotient(twice, 2 * static_cast<uint64_t>(unit_denominator_), kCountBits));  // nearest sample
 }
 
 // With the table full (or just being merged) batches are twice as long.

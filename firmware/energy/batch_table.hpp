@@ -22,7 +22,6 @@
 
 namespace firmware {
 
-constexpr int kMaxRowUnknowns = kMaxUnknowns;     // unknowns in one DOF's equation
 constexpr int kMaxIncidences = 2 * kMaxUnknowns;  // (DOF, unknown) pairs of the rig: a link's unknown touches two DOFs
 
 // Which unknowns stand in each DOF's equation; the same for all weights.

@@ -25,7 +25,6 @@ void Excitation::configure(const ExcitationProgramme& programme, int dof_count, 
 void Excitation::start() {
   if (programme_ == nullptr || programme_->level_count == 0) return;
   abort();
-  limited_samples_ = 0;
   enter_level(0);
 }
 
@@ -153,7 +152,6 @@ void Excitation::command() {
     const int64_t change = static_cast<int64_t>(allowed) - drive_.raw;
     allowed = static_cast<int32_t>(drive_.raw + clamp_magnitude(change, limits.step_per_sample.raw));
   }
-  if (allowed != wanted) ++limited_samples_;
   drive_ = Drive::from_raw(allowed);
 }
 

@@ -39,7 +39,6 @@ class Excitation {
   ExcitationState state() const { return state_; }
   uint8_t level() const { return level_; }
   bool unsettled() const { return unsettled_; }  // the level being measured did not settle within its limit
-  uint32_t limited_samples() const { return limited_samples_; }  // random peaks cut by the drive limits
 
  private:
   const ExcitationLevel& current() const { return programme_->levels[level_]; }
@@ -65,7 +64,6 @@ class Excitation {
   int32_t envelope_ = 0;  // Q0.31
   int32_t rise_ = 1;      // Q0.31, of a ramp in a sample
   uint32_t samples_ = 0;  // in the present state
-  uint32_t limited_samples_ = 0;
   Drive drive_;
   BandNoise noise_;
   SettleDetector settle_;

@@ -13,7 +13,6 @@ class Periodic {
   }
   // A new period counts from now; 0 stops.
   void change_period(uint64_t now_ns, uint64_t period_ns) { start(now_ns + period_ns, period_ns); }
-  void run_now(uint64_t now_ns) { due_ns_ = now_ns; }
   // True at most once per call; times that passed unseen are left out.
   bool due(uint64_t now_ns) {
     if (period_ns_ == 0 || now_ns < due_ns_) return false;

@@ -1,4 +1,4 @@
-// Why the rig was stopped, or what deserves attention while it runs. rig_controller/alarm_message.hpp turns these into
+// Why the rig was stopped, or what deserves attention while it runs. rig_controller/safety/alarm_message.hpp turns these into
 // the codes and bits that travel on the bus.
 #pragma once
 #include <cstdint>

@@ -6,8 +6,6 @@
 
 namespace firmware {
 
-constexpr bool kHasScoreTests = kWarrantNumbers > 0;
-
 #if FIRMWARE_WARRANT_NUMBERS > 0
 
 class ScoreTests {

@@ -8,6 +8,7 @@ constexpr uint32_t kClassController = 0x004;
 constexpr uint32_t kClassNoAcknowledge = 0x020;
 constexpr uint32_t kClassBusOff = 0x040;
 constexpr uint32_t kClassRestarted = 0x100;
+constexpr size_t kQueueLength = 3;
 
 }  // namespace
 
@@ -48,7 +49,7 @@ CanResult FakeCanBus::send(const CanFrame& frame) {
     case BusFailure::kDriverFault:
       return CanResult::kFault;
     case BusFailure::kShortQueue:
-      if (queued_ >= queue_length_) return CanResult::kQueueFull;
+      if (queued_ >= kQueueLength) return CanResult::kQueueFull;
       ++queued_;
       break;
     case BusFailure::kNone:

@@ -16,7 +16,7 @@ enum class BusFailure {
   kQueueFull,    // every send answers kQueueFull
   kDown,         // interface down: send and receive answer kBusDown
   kDriverFault,  // every send answers kFault
-  kShortQueue,   // the queue takes `queue_length` frames until drain() is called
+  kShortQueue,   // the queue takes three frames until drain() is called
 };
 
 // Error frames as SocketCAN delivers them.
@@ -34,7 +34,6 @@ class FakeCanBus final : public CanBus {
 
   void overflow(uint32_t frames) { receive_overflows_ += frames; }
   void fail(BusFailure failure) { failure_ = failure; }
-  void set_queue_length(size_t frames) { queue_length_ = frames; }
   void drain() { queued_ = 0; }
   void inject(const CanFrame& frame) { incoming_.push_back(frame); }
   void inject(ErrorFrame kind) { inject(make_error_frame(kind)); }
@@ -50,7 +49,6 @@ class FakeCanBus final : public CanBus {
  private:
   MonotonicClock& clock_;
   BusFailure failure_ = BusFailure::kNone;
-  size_t queue_length_ = 3;
   size_t queued_ = 0;
   bool keep_ = true;
   uint64_t sent_count_ = 0;

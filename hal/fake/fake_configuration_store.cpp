@@ -64,9 +64,4 @@ size_t FakeConfigurationStore::load(uint8_t* bytes, size_t capacity) {
   return slot->size() - kFrameBytes;
 }
 
-void FakeConfigurationStore::corrupt() {
-  auto* slot = const_cast<std::vector<uint8_t>*>(newest());
-  if (slot != nullptr) (*slot)[4] ^= 1;
-}
-
 }  // namespace hal

@@ -22,8 +22,6 @@ class FakeConfigurationStore final : public ConfigurationStore {
   }
   void restore_power() { cut_ = false; }
   size_t written_bytes() const { return written_bytes_; }
-  // Damages what is stored: flips one bit of the slot that would be loaded.
-  void corrupt();
 
  private:
   bool write(std::vector<uint8_t>& slot, size_t place, uint8_t byte);

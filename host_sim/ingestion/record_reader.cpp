@@ -1,14 +1,16 @@
 #include "host_sim/ingestion/record_reader.hpp"
 
-#include "host_sim/ingestion/mat_reader.hpp"
-#include "host_sim/ingestion/sensor_log_reader.hpp"
-#include "host_sim/ingestion/uff_reader.hpp"
+#include "host_sim/ingestion/mat/mat_reader.hpp"
+#include "host_sim/ingestion/sensor_log/sensor_log_reader.hpp"
+#include "host_sim/ingestion/uff/uff_reader.hpp"
 #include "host_sim/records/csv/csv_reader.hpp"
+#include "host_sim/records/derived/computed_columns.hpp"
 #include "host_sim/records/files/data_file_error.hpp"
 #include "host_sim/records/files/file_content.hpp"
 #include "host_sim/records/files/input_files.hpp"
 #include "host_sim/records/record_checks.hpp"
 #include "host_sim/records/times/resample.hpp"
+#include "host_sim/records/turns/joined_turns.hpp"
 
 namespace host_sim {
 namespace {
@@ -60,6 +62,7 @@ std::vector<Record> read_records(const std::string& path, const rig_file::RigMod
     for (const Record& record : records) require_motion_channels(record, model);
     if (!options.span.is_all())
       for (Record& record : records) record = within(std::move(record), options.span);
+    for (Record& record : records) join_turns(record), leave_out_computed(record);
     if (options.resample_Hz > 0.0) return at_even_steps(records, options.resample_Hz);
     return records;
   }

@@ -117,6 +117,27 @@ TEST_F(BoardFileTest, AGoodFileBecomesIntegers) {
   EXPECT_EQ(controller.core.window.cycle_samples_numerator, 400u * controller.core.window.cycle_samples_denominator);
 }
 
+// 10 ms of silence are two samples of 200 Hz: three periods then. At 2 kHz 10 ms.
+TEST_F(BoardFileTest, SilenceIsTimedInPeriodsOfSlowSamples) {
+  const std::string untold = changed("timeout_ms = 2.5\n", "");
+  EXPECT_EQ(read(untold).controller.limits.sample_timeout_us, 10000u);
+  std::string slow = untold;
+  slow.replace(slow.find("rate_Hz = 2000"), 14, "rate_Hz = 200");
+  slow.replace(slow.find("frequency_Hz = 5"), 16, "frequency_Hz = 1");
+  EXPECT_EQ(read(slow).controller.limits.sample_timeout_us, 15000u);
+}
+
+// 2 kHz over 1 mHz: 2,000,000 samples a cycle, whose product with 1024 is beyond 32 bits.
+TEST_F(BoardFileTest, ACycleMayBeLong) {
+  std::string listening = kGood;
+  const size_t levels = listening.find("[[excitation.level]]");
+  listening.erase(levels, listening.find("[[dof]]") - levels);
+  listening.replace(listening.find("rate_Hz = 2000"), 14, "rate_Hz = 2000\ncycle_Hz = 0.001");
+  const firmware::WindowConfiguration window = read(listening).controller.core.window;
+  EXPECT_EQ(window.mode, firmware::WindowMode::kWholeCycles);
+  EXPECT_EQ(window.cycle_samples_numerator, 2000000.0 * window.cycle_samples_denominator);
+}
+
 TEST_F(BoardFileTest, TheShippedExampleIsGood) {
   const board::BoardFile board =
       board::read_board_file(std::string(RIG_SOURCE_DIR) + "/hal/linux/packaging/board.example.toml");
@@ -242,6 +263,11 @@ const Broken kBroken[] = {
      {"channel 1", "\"element\"", "in_voltage0"}},
     {"unit_per_code = 0.01", "unit_per_code = 0.01\nelement = \"in_voltage0\"", {"\"element\"", "IIO source only"}},
     {"rate_Hz = 2000", "rate_Hz = 0", {":10:", "\"rate_Hz\"", "10 to 20000"}},
+    {"rate_Hz = 2000", "rate_Hz = 500", {":11:", "\"timeout_ms\"", "is 2.5 at 500", "two periods"}},
+    {"rate_Hz = 2000", "rate_Hz = 2000\ncycle_Hz = 501", {"\"cycle_Hz\"", "is 501 at 2000", "four of them"}},
+    {"source = \"can\"\nwiring = \"24\"\nrate_Hz = 2000",
+     "source = \"iio_direct\"\ndevice = \"adc\"\nrate_Hz = 4001",
+     {"\"rate_Hz\"", "is 4001", "at most 4000"}},
     {"timeout_ms = 2.5", "timeout_ms = nan", {":11:", "\"timeout_ms\"", "expected"}},
     {"{ line = \"stop\", ", "{ ", {":13:", "\"line\"", "is missing"}},
     {"bias = \"pull_up\"", "bias = \"up\"", {":13:", "\"bias\"", "\"pull_up\""}},

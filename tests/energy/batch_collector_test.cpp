@@ -5,6 +5,9 @@
 
 #include <cmath>
 #include <memory>
+#include <stdexcept>
+
+#include "hal/rig_file/whole_cycles.hpp"
 
 using namespace firmware;
 
@@ -165,4 +168,38 @@ TEST(BatchCollector, RefusesALevelTooMany) {
   collector.begin_level();
   EXPECT_TRUE(collector.refused());
   EXPECT_EQ(table->level_count, kMaxLevels);
+}
+
+// 65,500 samples a cycle in 1/65536: the sixteenth that is doubled until a unit has at most 1023 samples would pass 2^32.
+// 64 units of 65500 / 64 = 1023.4 samples are too long, so 128: of 511.71875.
+TEST(BatchCollector, UnitsOfLongCycles) {
+  CoreConfiguration configuration;
+  configuration.dof_count = configuration.unknown_count = 1;
+  configuration.window.mode = WindowMode::kWholeCycles;
+  configuration.window.cycle_samples_numerator = 65500u * 65536u;
+  configuration.window.cycle_samples_denominator = 65536;
+  RowLayout layout;
+  layout.dof_count = layout.unknown_count = 1;
+  auto table = std::make_unique<BatchTable>();
+  BatchCollector collector(*table);
+  collector.clear(configuration, layout);
+  EXPECT_EQ(collector.unit_end(1), 512u);
+  EXPECT_EQ(collector.unit_end(128), 65500u);
+  EXPECT_EQ(collector.unit_end(3 * 128), 196500u);
+}
+
+// 100,000 samples in 2^-14 of one, and a cycle of 4 Mi samples that a fraction of 2^-8 still holds.
+TEST(WholeCycles, AreFractionsThatFit) {
+  firmware::WindowConfiguration window;
+  rig_file::set_whole_cycles(100000.0, window);
+  EXPECT_LT(window.cycle_samples_numerator, 1u << 30);
+  EXPECT_EQ(window.cycle_samples_numerator, 100000.0 * window.cycle_samples_denominator);
+  EXPECT_EQ(window.cycle_samples_denominator, 8192u);
+  rig_file::set_whole_cycles(250.3, window);
+  EXPECT_EQ(window.cycle_samples_denominator, 65536u);
+  EXPECT_NEAR(window.cycle_samples_numerator / 65536.0, 250.3, 1.0 / 131072);
+  rig_file::set_whole_cycles(1073741823.0, window);
+  EXPECT_EQ(window.cycle_samples_denominator, 1u);
+  EXPECT_THROW(rig_file::set_whole_cycles(1073741824.0, window), std::domain_error);
+  EXPECT_THROW(rig_file::set_whole_cycles(3.9, window), std::domain_error);
 }

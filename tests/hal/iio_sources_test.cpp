@@ -123,6 +123,18 @@ TEST_F(IioDevice, TheTriggersRateIsSet) {
   EXPECT_EQ(get("trigger/current_trigger"), "timer500");
 }
 
+// What it is told is not what it does: 12.5 Hz is written with its point, and what stands there then has to be it.
+TEST(IioRate, IsWrittenAndReadBack) {
+  EXPECT_EQ(hal::rate_text(1000.0), "1000");
+  EXPECT_EQ(hal::rate_text(12.5), "12.5");
+  EXPECT_EQ(hal::rate_text(1000.0 / 3.0), "333.333333");
+  EXPECT_TRUE(hal::is_rate("333.333", 1000.0 / 3.0));
+  EXPECT_TRUE(hal::is_rate("12.500000", 12.5));
+  EXPECT_FALSE(hal::is_rate("13", 12.5));
+  EXPECT_FALSE(hal::is_rate("1000", 1000.2));  // 2e-4
+  EXPECT_TRUE(hal::is_rate("", 12.5));         // tells nothing
+}
+
 TEST_F(IioDevice, AHoleInTheStampsIsAHoleInTheSequence) {
   add_buffer();
   hal::IioBufferSource source(clock_);
@@ -175,6 +187,16 @@ TEST_F(IioDevice, StampsOfTheTimeOfDayAreMovedToTheMonotonicClock) {
   ASSERT_EQ(source.read(sample), SampleResult::kSample);
   EXPECT_GE(sample.time_ns + 1000000, before_ns);  // the two clocks are read one after the other
   EXPECT_LE(sample.time_ns, hal::read_clock_ns(CLOCK_MONOTONIC));
+}
+
+// The network sets the clock an hour ahead while a sample waits: it is no hour old.
+TEST(MonotonicClock, AStampFromBeforeTheClockWasSetIsNow) {
+  const uint64_t day_ns = hal::read_clock_ns(CLOCK_REALTIME), now_ns = hal::read_clock_ns(CLOCK_MONOTONIC);
+  EXPECT_GE(hal::monotonic_from_time_of_day_ns(day_ns - 3600000000000), now_ns);
+  EXPECT_GE(hal::monotonic_from_time_of_day_ns(day_ns + 3600000000000), now_ns);
+  const uint64_t waited = hal::monotonic_from_time_of_day_ns(day_ns - 500000000);  // half a second in a buffer
+  EXPECT_LT(waited, now_ns);
+  EXPECT_GT(waited + 1000000000, now_ns);
 }
 
 TEST_F(IioDevice, TheDriverTellsWhereAConverterSaturates) {

@@ -7,7 +7,7 @@
 #include <fstream>
 #include <string>
 
-#include "host_sim/ingestion/mat_reader.hpp"
+#include "host_sim/ingestion/mat/mat_reader.hpp"
 #include "tests/ingestion/rigs.hpp"
 
 namespace {

@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "host_sim/ingestion/mat_reader.hpp"
+#include "host_sim/ingestion/mat/mat_reader.hpp"
 #include "host_sim/ingestion/record_reader.hpp"
 #include "tests/ingestion/rigs.hpp"
 
@@ -218,6 +218,40 @@ TEST(Mat, OtherNamesUnitsAndVariables) {
   std::string notes;
   for (const std::string& note : record.notes) notes += note + "\n";
   EXPECT_NE(notes.find("ignored: \"temperature\", \"table\""), std::string::npos) << notes;
+}
+
+// A signal as Simulink logs it: struct{time, signals: struct{values}}.
+matvar_t* logged(const char* name, std::vector<double> time, std::vector<double> values) {
+  size_t one[2] = {1, 1};
+  const char *outer[] = {"time", "signals"}, *inner[] = {"values"};
+  matvar_t* const signals = Mat_VarCreateStruct("signals", 2, one, inner, 1);
+  Mat_VarSetStructFieldByName(signals, "values", 0, MatFile::vector("values", values));
+  matvar_t* const variable = Mat_VarCreateStruct(name, 2, one, outer, 2);
+  Mat_VarSetStructFieldByName(variable, "time", 0, MatFile::vector("time", time));
+  Mat_VarSetStructFieldByName(variable, "signals", 0, signals);
+  return variable;
+}
+
+TEST(Mat, WhatSimulinkLogsIsOneRecord) {
+  const std::vector<double> times = {0, 0.01, 0.02, 0.03};
+  MatFile file;
+  file.add(logged("shaker", times, {1, 2, 3, 4}))
+      .add(logged("x", times, {5, 6, 7, 8}))
+      .add(logged("other", times, {0, 0, 0, 0}));
+  host_sim::ReadingOptions options;
+  options.columns = {{"force_1", "shaker"}, {"displacement_1", "x"}};
+  const auto record = one_record(file.path(), dampers(1), options);
+  EXPECT_NEAR(record.sample_period_s, 0.01, 1e-12);
+  EXPECT_EQ(record.find(Quantity::kForce, 1)->values, (std::vector<double>{1, 2, 3, 4}));
+  EXPECT_EQ(record.find(Quantity::kDisplacement, 1)->values, (std::vector<double>{5, 6, 7, 8}));
+}
+
+TEST(Mat, WhatSimulinkLogsAtOtherTimesIsRefused) {
+  MatFile file;
+  file.add(logged("force_1_N", {0, 0.01, 0.02}, {1, 2, 3})).add(logged("displacement_1_m", {0, 0.02, 0.04}, {1, 2, 3}));
+  const std::string message = refusal([&] { one_record(file.path(), dampers(1)); });
+  expect_says(message, "\"displacement_1_m\"");
+  expect_says(message, "other times");
 }
 
 // Two accelerations over time in the rows of a matrix, as some acquisition programs keep them, within a struct of a struct.

@@ -6,7 +6,7 @@
 
 #include "firmware/can_protocol/streams/sensor_frames.hpp"
 #include "host_sim/can_log/log_writer.hpp"
-#include "host_sim/ingestion/sensor_log_reader.hpp"
+#include "host_sim/ingestion/sensor_log/sensor_log_reader.hpp"
 #include "tests/ingestion/rigs.hpp"
 
 namespace {

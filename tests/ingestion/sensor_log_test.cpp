@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "host_sim/can_log/asc_line.hpp"
-#include "host_sim/ingestion/sensor_log_reader.hpp"
+#include "host_sim/ingestion/sensor_log/sensor_log_reader.hpp"
 #include "tests/ingestion/rigs.hpp"
 
 namespace {

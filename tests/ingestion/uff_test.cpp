@@ -3,7 +3,7 @@
 
 #include <cstdarg>
 
-#include "host_sim/ingestion/uff_reader.hpp"
+#include "host_sim/ingestion/uff/uff_reader.hpp"
 #include "tests/ingestion/rigs.hpp"
 
 namespace {

@@ -14,12 +14,6 @@ Scaled unit_work(const RowLayout& layout, const Batch& batch, Weight weight, int
   return work;
 }
 
-const Term* term_of(const CoreConfiguration& configuration, int unknown) {
-  for (int t = 0; t < configuration.term_count; ++t)
-    if (configuration.terms[t].unknown == unknown) return &configuration.terms[t];
-  return nullptr;
-}
-
 // A bit per TermKind, taken from the vocabulary when compiling.
 constexpr uint32_t terms_of_one_sign() {
   uint32_t bits = 0;

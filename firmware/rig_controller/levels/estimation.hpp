@@ -49,7 +49,6 @@ class Estimation {
   uint64_t now_ns() const { return now_ns_; }
   void go_on();  // once in a step where it is not idle: with what waits
   bool has_result() const { return fresh_; }
-  bool working() const { return working_; }
   bool take_result();  // true: results() are of a solve that has ended since the last call
   bool idle() const { return !busy_; }
   // What runs on the worker has been running for longer than anything can.

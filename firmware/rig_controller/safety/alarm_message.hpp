@@ -20,7 +20,7 @@ class AlarmQueue {
   int waiting() const { return count_; }
 
  private:
-  static constexpr int kCapacity = 20;  // as many as there are codes
+  static constexpr int kCapacity = 20;  // more than there are codes
   struct Place {
     Emergency emergency;
     bool urgent = false;

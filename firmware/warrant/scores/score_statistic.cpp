@@ -6,7 +6,6 @@ namespace firmware {
 namespace {
 
 constexpr int kLeastFreedom = 2;
-constexpr int kFoundDeviations = 2;  // chance finds as much of one force in 20
 constexpr int kLeastShareLog2 = -6;  // of a force, not taken up by the estimated terms
 constexpr int kApartLog2 = -2;       // the same, of one that is told apart well
 

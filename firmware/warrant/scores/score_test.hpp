@@ -129,7 +129,6 @@ class ScoreTest {
   void weigh(int place);
   void weigh_level(const Place& place, int level, int place_number);
   void add_base(const Probe& probe);
-  void add_base_level(int row, int level);
   void invert();
   void find_base();
   Scaled step_of(int unknown, Scaled* share) const;

@@ -1,6 +1,7 @@
 #include "firmware/warrant/verdict/verdict.hpp"
 
 #include "firmware/identification/rows/backward_time.hpp"
+#include "firmware/warrant/probes/model_terms.hpp"
 #include "firmware/warrant/verdict/finding.hpp"
 #include "firmware/warrant/verdict/late_channel.hpp"
 
@@ -28,12 +29,6 @@ constexpr uint32_t terms_that(Is is) {
 constexpr uint32_t kNotNegative = terms_that([](const EffectRow& row) { return row.sign == Sign::kNotNegative; });
 constexpr uint32_t kConservative = terms_that([](const EffectRow& row) { return row.nature.conservative; });
 bool is_in(uint32_t terms, TermKind kind) { return (terms >> static_cast<int>(kind) & 1) != 0; }
-
-const Term* term_of(const CoreConfiguration& configuration, int unknown) {
-  for (int t = 0; t < configuration.term_count; ++t)
-    if (configuration.terms[t].unknown == unknown) return &configuration.terms[t];
-  return nullptr;
-}
 
 // What a late channel takes from an equation its estimated masses and springs pass on: they stand beside everything else.
 bool spreads_skew(const CoreConfiguration& configuration, const Estimates& estimates) {
@@ -77,6 +72,28 @@ bool contradicts(const CoreConfiguration& configuration, int unknown, const Para
   return severity(parameter.status) < severity(EstimateStatus::kIllConditioned) &&
          impossible(configuration, unknown, parameter) &&
          below_nought(configuration, unknown, parameter.value, parameter.std * kImpossibleDeviations);
+}
+
+// Do the two stand in an equation of motion together?
+bool share_an_equation(const CoreConfiguration& configuration, int unknown, int other) {
+  const ModelTerms model(configuration);
+  const Term *one = term_of(configuration, unknown), *two = term_of(configuration, other);
+  for (int dof = 0; dof < configuration.dof_count && one != nullptr && two != nullptr; ++dof)
+    if (model.sign_in(*one, dof) != 0 && model.sign_in(*two, dof) != 0) return true;
+  return false;
+}
+
+// What pushed a coefficient below nought had the others of its equations to bend too: by how much nobody can say.
+void spread_impossible(const CoreConfiguration& configuration, Estimates& estimates) {
+  bool beside[kMaxUnknowns] = {};
+  for (int k = 0; k < estimates.unknown_count; ++k) {
+    const ParameterEstimate& parameter = estimates.parameters[k];
+    if (severity(parameter.status) > severity(EstimateStatus::kIllConditioned)) continue;
+    if (!impossible(configuration, k, parameter)) continue;
+    for (int j = 0; j < estimates.unknown_count; ++j) beside[j] = beside[j] || share_an_equation(configuration, k, j);
+  }
+  for (int j = 0; j < estimates.unknown_count; ++j)
+    if (beside[j]) raise(estimates.parameters[j], EstimateStatus::kUntested);
 }
 
 bool instruments_differ(const ScoreTest& test, int unknown, const ParameterEstimate& parameter) {
@@ -174,7 +191,6 @@ void give_verdict(const CoreConfiguration& configuration, const ScoreSums& sums,
     contradicted = contradicted || contradicts(configuration, k, estimates.parameters[k]);
   for (int k = 0; k < estimates.unknown_count; ++k) {
     ParameterEstimate& parameter = estimates.parameters[k];
-    if (impossible(configuration, k, parameter)) raise(parameter, EstimateStatus::kUntested);
     if (contradicted) raise(parameter, EstimateStatus::kModelSuspect);
     if (!state.calibrated) continue;
     if (!state.judged) {  // where no window has closed there is nothing to test: STALE says so
@@ -191,6 +207,7 @@ void give_verdict(const CoreConfiguration& configuration, const ScoreSums& sums,
     if (state.levels == 1 && one_amplitude(configuration, test, k, parameter))
       raise(parameter, EstimateStatus::kUntested);
   }
+  spread_impossible(configuration, estimates);
   if (state.calibrated && state.judged) spread_doubt(configuration, test, estimates);
 }
 

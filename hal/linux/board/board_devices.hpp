@@ -50,7 +50,6 @@ class BoardDevices {
     store_worker_.wait();
   }
   const hal::SocketCan& bus() const { return bus_; }
-  const hal::SocketCan& sensor_bus() const { return sensor_bus_; }
   const firmware::AssemblyHealth* assembly() const { return can_samples_ ? &can_samples_->health() : nullptr; }
 
  private:

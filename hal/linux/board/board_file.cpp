@@ -1,5 +1,6 @@
 #include "hal/linux/board/board_file.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -9,9 +10,18 @@
 #include "hal/rig_file/channel_name.hpp"
 #include "hal/rig_file/compile_rig.hpp"
 #include "hal/rig_file/toml/rig_from_toml.hpp"
+#include "hal/rig_file/whole_cycles.hpp"
 
 namespace board {
 namespace {
+
+constexpr double kMostDirect_Hz = 4000.0;  // the controller's shortest tick (run.cpp) takes one sample
+
+std::string text_of(double value) {
+  std::ostringstream text;
+  text << value;
+  return text.str();
+}
 
 void read_node(const Section& section, BoardFile& board) {
   firmware::NodeConfiguration& node = board.controller.node;
@@ -44,12 +54,19 @@ void read_samples(const Section& section, BoardFile& board) {
     if (!section.has("device")) section.refuse("device", "is missing, expected the name of an IIO device");
     samples.device = section.text("device", "");
     samples.trigger = section.text("trigger", "");
+    if (samples.kind == SampleKind::kIioDirect && samples.rate_Hz > kMostDirect_Hz)
+      section.refuse("rate_Hz", "is " + text_of(samples.rate_Hz) + ", expected at most " + text_of(kMostDirect_Hz) +
+                                    " without a buffer: each sample is asked for by itself");
   }
   firmware::LimitConfiguration& limits = board.controller.limits;
   limits.saturated_in_row = static_cast<uint16_t>(section.whole("saturated_in_row", 3, 1, 65535));
   limits.lost_in_row = static_cast<uint16_t>(section.whole("lost_in_row", 3, 1, 65535));
-  limits.sample_timeout_us =
-      static_cast<uint32_t>(std::lround(section.number("timeout_ms", 10.0, 0.1, 10000.0) * 1000.0));
+  const double period_ms = 1e3 / samples.rate_Hz;
+  const double timeout_ms = section.number("timeout_ms", std::max(10.0, 3.0 * period_ms), 0.1, 10000.0);
+  if (timeout_ms < 2.0 * period_ms)
+    section.refuse("timeout_ms", "is " + text_of(timeout_ms) + " at " + text_of(samples.rate_Hz) +
+                                     " samples a second, expected at least two periods of them");
+  limits.sample_timeout_us = static_cast<uint32_t>(std::lround(timeout_ms * 1000.0));
 }
 
 // A calibrated channel for each [[channel]]; for IIO also the element that feeds it.
@@ -130,6 +147,9 @@ BoardFile read_board_file(const std::string& path) {
   const Section drive = drive_section(path, root);
   read_drive(drive, board);
   const double cycle_Hz = samples.number("cycle_Hz", 0.0, 0.001, 10000.0);
+  if (cycle_Hz > 0.0 && !rig_file::can_be_whole(board.samples.rate_Hz / cycle_Hz))
+    samples.refuse("cycle_Hz", "is " + text_of(cycle_Hz) + " at " + text_of(board.samples.rate_Hz) +
+                                   " samples a second, expected at least four of them in a cycle");
   board.controller.core = rig_file::compile_rig(board.rig, 1.0 / board.samples.rate_Hz, read_channels(root, board));
   read_excitation(path, root, drive, board.samples.rate_Hz, cycle_Hz, board.controller);
   board.controller.core.probe_products_per_sample = static_cast<uint16_t>(

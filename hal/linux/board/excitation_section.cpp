@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "hal/rig_file/first_batches.hpp"
+#include "hal/rig_file/whole_cycles.hpp"
 
 namespace board {
 namespace {
@@ -87,13 +88,6 @@ const char* explain(firmware::ProgrammeFault fault) {
   return "cannot be run";
 }
 
-void set_whole_cycles(double frequency_Hz, double rate_Hz, firmware::WindowConfiguration& window) {
-  constexpr uint32_t kDenominator = 1024;
-  window.mode = firmware::WindowMode::kWholeCycles;
-  window.cycle_samples_numerator = static_cast<uint32_t>(std::llround(rate_Hz / frequency_Hz * kDenominator));
-  window.cycle_samples_denominator = kDenominator;
-}
-
 }  // namespace
 
 void read_excitation(const std::string& file, const toml::table& root, const Section& drive, double rate_Hz,
@@ -129,8 +123,9 @@ void read_excitation(const std::string& file, const toml::table& root, const Sec
   }
   firmware::WindowConfiguration& window = controller.core.window;
   if (all_free) window.mode = firmware::WindowMode::kFreeDecay;
-  if (tables.empty() && cycle_Hz > 0.0) set_whole_cycles(cycle_Hz, rate_Hz, window);
-  if (one_frequency) set_whole_cycles(common_Hz, rate_Hz, window);
+  if (tables.empty() && cycle_Hz > 0.0) rig_file::set_whole_cycles(rate_Hz / cycle_Hz, window);
+  if (one_frequency && rig_file::can_be_whole(rate_Hz / common_Hz))
+    rig_file::set_whole_cycles(rate_Hz / common_Hz, window);
   if (tables.empty() || window.mode == firmware::WindowMode::kWholeCycles) return;
   uint32_t shortest = UINT32_MAX;
   for (int i = 0; i < programme.level_count; ++i) shortest = std::min(shortest, programme.levels[i].measure_samples);

@@ -27,7 +27,7 @@ std::string explain(const std::string& interface, int error) {
   switch (error) {
     case EAFNOSUPPORT:
     case EPROTONOSUPPORT:
-      return "this kernel has no CAN sockets (modules can and can-raw); without them log to a file (--log)";
+      return "this kernel has no CAN sockets (modules can and can-raw)";
     case ENODEV:
       return "there is no interface \"" + interface +
              "\", expected one of `ip link show`; for a virtual one: ip link add dev " + interface + " type vcan";
@@ -124,7 +124,7 @@ void SocketCan::reopen_if_due() {
   const uint64_t now_ns = read_clock_ns(CLOCK_MONOTONIC);
   if (now_ns < next_try_ns_) return;
   next_try_ns_ = now_ns + kReopenPeriod_ns;
-  if (connect() == 0) ++counters_.reopened;
+  connect();  // until then it stays lost
 }
 
 CanResult SocketCan::send(const CanFrame& frame) {

@@ -21,7 +21,6 @@ struct SocketCanCounters {
   uint64_t error_frames = 0;      // received ones
   uint64_t queue_full = 0;        // refused by a full transmit queue (ENOBUFS)
   uint64_t interface_down = 0;    // times the interface went away
-  uint64_t reopened = 0;          // times the socket was made anew because the interface was removed
   uint32_t receive_overflow = 0;  // frames that the kernel dropped because this program read too late
   uint64_t faults = 0;            // any other refusal
 };

@@ -70,7 +70,6 @@ std::string IioBufferSource::lay_out(const std::string& folder, const std::vecto
   const std::string scan_folder = folder + "/scan_elements";
   const std::vector<Element> elements = elements_of(scan_folder);
   ScanLayout layout;
-  size_t found = 0;
   for (const Element& element : elements) {
     const bool is_time = element.name == "in_timestamp";
     const auto wanted = [&](const IioChannel& channel) { return channel.element == element.name; };
@@ -82,6 +81,7 @@ std::string IioBufferSource::lay_out(const std::string& folder, const std::vecto
     const std::string type = read_text(scan_folder + "/" + element.name + "_type");
     if (!parse_scan_type(type, place.type)) return element.name + "_type is \"" + type + "\", which is no scan type";
     place.offset = layout.add(place.type);
+    if (place.offset < 0) return "more than " + std::to_string(kMaxScanElements) + " elements are to be scanned";
     if (is_time) {
       time_ = place;
       stamped_ = true;
@@ -91,7 +91,6 @@ std::string IioBufferSource::lay_out(const std::string& folder, const std::vecto
       place.node = channel.node;
       place.quantity = static_cast<uint8_t>(channel.quantity);
       places_[place_count_++] = place;
-      ++found;
     }
   }
   for (const IioChannel& channel : channels) {
@@ -106,9 +105,15 @@ std::string IioBufferSource::lay_out(const std::string& folder, const std::vecto
 // folder: of the device or of its trigger, whichever has a rate to set.
 std::string IioBufferSource::set_rate(const Options& options, const std::string& folder) {
   const std::string path = folder + "/sampling_frequency";
-  if (!file_exists(path) || write_text(path, std::to_string(std::llround(options.sample_rate_Hz)))) return "";
-  return "sampling frequency " + std::to_string(options.sample_rate_Hz) + " Hz is not taken by " + path +
-         ", expected one of: " + read_text(folder + "/sampling_frequency_available");
+  if (!file_exists(path)) return "";
+  const std::string wanted = rate_text(options.sample_rate_Hz);
+  if (!write_text(path, wanted))
+    return "sampling frequency " + wanted + " Hz is not taken by " + path +
+           ", expected one of: " + read_text(folder + "/sampling_frequency_available");
+  const std::string taken = read_text(path);
+  return is_rate(taken, options.sample_rate_Hz) ? ""
+                                                : "sampling frequency " + wanted + " Hz became " + taken + " Hz in " +
+                                                      path + ", expected a rate_Hz that it has";
 }
 
 std::string IioBufferSource::start(const Options& options, const std::string& folder, const IioRoots& roots) {

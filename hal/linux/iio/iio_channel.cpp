@@ -3,6 +3,9 @@
 #include <dirent.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
 
 #include "hal/linux/system/sysfs.hpp"
 
@@ -10,6 +13,7 @@ namespace hal {
 namespace {
 
 constexpr int kCodeBits = 24;
+constexpr double kSameRate = 1e-4;
 
 }  // namespace
 
@@ -23,6 +27,21 @@ std::string find_iio_device(const IioRoots& roots, const std::string& name) {
   }
   if (folder != nullptr) closedir(folder);
   return found;
+}
+
+std::string rate_text(double rate_Hz) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.6f", rate_Hz);
+  std::string rate = text;
+  rate.erase(rate.find_last_not_of('0') + 1);
+  if (rate.back() == '.') rate.pop_back();
+  return rate;
+}
+
+bool is_rate(const std::string& told, double rate_Hz) {
+  char* end = nullptr;
+  const double value = std::strtod(told.c_str(), &end);
+  return end == told.c_str() || std::abs(value / rate_Hz - 1.0) <= kSameRate;
 }
 
 int32_t code_of(int64_t value, const ScanType& type) {

@@ -30,6 +30,11 @@ struct IioRoots {
 // "iio:device0" for a device's own name ("ads8688") or for that; empty where there is none. Also finds triggers.
 std::string find_iio_device(const IioRoots& roots, const std::string& name);
 
+// A rate as a driver reads it, Hz: "1000", "12.5". Many take no point at all, none more than six places.
+std::string rate_text(double rate_Hz);
+// What a driver says that it samples at is that rate, to 1e-4: the clocks of converters are as good. What is no number tells nothing.
+bool is_rate(const std::string& told, double rate_Hz);
+
 // Codes have up to 24 bits, with or without sign; wider samples keep their upper 24 bits. A value that its own width
 // cannot hold becomes the nearest that it can: a saturated one.
 int32_t code_of(int64_t value, const ScanType& type);

@@ -16,13 +16,15 @@ inline uint64_t read_clock_ns(clockid_t clock) {
   return to_ns(time);
 }
 
-// CAN frames are stamped with the time of day. Returns that moment on the monotonic clock; a stamp of the future, which
-// a clock that was just set back gives, becomes now.
+constexpr uint64_t kLongestInABuffer_ns = 2000000000;  // of a board that keeps up with its samples
+
+// CAN frames are stamped with the time of day. Returns that moment on the monotonic clock. A clock that was just set (a board
+// without a battery learns the time of day from the network) gives stamps of the future or of long ago: they become now.
 inline uint64_t monotonic_from_time_of_day_ns(uint64_t stamp_ns) {
   const uint64_t day_ns = read_clock_ns(CLOCK_REALTIME);
   const uint64_t now_ns = read_clock_ns(CLOCK_MONOTONIC);
   const uint64_t age_ns = day_ns > stamp_ns ? day_ns - stamp_ns : 0;
-  return age_ns < now_ns ? now_ns - age_ns : now_ns;
+  return age_ns < now_ns && age_ns <= kLongestInABuffer_ns ? now_ns - age_ns : now_ns;
 }
 
 class LinuxClock final : public MonotonicClock {

@@ -30,7 +30,8 @@ double CandidateBank::chance_threshold() const {
   for (const rig_file::Dof& d : s.rig.dofs) fitted += d.mass_kg.estimate;
   for (size_t l = 0; l < s.known_links; ++l)
     fitted += s.links[l].stiffness_N_m.estimate + s.links[l].viscous_N_s_m.estimate + s.links[l].coulomb_N.estimate;
-  return passed_by_chance(kFalseAlarm / static_cast<double>(places.size() - fitted));
+  const size_t open = places.size() > fitted ? places.size() - fitted : 1;
+  return passed_by_chance(kFalseAlarm / static_cast<double>(open));
 }
 
 // Friction near velocity reversals is known to some percent only: an effect beside it must bring more than that, or show

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "host_sim/ingestion/mat_library.hpp"
+#include "host_sim/ingestion/mat/mat_library.hpp"
 #include "host_sim/records/files/output_file.hpp"
 #include "host_sim/response/linear_rig.hpp"
 

@@ -7,6 +7,7 @@
 #include "hal/rig_file/first_batches.hpp"
 #include "hal/rig_file/recorded/channel_noise.hpp"
 #include "hal/rig_file/signal_plan.hpp"
+#include "hal/rig_file/whole_cycles.hpp"
 #include "host_sim/programs/shared/failures.hpp"
 #include "host_sim/records/digitise.hpp"
 #include "host_sim/records/record_checks.hpp"
@@ -24,14 +25,11 @@ firmware::WindowConfiguration window_of(const std::vector<Record>& records, std:
     window.batch_samples = rig_file::first_batch_samples(shortest);
     return window;
   }
-  constexpr uint32_t kDenominator = 1u << 16;
   const double cycle_samples = 1.0 / (*excitation_Hz * record.sample_period_s);
-  if (!(cycle_samples >= 4.0) || cycle_samples > static_cast<double>(record.samples()))
+  if (!rig_file::can_be_whole(cycle_samples) || cycle_samples > static_cast<double>(record.samples()))
     throw UsageError("--frequency is " + std::to_string(*excitation_Hz) +
                      " Hz, expected a cycle of 4 samples to the length of " + record.file);
-  window.mode = firmware::WindowMode::kWholeCycles;
-  window.cycle_samples_numerator = static_cast<uint32_t>(std::llround(cycle_samples * kDenominator));
-  window.cycle_samples_denominator = kDenominator;
+  rig_file::set_whole_cycles(cycle_samples, window);
   return window;
 }
 

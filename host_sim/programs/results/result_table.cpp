@@ -6,6 +6,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "firmware/vocabulary/effect_table.hpp"
 #include "host_sim/can_log/readable.hpp"
 #include "host_sim/programs/shared/terminal.hpp"
 
@@ -107,6 +108,11 @@ std::string format_fit(const EstimateResult& result) {
   return text;
 }
 
+bool cannot_be_negative(const ParameterResult& p) {
+  return p.has_interval() && firmware::row_of(p.info.kind).sign == firmware::Sign::kNotNegative &&
+         p.status != EstimateStatus::kNoExcitation && p.status != EstimateStatus::kSaturated;
+}
+
 // A coefficient that is surely below nought, where it cannot be, contradicts the rig file though no force stands out.
 std::string said_of_model(const EstimateResult& result) {
   for (const ParameterResult& p : result.parameters)
@@ -114,6 +120,11 @@ std::string said_of_model(const EstimateResult& result) {
       return p.info.name +
              " is below nought, which cannot be: another law has its place, and no other number is to be relied on "
              "before the rig file has it (diagnose looks for it)";
+  for (const ParameterResult& p : result.parameters)
+    if (result.warrant.named.effect.empty() && cannot_be_negative(p) && p.ci95_high < 0)
+      return p.info.name +
+             " is below nought, which cannot be: what stands in an equation with it is not to be relied on "
+             "(a force or a push that nobody measured, a law or a mass that the rig file lacks)";
   double most_missed = 0.0;
   for (const auto& mse : result.mse_percent) most_missed = std::max(most_missed, mse.value_or(0.0));
   if (!result.warrant.tested || !result.warrant.named.effect.empty() || most_missed < kMuchMissed_percent)

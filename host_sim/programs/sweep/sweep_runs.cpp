@@ -50,9 +50,13 @@ Worker start_worker(const std::vector<SweepTask>& tasks, size_t number, size_t s
   int ends[2];
   if (::pipe(ends) != 0) throw std::runtime_error("no pipe for a worker process");
   const pid_t process = ::fork();
-  if (process < 0) throw std::runtime_error("no worker process can be started");
+  if (process < 0) {
+    for (const int end : ends) ::close(end);
+    throw std::runtime_error("no worker process can be started");
+  }
   if (process == 0) {
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE}) std::signal(signal, SIG_DFL);  // the parent cleans up
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE})
+      std::signal(signal, SIG_DFL);  // the parent cleans up
     ::close(ends[0]);
     work(tasks, number, stride, ends[1]);
   }
@@ -62,7 +66,9 @@ Worker start_worker(const std::vector<SweepTask>& tasks, size_t number, size_t s
 
 class Team {
  public:
-  Team(const std::vector<SweepTask>& tasks, unsigned workers) : results_(tasks.size()) {
+  explicit Team(size_t tasks) : results_(tasks) {}
+  // Where one cannot be started, those before it are ended with the team.
+  void start(const std::vector<SweepTask>& tasks, unsigned workers) {
     for (unsigned i = 0; i < workers; ++i) workers_.push_back(start_worker(tasks, i, workers));
   }
   ~Team() {
@@ -146,7 +152,9 @@ ordered_json sweep_run(const SweepTask& task) {
 std::vector<ordered_json> run_in_parallel(const std::vector<SweepTask>& tasks, unsigned workers,
                                           const std::function<void(size_t)>& done) {
   const auto useful = static_cast<unsigned>(std::min<size_t>(std::max(1u, workers), std::max<size_t>(1, tasks.size())));
-  return Team(tasks, useful).collect(done);
+  Team team(tasks.size());
+  team.start(tasks, useful);
+  return team.collect(done);
 }
 
 }  // namespace host_sim

@@ -57,9 +57,13 @@ void refuse_input(const std::string& path) {
 OutputFile::OutputFile(std::string path) : path_(std::move(path)) {
   refuse_input(path_);
   if (!is_special(path_)) temporary_ = path_ + ".part" + std::to_string(::getpid());
+  remember(temporary_);  // before it is there: a signal may come between
   stream_ = std::fopen(temporary_.empty() ? path_.c_str() : temporary_.c_str(), "wb");
-  if (stream_ == nullptr) fail(path_, "written");
-  remember(temporary_);
+  if (stream_ != nullptr) return;
+  const int reason = errno;
+  forget(temporary_);
+  errno = reason;
+  fail(path_, "written");
 }
 
 OutputFile::~OutputFile() {
@@ -90,7 +94,7 @@ void remove_temporary_files_on_signals() {
   struct sigaction action {};
   action.sa_handler = remove_temporary_files;
   action.sa_flags = static_cast<int>(SA_RESETHAND | SA_NODEFER);
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE}) ::sigaction(signal, &action, nullptr);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE}) ::sigaction(signal, &action, nullptr);
 }
 
 void write_output_file(const std::string& path, std::string_view content) {

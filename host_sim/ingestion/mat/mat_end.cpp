@@ -1,4 +1,4 @@
-#include "host_sim/ingestion/mat_end.hpp"
+#include "host_sim/ingestion/mat/mat_end.hpp"
 
 #include <algorithm>
 #include <cstring>
@@ -10,6 +10,7 @@ namespace {
 
 constexpr uint64_t kHeader5 = 128, kHeader4 = 20;
 constexpr uint32_t kCompressed = 15;
+constexpr uint64_t kMostNumbers = uint64_t{1} << 48;  // of a matrix; more are a head that is damaged
 
 class Words {
  public:
@@ -54,6 +55,7 @@ uint64_t end_of_version_4(Words& words) {
   for (uint32_t head[5]; at < words.size() && words.read(at, head);) {
     const uint32_t kind = head[0] / 10 % 10;
     if (head[0] > 5000 || kind >= std::size(kBytes) || head[0] % 10 > 1) return 0;  // full and text matrices alone
+    if (head[1] != 0 && head[2] > kMostNumbers / head[1]) return 0;
     at += kHeader4 + head[4] + kBytes[kind] * head[1] * head[2] * (head[3] != 0 ? 2 : 1);
   }
   return at;

@@ -1,4 +1,4 @@
-#include "host_sim/ingestion/uff_reader.hpp"
+#include "host_sim/ingestion/uff/uff_reader.hpp"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 #include <set>
 
 #include "hal/rig_file/channel_name.hpp"
-#include "host_sim/ingestion/uff_dataset.hpp"
+#include "host_sim/ingestion/uff/uff_dataset.hpp"
 #include "host_sim/records/columns/units/units.hpp"
 #include "host_sim/records/files/data_file_error.hpp"
 #include "host_sim/records/record_checks.hpp"

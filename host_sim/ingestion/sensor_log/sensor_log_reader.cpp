@@ -1,10 +1,10 @@
-#include "host_sim/ingestion/sensor_log_reader.hpp"
+#include "host_sim/ingestion/sensor_log/sensor_log_reader.hpp"
 
 #include <algorithm>
 #include <sstream>
 
 #include "host_sim/can_log/log_reader.hpp"
-#include "host_sim/ingestion/log_calibration.hpp"
+#include "host_sim/ingestion/sensor_log/log_calibration.hpp"
 #include "host_sim/records/files/data_file_error.hpp"
 #include "host_sim/records/record_checks.hpp"
 

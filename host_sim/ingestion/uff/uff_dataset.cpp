@@ -1,4 +1,4 @@
-#include "host_sim/ingestion/uff_dataset.hpp"
+#include "host_sim/ingestion/uff/uff_dataset.hpp"
 
 #include <cmath>
 #include <cstdint>

@@ -1,4 +1,4 @@
-#include "host_sim/ingestion/log_calibration.hpp"
+#include "host_sim/ingestion/sensor_log/log_calibration.hpp"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "host_sim/ingestion/mat_library.hpp"
+#include "host_sim/ingestion/mat/mat_library.hpp"
 
 #include <dlfcn.h>
 
