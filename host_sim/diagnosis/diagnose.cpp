@@ -1,6 +1,7 @@
 #include "advice.hpp"
 #include "answer/rows_borne_out.hpp"
 #include "channels/filtered_motion.hpp"
+#include "channels/own_zeros.hpp"
 #include "forces_of_rest.hpp"
 #include "judged.hpp"
 #include "later_start.hpp"
@@ -83,8 +84,12 @@ Diagnosis judged_by_those_that_agree(const Asked& asked) {
   return of_all;
 }
 
+Diagnosis judged_wherever_its_zeros_are(const Asked& asked) {
+  return judged_with_own_zeros(asked, judged_by_those_that_agree);
+}
+
 Diagnosis judged_wherever_it_rests(const Asked& asked) {
-  return judged_where_it_rests(asked, judged_by_those_that_agree);
+  return judged_where_it_rests(asked, judged_wherever_its_zeros_are);
 }
 
 Diagnosis judged_whenever_it_begins(const Asked& asked) {

@@ -92,15 +92,18 @@ Wave borne_out_by_motion(const Task& task, const State& fitted, size_t dof, doub
   const Task cleaned{task.system, without, task.training};
   State clean = fitted;
   settle(cleaned, clean, kTrialSteps);
-  const bool named = share > kTrifle && clean.fit.ok && paired_z(fitted.fit, clean.fit) > kNamed &&
-                     share > kOneOfThem * hum_of_motion(cleaned, clean);
+  if (!clean.fit.ok || share < kTrifle) return {};
+  // A line that the simulation leaves in a motion channel and that goes with the force's own is no chance.
+  const double before = hum_of_motion(task, fitted), after = hum_of_motion(cleaned, clean);
+  const double least_z = before > kOneOfThem * after ? kSure : kNamed;
+  const bool named = paired_z(fitted.fit, clean.fit) > least_z && share > kOneOfThem * after;
   return named ? strongest : Wave{};
 }
 
 }  // namespace
 
-double wave_of_force(const Vec& force, double step_s, double nominal_Hz) {
-  return force.size() ? wave_near(force, step_s, nominal_Hz).amplitude() : 0;
+double wave_at_mains(const Vec& reading, double step_s, double nominal_Hz) {
+  return reading.size() ? wave_near(reading, step_s, nominal_Hz).amplitude() : 0;
 }
 
 void name_force_hum(const Task& task, const State& fitted, Diagnosis& d) {

@@ -9,7 +9,7 @@ namespace diagnosis::runs {
 // motion channel has a like hum of its own: a hum that really acts, of a shaker's amplifier, moves the rig.
 void name_force_hum(const Task& task, const State& fitted, Diagnosis& d);
 
-// Amplitude of the wave of a force at a mains' frequency, 50 or 60 Hz: a hum, or what drives the rig there. 0 of no force.
-double wave_of_force(const Vec& force, double step_s, double nominal_Hz);
+// Amplitude of the wave of a reading at a mains' frequency, 50 or 60 Hz: a hum, or what drives the rig there. 0 of no reading.
+double wave_at_mains(const Vec& reading, double step_s, double nominal_Hz);
 
 }  // namespace diagnosis::runs

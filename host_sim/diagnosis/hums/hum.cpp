@@ -12,6 +12,8 @@
 namespace diagnosis::runs {
 namespace {
 
+constexpr double kOwnShare = 0.5;  // of a hum that is left: more than that the simulation has made
+
 std::string unit_of(const MotionTrace& t) {
   constexpr const char *kUnits[] = {"m", "m/s", "m/s^2"}, *kAngles[] = {"rad", "rad/s", "rad/s^2"};
   return (t.channel.find("_rad") != std::string::npos ? kAngles : kUnits)[t.quantity];
@@ -33,8 +35,16 @@ bool force_may_have_it(const Task& task, const MotionTrace& t, const Hum& hum) {
   const double by_rate = std::pow(kTwoPi * hum.hertz, 2 - t.quantity);
   const double needed = hum.amplitude * by_rate * task.system.rig.dofs[dof].mass_kg.value;
   double held = 0;
-  for (const Prepared& p : task.records) held = std::max(held, wave_of_force(p.force[dof], p.step_s, hum.hertz));
+  for (const Prepared& p : task.records) held = std::max(held, wave_at_mains(p.force[dof], p.step_s, hum.hertz));
   return held > 0 && held * kOneOfThem > needed;
+}
+
+// Whether the channel itself has at least half of what the simulation leaves of it. Where it has not, the simulation makes it: of a force
+// that is said to act and does not.
+bool shows_itself(const Task& task, size_t channel, const Hum& hum) {
+  double own = 0;
+  for (const Prepared& p : task.records) own = std::max(own, wave_at_mains(p.traces[channel].y, p.step_s, hum.hertz));
+  return own > kOwnShare * hum.amplitude;
 }
 
 // What a motion channel's hum is weighed against where no other motion channel is: the most that a force has of it, over its rms.
@@ -43,7 +53,7 @@ double most_of_forces(const Task& task, double hertz) {
   for (const Prepared& p : task.records)
     for (const Vec& force : p.force) {
       const double rms = force.size() ? rms_about_mean(force) : 0;
-      if (rms > 0) most = std::max(most, wave_of_force(force, p.step_s, hertz) / rms);
+      if (rms > 0) most = std::max(most, wave_at_mains(force, p.step_s, hertz) / rms);
     }
   return most;
 }
@@ -73,8 +83,9 @@ void name_hum(const Task& task, const std::vector<Hum>& hum, Diagnosis& d) {
   const std::vector<MotionTrace>& traces = task.records[0].traces;
   if (hum.size() != traces.size()) return;
   size_t worst = 0, with_hum = 0;
-  const std::vector<double> share = shares_of_signals(traces, hum);
+  std::vector<double> share = shares_of_signals(traces, hum);
   for (size_t i = 0; i < traces.size(); ++i) {
+    if (share[i] > 0 && hum[i].driven && !shows_itself(task, i, hum[i])) share[i] = 0;
     with_hum += share[i] > 0;
     if (share[i] > share[worst]) worst = i;
   }
