@@ -1,5 +1,6 @@
 #include "advice.hpp"
 #include "answer/rows_borne_out.hpp"
+#include "channels/at_fault.hpp"
 #include "channels/filtered_motion.hpp"
 #include "channels/own_zeros.hpp"
 #include "forces_of_rest.hpp"
@@ -64,10 +65,12 @@ Diagnosis judged_as_coupled(const Asked& asked) {
   return pays_unseen(of_all, of_motion) ? of_all : of_motion;
 }
 
+Diagnosis judged_beside_faults(const Asked& asked) { return judged_without_those_at_fault(asked, judged_as_coupled); }
+
 // Where the rig cannot describe the records at all it may be one kind of sensor that tells another story than the others of the same
 // DOFs: an acceleration that is noise, a slip of unit. What the others say, where the rig describes that.
 Diagnosis judged_by_those_that_agree(const Asked& asked) {
-  const Diagnosis of_all = judged_as_coupled(asked);
+  const Diagnosis of_all = judged_beside_faults(asked);
   if (of_all.cannot_describe.empty()) return of_all;
   for (const auto quantity :
        {host_sim::Quantity::kAcceleration, host_sim::Quantity::kVelocity, host_sim::Quantity::kDisplacement}) {

@@ -79,4 +79,21 @@ TEST(HumOfTheForce, IsNotTheAccelerometers) {
   expect_damper(d);
 }
 
+// Half of the way to the reading with every sample: late by one of them, 4 ms, of what is slow, and less of what is fast, of which it
+// loses some too. As it is measured, with the noise of its own behind it.
+TEST(FaultOfAChannel, IsToldThoughNoDelayPutsItRight) {
+  host_sim::Record made = record(6, 0.01, 0, 0);
+  double held = 0, rms = 0;
+  std::vector<double>& v = made.channels[2].values;
+  for (double value : v) rms += value * value / static_cast<double>(v.size());
+  std::mt19937 random(7);
+  std::normal_distribution<double> noise(0, 0.01 * std::sqrt(rms));
+  for (double& value : v) held += 0.5 * (value - held), value = held + noise(random);
+  const Diagnosis d = diagnose(rig(), {made}, {}, {});
+  EXPECT_EQ(two_masses::said(d), "explained, sensor_delay on channel velocity_1_m_s");
+  EXPECT_EQ(d.channels_left_out, std::vector<std::string>{"velocity_1_m_s"});
+  EXPECT_NEAR(d.causes.at(0).parameters.at(0).value, 4e-3, 0.4e-3);
+  expect_damper(d);
+}
+
 }  // namespace

@@ -244,7 +244,7 @@ std::string left_out_text(const DiagnosisReportData& data) {
   if (names.empty()) return "";
   return "This is said without " + listed(names, "and") + (names.size() == 1 ? ", which does" : ", which do") +
          " not go with the other channels of the same place: with " + (names.size() == 1 ? "it" : "them") +
-         " the rig file describes nothing. Look at " + (names.size() == 1 ? "its sensor." : "these sensors.");
+         " nothing explains the records. Look at " + (names.size() == 1 ? "its sensor." : "these sensors.");
 }
 
 std::string later_start_text(const DiagnosisReportData& data) {
