@@ -119,6 +119,22 @@ SkewEstimate measure(const BatchTable& table, int dof, int weight, bool accelera
   return result;
 }
 
+// A channel that reads g times the other's integral leaves (g - 1) of the change of energy, a late one tau times the motion's: which of the
+// two does the batches' discrepancies better? Where the first leaves a quarter of what the second does the channel is not late.
+bool reads_a_gain(const BatchTable& table, int dof, int weight, bool acceleration) {
+  Scaled by_ends, ends, by_energy, energy, all;
+  for (int l = 0; l < table.level_count; ++l)
+    for (int b = 0; b < table.level[l].batch_count; ++b) {
+      const Sample s = read(table.level[l].batch[b].dof[dof], weight, acceleration);
+      multiply_add(by_ends, s.discrepancy, s.ends), multiply_add(ends, s.ends, s.ends);
+      multiply_add(by_energy, s.discrepancy, s.energy), multiply_add(energy, s.energy, s.energy);
+      multiply_add(all, s.discrepancy, s.discrepancy);
+    }
+  if (ends.is_zero() || energy.is_zero()) return false;
+  const Scaled left_by_gain = all - by_ends * by_ends / ends, left_by_delay = all - by_energy * by_energy / energy;
+  return scale_by_power_of_two(left_by_gain, 2) < left_by_delay;
+}
+
 Scaled motion_of(const BatchTable& table, int dof) { return sum_of(table, dof, &BatchDof::velocity_square); }
 
 // Viscous coefficient that the DOF's skews imitate.
@@ -164,6 +180,11 @@ void measure_skew(const EquationList& list, const BatchTable& table, const CoreC
     estimates.displacement_skew[i] = measure(table, i, weight, false);
     SkewEstimate& a = estimates.acceleration_skew[i];
     a = measure(table, i, weight, true);
+    if (!configuration.fuses(i)) {
+      SkewEstimate& x = estimates.displacement_skew[i];
+      x.significant = x.significant && !reads_a_gain(table, i, weight, false);
+      a.significant = a.significant && !reads_a_gain(table, i, weight, true);
+    }
     a.significant = a.significant && exceeds(a.late_s, least_acceleration_skew_s(configuration, table, i, estimates));
   }
 }

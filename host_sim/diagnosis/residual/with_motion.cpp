@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "../candidates/pass.hpp"
 
@@ -116,6 +117,23 @@ WithMotion with_motion(const System& system, const std::vector<Prepared>& record
   return by_time.z > by_motion.z ? by_time : by_motion;
 }
 
+namespace {
+
+// Both less their means over the windows of each record; how many records have some.
+size_t about_each_record(const State& state, Vec& motion, Vec& error) {
+  std::map<size_t, std::vector<Index>> windows;
+  for (size_t i = 0; i < state.seen.size(); ++i) windows[state.seen[i].record].push_back(static_cast<Index>(i));
+  for (const auto& [record, own] : windows)
+    for (Vec* y : {&motion, &error}) {
+      double mean = 0;
+      for (const Index i : own) mean += (*y)[i] / static_cast<double>(own.size());
+      for (const Index i : own) (*y)[i] -= mean;
+    }
+  return windows.size();
+}
+
+}  // namespace
+
 WithLoudness with_loudness(const std::vector<Prepared>& records, const State& state) {
   WithLoudness out;
   const size_t n = state.seen.size(), channels = records[0].traces.size();
@@ -124,7 +142,6 @@ WithLoudness with_loudness(const std::vector<Prepared>& records, const State& st
   for (size_t c = 0; c < channels; ++c)
     for (const Prepared& p : records) all[c] += (p.traces[c].y.array() - p.traces[c].y.mean()).square().mean();
   Vec motion(static_cast<Index>(n)), error(static_cast<Index>(n));
-  double total = 0;
   for (size_t i = 0; i < n; ++i) {
     const Window& w = state.seen[i];
     double sum = 1e-300, left = 1e-300;
@@ -135,15 +152,18 @@ WithLoudness with_loudness(const std::vector<Prepared>& records, const State& st
     for (size_t b = i * state.fit.parts; b < (i + 1) * state.fit.parts; ++b)
       left += state.fit.block_ss[b].cwiseQuotient(state.fit.mean_square).sum();
     left /= static_cast<double>(w.length);
-    motion[static_cast<Index>(i)] = std::log(sum), error[static_cast<Index>(i)] = std::log(left), total += left;
+    motion[static_cast<Index>(i)] = std::log(sum), error[static_cast<Index>(i)] = std::log(left);
   }
+  // Of two records the louder one may have the louder noise: a sensor's range goes with the level, and its noise with the range.
+  const size_t apart = about_each_record(state, motion, error);
+  const double mean = error.array().exp().mean();
   std::vector<double> levels(error.data(), error.data() + error.size());
   std::nth_element(levels.begin(), levels.begin() + static_cast<std::ptrdiff_t>(n / 4), levels.end());
-  out.quiet_share = std::min(1.0, std::exp(levels[n / 4]) * static_cast<double>(n) / total);
-  motion.array() -= motion.mean(), error.array() -= error.mean();
+  out.quiet_share = std::min(1.0, std::exp(levels[n / 4]) / mean);
+  const double dof = static_cast<double>(n) - 1 - static_cast<double>(apart);
   const double size = motion.norm() * error.norm();
-  const double r = size > 0 ? std::min(motion.dot(error) / size, 1 - 1e-12) : 0, dof = static_cast<double>(n) - 2;
-  out.z = normal_deviate(r * std::sqrt(dof / (1 - r * r)), dof);
+  const double r = size > 0 ? std::min(motion.dot(error) / size, 1 - 1e-12) : 0;
+  if (dof >= 1) out.z = normal_deviate(r * std::sqrt(dof / (1 - r * r)), dof);
   return out;
 }
 
