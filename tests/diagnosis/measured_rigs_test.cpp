@@ -75,7 +75,7 @@ TEST_F(MeasuredRigs, PendulumOfItsAuthorsHasViscousFrictionOnly) {
   without_coulomb_ = true;
   const Diagnosis d = diagnosed("pendulum.toml", {"pendulum_free_swing.csv"}, {});
   // Two terms are missing that look alike in one decay. Where they are named it has to be these; naming neither is a known
-  // shortfall (docs/diagnosing.md), naming another would be a false accusation.
+  // shortfall (docs/diagnosis_method.md), naming another would be a false accusation.
   if (!names(d).empty()) {
     EXPECT_EQ(names(d), (Names{"missing_coulomb on link 1-0", "quadratic_damping on link 1-0"}));
     EXPECT_GT(d.gain[0], 2);
