@@ -20,10 +20,12 @@ std::string BoardDevices::open() {
   hal::SocketCan::Options options;
   options.fd = file_.controller.node.can_fd;
   // Network commands, SYNC, requests to this node. The sensors' frames have a socket of their own.
-  const uint32_t ids[] = {0x000, 0x080, 0x600u + file_.controller.node.node};
+  namespace can = firmware::can;
+  const uint8_t node = file_.controller.node.node;
+  const uint32_t ids[] = {can::frame_id(can::kNetworkCommand.ids, node), can::frame_id(can::kSync.ids, node),
+                          can::frame_id(can::kSdoRequest.ids, node)};
   bus_.receive_only(ids, 3);
-  if (file_.drive == DriveKind::kCan)
-    options.confirmed_id = firmware::can::frame_id(firmware::can::kDrive.ids, file_.controller.node.node);
+  if (file_.drive == DriveKind::kCan) options.confirmed_id = can::frame_id(can::kDrive.ids, node);
   std::string fault = bus_.open(file_.can_interface, options);
   if (fault.empty()) fault = open_samples();
   if (fault.empty()) fault = take_ranges();

@@ -52,8 +52,7 @@ IioBufferSource::~IioBufferSource() {
 std::string IioBufferSource::open(const Options& options, const std::vector<IioChannel>& channels,
                                   const IioRoots& roots) {
   const std::string id = find_iio_device(roots, options.device);
-  if (id.empty())
-    return "IIO device \"" + options.device + "\" was not found, expected a name from " + roots.devices + "/*/name";
+  if (id.empty()) return not_found(roots, options.device);
   const std::string folder = roots.devices + "/" + id;
   if (!file_exists(folder + "/buffer/enable"))
     return "IIO device \"" + options.device + "\" has no buffer, expected source kind \"iio_direct\" for it";

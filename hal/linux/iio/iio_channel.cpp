@@ -29,6 +29,10 @@ std::string find_iio_device(const IioRoots& roots, const std::string& name) {
   return found;
 }
 
+std::string not_found(const IioRoots& roots, const std::string& name) {
+  return "IIO device \"" + name + "\" was not found, expected a name from " + roots.devices + "/*/name";
+}
+
 std::string rate_text(double rate_Hz) {
   char text[40];
   std::snprintf(text, sizeof text, "%.6f", rate_Hz);

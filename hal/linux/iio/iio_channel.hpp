@@ -29,6 +29,8 @@ struct IioRoots {
 
 // "iio:device0" for a device's own name ("ads8688") or for that; empty where there is none. Also finds triggers.
 std::string find_iio_device(const IioRoots& roots, const std::string& name);
+// What to say of one that is not there.
+std::string not_found(const IioRoots& roots, const std::string& name);
 
 // A rate as a driver reads it, Hz: "1000", "12.5". Many take no point at all, none more than six places.
 std::string rate_text(double rate_Hz);

@@ -15,8 +15,7 @@ namespace hal {
 std::string IioDirectSource::open(const Options& options, const std::vector<IioChannel>& channels,
                                   const IioRoots& roots) {
   const std::string id = find_iio_device(roots, options.device);
-  if (id.empty())
-    return "IIO device \"" + options.device + "\" was not found, expected a name from " + roots.devices + "/*/name";
+  if (id.empty()) return not_found(roots, options.device);
   period_ns_ = static_cast<uint64_t>(std::llround(1e9 / options.sample_rate_Hz));
   for (const IioChannel& channel : channels) {
     const std::string path = roots.devices + "/" + id + "/" + channel.element + "_raw";

@@ -10,8 +10,7 @@ namespace hal {
 
 std::string IioDriveOutput::open(const Options& options, const IioRoots& roots) {
   const std::string id = find_iio_device(roots, options.device);
-  if (id.empty())
-    return "IIO device \"" + options.device + "\" was not found, expected a name from " + roots.devices + "/*/name";
+  if (id.empty()) return not_found(roots, options.device);
   const std::string path = roots.devices + "/" + id + "/" + options.element + "_raw";
   file_ = FileDescriptor(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
   zero_code_ = options.zero_code;

@@ -13,6 +13,7 @@
 #include "host_sim/records/columns/head_hints.hpp"
 #include "host_sim/records/columns/names/column_name.hpp"
 #include "host_sim/records/files/data_file_error.hpp"
+#include "host_sim/records/files/file_extension.hpp"
 #include "host_sim/records/record_checks.hpp"
 
 namespace host_sim {
@@ -110,9 +111,7 @@ bool any_channel(const Group& group) {
 }  // namespace
 
 bool is_mat(const std::string& path, std::string_view content) {
-  const bool extension = path.size() > 4 && (path.compare(path.size() - 4, 4, ".mat") == 0 ||
-                                             path.compare(path.size() - 4, 4, ".MAT") == 0);
-  return extension || content.substr(0, 7) == "MATLAB ";
+  return has_extension(path, ".mat") || content.substr(0, 7) == "MATLAB ";
 }
 
 std::vector<Record> read_mat(const std::string& path, const rig_file::RigModel& model, const ReadingOptions& options) {

@@ -6,14 +6,11 @@
 #include "host_sim/can_log/log_reader.hpp"
 #include "host_sim/ingestion/sensor_log/log_calibration.hpp"
 #include "host_sim/records/files/data_file_error.hpp"
+#include "host_sim/records/files/file_extension.hpp"
 #include "host_sim/records/record_checks.hpp"
 
 namespace host_sim {
 namespace {
-
-bool ends_with(const std::string& text, std::string_view end) {
-  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
-}
 
 bool usable(const can_log::LogEntry& entry) { return entry.has_time && !entry.frame.error && !entry.frame.remote; }
 
@@ -59,7 +56,7 @@ void keep_gaps(const std::vector<uint32_t>& sequence, Record& record) {
 }  // namespace
 
 bool is_sensor_log(const std::string& path, std::string_view content) {
-  if (ends_with(path, ".log") || ends_with(path, ".candump")) return true;
+  if (has_extension(path, ".log") || has_extension(path, ".candump")) return true;
   if (can_log::is_asc_log(content)) return true;
   can_log::LogEntry entry;
   return can_log::parse_line(content.substr(0, content.find_first_of("\r\n")), entry);

@@ -12,19 +12,13 @@
 #include "host_sim/ingestion/uff/uff_dataset.hpp"
 #include "host_sim/records/columns/units/units.hpp"
 #include "host_sim/records/files/data_file_error.hpp"
+#include "host_sim/records/files/file_extension.hpp"
 #include "host_sim/records/record_checks.hpp"
 
 namespace host_sim {
 namespace {
 
 using Place = std::pair<int, int>;  // node, direction without its sign
-
-bool ends_with(const std::string& text, const char* end) {
-  const std::string_view tail(end);
-  return text.size() >= tail.size() && std::equal(tail.rbegin(), tail.rend(), text.rbegin(), [](char a, char b) {
-           return a == static_cast<char>(std::tolower(static_cast<unsigned char>(b)));
-         });
-}
 
 bool is_base(const uff::Function& function) {
   std::string name = function.entity;
@@ -226,7 +220,7 @@ void check_alike(const Record& record, const uff::Function& function, const std:
 }  // namespace
 
 bool is_uff(const std::string& path, std::string_view content) {
-  if (ends_with(path, ".uff") || ends_with(path, ".unv") || ends_with(path, ".58")) return true;
+  if (has_extension(path, ".uff") || has_extension(path, ".unv") || has_extension(path, ".58")) return true;
   return uff::trimmed(content.substr(0, content.find_first_of("\r\n"))) == "-1";
 }
 

@@ -16,7 +16,7 @@ namespace {
 struct WatchSettings {
   std::string source = "-";
   bool once = false;
-  double speed = 1.0, bit_rate_kbit_s = 500.0, data_bit_rate_kbit_s = 2000.0, trend_min = 3.0, seconds = 3.0;
+  double speed = 1.0, bit_rate_kbit_s = 1000.0, data_bit_rate_kbit_s = 2000.0, trend_min = 3.0, seconds = 3.0;
   int node = 0;
 };
 

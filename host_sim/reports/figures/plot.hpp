@@ -33,6 +33,12 @@ struct Curve {
   double opacity = 0.28;       // of a band
 };
 
+// The curve as it is to be drawn.
+inline Curve styled(Curve curve, const std::string& label, Role role, Shape shape) {
+  curve.label = label, curve.role = role, curve.shape = shape;
+  return curve;
+}
+
 // A map: a value for each cell of a rectangle, drawn as the depth of one of two colours by its sign.
 struct ColourMap {
   size_t columns = 0, rows = 0;  // rows from below

@@ -9,13 +9,6 @@
 namespace host_sim::reports {
 namespace {
 
-Curve styled(Curve curve, const std::string& label, Role role, Shape shape) {
-  curve.label = label;
-  curve.role = role;
-  curve.shape = shape;
-  return curve;
-}
-
 Curve over_time(const std::vector<double>& time_s, const std::vector<double>& values, size_t columns) {
   const size_t count = std::min(time_s.size(), values.size());
   if (count < 2) return {};

@@ -12,13 +12,6 @@ namespace {
 
 constexpr char kGiven[] = "simulated, rig as given", kExtended[] = "simulated, extended rig";
 
-Curve styled(Curve curve, const std::string& label, Role role, Shape shape) {
-  curve.label = label;
-  curve.role = role;
-  curve.shape = shape;
-  return curve;
-}
-
 std::vector<double> difference(const std::vector<double>& a, const std::vector<double>& b) {
   std::vector<double> out(std::min(a.size(), b.size()));
   for (size_t i = 0; i < out.size(); ++i) out[i] = a[i] - b[i];

@@ -8,16 +8,10 @@
 
 #include "host_sim/reports/figures/numbers.hpp"
 #include "host_sim/reports/sections/at_fault.hpp"
+#include "host_sim/reports/sections/verdict_asides.hpp"
 
 namespace host_sim::reports {
 namespace {
-
-std::string listed(const std::vector<std::string>& items, const char* last_word) {
-  std::string out;
-  for (size_t i = 0; i < items.size(); ++i)
-    out += (i == 0 ? "" : i + 1 == items.size() ? std::string(" ") + last_word + " " : ", ") + items[i];
-  return out;
-}
 
 // "With it the simulation error on unseen data falls by a factor of 5.2." where it is known and a gain.
 std::string gain_text(const std::vector<DofGain>& gains) {
@@ -239,23 +233,6 @@ std::string verdict_headline(const DiagnosisReportData& data) {
 
 namespace {
 
-std::string left_out_text(const DiagnosisReportData& data) {
-  const std::vector<std::string>& names = data.channels_left_out;
-  if (names.empty()) return "";
-  return "This is said without " + listed(names, "and") + (names.size() == 1 ? ", which does" : ", which do") +
-         " not go with the other channels of the same place: with " + (names.size() == 1 ? "it" : "them") +
-         " nothing explains the records. Look at " + (names.size() == 1 ? "its sensor." : "these sensors.");
-}
-
-std::string later_start_text(const DiagnosisReportData& data) {
-  if (data.told_from_s.empty()) return "";
-  std::vector<std::string> instants;
-  for (double s : data.told_from_s) instants.push_back(number_text(s, 3));
-  return "This is said of the motion from " + listed(instants, "and") +
-         " s on: before, something acts that the rig file has not (a hand that still holds or pulls, faster modes of a "
-         "blow).";
-}
-
 std::string details_of(const DiagnosisReportData& data) {
   if (tells_nothing(data)) {
     const std::string missed = missed_text(data.gains, false);
@@ -282,7 +259,8 @@ std::string details_of(const DiagnosisReportData& data) {
 }  // namespace
 
 std::string verdict_details(const DiagnosisReportData& data) {
-  return joined({data.odd_record, details_of(data), left_out_text(data), later_start_text(data)});
+  return joined(
+      {data.odd_record, details_of(data), left_out_text(data), later_start_text(data), one_friction_text(data)});
 }
 
 std::string verdict_sentence(const DiagnosisReportData& data) {
