@@ -62,6 +62,14 @@ static_assert(in_order(), "laws in the order of TermKind");
 
 const CoreLaw& core_law(TermKind kind) { return kLaws[static_cast<int>(kind) - kFirst]; }
 
+bool reads_elongation(TermKind kind) {
+  if (static_cast<int>(kind) < kFirst) return kind == TermKind::kStiffness;
+  const CoreLaw& law = core_law(kind);
+  const bool shaped =
+      law.use == ShapeUse::kGap || law.use == ShapeUse::kTurns || law.use == ShapeUse::kDecayOfElongation;
+  return law.u_power != 0 || shaped;
+}
+
 LawNumber bent_bristles(LawNumber z, LawNumber step, const LawShape& shape) {
   if (step == LawNumber{}) return z;
   const LawNumber towards = sign_of(step) * kLawOne;

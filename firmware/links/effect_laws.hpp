@@ -50,6 +50,9 @@ struct CoreLaw {
 
 const CoreLaw& core_law(TermKind kind);  // from TermKind::kGravity on
 
+// Whether the force of a term is another one at another elongation: where no term of a link is, its ends need no displacement.
+bool reads_elongation(TermKind kind);
+
 // Bristles bent by a step of the elongation, Dahl's model solved exactly: z heads for the step's sign.
 LawNumber bent_bristles(LawNumber z, LawNumber step, const LawShape& shape);
 

@@ -13,6 +13,7 @@
 #include "channels/zero_of_channel.hpp"
 #include "doubts/odd_record.hpp"
 #include "doubts/trifles.hpp"
+#include "doubts/worse_unseen.hpp"
 #include "hums/force_hum.hpp"
 #include "hums/hum.hpp"
 #include "hums/mains_hum.hpp"
@@ -110,6 +111,7 @@ Diagnosis judged(const Asked& asked, double& lag_s) {
   runs::drop_undetermined(d, runs::motion_error(task, choice.base) < runs::kFollows);
   runs::drop_trifles(task, d);
   runs::name_zeros(task, d);
+  runs::reject_what_simulates_worse(rig, d);
   if (d.verdict == Verdict::kNone && !right) {
     runs::doubt_numbers(task, choice.final, choice.final_left, d);
     if (!answered && choice.named.empty()) doubt_all_numbers(task, choice, d);

@@ -58,6 +58,31 @@ TEST_F(TurningShaft, ASpeedInAUnitOfItsOwnIsNotLate) {
   EXPECT_EQ(result.output.find("late against"), std::string::npos) << result.output;
 }
 
+// A car that rolls out, of its speed alone: drag and friction pull at no place, so nothing has to be integrated. m v' = -(F + q v^2), of which
+// v = v0 (tan(a - b t)), with v0 = sqrt(F / q), b = sqrt(F q) / m and tan a = v(0) / v0.
+TEST_F(TurningShaft, ACoastDownNeedsNoDisplacement) {
+  constexpr double kFriction = 8, kDrag = 0.3, kMass = 90;
+  workspace_.write("rig.toml",
+                   "schema = \"rig/1\"\nname = \"car\"\n[[dof]]\nmass_kg = 90\n[[link]]\nbetween = [1, 0]\ncoulomb_N = "
+                   "\"estimate\"\n[[link.effect]]\nkind = \"quadratic_damping\"\ncoefficient = \"estimate\"\n");
+  std::mt19937 random(8);
+  std::normal_distribution<double> noise(0, 0.01);
+  std::string text = "t_s,velocity_1_m_s\n";
+  const double v0 = std::sqrt(kFriction / kDrag), rate = std::sqrt(kFriction * kDrag) / kMass,
+               start = std::atan(8 / v0);
+  for (int i = 0; i < 1200; ++i) {
+    const double t = 0.05 * i, v = start > rate * t ? v0 * std::tan(start - rate * t) : 0.0;
+    char row[60];
+    std::snprintf(row, sizeof row, "%.2f,%.9g\n", t, v + noise(random));
+    text += row;
+  }
+  const auto result = estimated(text);
+  ASSERT_EQ(result.status, 0) << result.errors;
+  EXPECT_EQ(result.output.find("displacement of DOF 1 derived"), std::string::npos) << result.output;
+  EXPECT_NEAR(value(json("out.json"), "coulomb[1-0]"), kFriction, 0.03 * kFriction) << result.output;
+  EXPECT_NEAR(value(json("out.json"), "quadratic_damping[1-0]"), kDrag, 0.05 * kDrag) << result.output;
+}
+
 // Milliseconds as seconds: the samples are too slow for the rig's slowest mode, and nothing is simulated from them.
 TEST_F(TurningShaft, TimesThatAreNoSecondsAreNotSimulated) {
   workspace_.write(

@@ -44,6 +44,12 @@ TEST(PlainNames, AreAQuantityAndItsUnit) {
                       {"AngVel", "rad/s", "angular_velocity_1_rad_s"},
                       {"acc", "g", "acceleration_1_m_s2"},
                       {"Disp", "mm", "displacement_1_m"},
+                      {"Weg &b_A1", "rad", "angle_1_rad"},  // an interface's input behind the name
+                      {"Weg s_A1", "m", "displacement_1_m"},
+                      {"Winkel", "rad", "angle_1_rad"},
+                      {"Kraft F_B1", "N", "force_1_N"},
+                      {"Acceleration x", "m/s^2", ""},  // one of three axes
+                      {"force_ref", "N", ""},
                       {"force_ref", "", ""},
                       {"force_N", "N", ""},  // a unit twice
                       {"Load", "%", ""},

@@ -1,5 +1,6 @@
 #include "hal/rig_file/signals/sources.hpp"
 
+#include "firmware/links/effect_laws.hpp"
 #include "hal/rig_file/rig_file_error.hpp"
 #include "hal/rig_file/signals/high_pass.hpp"
 #include "hal/rig_file/signals/leak.hpp"
@@ -15,9 +16,7 @@ using firmware::SignalConfiguration;
 bool displacement_needed(const CoreConfiguration& c, int node) {
   for (int t = 0; t < c.term_count; ++t) {
     const firmware::Term& term = c.terms[t];
-    if (term.kind == firmware::TermKind::kMass || term.kind == firmware::TermKind::kViscous ||
-        term.kind == firmware::TermKind::kCoulomb)
-      continue;
+    if (!firmware::reads_elongation(term.kind)) continue;
     const firmware::LinkConfiguration& link = c.links[term.place];
     if (link.node_a == node || link.node_b == node) return true;
   }

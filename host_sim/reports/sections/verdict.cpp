@@ -154,8 +154,10 @@ std::string ambiguous_details(const DiagnosisReportData& data) {
 // What may be there and was not named, two at most.
 std::string possible_text(const DiagnosisReportData& data) {
   std::vector<std::string> words;
-  for (const PossibleCause& c : data.possible)
-    if (words.size() < 2) words.push_back(cause_text(c.effect, c.where));
+  for (const PossibleCause& c : data.possible) {
+    const std::string word = cause_text(c.effect, c.where);  // shapes of one effect have one
+    if (words.size() < 2 && std::find(words.begin(), words.end(), word) == words.end()) words.push_back(word);
+  }
   return listed(words, "or");
 }
 

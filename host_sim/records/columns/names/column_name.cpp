@@ -107,7 +107,7 @@ bool is_time_name(const std::string& name, std::string& unit_suffix) {
   for (const char* word : {"t", "time", "zeit", "temps", "tiempo", "tempo", "timestamp", "time_stamp", "datetime",
                            "date_time", "date/time", "x_value", "relative_time", "elapsed_time", "abscissa"}) {
     const std::string stem = word;
-    if (low == stem) return true;
+    if (low == stem || low == stem + "_t") return true;  // "Zeit t / s"
     if (low.compare(0, stem.size() + 1, stem + "_") != 0) continue;
     const auto unit = find_unit_suffix(own.substr(stem.size() + 1), Dimension::kTime);
     if (!unit || unit->dimension != Dimension::kTime) continue;

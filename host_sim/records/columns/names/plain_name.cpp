@@ -1,5 +1,6 @@
 #include "host_sim/records/columns/names/plain_name.hpp"
 
+#include <algorithm>
 #include <cctype>
 
 #include "host_sim/records/columns/units/units.hpp"
@@ -37,7 +38,26 @@ constexpr Word kWords[] = {{"position", Quantity::kDisplacement, false},
                            {"angular_acceleration", Quantity::kAcceleration, true},
                            {"force", Quantity::kForce, false},
                            {"load", Quantity::kForce, false},
-                           {"torque", Quantity::kForce, true}};
+                           {"torque", Quantity::kForce, true},
+                           {"weg", Quantity::kDisplacement, false},
+                           {"auslenkung", Quantity::kDisplacement, false},
+                           {"winkel", Quantity::kDisplacement, true},
+                           {"geschwindigkeit", Quantity::kVelocity, false},
+                           {"winkelgeschwindigkeit", Quantity::kVelocity, true},
+                           {"beschleunigung", Quantity::kAcceleration, false},
+                           {"kraft", Quantity::kForce, false},
+                           {"drehmoment", Quantity::kForce, true}};
+
+// "s_A1", "&b_A1": the symbol of a quantity at an input of an interface, behind its name.
+bool is_symbol(const std::string& text) {
+  const size_t first = text.empty() || text[0] != '&' ? 0 : 1, subscript = text.find('_');
+  const size_t letters = std::min(subscript, text.size()) - std::min(first, text.size());
+  const auto is_letter = [](unsigned char c) { return std::isalpha(c) != 0; };
+  const bool named = letters >= 1 && letters <= 2 &&
+                     std::all_of(text.begin() + static_cast<std::ptrdiff_t>(first),
+                                 text.begin() + static_cast<std::ptrdiff_t>(first + letters), is_letter);
+  return named && (first == 1 || subscript != std::string::npos) && text.size() - first - letters <= 4;
+}
 
 // The word that the name is, or begins with before a "_"; what is behind it is handed out.
 const Word* word_of(const std::string& name, std::string& behind) {
@@ -59,6 +79,7 @@ const Word* word_of(const std::string& name, std::string& behind) {
 std::optional<PlainName> parse_plain_name(const std::string& name, const std::string& unit) {
   std::string suffix;
   const Word* word = word_of(name, suffix);
+  if (word != nullptr && !unit.empty() && is_symbol(suffix)) suffix.clear();
   if (word == nullptr || (!suffix.empty() && !unit.empty())) return std::nullopt;
   PlainName plain{{word->quantity, 1, word->rotating}, unit};
   if (suffix.empty() && unit.empty()) return plain;
