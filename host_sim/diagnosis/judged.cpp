@@ -37,7 +37,7 @@ bool springs_and_masses_known(const rig_file::RigModel& rig) {
                       [](const rig_file::Link& l) { return l.stiffness_N_m.estimate; });
 }
 
-constexpr double kMostlyNoise = 0.8;  // of the squared residual
+constexpr double kNoiseIsEnough = 0.8;  // of the squared residual
 
 // Where nothing is named nothing is gained: what was compared was with causes that were taken back since.
 void compare_nothing(Diagnosis& d) {
@@ -64,6 +64,56 @@ void doubt_all_numbers(const runs::Task& task, const runs::Choice& choice, Diagn
     for (Parameter& p : score->parameters) p.may_be_bent = true;
 }
 
+// The rig as given fitted to the records, less what its drives hold and the mains add: `records` are changed where they have it.
+runs::Choice rig_alone(const runs::Task& task, std::vector<runs::Prepared>& records) {
+  runs::Choice choice = runs::rig_fitted(task);
+  if (!runs::massless(task.system.rig) && !runs::right(task, choice) && runs::held_force(task, records, choice))
+    choice = runs::rig_fitted(task);
+  std::vector<runs::Hum> hum = runs::take_out_hum(task, choice, records);
+  if (!hum.empty()) choice = runs::rig_fitted(task), choice.hum_taken = std::move(hum);
+  return choice;
+}
+
+// What is missing beside the rig alone, by the equations' rows or by free runs.
+struct Answered {
+  bool right = false;    // nothing is
+  bool by_rows = false;  // who says so
+};
+Answered answer(const Asked& asked, const runs::Task& task, std::vector<runs::Prepared>& records, bool kept_moving,
+                runs::Choice& choice, Diagnosis& d) {
+  const bool massless = runs::massless(asked.rig), right = !massless && runs::right(task, choice);
+  const bool rows_can_tell = runs::forced(records) && kept_moving && !massless && springs_and_masses_known(asked.rig);
+  if (!right && !massless && !rows_can_tell)
+    choice.noise_is_enough = runs::noise_share(choice.base_left, choice.base.fit) > kNoiseIsEnough;
+  RowsSay say;
+  runs::Choice numbers = choice;
+  const runs::Wrong wrong = right ? runs::Wrong::kNo : runs::name_wrong_numbers(task, numbers);
+  const bool by_rows = !right && wrong != runs::Wrong::kSurely && rows_can_tell &&
+                       runs::answered_by_rows(asked, task, records, choice, say, d);
+  if (asked.options.progress) asked.options.progress(0.6);
+  if (by_rows) return {right, by_rows};
+  if (wrong == runs::Wrong::kSurely)
+    choice = numbers;
+  else if (!right)
+    answer_by_runs(asked, task, say, wrong == runs::Wrong::kNo ? nullptr : &numbers, choice);
+  answer_beside_rounded_jumps(task, records, choice, d);
+  if (d.verdict == Verdict::kNone && trace_is_there(task, say, choice)) d.verdict = Verdict::kUnknown;
+  return {right, by_rows};
+}
+
+// What channels of all kinds add to an answer, and what of it is no answer. Returns the lag of all motion channels, s; 0: none.
+double say_of_channels(const runs::Task& task, const runs::Choice& choice, Diagnosis& d) {
+  runs::name_holds(task, d);
+  if (d.verdict != Verdict::kUnknown) runs::name_force_hum(task, choice.final, d);
+  const double lag_s = runs::say_common_lag(task, d);
+  runs::say_shared_hum(task, choice, d);
+  runs::drop_undetermined(d, runs::motion_error(task, choice.base) < runs::kFollows);
+  runs::drop_trifles(task, d);
+  runs::name_zeros(task, d);
+  runs::reject_what_simulates_worse(task.system.rig, d);
+  return lag_s;
+}
+
 }  // namespace
 
 Diagnosis judged(const Asked& asked, double& lag_s) {
@@ -77,44 +127,15 @@ Diagnosis judged(const Asked& asked, double& lag_s) {
   // The last swings of a decay are too small to bear anything out: of several decays the last is the unseen one.
   const bool last_unseen = holdout.empty() && !kept_moving && training.size() >= kLeastDecays;
   const runs::Task task{system, records, training.size() - (last_unseen ? 1 : 0)};
-  runs::Choice choice = runs::rig_fitted(task);
-  if (!runs::massless(rig) && !runs::right(task, choice) && runs::held_force(task, records, choice))
-    choice = runs::rig_fitted(task);
-  std::vector<runs::Hum> hum = runs::take_out_hum(task, choice, records);
-  if (!hum.empty()) choice = runs::rig_fitted(task), choice.hum_taken = std::move(hum);
+  runs::Choice choice = rig_alone(task, records);
   progress(0.3);
   Diagnosis d;
   d.driven = runs::forced(records) || records[0].guess.back().given;
-  RowsSay say;
-  const bool right = !runs::massless(rig) && runs::right(task, choice);
-  const bool rows_can_tell =
-      runs::forced(records) && kept_moving && !runs::massless(rig) && springs_and_masses_known(rig);
-  if (!right && !runs::massless(rig) && !rows_can_tell)
-    choice.noise_is_enough = runs::noise_share(choice.base_left, choice.base.fit) > kMostlyNoise;
-  runs::Choice numbers = choice;
-  const runs::Wrong wrong = right ? runs::Wrong::kNo : runs::name_wrong_numbers(task, numbers);
-  const bool answered = !right && wrong != runs::Wrong::kSurely && rows_can_tell &&
-                        runs::answered_by_rows(asked, task, records, choice, say, d);
-  progress(0.6);
-  if (!answered) {
-    if (wrong == runs::Wrong::kSurely)
-      choice = numbers;
-    else if (!right)
-      answer_by_runs(asked, task, say, wrong == runs::Wrong::kNo ? nullptr : &numbers, choice);
-    answer_beside_rounded_jumps(task, records, choice, d);
-    if (d.verdict == Verdict::kNone && trace_is_there(task, say, choice)) d.verdict = Verdict::kUnknown;
-  }
-  runs::name_holds(task, d);
-  if (d.verdict != Verdict::kUnknown) runs::name_force_hum(task, choice.final, d);
-  lag_s = runs::say_common_lag(task, d);
-  runs::say_shared_hum(task, choice, d);
-  runs::drop_undetermined(d, runs::motion_error(task, choice.base) < runs::kFollows);
-  runs::drop_trifles(task, d);
-  runs::name_zeros(task, d);
-  runs::reject_what_simulates_worse(rig, d);
-  if (d.verdict == Verdict::kNone && !right) {
+  const Answered answered = answer(asked, task, records, kept_moving, choice, d);
+  lag_s = say_of_channels(task, choice, d);
+  if (d.verdict == Verdict::kNone && !answered.right) {
     runs::doubt_numbers(task, choice.final, choice.final_left, d);
-    if (!answered && choice.named.empty()) doubt_all_numbers(task, choice, d);
+    if (!answered.by_rows && choice.named.empty()) doubt_all_numbers(task, choice, d);
   }
   runs::say_odd_record(task, choice, d);
   runs::say_scale(task, d);

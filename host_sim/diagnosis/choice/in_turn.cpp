@@ -59,6 +59,20 @@ std::optional<Alone> alone_as_good(const Task& task, const PassedOver& passed, c
   return best;
 }
 
+void name(const Attempt& best, double noise, Choice& choice) {
+  for (Candidate c : best.candidates) {
+    keep_shape(best.state.model, c);
+    choice.named.push_back(
+        Named{c, best.z, share_of(best, noise), {}, best.shows_unseen, false, best.unseen_deviations});
+  }
+}
+
+// The one named last, exchanged for another that it had outdone.
+void exchange(const Alone& alone, Choice& choice) {
+  Named& last = choice.named.back();
+  last.outdone = alone.outdone, last.outdone.push_back(last.candidate), last.candidate = alone.candidate;
+}
+
 }  // namespace
 
 void name_in_turn(const Task& task, double worth, Choice& choice, const std::function<void(double)>& progress) {
@@ -101,22 +115,12 @@ void name_in_turn(const Task& task, double worth, Choice& choice, const std::fun
         exchanged < kMostCauses ? alone_as_good(task, passed, with, round.best.complexity, worth) : std::nullopt;
     if (alone) {
       ++exchanged;
-      Named& last = choice.named.back();
-      last.outdone = alone->outdone, last.outdone.push_back(last.candidate), last.candidate = alone->candidate;
+      exchange(*alone, choice);
       now = alone->state, passed = {};
       continue;
     }
     passed = {now, part, round.passed_over, round.best.complexity};
-    for (Candidate c : round.best.candidates) {
-      keep_shape(round.best.state.model, c);
-      choice.named.push_back(Named{c,
-                                   round.best.z,
-                                   share_of(round.best, noise),
-                                   {},
-                                   round.best.shows_unseen,
-                                   false,
-                                   round.best.unseen_deviations});
-    }
+    name(round.best, noise, choice);
     now = with;
     progress(static_cast<double>(choice.named.size()) / static_cast<double>(most));
   }

@@ -60,6 +60,8 @@ std::vector<Move> moves_between(const Task& task, const Model& rest, const Model
   return list;
 }
 
+namespace {
+
 // One that drives its link comes behind those that do not.
 void put_drivers_behind(const Task& task, Attempt& own, std::vector<Attempt>& as_good) {
   const auto damps = [&](const Attempt& t) { return !drives_a_link(task, t.state, t.candidates); };
@@ -72,76 +74,100 @@ void put_drivers_behind(const Task& task, Attempt& own, std::vector<Attempt>& as
   as_good.erase(as_good.begin());
 }
 
+// The named cause as an attempt beside the rest.
+Attempt own_beside(const Task& task, const State& rest, const Choice& choice, const Named& mine) {
+  Attempt own;
+  own.candidates = {mine.candidate}, own.state = choice.final, own.complexity = mine.candidate.complexity;
+  own.z = mine.z;
+  if (rest.seen.size() != choice.final.seen.size()) own.state = on_all(task, rest, choice.final);
+  own.error = error_over(own.state.fit, rest.fit), own.unseen = error_over(own.state.unseen_fit, rest.unseen_fit);
+  return own;
+}
+
+// Those that the linearisation promises about as much of as of the best, fitted; of bristles dry friction in their place too.
+std::vector<Attempt> rivals_tried(const Task& task, const State& rest, double noise, const Choice& choice,
+                                  const Named& mine, const Attempt& own) {
+  const std::vector<Candidate> all = candidates_beside(task.system, rest.model, task.records, false);
+  const Screen s = screen(task.system, task.records, rest.model, rest.seen, rest.fit, all, 0);
+  double best_gain = 0;
+  for (const Screened& one : s.singles) best_gain = std::max(best_gain, one.gain);
+  std::vector<Attempt> others;
+  for (const Screened& one : s.singles) {
+    if (others.size() >= kRivalsTried) break;
+    const bool named = std::any_of(choice.named.begin(), choice.named.end(),
+                                   [&](const Named& n) { return n.candidate.same_place(all[one.candidate]); });
+    if (named || outdone(mine, all[one.candidate]) || !may_stand_for(mine, all[one.candidate].terms[0]) ||
+        one.z < kByChance || 1 - one.gain > kMuchWorse * (1 - best_gain) + noise)
+      continue;
+    others.push_back(attempt(task, rest, all, one, noise));
+  }
+  const auto bristles = std::find_if(others.begin(), others.end(), is_bristles);
+  for (const Attempt* a : {is_bristles(own) ? &own : nullptr, bristles != others.end() ? &*bristles : nullptr}) {
+    const Attempt dry = a ? without_bristles(task, rest, *a) : Attempt();
+    if (!dry.state.fit.ok || dry.candidates.empty()) continue;
+    others.push_back(dry);
+    break;
+  }
+  return others;
+}
+
+bool by_whole_error(const Attempt& a, const Attempt& b) { return whole_error(a) < whole_error(b); }
+
+// Of the others those that leave as little; `own` becomes the one that is to be named.
+std::vector<Attempt> as_good_as(const Task& task, const State& rest, double noise, std::vector<Attempt> others,
+                                Attempt& own) {
+  const auto no_rival = [&](const Attempt& a) { return below_nought(a.state) || cannot_be(task, rest, a); };
+  const bool own_can_be = !no_rival(own);
+  if (own_can_be) others.erase(std::remove_if(others.begin(), others.end(), no_rival), others.end());
+  const auto better = std::min_element(others.begin(), others.end(), by_whole_error);
+  if (better != others.end() && better->z > kByChance && whole_error(*better) < whole_error(own))
+    std::swap(own, *better);
+  std::vector<Attempt> as_good;
+  for (const Attempt& t : others)
+    if (t.z > kByChance && unseen_agrees(t) && !clearly_better(own, t, noise)) as_good.push_back(t);
+  if (!own_can_be) put_drivers_behind(task, own, as_good);
+  // the simplest of those that do as well is named, unless the data, few as they are, plainly speak for another
+  for (Attempt& t : as_good)
+    if ((t.complexity < own.complexity && !leaves_much_more(t, own, noise)) ||
+        (t.complexity == own.complexity && whole_error(t) < whole_error(own)))
+      std::swap(t, own);
+  std::sort(as_good.begin(), as_good.end(), by_whole_error);
+  return as_good;
+}
+
+void weigh_one(const Task& task, const State& few, size_t i, Choice& choice) {
+  Named& mine = choice.named[i];
+  // judged together with the others that warm; or the rig as given follows nothing beside which to judge
+  if (mine.candidate.terms[0].shape == kAcrossRecords || mine.of_numbers) return;
+  State rest;
+  if (!without(task, choice, few, i, rest)) return;
+  double noise = noise_share(left_by(task.system, task.records, rest), rest.fit);
+  if (noise > kMostlyNoise && few.seen.size() < choice.base.seen.size()) {  // then all are needed
+    if (!without(task, choice, choice.base, i, rest)) return;
+    noise = noise_share(left_by(task.system, task.records, rest), rest.fit);
+  }
+  Attempt own = own_beside(task, rest, choice, mine);
+  const std::vector<Attempt> as_good =
+      as_good_as(task, rest, noise, rivals_tried(task, rest, noise, choice, mine, own), own);
+  if (!own.candidates[0].same_place(mine.candidate)) {
+    mine.candidate = own.candidates[0], mine.z = own.z, choice.final = on_all(task, choice.final, own.state);
+    keep_shape(choice.final.model, mine.candidate);
+  }
+  // what the rig as given leaves beside the band of its motion is not all noise: no more is than what is left beside the cause
+  const double left_noise = own.error * noise_share(left_by(task.system, task.records, own.state), own.state.fit);
+  mine.share = share_of(own, std::min(noise, left_noise));
+  for (const Attempt& t : as_good)
+    mine.rivals.push_back(
+        Rival{t.candidates[0], t.error / own.error, moves_between(task, rest.model, own.state.model, t.state.model)});
+}
+
+}  // namespace
+
 void weigh_rivals(const Task& task, const std::function<void(double)>& progress, Choice& choice) {
   if (choice.named.empty()) return;
   const State few = part_of(task, choice.base, 0);
   for (size_t i = 0; i < choice.named.size(); ++i) {
-    Named& mine = choice.named[i];
-    // judged together with the others that warm; or the rig as given follows nothing beside which to judge
-    if (mine.candidate.terms[0].shape == kAcrossRecords || mine.of_numbers) continue;
-    State rest;
-    if (!without(task, choice, few, i, rest)) continue;
-    double noise = noise_share(left_by(task.system, task.records, rest), rest.fit);
-    if (noise > kMostlyNoise && few.seen.size() < choice.base.seen.size()) {  // then all are needed
-      if (!without(task, choice, choice.base, i, rest)) continue;
-      noise = noise_share(left_by(task.system, task.records, rest), rest.fit);
-    }
-    Attempt own;
-    own.candidates = {mine.candidate}, own.state = choice.final, own.complexity = mine.candidate.complexity;
-    own.z = mine.z;
-    if (rest.seen.size() != choice.final.seen.size()) own.state = on_all(task, rest, choice.final);
-    own.error = error_over(own.state.fit, rest.fit), own.unseen = error_over(own.state.unseen_fit, rest.unseen_fit);
-    const std::vector<Candidate> all = candidates_beside(task.system, rest.model, task.records, false);
-    const Screen s = screen(task.system, task.records, rest.model, rest.seen, rest.fit, all, 0);
-    double best_gain = 0;
-    for (const Screened& one : s.singles) best_gain = std::max(best_gain, one.gain);
-    std::vector<Attempt> others;
-    for (const Screened& one : s.singles) {
-      if (others.size() >= kRivalsTried) break;
-      const bool named = std::any_of(choice.named.begin(), choice.named.end(),
-                                     [&](const Named& n) { return n.candidate.same_place(all[one.candidate]); });
-      if (named || outdone(mine, all[one.candidate]) || !may_stand_for(mine, all[one.candidate].terms[0]) ||
-          one.z < kByChance || 1 - one.gain > kMuchWorse * (1 - best_gain) + noise)
-        continue;
-      others.push_back(attempt(task, rest, all, one, noise));
-    }
-    const auto bristles = std::find_if(others.begin(), others.end(), is_bristles);
-    for (const Attempt* a : {is_bristles(own) ? &own : nullptr, bristles != others.end() ? &*bristles : nullptr}) {
-      const Attempt dry = a ? without_bristles(task, rest, *a) : Attempt();
-      if (!dry.state.fit.ok || dry.candidates.empty()) continue;
-      others.push_back(dry);
-      break;
-    }
-    const auto no_rival = [&](const Attempt& a) { return below_nought(a.state) || cannot_be(task, rest, a); };
-    const bool own_can_be = !no_rival(own);
-    if (own_can_be) others.erase(std::remove_if(others.begin(), others.end(), no_rival), others.end());
-    const auto better = std::min_element(others.begin(), others.end(), [](const Attempt& a, const Attempt& b) {
-      return whole_error(a) < whole_error(b);
-    });
-    if (better != others.end() && better->z > kByChance && whole_error(*better) < whole_error(own)) {
-      std::swap(own, *better);
-    }
-    std::vector<Attempt> as_good;
-    for (const Attempt& t : others)
-      if (t.z > kByChance && unseen_agrees(t) && !clearly_better(own, t, noise)) as_good.push_back(t);
-    if (!own_can_be) put_drivers_behind(task, own, as_good);
-    // the simplest of those that do as well is named, unless the data, few as they are, plainly speak for another
-    for (Attempt& t : as_good)
-      if ((t.complexity < own.complexity && !leaves_much_more(t, own, noise)) ||
-          (t.complexity == own.complexity && whole_error(t) < whole_error(own)))
-        std::swap(t, own);
-    if (!own.candidates[0].same_place(mine.candidate)) {
-      mine.candidate = own.candidates[0], mine.z = own.z, choice.final = on_all(task, choice.final, own.state);
-      keep_shape(choice.final.model, mine.candidate);
-    }
-    // what the rig as given leaves beside the band of its motion is not all noise: no more is than what is left beside the cause
-    const double left_noise = own.error * noise_share(left_by(task.system, task.records, own.state), own.state.fit);
-    mine.share = share_of(own, std::min(noise, left_noise));
-    std::sort(as_good.begin(), as_good.end(),
-              [](const Attempt& a, const Attempt& b) { return whole_error(a) < whole_error(b); });
-    for (const Attempt& t : as_good)
-      mine.rivals.push_back(
-          Rival{t.candidates[0], t.error / own.error, moves_between(task, rest.model, own.state.model, t.state.model)});
+    weigh_one(task, few, i, choice);
     progress(static_cast<double>(i + 1) / static_cast<double>(choice.named.size()));
   }
 }
