@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "hal/rig_file/rig_model.hpp"
+#include "host_sim/diagnosis/interval.hpp"
 #include "host_sim/records/record.hpp"
 
 namespace diagnosis {

@@ -15,7 +15,7 @@ json to_json(const Parameter& p) {
           {"value", p.value},
           {"unit", p.unit},
           {"std", p.std},
-          {"ci95", {p.value - 1.96 * p.std, p.value + 1.96 * p.std}}};
+          {"ci95", {p.value - kHalfOf95 * p.std, p.value + kHalfOf95 * p.std}}};
 }
 
 json to_json(const std::vector<Parameter>& list) {

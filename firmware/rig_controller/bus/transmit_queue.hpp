@@ -1,6 +1,6 @@
 // Frames that the bus would not take yet. Sent in the order of their identifiers, as the bus itself would arbitrate;
-// among equal identifiers the newest replaces the older one, except for emergency frames, each of which counts. Nothing
-// blocks: when there is no room the least urgent frame is given up, and every frame that never goes out is counted.
+// among equal identifiers the newest replaces the older one where it says the same thing later (push()); emergencies, answers to
+// requests and what is told once are all kept. Nothing blocks: when there is no room the least urgent frame is given up, and every frame that never goes out is counted.
 #pragma once
 #include <cstdint>
 

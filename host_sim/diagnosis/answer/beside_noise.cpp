@@ -23,7 +23,7 @@ bool any_uncertain(const State& fitted) {
   const std::vector<Determined> found = determined(fitted.fit, fitted.model);
   const std::vector<Parameter> numbers = parameters_of(fitted.model);
   for (size_t i = 0; i < numbers.size(); ++i)
-    if (numbers[i].shape == 0 && 1.96 * found[i].std > kMuchOff * std::abs(fitted.model[numbers[i].term].value))
+    if (numbers[i].shape == 0 && kHalfOf95 * found[i].std > kMuchOff * std::abs(fitted.model[numbers[i].term].value))
       return true;
   return false;
 }
@@ -65,7 +65,7 @@ namespace {
 // Whether a number as it is beside something else is out of the interval of the same number of d, by much.
 bool is_bent(const diagnosis::Parameter& p, const diagnosis::Parameter& beside) {
   const double by = std::abs(beside.value - p.value);
-  return p.name == beside.name && p.std > 0 && by > 1.96 * p.std && by > kMuchOff * std::abs(p.value);
+  return p.name == beside.name && p.std > 0 && by > kHalfOf95 * p.std && by > kMuchOff * std::abs(p.value);
 }
 
 bool any_bent(const std::vector<diagnosis::Parameter>& numbers, const std::vector<diagnosis::Parameter>& beside) {

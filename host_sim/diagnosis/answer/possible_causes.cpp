@@ -22,7 +22,7 @@ void say_possible(const Task& task, const Choice& choice, Diagnosis& d) {
     const std::vector<diagnosis::Parameter> beside = values_of(task, n.model);
     for (diagnosis::Parameter& p : d.baseline.parameters) {
       const auto other = std::find_if(beside.begin(), beside.end(), [&](const auto& o) { return o.name == p.name; });
-      if (other == beside.end() || !(p.std > 0) || std::abs(other->value - p.value) <= 1.96 * p.std) continue;
+      if (other == beside.end() || !(p.std > 0) || std::abs(other->value - p.value) <= kHalfOf95 * p.std) continue;
       p.may_be_bent = true;
       possible.bends.push_back(*other);
     }

@@ -13,7 +13,7 @@ namespace {
 // Whether one of the rig's own coefficients leaves the interval that it had without the causes.
 bool moved(const std::vector<ActiveTerm>& before, const std::vector<ActiveTerm>& after) {
   for (size_t i = 0; i < before.size() && i < after.size(); ++i)
-    if (!before[i].known && std::abs(after[i].value - before[i].value) > 1.96 * before[i].std) return true;
+    if (!before[i].known && std::abs(after[i].value - before[i].value) > kHalfOf95 * before[i].std) return true;
   return false;
 }
 

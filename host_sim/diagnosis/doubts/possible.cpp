@@ -14,7 +14,6 @@
 namespace diagnosis::runs {
 namespace {
 
-constexpr double kInterval = 1.96;  // of the 95 % interval, standard deviations
 
 // Of a link, for good.
 bool takes_energy(const Term& t) { return t.link >= 0 && !firmware::row_of(effect_of(t.kind)).nature.conservative; }
@@ -75,7 +74,7 @@ bool drive(const std::vector<Damper>& dampers, const Prepared& p, const Window& 
       const double each = w[k] * law(d.kind, u[k], w[k], law_time(t_s, d.shape, p), d.shape, d.shape2).force;
       power += d.value * each, of_added += d.added ? d.value * each : 0, variance += each * each * d.std * d.std;
     }
-    if (of_added < 0 && power + kInterval * std::sqrt(variance) < 0) return true;
+    if (of_added < 0 && power + kHalfOf95 * std::sqrt(variance) < 0) return true;
   }
   return false;
 }
@@ -92,7 +91,7 @@ bool below_nought(const State& s) {
   const std::vector<Determined> found = determined(s.fit, s.model);
   for (size_t i = 0; i < parameters.size() && i < found.size(); ++i) {
     const ModelTerm& t = s.model[parameters[i].term];
-    if (is_number_of_rig(t) && !parameters[i].shape && t.value + kInterval * found[i].std < 0) return true;
+    if (is_number_of_rig(t) && !parameters[i].shape && t.value + kHalfOf95 * found[i].std < 0) return true;
   }
   return false;
 }
@@ -109,7 +108,7 @@ bool lightens_below_nought(const State& s, const std::vector<Candidate>& added) 
       for (size_t i = 0; i < parameters.size() && i < found.size(); ++i)
         if (!parameters[i].shape && s.model[parameters[i].term].term.same_place(term))
           variance += found[i].std * found[i].std;
-      if (mass + kInterval * std::sqrt(variance) < 0) return true;
+      if (mass + kHalfOf95 * std::sqrt(variance) < 0) return true;
     }
   return false;
 }

@@ -49,7 +49,7 @@ void take_back(Diagnosis& d, size_t i) {
 
 bool may_be_nought(const Cause& c) {
   return !c.parameters.empty() && c.parameters[0].std > 0 &&
-         std::abs(c.parameters[0].value) <= 1.96 * c.parameters[0].std;
+         std::abs(c.parameters[0].value) <= kHalfOf95 * c.parameters[0].std;
 }
 
 }  // namespace

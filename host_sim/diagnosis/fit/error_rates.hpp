@@ -1,5 +1,6 @@
 // How sure the diagnosis has to be: every deviate that it asks for, in standard errors, as a normal deviate.
 #pragma once
+#include "host_sim/diagnosis/interval.hpp"
 
 namespace diagnosis::runs {
 

@@ -95,7 +95,7 @@ Scatter scatter_of(const Fitted& fit, const Mat& inverse, Index i, size_t togeth
 }
 
 // So that 1.96 of it reach Student's 97.5 % point.
-double student_std(const Scatter& s) { return s.se * quantile(boost::math::students_t(s.dof), 0.975) / 1.96; }
+double student_std(const Scatter& s) { return s.se * quantile(boost::math::students_t(s.dof), 0.975) / kHalfOf95; }
 
 // A fit ends where the scores of all blocks together are nought: the scatter of one is nought, that of fewer than kLeastWindows is no
 // measure. As many parts of a window at most are a block.
@@ -150,7 +150,7 @@ std::vector<Determined> determined(const Fitted& fit, const Model& model) {
     d.z = normal_deviate(model[parameters[k].term].value / std::max(s.se, 1e-300), s.dof);
     // It is there, and its shape is not determined: what is known of it is its size at this shape.
     if (has_free_shape(model, parameters[k].term) && std::abs(d.z) > kSure &&
-        std::abs(model[parameters[k].term].value) < 1.96 * d.std)
+        std::abs(model[parameters[k].term].value) < kHalfOf95 * d.std)
       d.std = student_std(forgotten <= most ? s : scatter_of(fit, at_this_shape, i, most));
   }
   return list;

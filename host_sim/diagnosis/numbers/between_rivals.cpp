@@ -16,7 +16,7 @@ namespace {
 
 // Marks it where that is beyond its interval.
 bool bent(diagnosis::Parameter& p, double by) {
-  const bool beyond = p.std > 0 && std::abs(by) > 1.96 * p.std;
+  const bool beyond = p.std > 0 && std::abs(by) > kHalfOf95 * p.std;
   p.may_be_bent = p.may_be_bent || beyond;
   return beyond;
 }

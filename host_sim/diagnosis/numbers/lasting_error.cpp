@@ -82,7 +82,7 @@ std::vector<Determined> determined_beside_drives(const Task& task, const State& 
     const auto any = [&](const Prepared& p) { return lasting_error_of_force(p, dof) > 0; };
     if (std::none_of(task.records.begin(), task.records.end(), any)) continue;
     const Vec most = Moved(task, state).by_force(dof);
-    for (size_t i = 0; i < found.size(); ++i) found[i].std += most[static_cast<Index>(i)] / 1.96;
+    for (size_t i = 0; i < found.size(); ++i) found[i].std += most[static_cast<Index>(i)] / kHalfOf95;
   }
   return found;
 }

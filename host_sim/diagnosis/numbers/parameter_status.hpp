@@ -7,7 +7,7 @@ namespace diagnosis {
 // A mass, a spring, a damper or dry friction whose 95 % interval lies wholly below nought: it has taken up what the
 // model lacks.
 inline bool impossible(const Parameter& p) {
-  if (!(p.value + 1.96 * p.std < 0)) return false;
+  if (!(p.value + kHalfOf95 * p.std < 0)) return false;
   for (const char* own : {"mass[", "stiffness[", "viscous[", "coulomb["})
     if (p.name.rfind(own, 0) == 0) return true;
   return false;

@@ -13,7 +13,7 @@ namespace {
 bool given(const rig_file::Coefficient& coefficient) { return !coefficient.estimate && coefficient.value != 0; }
 
 bool reaches_beyond(const diagnosis::Parameter& p, double per_unit, double all) {
-  return 1.96 * p.std * per_unit > all;
+  return kHalfOf95 * p.std * per_unit > all;
 }
 
 void mark(const Task& task, std::vector<diagnosis::Parameter>& list) {
@@ -51,7 +51,7 @@ bool drives_one_way(const diagnosis::Parameter& p, const std::vector<diagnosis::
   if (p.name.rfind(kAsymmetric, 0) != 0) return false;
   const std::string own = "viscous" + p.name.substr(p.name.find('['));
   const auto damper = std::find_if(list.begin(), list.end(), [&](const auto& o) { return o.name == own; });
-  return damper != list.end() && std::abs(p.value) - damper->value > 1.96 * std::hypot(p.std, damper->std);
+  return damper != list.end() && std::abs(p.value) - damper->value > kHalfOf95 * std::hypot(p.std, damper->std);
 }
 
 // What dissipates beside an impossible number that does, on its link, shares what bends that.

@@ -11,7 +11,6 @@ namespace {
 
 constexpr double kTrifle = 2e-4;       // of the channel's rms, as of a gain: nobody could put it right
 constexpr double kCalibration = 0.01;  // of the channel's rms: sensors are not better calibrated
-constexpr double kInterval = 1.96;     // standard deviations
 constexpr double kPaysUnseen = 0.7;    // of what was missed on unseen data, as of any cause
 
 // A second channel of one DOF, without which nothing can be told.
@@ -89,7 +88,7 @@ bool undoing_matters(const Diagnosis& undone, const Diagnosis& as_recorded) {
   const auto moved = [&](const Parameter& p) {
     const std::vector<Parameter>& others = undone.baseline.parameters;
     const auto other = std::find_if(others.begin(), others.end(), [&](const Parameter& o) { return o.name == p.name; });
-    return p.estimated && (other == others.end() || std::abs(other->value - p.value) > kInterval * p.std);
+    return p.estimated && (other == others.end() || std::abs(other->value - p.value) > kHalfOf95 * p.std);
   };
   const std::vector<Parameter>& numbers = as_recorded.baseline.parameters;
   return pays_unseen(undone, as_recorded) || std::any_of(numbers.begin(), numbers.end(), moved);

@@ -102,7 +102,7 @@ bool may_be_nought(const State& with, size_t added_from) {
   const std::vector<Parameter> p = parameters_of(with.model);
   const std::vector<Determined> found = determined(with.fit, with.model);
   for (size_t i = 0; i < p.size() && i < found.size(); ++i)
-    if (p[i].term >= added_from && !p[i].shape && std::abs(with.model[p[i].term].value) < 1.96 * found[i].std)
+    if (p[i].term >= added_from && !p[i].shape && std::abs(with.model[p[i].term].value) < kHalfOf95 * found[i].std)
       return true;
   return false;
 }

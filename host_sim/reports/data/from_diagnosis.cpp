@@ -16,11 +16,10 @@ namespace host_sim::reports {
 namespace {
 
 constexpr double kNone = NAN;
-constexpr double kTwoSided95 = 1.96;
 
 Interval interval_of(const diagnosis::Parameter& parameter) {
   if (!(parameter.std > 0.0)) return {parameter.value, kNone, kNone};
-  const double half = kTwoSided95 * parameter.std;
+  const double half = diagnosis::kHalfOf95 * parameter.std;
   return {parameter.value, parameter.value - half, parameter.value + half};
 }
 
