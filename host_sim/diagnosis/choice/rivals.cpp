@@ -101,8 +101,9 @@ std::vector<Attempt> rivals_tried(const Task& task, const State& rest, double no
       continue;
     others.push_back(attempt(task, rest, all, one, noise));
   }
-  const auto bristles = std::find_if(others.begin(), others.end(), is_bristles);
-  for (const Attempt* a : {is_bristles(own) ? &own : nullptr, bristles != others.end() ? &*bristles : nullptr}) {
+  const auto bristles = std::find_if(others.cbegin(), others.cend(), is_bristles);
+  const Attempt* const other = bristles != others.cend() ? &*bristles : nullptr;
+  for (const Attempt* a : {is_bristles(own) ? &own : nullptr, other}) {
     const Attempt dry = a ? without_bristles(task, rest, *a) : Attempt();
     if (!dry.state.fit.ok || dry.candidates.empty()) continue;
     others.push_back(dry);
