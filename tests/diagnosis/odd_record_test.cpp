@@ -7,21 +7,13 @@
 
 #include "host_sim/diagnosis/diagnosis.hpp"
 #include "host_sim/diagnosis/numbers/parameter_status.hpp"
+#include "one_mass.hpp"
 
 namespace {
 
 using namespace diagnosis;
 using host_sim::Quantity;
 using host_sim::Record;
-
-rig_file::RigModel one_mass(double mass_kg, double stiffness_N_m) {
-  rig_file::RigModel rig;
-  rig.dofs.resize(1), rig.links.resize(1);
-  rig.dofs[0].mass_kg.value = mass_kg;
-  rig.links[0].a = 1, rig.links[0].b = rig_file::kGround;
-  rig.links[0].stiffness_N_m.value = stiffness_N_m, rig.links[0].viscous_N_s_m.estimate = true;
-  return rig;
-}
 
 // 2 kg on 800 N/m, let go at x0: x = x0 e^(-a t) (cos w t + a / w sin w t), a = c / 4, w^2 = 400 - a^2; 6 s at 250 Hz, noise of 0.3 % of x0.
 Record decay(double x0, double viscous_N_s_m, unsigned seed) {
@@ -46,7 +38,7 @@ TEST(OddRecord, IsToldWhereverItStands) {
     std::vector<Record> records;
     for (size_t r = 0; r < 3; ++r)
       records.push_back(decay(r == 1 ? -0.02 : 0.03, r == odd ? 6.4 : 4.0, static_cast<unsigned>(r)));
-    const Diagnosis d = diagnose(one_mass(2, 800), records, {});
+    const Diagnosis d = diagnose(one_mass::rig(2, 800), records, {});
     // that of the middle looks like a drift of the damper as well
     EXPECT_TRUE(d.odd_record.has_value() || d.names("drifting_viscous", "link 1-0")) << odd;
     if (odd != 1) {
@@ -61,8 +53,8 @@ TEST(OddRecord, IsToldWhereverItStands) {
 
 TEST(OddRecord, IsNoneOfOneRig) {
   for (const unsigned seed : {10u, 20u, 30u}) {
-    const Diagnosis d =
-        diagnose(one_mass(2, 800), {decay(0.03, 4, seed), decay(-0.002, 4, seed + 1), decay(0.01, 4, seed + 2)}, {});
+    const Diagnosis d = diagnose(one_mass::rig(2, 800),
+                                 {decay(0.03, 4, seed), decay(-0.002, 4, seed + 1), decay(0.01, 4, seed + 2)}, {});
     EXPECT_FALSE(d.odd_record.has_value()) << seed;
     EXPECT_EQ(d.verdict, Verdict::kNone) << seed;
     EXPECT_NEAR(d.baseline.parameters.at(0).value, 4, 4 * d.baseline.parameters.at(0).std) << seed;
@@ -99,7 +91,7 @@ Record forgotten_mass(unsigned seed) {
 
 // Its damping stood at the 0.02 that it had been tried with, given as known, and the damper beside it was 14.3 +- 0.2 for 8.
 TEST(ForgottenMass, IsNamedWithItsDamping) {
-  const Diagnosis d = diagnose(one_mass(2, 4000), {forgotten_mass(3)}, {});
+  const Diagnosis d = diagnose(one_mass::rig(2, 4000), {forgotten_mass(3)}, {});
   ASSERT_TRUE(d.names("unmodelled_resonance", "dof 1")) << verdict_word(d.verdict);
   const auto expect = [&](const std::string& name, double truth, double within) {
     for (const Parameter& p : d.extended.parameters)
@@ -119,7 +111,7 @@ TEST(ForgottenMass, IsNamedWithItsDamping) {
 // White noise of an accelerometer at rest, and of one whose spring and damper are asked for: it was "explained" by presliding friction,
 // four numbers VALID, or a spring went out as 6480 +- 750 N/m.
 TEST(NothingButNoise, IsNoMotionOfARig) {
-  rig_file::RigModel rig = one_mass(1, 0);
+  rig_file::RigModel rig = one_mass::rig(1, 0);
   rig.links[0].stiffness_N_m.estimate = true;
   for (const size_t samples : {size_t{350}, size_t{600}})
     for (const unsigned seed : {1u}) {

@@ -55,13 +55,21 @@ host_sim::Record record(const Friction& friction_N, uint64_t seed, const Recordi
   return made;
 }
 
-// Its rig file, the damper unknown and no friction.
-inline rig_file::RigModel rig() {
+// White noise of a share of the rms.
+template <typename Random>
+void add_noise(double share, Random& random, std::normal_distribution<double>& normal, std::vector<double>& y) {
+  double square = 0;
+  for (double value : y) square += value * value;
+  for (double& value : y) value += share * std::sqrt(square / static_cast<double>(y.size())) * normal(random);
+}
+
+// Its rig file, or that of another mass on another spring; the damper unknown and no friction.
+inline rig_file::RigModel rig(double mass_kg = kMass_kg, double stiffness_N_m = kStiffness_N_m) {
   rig_file::RigModel made;
   made.dofs.resize(1), made.links.resize(1);
-  made.dofs[0].mass_kg.value = kMass_kg;
-  made.links[0].a = 1;
-  made.links[0].stiffness_N_m.value = kStiffness_N_m, made.links[0].viscous_N_s_m.estimate = true;
+  made.dofs[0].mass_kg.value = mass_kg;
+  made.links[0].a = 1, made.links[0].b = rig_file::kGround;
+  made.links[0].stiffness_N_m.value = stiffness_N_m, made.links[0].viscous_N_s_m.estimate = true;
   return made;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+#include "one_mass.hpp"
 #include "two_masses.hpp"
 
 namespace {
@@ -30,25 +31,12 @@ host_sim::Record record(unsigned seed, double size, double zero_m, double hum_N)
       f[k] += (kStiffness_N_m - kMass_kg * w * w) * c - kViscous_N_s_m * w * s;
     }
   }
-  for (std::vector<double>* y : {&f, &x, &v, &a}) {
-    double square = 0;
-    for (double value : *y) square += value * value;
-    for (double& value : *y) value += 0.01 * std::sqrt(square / kSamples) * normal(random);
-  }
+  for (std::vector<double>* y : {&f, &x, &v, &a}) one_mass::add_noise(0.01, random, normal, *y);
   for (size_t k = 0; k < f.size(); ++k) {
     x[k] += zero_m;
     f[k] += hum_N * std::sin(2 * M_PI * 50 * static_cast<double>(k) / kRate_Hz);
   }
   return two_masses::of_one_mass("rig.csv", kRate_Hz, f, x, v, a);
-}
-
-rig_file::RigModel rig() {
-  rig_file::RigModel rig;
-  rig.dofs.resize(1), rig.links.resize(1);
-  rig.dofs[0].mass_kg.value = kMass_kg;
-  rig.links[0].a = 1, rig.links[0].b = rig_file::kGround;
-  rig.links[0].stiffness_N_m.value = kStiffness_N_m, rig.links[0].viscous_N_s_m.estimate = true;
-  return rig;
 }
 
 void expect_damper(const Diagnosis& d) {
@@ -58,7 +46,8 @@ void expect_damper(const Diagnosis& d) {
 }
 
 TEST(OwnZeros, OfEachRecordAreTold) {
-  const Diagnosis d = diagnose(rig(), {record(1, 0.01, 3e-3, 0), record(2, 0.01, -1e-3, 0)}, {}, {});
+  const Diagnosis d =
+      diagnose(one_mass::rig(kMass_kg, kStiffness_N_m), {record(1, 0.01, 3e-3, 0), record(2, 0.01, -1e-3, 0)}, {}, {});
   EXPECT_EQ(two_masses::said(d), "explained, sensor_offset on channel displacement_1_m");
   const Parameter& zero = d.causes.at(0).parameters.at(0);
   EXPECT_NEAR(zero.value, 3e-3, 4 * zero.std + 3e-5);
@@ -66,14 +55,15 @@ TEST(OwnZeros, OfEachRecordAreTold) {
 }
 
 TEST(OwnZeros, AreNotTakenWhereTheyStand) {
-  const Diagnosis d = diagnose(rig(), {record(3, 0.01, 0, 0), record(4, 0.01, 0, 0)}, {}, {});
+  const Diagnosis d =
+      diagnose(one_mass::rig(kMass_kg, kStiffness_N_m), {record(3, 0.01, 0, 0), record(4, 0.01, 0, 0)}, {}, {});
   EXPECT_EQ(two_masses::said(d), "none");
   expect_damper(d);
 }
 
 // The simulation shakes with it, and the accelerometer has no such line.
 TEST(HumOfTheForce, IsNotTheAccelerometers) {
-  const Diagnosis d = diagnose(rig(), {record(5, 0.01, 0, 0.5)}, {}, {});
+  const Diagnosis d = diagnose(one_mass::rig(kMass_kg, kStiffness_N_m), {record(5, 0.01, 0, 0.5)}, {}, {});
   EXPECT_EQ(two_masses::said(d), "explained, mains_hum on channel force_1_N");
   EXPECT_NEAR(d.causes.at(0).parameters.at(0).value, 0.5, 0.1);
   expect_damper(d);
@@ -89,7 +79,7 @@ TEST(FaultOfAChannel, IsToldThoughNoDelayPutsItRight) {
   std::mt19937 random(7);
   std::normal_distribution<double> noise(0, 0.01 * std::sqrt(rms));
   for (double& value : v) held += 0.5 * (value - held), value = held + noise(random);
-  const Diagnosis d = diagnose(rig(), {made}, {}, {});
+  const Diagnosis d = diagnose(one_mass::rig(kMass_kg, kStiffness_N_m), {made}, {}, {});
   EXPECT_EQ(two_masses::said(d), "explained, sensor_delay on channel velocity_1_m_s");
   EXPECT_EQ(d.channels_left_out, std::vector<std::string>{"velocity_1_m_s"});
   EXPECT_NEAR(d.causes.at(0).parameters.at(0).value, 4e-3, 0.4e-3);

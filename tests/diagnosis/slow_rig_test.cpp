@@ -4,6 +4,7 @@
 #include <cmath>
 #include <random>
 
+#include "one_mass.hpp"
 #include "two_masses.hpp"
 
 namespace {
@@ -27,26 +28,13 @@ host_sim::Record slow_record(int samples, unsigned seed) {
       f[k] += (kStiffness_N_m - kMass_kg * w * w) * c - kViscous_N_s_m * w * s;
     }
   }
-  for (std::vector<double>* y : {&f, &x, &v, &a}) {
-    double square = 0;
-    for (double value : *y) square += value * value;
-    for (double& value : *y) value += 0.01 * std::sqrt(square / samples) * normal(random);
-  }
+  for (std::vector<double>* y : {&f, &x, &v, &a}) one_mass::add_noise(0.01, random, normal, *y);
   return two_masses::of_one_mass("slow.csv", 10, f, x, v, a);
-}
-
-rig_file::RigModel one_mass() {
-  rig_file::RigModel rig;
-  rig.dofs.resize(1), rig.links.resize(1);
-  rig.dofs[0].mass_kg.value = kMass_kg;
-  rig.links[0].a = 1, rig.links[0].b = rig_file::kGround;
-  rig.links[0].stiffness_N_m.value = kStiffness_N_m, rig.links[0].viscous_N_s_m.estimate = true;
-  return rig;
 }
 
 TEST(SlowRig, IsRight) {
   for (const int samples : {450, 900}) {
-    const Diagnosis d = diagnose(one_mass(), {slow_record(samples, 11)}, {}, {});
+    const Diagnosis d = diagnose(one_mass::rig(kMass_kg, kStiffness_N_m), {slow_record(samples, 11)}, {}, {});
     EXPECT_EQ(two_masses::said(d), "none") << samples;
     const Parameter viscous = two_masses::parameter_of(d.baseline, "viscous[1-0]");
     EXPECT_NEAR(viscous.value, kViscous_N_s_m, 4 * viscous.std) << samples;
@@ -60,7 +48,7 @@ TEST(SlowRig, AGainOfItsVelocityIsNamed) {
   for (host_sim::Channel& c : record.channels)
     if (c.quantity == host_sim::Quantity::kVelocity)
       for (double& value : c.values) value *= 1.1;
-  const Diagnosis d = diagnose(one_mass(), {record}, {}, {});
+  const Diagnosis d = diagnose(one_mass::rig(kMass_kg, kStiffness_N_m), {record}, {}, {});
   EXPECT_EQ(two_masses::said(d), "explained, sensor_gain on channel velocity_1_m_s");
 }
 

@@ -17,12 +17,6 @@ namespace {
 
 constexpr double kMostDirect_Hz = 4000.0;  // the controller's shortest tick (run.cpp) takes one sample
 
-std::string text_of(double value) {
-  std::ostringstream text;
-  text << value;
-  return text.str();
-}
-
 void read_node(const Section& section, BoardFile& board) {
   firmware::NodeConfiguration& node = board.controller.node;
   read_identity(section, board);
@@ -55,7 +49,7 @@ void read_samples(const Section& section, BoardFile& board) {
     samples.device = section.text("device", "");
     samples.trigger = section.text("trigger", "");
     if (samples.kind == SampleKind::kIioDirect && samples.rate_Hz > kMostDirect_Hz)
-      section.refuse("rate_Hz", "is " + text_of(samples.rate_Hz) + ", expected at most " + text_of(kMostDirect_Hz) +
+      section.refuse("rate_Hz", "is " + readable(samples.rate_Hz) + ", expected at most " + readable(kMostDirect_Hz) +
                                     " without a buffer: each sample is asked for by itself");
   }
   firmware::LimitConfiguration& limits = board.controller.limits;
@@ -64,7 +58,7 @@ void read_samples(const Section& section, BoardFile& board) {
   const double period_ms = 1e3 / samples.rate_Hz;
   const double timeout_ms = section.number("timeout_ms", std::max(10.0, 3.0 * period_ms), 0.1, 10000.0);
   if (timeout_ms < 2.0 * period_ms)
-    section.refuse("timeout_ms", "is " + text_of(timeout_ms) + " at " + text_of(samples.rate_Hz) +
+    section.refuse("timeout_ms", "is " + readable(timeout_ms) + " at " + readable(samples.rate_Hz) +
                                      " samples a second, expected at least two periods of them");
   limits.sample_timeout_us = static_cast<uint32_t>(std::lround(timeout_ms * 1000.0));
 }
@@ -148,7 +142,7 @@ BoardFile read_board_file(const std::string& path) {
   read_drive(drive, board);
   const double cycle_Hz = samples.number("cycle_Hz", 0.0, 0.001, 10000.0);
   if (cycle_Hz > 0.0 && !rig_file::can_be_whole(board.samples.rate_Hz / cycle_Hz))
-    samples.refuse("cycle_Hz", "is " + text_of(cycle_Hz) + " at " + text_of(board.samples.rate_Hz) +
+    samples.refuse("cycle_Hz", "is " + readable(cycle_Hz) + " at " + readable(board.samples.rate_Hz) +
                                    " samples a second, expected at least four of them in a cycle");
   board.controller.core = rig_file::compile_rig(board.rig, 1.0 / board.samples.rate_Hz, read_channels(root, board));
   read_excitation(path, root, drive, board.samples.rate_Hz, cycle_Hz, board.controller);

@@ -4,15 +4,12 @@
 #include <sstream>
 
 namespace board {
-namespace {
 
 std::string readable(double value) {
   std::ostringstream text;
   text << value;
   return text.str();
 }
-
-}  // namespace
 
 Section::Section(const std::string& file, std::string name, const toml::table* table,
                  const std::vector<std::string>& known)

@@ -8,6 +8,9 @@
 
 namespace board {
 
+// A number as a message has it: "2.5", "4000".
+std::string readable(double value);
+
 class Section {
  public:
   // name as messages show it: "can", "excitation level 2". A missing table reads as an empty one.

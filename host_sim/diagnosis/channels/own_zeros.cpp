@@ -3,54 +3,37 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
+#include "../band/thinning.hpp"
 #include "../fit/error_rates.hpp"
+#include "../record/series.hpp"
 #include "../sensors/ac_coupling.hpp"
+#include "host_sim/response/linear_rig.hpp"
 
 namespace diagnosis {
 namespace {
 
 constexpr double kPartOfMotion = 0.03;  // of its rms: less moves no number beyond a few percent
-constexpr size_t kBlocks = 10;          // of a record, whose means tell how well its own is known
+constexpr Eigen::Index kBlocks = 10;    // of a record, whose means tell how well its own is known
 
 using Records = std::vector<host_sim::Record>;
 
-double mean_of(const std::vector<double>& values, size_t from, size_t to) {
-  return std::accumulate(values.begin() + static_cast<std::ptrdiff_t>(from),
-                         values.begin() + static_cast<std::ptrdiff_t>(to), 0.0) /
-         static_cast<double>(to - from);
-}
-double mean_of(const std::vector<double>& values) { return mean_of(values, 0, values.size()); }
-
-struct Spread {
-  double rms = 0, of_mean = 0;  // about the mean; standard deviation of the mean
-};
-Spread spread_of(const std::vector<double>& values) {
-  const double mean = mean_of(values);
-  Spread spread;
-  for (const double value : values) spread.rms += (value - mean) * (value - mean);
-  spread.rms = std::sqrt(spread.rms / static_cast<double>(values.size()));
-  const size_t length = values.size() / kBlocks;
-  for (size_t b = 0; b < kBlocks && length > 0; ++b)
-    spread.of_mean += std::pow(mean_of(values, b * length, (b + 1) * length) - mean, 2);
-  spread.of_mean = std::sqrt(spread.of_mean / static_cast<double>(kBlocks * (kBlocks - 1)));
-  return spread;
+// Standard deviation of a reading's mean, by the means of its blocks.
+double std_of_mean(const runs::Vec& y) {
+  const Eigen::Index length = y.size() / kBlocks;
+  const double mean = y.mean();
+  double sum = 0;
+  for (Eigen::Index b = 0; b < kBlocks && length > 0; ++b)
+    sum += std::pow(y.segment(b * length, length).mean() - mean, 2);
+  return std::sqrt(sum / static_cast<double>(kBlocks * (kBlocks - 1)));
 }
 
-// Springs, known all of them, between masses and ground; empty where they are not.
-Eigen::MatrixXd stiffness_of(const rig_file::RigModel& rig) {
-  const auto n = static_cast<Eigen::Index>(rig.dofs.size());
-  Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(n, n);
-  for (const rig_file::Link& link : rig.links) {
-    if (link.stiffness_N_m.estimate || link.gravity_torque_N_m.estimate || link.a < 1 || link.b == rig_file::kBase)
-      return {};
-    const double k = link.stiffness_N_m.value + link.gravity_torque_N_m.value;
-    const Eigen::Index a = link.a - 1, b = link.b - 1;
-    stiffness(a, a) += k;
-    if (b >= 0) stiffness(b, b) += k, stiffness(a, b) -= k, stiffness(b, a) -= k;
-  }
-  return stiffness;
+// All of them known, between masses and ground.
+bool springs_known(const rig_file::RigModel& rig) {
+  return std::all_of(rig.links.begin(), rig.links.end(), [](const rig_file::Link& link) {
+    return !link.stiffness_N_m.estimate && !link.gravity_torque_N_m.estimate && link.a >= 1 &&
+           link.b != rig_file::kBase;
+  });
 }
 
 struct Zero {
@@ -63,15 +46,15 @@ struct Zero {
 std::vector<Zero> zeros_of(const Eigen::LLT<Eigen::MatrixXd>& springs, const host_sim::Record& record) {
   Eigen::VectorXd force = Eigen::VectorXd::Zero(springs.rows());
   for (const host_sim::Channel& c : record.channels)
-    if (c.quantity == host_sim::Quantity::kForce && c.dof >= 1) force[c.dof - 1] += mean_of(c.values);
+    if (c.quantity == host_sim::Quantity::kForce && c.dof >= 1) force[c.dof - 1] += runs::values_of(c).mean();
   const Eigen::VectorXd deflection = springs.solve(force);
   std::vector<Zero> zeros;
   for (const host_sim::Channel& c : record.channels) {
     if (c.quantity != host_sim::Quantity::kDisplacement || c.dof < 1) continue;
-    const Spread spread = spread_of(c.values);
-    const double value = mean_of(c.values) - deflection[c.dof - 1];
-    zeros.push_back({c.name, value, spread.of_mean,
-                     std::abs(value) > runs::kNamed * spread.of_mean && std::abs(value) > kPartOfMotion * spread.rms});
+    const runs::Vec y = runs::values_of(c);
+    const double value = y.mean() - deflection[c.dof - 1], std = std_of_mean(y);
+    zeros.push_back({c.name, value, std,
+                     std::abs(value) > runs::kNamed * std && std::abs(value) > kPartOfMotion * rms_about_mean(y)});
   }
   return zeros;
 }
@@ -79,7 +62,7 @@ std::vector<Zero> zeros_of(const Eigen::LLT<Eigen::MatrixXd>& springs, const hos
 bool driven(const Records& records) {
   const auto has_force = [](const host_sim::Record& record) {
     return std::any_of(record.channels.begin(), record.channels.end(), [](const host_sim::Channel& c) {
-      return c.quantity == host_sim::Quantity::kForce && spread_of(c.values).rms > 0;
+      return c.quantity == host_sim::Quantity::kForce && rms_about_mean(runs::values_of(c)) > 0;
     });
   };
   return std::all_of(records.begin(), records.end(), has_force);
@@ -137,9 +120,8 @@ Diagnosis judged_with_own_zeros(const Asked& asked, Diagnosis (*judge)(const Ask
   const bool partly = as_recorded.verdict == Verdict::kPartly;
   if ((as_recorded.verdict != Verdict::kUnknown && !partly) || !driven(asked.training) || !driven(asked.holdout))
     return as_recorded;
-  const Eigen::MatrixXd stiffness = stiffness_of(asked.rig);
-  if (stiffness.size() == 0) return as_recorded;
-  const Eigen::LLT<Eigen::MatrixXd> springs(stiffness);
+  if (!springs_known(asked.rig)) return as_recorded;
+  const Eigen::LLT<Eigen::MatrixXd> springs(host_sim::linear_rig(asked.rig).stiffness);
   if (springs.info() != Eigen::Success) return as_recorded;  // something hangs on no spring
   const std::vector<std::string> names = standing_out(springs, asked.training);
   if (names.empty()) return as_recorded;

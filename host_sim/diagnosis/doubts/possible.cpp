@@ -14,7 +14,6 @@
 namespace diagnosis::runs {
 namespace {
 
-
 // Of a link, for good.
 bool takes_energy(const Term& t) { return t.link >= 0 && !firmware::row_of(effect_of(t.kind)).nature.conservative; }
 

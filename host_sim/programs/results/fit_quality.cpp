@@ -63,9 +63,7 @@ bool begins_unknown(const Record& record) {
 }
 
 // Samples that are too slow to show the rig's slowest mode, which a run from them would go through all the same.
-bool too_slow_for(const rig_file::RigModel& rig, const Record& record) {
-  return 2.0 * record.sample_period_s * slowest_mode_Hz(rig) > 1.0;
-}
+bool too_slow_for(double slowest_Hz, const Record& record) { return 2.0 * record.sample_period_s * slowest_Hz > 1.0; }
 
 bool runs_freely(const rig_file::RigModel& rig) {
   return std::all_of(rig.dofs.begin(), rig.dofs.end(),
@@ -111,6 +109,7 @@ std::vector<Record> judge_fit(const rig_file::RigModel& model, const std::vector
   const rig_file::RigModel rig = rig_file::with_values(model, values_of(result));
   std::vector<SquareSums> sums(model.dofs.size());
   try {
+    const double slowest_Hz = runs_freely(rig) ? slowest_mode_Hz(rig) : 0.0;
     result.mse_of = "acceleration, measured against the free-running simulation with the estimates";
     if (result.rows == 0) {
       result.mse_note = "nothing has been estimated to simulate with";
@@ -118,12 +117,12 @@ std::vector<Record> judge_fit(const rig_file::RigModel& model, const std::vector
       result.mse_note =
           "velocities and accelerations do not tell the state from which a free decay begins; diagnose fits it and "
           "simulates from there";
-    } else if (runs_freely(rig) && std::any_of(records.begin(), records.end(),
-                                               [&](const Record& record) { return too_slow_for(rig, record); })) {
+    } else if (std::any_of(records.begin(), records.end(),
+                           [&](const Record& record) { return too_slow_for(slowest_Hz, record); })) {
       result.mse_note = fmt::format(
           "no simulation: the rig's slowest mode lies at {:.3g} Hz, and samples at {:.3g} Hz cannot show it; are the "
           "times in seconds?",
-          slowest_mode_Hz(rig), 1.0 / records.front().sample_period_s);
+          slowest_Hz, 1.0 / records.front().sample_period_s);
     } else if (runs_freely(rig)) {
       simulated = free_running_error(rig, records, sums);
     } else {
