@@ -91,16 +91,17 @@ std::vector<Attempt> rivals_tried(const Task& task, const State& rest, double no
   const Screen s = screen(task.system, task.records, rest.model, rest.seen, rest.fit, all, 0);
   double best_gain = 0;
   for (const Screened& one : s.singles) best_gain = std::max(best_gain, one.gain);
-  std::vector<Attempt> others;
+  std::vector<Screened> list;
   for (const Screened& one : s.singles) {
-    if (others.size() >= kRivalsTried) break;
+    if (list.size() >= kRivalsTried) break;
     const bool named = std::any_of(choice.named.begin(), choice.named.end(),
                                    [&](const Named& n) { return n.candidate.same_place(all[one.candidate]); });
     if (named || outdone(mine, all[one.candidate]) || !may_stand_for(mine, all[one.candidate].terms[0]) ||
         one.z < kByChance || 1 - one.gain > kMuchWorse * (1 - best_gain) + noise)
       continue;
-    others.push_back(attempt(task, rest, all, one, noise));
+    list.push_back(one);
   }
+  std::vector<Attempt> others = attempts(task, rest, all, list, noise);
   const auto bristles = std::find_if(others.cbegin(), others.cend(), is_bristles);
   const Attempt* const other = bristles != others.cend() ? &*bristles : nullptr;
   for (const Attempt* a : {is_bristles(own) ? &own : nullptr, other}) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../fit/in_parallel.hpp"
 #include "bristles.hpp"
 #include "judge.hpp"
 #include "merit.hpp"
@@ -74,6 +75,13 @@ Attempt attempt(const Task& task, const State& beside, const std::vector<Candida
                 double noise) {
   const Attempt a = undamped(task, beside, all, one, noise);
   return is_bristles(a) ? damped(task, beside, a) : a;
+}
+
+std::vector<Attempt> attempts(const Task& task, const State& beside, const std::vector<Candidate>& all,
+                              const std::vector<Screened>& list, double noise) {
+  std::vector<Attempt> tried(list.size());
+  in_parallel(list.size(), [&](size_t i, size_t) { tried[i] = attempt(task, beside, all, list[i], noise); });
+  return tried;
 }
 
 void keep_shape(const Model& fitted, Candidate& c) {

@@ -32,6 +32,10 @@ Attempt attempt(const Task& task, const State& beside, const std::vector<Candida
 Attempt attempt(const Task& task, const State& beside, const std::vector<Candidate>& all, const Screened& one,
                 double noise);
 
+// As many of the screened ones, side by side, in their order.
+std::vector<Attempt> attempts(const Task& task, const State& beside, const std::vector<Candidate>& all,
+                              const std::vector<Screened>& list, double noise);
+
 // A candidate as it was fitted: with its shape, one term.
 void keep_shape(const Model& fitted, Candidate& candidate);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "../fit/in_parallel.hpp"
 #include "merit.hpp"
 
 namespace diagnosis::runs {
@@ -43,18 +44,21 @@ size_t most_pairs(const Beside& b) {
 std::vector<Attempt> tried_pairs(const Beside& b, const Attempt* single) {
   const double with_best = gain_with_best(b, single);
   const size_t most = most_pairs(b);
-  std::vector<Attempt> pairs;
+  std::vector<std::vector<Candidate>> list;
   for (const ScreenedPair& p : promising_pairs(b)) {
-    if (pairs.size() >= most) break;
+    if (list.size() >= most) break;
     if (single && 1 - p.gain > 0.5 * (1 - with_best)) break;
     const std::vector<Candidate> both = {b.all[p.first], b.all[p.second]};
-    const auto same = [&](const Attempt& t) {
-      return (t.candidates[0].same_place(both[0]) && t.candidates[1].same_place(both[1])) ||
-             (t.candidates[0].same_place(both[1]) && t.candidates[1].same_place(both[0]));
+    const auto same = [&](const std::vector<Candidate>& other) {
+      return (other[0].same_place(both[0]) && other[1].same_place(both[1])) ||
+             (other[0].same_place(both[1]) && other[1].same_place(both[0]));
     };
-    if (std::any_of(pairs.begin(), pairs.end(), same)) continue;
-    pairs.push_back(attempt(b.task, b.now, both, {{0.0}, {0.0}}, 2 * kTrialSteps));
+    if (std::none_of(list.begin(), list.end(), same)) list.push_back(both);
   }
+  std::vector<Attempt> pairs(list.size());
+  in_parallel(list.size(), [&](size_t i, size_t) {
+    pairs[i] = attempt(b.task, b.now, list[i], {{0.0}, {0.0}}, 2 * kTrialSteps);
+  });
   return pairs;
 }
 

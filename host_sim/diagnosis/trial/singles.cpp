@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../fit/in_parallel.hpp"
 #include "bristles.hpp"
 #include "merit.hpp"
 
@@ -21,27 +22,32 @@ Attempt reshaped(const Task& task, const State& now, const std::vector<Candidate
   Attempt found = best;
   if (best.candidates.size() > 1 || best.rounds || !best.state.fit.ok || whole_error(best) < kMoreThanNoise * noise)
     return found;
-  for (const Candidate& c : all) {
-    if (!c.same_place(best.candidates[0]) || c.terms.size() > 1 || c.terms[0].kind == Kind::kResonance) continue;
-    const Attempt other = attempt(task, now, {c}, {{0.0}}, kTrialSteps);
+  std::vector<Candidate> shapes;
+  for (const Candidate& c : all)
+    if (c.same_place(best.candidates[0]) && c.terms.size() == 1 && c.terms[0].kind != Kind::kResonance)
+      shapes.push_back(c);
+  std::vector<Attempt> others(shapes.size());
+  in_parallel(shapes.size(),
+              [&](size_t i, size_t) { others[i] = attempt(task, now, {shapes[i]}, {{0.0}}, kTrialSteps); });
+  for (const Attempt& other : others)
     if (other.state.fit.ok && !other.rounds && by_whole_error(other, found)) found = other;
-  }
   return found;
 }
 
 }  // namespace
 
 std::vector<Attempt> tried_singles(const Beside& b) {
-  std::vector<Attempt> singles;
+  std::vector<Screened> list;
   bool dry_tried = false;  // where it holds the motion its linearisation tells little of what it brings
   for (const Screened& one : b.screen.singles) {
     const bool dry = b.all[one.candidate].terms[0].kind == Kind::kMissingCoulomb;
-    if (singles.size() >= kShortList && !(dry && !dry_tried)) continue;
+    if (list.size() >= kShortList && !(dry && !dry_tried)) continue;
     const double least = (b.noise < kMostlyNoise ? kByChance : kSure) * std::sqrt(static_cast<double>(b.already + 1));
     if (one.z < least && one.gain < kPlainGain) continue;
     dry_tried = dry_tried || dry;
-    singles.push_back(attempt(b.task, b.now, b.all, one, b.noise));
+    list.push_back(one);
   }
+  std::vector<Attempt> singles = attempts(b.task, b.now, b.all, list, b.noise);
   std::sort(singles.begin(), singles.end(), by_whole_error);
   if (!singles.empty()) singles[0] = reshaped(b.task, b.now, b.all, singles[0], b.noise);
   return singles;
