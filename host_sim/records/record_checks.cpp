@@ -60,7 +60,18 @@ double take_clock(const std::vector<double>& time_s, Record& record) {
 
 bool is_drive(const Channel& channel) { return channel.quantity == Quantity::kForce || channel.dof == rig_file::kBase; }
 
-bool has_drive(const Record& record) { return std::any_of(record.channels.begin(), record.channels.end(), is_drive); }
+bool drives(const Channel& channel) {
+  if (!is_drive(channel) || channel.values.empty()) return false;
+  const double first = channel.values.front();
+  return (channel.held && first != 0.0) ||
+         std::any_of(channel.values.begin(), channel.values.end(), [&](double value) { return value != first; });
+}
+
+bool has_drive(const Record& record) { return std::any_of(record.channels.begin(), record.channels.end(), drives); }
+
+bool any_has_drive(const std::vector<Record>& records) {
+  return std::any_of(records.begin(), records.end(), has_drive);
+}
 
 Channel channel_of_name(const std::string& name, const rig_file::RigModel& model, const std::string& file,
                         size_t line) {
@@ -149,6 +160,19 @@ void require_same_channels(const Record& first, const std::vector<Record>& recor
     if (!lacks.empty()) throw DataFileError(record.file, 0, "lacks " + lacks.front()->name + as_in_first);
     if (!has.empty()) throw DataFileError(record.file, 0, "has " + has.front()->name + as_in_first);
   }
+}
+
+void order_channels_as(const Record& first, std::vector<Record>& records) {
+  const auto place = [&](const Channel& channel) {
+    return std::find_if(first.channels.begin(), first.channels.end(), [&](const Channel& of_first) {
+      return of_first.quantity == channel.quantity && of_first.dof == channel.dof;
+    });
+  };
+  const std::vector<Channel>* const order = &first.channels;
+  for (Record& record : records)
+    if (&record.channels != order)
+      std::stable_sort(record.channels.begin(), record.channels.end(),
+                       [&](const Channel& a, const Channel& b) { return place(a) < place(b); });
 }
 
 }  // namespace host_sim

@@ -11,7 +11,11 @@ namespace host_sim {
 
 // A force, or a channel of the moving base.
 bool is_drive(const Channel& channel);
+// One that changes, or a command that is held at one value other than 0. A measured force that never changes is none, as the column of
+// noughts that comes with a free decay: its sensor's zero is not known.
+bool drives(const Channel& channel);
 bool has_drive(const Record& record);
+bool any_has_drive(const std::vector<Record>& records);
 
 // The channel of that name, without values. Throws DataFileError (with the line) where the rig has no use for the name;
 // a rig without DOFs stands for "no rig file" and has use for every channel.
@@ -39,5 +43,7 @@ bool same_period(const Record& a, const Record& b);
 // Several records of one rig must have the same channels and the same sample period: else DataFileError.
 void require_same_channels(const std::vector<Record>& records);
 void require_same_channels(const Record& first, const std::vector<Record>& records);
+// Brings the channels of records that have those of the first into its order: files list them as they please.
+void order_channels_as(const Record& first, std::vector<Record>& records);
 
 }  // namespace host_sim

@@ -10,6 +10,7 @@
 #include "host_sim/data_check/windows/decay_in.hpp"
 #include "host_sim/data_check/windows/energy.hpp"
 #include "host_sim/data_check/windows/loud.hpp"
+#include "host_sim/records/record_checks.hpp"
 
 namespace host_sim::data_check {
 namespace {
@@ -18,8 +19,6 @@ constexpr size_t kLeastSamples = 128;  // of a record that estimate and diagnose
 constexpr double kLongPeriods = 16.0;  // of so many a whole one is not too much to lose
 constexpr double kSlower =
     2.0;  // times the period: a window of one is then half a swing, which is as loud as any other
-
-bool is_driven(const Record& record) { return std::any_of(record.channels.begin(), record.channels.end(), drives); }
 
 // In the order of time. silent: at rest, beside another; noise that happens to fall is no decay.
 struct FoundDecay {
@@ -71,7 +70,7 @@ std::vector<FoundDecay> swinging_decays(const Record& record) {
 }
 
 std::vector<FoundDecay> found_decays(const Record& record) {
-  if (record.samples() < 64 || is_driven(record)) return {};
+  if (record.samples() < 64 || has_drive(record)) return {};
   if (std::vector<DecaySpan> coasting = coasting_decays(record); !coasting.empty()) {
     std::vector<FoundDecay> found;
     for (const DecaySpan& span : coasting) found.push_back({span});

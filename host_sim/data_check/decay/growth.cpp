@@ -8,6 +8,7 @@
 #include "host_sim/data_check/decay/coasting.hpp"
 #include "host_sim/data_check/measures/period.hpp"
 #include "host_sim/data_check/measures/statistics.hpp"
+#include "host_sim/records/record_checks.hpp"
 
 namespace host_sim::data_check {
 namespace {

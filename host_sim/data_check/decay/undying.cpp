@@ -9,6 +9,7 @@
 #include "host_sim/data_check/measures/period.hpp"
 #include "host_sim/data_check/measures/statistics.hpp"
 #include "host_sim/data_check/windows/energy.hpp"
+#include "host_sim/records/record_checks.hpp"
 
 namespace host_sim::data_check {
 namespace {
@@ -37,7 +38,7 @@ std::vector<double> crests(const std::vector<double>& energy) {
 }
 
 std::optional<Finding> find_undying(const Record& record) {
-  if (std::any_of(record.channels.begin(), record.channels.end(), drives)) return std::nullopt;
+  if (has_drive(record)) return std::nullopt;
   const std::map<int, const Channel*> channels = rate_channels(record);
   double period = 0.0;
   for (const auto& [dof, channel] : channels) period = std::max(period, period_of(channel->values));

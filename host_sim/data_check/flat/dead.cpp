@@ -6,6 +6,7 @@
 
 #include "host_sim/data_check/flat/stops.hpp"
 #include "host_sim/data_check/measures/statistics.hpp"
+#include "host_sim/records/record_checks.hpp"
 
 namespace host_sim::data_check {
 namespace {

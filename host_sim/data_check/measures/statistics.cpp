@@ -101,12 +101,6 @@ bool is_constant(const Channel& channel) {
                      [&](double value) { return value == channel.values.front(); });
 }
 
-bool drives(const Channel& channel) {
-  if (channel.quantity != Quantity::kForce && channel.dof != rig_file::kBase) return false;
-  const MeanAndRms of = mean_and_rms(channel.values);
-  return of.rms > 0.0 || (channel.held && of.mean != 0.0);
-}
-
 Statistics statistics_of(const Channel& channel) {
   const std::vector<double>& values = channel.values;
   Statistics s;

@@ -26,10 +26,6 @@ MeanAndRms mean_and_rms(const std::vector<double>& values);  // 0 of nothing; of
 
 bool is_constant(const Channel& channel);  // all its values are equal
 
-// A force or a base that changes, or a command that is held at one value other than 0. A measured force that never changes is
-// none: its sensor's zero is not known.
-bool drives(const Channel& channel);
-
 Statistics statistics_of(const Channel& channel);
 std::vector<Statistics> statistics_of(const Record& record);  // of each channel
 

@@ -54,6 +54,7 @@ void diagnose(const DiagnoseArguments& arguments) {
       for (const std::string& told : data_check::keep_decays(*records)) std::fprintf(stderr, "%s\n", told.c_str());
     require_same_channels(training);
     if (!holdout.empty()) require_same_channels(training.front(), holdout);
+    order_channels_as(training.front(), holdout);
     const data_check::Report check = require_sound(training, model, arguments.reading);
     const data_check::Report holdout_check = require_sound(holdout, model, arguments.reading);
     data_check::turn_over(check, training), data_check::turn_over(holdout_check, holdout);

@@ -47,7 +47,7 @@ void balance(const rig_file::RigModel& rig, const std::vector<size_t>& channels,
 
 std::vector<std::string> count_forced_from_rest(const rig_file::RigModel& rig, std::vector<Record>& training,
                                                 std::vector<Record>& unseen) {
-  if (!any_force(training.front()) || !has_mass(rig)) return {};
+  if (!any_force(training) || !has_mass(rig)) return {};
   SharedRecords records(training);
   const CountedFromRest rest = count_from_rest(CentreOf::kOneSide, rig, records);
   if (rest.held_off.empty()) return {};

@@ -25,7 +25,7 @@ bool any_remembers(const std::vector<Place>& places) {
 
 bool begins_in_motion(const rig_file::RigModel& model, const std::vector<Record>& records) {
   const Record& record = records.front();
-  if (has_drive(record)) return false;
+  if (any_has_drive(records)) return false;
   if (any_remembers(model.dofs) || any_remembers(model.links)) return false;
   for (const Channel& channel : record.channels)
     if (record.find(Quantity::kDisplacement, channel.dof) == nullptr) return true;

@@ -18,7 +18,7 @@ namespace {
 firmware::WindowConfiguration window_of(const std::vector<Record>& records, std::optional<double> excitation_Hz) {
   const Record& record = records.front();
   firmware::WindowConfiguration window;
-  window.mode = has_drive(record) ? firmware::WindowMode::kInterval : firmware::WindowMode::kFreeDecay;
+  window.mode = any_has_drive(records) ? firmware::WindowMode::kInterval : firmware::WindowMode::kFreeDecay;
   if (!excitation_Hz) {
     size_t shortest = record.samples();
     for (const Record& other : records) shortest = std::min(shortest, other.samples());

@@ -11,6 +11,7 @@
 #include "host_sim/programs/shared/above_nought.hpp"
 #include "host_sim/programs/shared/failures.hpp"
 #include "host_sim/records/ac_coupling.hpp"
+#include "host_sim/records/record_checks.hpp"
 
 namespace host_sim {
 namespace {
@@ -110,6 +111,7 @@ std::vector<Record> read_data(const std::vector<std::string>& paths, const rig_f
       records.push_back(std::move(record));
     }
   undo_ac_coupling(stated_ac_couplings(model), records);
+  if (!records.empty()) order_channels_as(records.front(), records);
   return records;
 }
 

@@ -34,9 +34,9 @@ Moments moments(const std::vector<Record>& records, size_t channel) {
 }
 
 // Gravity pulls to where the angle is zero, whatever the mean: a driven arm need not swing about there. Left alone it comes to rest.
-bool is_held_off(const rig_file::RigModel& model, const Record& record, int dof) {
-  return any_force(record) && std::any_of(model.links.begin(), model.links.end(),
-                                          [&](const rig_file::Link& link) { return weighs(link) && link.a == dof; });
+bool is_held_off(const rig_file::RigModel& model, const std::vector<Record>& records, int dof) {
+  return any_force(records) && std::any_of(model.links.begin(), model.links.end(),
+                                           [&](const rig_file::Link& link) { return weighs(link) && link.a == dof; });
 }
 
 Moments about_rest(const std::vector<Record>& records, size_t channel) {
@@ -53,10 +53,10 @@ bool has(const rig_file::RigModel& model, std::string_view effect) {
 }
 
 // Laws that pull to one side of themselves, or a base that moves: what the motion swings about is then no place of rest.
-bool swings_about_rest(const rig_file::RigModel& model, const Record& record) {
-  for (const Channel& channel : record.channels)
+bool swings_about_rest(const rig_file::RigModel& model, const std::vector<Record>& records) {
+  for (const Channel& channel : records.front().channels)
     if (channel.dof == rig_file::kBase) return false;
-  return !any_force(record) && !has(model, "force_offset") && !has(model, "asymmetric_viscous");
+  return !any_force(records) && !has(model, "force_offset") && !has(model, "asymmetric_viscous");
 }
 
 // What a free rig's motion has for a centre. Beside a spring that is stiffer on one side it moves with the square of the amplitude, and
@@ -98,10 +98,10 @@ std::string said_of_rests(const std::string& name, const std::vector<double>& re
 CountedFromRest count_from_rest(CentreOf of, const rig_file::RigModel& model, SharedRecords& records) {
   CountedFromRest rest;
   if (records.get().empty()) return rest;
-  const bool alone = swings_about_rest(model, records.get().front()), uneven = has(model, "quadratic_stiffness");
+  const bool alone = swings_about_rest(model, records.get()), uneven = has(model, "quadratic_stiffness");
   for (size_t c = 0; c < records.get().front().channels.size(); ++c) {
     if (records.get().front().channels[c].quantity != Quantity::kDisplacement) continue;
-    if (is_held_off(model, records.get().front(), records.get().front().channels[c].dof)) continue;
+    if (is_held_off(model, records.get(), records.get().front().channels[c].dof)) continue;
     const std::string& name = records.get().front().channels[c].name;
     const Moments all = moments(records.get(), c);
     const bool one_side = std::fabs(all.mean) > kOneSide * all.rms;

@@ -28,7 +28,7 @@ bool may_be_turned(const rig_file::RigModel& rig, const std::vector<Record>& rec
   const auto unknown_mass = [](const rig_file::Dof& dof) { return dof.mass_kg.estimate; };
   return std::all_of(rig.dofs.begin(), rig.dofs.end(), open_dof) &&
          std::all_of(rig.links.begin(), rig.links.end(), open_link) &&
-         std::any_of(rig.dofs.begin(), rig.dofs.end(), unknown_mass) && !records.empty() && any_force(records.front());
+         std::any_of(rig.dofs.begin(), rig.dofs.end(), unknown_mass) && any_force(records);
 }
 
 bool says_turned(const EstimateResult& result) {
