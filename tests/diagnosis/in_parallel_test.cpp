@@ -26,6 +26,21 @@ TEST(InParallel, EveryPieceIsWorkedOnOnceAndOneAtATimeInALane) {
   }
 }
 
+// Pieces that share out work of their own do it one after another, in the lane of index 0: so many threads are at work as there are lanes.
+TEST(InParallel, PiecesOfAPieceAreDoneInTurn) {
+  std::vector<std::vector<size_t>> order(4);
+  in_parallel(order.size(), [&](size_t piece, size_t) {
+    in_parallel(10, [&](size_t inner, size_t lane) {
+      EXPECT_EQ(lane, lanes() > 1 ? 0u : lane);
+      order[piece].push_back(inner);
+    });
+  });
+  for (const std::vector<size_t>& inner : order) EXPECT_EQ(inner, (std::vector<size_t>{0, 1, 2, 3, 4, 5, 6, 7, 8, 9}));
+  std::atomic<int> done{0};
+  in_parallel(100, [&](size_t, size_t) { ++done; });
+  EXPECT_EQ(done, 100) << "and afterwards they are shared out again";
+}
+
 TEST(InParallel, AnErrorOfAPieceIsThrownWhenAllHaveEnded) {
   std::atomic<int> begun{0}, ended{0};
   EXPECT_THROW(in_parallel(100,

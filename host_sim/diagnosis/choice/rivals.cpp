@@ -101,7 +101,8 @@ std::vector<Attempt> rivals_tried(const Task& task, const State& rest, double no
       continue;
     list.push_back(one);
   }
-  std::vector<Attempt> others = attempts(task, rest, all, list, noise);
+  std::vector<Attempt> others = attempts(
+      task, rest, all, list, noise, below_nought(own.state) || cannot_be(task, rest, own) ? 1e300 : whole_error(own));
   const auto bristles = std::find_if(others.cbegin(), others.cend(), is_bristles);
   const Attempt* const other = bristles != others.cend() ? &*bristles : nullptr;
   for (const Attempt* a : {is_bristles(own) ? &own : nullptr, other}) {

@@ -14,6 +14,8 @@ namespace {
 constexpr double kSmallStart = 0.3;  // of the value that the linearisation gives
 constexpr double kPromised = 0.8;    // of the linearisation's gain, that a fit should reach
 constexpr int kFirstSteps = 3;       // with shapes held
+// Times what a cause that stands leaves: what promises no more than this is not looked for in further valleys.
+constexpr double kFarBehind = 2;
 
 }  // namespace
 
@@ -44,28 +46,39 @@ Attempt attempt(const Task& task, const State& beside, const std::vector<Candida
 
 namespace {
 
-Attempt undamped(const Task& task, const State& beside, const std::vector<Candidate>& all, const Screened& one,
-                 double noise) {
-  const Candidate& c = all[one.candidate];
-  // From a coefficient of nought the first step brings all numbers into balance; what has states of its own starts
-  // small.
+// From a coefficient of nought the first step brings all numbers into balance; what has states of its own starts small.
+std::vector<double> first_values(const Candidate& c, const Screened& one) {
+  if (c.terms[0].kind == Kind::kCogging) return one.value;  // its phase too
   std::vector<double> start(c.terms.size(), 0.0);
   if (c.terms[0].kind == Kind::kResonance) start[0] = kSmallStart * one.value[0];
-  if (c.terms[0].kind == Kind::kCogging) start = one.value;  // its phase too
-  Attempt a = attempt(task, beside, {c}, {start}, kTrialSteps);
-  if (1 - a.error >= kPromised * one.gain || hopeless(one.gain, 1, noise)) return a;
-  // Stuck on the way: from where the linearisation points, and from the measured motion.
+  return start;
+}
+
+Attempt first_attempt(const Task& task, const State& beside, const std::vector<Candidate>& all, const Screened& one) {
+  const Candidate& c = all[one.candidate];
+  return attempt(task, beside, {c}, {first_values(c, one)}, kTrialSteps);
+}
+
+// Short of what the linearisation promises, which would be worth having.
+bool stuck(const Attempt& a, const Screened& one, double noise) {
+  return 1 - a.error < kPromised * one.gain && !hopeless(one.gain, 1, noise);
+}
+
+// Stuck on the way: from where the linearisation points, and from the measured motion.
+Attempt again(const Task& task, const State& beside, const std::vector<Candidate>& all, const Screened& one,
+              Attempt a) {
+  const Candidate& c = all[one.candidate];
   const auto try_again = [&](const Candidate& other, const std::vector<double>& value) {
-    Attempt again = attempt(task, beside, {other}, {value}, kTrialSteps, From::kMeasured);
+    Attempt another = attempt(task, beside, {other}, {value}, kTrialSteps, From::kMeasured);
     const bool usable = a.state.fit.ok && !a.rounds;
-    if (again.state.fit.ok && (!usable || whole_error(again) < whole_error(a))) a = std::move(again);
+    if (another.state.fit.ok && (!usable || whole_error(another) < whole_error(a))) a = std::move(another);
   };
   if (c.host < 0) {
     try_again(c, one.value);
     return a;
   }
   for (const Candidate& o : all)  // what acts in another's place has its full size at once: not every shape leads home
-    if (o.same_place(c)) try_again(o, start);
+    if (o.same_place(c)) try_again(o, first_values(c, one));
   return a;
 }
 
@@ -73,14 +86,23 @@ Attempt undamped(const Task& task, const State& beside, const std::vector<Candid
 
 Attempt attempt(const Task& task, const State& beside, const std::vector<Candidate>& all, const Screened& one,
                 double noise) {
-  const Attempt a = undamped(task, beside, all, one, noise);
+  Attempt a = first_attempt(task, beside, all, one);
+  if (stuck(a, one, noise)) a = again(task, beside, all, one, std::move(a));
   return is_bristles(a) ? damped(task, beside, a) : a;
 }
 
 std::vector<Attempt> attempts(const Task& task, const State& beside, const std::vector<Candidate>& all,
-                              const std::vector<Screened>& list, double noise) {
+                              const std::vector<Screened>& list, double noise, double least, const Stands& stands) {
   std::vector<Attempt> tried(list.size());
-  in_parallel(list.size(), [&](size_t i, size_t) { tried[i] = attempt(task, beside, all, list[i], noise); });
+  in_parallel(list.size(), [&](size_t i, size_t) { tried[i] = first_attempt(task, beside, all, list[i]); });
+  for (const Attempt& a : tried)
+    if (stands && a.state.fit.ok && !a.rounds && whole_error(a) < least && stands(a)) least = whole_error(a);
+  in_parallel(list.size(), [&](size_t i, size_t) {
+    Attempt& a = tried[i];
+    if (stuck(a, list[i], noise) && 1 - list[i].gain < kFarBehind * least)
+      a = again(task, beside, all, list[i], std::move(a));
+    if (is_bristles(a) && whole_error(a) < kFarBehind * least) a = damped(task, beside, a);
+  });
   return tried;
 }
 

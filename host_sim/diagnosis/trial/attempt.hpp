@@ -1,5 +1,7 @@
 // Candidates put beside a model and fitted with it.
 #pragma once
+#include <functional>
+
 #include "../candidates/candidates.hpp"
 #include "settle.hpp"
 
@@ -32,9 +34,11 @@ Attempt attempt(const Task& task, const State& beside, const std::vector<Candida
 Attempt attempt(const Task& task, const State& beside, const std::vector<Candidate>& all, const Screened& one,
                 double noise);
 
-// As many of the screened ones, side by side, in their order.
+// As many of the screened ones, side by side, in their order. One that got stuck is looked for further unless one that
+// `stands`, or one that is known (`least`: its whole error), leaves less than half of what it promises.
+using Stands = std::function<bool(const Attempt&)>;
 std::vector<Attempt> attempts(const Task& task, const State& beside, const std::vector<Candidate>& all,
-                              const std::vector<Screened>& list, double noise);
+                              const std::vector<Screened>& list, double noise, double least, const Stands& stands = {});
 
 // A candidate as it was fitted: with its shape, one term.
 void keep_shape(const Model& fitted, Candidate& candidate);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../doubts/possible.hpp"
 #include "../fit/in_parallel.hpp"
 #include "bristles.hpp"
 #include "merit.hpp"
@@ -47,7 +48,10 @@ std::vector<Attempt> tried_singles(const Beside& b) {
     dry_tried = dry_tried || dry;
     list.push_back(one);
   }
-  std::vector<Attempt> singles = attempts(b.task, b.now, b.all, list, b.noise);
+  const auto stands = [&](const Attempt& a) {
+    return passes(a, b.already, b.noise) && !cannot_be(b.task, b.now, a) && !may_be_nought(a.state, b.now.model.size());
+  };
+  std::vector<Attempt> singles = attempts(b.task, b.now, b.all, list, b.noise, 1e300, stands);
   std::sort(singles.begin(), singles.end(), by_whole_error);
   if (!singles.empty()) singles[0] = reshaped(b.task, b.now, b.all, singles[0], b.noise);
   return singles;
