@@ -96,6 +96,17 @@ TEST(BusPicture, LoadOfTheLastSecond) {
   EXPECT_NEAR(picture.link().load_percent(), 0.65, 0.014);
 }
 
+// The clock is set back amid the log: a hundred frames a second before and behind, and half a second behind it still are.
+TEST(BusPicture, LoadAfterTimesHaveJumpedBack) {
+  BusPicture picture;
+  for (int i = 0; i < 300; ++i) picture.take(frames::at(100.0 + 0.01 * i, frames::heartbeat()));
+  for (int i = 0; i <= 50; ++i) picture.take(frames::at(0.01 * i, frames::heartbeat()));
+  EXPECT_NEAR(picture.link().frames_per_s(), 51 / 0.5, 1e-9);
+  for (int i = 51; i < 300; ++i) picture.take(frames::at(0.01 * i, frames::heartbeat()));
+  EXPECT_NEAR(picture.link().frames_per_s(), 100.0, 1e-9);
+  EXPECT_NEAR(picture.link().load_percent(), 1.3, 1e-9);
+}
+
 TEST(BusPicture, AlarmsAreToldWithTheirChannel) {
   firmware::Emergency emergency;
   emergency.code = firmware::EmergencyCode::kSensorSaturated;

@@ -56,7 +56,7 @@ std::string BusLink::take(const can_log::LogEntry& entry) {
   now_ns_ = std::max(now_ns_, time_ns);
   if (time_ns + kLoadSpan_ns < last_frame_ns_) {  // another log has begun
     passed_.clear();
-    now_ns_ = time_ns;
+    now_ns_ = first_frame_ns_ = time_ns;
   }
   if (frames_ + error_frames_ == 0) first_frame_ns_ = time_ns;
   last_frame_ns_ = time_ns;

@@ -54,7 +54,8 @@ class BusLink {
 
   BitRates rates_;
   BusPhase phase_ = BusPhase::kWaiting;
-  uint64_t since_ns_ = 0, last_frame_ns_ = 0, first_frame_ns_ = 0, now_ns_ = 0;
+  uint64_t since_ns_ = 0, last_frame_ns_ = 0, now_ns_ = 0;
+  uint64_t first_frame_ns_ = 0;  // since times last jumped back
   uint64_t frames_ = 0, error_frames_ = 0;
   int absences_ = 0;
   std::deque<Passed> passed_;

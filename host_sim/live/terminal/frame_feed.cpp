@@ -7,6 +7,8 @@
 #include <cerrno>
 #include <stdexcept>
 
+#include "host_sim/can_log/asc_line.hpp"
+
 namespace live {
 namespace {
 
@@ -20,7 +22,7 @@ class TextFeed final : public FrameFeed {
     std::string line;
     for (;;) {
       while (take_line(line)) {
-        if (can_log::parse_line(line, entry)) return FeedResult::kFrame;
+        if (can_log::parse_line(line, entry) || asc_.parse(line, entry)) return FeedResult::kFrame;
         if (line.find_first_not_of(" \t\r") != std::string::npos) ++skipped_;
       }
       if (ended_) return FeedResult::kEnded;
@@ -66,6 +68,7 @@ class TextFeed final : public FrameFeed {
 
   hal::FileDescriptor file_;
   std::string text_;
+  can_log::AscLog asc_;
   size_t begin_ = 0;
   bool ended_ = false;
   uint64_t skipped_ = 0;

@@ -1,4 +1,4 @@
-// Where the frames come from: candump text from a pipe or a file, or a CAN interface. Never blocks.
+// Where the frames come from: candump text or a Vector .asc log from a pipe or a file, or a CAN interface. Never blocks.
 #pragma once
 #include <memory>
 #include <string>
@@ -22,7 +22,7 @@ class FrameFeed {
   virtual uint64_t skipped_lines() const { return 0; }
 };
 
-// What candump prints, from a descriptor that this takes over. Lines that are no frames are counted.
+// What candump prints, or Vector's tools write as .asc, from a descriptor that this takes over. Lines that are no frames are counted.
 std::unique_ptr<FrameFeed> text_feed(hal::FileDescriptor file);
 // Throws host_sim-independent std::runtime_error with what is wrong and what to do about it.
 std::unique_ptr<FrameFeed> interface_feed(const std::string& interface);
