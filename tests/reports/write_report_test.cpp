@@ -39,13 +39,27 @@ TEST(WriteReport, MakesTheFolderAndReplacesAnEarlierPage) {
   write_diagnosis_report(folder.string(), made_up::diagnosis(3000));
   EXPECT_TRUE(contains(content(folder / "index.html"), "cubic stiffness"));
   EXPECT_TRUE(fs::exists(folder / "figures/01_dof_1_displacement_worst_moment.csv"));
-  std::ofstream(folder / "figures/notes.csv") << "not of a page";
+  for (const char* own : {"figures/notes.csv", "figures/99_of_the_user.csv"})
+    std::ofstream(folder / own) << "not of a page";
   write_run_report(folder.string(), made_up::run(2000));
   EXPECT_TRUE(contains(content(folder / "index.html"), "paper_3dof_random_noise"));
   EXPECT_EQ(std::distance(fs::directory_iterator(folder), fs::directory_iterator()), 2);  // the page and figures/
-  EXPECT_TRUE(fs::exists(folder / "figures/notes.csv"));
+  for (const char* own : {"figures/notes.csv", "figures/99_of_the_user.csv"})
+    EXPECT_EQ(content(folder / own), "not of a page") << own;
   EXPECT_FALSE(fs::exists(
       folder / "figures/01_dof_1_displacement_worst_moment.csv"));  // a run's page begins with another picture
+}
+
+// The user's files are named as a page's are; the page before is not ours, whatever it lists.
+TEST(WriteReport, FilesOfNoEarlierPageStay) {
+  const FreshPlace place("report_others");
+  fs::create_directories(place.path / "figures");
+  for (const char* own : {"figures/01_force.csv", "02_data.csv"}) std::ofstream(place.path / own) << "measured";
+  std::ofstream(place.path / "index.html")
+      << "<html><meta name=\"host_sim-figures\" content=\"../02_data.csv x\"></html>";
+  write_run_report(place.path.string(), made_up::run(2000));
+  for (const char* own : {"figures/01_force.csv", "02_data.csv"})
+    EXPECT_EQ(content(place.path / own), "measured") << own;
 }
 
 // Every picture of the page has its file, and no file is of another page.

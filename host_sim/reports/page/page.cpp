@@ -4,9 +4,15 @@
 #include <cctype>
 #include <cmath>
 #include <cstdio>
+#include <cstring>
+#include <sstream>
+
+#include "host_sim/reports/figures/figure_csv.hpp"
 
 namespace host_sim::reports {
 namespace {
+
+constexpr const char* kFiguresLine = "<meta name=\"host_sim-figures\" content=\"";
 
 // The picture with its name for those who cannot see it.
 std::string picture_html(const Plot& plot) {
@@ -58,6 +64,23 @@ std::string legend_html(const std::vector<Plot>& plots) {
 }
 
 }  // namespace
+
+std::string figures_line(const std::vector<Plot>& plots) {
+  std::string names;
+  for (size_t i = 0; i < plots.size(); ++i) names += (i == 0 ? "" : " ") + figure_file_name(i + 1, plots[i]);
+  return kFiguresLine + names + "\">\n";
+}
+
+std::set<std::string> figures_of_page(const std::string& html) {
+  std::set<std::string> names;
+  const size_t at = html.find(kFiguresLine);
+  if (at == std::string::npos) return names;
+  const size_t begin = at + std::strlen(kFiguresLine), end = html.find('"', begin);
+  std::istringstream words(html.substr(begin, end == std::string::npos ? 0 : end - begin));
+  for (std::string name; words >> name;)
+    if (is_figure_file_name(name)) names.insert(name);
+  return names;
+}
 
 std::string escaped(const std::string& plain) {
   std::string out;
@@ -136,8 +159,8 @@ void Page::figures(const std::vector<Plot>& plots) {
 
 std::string Page::finish() const {
   return "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n"
-         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
-         escaped(title_) + "</title>\n<style>" + page_style() +
+         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n" +
+         figures_line(plots_) + "<title>" + escaped(title_) + "</title>\n<style>" + page_style() +
          "</style></head>\n<body><main>\n<header><p class=\"kicker\">" + escaped(kicker_) + "</p><h1>" +
          unbroken(escaped(title_)) + "</h1>\n" + lead_ + "</header>\n<nav>" + contents_ + "</nav>\n" + body_ +
          "</main></body></html>\n";

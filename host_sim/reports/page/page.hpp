@@ -1,5 +1,6 @@
 // A page in the making: text goes in as HTML, pictures as data.
 #pragma once
+#include <set>
 #include <string>
 #include <vector>
 
@@ -39,11 +40,16 @@ class Page {
   std::vector<Plot> plots_;
 };
 
+// In the page's head: the names of its pictures' files, so that the next page in its folder knows them.
+std::string figures_line(const std::vector<Plot>& plots);
+// Those that stand in a page; none where it is not ours.
+std::set<std::string> figures_of_page(const std::string& html);
+
 // The style sheet of all pages.
 const char* page_style();
 
 // The page as directory/index.html, whole or not at all, and the data of its pictures as directory/figures/<number>_<title>.csv
-// (figures/figure_csv.hpp); what an earlier page left there goes. Makes the directory (and removes it again where it was
+// (figures/figure_csv.hpp); what an earlier page wrote there goes, and nothing else. Makes the directory (and removes it again where it was
 // made here and the page could not be written). Throws OutputError.
 void write_page(const std::string& directory, const Page& page);
 

@@ -1,6 +1,8 @@
 // Puts a page in its place all at once, and the data of its pictures beside it.
 #include <filesystem>
+#include <fstream>
 #include <set>
+#include <sstream>
 
 #include "host_sim/records/files/output_file.hpp"
 #include "host_sim/reports/figures/figure_csv.hpp"
@@ -11,27 +13,25 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Those of an earlier page that this page has not.
-void remove_earlier(const fs::path& folder, const std::set<std::string>& written) {
-  std::error_code failure;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, failure)) {
-    const std::string name = entry.path().filename().string();
-    if (is_figure_file_name(name) && written.count(name) == 0) fs::remove(entry.path(), failure);
-  }
+// The names of the pictures' files that an earlier page in the folder has.
+std::set<std::string> earlier_figures(const std::string& directory) {
+  std::ostringstream page;
+  page << std::ifstream(fs::path(directory) / "index.html", std::ios::binary).rdbuf();
+  return figures_of_page(page.str());
 }
 
-void write_figures(const fs::path& folder, const std::vector<Plot>& plots) {
+// In place of those of the earlier page. What else stands there is the user's.
+void write_figures(const fs::path& folder, const std::vector<Plot>& plots, std::set<std::string> earlier) {
   if (plots.empty()) return;
   std::error_code failure;
   fs::create_directory(folder, failure);
   if (failure) throw OutputError(folder.string() + ": cannot be made (" + failure.message() + ")");
-  std::set<std::string> written;
   for (size_t i = 0; i < plots.size(); ++i) {
     const std::string name = figure_file_name(i + 1, plots[i]);
     write_output_file((folder / name).string(), figure_csv(plots[i]));
-    written.insert(name);
+    earlier.erase(name);
   }
-  remove_earlier(folder, written);
+  for (const std::string& name : earlier) fs::remove(folder / name, failure);
 }
 
 }  // namespace
@@ -42,13 +42,14 @@ void write_page(const std::string& directory, const Page& page) {
   if (failure || !fs::is_directory(directory))
     throw OutputError(directory + ": expected a folder for the report, or a place to make one" +
                       (failure ? " (" + failure.message() + ")" : std::string()));
+  const std::set<std::string> earlier = earlier_figures(directory);
   try {
     write_output_file((fs::path(directory) / "index.html").string(), page.finish());
   } catch (const OutputError&) {
     if (made) fs::remove(directory, failure);
     throw;
   }
-  write_figures(fs::path(directory) / "figures", page.plots());
+  write_figures(fs::path(directory) / "figures", page.plots(), earlier);
 }
 
 }  // namespace host_sim::reports
