@@ -70,6 +70,20 @@ TEST(Twice, RowsToBeSortedAndUnevenOnesAreToldBoth) {
   EXPECT_EQ(told(even, 0.0).find("--resample"), std::string::npos) << told(even, 0.0);
 }
 
+// 100 rows 12.5 ms apart in a table with a gap of 15 blank cells, rows 20 to 34, which are left out: the two rows of one
+// time behind them, 60 and 61, are lines 62 and 63 of the file (the names are its first).
+TEST(Twice, LinesAreThoseOfTheFileBehindRowsThatWereLeftOut) {
+  for (const bool blank_start : {false, true}) {
+    std::string text = "t_s,force_1_N,displacement_1_m\n";
+    for (int i = 0; i < 100; ++i)
+      text += fmt::format("{:.4f},{},{}\n", 0.0125 * (i == 61 ? 60 : i), i % 5,
+                          (i >= 20 && i < 35) || (blank_start && i < 3) ? "" : fmt::format("{}", i % 7));
+    const std::string said = told(text, 80.0);
+    EXPECT_NE(said.find("d.csv:63: "), std::string::npos) << said;
+    EXPECT_NE(said.find("two rows have one time (line 63)"), std::string::npos) << said;
+  }
+}
+
 // Coarse ticks of a clock: a row may be the one before word by word while the sensor rests.
 TEST(Twice, RowsOfACoarseClockStay) {
   std::string text = "t_s,displacement_1_m\n";

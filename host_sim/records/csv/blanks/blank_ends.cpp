@@ -28,10 +28,4 @@ BlankEnds find_blank_ends(const std::vector<TableColumn>& columns) {
   return found;
 }
 
-void keep_rows(size_t first, size_t end, std::vector<double>& values) {
-  const auto at = [&](size_t row) { return values.begin() + static_cast<std::ptrdiff_t>(row); };
-  values.erase(at(end), values.end());
-  values.erase(values.begin(), at(first));
-}
-
 }  // namespace host_sim

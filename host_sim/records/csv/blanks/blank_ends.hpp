@@ -24,6 +24,11 @@ struct BlankEnds {
 BlankEnds find_blank_ends(const std::vector<TableColumn>& columns);
 
 // Keeps the rows from first to end.
-void keep_rows(size_t first, size_t end, std::vector<double>& values);
+template <typename Value>
+void keep_rows(size_t first, size_t end, std::vector<Value>& values) {
+  const auto at = [&](size_t row) { return values.begin() + static_cast<std::ptrdiff_t>(row); };
+  values.erase(at(end), values.end());
+  values.erase(values.begin(), at(first));
+}
 
 }  // namespace host_sim

@@ -64,11 +64,4 @@ FilledBlanks fill_blanks(const std::vector<double>& time_s, const std::vector<Ta
   return result;
 }
 
-void keep_only(const std::vector<bool>& keep, std::vector<double>& values) {
-  size_t kept = 0;
-  for (size_t row = 0; row < values.size(); ++row)
-    if (keep[row]) values[kept++] = values[row];
-  values.resize(kept);
-}
-
 }  // namespace host_sim

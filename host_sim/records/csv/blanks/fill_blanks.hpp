@@ -22,6 +22,12 @@ double fastest_step(const std::vector<double>& time_s, const std::vector<TableCo
 FilledBlanks fill_blanks(const std::vector<double>& time_s, const std::vector<TableColumn>& columns);
 
 // Those of the rows that are kept.
-void keep_only(const std::vector<bool>& keep, std::vector<double>& values);
+template <typename Value>
+void keep_only(const std::vector<bool>& keep, std::vector<Value>& values) {
+  size_t kept = 0;
+  for (size_t row = 0; row < values.size(); ++row)
+    if (keep[row]) values[kept++] = values[row];
+  values.resize(kept);
+}
 
 }  // namespace host_sim

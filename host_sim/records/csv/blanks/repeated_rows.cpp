@@ -33,8 +33,7 @@ void leave_out_repeats(CsvTable& table) {
   for (const size_t sample : table.repeats) keep[sample] = false;
   if (!stand_twice(table, keep)) return;
   table.keep_samples(keep);
-  table.gone = std::move(table.repeats);
-  table.record.notes.push_back(fmt::format("left out: {} rows that stand twice", table.gone.size()));
+  table.record.notes.push_back(fmt::format("left out: {} rows that stand twice", table.repeats.size()));
 }
 
 }  // namespace host_sim

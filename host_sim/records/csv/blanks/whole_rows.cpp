@@ -38,7 +38,6 @@ void fill_between(const std::vector<TableColumn>& columns, CsvTable& table) {
 void leave_out_ends(const BlankEnds& blank, CsvTable& table) {
   if (blank.at_start + blank.at_end == 0) return;
   table.keep_samples(blank.first, blank.end);
-  table.left_out = blank.at_start;
   if (table.record.left_out_before) *table.record.left_out_before += blank.at_start;
   table.record.notes.push_back("left out: " + std::to_string(blank.at_start) + " rows at the start and " +
                                std::to_string(blank.at_end) + " at the end without a value of " + blank.names);

@@ -1,6 +1,7 @@
 #include "host_sim/records/csv/rows/csv_table.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 #include "host_sim/records/columns/names/column_name.hpp"
 #include "host_sim/records/csv/blanks/blank_ends.hpp"
@@ -15,10 +16,9 @@ std::string_view CsvTable::from(std::string_view row) const {
 }
 
 size_t CsvTable::line_of(size_t sample) const {
-  sample += left_out;
-  for (const size_t lost : gone) sample += lost <= sample ? 1 : 0;
-  size_t line = layout.data_line + sample;
-  for (const size_t before : comments) line += before <= sample ? 1 : 0;
+  const size_t row = row_of.empty() ? sample + left_out : row_of[sample];
+  size_t line = layout.data_line + row;
+  for (const size_t before : comments) line += before <= row ? 1 : 0;
   return line;
 }
 
@@ -36,10 +36,19 @@ void CsvTable::refuse(size_t line, const std::string& problem) const {
 void CsvTable::keep_samples(size_t first, size_t end) {
   for (Channel& channel : record.channels) keep_rows(first, end, channel.values);
   if (!time_s.empty()) keep_rows(first, end, time_s);
+  if (row_of.empty())
+    left_out += first;
+  else
+    keep_rows(first, end, row_of);
   samples = end - first;
 }
 
 void CsvTable::keep_samples(const std::vector<bool>& keep) {
+  if (row_of.empty()) {
+    row_of.resize(samples);
+    std::iota(row_of.begin(), row_of.end(), left_out);
+  }
+  keep_only(keep, row_of);
   for (Channel& channel : record.channels) keep_only(keep, channel.values);
   keep_only(keep, time_s);
   record.left_out_before.reset();

@@ -38,11 +38,11 @@ struct CsvTable {
   size_t samples = 0;
 
   std::vector<size_t> comments;  // how many samples stood before each comment line among the rows
-  std::vector<size_t> repeats,
-      gone;                  // samples whose row is the one before, word by word; those of them that were left out
-  size_t left_out = 0;       // rows before the first sample
-  bool lacks_times = false;  // in some rows
-  std::string blank;         // the last field without a value: "" or "NaN"
+  std::vector<size_t> repeats;   // samples whose row is the one before, word by word
+  size_t left_out = 0;           // rows before the first sample
+  std::vector<size_t> row_of;    // each sample's, from 0 at the first, once some between were left out; else empty
+  bool lacks_times = false;      // in some rows
+  std::string blank;             // the last field without a value: "" or "NaN"
 
   // The row's text and all that follows it.
   std::string_view from(std::string_view row) const;
