@@ -125,4 +125,25 @@ TEST_F(SweepCommand, RanksTogetherWriteTheSameFile) {
   EXPECT_EQ(workspace_.entries(), (std::set<std::string>{"alone.json", "ranks.json"}));
 }
 
+// Within an allocation Slurm sets the number of tasks everywhere; that of a step is what srun has started.
+TEST_F(SweepCommand, ASlurmAllocationWithoutSrunIsOneProcess) {
+  const auto with = [&](std::vector<std::string> environment) {
+    environment.insert(environment.begin(), {"timeout", "60", "env", "SLURM_JOB_ID=7", "SLURM_NTASKS=2"});
+    environment.insert(environment.end(), {HOST_SIM, "sweep", "--scenario", "paper_2dof", "--seeds", "1..2",
+                                           "--workers", "1", "--json", "sweep.json"});
+    return test_support::run_program(environment, workspace_.path());
+  };
+  const auto alone = with({"SLURM_PROCID=0"});
+  ASSERT_EQ(alone.status, 0) << alone.errors;
+  const std::string expected = workspace_.read("sweep.json");
+  const auto shell_of_a_step = with({"SLURM_PROCID=0", "SLURM_STEP_ID=0", "SLURM_STEP_NUM_TASKS=1"});
+  ASSERT_EQ(shell_of_a_step.status, 0) << shell_of_a_step.errors;
+  for (const char* rank : {"SLURM_PROCID=1", "SLURM_PROCID=0"}) {  // as srun starts them
+    const auto result = with({rank, "SLURM_STEP_ID=0", "SLURM_STEP_NUM_TASKS=2"});
+    ASSERT_EQ(result.status, 0) << result.errors;
+    EXPECT_EQ(workspace_.entries().size(), std::string(rank) == "SLURM_PROCID=1" ? 2u : 1u) << rank;  // its part
+  }
+  EXPECT_EQ(workspace_.read("sweep.json"), expected);
+}
+
 }  // namespace

@@ -36,11 +36,18 @@ std::vector<ordered_json> take_part(const std::string& path) {
   return part.get<std::vector<ordered_json>>();
 }
 
+// Slurm tells the tasks of an allocation to its shell and its batch script too, where one process alone is started. srun starts a step.
+unsigned slurm_tasks() {
+  return first_of({"SLURM_STEP_ID", "SLURM_STEPID"}) == nullptr
+             ? 1
+             : number_of({"SLURM_STEP_NUM_TASKS", "SLURM_NTASKS"}, 1);
+}
+
 }  // namespace
 
 Rank rank_from_environment() {
   Rank rank;
-  rank.count = std::max(1u, number_of({"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "SLURM_NTASKS"}, 1));
+  rank.count = std::max(1u, number_of({"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"}, slurm_tasks()));
   rank.number = number_of({"OMPI_COMM_WORLD_RANK", "PMI_RANK", "SLURM_PROCID"}, 0);
   if (rank.number >= rank.count) rank = Rank{};
   rank.on_this_machine = std::max(1u, number_of({"OMPI_COMM_WORLD_LOCAL_SIZE", "MPI_LOCALNRANKS"}, 1));
@@ -59,7 +66,8 @@ std::vector<SweepTask> share_of(const std::vector<SweepTask>& tasks, const Rank&
 std::vector<ordered_json> join_ranks(const Rank& rank, const std::string& result_path, std::vector<ordered_json> runs) {
   if (rank.count == 1) return runs;
   if (rank.number > 0) {
-    write_output_file(part_path(result_path, rank, rank.number), ordered_json(runs).dump());
+    write_output_file(part_path(result_path, rank, rank.number),
+                      ordered_json(runs).dump(-1, ' ', false, ordered_json::error_handler_t::replace));
     return {};
   }
   std::vector<std::vector<ordered_json>> parts = {std::move(runs)};

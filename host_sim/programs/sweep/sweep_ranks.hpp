@@ -1,4 +1,4 @@
-// A sweep over machines: mpirun starts the same command on each of them and tells it its rank. The ranks share the work
+// A sweep over machines: mpirun (or srun) starts the same command on each of them and tells it its rank. The ranks share the work
 // without talking to each other; each leaves its part beside the result file, and rank 0 joins the parts. So the folder
 // of the result file must be one that all machines see.
 #pragma once
@@ -16,7 +16,8 @@ struct Rank {
   std::string job;                 // the same for all ranks of one start
 };
 
-// From the environment that Open MPI, MPICH or Slurm set; one rank where none of them started us.
+// From the environment that Open MPI, MPICH or Slurm set; one rank where none of them started us, as within an allocation of Slurm
+// without srun.
 Rank rank_from_environment();
 
 // Every count-th task, from number on.
