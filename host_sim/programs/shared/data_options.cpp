@@ -1,9 +1,9 @@
 #include "host_sim/programs/shared/data_options.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <future>
-#include <set>
 #include <stdexcept>
 
 #include "host_sim/data_check/report/to_json.hpp"
@@ -76,6 +76,40 @@ void tell_twice(const std::vector<std::string>& paths) {
                      paths[i].c_str());
 }
 
+// What is said of the files; they are said when it goes, also where another file could not be read. Several files may have the same
+// note: it names them all. The records of a file that share one are told by the first.
+class Notes {
+ public:
+  Notes() = default;
+  Notes(const Notes&) = delete;
+  Notes& operator=(const Notes&) = delete;
+  ~Notes() {
+    for (const Note& note : notes_) std::fprintf(stderr, "%s: %s\n", names(note.records).c_str(), note.text.c_str());
+  }
+  void add(size_t file, const std::string& record, const std::string& text) {
+    const auto same = std::find_if(notes_.begin(), notes_.end(), [&](const Note& note) { return note.text == text; });
+    if (same == notes_.end()) {
+      notes_.push_back({text, file, {record}});
+    } else if (same->last_file != file) {
+      same->last_file = file;
+      same->records.push_back(record);
+    }
+  }
+
+ private:
+  struct Note {
+    std::string text;
+    size_t last_file;
+    std::vector<std::string> records;
+  };
+  static std::string names(const std::vector<std::string>& records) {
+    std::string text = records.front();
+    for (size_t i = 1; i < records.size(); ++i) text += (i + 1 == records.size() ? " and " : ", ") + records[i];
+    return text;
+  }
+  std::vector<Note> notes_;
+};
+
 }  // namespace
 
 void require_unseen(const std::vector<std::string>& data, const std::vector<std::string>& holdout) {
@@ -103,11 +137,10 @@ std::vector<Record> read_data(const std::vector<std::string>& paths, const rig_f
     files.push_back(std::async(paths.size() > 1 ? std::launch::async : std::launch::deferred,
                                [&path, &model, &options] { return read_records(path, model, options); }));
   std::vector<Record> records;
-  std::set<std::string> said;
-  for (std::future<std::vector<Record>>& file : files)
-    for (Record& record : file.get()) {
-      for (const std::string& note : record.notes)
-        if (said.insert(note).second) std::fprintf(stderr, "%s: %s\n", record.file.c_str(), note.c_str());
+  Notes notes;
+  for (size_t i = 0; i < files.size(); ++i)
+    for (Record& record : files[i].get()) {
+      for (const std::string& note : record.notes) notes.add(i, record.file, note);
       records.push_back(std::move(record));
     }
   undo_ac_coupling(stated_ac_couplings(model), records);

@@ -24,7 +24,7 @@ void add_data_options(CLI::App& command, DataArguments& arguments);
 void add_anyway_option(CLI::App& command, DataArguments& arguments);
 
 // All records of all files, in their order. What the reader made of them (factors, ignored columns) goes to stderr, one
-// line each; what is said of several files alike is said once. Throws DataFileError, UsageError.
+// line each; what is said of several files alike is said once, with all their names. Throws DataFileError, UsageError.
 // A file that is given twice is told.
 std::vector<Record> read_data(const std::vector<std::string>& paths, const rig_file::RigModel& model,
                               const DataArguments& arguments);
