@@ -27,6 +27,31 @@ TEST_F(Estimate, AFileGivenTwiceIsTold) {
   EXPECT_NE(result.errors.find("./data.csv: is given twice"), std::string::npos) << result.errors;
 }
 
+// What is said of two files is said once, with both their names.
+TEST_F(Estimate, ANoteNamesEveryFileThatItIsOf) {
+  workspace_.write("more.csv", workspace_.read("data.csv"));
+  const auto two =
+      host_sim({"estimate", "--rig", "rig.toml", "--data", "data.csv", "--data", "more.csv", "--from", "1"});
+  EXPECT_EQ(two.status, 0) << two.errors;
+  EXPECT_NE(two.errors.find("data.csv and more.csv: taken from 1 to "), std::string::npos) << two.errors;
+  const auto bad =
+      host_sim({"estimate", "--rig", "rig.toml", "--data", "data.csv", "--data", "none.csv", "--from", "1"});
+  EXPECT_EQ(bad.status, 2);
+  EXPECT_NE(bad.errors.find("data.csv: taken from 1 to "), std::string::npos) << bad.errors;
+}
+
+// A name in Latin-1, as an old disk has it: the JSON is UTF-8 all the same.
+TEST_F(Estimate, AFileNameThatIsNoUtf8) {
+  const std::string name = "m\xfcller.csv";
+  workspace_.write(name, workspace_.read("data.csv"));
+  const auto check = host_sim({"check", "--data", name, "--json", "check.json"});
+  EXPECT_EQ(check.status, 0) << check.errors;
+  EXPECT_NE(json("check.json").dump().find("m\xef\xbf\xbdller.csv"), std::string::npos);
+  const auto estimate =
+      host_sim({"estimate", "--rig", "rig.toml", "--data", name, "--json", "e.json", "--report", "r"});
+  EXPECT_EQ(estimate.status, 0) << estimate.errors;
+}
+
 TEST_F(Estimate, ASensitivityThatIsNotUsedIsTold) {
   const auto unused = host_sim({"estimate", "--rig", "rig.toml", "--data", "data.csv", "--unit", "displacement_1=m",
                                 "--sensitivity", "displacement_1=100 mV/m"});

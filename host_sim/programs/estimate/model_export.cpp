@@ -71,7 +71,7 @@ void write_json(const fs::path& path, const std::string& name, const Export& all
                        {"parameter_units", all.units},
                        {"parameter_status", all.status}};
   for (const auto& [key, matrix] : all.matrices) json[key] = matrix;
-  write_output_file(path.string(), json.dump(1) + "\n");
+  write_output_file(path.string(), json.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
 }
 
 void put_matrix(const MatLibrary& mat, mat_t* file, const std::string& name, const Matrix& rows) {

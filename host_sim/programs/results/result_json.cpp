@@ -70,6 +70,8 @@ ordered_json to_json(const EstimateResult& result) {
   return json;
 }
 
-std::string to_text(const ordered_json& json) { return json.dump(2) + "\n"; }
+std::string to_text(const ordered_json& json) {
+  return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+}
 
 }  // namespace host_sim

@@ -7,6 +7,7 @@
 namespace host_sim {
 
 nlohmann::ordered_json to_json(const EstimateResult& result);
-std::string to_text(const nlohmann::ordered_json& json);  // indented, with a line end
+// Indented, with a line end. What is no UTF-8 (a file's name on an old disk) is replaced by U+FFFD.
+std::string to_text(const nlohmann::ordered_json& json);
 
 }  // namespace host_sim

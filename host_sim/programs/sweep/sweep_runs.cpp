@@ -26,7 +26,7 @@ struct Worker {
 };
 
 void write_line(int descriptor, const ordered_json& json) {
-  const std::string line = json.dump() + "\n";
+  const std::string line = json.dump(-1, ' ', false, ordered_json::error_handler_t::replace) + "\n";
   for (size_t sent = 0; sent < line.size();) {
     const ssize_t count = ::write(descriptor, line.data() + sent, line.size() - sent);
     if (count <= 0) ::_exit(1);

@@ -132,8 +132,9 @@ void add_zoom(Page& page, const std::vector<ZoomRecord>& records) {
                "Drag across a picture to zoom in, double-click to see all again, hold shift and drag to move. Both "
                "pictures keep the same time. The lower one shows the error, simulated less measured.");
   page.html(std::string("<style>") + dygraphs_style() + "</style>\n" + kZoomFrame +
-            "<script type=\"application/json\" id=\"zoom-records\">" + inside_script(all.dump()) +
-            "</script>\n<script>" + dygraphs_script() + "</script>\n<script>" + kZoomScript + "</script>\n");
+            "<script type=\"application/json\" id=\"zoom-records\">" +
+            inside_script(all.dump(-1, ' ', false, ordered_json::error_handler_t::replace)) + "</script>\n<script>" +
+            dygraphs_script() + "</script>\n<script>" + kZoomScript + "</script>\n");
 }
 
 }  // namespace host_sim::reports
