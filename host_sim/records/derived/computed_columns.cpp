@@ -6,6 +6,8 @@
 #include <cmath>
 #include <optional>
 
+#include "host_sim/records/derived/of_rounding.hpp"
+
 namespace host_sim {
 namespace {
 
@@ -116,6 +118,8 @@ std::optional<Computed> computed_of(const Channel& column, const Channel& of, co
                           : orders == 2  ? second_slope_of(column.values, of.values, t, step_s, variance)
                           : orders == -1 ? sum_of(column.values, of.values, t, variance)
                                          : "";
+  if (how.empty() && orders > 0 && follows_rounding(column, of, t))
+    return Computed{&column, &of, "out of the steps in which that is read, which no sensor of its own knows"};
   return how.empty() ? std::nullopt : std::optional<Computed>(Computed{&column, &of, how});
 }
 
