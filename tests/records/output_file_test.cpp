@@ -54,6 +54,31 @@ TEST_F(OutputFileTest, AMissingFolderIsAnErrorThatNamesThePath) {
   }
 }
 
+// A link stays one: what it leads to is written, also where that is not there yet.
+TEST_F(OutputFileTest, ALinkKeepsItsPlace) {
+  namespace fs = std::filesystem;
+  fs::create_directory(folder_ / "kept");
+  for (const char* target : {"kept/old.json", "kept/new.json"}) {
+    if (std::string(target) == "kept/old.json") host_sim::write_output_file((folder_ / target).string(), "old");
+    fs::create_symlink(target, folder_ / "link.json");
+    host_sim::write_output_file((folder_ / "link.json").string(), "new content");
+    EXPECT_TRUE(fs::is_symlink(folder_ / "link.json")) << target;
+    EXPECT_EQ(fs::file_size(folder_ / target), 11u) << target;
+    fs::remove(folder_ / "link.json");
+  }
+}
+
+TEST_F(OutputFileTest, TwoResultsInOneFileAreRefused) {
+  const host_sim::OutputFile one((folder_ / "result.json").string());
+  for (const char* name : {"result.json", "./result.json"}) try {
+      const host_sim::OutputFile other((folder_ / name).string());
+      ADD_FAILURE() << name << " was taken twice";
+    } catch (const host_sim::OutputError& error) {
+      EXPECT_NE(std::string(error.what()).find("is to hold two results of this command"), std::string::npos)
+          << error.what();
+    }
+}
+
 TEST_F(OutputFileTest, ADeviceKeepsItsPlace) {
   host_sim::write_output_file("/dev/null", "gone");
   EXPECT_TRUE(fs::is_character_file("/dev/null"));

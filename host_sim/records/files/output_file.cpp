@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <filesystem>
 
 #include "host_sim/records/files/input_files.hpp"
 
@@ -48,15 +49,41 @@ bool is_special(const std::string& path) {
   return ::stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode);
 }
 
+// What a link leads to, whether it is there or not: the link keeps its place.
+std::string behind_links(const std::string& path) {
+  namespace fs = std::filesystem;
+  constexpr int kMostLinks = 40;
+  std::error_code failure;
+  fs::path place = path;
+  for (int i = 0; i < kMostLinks && fs::is_symlink(place, failure); ++i) {
+    const fs::path target = fs::read_symlink(place, failure);
+    if (failure) break;
+    place = place.parent_path() / target;  // an absolute target alone
+  }
+  return place.string();
+}
+
+bool is_open_output(const std::string& temporary) {
+  struct stat one {
+  }, other{};
+  if (temporary.empty() || ::stat(temporary.c_str(), &one) != 0) return false;
+  for (const auto& slot : temporary_names)
+    if (slot[0] != '\0' && ::stat(slot, &other) == 0 && one.st_dev == other.st_dev && one.st_ino == other.st_ino)
+      return true;
+  return false;
+}
+
 void refuse_input(const std::string& path) {
   if (is_input_file(path)) throw OutputError(path + ": is read by this command, expected another file for its result");
 }
 
 }  // namespace
 
-OutputFile::OutputFile(std::string path) : path_(std::move(path)) {
+OutputFile::OutputFile(std::string path) : path_(std::move(path)), place_(behind_links(path_)) {
   refuse_input(path_);
-  if (!is_special(path_)) temporary_ = path_ + ".part" + std::to_string(::getpid());
+  if (!is_special(path_)) temporary_ = place_ + ".part" + std::to_string(::getpid());
+  if (is_open_output(temporary_))
+    throw OutputError(path_ + ": is to hold two results of this command, expected a file for each");
   remember(temporary_);  // before it is there: a signal may come between
   stream_ = std::fopen(temporary_.empty() ? path_.c_str() : temporary_.c_str(), "wb");
   if (stream_ != nullptr) return;
@@ -85,7 +112,7 @@ void OutputFile::commit() {
   const bool closed = std::fclose(stream) == 0;
   if (!flushed || !closed) fail(path_, "written");
   if (temporary_.empty()) return;
-  if (std::rename(temporary_.c_str(), path_.c_str()) != 0) fail(path_, "renamed");
+  if (std::rename(temporary_.c_str(), place_.c_str()) != 0) fail(path_, "renamed");
   forget(temporary_);
   temporary_.clear();
 }

@@ -24,7 +24,7 @@ class OutputFile {
   const std::string& path() const { return path_; }
 
  private:
-  std::string path_, temporary_;
+  std::string path_, place_, temporary_;  // place: behind links
   std::FILE* stream_ = nullptr;
 };
 
