@@ -26,6 +26,20 @@ TEST(Dialects, ATimeThatIsNoClocksIsRefused) {
         << bad;
 }
 
+// Four rows half a second apart over midnight. Which of two numbers is the month, all dates together tell: one above twelve,
+// else that the days follow one another.
+TEST(Dialects, TheOrderOfDayAndMonthIsThatOfTheWholeColumn) {
+  for (const auto& [before, behind] : {std::pair("03/04/2026", "03/05/2026"), std::pair("05/12/2026", "05/13/2026"),
+                                       std::pair("04/03/2026", "05/03/2026"), std::pair("12.05.2026", "13.05.2026"),
+                                       std::pair("12-31-2026", "01-01-2027"), std::pair("31/12/2026", "01/01/2027"),
+                                       std::pair("12/12/2026", "13/12/2026")}) {
+    const std::string text = fmt::format(
+        "Time,force_1_N\n{0} 23:59:59.0,1\n{0} 23:59:59.5,2\n{1} 00:00:00.0,3\n{1} 00:00:00.5,4\n", before, behind);
+    const auto record = host_sim::parse_csv(text, "d.csv", rig());
+    EXPECT_NEAR(record.sample_period_s, 0.5, 1e-9) << before;
+  }
+}
+
 TEST(Dialects, SampleRateStandsForTheTime) {
   ReadingOptions options;
   options.sample_rate_Hz = 250.0;

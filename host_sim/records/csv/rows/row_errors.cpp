@@ -35,6 +35,11 @@ void refuse_field(const CsvTable& table, const Row& row, const std::string& fiel
   table.refuse(row.line, "column " + name + " is " + quoted(field) + expected);
 }
 
+void refuse_too_large(const CsvTable& table, const Row& row, const std::string& field, const std::string& name) {
+  table.refuse(row.line, "column " + name + " is " + quoted(field) +
+                             ", which is too large in SI units, expected a measured value: check the unit");
+}
+
 void refuse_count(const CsvTable& table, const Row& row, size_t fields) {
   const size_t count = table.targets.size();
   table.refuse(

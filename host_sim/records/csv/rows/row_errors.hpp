@@ -10,6 +10,10 @@ namespace host_sim {
 [[noreturn]] void refuse_field(const CsvTable& table, const Row& row, const std::string& field,
                                const std::string& name);
 
+// A number that its unit makes larger than any that can be kept.
+[[noreturn]] void refuse_too_large(const CsvTable& table, const Row& row, const std::string& field,
+                                   const std::string& name);
+
 // More fields than columns, or only so many.
 [[noreturn]] void refuse_count(const CsvTable& table, const Row& row, size_t fields);
 

@@ -4,6 +4,7 @@
 #include <limits>
 #include <optional>
 
+#include "host_sim/records/csv/rows/date_order.hpp"
 #include "host_sim/records/csv/rows/row_errors.hpp"
 
 namespace host_sim {
@@ -32,10 +33,15 @@ void RowReader::read(const Row& row) {
 // The value in SI at the position, which moves to the separator behind it or to the end.
 double RowReader::value_of(const char*& position, const char* end, const Target& target, const Row& row) {
   double value = 0.0;
-  if (format_.take_plain(position, end, value)) return value * target.factor;
+  const char* const start = position;
+  const auto in_si = [&] {
+    const double si = value * target.factor;
+    if (!std::isfinite(si)) refuse_too_large(table_, row, format_.text(start, end), target.name);
+    return si;
+  };
+  if (format_.take_plain(position, end, value)) return in_si();
   const bool is_time = target.values == &table_.time_s;
   if (is_time && take_clock(position, end, value)) return value;
-  const char* const start = position;
   format_.skip_blanks(position, end);
   if (auto blank = format_.take_blank(position, end)) {
     table_.blank = std::move(*blank);
@@ -43,7 +49,7 @@ double RowReader::value_of(const char*& position, const char* end, const Target&
     return std::numeric_limits<double>::quiet_NaN();
   }
   if (!format_.take_number(position, end, value)) refuse_field(table_, row, format_.text(start, end), target.name);
-  return value * target.factor;
+  return in_si();
 }
 
 // A time of day, perhaps with a date, as seconds since the first row's. Past midnight without a date it goes on.
@@ -53,7 +59,8 @@ bool RowReader::take_clock(const char*& position, const char* end, double& value
   if (std::find(position, stop, ':') == stop) return false;
   std::string text = format_.text(position, end);
   text.erase(std::remove(text.begin(), text.end(), '"'), text.end());
-  const std::optional<ClockTime> clock = parse_clock_time(text);
+  if (!date_order_) date_order_ = date_order_of(table_, format_);
+  const std::optional<ClockTime> clock = parse_clock_time(text, *date_order_);
   if (!clock) return false;
   if (table_.samples == 0) first_clock_ = *clock;
   value = 86400.0 * static_cast<double>(clock->day - first_clock_.day) + (clock->time_s - first_clock_.time_s);

@@ -1,5 +1,7 @@
 // A row of numbers into the columns of its table.
 #pragma once
+#include <optional>
+
 #include "host_sim/records/csv/rows/csv_table.hpp"
 #include "host_sim/records/csv/rows/field_format.hpp"
 #include "host_sim/records/csv/text/clock_time.hpp"
@@ -23,6 +25,7 @@ class RowReader {
   CsvTable& table_;
   FieldFormat format_;
   ClockTime first_clock_;
+  std::optional<DateOrder> date_order_;  // once there is a date
 };
 
 }  // namespace host_sim

@@ -1,5 +1,6 @@
 #include "host_sim/records/csv/text/clock_time.hpp"
 
+#include <algorithm>
 #include <cstdlib>
 #include <string>
 #include <utility>
@@ -33,20 +34,35 @@ int64_t days_since_1970(int year, int month, int day) {
   return 365 * y + y / 4 - y / 100 + y / 400 + day_of_year - 719468;
 }
 
-bool take_date(std::string_view& text, int64_t& days) {
-  std::string_view rest = text;
+struct Date {
   int part[3] = {};
+  bool year_first = false, with_points = false;
+};
+
+// Takes a date off the front.
+bool take_parts(std::string_view& text, Date& date) {
+  std::string_view rest = text;
   size_t digits[3] = {};
   for (int i = 0; i < 3; ++i) {
+    if (i == 1) date.with_points = !rest.empty() && rest.front() == '.';
     if (i > 0 && !take(rest, "-/.")) return false;
-    if (!take_integer(rest, 4, part[i], digits[i])) return false;
+    if (!take_integer(rest, 4, date.part[i], digits[i])) return false;
   }
-  const bool year_first = digits[0] == 4;
-  const int year = year_first ? part[0] : part[2];
-  int month = part[1], day = year_first ? part[2] : part[0];
-  if (month > 12 && !year_first) std::swap(month, day);  // 03/31/2026
-  if (month < 1 || month > 12 || day < 1 || day > 31 || !(year_first || digits[2] == 4)) return false;
-  days = days_since_1970(year, month, day);
+  date.year_first = digits[0] == 4;
+  text = rest;
+  return date.year_first || digits[2] == 4;
+}
+
+bool take_date(std::string_view& text, DateOrder order, int64_t& days) {
+  std::string_view rest = text;
+  Date date;
+  if (!take_parts(rest, date)) return false;
+  const auto& part = date.part;
+  if (date.with_points) order = DateOrder::kDayFirst;
+  const int least = date.year_first ? part[1] : std::min(part[0], part[1]);
+  const int most = date.year_first ? part[2] : std::max(part[0], part[1]);
+  if (least < 1 || least > 12 || most < 1 || most > 31) return false;
+  days = date.year_first ? days_since_1970(part[0], part[1], part[2]) : days_of({part[0], part[1], part[2]}, order);
   text = rest;
   return true;
 }
@@ -86,9 +102,21 @@ bool take_zone(std::string_view& text) {
 
 }  // namespace
 
-std::optional<ClockTime> parse_clock_time(std::string_view text) {
+std::optional<YearLastDate> uncertain_date(std::string_view text) {
+  Date date;
+  if (!take_parts(text, date) || date.year_first || date.with_points) return std::nullopt;
+  return YearLastDate{date.part[0], date.part[1], date.part[2]};
+}
+
+int64_t days_of(const YearLastDate& date, DateOrder order) {
+  int month = date.second, day = date.first;
+  if (month > 12 || (order == DateOrder::kMonthFirst && day <= 12)) std::swap(month, day);  // 03/31/2026
+  return days_since_1970(date.year, month, day);
+}
+
+std::optional<ClockTime> parse_clock_time(std::string_view text, DateOrder order) {
   ClockTime time;
-  if (take_date(text, time.day) && !take(text, "Tt _")) return std::nullopt;
+  if (take_date(text, order, time.day) && !take(text, "Tt _")) return std::nullopt;
   if (!take_time_of_day(text, time.time_s) || !take_zone(text) || !text.empty()) return std::nullopt;
   return time;
 }
