@@ -41,8 +41,7 @@ TEST(Csv, LastLineNeedsNoLineEnd) {
   EXPECT_EQ(host_sim::parse_csv("t_s,force_1_N\n0,1\n1,2", "d.csv", chain(1)).samples(), 2u);
 }
 
-// A logger that is switched off leaves half a line. With a line end behind it, or further up, it is an error; and a line
-// that has all its fields is read, whatever its last number has lost.
+// A logger that is switched off leaves half a line. With a line end behind it, or further up, it is an error.
 TEST(Csv, LeavesOutALastLineThatBreaksOff) {
   for (const char* broken : {"2,", "2", "2,5"}) {
     const auto record = host_sim::parse_csv(std::string("t_s,force_1_N,x,displacement_1_m\n0,1,,3\n1,2,,4\n") + broken,
@@ -53,6 +52,52 @@ TEST(Csv, LeavesOutALastLineThatBreaksOff) {
   EXPECT_EQ(host_sim::parse_csv("t_s,force_1_N\n0,1\n1,2\n2,3", "d.csv", chain(1)).samples(), 3u);
   EXPECT_THROW(host_sim::parse_csv("t_s,force_1_N\n0,1\n1,2\n2\n", "d.csv", chain(1)), host_sim::DataFileError);
   EXPECT_THROW(host_sim::parse_csv("t_s,force_1_N\n0,1\n1\n2,3", "d.csv", chain(1)), host_sim::DataFileError);
+}
+
+// Forty rows whose numbers all have ten characters, without a sign nine: what is shorter at the file's end breaks off there.
+TEST(Csv, LeavesOutALastNumberThatBreaksOff) {
+  std::string rows = "t_s,force_1_N,displacement_1_m\n";
+  for (int i = 0; i < 40; ++i)
+    rows += std::to_string(i) + "," + std::to_string(i % 7) + "," + (i % 2 == 0 ? "" : "-") + "1.23" +
+            std::to_string(i % 10) + "e-0" + std::to_string(1 + i % 3) + "\n";
+  const auto read = [&](const std::string& last) { return host_sim::parse_csv(rows + last, "d.csv", chain(1)); };
+  for (const char* broken : {"40,5,6.714e-0", "40,5,-6.714e-0", "40,5,6.714e-", "40,5,6.714e", "40,5,6.714", "40,5,6.",
+                             "40,5,-", "40,5,6"}) {
+    const auto record = read(broken);
+    EXPECT_EQ(record.samples(), 40u) << broken;
+    ASSERT_FALSE(record.notes.empty()) << broken;
+    EXPECT_NE(record.notes.back().find("breaks off"), std::string::npos) << broken;
+  }
+  for (const char* whole : {"40,5,6.714e-01", "40,5,-6.714e-01", "40,5,6.714e-0\n"}) {
+    const auto record = read(whole);
+    EXPECT_EQ(record.samples(), 41u) << whole;
+    EXPECT_NEAR(std::abs(record.find(Quantity::kDisplacement, 1)->values.back()), whole[13] == '\n' ? 6.714 : 0.6714,
+                1e-12)
+        << whole;
+  }
+  EXPECT_THROW(read("40,5,6.714e-\n"), host_sim::DataFileError);
+}
+
+// Numbers of any length, few rows, a decimal comma, quotes: a number that ends before it is one breaks off, others are read.
+TEST(Csv, LeavesOutALastNumberThatIsNone) {
+  const auto samples = [](const std::string& text) { return host_sim::parse_csv(text, "d.csv", chain(1)).samples(); };
+  for (const char* broken : {"2,-", "2,1.5e", "2,1.5e-", "2,1.5E+", "2,.", "2,\"1.5"})
+    EXPECT_EQ(samples(std::string("t_s,force_1_N\n0,1\n1,2.25\n") + broken), 2u) << broken;
+  for (const char* whole : {"2,1", "2,1.", "2,1e5", "2,\"1.5\"", "2,-7"})
+    EXPECT_EQ(samples(std::string("t_s,force_1_N\n0,1\n1,2.25\n") + whole), 3u) << whole;
+  EXPECT_EQ(samples("t_s;force_1_N\n0;1,5\n1;2,25\n2;1,5e-"), 2u);
+  EXPECT_EQ(samples("t_s,force_1_N,note\n0,1,a\n1,2.25,b\n2,3,-"), 3u);  // what is ignored may break off
+}
+
+// 1e307 kN are more newtons than a double holds.
+TEST(Csv, RefusesAValueThatItsUnitMakesInfinite) {
+  for (const char* number : {"1e307", "\"-1e307\""}) try {
+      host_sim::parse_csv(std::string("t_s,force_1_kN\n0,1\n1,") + number + "\n2,3\n", "d.csv", chain(1));
+      ADD_FAILURE() << number << " was read";
+    } catch (const host_sim::DataFileError& error) {
+      EXPECT_EQ(error.line, 3u);
+      EXPECT_NE(error.problem.find("is too large in SI units"), std::string::npos) << error.problem;
+    }
 }
 
 // However a number stands in its field, beside fields that hold digits alone.

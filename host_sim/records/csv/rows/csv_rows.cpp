@@ -4,6 +4,7 @@
 
 #include "host_sim/records/columns/names/column_name.hpp"
 #include "host_sim/records/csv/layout/lvm_header.hpp"
+#include "host_sim/records/csv/rows/last_row.hpp"
 #include "host_sim/records/csv/rows/row_errors.hpp"
 #include "host_sim/records/csv/rows/row_reader.hpp"
 #include "host_sim/records/csv/text/around_values.hpp"
@@ -11,16 +12,6 @@
 
 namespace host_sim {
 namespace {
-
-// The file's end within a line, as a logger leaves it that was switched off: no line end behind it, and fewer fields.
-bool breaks_off(std::string_view row, const CsvTable& table, const FieldFormat& format) {
-  if (row.data() + row.size() != table.content.data() + table.content.size()) return false;
-  const char* position = row.data();
-  const char* end = row.data() + row.size();
-  size_t fields = 1;
-  for (format.skip(position, end); position != end; format.skip(++position, end)) ++fields;
-  return fields < table.targets.size();
-}
 
 // Whether nothing but text follows, which is said.
 bool ends_before(std::string_view lines, CsvTable& table) {
