@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <memory>
 
 #include "host_sim/ingestion/mat/mat_reader.hpp"
@@ -171,6 +173,14 @@ TEST(Mat, RefusesWithTheVariablesName) {
   }
 }
 
+// 1e307 kN are more newtons than a double holds.
+TEST(Mat, RefusesAValueThatItsUnitMakesInfinite) {
+  MatFile file;
+  file.add("fs", {250}).add("force_1_kN", {1, 1e307, 3});
+  expect_says(refusal([&] { one_record(file.path(), dampers(1)); }),
+              "variable \"force_1_kN\": element 2 is too large in SI units");
+}
+
 TEST(Mat, RefusesComplexNumbers) {
   double real[] = {1, 2}, imaginary[] = {3, 4};
   mat_complex_split_t both = {real, imaginary};
@@ -295,6 +305,55 @@ TEST(Mat, RefusesAFileThatIsNone) {
   std::fclose(file);
   expect_says(refusal([&] { one_record(path, dampers(1)); }), path + ": is no MAT file that can be read");
   std::remove(path.c_str());
+}
+
+// The sizes of a variable, as they stand in the file, and the bytes of its numbers contradict each other: 200 numbers are there.
+TEST(Mat, SizesThatTheNumbersDoNotFillAreRefused) {
+  for (const uint32_t rows : {199u, 201u, 0x6D01012Cu}) {
+    MatFile file;
+    file.add("sample_rate_Hz", {250}).add("force_1_N", std::vector<double>(200, 1.5));
+    const std::string path = file.path();
+    std::fstream bytes(path, std::ios::binary | std::ios::in | std::ios::out);
+    std::string text((std::istreambuf_iterator<char>(bytes)), {});
+    const size_t sizes = text.find(std::string("\5\0\0\0\10\0\0\0\310\0\0\0", 12));  // type 5, 8 bytes, 200
+    ASSERT_NE(sizes, std::string::npos);
+    bytes.clear();
+    bytes.seekp(static_cast<std::streamoff>(sizes + 8));
+    bytes.write(reinterpret_cast<const char*>(&rows), 4);
+    bytes.close();
+    const std::string said = refusal([&] { one_record(path, dampers(1)); });
+    expect_says(said, "variable \"force_1_N\": is to hold " + std::to_string(rows) + " numbers");
+    expect_says(said, "its bytes are those of 200");
+  }
+}
+
+// The same in a compressed variable, made with Python's zlib: force_1_N of 200 noughts that is to hold so many numbers.
+TEST(Mat, SizesOfACompressedVariableAreCheckedToo) {
+  const auto bytes_of = [](const std::string& digits) {
+    std::string bytes;
+    for (size_t i = 0; i + 1 < digits.size(); i += 2)
+      bytes += static_cast<char>(std::stoi(digits.substr(i, 2), nullptr, 16));
+    return bytes;
+  };
+  std::string head = "MATLAB 5.0 MAT-file, by hand";
+  head.resize(124, ' ');
+  head += std::string("\0\1IM", 4) +
+          bytes_of(
+              "0e0000003800000006000000080000000600000000000000050000000800000001000000010000000100020066730000"
+              "0900000008000000000000000000f03f");  // fs = 1
+  const std::string sound =
+                        "0f0000003d00000078dae3636060686063600022060e06080d02ac50fe09206684624e204ecb2f4a4e8d378cf783aa"
+                        "038939c0348d8251300a46c1281805240200b68a0524",
+                    claims =
+                        "0f0000004000000078dae3636060686063600022060e06080d02ac50be83133f03239006614e204ecb2f4a4e8d378c"
+                        "f783aa038939c0348d8251300a46c128180524020055c304ed";
+  for (const std::string* variable : {&sound, &claims}) {
+    const std::string path = testing::TempDir() + "compressed_" + std::to_string(getpid()) + ".mat";
+    std::ofstream(path, std::ios::binary) << head << bytes_of(*variable);
+    const std::string said = refusal([&] { EXPECT_EQ(one_record(path, {}).samples(), 200u); });
+    EXPECT_EQ(said.find("is to hold 1000000 numbers") != std::string::npos, variable == &claims) << said;
+    std::remove(path.c_str());
+  }
 }
 
 // The library beneath fills what is missing with noughts, and says so to its log alone.

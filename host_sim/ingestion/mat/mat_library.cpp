@@ -26,6 +26,7 @@ std::optional<MatLibrary> load() {
       find(library, "Mat_VarGetStructFieldByIndex", mat.field) && find(library, "Mat_VarCreate", mat.make_variable) &&
       find(library, "Mat_VarSetCell", mat.set_cell) && find(library, "Mat_VarWrite", mat.write) &&
       find(library, "Mat_VarFree", mat.free);
+  find(library, "uncompress", mat.unpack);
   return complete ? std::optional<MatLibrary>(mat) : std::nullopt;
 }
 

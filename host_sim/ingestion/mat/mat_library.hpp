@@ -19,6 +19,8 @@ struct MatLibrary {
   decltype(&::Mat_VarSetCell) set_cell;
   decltype(&::Mat_VarWrite) write;
   decltype(&::Mat_VarFree) free;
+  // uncompress() of the zlib that comes with it; nullptr where it has none. With too little room it fills that.
+  int (*unpack)(unsigned char* to, unsigned long* room, const unsigned char* from, unsigned long bytes);
 };
 
 // nullptr where this machine has none. From any thread.

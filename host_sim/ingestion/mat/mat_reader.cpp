@@ -7,12 +7,14 @@
 
 #include "host_sim/ingestion/mat/mat_end.hpp"
 #include "host_sim/ingestion/mat/mat_library.hpp"
+#include "host_sim/ingestion/mat/mat_sizes.hpp"
 #include "host_sim/ingestion/mat/mat_values.hpp"
 #include "host_sim/ingestion/mat/mat_variables.hpp"
 #include "host_sim/records/columns/column_meaning.hpp"
 #include "host_sim/records/columns/head_hints.hpp"
 #include "host_sim/records/columns/names/column_name.hpp"
 #include "host_sim/records/files/data_file_error.hpp"
+#include "host_sim/records/files/file_content.hpp"
 #include "host_sim/records/files/file_extension.hpp"
 #include "host_sim/records/record_checks.hpp"
 
@@ -78,6 +80,15 @@ std::string of_objects(const std::vector<Group>& groups) {
                           " for a variable with a name of its own" + (objects.empty() ? "" : "; the file " + objects));
 }
 
+void to_si(const std::string& name, double factor, const Source& source, std::vector<double>& values) {
+  for (size_t i = 0; i < values.size(); ++i) {
+    values[i] *= factor;
+    if (!std::isfinite(values[i]))
+      fail(source.file, name,
+           "element " + std::to_string(i + 1) + " is too large in SI units, expected a measured value: check the unit");
+  }
+}
+
 Record record_of(Group& group, const Source& source) {
   Record record;
   record.file = source.file + (group.label.empty() ? "" : ", " + group.label);
@@ -86,7 +97,7 @@ Record record_of(Group& group, const Source& source) {
   std::vector<double> time_s;
   for (size_t i = 0; i < plan.uses.size(); ++i) {
     ColumnUse& use = plan.uses[i];
-    for (double& value : group.values[i]) value *= use.factor;
+    to_si(group.names[i].head, use.factor, source, group.values[i]);
     if (use.kind == ColumnUse::Kind::kTime) time_s = std::move(group.values[i]);
     if (use.kind != ColumnUse::Kind::kChannel) continue;
     record.channels.push_back(std::move(use.channel));
@@ -125,6 +136,7 @@ std::vector<Record> read_mat(const std::string& path, const rig_file::RigModel& 
   if (const uint64_t missing = missing_mat_bytes(path))
     throw DataFileError(path, 0,
                         "ends early, " + std::to_string(missing) + " bytes are missing: copy it from its source again");
+  require_sizes_of_mat(FileContent(path).text(), path, *library);
   const Source source{path, model, options, *library};
   std::vector<Group> groups(1);
   for (;;) {
