@@ -131,6 +131,37 @@ TEST(SensorLog, ALostSampleLeavesItsTimeWhereTheRecordIsInterpolated) {
   EXPECT_EQ(record.notes, (std::vector<std::string>{"1 sample was lost on the bus"}));
 }
 
+// A channel can be left out, and the rate of the board be told; a unit is what the calibration gives.
+TEST(SensorLog, TakesWhatTheUserSaysOfAChannel) {
+  const auto rig = dampers(1, 0, kCalibration);
+  host_sim::ReadingOptions options;
+  options.columns = {{"force_1", ""}};
+  options.sample_rate_Hz = 800;
+  const auto record = parse_sensor_log(kTwoSamples, "s.log", rig, options);
+  ASSERT_EQ(record.channels.size(), 1u);
+  EXPECT_EQ(record.channels[0].name, "displacement_1_m");
+  EXPECT_EQ(record.sample_period_s, 1.0 / 800);
+  options.columns.push_back({"displacement_1", ""});
+  expect_says(refusal([&] { parse_sensor_log(kTwoSamples, "s.log", rig, options); }), "no channel is left");
+  host_sim::ReadingOptions units;
+  units.units = {{"displacement_1", "mm"}};
+  expect_says(refusal([&] { parse_sensor_log(kTwoSamples, "s.log", rig, units); }),
+              "--unit displacement_1=\"mm\": the calibration of a CAN log gives SI units, expected unit_per_code");
+}
+
+// 25 thousandths, then 24; behind it a description as before would do.
+TEST(SensorLog, ACalibrationThatChangesWithinTheLogIsRefused) {
+  const std::string scaling = "(1000000000.000000) vcan0 691#41FD190000000000\n",
+                    other = "(1000000000.000500) vcan0 691#41FD180000000000\n",
+                    range = "(1000000000.000000) vcan0 6A1#41010000FF7F00\n",
+                    other_range = "(1000000000.000000) vcan0 6A1#41020000FF7F00\n";
+  EXPECT_EQ(parse_sensor_log(scaling + range + kTwoSamples + range + scaling, "s.log", dampers(1)).samples(), 2u);
+  expect_says(refusal([&] { parse_sensor_log(scaling + kTwoSamples + other, "s.log", dampers(1)); }),
+              "s.log:6: frame scaling of velocity_1_m_s says another value than before");
+  expect_says(refusal([&] { parse_sensor_log(scaling + range + kTwoSamples + other_range, "s.log", dampers(1)); }),
+              "s.log:7: frame range of velocity_1_m_s says another value than before");
+}
+
 TEST(SensorLog, RefusesGapsAndMissingCalibrations) {
   const auto rig = dampers(1, 0, kCalibration);
   const std::string gap = std::string(kTwoSamples) +

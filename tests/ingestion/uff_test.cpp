@@ -193,6 +193,50 @@ TEST(Uff, OtherFunctionsAreIgnoredWithANote) {
   EXPECT_EQ(record.notes[0], "ignored: ordinate type 3 (strain), function type 4 (no time response)");
 }
 
+// What the user says beyond the file: channels have no columns with names, but quantities, units and a rate.
+TEST(Uff, TakesWhatTheUserSaysOfAChannel) {
+  Dataset force;
+  force.ordinate_type = 13;
+  const std::string text = text_of({}) + text_of(force);
+  const auto read = [&](const host_sim::ReadingOptions& options) {
+    return host_sim::parse_uff(text, "d.uff", dampers(1), options).front();
+  };
+  host_sim::ReadingOptions options;
+  options.columns = {{"force_1", ""}};
+  EXPECT_EQ(read(options).find(Quantity::kForce, 1), nullptr);
+  EXPECT_NE(read(options).find(Quantity::kDisplacement, 1), nullptr);
+  options = {};
+  options.units = {{"displacement_1", "mm"}};
+  const auto in_mm = read(options);
+  EXPECT_DOUBLE_EQ(in_mm.find(Quantity::kDisplacement, 1)->values[1], -2.5e-3);
+  EXPECT_EQ(in_mm.find(Quantity::kForce, 1)->values[1], -2.5);
+  EXPECT_EQ(in_mm.notes, (std::vector<std::string>{"displacement_1_m in mm, as --unit says: values times 0.001"}));
+  options = {};
+  options.sample_rate_Hz = 500;
+  const auto at_rate = read(options);
+  EXPECT_EQ(at_rate.sample_period_s, 0.002);
+  EXPECT_EQ(at_rate.start_s, 0.0);
+}
+
+TEST(Uff, RefusesOptionsThatItHasNoUseFor) {
+  const auto says = [](const host_sim::ReadingOptions& options) {
+    return refusal([&] { host_sim::parse_uff(text_of({}), "d.uff", dampers(1), options); });
+  };
+  host_sim::ReadingOptions columns, units, unknown, sensitivities, none, time;
+  columns.columns = {{"displacement_1", "Chan 3"}};
+  units.units = {{"displacement_1", "N"}};
+  unknown.units = {{"displacement_1", "cubits"}};
+  sensitivities.sensitivities = {{"displacement_1", "100 mV/m"}};
+  none.units = {{"velocity_7", "mm/s"}};
+  time.units = {{"t", "ms"}};
+  expect_says(says(columns), "has no columns with names, as --column displacement_1=\"Chan 3\" wants one");
+  expect_says(says(units), "--unit displacement_1=\"N\": expected a unit such as m");
+  expect_says(says(unknown), "--unit displacement_1=\"cubits\": expected a unit such as m");
+  expect_says(says(sensitivities), "--sensitivity is for columns of volts");
+  expect_says(says(none), "channel \"velocity_7_m_s\"");
+  expect_says(says(time), "--unit t=\"ms\": its time is in seconds");
+}
+
 // Channel by channel or run by run: the second time a channel comes, it is of the second record.
 TEST(Uff, SeveralRecordsInOneFile) {
   Dataset first, second, force, other_force;

@@ -31,6 +31,14 @@ constexpr SensorFrameKind kKinds[] = {{&can::kSensorMotion16, SensorWiring::k16,
 
 int dof_of_node(int node) { return node == firmware::kBaseNode ? rig_file::kBase : node + 1; }
 
+// All samples of a log are read with one calibration.
+[[noreturn]] void refuse_change(const char* frame, const rig_file::ChannelName& channel, const std::string& file,
+                                size_t line) {
+  throw DataFileError(file, line,
+                      std::string("frame ") + frame + " of " + rig_file::format_channel_name(channel) +
+                          " says another value than before, expected one calibration: part the log there");
+}
+
 }  // namespace
 
 void LogCalibration::learn(const firmware::CanFrame& message, const std::string& file, size_t line) {
@@ -52,11 +60,18 @@ void LogCalibration::learn(const firmware::CanFrame& message, const std::string&
   firmware::ChannelRange range;
   if (firmware::unpack_scaling(message, node, scaling) && scaling.place >= 1 && scaling.place <= firmware::kMaxNodes) {
     Description& channel = described_[scaling.place - 1][static_cast<int>(scaling.quantity)];
+    const double unit_per_code = scaling.unit_per_code * std::pow(10.0, scaling.exponent);
+    if (channel.known && (channel.rotating != scaling.rotating || channel.unit_per_code != unit_per_code))
+      refuse_change("scaling", {scaling.quantity, dof_of_node(scaling.place - 1), scaling.rotating}, file, line);
     channel.known = true;
     channel.rotating = scaling.rotating;
-    channel.unit_per_code = scaling.unit_per_code * std::pow(10.0, scaling.exponent);
+    channel.unit_per_code = unit_per_code;
   } else if (firmware::unpack_range(message, node, range) && range.place >= 1 && range.place <= firmware::kMaxNodes) {
-    described_[range.place - 1][static_cast<int>(range.quantity)].offset_code = range.offset_code;
+    Description& channel = described_[range.place - 1][static_cast<int>(range.quantity)];
+    if (channel.offset_known && channel.offset_code != range.offset_code)
+      refuse_change("range", {range.quantity, dof_of_node(range.place - 1), channel.rotating}, file, line);
+    channel.offset_known = true;
+    channel.offset_code = range.offset_code;
   }
 }
 

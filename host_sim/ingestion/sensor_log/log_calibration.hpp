@@ -33,6 +33,7 @@ class LogCalibration {
  private:
   struct Description {
     bool known = false;
+    bool offset_known = false;
     bool rotating = false;
     double unit_per_code = 0.0;
     int32_t offset_code = 0;

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <sstream>
 
+#include "hal/rig_file/channel_name.hpp"
 #include "host_sim/can_log/log_reader.hpp"
+#include "host_sim/ingestion/channel_options.hpp"
 #include "host_sim/ingestion/sensor_log/log_calibration.hpp"
+#include "host_sim/records/columns/plan/column_choices.hpp"
 #include "host_sim/records/files/data_file_error.hpp"
 #include "host_sim/records/files/file_extension.hpp"
 #include "host_sim/records/record_checks.hpp"
@@ -45,6 +48,18 @@ void require_gap_that_can_be_filled(uint32_t before, uint32_t after, const Readi
                           (after > before ? "; --resample with the sampling rate interpolates" : ""));
 }
 
+// The channels that are calibrated, without those that the user wants left out.
+std::vector<LogChannel> wanted_channels(const LogCalibration& calibration, const ColumnContext& context) {
+  std::vector<LogChannel> channels = calibration.channels(context.file, context.model);
+  channels.erase(std::remove_if(channels.begin(), channels.end(),
+                                [&](const LogChannel& channel) {
+                                  return is_left_out(*rig_file::parse_channel_name(channel.name), context.options);
+                                }),
+                 channels.end());
+  if (channels.empty()) context.refuse("no channel is left, expected fewer --column CHANNEL=");
+  return channels;
+}
+
 // Samples are counted on the board: their times are even, whatever was lost.
 void keep_gaps(const std::vector<uint32_t>& sequence, Record& record) {
   for (const uint32_t number : sequence)
@@ -64,9 +79,13 @@ bool is_sensor_log(const std::string& path, std::string_view content) {
 
 Record parse_sensor_log(std::string_view content, const std::string& file, const rig_file::RigModel& model,
                         const ReadingOptions& options) {
+  const ColumnContext context{model, options, file, 0};
+  require_channel_options(
+      context,
+      "the calibration of a CAN log gives SI units, expected unit_per_code of the [[channel]] in the rig file");
   const std::string text(content);
   const LogCalibration calibration = calibration_of(text, file, model);
-  const std::vector<LogChannel> channels = calibration.channels(file, model);
+  const std::vector<LogChannel> channels = wanted_channels(calibration, context);
   Record record;
   record.file = file;
   for (const LogChannel& channel : channels) record.channels.push_back(channel_of_name(channel.name, model, file, 0));
@@ -90,10 +109,13 @@ Record parse_sensor_log(std::string_view content, const std::string& file, const
   }
   if (record.samples() < 2)
     throw DataFileError(file, 0, std::to_string(record.samples()) + " whole samples, expected at least 2");
-  record.sample_period_s =
-      1e-9 * static_cast<double>(last_ns - first_ns) / static_cast<double>(sequence.back() - sequence.front());
-  if (!(record.sample_period_s > 0.0) || last_ns < first_ns)
-    throw DataFileError(file, 0, "the times of the frames do not rise, expected times as candump -L writes them");
+  record.sample_period_s = options.sample_rate_Hz > 0.0 ? 1.0 / options.sample_rate_Hz
+                                                        : 1e-9 * static_cast<double>(last_ns - first_ns) /
+                                                              static_cast<double>(sequence.back() - sequence.front());
+  if (options.sample_rate_Hz <= 0.0 && last_ns <= first_ns)
+    throw DataFileError(file, 0,
+                        "the times of the frames do not rise, expected times as candump -L writes them, or "
+                        "--sample-rate");
   if (sequence.back() - sequence.front() + 1 != sequence.size()) keep_gaps(sequence, record);
   return record;
 }

@@ -9,7 +9,9 @@
 #include <set>
 
 #include "hal/rig_file/channel_name.hpp"
+#include "host_sim/ingestion/channel_options.hpp"
 #include "host_sim/ingestion/uff/uff_dataset.hpp"
+#include "host_sim/records/columns/plan/column_choices.hpp"
 #include "host_sim/records/columns/units/units.hpp"
 #include "host_sim/records/files/data_file_error.hpp"
 #include "host_sim/records/files/file_extension.hpp"
@@ -183,34 +185,49 @@ double to_si(const uff::Function& function, const uff::Units& units, firmware::Q
   return label->to_si;
 }
 
-Channel channel_of(const uff::Function& function, int dof, const uff::Units& units, const std::string& file,
-                   const rig_file::RigModel& model, std::vector<std::string>& notes) {
-  const firmware::Quantity quantity = *quantity_of(function.ordinate_type);
+rig_file::ChannelName name_of(const uff::Function& function, int dof, const rig_file::RigModel& model) {
   const int direction = std::abs(function.direction);
   const bool of_rig = !model.dofs.empty();
   const bool rig_rotates =
       of_rig && (dof == rig_file::kBase ? base_rotates(model) : model.dofs[static_cast<size_t>(dof - 1)].rotating);
   const bool rotates = direction == 0 ? rig_rotates : direction > 3;
-  Channel channel =
-      channel_of_name(rig_file::format_channel_name({quantity, dof, rotates}), model, file, function.line);
-  const double size = to_si(function, units, quantity, rotates, file);
-  if (size != 1.0) {
-    std::string factor = fmt::format("{:.10g}", size);
-    notes.push_back(channel.name + " in " +
-                    (function.ordinate_unit.empty() ? "the units of dataset 164" : function.ordinate_unit) +
-                    ": values times " + factor);
-  }
+  return {*quantity_of(function.ordinate_type), dof, rotates};
+}
+
+// What the values of a channel are multiplied with: by what the user says, else by what the file says.
+double factor_of(const uff::Function& function, const rig_file::ChannelName& name, const uff::Units& units,
+                 const ColumnContext& context, std::vector<std::string>& notes) {
+  const std::string channel = rig_file::format_channel_name(name);
+  const auto said = said_unit(context, channel, dimension_of(name.quantity, name.rotating));
+  const double size = said ? said->to_si : to_si(function, units, name.quantity, name.rotating, context.file);
+  if (size == 1.0) return size;
+  const std::string unit = said                             ? said->word + ", as --unit says"
+                           : function.ordinate_unit.empty() ? "the units of dataset 164"
+                                                            : function.ordinate_unit;
+  notes.push_back(channel + " in " + unit + fmt::format(": values times {:.10g}", size));
+  return size;
+}
+
+Channel channel_of(const uff::Function& function, const rig_file::ChannelName& name, const uff::Units& units,
+                   const ColumnContext& context, std::vector<std::string>& notes) {
+  Channel channel = channel_of_name(rig_file::format_channel_name(name), context.model, context.file, function.line);
+  const double size = factor_of(function, name, units, context, notes);
   const double factor = function.direction < 0 ? -size : size;
   channel.values.reserve(function.values.size());
   for (const double value : function.values) channel.values.push_back(value * factor);
+  for (size_t i = 0; i < channel.values.size(); ++i)
+    if (!std::isfinite(channel.values[i]))
+      fail(context.file, function, "value " + std::to_string(i + 1) + " is too large in SI units: check the unit");
   return channel;
 }
 
-void check_alike(const Record& record, const uff::Function& function, const std::string& file) {
+// rate_Hz: that the user says; 0: the file's times hold.
+void check_alike(const Record& record, const uff::Function& function, double rate_Hz, const std::string& file) {
   if (function.values.size() != record.samples())
     fail(file, function,
          std::to_string(function.values.size()) + " values, expected " + std::to_string(record.samples()) +
              " as in the first channel");
+  if (rate_Hz > 0.0) return;
   if (std::abs(function.step_s / record.sample_period_s - 1.0) > 1e-4)
     fail(file, function, "another sample period than the first channel, expected the same");
   if (std::abs(function.start_s - record.start_s) > 0.01 * record.sample_period_s)
@@ -225,28 +242,33 @@ bool is_uff(const std::string& path, std::string_view content) {
 }
 
 std::vector<Record> parse_uff(std::string_view content, const std::string& file, const rig_file::RigModel& model,
-                              const ReadingOptions&) {
+                              const ReadingOptions& options) {
+  const ColumnContext context{model, options, file, 0};
+  require_channel_options(context, "");
   Contents contents = read_contents(content, file);
   const std::vector<Place> places = places_in_order(contents, file, model);
   std::vector<Record> records(1);
   for (uff::Function& function : contents.functions) {
     const auto place = std::find(places.begin(), places.end(), Place(function.node, std::abs(function.direction)));
     const int dof = is_base(function) ? rig_file::kBase : static_cast<int>(place - places.begin()) + 1;
-    const Quantity quantity = static_cast<Quantity>(*quantity_of(function.ordinate_type));
+    const rig_file::ChannelName name = name_of(function, dof, model);
+    if (is_left_out(name, options)) continue;
+    const Quantity quantity = static_cast<Quantity>(name.quantity);
     size_t number = 0;  // a channel's first function is of the first record, its second of the second, ...
     while (number < records.size() && records[number].find(quantity, dof) != nullptr) ++number;
     if (number == records.size()) records.emplace_back();
     Record& record = records[number];
-    Channel channel = channel_of(function, dof, contents.units, file, model, record.notes);
+    Channel channel = channel_of(function, name, contents.units, context, record.notes);
     if (record.channels.empty()) {
-      record.sample_period_s = function.step_s;
-      record.start_s = function.start_s;
+      record.sample_period_s = options.sample_rate_Hz > 0.0 ? 1.0 / options.sample_rate_Hz : function.step_s;
+      record.start_s = options.sample_rate_Hz > 0.0 ? 0.0 : function.start_s;
     } else {
-      check_alike(record, function, file);
+      check_alike(record, function, options.sample_rate_Hz, file);
     }
     record.channels.push_back(std::move(channel));
     function.values = {};
   }
+  if (records.front().channels.empty()) context.refuse("no channel is left, expected fewer --column CHANNEL=");
   for (size_t i = 0; i < records.size(); ++i)
     records[i].file = file + (records.size() > 1 ? ", record " + std::to_string(i + 1) : "");
   if (!contents.ignored.empty()) records.front().notes.push_back("ignored: " + joined(contents.ignored));
