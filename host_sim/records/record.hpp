@@ -29,7 +29,8 @@ struct Record {
   double time_jitter_s = 0.0;     // rms of the file's sample times about even steps; 0 where it has none
   // The file's samples before the first of these; none where these are no samples of the file, or where some between them are left out.
   std::optional<size_t> left_out_before = 0;
-  std::vector<std::string> notes;  // what the reader made of the file: factors, ignored columns
+  std::vector<std::string> computed;  // names of columns that were computed from others and are left out
+  std::vector<std::string> notes;     // what the reader made of the file: factors, ignored columns
   size_t samples() const { return channels.empty() ? 0 : channels.front().values.size(); }
   const Channel* find(Quantity quantity, int dof) const {
     for (const Channel& channel : channels)

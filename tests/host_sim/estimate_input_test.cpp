@@ -1,5 +1,8 @@
 // host_sim estimate and the files and options that it is given.
+#include <cmath>
+#include <cstdio>
 #include <set>
+#include <vector>
 
 #include "tests/host_sim/estimate_fixture.hpp"
 
@@ -50,6 +53,58 @@ TEST_F(Estimate, AFileNameThatIsNoUtf8) {
   const auto estimate =
       host_sim({"estimate", "--rig", "rig.toml", "--data", name, "--json", "e.json", "--report", "r"});
   EXPECT_EQ(estimate.status, 0) << estimate.errors;
+}
+
+TEST_F(Estimate, WhatIsNoNumberIsRefusedByTheNameOfItsOption) {
+  const auto with = [&](const std::string& option, const std::string& text) {
+    return host_sim({"estimate", "--rig", "rig.toml", "--data", "data.csv", option, text});
+  };
+  for (const char* option : {"--from", "--to", "--sample-rate", "--resample"}) {
+    const auto result = with(option, "nan");
+    EXPECT_EQ(result.status, 2) << option;
+    EXPECT_NE(result.errors.find(option), std::string::npos) << result.errors;
+    EXPECT_EQ(result.errors.find("internal"), std::string::npos) << result.errors;
+  }
+  for (const char* option : {"--sample-rate", "--resample"}) {
+    const auto result = with(option, "inf");
+    EXPECT_EQ(result.status, 2) << option;
+    EXPECT_NE(result.errors.find("expected a number above 0"), std::string::npos) << result.errors;
+  }
+  EXPECT_EQ(with("--to", "inf").status, 0);
+}
+
+TEST_F(Estimate, TwoResultsInOneFileAreRefused) {
+  const auto result =
+      host_sim({"estimate", "--rig", "rig.toml", "--data", "data.csv", "--json", "f.json", "--log", "./f.json"});
+  EXPECT_EQ(result.status, 2);
+  EXPECT_NE(result.errors.find("is to hold two results of this command"), std::string::npos) << result.errors;
+  EXPECT_EQ(workspace_.entries(), (std::set<std::string>{"data.csv", "rig.toml"}));
+}
+
+// A displacement with a little noise (digits of a fixed pattern) and its central differences. A long record tells that these
+// were computed, a short one is too short to: the column is left out in both.
+TEST_F(Estimate, AColumnComputedInOneRecordIsLeftOutInAll) {
+  const auto record_of = [](int rows) {
+    std::vector<double> x;
+    for (int i = 0; i < rows; ++i) x.push_back(0.01 * std::cos(0.02 * i) + 1e-6 * ((i * 7919) % 13 - 6));
+    std::string text = "t_s,displacement_1_m,velocity_1_m_s\n";
+    for (int i = 1; i + 1 < rows; ++i) {
+      char row[96];
+      const size_t k = static_cast<size_t>(i);
+      std::snprintf(row, sizeof row, "%.3f,%.12g,%.12g\n", i * 1e-3, x[k], (x[k + 1] - x[k - 1]) / 2e-3);
+      text += row;
+    }
+    return text;
+  };
+  workspace_.write("long.csv", record_of(4000));
+  workspace_.write("short.csv", record_of(60));
+  const std::string note = "velocity_1_m_s: was computed from another column in long.csv: left out here too";
+  const auto estimate = host_sim({"estimate", "--rig", "rig.toml", "--data", "short.csv", "--data", "long.csv"});
+  EXPECT_EQ(estimate.errors.find("expected the same channels"), std::string::npos) << estimate.errors;
+  EXPECT_NE(estimate.errors.find("short.csv: " + note), std::string::npos) << estimate.errors;
+  const auto diagnose = host_sim({"diagnose", "--rig", "rig.toml", "--data", "long.csv", "--holdout", "short.csv"});
+  EXPECT_EQ(diagnose.errors.find("expected the same channels"), std::string::npos) << diagnose.errors;
+  EXPECT_NE(diagnose.errors.find("short.csv: " + note), std::string::npos) << diagnose.errors;
 }
 
 TEST_F(Estimate, ASensitivityThatIsNotUsedIsTold) {

@@ -21,6 +21,7 @@
 #include "host_sim/programs/shared/one_heap.hpp"
 #include "host_sim/programs/shared/stage_line.hpp"
 #include "host_sim/programs/shared/terminal.hpp"
+#include "host_sim/records/derived/computed_anywhere.hpp"
 #include "host_sim/records/record_checks.hpp"
 #include "host_sim/reports/data/from_diagnosis.hpp"
 #include "host_sim/reports/page/report.hpp"
@@ -50,6 +51,8 @@ void diagnose(const DiagnoseArguments& arguments) {
     require_unseen(arguments.data, arguments.holdout);
     std::vector<Record> training = read_data(arguments.data, model, arguments.reading),
                         holdout = read_data(arguments.holdout, model, arguments.reading);
+    for (const LeftOutToo& column : leave_out_computed_anywhere({&training, &holdout}))
+      std::fprintf(stderr, "%s: %s\n", column.file.c_str(), column.note.c_str());
     for (std::vector<Record>* records : {&training, &holdout})
       for (const std::string& told : data_check::keep_decays(*records)) std::fprintf(stderr, "%s\n", told.c_str());
     require_same_channels(training);

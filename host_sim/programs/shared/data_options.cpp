@@ -1,6 +1,7 @@
 #include "host_sim/programs/shared/data_options.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <future>
@@ -11,6 +12,7 @@
 #include "host_sim/programs/shared/above_nought.hpp"
 #include "host_sim/programs/shared/failures.hpp"
 #include "host_sim/records/ac_coupling.hpp"
+#include "host_sim/records/derived/computed_anywhere.hpp"
 #include "host_sim/records/record_checks.hpp"
 
 namespace host_sim {
@@ -32,6 +34,16 @@ ReadingOptions::Choices choices(const char* option, const std::vector<std::strin
   return result;
 }
 
+CLI::Validator seconds() {
+  return CLI::Validator(
+      [](const std::string& text) {
+        double number = 0.0;
+        const bool is_number = CLI::detail::lexical_cast(text, number) && !std::isnan(number);
+        return is_number ? std::string() : "is \"" + text + "\", expected a number of seconds";
+      },
+      "SECONDS");
+}
+
 }  // namespace
 
 void add_data_options(CLI::App& command, DataArguments& arguments) {
@@ -50,9 +62,11 @@ void add_data_options(CLI::App& command, DataArguments& arguments) {
       .add_option("--resample", arguments.resample_Hz,
                   "samples per second onto which records of uneven times are interpolated; gaps part a record")
       ->check(above_nought());
-  command.add_option("--from", arguments.span.from_s,
-                     "seconds of the file's own time: what every record holds before them is left out");
-  command.add_option("--to", arguments.span.to_s, "the same of what it holds after them");
+  command
+      .add_option("--from", arguments.span.from_s,
+                  "seconds of the file's own time: what every record holds before them is left out")
+      ->check(seconds());
+  command.add_option("--to", arguments.span.to_s, "the same of what it holds after them")->check(seconds());
 }
 
 void add_anyway_option(CLI::App& command, DataArguments& arguments) {
@@ -143,6 +157,8 @@ std::vector<Record> read_data(const std::vector<std::string>& paths, const rig_f
       for (const std::string& note : record.notes) notes.add(i, record.file, note);
       records.push_back(std::move(record));
     }
+  size_t other = files.size();
+  for (const LeftOutToo& column : leave_out_computed_anywhere({&records})) notes.add(other++, column.file, column.note);
   undo_ac_coupling(stated_ac_couplings(model), records);
   if (!records.empty()) order_channels_as(records.front(), records);
   return records;
