@@ -64,16 +64,16 @@ struct Written {
   }
 };
 
-// Whole to 1e-3 of a unit: decimals are read to double precision.
-bool whole_in(double t, double place_s) {
+// Whole to 1e-3 of a unit, and to what a number of double precision leaves of it: `spacing_s`, 0.2 us of seconds since 1970.
+bool whole_in(double t, double place_s, double spacing_s) {
   const double units = t / place_s;
-  return std::abs(units - std::nearbyint(units)) < 1e-3;
+  return std::abs(units - std::nearbyint(units)) < std::min(0.25, 1e-3 + spacing_s / place_s);
 }
 
 constexpr size_t kTells = 16;  // so many times are no chance: all whole by ten finer places at one in 10^16
 
 // 0.001 s for 0.977 and 1.950.
-Written in_decimals(const std::vector<double>& time_s, double latest_s) {
+Written in_decimals(const std::vector<double>& time_s, double latest_s, double spacing_s) {
   constexpr size_t kDecades = 8;
   Written written;
   written.places_s.assign(kDecades, 1.0);
@@ -84,7 +84,7 @@ Written in_decimals(const std::vector<double>& time_s, double latest_s) {
     const size_t at = written.index_of(t);
     double& place = written.places_s[at];
     ++count[at];
-    for (const double finest = 0.5e-9 * std::pow(10.0, -static_cast<double>(at)); !whole_in(t, place);)
+    for (const double finest = 0.5e-9 * std::pow(10.0, -static_cast<double>(at)); !whole_in(t, place, spacing_s);)
       if ((place *= 0.1) < finest) return {};
   }
   double earlier_s = 0.0;  // a few times may be whole by chance: no more than tenfold from decade to decade
@@ -116,12 +116,35 @@ constexpr double kRounded = 0.6, kTick = 1.0, kTicksOfAStep = 4.0;
 // they scatter about it, at the line's end twice that over sqrt(n), and four standard deviations of it.
 constexpr double kLineError = 4.0 * 2.0;
 
+// Steps that are all the same to the last decimal but for a few of several steps: lost samples, though a step is no four decimals. A clock
+// that runs a little slower than its decimals says makes single ones too, always by one decimal and each as far from the last as the others.
+constexpr double kFewLost = 0.01;  // of the steps: more are a step of their own
+constexpr size_t kTellRegular = 3;
+
+bool skips_steps(const std::vector<double>& time_s, double place_s, double usual) {
+  std::vector<double> rows;
+  bool by_one = true;
+  for (size_t i = 1; i < time_s.size(); ++i) {
+    const double steps = (time_s[i] - time_s[i - 1]) / usual, whole = std::nearbyint(steps);
+    if (!(whole >= 1.0) || std::abs(steps - whole) > 1e-3) return false;
+    if (whole < 2.0) continue;
+    rows.push_back(static_cast<double>(i));
+    by_one = by_one && std::abs((whole - 1.0) * usual - place_s) < 0.5 * place_s;
+  }
+  if (rows.empty() || static_cast<double>(rows.size()) > kFewLost * static_cast<double>(time_s.size())) return false;
+  if (!by_one || rows.size() < kTellRegular) return true;
+  const TimeLine line = line_through(rows, counted(rows.size()));
+  for (size_t i = 0; i < rows.size(); ++i)
+    if (std::abs(rows[i] - line.start - static_cast<double>(i) * line.step) > 1.5) return true;
+  return false;
+}
+
 EvenTimes even_if_written(const std::vector<double>& time_s, const Written& written) {
   EvenTimes even;
   const double usual = median_step(time_s);
   if (!(written.place_s > 0.0)) return even;
   std::vector<double> index = counted(time_s.size());
-  const bool shows_lost = usual >= kTicksOfAStep * written.place_s;
+  const bool shows_lost = usual >= kTicksOfAStep * written.place_s || skips_steps(time_s, written.place_s, usual);
   for (size_t i = 1; shows_lost && i < index.size(); ++i) {
     const double steps = std::round((time_s[i] - time_s[i - 1]) / usual);
     if (steps < 1.0) return even;  // two rows at one time
@@ -142,14 +165,33 @@ EvenTimes even_if_written(const std::vector<double>& time_s, const Written& writ
   return even;
 }
 
+double latest_of(const std::vector<double>& time_s) {
+  double latest_s = 0.0;
+  for (const double t : time_s) latest_s = std::max(latest_s, std::abs(t));
+  return latest_s;
+}
+
+constexpr double kCoarse_s = 1e-9;  // numbers that are further apart themselves: some months
+
+// Counted from the first's whole second: in the decimals that are left, or as close as numbers so large are to each other.
+EvenTimes even_of_calendar(const std::vector<double>& time_s, double spacing_s) {
+  const double whole_s = std::floor(time_s.front());
+  std::vector<double> since(time_s);
+  for (double& t : since) t -= whole_s;
+  EvenTimes even = even_if_written(since, in_decimals(since, latest_of(since), spacing_s));
+  if (!(even.step_s > 0.0)) even = even_if_written(since, {2.0 * spacing_s, 0, {}});  // nanoseconds are rounded twice
+  for (double& t : even.time_s) t += whole_s;
+  return even;
+}
+
 }  // namespace
 
 EvenTimes even_times(const std::vector<double>& time_s) {
   if (time_s.size() < 16) return {};
-  double latest_s = 0.0;
-  for (const double t : time_s) latest_s = std::max(latest_s, std::abs(t));
+  const double latest_s = latest_of(time_s), spacing_s = std::nextafter(latest_s, 2.0 * latest_s) - latest_s;
   if (!(latest_s > 0.0)) return {};
-  EvenTimes even = even_if_written(time_s, in_decimals(time_s, latest_s));
+  if (spacing_s > kCoarse_s && time_s.front() != 0.0) return even_of_calendar(time_s, spacing_s);
+  EvenTimes even = even_if_written(time_s, in_decimals(time_s, latest_s, 0.0));
   if (!(even.step_s > 0.0)) even = even_if_written(time_s, in_single_precision(time_s, latest_s));
   return even;
 }

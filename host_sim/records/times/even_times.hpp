@@ -15,7 +15,7 @@ TimeLine line_through(const std::vector<double>& time_s, const std::vector<doubl
 std::vector<double> counted(size_t samples);
 
 // Times that are even but for their last decimal (rounded, or read from a clock of whole ticks), made even. Where the
-// last decimal is a quarter of a step or less, samples may be lost between them.
+// last decimal is a quarter of a step or less, or all other steps are the same, samples may be lost between them.
 struct EvenTimes {
   double step_s = 0.0, place_s = 0.0;  // 0: they are not even; place: of the last decimal
   bool lost = false;
