@@ -10,6 +10,7 @@ namespace host_sim::data_check {
 namespace {
 
 constexpr size_t kWidest = 3;
+constexpr size_t kStart = 4, kEnd = 8;  // samples that have no neighbours enough on either side
 constexpr double kDeviations = 8.0;
 constexpr double kShareOfRange = 0.02;
 constexpr double kOfTheTail = 4.0;  // times the 95 percent quantile: 8 standard deviations again
@@ -65,11 +66,30 @@ double tail_of(const std::vector<double>& x, const Across& across) {
   constexpr size_t kStride = 5;
   std::vector<double> sizes;
   sizes.reserve(x.size() / kStride + 1);
-  for (size_t i = 4; i + 8 < x.size(); i += kStride) sizes.push_back(size_of(x, i, across));
+  for (size_t i = kStart; i + kEnd < x.size(); i += kStride) sizes.push_back(size_of(x, i, across));
   return quantile(sizes, 0.95);
 }
 
 }  // namespace
+
+std::vector<Gap> ends_off(const std::vector<double>& x) {
+  std::vector<Gap> gaps;
+  if (x.size() < 4 * (kStart + kEnd)) return gaps;
+  const auto [lowest, highest] =
+      std::minmax_element(x.begin() + static_cast<std::ptrdiff_t>(kStart), x.end() - static_cast<std::ptrdiff_t>(kEnd));
+  const double low = *lowest, high = *highest, range = high - low;
+  const auto size_at = [&](size_t i) { return std::max(x[i] - high, low - x[i]); };
+  const auto take = [&](size_t from, size_t to) {
+    for (size_t i = from; i < to; ++i) {
+      if (!(range > 0.0 && size_at(i) > range)) continue;
+      const bool on = !gaps.empty() && gaps.back().first + gaps.back().width == i;
+      if (!on) gaps.push_back({i, 0, 0.0});
+      ++gaps.back().width, gaps.back().size = std::max(gaps.back().size, size_at(i));
+    }
+  };
+  take(0, kStart), take(x.size() - kEnd, x.size());
+  return gaps;
+}
 
 std::vector<Gap> spikes_in(const std::vector<double>& x, const Statistics& statistics) {
   std::vector<Gap> gaps;
@@ -79,7 +99,7 @@ std::vector<Gap> spikes_in(const std::vector<double>& x, const Statistics& stati
   const Across across[kWidest] = {Across(1), Across(2), Across(3)};
   double tail[kWidest] = {};
   for (size_t k = 0; k < kWidest; ++k) tail[k] = kOfTheTail * tail_of(x, across[k]);
-  for (size_t i = 4; i + 8 < x.size(); ++i) {
+  for (size_t i = kStart; i + kEnd < x.size(); ++i) {
     if (misfit[i] < 0.3 * least) continue;
     for (size_t width = 1; width <= kWidest; ++width) {
       const double size = size_of(x, i, across[width - 1]);

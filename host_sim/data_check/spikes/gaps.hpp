@@ -14,6 +14,10 @@ struct Gap {
 
 std::vector<Gap> spikes_in(const std::vector<double>& x, const Statistics& statistics);
 
+// At the very ends, which have neighbours on one side only: what stands off the rest by more than all that the rest spans. What
+// jumps by less may be a blow in the record's first samples.
+std::vector<Gap> ends_off(const std::vector<double>& x);
+
 // Stretches of one value between jumps.
 std::vector<Gap> dropouts_in(const std::vector<double>& x, const Statistics& statistics);
 

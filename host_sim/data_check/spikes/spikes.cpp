@@ -24,7 +24,8 @@ constexpr double kWorthSaying = 0.1;        // of the range, where no harm is do
 
 std::vector<double> repaired(std::vector<double> x, const std::vector<Gap>& gaps) {
   for (const Gap& gap : gaps) {
-    const double before = x[gap.first - 1], behind = x[gap.first + gap.width];
+    const size_t end = gap.first + gap.width;
+    const double behind = x[end < x.size() ? end : gap.first - 1], before = gap.first > 0 ? x[gap.first - 1] : behind;
     for (size_t k = 0; k < gap.width; ++k)
       x[gap.first + k] = before + (behind - before) * static_cast<double>(k + 1) / static_cast<double>(gap.width + 1);
   }
@@ -92,9 +93,10 @@ std::optional<Finding> find_spikes(const Channel& channel, const Statistics& sta
   size_t dropouts = 0;
   bool unanswered = false;
   if (continuous) {
-    const std::vector<Gap> more = dropouts_in(x, statistics);
+    const std::vector<Gap> more = dropouts_in(x, statistics), ends = ends_off(x);
     dropouts = more.size();
     gaps.insert(gaps.end(), more.begin(), more.end());
+    gaps.insert(gaps.end(), ends.begin(), ends.end());
   } else {
     const auto [low, high] = quantiles(x, 0.05, 0.95);
     const double usual = high - low;

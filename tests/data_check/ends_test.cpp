@@ -1,0 +1,59 @@
+// What stands off at the very ends of a record, where no neighbours are on the one side.
+#include <gtest/gtest.h>
+
+#include "host_sim/data_check/spikes/gaps.hpp"
+#include "tests/data_check/faults.hpp"
+
+namespace {
+
+using faults::find;
+using faults::kA1;
+using faults::kX1;
+using faults::with;
+using host_sim::data_check::check;
+using host_sim::data_check::ends_off;
+using host_sim::data_check::Weight;
+
+// 60 values between -1 and 1: the rest spans 2, so 3 and beyond stand off it; 2.9 may be a blow.
+TEST(Ends, OffByMoreThanTheRestSpans) {
+  std::vector<double> x(60);
+  for (size_t i = 0; i < x.size(); ++i) x[i] = i % 2 == 0 ? 1 : -1;
+  EXPECT_TRUE(ends_off(x).empty());
+  x[0] = 2.9;
+  EXPECT_TRUE(ends_off(x).empty());
+  x[0] = 3.1, x[1] = 50;
+  auto gaps = ends_off(x);
+  ASSERT_EQ(gaps.size(), 1u);
+  EXPECT_EQ(gaps[0].first, 0u);
+  EXPECT_EQ(gaps[0].width, 2u);
+  EXPECT_DOUBLE_EQ(gaps[0].size, 49);
+  x[0] = 1, x[1] = -1, x[53] = -3.5, x[59] = 9;
+  gaps = ends_off(x);
+  ASSERT_EQ(gaps.size(), 2u);
+  EXPECT_EQ(gaps[0].first, 53u);
+  EXPECT_EQ(gaps[1].first, 59u);
+  EXPECT_DOUBLE_EQ(gaps[1].size, 8);
+}
+
+// A converter that wakes up, a last line that was cut: a displacement of 1000 m in the first or the last row.
+TEST(Ends, AGlitchThereIsAFault) {
+  for (const bool last : {false, true}) {
+    host_sim::Record record = made::record(with("xva"));
+    std::vector<double>& x = made::values(record, kX1);
+    (last ? x.back() : x.front()) = 1000.0;
+    const auto report = check({record}, nullptr);
+    const auto* finding = find(report, "spikes", kX1);
+    ASSERT_NE(finding, nullptr) << last;
+    EXPECT_EQ(finding->weight, Weight::kFault) << finding->detail;
+    EXPECT_NE(finding->detail.find("1 spike; the largest at"), std::string::npos) << finding->detail;
+  }
+}
+
+// A blow in the first samples is one, and what rings after it.
+TEST(Ends, ABlowAtTheStartIsNone) {
+  const auto report = check({made::record(with("xva", made::Drive::kHammer))}, nullptr);
+  EXPECT_EQ(find(report, "spikes", kX1), nullptr);
+  EXPECT_EQ(find(report, "spikes", kA1), nullptr);
+}
+
+}  // namespace
