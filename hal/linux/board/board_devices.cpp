@@ -3,6 +3,7 @@
 #include <cstdlib>
 
 #include "firmware/can_protocol/frame_table.hpp"
+#include "hal/linux/board/driver_rails.hpp"
 #include "hal/linux/board/safe_outputs.hpp"
 
 namespace board {
@@ -66,21 +67,11 @@ std::string BoardDevices::open_samples() {
 }
 
 std::string BoardDevices::take_ranges() {
-  for (const hal::IioChannel& channel : file_.samples.channels) {
-    if (channel.rails_told) continue;
-    const std::optional<hal::CodeRange> range = file_.samples.kind == SampleKind::kIioBuffer
-                                                    ? iio_samples_.range(channel.node, channel.quantity)
-                                                    : direct_samples_.range(channel.node, channel.quantity);
-    if (!range) continue;
-    auto& target = configuration_.core.channels[channel.node][static_cast<int>(channel.quantity)];
-    target.lowest_code = range->lowest;
-    target.highest_code = range->highest;
-    constexpr int32_t kReach = 1 << 23;
-    if (range->highest - target.offset_code > kReach || target.offset_code - range->lowest > kReach)
-      return "channel of " + channel.element + ": its codes go from " + std::to_string(range->lowest) + " to " +
-             std::to_string(range->highest) + ", expected an offset_code at most 2^23 away from both";
-  }
-  return "";
+  const auto range = [this](const hal::IioChannel& channel) {
+    return file_.samples.kind == SampleKind::kIioBuffer ? iio_samples_.range(channel.node, channel.quantity)
+                                                        : direct_samples_.range(channel.node, channel.quantity);
+  };
+  return take_driver_rails(file_.samples.channels, range, configuration_.core);
 }
 
 std::string BoardDevices::open_lines() {
