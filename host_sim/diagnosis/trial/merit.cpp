@@ -129,7 +129,9 @@ bool passes(const Attempt& a, size_t already, double noise) {
   // Something is missing, and two tests that know nothing of each other say what: 5 % twice is as rare as kSure once. Of pairs there
   // are many: one that leaves next to nothing of windows that it has not seen is none that chance picked.
   const bool whole = std::min(share_of(a, noise), unseen_share_of(a, noise)) > kNearlyAll;
-  const bool twice = already == 0 && plain && a.unseen_deviations > kByChance && (single || whole);
+  // one that leaves next to nothing of them did not have that from chance, however few of them do not resemble each other
+  const bool twice = already == 0 && plain &&
+                     (whole ? single || a.unseen_deviations > kByChance : single && a.unseen_deviations > kByChance);
   return a.z > (twice                ? kByChance
                 : plain || borne_out ? kSure
                                      : kNamed * std::sqrt(n)) &&
