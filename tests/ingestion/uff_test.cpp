@@ -254,6 +254,26 @@ TEST(Uff, SeveralRecordsInOneFile) {
   }
 }
 
+// Three runs of a force, of the second of which the displacement is missing: whose the second displacement is cannot be told.
+TEST(Uff, ARecordThatLacksAChannelIsRefused) {
+  Dataset force, motion;
+  force.ordinate_type = 13;
+  const std::string f = text_of(force), x = text_of(motion);
+  for (const std::string& text : {f + x + f + f + x, f + f + f + x + x, x + f + f})
+    expect_says(refusal([&] { host_sim::parse_uff(text, "d.uff", dampers(1)); }),
+                "expected every channel in every record");
+}
+
+// 1e307 kN are more newtons than a double holds.
+TEST(Uff, RefusesAValueThatItsUnitMakesInfinite) {
+  Dataset force;
+  force.ordinate_type = 13;
+  force.unit = "kN";
+  force.data_type = 4;
+  force.values = "  1.0 1e307 2.0\n";
+  expect_says(refusal([&] { parse_uff(text_of(force), "d.uff", dampers(1)); }), "value 2 is too large in SI units");
+}
+
 // Dataset 58b: the same eleven lines, then IEEE numbers. "    58b", byte order, format, 11 lines, bytes, four zeros:
 // columns 8-13, 14-19, 20-31, 32-43, 44-49, 50-55, 56-67, 68-79.
 std::string binary_of(const Dataset& set, const std::string& bytes, bool big_endian) {
@@ -285,7 +305,8 @@ TEST(Uff, ReadsBinaryValuesOfBothByteOrdersAndWidths) {
   EXPECT_EQ(parse_uff(binary_of(single, line_end, true), "d.uff", dampers(1)).channels[0].values[0], 2.15625);
   Dataset force;
   force.ordinate_type = 13;
-  const std::string both = binary_of(single, big_single, true) + text_of(force) + binary_of(twice, big_double, true);
+  const std::string both =
+      binary_of(single, big_single, true) + text_of(force) + binary_of(twice, big_double, true) + text_of(force);
   EXPECT_EQ(host_sim::parse_uff(both, "d.uff", dampers(1)).size(), 2u);
 }
 

@@ -16,6 +16,7 @@ using mat::Elements;
 constexpr size_t kFileHead = 128, kTag = 8;
 constexpr uint32_t kCell = 1, kStruct = 2, kText = 4, kFirstNumeric = 6, kLastNumeric = 15;  // classes of a matrix
 constexpr int kDeepest = 30;
+constexpr uint64_t kLettersLess = 64;  // MATLAB leaves single letters without bytes
 
 // Bytes of a number of that type of element; 0: none of numbers.
 uint64_t width_of(uint32_t type) {
@@ -40,14 +41,14 @@ class Sizes {
 
   void check_all(Elements elements) {
     for (Element element; elements.next(element);) {
-      if (element.type == mat::kMatrix) check(element.data, elements.big_endian(), 0);
+      if (element.type == mat::kMatrix) check(element.data, elements.big_endian(), "", 0);
       if (element.type == mat::kCompressed) check_compressed(element.data, elements.big_endian());
     }
   }
 
  private:
-  // bytes: of a matrix, or its first.
-  void check(std::string_view bytes, bool big_endian, int depth) {
+  // bytes: of a matrix, or its first. outer: what it stands in, where it has no name of its own.
+  void check(std::string_view bytes, bool big_endian, const std::string& outer, int depth) {
     Elements parts(bytes, big_endian);
     Element flags, sizes, name;
     if (depth > kDeepest || !parts.next(flags) || flags.data.size() < 8) return;
@@ -55,7 +56,7 @@ class Sizes {
     const uint32_t kind = parts.word(flags.data, 0) & 0xFF;
     uint64_t count = 1;
     for (size_t at = 0; at + 4 <= sizes.data.size(); at += 4) count = product(count, parts.word(sizes.data, at));
-    const std::string called(name.data);
+    const std::string called = name.data.empty() ? outer : std::string(name.data);
     if ((kind >= kFirstNumeric && kind <= kLastNumeric) || kind == kText) check_numbers(parts, kind, count, called);
     if (kind == kCell || kind == kStruct) check_members(parts, kind, count, called, depth);
   }
@@ -66,7 +67,7 @@ class Sizes {
       const uint64_t width = width_of(numbers.type);
       if (width == 0) continue;
       const uint64_t there = numbers.bytes / width;
-      if (kind == kText ? count > there : product(count, width) != numbers.bytes)
+      if (kind == kText ? count > there + kLettersLess : product(count, width) != numbers.bytes)
         refuse(file_, name, count, kind == kText ? "letters" : "numbers", there);
     }
   }
@@ -83,7 +84,7 @@ class Sizes {
     for (Element member; parts.next(member);) {
       if (member.type != mat::kMatrix) continue;
       ++there;
-      check(member.data, parts.big_endian(), depth + 1);
+      check(member.data, parts.big_endian(), name, depth + 1);
     }
     if (fields > 0 && product(count, fields) > there)
       refuse(file_, name, count, kind == kStruct ? "elements of a struct" : "cells", there / fields);
@@ -100,7 +101,7 @@ class Sizes {
     std::string first = unpacked(packed, static_cast<size_t>(std::min<uint64_t>(whole, kEnough)));
     const uint32_t kind = first.size() >= 3 * kTag ? tag.word(first, 2 * kTag) & 0xFF : 0;
     if (kind == kCell || kind == kStruct) first = unpacked(packed, static_cast<size_t>(whole));
-    if (first.size() > kTag) check(std::string_view(first).substr(kTag), big_endian, 0);
+    if (first.size() > kTag) check(std::string_view(first).substr(kTag), big_endian, "", 0);
   }
 
   // The first bytes of what was compressed; fewer where there are no more.

@@ -11,6 +11,7 @@
 #include "hal/rig_file/channel_name.hpp"
 #include "host_sim/ingestion/channel_options.hpp"
 #include "host_sim/ingestion/uff/uff_dataset.hpp"
+#include "host_sim/ingestion/uff/uff_ordinate.hpp"
 #include "host_sim/records/columns/plan/column_choices.hpp"
 #include "host_sim/records/columns/units/units.hpp"
 #include "host_sim/records/files/data_file_error.hpp"
@@ -32,61 +33,6 @@ bool is_base(const uff::Function& function) {
   throw DataFileError(file, function.line, "dataset 58 that begins here: " + problem);
 }
 
-// Table of the format's ordinate types (specific data type of record 9).
-const char* ordinate_word(int type) {
-  switch (type) {
-    case 0:
-      return "unknown";
-    case 1:
-      return "general";
-    case 2:
-      return "stress";
-    case 3:
-      return "strain";
-    case 5:
-      return "temperature";
-    case 6:
-      return "heat flux";
-    case 8:
-      return "displacement";
-    case 9:
-      return "reaction force";
-    case 11:
-      return "velocity";
-    case 12:
-      return "acceleration";
-    case 13:
-      return "excitation force";
-    case 15:
-      return "pressure";
-    case 16:
-      return "mass";
-    case 17:
-      return "time";
-    case 18:
-      return "frequency";
-    case 19:
-      return "rpm";
-    default:
-      return "not in the format's table";
-  }
-}
-
-std::optional<firmware::Quantity> quantity_of(int ordinate_type) {
-  switch (ordinate_type) {
-    case 8:
-      return firmware::Quantity::kDisplacement;
-    case 11:
-      return firmware::Quantity::kVelocity;
-    case 12:
-      return firmware::Quantity::kAcceleration;
-    case 13:
-      return firmware::Quantity::kForce;
-    default:
-      return std::nullopt;
-  }
-}
-
 struct Contents {
   std::vector<uff::Function> functions;  // time responses of a quantity that is used
   uff::Units units;
@@ -97,9 +43,9 @@ void keep(uff::Function function, Contents& contents) {
   std::string why;
   if (function.function_type > 1)
     why = "function type " + std::to_string(function.function_type) + " (no time response)";
-  else if (!quantity_of(function.ordinate_type))
-    why =
-        "ordinate type " + std::to_string(function.ordinate_type) + " (" + ordinate_word(function.ordinate_type) + ")";
+  else if (!uff::quantity_of(function.ordinate_type))
+    why = "ordinate type " + std::to_string(function.ordinate_type) + " (" +
+          uff::ordinate_word(function.ordinate_type) + ")";
   if (why.empty()) {
     contents.functions.push_back(std::move(function));
   } else if (std::find(contents.ignored.begin(), contents.ignored.end(), why) == contents.ignored.end()) {
@@ -191,7 +137,7 @@ rig_file::ChannelName name_of(const uff::Function& function, int dof, const rig_
   const bool rig_rotates =
       of_rig && (dof == rig_file::kBase ? base_rotates(model) : model.dofs[static_cast<size_t>(dof - 1)].rotating);
   const bool rotates = direction == 0 ? rig_rotates : direction > 3;
-  return {*quantity_of(function.ordinate_type), dof, rotates};
+  return {*uff::quantity_of(function.ordinate_type), dof, rotates};
 }
 
 // What the values of a channel are multiplied with: by what the user says, else by what the file says.
@@ -234,6 +180,17 @@ void check_alike(const Record& record, const uff::Function& function, double rat
     fail(file, function, "starts at another time than the first channel, expected the same");
 }
 
+// A channel that one of the runs lacks would leave its place to that of the next run.
+void require_whole_records(const std::vector<Record>& records, const std::string& file) {
+  for (size_t i = 0; i < records.size(); ++i)
+    for (const Channel& channel : records.front().channels)
+      if (records[i].find(channel.quantity, channel.dof) == nullptr)
+        throw DataFileError(file, 0,
+                            fmt::format("holds {} records of {} and {} of {}, expected every channel in every record, "
+                                        "or a file for each record",
+                                        records.size(), records.back().channels.front().name, i, channel.name));
+}
+
 }  // namespace
 
 bool is_uff(const std::string& path, std::string_view content) {
@@ -268,6 +225,7 @@ std::vector<Record> parse_uff(std::string_view content, const std::string& file,
     record.channels.push_back(std::move(channel));
     function.values = {};
   }
+  require_whole_records(records, file);
   if (records.front().channels.empty()) context.refuse("no channel is left, expected fewer --column CHANNEL=");
   for (size_t i = 0; i < records.size(); ++i)
     records[i].file = file + (records.size() > 1 ? ", record " + std::to_string(i + 1) : "");
