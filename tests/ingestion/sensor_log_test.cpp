@@ -131,6 +131,46 @@ TEST(SensorLog, ALostSampleLeavesItsTimeWhereTheRecordIsInterpolated) {
   EXPECT_EQ(record.notes, (std::vector<std::string>{"1 sample was lost on the bus"}));
 }
 
+// 20 samples at 1 kHz, then a pause of `pause` of them in which the 16-bit sequence goes on, and 20 more.
+std::string paused(uint32_t pause) {
+  std::string text;
+  char line[128];
+  for (uint32_t i = 0; i < 40; ++i) {
+    const uint32_t n = i + (i < 20 ? 0 : pause), ms = n, low = n & 0xFF, high = (n >> 8) & 0xFF;
+    std::snprintf(line, sizeof line,
+                  "(%u.%03u000) vcan0 1A1#%02X%02X020100000000\n(%u.%03u100) vcan0 221#%02X%02X100000\n",
+                  1000000000 + ms / 1000, ms % 1000, low, high, 1000000000 + ms / 1000, ms % 1000, low, high);
+    text += line;
+  }
+  return text;
+}
+
+// Half a round of the sequence is 32,768 samples; one of 65,536 brings it back to where it was. The time tells which it is.
+TEST(SensorLog, APauseInWhichTheSequenceGoesRound) {
+  host_sim::ReadingOptions options;
+  options.resample_Hz = 1000.0;
+  for (const uint32_t pause : {30000u, 40000u, 65536u, 70000u, 200000u}) {
+    const auto record = parse_sensor_log(paused(pause), "s.log", dampers(1, 0, kCalibration), options);
+    ASSERT_EQ(record.samples(), 40u) << pause;
+    EXPECT_NEAR(record.sample_period_s, 1e-3, 1e-9) << pause;
+    EXPECT_NEAR(record.time_s.back(), 1e-3 * (39 + pause), 1e-6) << pause;
+    EXPECT_EQ(record.notes.back(), std::to_string(pause) + " samples were lost on the bus");
+  }
+  expect_says(refusal([] { parse_sensor_log(paused(65536), "s.log", dampers(1, 0, kCalibration)); }), "--resample");
+}
+
+// candump -t d: how long after the frame before.
+TEST(SensorLog, DifferencesOfTimesAreRefused) {
+  std::string text;
+  for (int i = 0; i < 40; ++i) {
+    char line[96];
+    std::snprintf(line, sizeof line, "(000.%06d) vcan0 1A1#%02X00020100000000\n(000.000200) vcan0 221#%02X00100000\n",
+                  770 + 3 * (i % 5), i, i);
+    text += line;
+  }
+  expect_says(refusal([&] { parse_sensor_log(text, "s.log", dampers(1, 0, kCalibration)); }), "candump -t d");
+}
+
 // A channel can be left out, and the rate of the board be told; a unit is what the calibration gives.
 TEST(SensorLog, TakesWhatTheUserSaysOfAChannel) {
   const auto rig = dampers(1, 0, kCalibration);

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <sstream>
+#include <utility>
 
 #include "hal/rig_file/channel_name.hpp"
 #include "host_sim/can_log/log_reader.hpp"
 #include "host_sim/ingestion/channel_options.hpp"
 #include "host_sim/ingestion/sensor_log/log_calibration.hpp"
+#include "host_sim/ingestion/sensor_log/sample_numbers.hpp"
 #include "host_sim/records/columns/plan/column_choices.hpp"
 #include "host_sim/records/files/data_file_error.hpp"
 #include "host_sim/records/files/file_extension.hpp"
@@ -68,6 +70,24 @@ void keep_gaps(const std::vector<uint32_t>& sequence, Record& record) {
   record.notes.push_back(std::to_string(lost) + (lost == 1 ? " sample was" : " samples were") + " lost on the bus");
 }
 
+constexpr double kFallNow = 0.01;  // of the samples: a clock that is set back falls once
+
+void set_period(const SampleNumbers& samples, const ReadingOptions& options, const std::string& file, Record& record) {
+  if (options.sample_rate_Hz > 0.0) {
+    record.sample_period_s = 1.0 / options.sample_rate_Hz;
+    return;
+  }
+  const bool differences =
+      static_cast<double>(samples.falls()) > kFallNow * static_cast<double>(samples.numbers().size());
+  if (differences || samples.last_ns() <= samples.first_ns())
+    throw DataFileError(file, 0,
+                        std::string("the times of the frames ") +
+                            (differences ? "fall again and again (candump -t d writes differences)" : "do not rise") +
+                            ", expected times as candump -L writes them, or --sample-rate");
+  record.sample_period_s = 1e-9 * static_cast<double>(samples.last_ns() - samples.first_ns()) /
+                           static_cast<double>(samples.numbers().back() - samples.numbers().front());
+}
+
 }  // namespace
 
 bool is_sensor_log(const std::string& path, std::string_view content) {
@@ -95,28 +115,24 @@ Record parse_sensor_log(std::string_view content, const std::string& file, const
   can_log::LogEntry entry;
   firmware::SensorAssembler assembler(calibration.plan());
   firmware::RawSample sample;
-  uint64_t first_ns = 0, last_ns = 0;
-  std::vector<uint32_t> sequence;
+  SampleNumbers samples;
+  uint64_t frame_ns = 0;
   while (reader.next(entry)) {
-    if (!usable(entry) || !assembler.push(can_log::to_message(entry.frame), entry.frame.time_ns, sample)) continue;
-    if (sequence.empty()) first_ns = sample.time_ns;
-    if (!sequence.empty() && sample.sequence != sequence.back() + 1)
-      require_gap_that_can_be_filled(sequence.back(), sample.sequence, options, file,
-                                     static_cast<size_t>(reader.line()));
-    sequence.push_back(sample.sequence);
-    last_ns = sample.time_ns;
+    if (!usable(entry)) continue;
+    if (samples.is_pause(std::exchange(frame_ns, entry.frame.time_ns), entry.frame.time_ns))
+      assembler = firmware::SensorAssembler(calibration.plan());
+    if (!assembler.push(can_log::to_message(entry.frame), entry.frame.time_ns, sample)) continue;
+    const uint32_t before = samples.numbers().empty() ? 0 : samples.numbers().back();
+    const uint32_t number = samples.take(sample.sequence, sample.time_ns);
+    if (samples.numbers().size() > 1 && number != before + 1)
+      require_gap_that_can_be_filled(before, number, options, file, static_cast<size_t>(reader.line()));
     append(sample, channels, record);
   }
   if (record.samples() < 2)
     throw DataFileError(file, 0, std::to_string(record.samples()) + " whole samples, expected at least 2");
-  record.sample_period_s = options.sample_rate_Hz > 0.0 ? 1.0 / options.sample_rate_Hz
-                                                        : 1e-9 * static_cast<double>(last_ns - first_ns) /
-                                                              static_cast<double>(sequence.back() - sequence.front());
-  if (options.sample_rate_Hz <= 0.0 && last_ns <= first_ns)
-    throw DataFileError(file, 0,
-                        "the times of the frames do not rise, expected times as candump -L writes them, or "
-                        "--sample-rate");
-  if (sequence.back() - sequence.front() + 1 != sequence.size()) keep_gaps(sequence, record);
+  set_period(samples, options, file, record);
+  const std::vector<uint32_t>& numbers = samples.numbers();
+  if (numbers.back() - numbers.front() + 1 != numbers.size()) keep_gaps(numbers, record);
   return record;
 }
 
