@@ -2,7 +2,7 @@
 #pragma once
 #include <optional>
 
-#include "firmware/configuration/configuration.hpp"
+#include "hal/rig_file/channel_name.hpp"
 
 namespace host_sim::uff {
 
