@@ -82,6 +82,20 @@ TEST(Work, TurnsAForceOverThatAllRecordsSay) {
   EXPECT_EQ(records[0].channels[0].values, over.channels[0].values);
 }
 
+// A fifth of a second beside ten: its parts are a part of a swing each, and say neither. The sign is that of the other.
+TEST(Work, OneTooShortToSayNeedNot) {
+  using host_sim::data_check::check;
+  using host_sim::data_check::turn_over;
+  const Record over = lone_link(-1000, -100, 0, Quantity::kVelocity);
+  Record brief = over;
+  for (Channel& channel : brief.channels) channel.values.resize(200);
+  std::vector<Record> records = {over, brief};
+  const auto report = check(records, nullptr);
+  EXPECT_NE(report.worst(), Weight::kFault);
+  ASSERT_TRUE(turn_over(report, records));
+  EXPECT_EQ(records[1].channels[0].values[50], -brief.channels[0].values[50]);
+}
+
 TEST(Work, OfTwoShakersIsTheirSum) {
   // One drives with 3 c v, the other brakes with -c v: together they give.
   Record record = lone_link(0, 30, 0, Quantity::kVelocity);

@@ -1,5 +1,7 @@
 #include "host_sim/data_check/drive/one_sign.hpp"
 
+#include <algorithm>
+
 namespace host_sim::data_check {
 namespace {
 
@@ -14,12 +16,26 @@ std::vector<Finding*> turned_over(Report& report, const std::string& name) {
   return list;
 }
 
+constexpr size_t kTooShort = 4;  // times shorter than one that says it: two deviations are one then, and say nothing
+
+bool says_so(const RecordReport& record, const std::string& name) {
+  Report one;
+  one.records = {record};
+  return !turned_over(one, name).empty();
+}
+
 }  // namespace
 
 void require_one_sign(Report& report) {
   for (const ChannelReport& channel : report.records.front().channels) {
     const std::vector<Finding*> list = turned_over(report, channel.name);
-    if (list.size() == report.records.size()) continue;
+    size_t longest = 0;
+    for (const RecordReport& record : report.records)
+      if (says_so(record, channel.name)) longest = std::max(longest, record.samples);
+    const bool agreed = std::all_of(report.records.begin(), report.records.end(), [&](const RecordReport& record) {
+      return record.samples * kTooShort < longest || says_so(record, channel.name);
+    });
+    if (agreed) continue;
     for (Finding* finding : list) finding->weight = Weight::kFault, finding->detail += "; other records say otherwise";
   }
 }

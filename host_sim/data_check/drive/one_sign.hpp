@@ -6,7 +6,8 @@
 
 namespace host_sim::data_check {
 
-// A single force that is turned over in some records and not in others is a fault: a sign is of the cable, not of a record.
+// A single force that is turned over in some records and not in others is a fault: a sign is of the cable, not of a record. One that is four
+// times shorter than one that says it need not say it too.
 void require_one_sign(Report& report);
 
 // What is said of a single force that is turned over.

@@ -60,7 +60,10 @@ void diagnose(const DiagnoseArguments& arguments) {
     order_channels_as(training.front(), holdout);
     const data_check::Report check = require_sound(training, model, arguments.reading);
     const data_check::Report holdout_check = require_sound(holdout, model, arguments.reading);
-    data_check::turn_over(check, training), data_check::turn_over(holdout_check, holdout);
+    data_check::Report all =
+        check;  // a sign is of the cable: what the one tells holds for the other, which may be too short
+    all.records.insert(all.records.end(), holdout_check.records.begin(), holdout_check.records.end());
+    data_check::turn_over(all, training), data_check::turn_over(all, holdout);
     if (const std::string told = turn_forces_round(model, training, holdout); !told.empty())
       std::fprintf(stderr, "%s\n", told.c_str());
     for (const std::string& told : count_forced_from_rest(model, training, holdout))
