@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "host_sim/response/linear_rig.hpp"
 
@@ -31,6 +32,9 @@ struct Slopes {
   std::vector<std::vector<double>> frequency, damping;  // [unknown][mode]
 };
 
+// Nought where it is what eigenvalues are rounded to.
+double change(double from, double to) { return std::abs(to - from) < 1e-11 * std::abs(to) ? 0.0 : to - from; }
+
 Slopes slopes(const rig_file::RigModel& model, const std::vector<double>& values,
               const std::vector<std::vector<double>>& covariance, size_t modes) {
   Slopes out;
@@ -43,8 +47,8 @@ Slopes slopes(const rig_file::RigModel& model, const std::vector<double>& values
     if (below.size() != modes || above.size() != modes) return {};
     out.frequency.emplace_back(modes), out.damping.emplace_back(modes);
     for (size_t m = 0; m < modes; ++m) {
-      out.frequency[k][m] = (above[m].frequency_Hz - below[m].frequency_Hz) / (2.0 * step);
-      out.damping[k][m] = (above[m].damping_ratio - below[m].damping_ratio) / (2.0 * step);
+      out.frequency[k][m] = change(below[m].frequency_Hz, above[m].frequency_Hz) / (2.0 * step);
+      out.damping[k][m] = change(below[m].damping_ratio, above[m].damping_ratio) / (2.0 * step);
     }
   }
   return out;
@@ -52,10 +56,12 @@ Slopes slopes(const rig_file::RigModel& model, const std::vector<double>& values
 
 Uncertain with_interval(double value, const std::vector<std::vector<double>>& slope,
                         const std::vector<std::vector<double>>& covariance, size_t mode) {
-  double variance = 0.0;
+  double variance = slope.empty() ? std::numeric_limits<double>::quiet_NaN() : 0.0;
+  for (size_t i = 0; i < slope.size(); ++i)
+    if (slope[i][mode] != 0.0 && !(covariance[i][i] > 0.0)) variance = std::numeric_limits<double>::quiet_NaN();
   for (size_t i = 0; i < slope.size(); ++i)
     for (size_t j = 0; j < slope.size(); ++j) variance += slope[i][mode] * covariance[i][j] * slope[j][mode];
-  const double half = kTwoSided95 * std::sqrt(std::max(0.0, variance));
+  const double half = kTwoSided95 * std::sqrt(variance < 0.0 ? 0.0 : variance);
   return {value, value - half, value + half};
 }
 

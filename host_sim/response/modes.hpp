@@ -25,7 +25,7 @@ std::vector<Mode> modes_of(const rig_file::RigModel& rig);
 double slowest_mode_Hz(const rig_file::RigModel& model);
 
 struct Uncertain {
-  double value, low, high;  // 95 % interval; low = high = value: no uncertainty known
+  double value, low, high;  // 95 % interval; not numbers where it is not known
 };
 struct UncertainMode {
   Uncertain frequency_Hz, damping_ratio;
@@ -33,7 +33,8 @@ struct UncertainMode {
 };
 
 // model: the rig with its unknowns; values and covariance of the unknowns in the order of rig_file::parameter_table.
-// The interval is linear in the coefficients (central differences): 1.96 standard deviations to either side.
+// The interval is linear in the coefficients (central differences): 1.96 standard deviations to either side. It is not known where a
+// coefficient that has no variance moves the mode, nor where the mode comes or goes within a tenth of a standard deviation of one.
 std::vector<UncertainMode> modes_with_intervals(const rig_file::RigModel& model, const std::vector<double>& values,
                                                 const std::vector<std::vector<double>>& covariance);
 

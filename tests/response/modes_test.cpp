@@ -47,6 +47,22 @@ double determinant_share(const std::vector<double>& m, const std::vector<double>
   return std::abs(dynamic.determinant()) / size;
 }
 
+// One mass, k = 100 N/m: w = 10 rad/s, critical damping 20 N s/m. What has no variance is not exact: the ratio goes with the damper, the
+// frequency does not. Near 20 the mode goes within a step of a tenth of 30 N s/m, and nothing is known of it.
+TEST(Modes, WithoutAVarianceThereIsNoInterval) {
+  rig_file::RigModel model = chain({1.0}, {100.0, 0.0}, {0.0, 0.0});
+  model.links[0].viscous_N_s_m.estimate = true;
+  const auto known = modes_with_intervals(model, {2.0}, {{0.01}}).at(0);
+  EXPECT_NEAR(known.damping_ratio.high - known.damping_ratio.value, 1.96 * 0.1 / 20, 1e-4);
+  const auto unknown = modes_with_intervals(model, {2.0}, {{0.0}}).at(0);
+  EXPECT_NEAR(unknown.damping_ratio.value, 0.1, 1e-9);
+  EXPECT_TRUE(std::isnan(unknown.damping_ratio.low));
+  EXPECT_NEAR(unknown.frequency_Hz.low, 10 / (2 * M_PI), 1e-6);
+  const auto vanishing = modes_with_intervals(model, {19.0}, {{900.0}}).at(0);
+  EXPECT_TRUE(std::isnan(vanishing.frequency_Hz.low));
+  EXPECT_TRUE(std::isnan(vanishing.damping_ratio.high));
+}
+
 }  // namespace
 
 // Masses 1 and 1, springs 2 (to ground), 3 (between): eigenvalues of (5 -3; -3 3) are 4 -+ sqrt(10), the least 0.837722.
