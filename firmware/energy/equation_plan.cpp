@@ -45,10 +45,12 @@ class Planner {
         if (each.place == i) term(t, i, 1, 0);
         continue;
       }
+      // Effects beyond the columns are in no equation: such a core does not fit, and is given nothing to measure.
+      if (is_effect_term(each.kind) && effects == kMaxEffectColumns) continue;
       const LinkConfiguration& link = configuration_.links[each.place];
       if (link.node_a == i) term(t, i, 1, effects);
       if (link.node_b == i) term(t, i, -1, effects);
-      if (is_effect_term(each.kind)) ++effects;  // the configuration holds at most kMaxEffectColumns of them
+      if (is_effect_term(each.kind)) ++effects;
     }
   }
 

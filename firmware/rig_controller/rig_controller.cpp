@@ -135,8 +135,10 @@ bool RigController::reset() {
   return true;
 }
 
-// Whatever comes is measured, or what comes between two commands.
-bool RigController::begins_level() const { return listening_ && !finished_ && !configuration_.node.listen_on_command; }
+// Whatever comes is measured, or what comes between two commands; nothing where the rig has no room in the core.
+bool RigController::begins_level() const {
+  return listening_ && !finished_ && !configuration_.node.listen_on_command && core().fits();
+}
 
 [[gnu::noinline]] void RigController::drive_on(const RawSample& sample) {
   int32_t codes[kMaxDofs];

@@ -1,5 +1,6 @@
 #include "hal/rig_file/compile_rig.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "hal/rig_file/coefficient_walk.hpp"
@@ -12,7 +13,7 @@ namespace {
   throw RigFileError(model.file.empty() ? "rig" : model.file, 0, key, problem);
 }
 
-void check_capacity(const RigModel& model, int unknowns, int terms) {
+void check_capacity(const RigModel& model, int unknowns, const std::vector<firmware::Term>& terms) {
   const auto check = [&](size_t count, int most, const char* what) {
     if (count > static_cast<size_t>(most))
       refuse(model, what, std::to_string(count) + " of them, expected at most " + std::to_string(most));
@@ -20,7 +21,10 @@ void check_capacity(const RigModel& model, int unknowns, int terms) {
   check(model.dofs.size(), firmware::kMaxDofs, "DOFs");
   check(model.links.size(), firmware::kMaxLinks, "links");
   check(static_cast<size_t>(unknowns), firmware::kMaxUnknowns, "coefficients to estimate");
-  check(static_cast<size_t>(terms), firmware::kMaxTerms, "coefficients");
+  check(terms.size(), firmware::kMaxTerms, "coefficients");
+  const auto effect = [](const firmware::Term& term) { return firmware::is_effect_term(term.kind); };
+  check(static_cast<size_t>(std::count_if(terms.begin(), terms.end(), effect)), firmware::kMaxEffectColumns,
+        "effects on links");
 }
 
 std::vector<firmware::Term> compile_terms(const RigModel& model, int& unknowns) {
@@ -78,7 +82,7 @@ firmware::CoreConfiguration compile_rig(const RigModel& model, double sample_per
                                         const std::vector<ChannelCalibration>& channels) {
   int unknowns = 0;
   const std::vector<firmware::Term> terms = compile_terms(model, unknowns);
-  check_capacity(model, unknowns, static_cast<int>(terms.size()));
+  check_capacity(model, unknowns, terms);
   firmware::CoreConfiguration result;
   result.dof_count = static_cast<uint8_t>(model.dofs.size());
   result.link_count = static_cast<uint8_t>(model.links.size());

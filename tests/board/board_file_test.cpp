@@ -310,6 +310,32 @@ TEST_F(BoardFileTest, ABadFileIsToldWhere) {
   EXPECT_THROW(board::read_board_file(folder_ + "/none.toml"), rig_file::RigFileError);
 }
 
+// Seven links to the ground with five effects each: 35, and the core has columns for 32. Six links hold 30.
+TEST_F(BoardFileTest, MoreEffectsThanTheCoreHasRoomForAreRefused) {
+  const auto with_links = [](int links) {
+    std::string text(kGood);
+    text.resize(text.find("[[dof]]"));
+    for (int i = 0; i < links; ++i) text += "[[dof]]\nmass_kg = 1.0\n";
+    for (int i = 1; i <= links; ++i) {
+      text += "[[link]]\nbetween = [" + std::to_string(i) + ", 0]\nviscous_N_s_m = \"estimate\"\n";
+      for (const char* kind :
+           {"cubic_stiffness", "quadratic_stiffness", "quadratic_damping", "cubic_damping", "asymmetric_viscous"})
+        text += std::string("[[link.effect]]\nkind = \"") + kind + "\"\ncoefficient = 2.0\n";
+    }
+    for (int i = 1; i <= links; ++i)
+      text += "[[channel]]\nname = \"velocity_" + std::to_string(i) + "_m_s\"\nunit_per_code = 1e-6\n";
+    return text;
+  };
+  EXPECT_EQ(read(with_links(6)).controller.core.term_count, 6 * (1 + 1 + 5));
+  try {
+    read(with_links(7));
+    ADD_FAILURE() << "was accepted";
+  } catch (const rig_file::RigFileError& error) {
+    EXPECT_NE(std::string(error.what()).find("effects on links: 35 of them, expected at most 32"), std::string::npos)
+        << error.what();
+  }
+}
+
 int status_of(const std::string& command) {
   const int status = std::system((command + " >/dev/null 2>&1").c_str());
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;

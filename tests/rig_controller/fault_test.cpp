@@ -312,6 +312,23 @@ TEST(Faults, BadProgrammeIsRefusedAtBootAndCannotBeReset) {
   EXPECT_FALSE(bench.controller->reset());
 }
 
+// One effect more than the core has columns for: refused at boot, and nothing is measured into columns that are not there.
+TEST(Faults, ARigThatHasNoRoomMeasuresNothing) {
+  auto configuration = bench::listening();
+  firmware::CoreConfiguration& core = configuration.core;
+  for (int effect = 0; effect <= firmware::kMaxEffectColumns; ++effect) {
+    firmware::Term& term = core.terms[core.term_count++];
+    term.kind = firmware::TermKind::kCubicDamping;
+    term.value = firmware::Scaled::from_int(1);
+  }
+  Bench bench(configuration);
+  bench.run_samples(2000);  // two windows
+  EXPECT_FALSE(bench.controller->core().fits());
+  EXPECT_EQ(bench.controller->latched_alarm().cause, AlarmCause::kConfiguration);
+  EXPECT_EQ(bench.controller->core().health().samples, 0u);
+  EXPECT_EQ(bench.can.count(0x391), 0u);
+}
+
 TEST(Faults, NothingStopsOnOneSaturatedSampleOrAShortGap) {
   Bench bench(bench::driving());
   driven_into(ControllerMode::kIntegrate, bench);

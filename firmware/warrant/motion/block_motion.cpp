@@ -85,7 +85,7 @@ void BlockMotion::configure_effects(const Scaled* effect_unit) {
   effects_ = 0;
   for (int t = 0; t < configuration_->term_count; ++t) {
     effect_of_term_[t] = static_cast<uint8_t>(effects_);
-    if (!is_effect_term(configuration_->terms[t].kind)) continue;
+    if (!is_effect_term(configuration_->terms[t].kind) || effects_ == kMaxEffectColumns) continue;
     unit_[kForceLawColumn + effects_] = effect_unit[effects_];
     ++effects_;
   }
