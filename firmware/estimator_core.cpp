@@ -15,6 +15,7 @@ void EstimatorCore::begin_level() {
   if (forgets_) forget_levels();
   collector_.begin_level();
   tests_.begin_level();
+  level_began_ = health_.samples;
   sequence_known_ = false;  // what lies between levels is not missed
   if (collector_.level_open()) aim();
 }
@@ -45,8 +46,11 @@ void EstimatorCore::note_saturation() {
 
 void EstimatorCore::note_gap(uint32_t sequence) {
   if (!sequence_known_) return;
-  health_.missed_samples += sequence - next_sequence_;
-  break_window();
+  const uint32_t missed = sequence - next_sequence_;
+  health_.missed_samples += missed;
+  level_began_ -=
+      missed < 0x80000000u ? missed : 1;  // a counter that went back tells that something is missing, not how much
+  break_window(health_.samples - 1 - level_began_);
 }
 
 void EstimatorCore::close_some() {
@@ -68,10 +72,16 @@ void EstimatorCore::aim(uint32_t units) {
 // Works on the block: its columns now, its sums with the next sample, for which there is just room in the frame, and then the
 // frame moves on. Two steps bear what one would.
 void EstimatorCore::process(int count) {
-  stages_->sums.fill_columns(frame_, count);
+  fill_columns(count);
   tests_.offer(frame_, count);
   level_samples_ += static_cast<uint32_t>(count);
   filled_columns_ = count;
+}
+
+// Where time is out the columns of a drift are not what they stand for.
+void EstimatorCore::fill_columns(int count) {
+  stages_->sums.fill_columns(frame_, count);
+  if (stages_->sums.time_is_out()) collector_.mark_saturated();
 }
 
 void EstimatorCore::move_on() {
@@ -109,13 +119,13 @@ void EstimatorCore::finish_closing() {
 }
 
 // Closes the batch at the last sample that has its context, and starts again with the next sample.
-void EstimatorCore::break_window() {
+void EstimatorCore::break_window(uint32_t time) {
   if (!collector_.level_open()) return;
   move_on();
   finish_closing();
   const int rest = filled_ - kLevelMarginSamples;
   if (rest >= 0) {
-    stages_->sums.fill_columns(frame_, rest);
+    fill_columns(rest);
     stages_->sums.add_block(frame_, rest);
     if (stages_->sums.samples() > 0) {
       stages_->sums.close_batch(frame_, kLeadIn + rest, stages_->batch);
@@ -124,7 +134,7 @@ void EstimatorCore::break_window() {
   }
   conditioning_->restart();
   tests_.break_window();
-  stages_->sums.restart();
+  stages_->sums.restart(time);
   filled_ = 0;
   level_samples_ = units_ = 0;
   aim();
@@ -157,6 +167,7 @@ void EstimatorCore::correct_channels() {
   forget_levels();
   collector_.begin_level();
   tests_.begin_level();
+  level_began_ = health_.samples;
   aim();
 }
 

@@ -66,7 +66,8 @@ class EstimatorCore {
   void choose_block();
   void process(int count);
   void move_on();
-  void break_window();
+  void fill_columns(int count);
+  void break_window(uint32_t time = 0);  // time: samples from the level's start to the one that comes next
   void note_gap(uint32_t sequence);
   void note_saturation();
   void forget_levels();
@@ -87,9 +88,10 @@ class EstimatorCore {
   bool tests_work_ = false;  // the score tests are on
   bool closing_ = false;     // into the batch at hand, a few pieces with each sample
   int pieces_per_sample_ = 1;
-  int filled_ = 0;          // samples in the frame
-  int full_ = 0;            // at this many the block is worked on
-  int filled_columns_ = 0;  // samples of a block whose columns are filled and which is to be summed
+  int filled_ = 0;            // samples in the frame
+  int full_ = 0;              // at this many the block is worked on
+  int filled_columns_ = 0;    // samples of a block whose columns are filled and which is to be summed
+  uint32_t level_began_ = 0;  // health_.samples then, less what has been missed since
   uint32_t closing_units_ = 0;
   uint32_t level_samples_ = 0;                      // sample intervals summed since the level (or a gap in it) began
   uint32_t units_ = 0, units_aimed_ = 0, aim_ = 0;  // units summed, to be summed, and the latter in samples

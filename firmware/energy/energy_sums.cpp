@@ -12,8 +12,8 @@ void copy(Frame& frame, int to_column, int from_column, int from, int to) {
 
 }  // namespace
 
-void EnergySums::restart() {
-  effects_.restart();
+void EnergySums::restart(uint32_t time) {
+  effects_.restart(time);
   for (ClearSign& sign : clear_sign_) sign.restart();
   for (HighPassedSign& sign : high_passed_sign_) sign.restart();
   for (LowPassedSign& sign : low_passed_sign_) sign.restart();

@@ -21,7 +21,8 @@ class EnergySums {
   bool complete() const { return sums_.complete() && effects_.complete(); }         // the equations have found room
   const Scaled* effect_units() const { return &plan_.column_unit[kEffectColumn]; }  // SI, in the order of the terms
 
-  void restart();  // a new level
+  void restart(uint32_t time = 0);  // a new level, or what follows a gap in it, so many samples behind its start
+  bool time_is_out() const { return effects_.time_is_out(); }
   // Friction counts in samples of clear sign: at which links, and whose equations leave the others out.
   bool takes_clear_sign(int link) const { return use_[link].wants_clear_sign; }
   bool leaves_samples_out(int dof) const { return plan_.dof[dof].clear_signs_only; }

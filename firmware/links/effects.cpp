@@ -53,6 +53,9 @@ NodeDifference side(const CoreConfiguration& configuration, const LinkConfigurat
                          has_b ? configuration.signals[link.node_b][index].unit_per_code : Scaled{}, kSignalBits);
 }
 
+// A drift that does not level off has no room for more, one that does cannot count further.
+uint32_t longest_time(const LawShape& shape) { return shape.ratio.mantissa == 0 ? 1u << kLawTimeBits : UINT32_MAX; }
+
 LawNumber value(const NodeDifference& side, const Frame& frame, int at) {
   return LawNumber::from_raw(difference_at(side, frame.raw[side.column_a], frame.raw[side.column_b], at));
 }
@@ -79,11 +82,12 @@ void Effects::configure(const CoreConfiguration& configuration, Scaled* column_u
   }
 }
 
-void Effects::restart() {
+void Effects::restart(uint32_t time) {
+  time_is_out_ = false;
   for (int e = 0; e < count_; ++e) {
     effect_[e].memory = LawForce{};
     effect_[e].moved = false;
-    effect_[e].time = 0;
+    effect_[e].time = time;
   }
 }
 
@@ -118,6 +122,8 @@ void Effects::fill(Frame& frame, int from, int to, int advance) {
                                   effect.time + static_cast<uint32_t>(at - from)},
                                  effect.shape));
     }
+    const bool drifts = law.use == ShapeUse::kDecayOfTime;
+    if (drifts && longest_time(effect.shape) - static_cast<uint32_t>(to - from) < effect.time) time_is_out_ = true;
     effect.time += static_cast<uint32_t>(advance);
   }
 }

@@ -16,7 +16,9 @@ class Effects {
   // Writes the unit of every effect's column to column_unit[kEffectColumn + number], in the order of the terms.
   void configure(const CoreConfiguration& configuration, Scaled* column_unit);
   bool complete() const { return complete_; }  // every effect term has a column
-  void restart();                              // a new level: time and memory of hysteresis start again
+  // A new level, or what follows a gap in it: memory of hysteresis starts again, and time at so many samples of the level.
+  void restart(uint32_t time = 0);
+  bool time_is_out() const { return time_is_out_; }  // a law would have gone on with time where its column stands still
   // Fills positions [from, to). What remembers (hysteresis, time) goes on from position from + advance at the next call.
   void fill(Frame& frame, int from, int to, int advance);
 
@@ -34,6 +36,7 @@ class Effects {
   Effect effect_[kMaxEffectColumns];
   int count_ = 0;
   bool complete_ = true;
+  bool time_is_out_ = false;
 };
 
 }  // namespace firmware

@@ -207,3 +207,70 @@ TEST(EnergySums, ASensorAtFullScaleMarksTheLevel) {
   EXPECT_EQ(core->health().saturated_samples, 1u);
   EXPECT_TRUE(core->table().level[0].saturated);
 }
+
+namespace {
+
+// One mass to the ground with m a + k u + (c + q t) w = f exactly but for the code's rounding; t from the level's start.
+constexpr double kDamping = 4.0, kDrift = 2.0;
+
+std::unique_ptr<CoreConfiguration> drifting_mass() {
+  auto c = two_masses(true);
+  c->dof_count = c->link_count = 1;
+  c->unknown_count = 2;
+  c->term_count = 0;
+  for (ChannelConfiguration& channel : c->channels[1]) channel.present = false;
+  add_term(*c, TermKind::kMass, 0, -1, 3);
+  add_term(*c, TermKind::kStiffness, 0, -1, 7);
+  add_term(*c, TermKind::kViscous, 0, 0, 0);
+  add_term(*c, TermKind::kDriftingViscous, 0, 1, 0);
+  copy_measured_signals(*c);
+  return c;
+}
+
+RawSample drifting_at(uint32_t n) {
+  RawSample s = sample_at(n);
+  const double damping = kDamping + kDrift * n / 1024.0;
+  s.code[0][0] = static_cast<int32_t>(std::lround(3.0 * s.code[0][3] + 7.0 * s.code[0][1] + damping * s.code[0][2]));
+  return s;
+}
+
+}  // namespace
+
+// Time goes on over missed samples. Counted from kLeadIn - 1 samples behind the start, where the drift has made of c
+// c + q (kLeadIn - 1) / 1024. Had time begun again behind the gap, the second half would have had 4 + 2 * 3000 / 1024 = 9.9
+// at its start where the first had 4.
+TEST(EnergySums, ADriftGoesOnOverAGap) {
+  const auto c = drifting_mass();
+  auto core = std::make_unique<EstimatorCore>(*c);
+  uint32_t n = 77;  // of a rig that has been running
+  core->begin_level();
+  for (uint32_t at = 0; at < 5000; ++at) {
+    RawSample s = drifting_at(at);
+    s.sequence = n + at;
+    if (at < 2000 || at >= 3000) core->push(s);
+  }
+  const Estimates& estimates = core->solve();
+  EXPECT_NEAR(to_double(estimates.parameters[0].value), kDamping + kDrift * (kLeadIn - 1) / 1024.0, 1e-3);
+  EXPECT_NEAR(to_double(estimates.parameters[1].value), kDrift, 1e-3);
+  EXPECT_FALSE(core->table().level[0].saturated);
+}
+
+// The column of a drift holds 2^20 samples of time. A gap of half of that leaves room, a second one does not: what follows
+// is no longer the law, and the level says so.
+TEST(EnergySums, ADriftThatHasNoRoomMarksItsLevel) {
+  const auto c = drifting_mass();
+  auto core = std::make_unique<EstimatorCore>(*c);
+  core->begin_level();
+  uint32_t at = 0;
+  for (int gap = 0; gap < 3; ++gap, at += 1 << 19) {
+    for (int i = 0; i < 200; ++i) {
+      RawSample s = sample_at(static_cast<uint32_t>(i));
+      s.sequence = at++;
+      core->push(s);
+    }
+    EXPECT_EQ(core->table().level[0].saturated, gap == 2) << gap;
+  }
+  core->begin_level();
+  for (uint32_t i = 0; i < 200; ++i) core->push(sample_at(i));
+  EXPECT_FALSE(core->table().level[1].saturated);
+}

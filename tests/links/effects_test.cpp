@@ -79,6 +79,23 @@ TEST(Effects, ADriftLevelsOff) {
   }
 }
 
+// To 2^20 samples where it does not level off; a column is filled from kLeadIn - 1 to kLeadIn + kBlockSamples + 1, which is
+// kBlockSamples + 2 behind the first. One that levels off counts to 2^32 - 1.
+TEST(Effects, TimeIsOutWhereADriftHasNoRoom) {
+  const auto still = [](double) { return 0.0; };
+  for (const double shape : {0.0, 0.5}) {
+    Case test(TermKind::kDriftingViscous, shape);
+    const uint32_t last = shape > 0.0 ? UINT32_MAX : 1u << kLawTimeBits;
+    test.effects->restart(last - kBlockSamples - 3);
+    test.block(0, still, still);
+    EXPECT_FALSE(test.effects->time_is_out());
+    test.block(0, still, still);
+    EXPECT_TRUE(test.effects->time_is_out());
+    test.effects->restart();
+    EXPECT_FALSE(test.effects->time_is_out());
+  }
+}
+
 TEST(Effects, DahlFrictionSaturatesAndTurns) {
   // Pulled steadily: z = 1 - exp(-u / length) from rest; after a reversal it heads for -1 with the same length.
   Case test(TermKind::kPreslidingHysteresis, 0.01);
