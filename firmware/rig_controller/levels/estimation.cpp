@@ -8,7 +8,7 @@ namespace firmware {
 void Estimation::reset() {
   discard_ = working_;
   fresh_ = false;
-  solve_owed_ = level_left_out_ = false;
+  solve_owed_ = level_left_out_ = lost_ = false;
   count_ = 0;
   note_busy();
   ask(Kind::kReset);
@@ -27,10 +27,22 @@ void Estimation::end_level() {
 void Estimation::wait(const RawSample& sample) {
   if (level_left_out_ || count_ >= kMaxWaiting - kKeptForOthers) {
     ++dropped_samples_;
+    if (!level_left_out_) note_loss();
     return;
   }
   append(Kind::kSample) = sample;
   if (!working_ && count_ == 1) go_on();
+}
+
+// Behind the gap a level's margin settles the filters, and as many samples again are measured.
+void Estimation::note_loss() {
+  lost_ = true;
+  put_off_until_ = health().samples + static_cast<uint32_t>(count_ + 2 * core_.margin_samples());
+}
+
+bool Estimation::puts_off() const {
+  if (lost_ && static_cast<int32_t>(put_off_until_ - core_.health().samples) > 0) return true;
+  return count_ != 0 && count_ + came_in_solve_ > kMaxWaiting - kKeptForOthers;
 }
 
 void Estimation::solve(bool judge) {
@@ -72,8 +84,8 @@ void Estimation::catch_up() {
   for (int taken = 0; taken < most && !working_; ++taken) {
     // A block's two halves are for two steps, in catching up too.
     if (taken >= came && taken > 0 && core_.owes_sums()) return;
-    if (solve_owed_ && before_solve_ == 0) {
-      solve_owed_ = false;
+    if (solve_owed_ && before_solve_ == 0 && !puts_off()) {
+      solve_owed_ = lost_ = false;
       perform(judge_owed_ ? Kind::kSolveAndJudge : Kind::kSolve, job_sample_);
       continue;
     }
@@ -81,7 +93,7 @@ void Estimation::catch_up() {
     const int place = first_;
     first_ = (first_ + 1) % kMaxWaiting;
     --count_;
-    if (solve_owed_) --before_solve_;
+    if (solve_owed_ && before_solve_ > 0) --before_solve_;
     perform(kind_[place], sample_[place]);
   }
 }
@@ -109,12 +121,14 @@ bool Estimation::takes_long(Kind kind, const RawSample& sample) const {
 }
 
 void Estimation::perform(Kind kind, const RawSample& sample) {
+  if (kind == Kind::kEndLevel) lost_ = false;  // nothing comes that a solve could wait for
   if (!takes_long(kind, sample)) return run(kind, sample);
   job_ = kind;
   if (kind == Kind::kSample) job_sample_ = sample;
   health_ = core_.health();
   discard_ = false;
   working_ = true;
+  count_at_begin_ = count_;
   begun_ns_ = now_ns_;
   if (worker_ != nullptr) return worker_->start(&Estimation::work, this);
   work(this);
@@ -147,6 +161,7 @@ void Estimation::finish() {
   working_ = false;
   if (discard_ || (job_ != Kind::kSolve && job_ != Kind::kSolveAndJudge)) return;
   fresh_ = true;
+  came_in_solve_ = count_ - count_at_begin_;
   results_.estimates = core_.estimates();
   results_.judge_asked = job_ == Kind::kSolveAndJudge;
 }

@@ -10,6 +10,10 @@
 // its place at once. Where the ring is full, samples are dropped and counted: the core sees the gap in their sequence and
 // splits the window, as with any missed sample. A level begins only where its end will find room, else it is left out
 // with all its samples. A reset empties the ring.
+//
+// A solve that outlasts the ring costs a gap, behind which filters settle anew, and one after the other would leave nothing to
+// estimate from. So a solve is put off while the ring has no room for what will come meanwhile, judged by the last one, and after
+// a loss until half of what has come since is in windows.
 #pragma once
 #include <cstdint>
 
@@ -71,12 +75,14 @@ class Estimation {
 
   void ask(Kind kind);
   void wait(const RawSample& sample);
+  void note_loss();
   RawSample& append(Kind kind);
   // sample: of kSample.
   void perform(Kind kind, const RawSample& sample);  // here or on the worker
   bool takes_long(Kind kind, const RawSample& sample) const;
   void run(Kind kind, const RawSample& sample);
   void finish();
+  bool puts_off() const;                                                // the solve that is owed
   void note_busy() { busy_ = working_ || count_ != 0 || solve_owed_; }  // wherever one of them may have changed
   void catch_up();
   static void work(void* self);
@@ -90,8 +96,11 @@ class Estimation {
   bool solve_owed_ = false, judge_owed_ = false;
   bool level_left_out_ = false;  // its samples are dropped
   int first_ = 0, count_ = 0;
-  int came_ = 0;          // entries of the ring since the last go_on()
-  int before_solve_ = 0;  // entries of the ring that come before it
+  int came_ = 0;                                // entries of the ring since the last go_on()
+  int before_solve_ = 0;                        // entries of the ring that come before it
+  int count_at_begin_ = 0, came_in_solve_ = 0;  // entries when the job began; how many came during the last solve
+  bool lost_ = false;                           // samples of the level, since put_off_until_ was set
+  uint32_t put_off_until_ = 0;                  // so many samples has the core had before the next solve
   uint32_t dropped_samples_ = 0;
   uint64_t now_ns_ = 0, begun_ns_ = 0;
   CoreHealth health_;        // when it was begun
