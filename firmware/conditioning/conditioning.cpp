@@ -15,17 +15,17 @@ int32_t between(int32_t lowest, int32_t code, int32_t highest) {
   return code < lowest ? lowest : code > highest ? highest : code;
 }
 
-// A pole that starts fast and comes down to 1 - 2^-leak_shift: what a level starts with is forgotten within its own length. Each pole
-// stays for `time_constants` of its own.
-int starting_leak(uint32_t samples, int leak_shift, uint32_t time_constants) {
-  int leak = 1;
-  while (leak < leak_shift && (samples / time_constants + 2) >> (leak + 1) != 0) ++leak;
-  return leak;
-}
 constexpr uint32_t kSlopeTimeConstants = 4, kStartTimeConstants = 1;
-constexpr int kOnceSections = 2;  // of a high-pass where nothing is integrated twice
+constexpr int kOnceSections = 2;               // of a high-pass where nothing is integrated twice
+constexpr uint32_t kMostReceived = INT32_MAX;  // a level may be longer; every filter has settled long before
 
 }  // namespace
+
+int starting_leak(uint32_t samples, int leak_shift, uint32_t time_constants) {
+  int leak = 1;
+  while (leak < leak_shift && samples / time_constants >= (2u << leak) - 2) ++leak;
+  return leak;
+}
 
 void Conditioning::restart() {
   received_ = 0;
@@ -175,7 +175,7 @@ bool Conditioning::filter(int32_t* column) {
       column[path.column] = (path.turn & kFused ? fused(path) : delayed(newest[path.window])).raw;
   }
   if (++history_at_ == kHistory) history_at_ = 0;
-  if (received_ != UINT32_MAX) ++received_;  // a level may be longer
+  if (received_ != kMostReceived) ++received_;
   return received_ > static_cast<uint32_t>(history_samples_);
 }
 

@@ -26,6 +26,10 @@
 
 namespace firmware {
 
+// A pole that starts fast and comes down to 1 - 2^-leak_shift: what a level starts with is forgotten within its own length. Each pole
+// stays for `time_constants` of its own. The shift of the one that is due after so many samples.
+int starting_leak(uint32_t samples, int leak_shift, uint32_t time_constants);
+
 class Conditioning {
  public:
   void configure(const CoreConfiguration& configuration);

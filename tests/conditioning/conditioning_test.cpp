@@ -208,6 +208,20 @@ TEST(Conditioning, AnOffsetDoesNotDrift) {
   EXPECT_LE(largest, 1);
 }
 
+// The pole 1 - 2^-n stays for 2^n samples: the first, 1/2, for 2, the next, 3/4, for 4, until 6 have come. The last one stays
+// for ever, also behind 2^32 samples, which are 60 hours at 20 kHz.
+TEST(Conditioning, TheLastPoleStays) {
+  EXPECT_EQ(starting_leak(0, 12, 1), 1);
+  EXPECT_EQ(starting_leak(1, 12, 1), 1);
+  EXPECT_EQ(starting_leak(2, 12, 1), 2);
+  EXPECT_EQ(starting_leak(5, 12, 1), 2);
+  EXPECT_EQ(starting_leak(6, 12, 1), 3);
+  EXPECT_EQ(starting_leak(23, 12, 4), 2);
+  EXPECT_EQ(starting_leak(24, 12, 4), 3);
+  for (const uint32_t samples : {8190u, INT32_MAX + 0u, UINT32_MAX - 1, UINT32_MAX})
+    EXPECT_EQ(starting_leak(samples, 12, 1), 12) << samples;
+}
+
 TEST(Conditioning, ALateChannelIsMovedBack) {
   // Displacement 250 us late: after the plan has moved it back by a quarter sample the projection has no quadrature part.
   auto c = rig({Quantity::kDisplacement, Quantity::kVelocity, Quantity::kAcceleration});
