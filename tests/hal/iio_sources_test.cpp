@@ -152,6 +152,45 @@ TEST_F(IioDevice, AHoleInTheStampsIsAHoleInTheSequence) {
   }
 }
 
+// At 20 kHz one stamp is 30 us late, more than half a period, and none is lost. Then one is lost, with its stamp 10 us late, and
+// one more behind it: seen at once. The first stamp is 30 us late as well.
+TEST_F(IioDevice, ALateStampIsNoMissedSample) {
+  add_buffer();
+  hal::IioBufferSource source(clock_);
+  ASSERT_EQ(source.open({"adc16", "", 20000.0, 128}, channels_, roots_), "");
+  firmware::RawSample sample;
+  const struct {
+    uint64_t stamp_us;
+    uint32_t sequence;
+  } scans[] = {{1030, 0}, {1050, 1}, {1100, 2}, {1180, 3}, {1200, 4}, {1250, 5}, {1300 + 50 + 10, 7}, {1450, 9}};
+  for (const auto& scan : scans) {
+    deliver(1, 1, scan.stamp_us * 1000);
+    ASSERT_EQ(source.read(sample), SampleResult::kSample);
+    EXPECT_EQ(sample.sequence, scan.sequence) << scan.stamp_us;
+  }
+}
+
+// A clock that is 2000 ppm slow or fast: after 5000 samples it is ten periods off, and still each one is the next, also where one
+// is 30 us late. A lost one is seen at once.
+TEST_F(IioDevice, AWrongRateDoesNotAddUp) {
+  add_buffer();
+  for (const double period_ns : {50100.0, 49900.0}) {
+    hal::IioBufferSource source(clock_);
+    ASSERT_EQ(source.open({"adc16", "", 20000.0, 128}, channels_, roots_), "");
+    firmware::RawSample sample;
+    const auto take = [&](int n, uint64_t late_ns) {
+      deliver(1, 1, 1000000 + static_cast<uint64_t>(n * period_ns) + late_ns);
+      ASSERT_EQ(source.read(sample), SampleResult::kSample);
+    };
+    for (int n = 0; n < 5000; ++n) {
+      take(n, n % 100 == 99 ? 30000 : 0);
+      ASSERT_EQ(sample.sequence, static_cast<uint32_t>(n)) << period_ns;
+    }
+    take(5001, 0);
+    EXPECT_EQ(sample.sequence, 5001u) << period_ns;
+  }
+}
+
 // A buffer of 8 scans at 1 kHz. Read in time, a hole is the converter's. Read 8 ms late, the scans up to the eighth are
 // there and those that came before the first read are not: dropped for want of room.
 TEST_F(IioDevice, AHoleBehindAFullBufferIsAnOverflow) {

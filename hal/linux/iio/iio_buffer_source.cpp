@@ -135,12 +135,21 @@ std::string IioBufferSource::start(const Options& options, const std::string& fo
                                        : "the buffer of \"" + options.device + "\" does not start: is its trigger set?";
 }
 
-// Sequence and time of a sample: a gap between two stamps of more than one and a half periods holds missed samples.
+// Periods since the last sample. They are counted against a grid, not from stamp to stamp: a stamp that an interrupt made late
+// would else stand for a missed sample. A stamp comes late, hardly ever early: one that is early moves the grid at once, late
+// ones move it slowly, so that it follows a clock that is slow.
+uint32_t IioBufferSource::periods_until(uint64_t time_ns) {
+  constexpr double kEarly = 0.25;       // of a period: what a stamp behind a missed sample may be early
+  constexpr double kFollowed = 0.0625;  // of what a stamp is late: 1000 ppm make 0.016 of a period
+  const double since_grid_ns = late_ns_ + static_cast<double>(static_cast<int64_t>(time_ns - last_ns_));
+  const double steps = std::max(1.0, std::floor(since_grid_ns / period_ns_ + kEarly));
+  late_ns_ = std::max(0.0, since_grid_ns - steps * period_ns_) * (1.0 - kFollowed);
+  return static_cast<uint32_t>(std::min(steps, static_cast<double>(INT32_MAX)));
+}
+
+// Sequence and time of a sample.
 void IioBufferSource::count_on(uint64_t time_ns, firmware::RawSample& sample) {
-  uint32_t steps = 1;
-  if (stamped_ && started_ && period_ns_ > 0.0 && time_ns > last_ns_)
-    steps =
-        std::max<uint32_t>(1, static_cast<uint32_t>(std::lround(static_cast<double>(time_ns - last_ns_) / period_ns_)));
+  const uint32_t steps = stamped_ && started_ && period_ns_ > 0.0 ? periods_until(time_ns) : 1;
   if (stamped_ && period_ns_ > 0.0) count_overflow(steps, time_ns);
   sequence_ = started_ ? sequence_ + steps : 0;
   started_ = true;

@@ -1,6 +1,6 @@
 // Samples from the buffer of an IIO device: the driver collects whole scans on its trigger, the character device hands
 // them over. The trigger is the sample clock; where the driver stamps its scans, a gap in the stamps is a missed
-// sample. A driver drops what comes while its buffer is full and says nothing: a gap behind a scan that lay for as long
+// sample; a stamp that is late by up to three quarters of a period is not. A driver drops what comes while its buffer is full and says nothing: a gap behind a scan that lay for as long
 // as the buffer holds is put down to that.
 #pragma once
 #include <cstddef>
@@ -46,8 +46,8 @@ class IioBufferSource final : public SampleSource {
   std::string lay_out(const std::string& folder, const std::vector<IioChannel>& channels);
   std::string set_rate(const Options& options, const std::string& folder);
   std::string start(const Options& options, const std::string& folder, const IioRoots& roots);
+  uint32_t periods_until(uint64_t time_ns);
   void count_on(uint64_t time_ns, firmware::RawSample& sample);
-
   void count_overflow(uint32_t steps, uint64_t time_ns);
   uint64_t stamp_of_scan() const;
 
@@ -66,6 +66,7 @@ class IioBufferSource final : public SampleSource {
   bool started_ = false;
   uint32_t sequence_ = 0;
   uint64_t last_ns_ = 0;
+  double late_ns_ = 0.0;        // the last stamp, against the grid
   double buffer_ns_ = 0.0;      // what the buffer holds
   uint64_t full_until_ns_ = 0;  // stamp of the last scan that a buffer which was full had room for
   uint32_t overflows_ = 0;
