@@ -189,12 +189,17 @@ void RigController::response_codes(const RawSample& sample, int32_t (&codes)[kMa
   }
 }
 
+// When listening a read that fails leaves a gap; a source that goes on failing is gone, like one that has ended.
 void RigController::source_stopped(bool fault) {
-  if (source_stopped_) return;
-  source_stopped_ = true;
-  judge(supervisor_.source_ended(safe_.live()));
-  if (fault && !safe_.tripped()) handle({AlarmCause::kSensorFault});
-  if (!listening_) return;
+  if (!source_stopped_) {
+    source_stopped_ = true;
+    source_gone_ = false;
+    stopped_ns_ = now_ns_;
+    judge(supervisor_.source_ended(safe_.live()));
+    if (fault && !safe_.tripped()) handle({AlarmCause::kSensorFault});
+  }
+  if (!listening_ || source_gone_ || (fault && now_ns_ - stopped_ns_ < kSourceGone_ns)) return;
+  source_gone_ = true;
   end_level();
   finished_ = true;
 }

@@ -88,6 +88,7 @@ class RigController final {
       64;  // a burst of buffered samples is taken in parts: the stop line is looked at between
   static constexpr int kFramesPerStep = 64;
   static constexpr int kEdgesPerStep = 16;
+  static constexpr uint64_t kSourceGone_ns = 1000000000;  // of failed reads alone: as long as the longest window
 
   // rig_controller.cpp: the course of a step
   void boot();
@@ -135,13 +136,14 @@ class RigController final {
   Ports ports_;
   uint64_t now_ns_ = 0;
   uint64_t boot_ns_ = 0;
+  uint64_t stopped_ns_ = 0;  // the source, where it has
   bool booted_ = false;
   const bool listening_;  // no programme: measure whatever comes
   bool finished_ = false;
-  bool source_stopped_ = false;
-  bool starts_by_itself_ = true;  // where the configuration says so
-  bool start_waits_ = false;      // start_at_boot, until the outputs are safe and the samples fresh
-  uint16_t passing_faults_ = 0;   // seen since the last status frame
+  bool source_stopped_ = false, source_gone_ = false;  // it failed or ended, and no sample has come since; for good
+  bool starts_by_itself_ = true;                       // where the configuration says so
+  bool start_waits_ = false;     // start_at_boot, until the outputs are safe and the samples fresh
+  uint16_t passing_faults_ = 0;  // seen since the last status frame
   uint32_t reported_drops_ = 0;
   uint32_t reported_overflows_ = 0;
   RawSample sample_;     // the last one; channels that are not there stay 0

@@ -358,6 +358,27 @@ TEST(Faults, ListeningGoesOnThroughWhatWouldStopADrive) {
   EXPECT_EQ(bench.controller->counters().missed_samples, 100u);
 }
 
+// One read that fails is a gap: of 1500 and 5000 samples 6 windows of 1000 are told. A source that fails for a second is gone.
+TEST(Faults, ListeningGoesOnThroughAReadThatFails) {
+  Bench bench(bench::listening());
+  bench.run_samples(1500);
+  bench.source.fail(hal::SampleFailure::kFault);
+  bench.step();
+  bench.source.fail(hal::SampleFailure::kNone);
+  EXPECT_EQ(emergency_code(*bench.can.last(kEmergencyId)), 0x5000);
+  bench.sequence += 3;  // what was not read
+  bench.run_samples(5000);
+  EXPECT_EQ(bench.controller->mode(), ControllerMode::kIntegrate);
+  EXPECT_EQ(bench.can.count(0x391), 6u);
+  EXPECT_EQ(bench.controller->core().health().missed_samples, 3u);
+  bench.source.fail(hal::SampleFailure::kFault);
+  bench.run_idle(1000);
+  EXPECT_EQ(bench.controller->mode(), ControllerMode::kIntegrate);
+  bench.run_idle(1);  // 1 s after the first that failed
+  EXPECT_EQ(bench.controller->mode(), ControllerMode::kDone);
+  EXPECT_EQ(bench.can.count(0x391), 7u);
+}
+
 TEST(Faults, EmergencyFramesKeepTheirInhibitTime) {
   Bench bench(bench::listening());
   bench.run_samples(10);
