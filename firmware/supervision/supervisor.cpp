@@ -48,6 +48,7 @@ void Supervisor::configure(const CoreConfiguration& core, const LimitConfigurati
 void Supervisor::begin(uint64_t now_ns) {
   last_sample_ns_ = now_ns;
   last_step_ns_ = now_ns;
+  last_command_ = Drive{};  // a start begins at rest, whatever the stop before it cut off
   for (Channel& channel : channel_) channel.saturated_in_row = 0;
   any_in_row_ = false;
 }

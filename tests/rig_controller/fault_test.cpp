@@ -2,6 +2,7 @@
 // causes that must not.
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <functional>
 #include <string>
 
@@ -377,6 +378,31 @@ TEST(Faults, ListeningGoesOnThroughAReadThatFails) {
   bench.run_idle(1);  // 1 s after the first that failed
   EXPECT_EQ(bench.controller->mode(), ControllerMode::kDone);
   EXPECT_EQ(bench.can.count(0x391), 7u);
+}
+
+// Stopped at over 2^27, four times the slew limit of 2^25, which the random level keeps from sample to sample. The output has been
+// zero since, and the new start begins there: no step. Against the command before the stop its first one was 2^27 down.
+TEST(Faults, AStartAfterAStopWhileDrivingIsNoStep) {
+  auto configuration = bench::driving();
+  configuration.programme.level_count = 1;
+  firmware::ExcitationLevel& level = configuration.programme.levels[0];
+  level.kind = firmware::ExcitationKind::kRandomBand;
+  level.amplitude = firmware::Drive::from_raw(1 << 27);
+  level.phase_step = 1 << 20;
+  level.high_phase_step = 1 << 24;  // 2^-8 of the rate: from sample to sample 2 pi / 256 of the value at most
+  configuration.programme.limits.step_per_sample = firmware::Drive::from_raw(1 << 25);
+  Bench bench(configuration);
+  driven_into(ControllerMode::kIntegrate, bench);
+  while (std::abs(bench.drive.drive_q31()) < 1 << 27) bench.run_sample();
+  bench.stop_line.pulse(0);
+  bench.run_sample();
+  ASSERT_TRUE(bench.dead());
+  bench.run_samples(5);
+  ASSERT_TRUE(bench.controller->reset());
+  ASSERT_TRUE(bench.controller->start());
+  bench.run_samples(20);
+  EXPECT_FALSE(bench.controller->latched_alarm());
+  EXPECT_TRUE(bench.relay.active());
 }
 
 TEST(Faults, EmergencyFramesKeepTheirInhibitTime) {
