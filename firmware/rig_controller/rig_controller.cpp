@@ -99,6 +99,7 @@ bool RigController::start() {
 bool RigController::start_listening() {
   if (measurement_.running()) return false;
   if (configuration_.node.listen_on_command) {
+    if (!measurement_.has_room()) return false;
     measurement_.begin_level();
     return true;
   }

@@ -61,7 +61,8 @@ class RigController final {
 
   // Each works from the first step() on, and is also a CANopen network command on the bus (identifier 0: command, node
   // or 0 for all).
-  bool start();  // command 1: from the first level, estimates forgotten. False: a fault is latched, or it runs already
+  bool start();  // command 1: from the first level, estimates forgotten. False: a fault is latched, it runs already, or
+                 // the table of levels is full
   void stop();   // command 2: ramps down; when listening, closes the level
   bool reset();  // command 129: forgets the latched fault. False: its cause is still there
 

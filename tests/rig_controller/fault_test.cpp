@@ -405,6 +405,27 @@ TEST(Faults, AStartAfterAStopWhileDrivingIsNoStep) {
   EXPECT_TRUE(bench.relay.active());
 }
 
+// Eight levels add up. A ninth would not be measured: START says so, until RESET forgets them.
+TEST(Faults, NoLevelBeginsThatWouldNotBeMeasured) {
+  auto configuration = bench::listening();
+  configuration.node.listen_on_command = true;
+  Bench bench(configuration);
+  bench.run_samples(3);
+  for (int level = 0; level < firmware::kMaxLevels; ++level) {
+    EXPECT_TRUE(bench.controller->start()) << level;
+    bench.run_samples(50);
+    bench.controller->stop();
+    bench.run_samples(5);
+  }
+  EXPECT_FALSE(bench.controller->start());
+  bench.network_command(1, 0);
+  bench.run_samples(5);
+  EXPECT_EQ(bench.controller->mode(), ControllerMode::kIdle);
+  EXPECT_TRUE(bench.controller->reset());
+  EXPECT_TRUE(bench.controller->start());
+  EXPECT_EQ(bench.controller->mode(), ControllerMode::kIntegrate);
+}
+
 TEST(Faults, EmergencyFramesKeepTheirInhibitTime) {
   Bench bench(bench::listening());
   bench.run_samples(10);

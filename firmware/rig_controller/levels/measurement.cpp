@@ -21,7 +21,14 @@ Alarm Measurement::loss_alarm() {
   return dropped == 0 ? Alarm{} : Alarm{AlarmCause::kSamplesMissed, dropped};
 }
 
+// The core's own count is the worker's while it works.
+bool Measurement::has_room() {
+  if (estimation_.idle()) levels_ = estimation_.core().table().level_count;
+  return levels_ < kMaxLevels;
+}
+
 void Measurement::begin_level() {
+  ++levels_;
   estimation_.begin_level();
   running_ = true;
   samples_in_window_ = 0;

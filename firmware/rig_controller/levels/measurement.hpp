@@ -23,7 +23,11 @@ class Measurement {
   Alarm worker_alarm();  // the worker does not come back; once
   Alarm loss_alarm();    // samples that found no room
 
-  void forget() { estimation_.reset(); }  // everything that was measured
+  void forget() {  // everything that was measured
+    levels_ = 0;
+    estimation_.reset();
+  }
+  bool has_room();  // for one more level
   void begin_level();
   void end_level();  // and its window
   void cut_level();  // the same, without estimates: the rig was stopped
@@ -52,6 +56,7 @@ class Measurement {
   bool running_ = false;  // samples go to the core
   bool worker_late_ = false;
   uint32_t samples_in_window_ = 0, window_samples_ = 0;  // so far, and of a full one
+  int levels_ = 0;  // asked for since forget(); fewer where the core has forgotten some since
   uint32_t told_dropped_ = 0;
   uint64_t next_judgement_ns_ = 0;
   Estimation estimation_;
