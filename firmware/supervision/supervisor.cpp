@@ -76,6 +76,7 @@ Alarm Supervisor::judge_codes(const RawSample& sample, bool live) {
     any_in_row_ = any_in_row_ || channel->saturated_in_row != 0;
     if (stops_drive(found.cause) && !first) first = found;
   }
+  if (any_in_row_) ++counters_.saturated_samples;
   return first;
 }
 
@@ -104,7 +105,6 @@ Alarm Supervisor::judge_gap(uint32_t missed, bool live) {
 Alarm Supervisor::judge_code(Channel& channel, int32_t code, bool live) {
   uint16_t& in_row = channel.saturated_in_row;
   if (static_cast<uint32_t>(code) - static_cast<uint32_t>(channel.inside) >= channel.count) {
-    ++counters_.saturated_samples;
     if (in_row < 0xFFFF) ++in_row;
     if (live && in_row >= limits_->saturated_in_row)
       return at(AlarmCause::kSensorSaturated, in_row, channel.node, channel.quantity);

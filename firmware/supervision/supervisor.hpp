@@ -20,7 +20,7 @@ struct LimitConfiguration {
 
 struct SupervisionCounters {
   uint32_t missed_samples = 0;
-  uint32_t saturated_samples = 0;
+  uint32_t saturated_samples = 0;  // with any channel at a rail
 };
 
 class Supervisor {

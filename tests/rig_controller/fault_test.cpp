@@ -347,6 +347,20 @@ TEST(Faults, NothingStopsOnOneSaturatedSampleOrAShortGap) {
   EXPECT_EQ(emergency_code(*bench.can.last(kEmergencyId)), 0xFF04);
 }
 
+// Ten samples with all four channels at a rail are ten, and so the health frame has it (saturated_samples: bytes 5 and 6).
+TEST(Faults, ASampleIsSaturatedOnce) {
+  Bench bench(bench::listening());
+  bench.run_samples(100);
+  for (int32_t& code : bench.spoil.code[0]) code = 16777214;
+  bench.run_samples(10);
+  for (int32_t& code : bench.spoil.code[0]) code = 0;
+  bench.run_samples(2000);
+  EXPECT_EQ(bench.controller->counters().saturated_samples, 10u);
+  const hal::CanFrame* health = bench.can.last(0x281);
+  ASSERT_NE(health, nullptr);
+  EXPECT_EQ(health->data[5] | health->data[6] << 8, 10);
+}
+
 TEST(Faults, ListeningGoesOnThroughWhatWouldStopADrive) {
   Bench bench(bench::listening());
   bench.run_samples(100);
