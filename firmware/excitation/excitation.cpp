@@ -13,6 +13,12 @@ int32_t towards(int32_t value, int32_t target, int32_t step) {
   return value - target > step ? value - step : target;
 }
 
+// Rounded down as long as the ramp gets one sample longer by it, else up.
+int32_t ramp_step(int32_t height, int32_t samples) {
+  const int32_t step = height / samples;
+  return height % samples > step ? step + 1 : step;
+}
+
 }  // namespace
 
 void Excitation::configure(const ExcitationProgramme& programme, int dof_count, uint32_t extra_samples) {
@@ -39,7 +45,7 @@ void Excitation::begin_ramp(bool to_zero) {
   const ExcitationLevel& level = current();
   const auto samples = static_cast<int32_t>(std::min<uint32_t>(level.ramp_samples, INT32_MAX));
   stopping_ = to_zero;
-  rise_ = std::max<int32_t>(1, std::max(level.amplitude.raw, envelope_) / samples);
+  rise_ = ramp_step(std::max(level.amplitude.raw, envelope_), samples);
   state_ = ExcitationState::kRamping;
 }
 

@@ -146,6 +146,25 @@ TEST(Excitation, StopInAGlideIsAtZeroWithinTheRamp) {
   }
 }
 
+// A thousandth of full scale, 2147484, in 1,200,000 samples: 1.79 a sample. At 1 it takes 2147484 samples, at 2 it is there after
+// 1073742, and as soon back at zero.
+TEST(Excitation, ALongRampOfASmallAmplitudeKeepsItsTime) {
+  ExcitationProgramme programme = sine_programme(1);
+  programme.levels[0].amplitude = Drive::from_raw(2147484);
+  programme.levels[0].ramp_samples = 1200000;
+  Excitation excitation;
+  excitation.configure(programme, 1);
+  excitation.start();
+  const int32_t response = 0;
+  int samples = 0;
+  while (excitation.state() == ExcitationState::kRamping) excitation.step(&response), ++samples;
+  EXPECT_EQ(samples, 1073742);
+  excitation.stop();
+  samples = 0;
+  while (excitation.state() != ExcitationState::kDone) excitation.step(&response), ++samples;
+  EXPECT_EQ(samples, 1073742);
+}
+
 TEST(Excitation, OtherFrequencyComesDownToZeroFirst) {
   ExcitationProgramme programme = sine_programme(2);
   programme.levels[1].phase_step = 1u << 27;
