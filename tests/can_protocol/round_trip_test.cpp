@@ -118,6 +118,9 @@ TEST(RoundTrip, EveryStruct) {
   ASSERT_TRUE(unpack_range(pack_range(6, {2, Quantity::kForce, false, -8388608, 8388607}), node, range));
   EXPECT_EQ(range.offset_code, -8388608);
   EXPECT_EQ(range.full_scale_code, 8388607);
+  // The middle of offset binary is one more than 24 bits with sign hold.
+  ASSERT_TRUE(unpack_range(pack_range(6, {2, Quantity::kForce, false, 8388608, 8388607}), node, range));
+  EXPECT_EQ(range.offset_code, 8388607);
 
   DriveCommand drive;
   ASSERT_TRUE(unpack_drive(pack_drive(7, {INT32_MIN, 0x1FFFF, DriveState::kStopped}), node, drive));
