@@ -15,10 +15,10 @@ int32_t round_to_column(const Scaled* numbers, int count, int bits, int32_t* val
     any = true;
   }
   for (int b = 0; b < count; ++b) {
-    // The upper half of the mantissa holds as many bits as are kept.
+    // The upper half of the mantissa holds as many bits as are kept. Below none are dropped of a zero, whatever its exponent.
     const int32_t drop = kMantissaBits - 32 - bits + (top - numbers[b].exponent);
     const int32_t high = static_cast<int32_t>(numbers[b].mantissa >> 32);
-    value[b] = drop > 31 ? 0 : drop == 0 ? high : ((high >> (drop - 1)) + 1) >> 1;
+    value[b] = drop > 31 ? 0 : drop <= 0 ? high : ((high >> (drop - 1)) + 1) >> 1;
   }
   return top + kMantissaBits - bits;
 }

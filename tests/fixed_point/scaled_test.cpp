@@ -6,6 +6,8 @@
 #include <cmath>
 #include <random>
 
+#include "firmware/fixed_point/whole_column.hpp"
+
 using namespace firmware;
 
 namespace {
@@ -126,4 +128,15 @@ TEST(Scaled, DivisionByZeroAndOverflowGiveTheLargestValue) {
   EXPECT_GT(log2_floor(huge), 1 << 20);
   EXPECT_TRUE((Scaled::from_int(-1) / Scaled{}).is_negative());
   EXPECT_TRUE((Scaled::from_int(0) / Scaled{}).is_zero());
+}
+
+// 2^-100 to 20 bits with its sign: 2^19 times 2^-119. A zero stands at exponent 0, far above it, and drops no bits (a shift by
+// less than nothing, which the sanitizer alone shows).
+TEST(WholeColumn, AZeroBesideSmallNumbers) {
+  const Scaled numbers[] = {Scaled::from_int(1, -100), Scaled{}, Scaled::from_int(-1, -101)};
+  int32_t column[3];
+  EXPECT_EQ(round_to_column(numbers, 3, 20, column), -119);
+  EXPECT_EQ(column[0], 1 << 19);
+  EXPECT_EQ(column[1], 0);
+  EXPECT_EQ(column[2], -(1 << 18));
 }

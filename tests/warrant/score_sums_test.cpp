@@ -162,6 +162,35 @@ TEST(ProbeForce, FullScaleStaysInItsFormat) {
   }
 }
 
+// A mass of 2^40 kg: at full scale 8 m/s^2 of it are 2^43 N, and the known part counts in 2^17 N. A force of 8 N, full scale of its
+// channel, is none of it, of either sign.
+TEST(BlockMotion, AForceFarBelowTheKnownTermsIsNothing) {
+  static CoreConfiguration c;
+  c = CoreConfiguration{};
+  c.dof_count = 1;
+  c.sample_period_s = Scaled::ratio(1, 1000);
+  for (int q = 0; q < kQuantities; ++q) {
+    c.channels[0][q].present = true;
+    c.channels[0][q].unit_per_code = Scaled::from_int(1, -20);
+  }
+  copy_measured_signals(c);
+  c.term_count = 1;
+  c.terms[0].kind = TermKind::kMass;
+  c.terms[0].value = Scaled::from_int(1, 40);
+  static BlockMotion block;
+  Scaled no_effects[1];
+  block.configure(c, no_effects, {});
+  static Frame frame;
+  frame = Frame{};
+  for (int i = 0; i < kFrameStride; ++i) frame.raw[0][i] = (i / 8) % 2 == 0 ? 8388607 : -8388607;
+  block.append(frame, 0, 32);
+  block.append(frame, 0, 32);
+  ASSERT_TRUE(block.full());
+  block.fill_columns();
+  EXPECT_GE(to_double(block.column_unit(kKnownColumn)), 0x1p16);
+  for (int i = 0; i < kBlockSamples; ++i) EXPECT_EQ(block.column(kKnownColumn)[i], 0) << i;
+}
+
 // u = 1, 2, ... codes: a straight line comes back from its neighbours, its own sample left out.
 TEST(BlockMotion, NeighboursGiveAStraightLineBack) {
   static CoreConfiguration c;

@@ -234,7 +234,9 @@ void BlockMotion::fill_soft_sign(int l) {
 void BlockMotion::fill_known(int i) {
   int64_t known[kBlockSamples] = {};
   if (force_[i].present()) {
-    const int shift = log2_floor(unit_[kKnownColumn + i]) - (force_[i].range_exponent - kDifferenceFraction);
+    constexpr int kNothingLeft = kDifferenceFraction + 2;  // of any force
+    int shift = log2_floor(unit_[kKnownColumn + i]) - (force_[i].range_exponent - kDifferenceFraction);
+    if (shift > kNothingLeft) shift = kNothingLeft;
     const int32_t* f = signal(force_[i].column_a);
     for (int n = 0; n < kBlockSamples; ++n) {
       const int32_t value = difference_at(force_[i], f, f, n);
