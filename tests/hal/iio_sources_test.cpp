@@ -111,6 +111,18 @@ TEST_F(IioDevice, BufferedSamplesArriveOnTheirChannels) {
   EXPECT_EQ(source.read(sample), SampleResult::kNone);
 }
 
+// The last element stands from before, and the first does not go on: by then the last one is off.
+TEST_F(IioDevice, WhatIsNotWantedIsOffBeforeAnythingIsSwitchedOn) {
+  add_buffer();
+  const std::string first = roots_.devices + "/iio:device1/scan_elements/in_voltage0_en";
+  std::filesystem::remove(first);
+  std::filesystem::create_directory(first);  // takes no text
+  hal::IioBufferSource source(clock_);
+  EXPECT_NE(source.open({"adc16", "", 1000.0, 128}, channels_, roots_).find("in_voltage0 cannot be switched on"),
+            std::string::npos);
+  EXPECT_EQ(get("scan_elements/in_temp_en"), "0");
+}
+
 // A timer trigger (hrtimer) has the rate, not the converter.
 TEST_F(IioDevice, TheTriggersRateIsSet) {
   add_buffer();

@@ -64,17 +64,24 @@ std::string IioBufferSource::open(const Options& options, const std::vector<IioC
   return start(options, folder, roots);
 }
 
-// Switches the wanted elements on and all others off, and works out where they lie in a scan.
+// Switches the wanted elements on and all others off, these first: a driver that can scan few elements together refuses the new
+// ones beside the old. Works out where they lie in a scan.
 std::string IioBufferSource::lay_out(const std::string& folder, const std::vector<IioChannel>& channels) {
   const std::string scan_folder = folder + "/scan_elements";
   const std::vector<Element> elements = elements_of(scan_folder);
+  const auto uses_of = [&](const Element& element) {
+    return std::count_if(channels.begin(), channels.end(),
+                         [&](const IioChannel& channel) { return channel.element == element.name; });
+  };
+  for (const Element& element : elements)
+    if (uses_of(element) == 0) write_text(scan_folder + "/" + element.name + "_en", "0");
   ScanLayout layout;
   for (const Element& element : elements) {
     const bool is_time = element.name == "in_timestamp";
-    const auto wanted = [&](const IioChannel& channel) { return channel.element == element.name; };
-    const auto uses = std::count_if(channels.begin(), channels.end(), wanted);
-    const bool enabled = write_text(scan_folder + "/" + element.name + "_en", uses > 0 || is_time ? "1" : "0");
-    if (uses == 0 && (!is_time || !enabled)) continue;
+    const bool used = uses_of(element) > 0;
+    if (!used && !is_time) continue;
+    const bool enabled = write_text(scan_folder + "/" + element.name + "_en", "1");
+    if (!used && !enabled) continue;
     if (!enabled) return element.name + " cannot be switched on";
     Place place;
     const std::string type = read_text(scan_folder + "/" + element.name + "_type");
@@ -86,7 +93,7 @@ std::string IioBufferSource::lay_out(const std::string& folder, const std::vecto
       stamped_ = true;
     }
     for (const IioChannel& channel : channels) {
-      if (!wanted(channel)) continue;
+      if (channel.element != element.name) continue;
       place.node = channel.node;
       place.quantity = static_cast<uint8_t>(channel.quantity);
       places_[place_count_++] = place;
