@@ -97,6 +97,7 @@ void EstimatorCore::move_on() {
     closing_ = true;
     closing_units_ = units_aimed_ - units_;
     units_ = units_aimed_;
+    collector_.count_anew(units_, level_samples_);
     aim(closing_units_);
     // Done in half the time until the next one closes.
     const uint32_t samples = 1 + (aim_ - level_samples_) / 2;

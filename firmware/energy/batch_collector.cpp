@@ -92,6 +92,16 @@ uint32_t BatchCollector::unit_end(uint32_t unit) const {
       short_quotient(twice, 2 * static_cast<uint64_t>(unit_denominator_), kCountBits));  // nearest sample
 }
 
+// As many units as the denominator says are the numerator's samples, exactly. With 2^28 units, of up to 1023 samples each, the
+// products of unit_end() are below 2^62 and the samples below 2^40.
+void BatchCollector::count_anew(uint32_t& units, uint32_t& samples) const {
+  constexpr uint32_t kMostUnits = 1u << 28;
+  if (units < kMostUnits) return;
+  const uint32_t times = units / unit_denominator_;
+  units -= times * unit_denominator_;
+  samples -= times * unit_numerator_;
+}
+
 // With the table full (or just being merged) batches are twice as long.
 uint32_t BatchCollector::batch_units() const {
   const bool doubled = merging_ || level().batch_count == kMaxBatches;

@@ -16,6 +16,9 @@ class BatchCollector {
   bool refused() const { return refused_; }  // a level was begun with the table full: its data are not used
 
   uint32_t unit_end(uint32_t unit) const;  // samples from the level's start to the end of this many units
+  // Before a long level's units have no room: whole cycles are taken off what has been counted of units, and of samples, which
+  // wrap.
+  void count_anew(uint32_t& units, uint32_t& samples) const;
   // The next call of add() should bring this many units, at the most; or the call after one that brings `units`.
   uint32_t units_wanted(uint32_t units = 0) const;
   void add(const Batch& batch, uint32_t units);  // in the order of time; units 0: an incomplete one

@@ -189,6 +189,30 @@ TEST(BatchCollector, UnitsOfLongCycles) {
 }
 
 // 100,000 samples in 2^-14 of one, and a cycle of 4 Mi samples that a fraction of 2^-8 still holds.
+// A cycle of 65500 samples less 2^-16 in 128 units: 511.7 samples each, 511 or 512 whole ones, also behind 2^33 units, where 32 bits
+// have run over twice. In steps of 2^26 units.
+TEST(BatchCollector, UnitsOfAnEndlessLevel) {
+  CoreConfiguration configuration;
+  configuration.window.mode = WindowMode::kWholeCycles;
+  configuration.window.cycle_samples_numerator = 65500u * 65536u - 1;
+  configuration.window.cycle_samples_denominator = 65536;
+  auto table = std::make_unique<BatchTable>();
+  BatchCollector collector(*table);
+  collector.clear(configuration, RowLayout{});
+  uint32_t units = 0, samples = 0;
+  for (int step = 0; step < 128; ++step) {
+    collector.count_anew(units, samples);
+    EXPECT_EQ(collector.unit_end(units), samples) << step;  // the same time in both
+    for (uint32_t unit = 1; unit < 200; ++unit) {
+      const uint32_t length = collector.unit_end(units + unit) - collector.unit_end(units + unit - 1);
+      ASSERT_TRUE(length == 511 || length == 512) << step << ' ' << unit << ' ' << length;
+    }
+    ASSERT_LT(units, UINT32_MAX - (1u << 26)) << step;
+    units += 1u << 26;
+    samples = collector.unit_end(units);
+  }
+}
+
 TEST(WholeCycles, AreFractionsThatFit) {
   firmware::WindowConfiguration window;
   rig_file::set_whole_cycles(100000.0, window);
