@@ -170,6 +170,30 @@ TEST(BusFaults, QueueFullTenTimesKeepsTheUrgentAndCountsTheRest) {
   EXPECT_EQ(half_word(*bench.can.last(kBusHealthId), 4), bench.controller->transmit_queue().given_up());
 }
 
+// Windows close while the bus is away, and RESET forgets them before it is back: what they said does not come after it. A window
+// and an estimate frame wait then, the newest of each.
+TEST(BusFaults, WhatWasForgottenDuringAnOutageIsNotSent) {
+  auto configuration = bench::listening();
+  configuration.node.listen_on_command = true;
+  Bench bench(configuration);
+  bench.run_samples(10);
+  ASSERT_TRUE(bench.controller->start());
+  bench.run_samples(500);
+  bench.can.fail(hal::BusFailure::kDown);
+  bench.run_samples(2000);
+  bench.controller->stop();
+  bench.run_samples(10);
+  EXPECT_EQ(bench.controller->estimates()->window_counter, 3u);
+  const uint32_t given_up = bench.controller->transmit_queue().given_up();
+  ASSERT_TRUE(bench.controller->reset());
+  EXPECT_GE(bench.controller->transmit_queue().given_up(), given_up + 2);
+  bench.can.fail(hal::BusFailure::kNone);
+  bench.run_samples(300);
+  EXPECT_EQ(bench.can.count(kWindowId), 0u);
+  EXPECT_EQ(bench.can.count(0x410), 0u);
+  EXPECT_GT(bench.can.count(kHeartbeatId), 1u);
+}
+
 TEST(BusFaults, EveryFrameIsSentOrCounted) {
   // A queue of three frames, emptied every millisecond: bursts wait, nothing is lost.
   Bench bench(bench::listening());

@@ -17,6 +17,14 @@ void copy(const From& from, To& to) {
   for (int i = 0; i < from.length; ++i) to.data[i] = from.data[i];
 }
 
+bool is_of(const can::IdPlan& ids, int node, uint32_t id) {
+  for (int first = 0; first < ids.members; first += ids.bank_members) {
+    const int left = ids.members - first, members = left < ids.bank_members ? left : ids.bank_members;
+    if (id - can::frame_id(ids, node, first) < static_cast<uint32_t>(members)) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 TransmitQueue::TransmitQueue() {
@@ -62,11 +70,19 @@ void TransmitQueue::push(const CanFrame& message, bool replace) {
   order_[rank] = place;
 }
 
-void TransmitQueue::remove_first() {
-  const uint8_t freed = order_[0];
+void TransmitQueue::remove(int rank) {
+  const uint8_t freed = order_[rank];
   --count_;
-  for (int rank = 0; rank < count_; ++rank) order_[rank] = order_[rank + 1];
+  for (; rank < count_; ++rank) order_[rank] = order_[rank + 1];
   order_[count_] = freed;
+}
+
+void TransmitQueue::give_up(const can::IdPlan& ids, int node) {
+  for (int rank = count_ - 1; rank >= 0; --rank) {
+    if (!is_of(ids, node, waiting_at(rank).id)) continue;
+    remove(rank);
+    ++given_up_;
+  }
 }
 
 hal::CanResult TransmitQueue::flush(hal::CanBus& bus) {
@@ -82,7 +98,7 @@ hal::CanResult TransmitQueue::flush(hal::CanBus& bus) {
     } else {
       break;
     }
-    remove_first();
+    remove(0);
   }
   return result;
 }

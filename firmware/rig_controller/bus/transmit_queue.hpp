@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "firmware/can_protocol/can_frame.hpp"
+#include "firmware/can_protocol/frame_description.hpp"
 #include "firmware/configuration/capacity.hpp"
 #include "hal/interface/can_bus.hpp"
 
@@ -21,6 +22,9 @@ class TransmitQueue {
   // Sends until the bus refuses (a frame that the driver cannot send at all is given up) or nothing is left. Returns
   // the last answer of the bus; kEmpty: nothing was waiting.
   hal::CanResult flush(hal::CanBus& bus);
+
+  // All that wait of a kind: what they say has been forgotten.
+  void give_up(const can::IdPlan& ids, int node);
 
   // Frames of this identifier are reported when the bus has taken one: true once for each flush that sent any.
   void watch(uint32_t id) { watched_id_ = id; }
@@ -48,7 +52,7 @@ class TransmitQueue {
   int rank_of(uint32_t id) const;
   void put(Waiting& place, const CanFrame& message) const;
   static CanFrame frame_of(const Waiting& place);
-  void remove_first();
+  void remove(int rank);
 
   Waiting waiting_[kCapacity] = {};
   // the first count_: places in waiting_ by identifier, oldest first among equals; then the free places

@@ -9,6 +9,10 @@ void WindowFrames::forget() {
   estimates_ = nullptr;
   judged_ = false;
   next_float_ = floats_ = 0;
+  const can::FrameDescription* const told[] = {&can::kWindow,        &can::kEstimate,        &can::kEstimateFd,
+                                               &can::kEstimateFloat, &can::kEstimateFloatFd, &can::kDiagnosis,
+                                               &can::kDiagnosisSize, &can::kDiagnosisRival};
+  for (const can::FrameDescription* frame : told) queue_.give_up(frame->ids, configuration_.node.node);
 }
 
 void WindowFrames::send(const Estimates& estimates, bool judged) {

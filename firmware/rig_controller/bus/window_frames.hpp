@@ -16,7 +16,7 @@ class WindowFrames {
   void send_some_floats();  // the estimates once more, a few at a time: they say nothing new, so all else goes first
   bool floats_wait() const { return next_float_ < floats_; }
   void repeat_diagnosis();  // the last one, where there is one
-  void forget();
+  void forget();            // also what still waits for the bus
 
   const Estimates* estimates() const { return estimates_; }  // of the last window; nullptr before the first
   const Diagnosis& diagnosis() const { return diagnosis_; }  // of the last judgement
