@@ -117,7 +117,7 @@ std::vector<std::string> advice_for(const Diagnosis& d) {
     fault = fault || (std::isinf(l.strength) && l.where.rfind("channel ", 0) == 0);
   }
   if (d.verdict == Verdict::kNone && offset)
-    say("a constant force shows in a displacement only: measure that of every DOF");
+    say("a constant force that springs hold shows in a displacement only: measure that of every DOF");
   if (d.verdict == Verdict::kNone && fault)
     say("a sensor's fault shows against a second channel of its DOF only: add one");
   if (!d.rejected.empty() && d.causes.empty())

@@ -1,6 +1,7 @@
 #include "forces_of_rest.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "choice/choice.hpp"
 
@@ -42,6 +43,22 @@ bool lacks_a_spring(const Diagnosis& d, const rig_file::RigModel& rig) {
   });
 }
 
+const Parameter* number_of(const Diagnosis& d, const char* name, const rig_file::Link& link) {
+  const auto& all = d.extended.parameters;
+  const auto p = std::find_if(all.begin(), all.end(), [&](const Parameter& o) {
+    return o.name == std::string(name) + "[" + rig_file::link_label(link) + "]";
+  });
+  return p == all.end() ? nullptr : &*p;
+}
+
+// What followed with a spring of nought was a better start, or what else was found beside it.
+bool all_beyond_nought(const Diagnosis& d, const Trial& trial, const rig_file::Link& link) {
+  return std::all_of(trial.named.begin(), trial.named.end(), [&](const auto& named) {
+    const Parameter* p = number_of(d, named.first, link);
+    return p != nullptr && std::abs(p->value) > kHalfOf95 * p->std;
+  });
+}
+
 // The judgement of a rig with such forces beside that of the rig as given: they are its causes.
 Diagnosis with_forces_named(Diagnosis d, const Diagnosis& as_given, const Trial& trial, const rig_file::Link& link) {
   const std::string label = rig_file::link_label(link);
@@ -51,6 +68,7 @@ Diagnosis with_forces_named(Diagnosis d, const Diagnosis& as_given, const Trial&
     cause.effect = named->second, cause.where = "link " + label;
     for (Parameter& p : d.extended.parameters) {
       if (p.name != std::string(named->first) + "[" + label + "]") continue;
+      if (p.std > 0) cause.significance = p.value / p.std * (p.value / p.std);
       p.name = cause.effect + "[" + label + "]";
       cause.parameters.push_back(p);
     }
@@ -98,6 +116,7 @@ Diagnosis judged_where_it_rests(const Asked& asked, Diagnosis (*judge)(const Ask
       const double missed = d.extended.most_missed_percent(),
                    least = (needs_more ? kForOneMore : 1) * best.extended.most_missed_percent();
       if (!d.cannot_describe.empty() || missed > kFollowed_percent || missed >= least) continue;
+      if (!all_beyond_nought(d, trial, asked.rig.links[l])) continue;
       best = with_forces_named(d, as_given, trial, asked.rig.links[l]);
       named = trial.named.size();
     }
