@@ -47,6 +47,12 @@ TEST(PlainNames, AreAQuantityAndItsUnit) {
                       {"Weg &b_A1", "rad", "angle_1_rad"},  // an interface's input behind the name
                       {"Weg s_A1", "m", "displacement_1_m"},
                       {"Winkel", "rad", "angle_1_rad"},
+                      {"theta", "deg", "angle_1_rad"},
+                      {"phi_rad", "", "angle_1_rad"},
+                      {"omega", "rad/s", "angular_velocity_1_rad_s"},
+                      {"rate_deg_s", "", "angular_velocity_1_rad_s"},
+                      {"rate", "Hz", ""},
+                      {"sigma_phi_rad", "", ""},
                       {"Kraft F_B1", "N", "force_1_N"},
                       {"Acceleration x", "m/s^2", ""},  // one of three axes
                       {"force_ref", "N", ""},
