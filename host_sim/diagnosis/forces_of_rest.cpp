@@ -62,7 +62,7 @@ bool all_beyond_nought(const Diagnosis& d, const Trial& trial, const rig_file::L
 // The judgement of a rig with such forces beside that of the rig as given: they are its causes.
 Diagnosis with_forces_named(Diagnosis d, const Diagnosis& as_given, const Trial& trial, const rig_file::Link& link) {
   const std::string label = rig_file::link_label(link);
-  const double before = as_given.extended.most_missed_percent(), after = d.extended.most_missed_percent();
+  const double before = as_given.baseline.most_missed_percent(), after = d.extended.most_missed_percent();
   for (auto named = trial.named.rbegin(); named != trial.named.rend(); ++named) {
     Cause cause;
     cause.effect = named->second, cause.where = "link " + label;

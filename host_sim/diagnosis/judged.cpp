@@ -107,8 +107,13 @@ double say_of_channels(const runs::Task& task, const runs::Choice& choice, Diagn
   if (d.verdict != Verdict::kUnknown) runs::name_force_hum(task, choice.final, d);
   const double lag_s = runs::say_common_lag(task, d);
   runs::say_shared_hum(task, choice, d);
+  const bool any_named = !d.causes.empty();
   runs::drop_undetermined(d, runs::motion_error(task, choice.base) < runs::kFollows);
   runs::drop_trifles(task, d);
+  if (any_named && d.causes.empty()) {  // the rig is as it was given
+    d.extended = d.baseline, d.extended_misfit = d.baseline_misfit;
+    d.extended_rig = runs::written_rig(task, choice.base);
+  }
   runs::name_zeros(task, d);
   runs::reject_what_simulates_worse(task.system.rig, d);
   return lag_s;

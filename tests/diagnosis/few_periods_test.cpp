@@ -9,6 +9,7 @@
 #include "host_sim/diagnosis/answer/answer.hpp"
 #include "host_sim/diagnosis/trial/attempt.hpp"
 #include "host_sim/diagnosis/trial/merit.hpp"
+#include "one_mass.hpp"
 #include "two_masses.hpp"
 
 namespace {
@@ -104,6 +105,15 @@ TEST(FewPeriods, OfAFrictionDamperWithPlayNameItsHysteresis) {
     EXPECT_EQ(d.causes[0].effect, "presliding_hysteresis") << two_masses::said(d);
     EXPECT_GT(d.gain[0], 2.5) << two_masses::said(d);  // a spring: 1.6
   }
+}
+
+// Every sample is nought (a sensor that is not plugged in, with --anyway): there is no period to count windows in, and no end to halving them.
+TEST(FewPeriods, NothingMoves) {
+  const std::vector<double> nothing(2000, 0.0);
+  host_sim::Record record;
+  record.file = "still.csv", record.sample_period_s = 1e-3;
+  record.channels = {{"displacement_1_m", host_sim::Quantity::kDisplacement, 1, nothing}};
+  EXPECT_THROW(diagnosis::diagnose(one_mass::rig(), {record}, {}, {}), diagnosis::CannotAnswer);
 }
 
 }  // namespace

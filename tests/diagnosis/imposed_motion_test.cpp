@@ -61,6 +61,34 @@ TEST(ImposedMotion, AMassThatTheRigFileLacksIsNamed) {
   EXPECT_NEAR(value_of(d.extended, "coulomb[1-0]"), kCoulomb_N, 0.05 * kCoulomb_N);
 }
 
+// A damper between a load cell and a moving base: what moves it is the difference, 50 N s/m of it. The base was taken for the ground.
+TEST(ImposedMotion, AgainstAMovingBase) {
+  std::mt19937_64 random(6);
+  std::normal_distribution<double> normal;
+  std::vector<double> force, place, speed, base, base_speed;
+  for (int k = 0; k < 8000; ++k) {
+    const double t = k / 1000.0, v = 0.09 * std::cos(9.0 * t), v_base = 0.13 * std::cos(13.0 * t + 1);
+    place.push_back(0.01 * std::sin(9.0 * t) + 1e-6 * normal(random)), speed.push_back(v + 1e-4 * normal(random));
+    base.push_back(0.01 * std::sin(13.0 * t + 1) + 1e-6 * normal(random));
+    base_speed.push_back(v_base + 1e-4 * normal(random));
+    force.push_back(50 * (v - v_base) + 0.02 * normal(random));
+  }
+  host_sim::Record made;
+  made.file = "tester.csv", made.sample_period_s = 1e-3;
+  made.channels = {{"force_1_N", Quantity::kForce, 1, force},
+                   {"displacement_1_m", Quantity::kDisplacement, 1, place},
+                   {"velocity_1_m_s", Quantity::kVelocity, 1, speed},
+                   {"displacement_base_m", Quantity::kDisplacement, rig_file::kBase, base},
+                   {"velocity_base_m_s", Quantity::kVelocity, rig_file::kBase, base_speed}};
+  rig_file::RigModel rig;
+  rig.dofs.resize(1), rig.links.resize(1);
+  rig.links[0].a = 1, rig.links[0].b = rig_file::kBase;
+  rig.links[0].viscous_N_s_m.estimate = true;
+  const diagnosis::Diagnosis d = diagnosis::diagnose(rig, {made}, {});
+  EXPECT_EQ(diagnosis::verdict_word(d.verdict), std::string("none")) << said(d);
+  EXPECT_NEAR(value_of(d.baseline, "viscous[1-base]"), 50, 0.5);
+}
+
 // A fiftieth of the mass, or a load cell that reads fifty times too much: where the mass is all that is known they are the same,
 // r = 25 / 0.5. A dead band that the force never leaves was a third name for it.
 TEST(ImposedMotion, AWrongMassAndAWrongGainAreOneAnotherWhereNothingElseIsKnown) {

@@ -49,6 +49,8 @@ TEST(Released, RowsBeforeItAreLeftOut) {
 TEST(Released, WhatAForceDrivesIsKeptWhole) {
   host_sim::Record record = decay(1, 4);
   record.channels.push_back({"force_1_N", Quantity::kForce, 1, std::vector<double>(3001, 0.0)});
+  EXPECT_EQ(from_release({record})[0].samples(), 3000u) << "a force that reads nought throughout drives nothing";
+  record.channels.back().values[100] = 1.0;
   EXPECT_EQ(from_release({record})[0].samples(), 3001u);
 }
 

@@ -148,6 +148,7 @@ double horizon(const Task& task, State& s, double from, bool massless) {
   std::vector<Model> found;
   double followed = 0;
   const double shortest = kShortestHorizon * quickest_share(task);
+  if (!std::isfinite(from)) throw CannotAnswer("nothing moves in the records");
   double periods = from;
   for (;; periods /= 2) {
     s.model = start;

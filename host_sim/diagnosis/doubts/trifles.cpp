@@ -97,6 +97,7 @@ void drop_trifles(const Task& task, Diagnosis& d) {
   if (d.causes.empty()) d.ambiguous_with.clear();
   d.settle();
   if (d.causes.empty() && d.verdict == Verdict::kExplained) d.verdict = Verdict::kNone;
+  if (d.causes.empty() && d.verdict != Verdict::kNone) d.verdict = Verdict::kUnknown;  // it was not all that is missing
 }
 
 }  // namespace diagnosis::runs

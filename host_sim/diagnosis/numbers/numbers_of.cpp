@@ -61,21 +61,26 @@ std::string place_of_term(const Task& task, const Term& t) {
 
 std::vector<diagnosis::Parameter> parameters_of_cause(const Task& task, const std::vector<ActiveTerm>& list,
                                                       const ActiveTerm& a) {
-  if (!of_motion_channel(a.term.kind)) return parameters_of_term(task.system, list, a);
-  const std::string channel = place_of_term(task, a.term).substr(8);
-  const bool delay = a.term.kind == Kind::kChannelDelay || a.term.kind == Kind::kBaseDelay;
-  return {{std::string(word_of(a.term.kind)) + "[" + channel + "]", a.value, delay ? "s" : "1", a.std, true}};
+  std::vector<diagnosis::Parameter> numbers;
+  if (of_motion_channel(a.term.kind)) {
+    const std::string channel = place_of_term(task, a.term).substr(8);
+    const bool delay = a.term.kind == Kind::kChannelDelay || a.term.kind == Kind::kBaseDelay;
+    numbers = {{std::string(word_of(a.term.kind)) + "[" + channel + "]", a.value, delay ? "s" : "1", a.std, true}};
+  } else {
+    numbers = parameters_of_term(task.system, list, a);
+  }
+  for (diagnosis::Parameter& p : numbers) {
+    p.undetermined = a.alike;
+    if (a.alike) p.std = std::max(p.std, kNoNumber * std::abs(p.value));
+  }
+  return numbers;
 }
 
 std::vector<diagnosis::Parameter> all_parameters(const Task& task, const std::vector<ActiveTerm>& list) {
   std::vector<diagnosis::Parameter> out;
   for (const ActiveTerm& a : list)
     if (a.added || !a.known)
-      for (diagnosis::Parameter& p : parameters_of_cause(task, list, a)) {
-        p.undetermined = a.alike;
-        if (a.alike) p.std = std::max(p.std, kNoNumber * std::abs(p.value));
-        out.push_back(p);
-      }
+      for (diagnosis::Parameter& p : parameters_of_cause(task, list, a)) out.push_back(p);
   return out;
 }
 

@@ -16,8 +16,12 @@ void Simulator::forces_of_motion(const Mat& x, const Mat& v, const Mat& a, Mat& 
     force.row(node) += mass_[node] * a.row(node);
     for (const Index p : by_mass_[static_cast<size_t>(node)]) slopes[static_cast<size_t>(p)].row(node) += a.row(node);
   }
+  const Guess& base = record_.guess.back();
+  const auto end = [&](const Mat& m, int i, Index k) {
+    if (i >= 0) return m(i, k);
+    return i == -2 && base.given ? (&m == &x ? base.x[k] : base.v[k]) : 0.0;
+  };
   for (const Element& e : elements_) {
-    const auto end = [&](const Mat& m, int i, Index k) { return i >= 0 ? m(i, k) : 0.0; };
     double z = 0, z_slope = 0, before = 0;
     for (Index k = 0; k < count; ++k) {
       const double u = end(x, e.a, k) - end(x, e.b, k), w = end(v, e.a, k) - end(v, e.b, k);
