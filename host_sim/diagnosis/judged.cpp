@@ -110,10 +110,7 @@ double say_of_channels(const runs::Task& task, const runs::Choice& choice, Diagn
   const bool any_named = !d.causes.empty();
   runs::drop_undetermined(d, runs::motion_error(task, choice.base) < runs::kFollows);
   runs::drop_trifles(task, d);
-  if (any_named && d.causes.empty()) {  // the rig is as it was given
-    d.extended = d.baseline, d.extended_misfit = d.baseline_misfit;
-    d.extended_rig = runs::written_rig(task, choice.base);
-  }
+  if (any_named && d.causes.empty()) d.extended_rig = runs::written_rig(task, choice.base);  // as it was given
   runs::name_zeros(task, d);
   runs::reject_what_simulates_worse(task.system.rig, d);
   return lag_s;
