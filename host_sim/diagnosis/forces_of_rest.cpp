@@ -43,18 +43,18 @@ bool lacks_a_spring(const Diagnosis& d, const rig_file::RigModel& rig) {
   });
 }
 
-const Parameter* number_of(const Diagnosis& d, const char* name, const rig_file::Link& link) {
-  const auto& all = d.extended.parameters;
-  const auto p = std::find_if(all.begin(), all.end(), [&](const Parameter& o) {
-    return o.name == std::string(name) + "[" + rig_file::link_label(link) + "]";
-  });
-  return p == all.end() ? nullptr : &*p;
+// Of the extended rig; nullptr: it has none of that name.
+Parameter* number_of(Diagnosis& d, const char* name, const rig_file::Link& link) {
+  const std::string wanted = std::string(name) + "[" + rig_file::link_label(link) + "]";
+  for (Parameter& p : d.extended.parameters)
+    if (p.name == wanted) return &p;
+  return nullptr;
 }
 
 // What followed with a spring of nought was a better start, or what else was found beside it.
-bool all_beyond_nought(const Diagnosis& d, const Trial& trial, const rig_file::Link& link) {
+bool all_beyond_nought(Diagnosis& d, const Trial& trial, const rig_file::Link& link) {
   return std::all_of(trial.named.begin(), trial.named.end(), [&](const auto& named) {
-    const Parameter* p = number_of(d, named.first, link);
+    const Parameter* const p = number_of(d, named.first, link);
     return p != nullptr && std::abs(p->value) > kHalfOf95 * p->std;
   });
 }
@@ -66,11 +66,10 @@ Diagnosis with_forces_named(Diagnosis d, const Diagnosis& as_given, const Trial&
   for (auto named = trial.named.rbegin(); named != trial.named.rend(); ++named) {
     Cause cause;
     cause.effect = named->second, cause.where = "link " + label;
-    for (Parameter& p : d.extended.parameters) {
-      if (p.name != std::string(named->first) + "[" + label + "]") continue;
-      if (p.std > 0) cause.significance = p.value / p.std * (p.value / p.std);
-      p.name = cause.effect + "[" + label + "]";
-      cause.parameters.push_back(p);
+    if (Parameter* const p = number_of(d, named->first, link)) {
+      if (p->std > 0) cause.significance = p->value / p->std * (p->value / p->std);
+      p->name = cause.effect + "[" + label + "]";
+      cause.parameters.push_back(*p);
     }
     cause.explains_percent = 100 * std::max(0.0, 1 - after / before);
     d.causes.insert(d.causes.begin(), cause);
@@ -111,7 +110,7 @@ Diagnosis judged_where_it_rests(const Asked& asked, Diagnosis (*judge)(const Ask
     for (const Trial& trial : trials_on(asked.rig, l, followed_nothing && to_ground)) {
       const Asked with{trial.rig, asked.training, asked.holdout, silent, asked.ground_known};
       if (!describes(with)) continue;
-      const Diagnosis d = judge(with);
+      Diagnosis d = judge(with);
       const bool needs_more = named > 0 && trial.named.size() > named;
       const double missed = d.extended.most_missed_percent(),
                    least = (needs_more ? kForOneMore : 1) * best.extended.most_missed_percent();

@@ -1,7 +1,5 @@
 #include "host_sim/ingestion/record_reader.hpp"
 
-#include <algorithm>
-
 #include "host_sim/ingestion/mat/mat_reader.hpp"
 #include "host_sim/ingestion/sensor_log/sensor_log_reader.hpp"
 #include "host_sim/ingestion/uff/uff_reader.hpp"
@@ -55,18 +53,6 @@ std::vector<Record> at_even_steps(const std::vector<Record>& records, double rat
   return all;
 }
 
-// And keeps their names: other records have to do without them too.
-void leave_out_computed_columns(Record& record) {
-  for (const Channel& channel : record.channels) record.computed.push_back(channel.name);
-  leave_out_computed(record);
-  const auto is_there = [&](const std::string& name) {
-    return std::any_of(record.channels.begin(), record.channels.end(),
-                       [&](const Channel& channel) { return channel.name == name; });
-  };
-  record.computed.erase(std::remove_if(record.computed.begin(), record.computed.end(), is_there),
-                        record.computed.end());
-}
-
 }  // namespace
 
 std::vector<Record> read_records(const std::string& path, const rig_file::RigModel& model,
@@ -79,7 +65,7 @@ std::vector<Record> read_records(const std::string& path, const rig_file::RigMod
     for (const Record& record : records) require_motion_channels(record, model);
     if (!options.span.is_all())
       for (Record& record : records) record = within(std::move(record), options.span);
-    for (Record& record : records) join_turns(record), leave_out_computed_columns(record);
+    for (Record& record : records) join_turns(record), leave_out_computed(record);
     if (options.resample_Hz > 0.0) return at_even_steps(records, options.resample_Hz);
     return records;
   }

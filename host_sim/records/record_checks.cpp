@@ -168,9 +168,8 @@ void order_channels_as(const Record& first, std::vector<Record>& records) {
       return of_first.quantity == channel.quantity && of_first.dof == channel.dof;
     });
   };
-  const std::vector<Channel>* const order = &first.channels;
   for (Record& record : records)
-    if (&record.channels != order)
+    if (&record != &first)
       std::stable_sort(record.channels.begin(), record.channels.end(),
                        [&](const Channel& a, const Channel& b) { return place(a) < place(b); });
 }

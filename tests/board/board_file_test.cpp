@@ -9,7 +9,6 @@
 #include <fstream>
 
 #include "hal/linux/board/bus_check.hpp"
-#include "hal/linux/board/driver_rails.hpp"
 #include "hal/linux/board/output_sections.hpp"
 #include "hal/linux/board/run_marker.hpp"
 #include "hal/linux/board/safe_outputs.hpp"
@@ -409,46 +408,6 @@ TEST(RunMarker, AFolderThatTakesNoFileRemembersNothing) {
   EXPECT_FALSE(marker.begin("/nowhere/at/all"));
   EXPECT_FALSE(marker.begin(""));
   marker.end_well();
-}
-
-// A 12-bit converter whose file says no rails: planned for 24 bits, one with a sign has steps of 4 of its codes (2^24 of them in 22 bits),
-// a quarter of what 12 bits can tell at small motions. The driver's word tells its width.
-TEST_F(BoardFileTest, DriversRailsPlanTheSignalsAnew) {
-  std::string text = R"(schema = "rig/1"
-[node]
-id = 3
-[samples]
-source = "iio"
-device = "adc"
-rate_Hz = 1000
-[[dof]]
-mass_kg = 1.0
-[[link]]
-between = [1, 0]
-stiffness_N_m = 100.0
-viscous_N_s_m = "estimate"
-[[channel]]
-name = "force_1_N"
-unit_per_code = 0.01
-element = "in_voltage0"
-[[channel]]
-name = "velocity_1_m_s"
-unit_per_code = 0.001
-element = "in_voltage1"
-)";
-  const board::BoardFile file = read(text);
-  firmware::CoreConfiguration core = file.controller.core;
-  const auto velocity_step = [&] {
-    return std::ldexp(static_cast<double>(core.signals[0][2].unit_per_code.mantissa),
-                      core.signals[0][2].unit_per_code.exponent);
-  };
-  EXPECT_GT(velocity_step(), 2e-3);
-  const auto twelve_bits = [](const hal::IioChannel&) { return hal::CodeRange{-2048, 2047}; };
-  EXPECT_EQ(board::take_driver_rails(file.samples.channels, twelve_bits, core), "");
-  EXPECT_LT(velocity_step(), 1e-3) << "finer than its own code";
-  EXPECT_EQ(core.channels[0][2].highest_code, 2047);
-  const auto far_off = [](const hal::IioChannel&) { return hal::CodeRange{0, 1 << 24}; };
-  EXPECT_NE(board::take_driver_rails(file.samples.channels, far_off, core).find("in_voltage0"), std::string::npos);
 }
 
 }  // namespace

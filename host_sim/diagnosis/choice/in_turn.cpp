@@ -42,9 +42,7 @@ std::optional<Alone> alone_as_good(const Task& task, const PassedOver& passed, c
   for (const Candidate& candidate : passed.candidates) {
     const Attempt alone =
         attempt(task, passed.part, {candidate}, {std::vector<double>(candidate.terms.size(), 0.0)}, kBaseSteps);
-    if (!alone.state.fit.ok || alone.rounds || cannot_be(task, passed.part, alone) ||
-        may_be_nought(alone.state, passed.part.model.size()))
-      continue;
+    if (!alone.state.fit.ok || alone.rounds || !can_stand(task, passed.part, alone)) continue;
     const State whole = on_all(task, passed.beside, alone.state);
     // a number for each cause, and its shapes
     const double may_leave = std::pow(worth, passed.complexity + further + 1 - alone.complexity);

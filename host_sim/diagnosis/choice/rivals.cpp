@@ -84,6 +84,10 @@ Attempt own_beside(const Task& task, const State& rest, const Choice& choice, co
   return own;
 }
 
+bool no_rival(const Task& task, const State& rest, const Attempt& a) {
+  return below_nought(a.state) || cannot_be(task, rest, a);
+}
+
 // Those that the linearisation promises about as much of as of the best, fitted; of bristles dry friction in their place too.
 std::vector<Attempt> rivals_tried(const Task& task, const State& rest, double noise, const Choice& choice,
                                   const Named& mine, const Attempt& own) {
@@ -101,8 +105,8 @@ std::vector<Attempt> rivals_tried(const Task& task, const State& rest, double no
       continue;
     list.push_back(one);
   }
-  std::vector<Attempt> others = attempts(
-      task, rest, all, list, noise, below_nought(own.state) || cannot_be(task, rest, own) ? 1e300 : whole_error(own));
+  const double known = no_rival(task, rest, own) ? 1e300 : whole_error(own);
+  std::vector<Attempt> others = attempts(task, rest, all, list, noise, known);
   const auto bristles = std::find_if(others.cbegin(), others.cend(), is_bristles);
   const Attempt* const other = bristles != others.cend() ? &*bristles : nullptr;
   for (const Attempt* a : {is_bristles(own) ? &own : nullptr, other}) {
@@ -119,9 +123,9 @@ bool by_whole_error(const Attempt& a, const Attempt& b) { return whole_error(a) 
 // Of the others those that leave as little; `own` becomes the one that is to be named.
 std::vector<Attempt> as_good_as(const Task& task, const State& rest, double noise, std::vector<Attempt> others,
                                 Attempt& own) {
-  const auto no_rival = [&](const Attempt& a) { return below_nought(a.state) || cannot_be(task, rest, a); };
-  const bool own_can_be = !no_rival(own);
-  if (own_can_be) others.erase(std::remove_if(others.begin(), others.end(), no_rival), others.end());
+  const bool own_can_be = !no_rival(task, rest, own);
+  const auto is_none = [&](const Attempt& a) { return no_rival(task, rest, a); };
+  if (own_can_be) others.erase(std::remove_if(others.begin(), others.end(), is_none), others.end());
   const auto better = std::min_element(others.begin(), others.end(), by_whole_error);
   if (better != others.end() && better->z > kByChance && whole_error(*better) < whole_error(own))
     std::swap(own, *better);

@@ -20,7 +20,7 @@ bool as_good(const Attempt& simpler, const Attempt& best, double worth) {
 void keep_nearest(const Task& task, const State& now, const std::vector<Attempt>& tried, double noise, Choice& choice) {
   for (const Attempt& t : tried) {
     if (!t.state.fit.ok || t.rounds || std::max(t.error, t.unseen) > 1 - kShare) continue;
-    if (cannot_be(task, now, t) || may_be_nought(t.state, now.model.size())) continue;
+    if (!can_stand(task, now, t)) continue;
     const Nearly found{t.candidates[0], t.state.model, share_of(t, noise)};
     if (!choice.nearest || found.share > choice.nearest->share) choice.nearest = found;
   }
@@ -40,9 +40,8 @@ bool stands(const Beside& b, const State& rounded, const Attempt& t) {
 void take_single(const Beside& b, const State& rounded, const std::vector<Attempt>& singles, double worth,
                  Round& round) {
   const auto standing = [&](const Attempt& t) { return stands(b, rounded, t); };
-  auto first = std::find_if(singles.begin(), singles.end(), [&](const Attempt& t) {
-    return standing(t) && !cannot_be(b.task, b.now, t) && !may_be_nought(t.state, b.now.model.size());
-  });
+  auto first = std::find_if(singles.begin(), singles.end(),
+                            [&](const Attempt& t) { return standing(t) && can_stand(b.task, b.now, t); });
   if (first == singles.end()) first = std::find_if(singles.begin(), singles.end(), standing);
   if (first == singles.end()) return;
   round.best = *first, round.found = true;

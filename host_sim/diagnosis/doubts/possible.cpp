@@ -9,6 +9,7 @@
 #include "../fit/error_rates.hpp"
 #include "../fit/run_windows.hpp"
 #include "../trial/attempt.hpp"
+#include "../trial/merit.hpp"
 #include "firmware/vocabulary/effect_table.hpp"
 
 namespace diagnosis::runs {
@@ -148,6 +149,10 @@ bool drives_a_link(const Task& task, const State& s, const std::vector<Candidate
 bool cannot_be(const Task& task, const State& beside, const Attempt& with) {
   return turns_a_number(beside, with.state) || lightens_below_nought(with.state, with.candidates) ||
          drives_a_link(task, with.state, with.candidates);
+}
+
+bool can_stand(const Task& task, const State& beside, const Attempt& with) {
+  return !cannot_be(task, beside, with) && !may_be_nought(with.state, beside.model.size());
 }
 
 }  // namespace diagnosis::runs

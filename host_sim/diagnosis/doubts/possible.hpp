@@ -19,5 +19,7 @@ bool turns_a_number(const State& beside, const State& with);
 bool drives_a_link(const Task& task, const State& s, const std::vector<Candidate>& added);
 // Any of these: it comes behind what can be.
 bool cannot_be(const Task& task, const State& beside, const Attempt& with);
+// None of these, and no coefficient of its own may be nought.
+bool can_stand(const Task& task, const State& beside, const Attempt& with);
 
 }  // namespace diagnosis::runs

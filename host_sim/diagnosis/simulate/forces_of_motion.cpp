@@ -17,14 +17,15 @@ void Simulator::forces_of_motion(const Mat& x, const Mat& v, const Mat& a, Mat& 
     for (const Index p : by_mass_[static_cast<size_t>(node)]) slopes[static_cast<size_t>(p)].row(node) += a.row(node);
   }
   const Guess& base = record_.guess.back();
-  const auto end = [&](const Mat& m, int i, Index k) {
-    if (i >= 0) return m(i, k);
-    return i == -2 && base.given ? (&m == &x ? base.x[k] : base.v[k]) : 0.0;
+  const auto end = [&](const Mat& m, const Vec& of_base, int i, Index k) {
+    return i >= 0 ? m(i, k) : i == -2 && base.given ? of_base[k] : 0.0;
   };
+  const auto elongation_of = [&](const Element& e, Index k) { return end(x, base.x, e.a, k) - end(x, base.x, e.b, k); };
+  const auto rate_of = [&](const Element& e, Index k) { return end(v, base.v, e.a, k) - end(v, base.v, e.b, k); };
   for (const Element& e : elements_) {
     double z = 0, z_slope = 0, before = 0;
     for (Index k = 0; k < count; ++k) {
-      const double u = end(x, e.a, k) - end(x, e.b, k), w = end(v, e.a, k) - end(v, e.b, k);
+      const double u = elongation_of(e, k), w = rate_of(e, k);
       LawValue f;
       if (e.kind == Kind::kPresliding) {
         if (k == 0) z = w < 0 ? -1 : 1, before = u;
@@ -35,10 +36,7 @@ void Simulator::forces_of_motion(const Mat& x, const Mat& v, const Mat& a, Mat& 
         f = bristles(w, z, e.shape, e.shape2, by_z);
         f.by_log_shape += by_z * z_slope;
       } else if (e.kind == Kind::kCoulomb || e.kind == Kind::kMissingCoulomb || e.kind == Kind::kStribeck) {
-        const double spread =
-            k + 1 < count && k > 0
-                ? 0.25 * std::abs(end(v, e.a, k + 1) - end(v, e.b, k + 1) - end(v, e.a, k - 1) + end(v, e.b, k - 1))
-                : 0;
+        const double spread = k + 1 < count && k > 0 ? 0.25 * std::abs(rate_of(e, k + 1) - rate_of(e, k - 1)) : 0;
         const double sign = spread > 0 ? std::clamp(w / spread, -1.0, 1.0) : w < 0 ? -1.0 : 1.0;
         const double share = e.kind == Kind::kStribeck ? std::exp(-std::abs(w) / e.shape) : 1;
         f.force = sign * share, f.by_log_shape = e.kind == Kind::kStribeck ? sign * share * std::abs(w) / e.shape : 0;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "../fit/in_parallel.hpp"
 #include "bristles.hpp"
 #include "judge.hpp"
 #include "merit.hpp"
@@ -93,8 +92,8 @@ Attempt attempt(const Task& task, const State& beside, const std::vector<Candida
 
 std::vector<Attempt> attempts(const Task& task, const State& beside, const std::vector<Candidate>& all,
                               const std::vector<Screened>& list, double noise, double least, const Stands& stands) {
-  std::vector<Attempt> tried(list.size());
-  in_parallel(list.size(), [&](size_t i, size_t) { tried[i] = first_attempt(task, beside, all, list[i]); });
+  std::vector<Attempt> tried =
+      side_by_side(list.size(), [&](size_t i) { return first_attempt(task, beside, all, list[i]); });
   for (const Attempt& a : tried)
     if (stands && a.state.fit.ok && !a.rounds && whole_error(a) < least && stands(a)) least = whole_error(a);
   in_parallel(list.size(), [&](size_t i, size_t) {

@@ -3,6 +3,7 @@
 #include <functional>
 
 #include "../candidates/candidates.hpp"
+#include "../fit/in_parallel.hpp"
 #include "settle.hpp"
 
 namespace diagnosis::runs {
@@ -33,6 +34,14 @@ Attempt attempt(const Task& task, const State& beside, const std::vector<Candida
 // the squared residual.
 Attempt attempt(const Task& task, const State& beside, const std::vector<Candidate>& all, const Screened& one,
                 double noise);
+
+// make(0), make(1), ... on the machine's cores, in their order.
+template <typename Make>
+std::vector<Attempt> side_by_side(size_t count, const Make& make) {
+  std::vector<Attempt> tried(count);
+  in_parallel(count, [&](size_t i, size_t) { tried[i] = make(i); });
+  return tried;
+}
 
 // As many of the screened ones, side by side, in their order. One that got stuck is looked for further unless one that
 // `stands`, or one that is known (`least`: its whole error), leaves less than half of what it promises.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "../fit/in_parallel.hpp"
 #include "merit.hpp"
 
 namespace diagnosis::runs {
@@ -55,11 +54,9 @@ std::vector<Attempt> tried_pairs(const Beside& b, const Attempt* single) {
     };
     if (std::none_of(list.begin(), list.end(), same)) list.push_back(both);
   }
-  std::vector<Attempt> pairs(list.size());
-  in_parallel(list.size(), [&](size_t i, size_t) {
-    pairs[i] = attempt(b.task, b.now, list[i], {{0.0}, {0.0}}, 2 * kTrialSteps);
+  return side_by_side(list.size(), [&](size_t i) {
+    return attempt(b.task, b.now, list[i], {{0.0}, {0.0}}, 2 * kTrialSteps);
   });
-  return pairs;
 }
 
 }  // namespace diagnosis::runs

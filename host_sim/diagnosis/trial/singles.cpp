@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "../doubts/possible.hpp"
-#include "../fit/in_parallel.hpp"
 #include "bristles.hpp"
 #include "merit.hpp"
 
@@ -27,10 +26,8 @@ Attempt reshaped(const Task& task, const State& now, const std::vector<Candidate
   for (const Candidate& c : all)
     if (c.same_place(best.candidates[0]) && c.terms.size() == 1 && c.terms[0].kind != Kind::kResonance)
       shapes.push_back(c);
-  std::vector<Attempt> others(shapes.size());
-  in_parallel(shapes.size(),
-              [&](size_t i, size_t) { others[i] = attempt(task, now, {shapes[i]}, {{0.0}}, kTrialSteps); });
-  for (const Attempt& other : others)
+  const auto of_shape = [&](size_t i) { return attempt(task, now, {shapes[i]}, {{0.0}}, kTrialSteps); };
+  for (const Attempt& other : side_by_side(shapes.size(), of_shape))
     if (other.state.fit.ok && !other.rounds && by_whole_error(other, found)) found = other;
   return found;
 }
@@ -48,9 +45,7 @@ std::vector<Attempt> tried_singles(const Beside& b) {
     dry_tried = dry_tried || dry;
     list.push_back(one);
   }
-  const auto stands = [&](const Attempt& a) {
-    return passes(a, b.already, b.noise) && !cannot_be(b.task, b.now, a) && !may_be_nought(a.state, b.now.model.size());
-  };
+  const auto stands = [&](const Attempt& a) { return passes(a, b.already, b.noise) && can_stand(b.task, b.now, a); };
   std::vector<Attempt> singles = attempts(b.task, b.now, b.all, list, b.noise, 1e300, stands);
   std::sort(singles.begin(), singles.end(), by_whole_error);
   if (!singles.empty()) singles[0] = reshaped(b.task, b.now, b.all, singles[0], b.noise);

@@ -60,8 +60,8 @@ void diagnose(const DiagnoseArguments& arguments) {
     order_channels_as(training.front(), holdout);
     const data_check::Report check = require_sound(training, model, arguments.reading);
     const data_check::Report holdout_check = require_sound(holdout, model, arguments.reading);
-    data_check::Report all =
-        check;  // a sign is of the cable: what the one tells holds for the other, which may be too short
+    // a sign is of the cable: what the one tells holds for the other, which may be too short
+    data_check::Report all = check;
     all.records.insert(all.records.end(), holdout_check.records.begin(), holdout_check.records.end());
     data_check::turn_over(all, training), data_check::turn_over(all, holdout);
     if (const std::string told = turn_forces_round(model, training, holdout); !told.empty())

@@ -11,7 +11,6 @@
 namespace host_sim {
 namespace {
 
-constexpr double kOwn = 0.25;     // of the noise of a difference: one that is rounded, too, is within it
 constexpr size_t kFewest = 64;    // rows to tell it from
 constexpr size_t kMostOrder = 8;  // of differences that a motion vanishes in and noise does not
 
@@ -146,6 +145,7 @@ void leave_out_computed(Record& record) {
   while (const auto found = first_computed(record, t, step_s)) {
     record.notes.push_back(fmt::format("{}: was computed from {} ({}) and measures nothing of its own: left out",
                                        found->column->name, found->of->name, found->how));
+    record.computed.push_back(found->column->name);
     record.channels.erase(record.channels.begin() + (found->column - record.channels.data()));
   }
 }

@@ -6,7 +6,7 @@
 
 namespace host_sim {
 
-// Leaves them out of the record, with a note for each that says what it is. A column counts as computed where it is the other's
+// Leaves them out of the record, with its name in Record::computed and a note for each that says what it is. A column counts as computed where it is the other's
 // difference (forward, backward, central, with uneven steps as with even ones; twice for an acceleration), or the other its sum by the
 // trapezoidal or the rectangular rule, by less than kOwn of the noise that the difference makes of the other's: a sensor of its own,
 // however good, cannot follow another one's noise. So is one that follows the rounding of the other (of_rounding.hpp). Only records with the file's own rows: before they are interpolated.

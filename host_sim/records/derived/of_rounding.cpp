@@ -12,7 +12,6 @@ namespace {
 using Values = std::vector<double>;
 using Index = Eigen::Index;
 
-constexpr double kOwn = 0.25;          // of the rounding's share: what has it of its own has all of it
 constexpr size_t kReach = 10;          // rows to either side: a smoothing over 20 of them
 constexpr size_t kOwnReach = 2;        // and of the column itself: a low-pass of second order, there and back
 constexpr double kUsual = 0.9;         // of the rows
