@@ -9,11 +9,14 @@
 namespace diagnosis {
 namespace {
 
-// Of each DOF's channels the one whose fault explains most, beyond chance: beside one that is bent the others look off too.
+// Of each DOF's channels the one whose fault explains most, beyond chance: beside one that is bent the others look off too. A hum that
+// lies on several is the room's, and none's fault.
 std::vector<SensorFault> worst_faults(const Asked& asked) {
   std::vector<SensorFault> worst;
-  for (const SensorFault& fault : motion_faults(asked)) {
-    if (fault.score < runs::kNamed * runs::kNamed) continue;
+  const std::vector<SensorFault> faults = motion_faults(asked);
+  const auto hums = std::count_if(faults.begin(), faults.end(), [](const SensorFault& f) { return is_hum(f.kind); });
+  for (const SensorFault& fault : faults) {
+    if (fault.score < runs::kNamed * runs::kNamed || (is_hum(fault.kind) && hums > 1)) continue;
     const auto known =
         std::find_if(worst.begin(), worst.end(), [&](const SensorFault& w) { return w.dof == fault.dof; });
     if (known == worst.end())

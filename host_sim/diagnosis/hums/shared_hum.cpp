@@ -16,6 +16,13 @@ bool alike_in_all(const std::vector<MotionTrace>& traces, const std::vector<Hum>
   return *least > 0 && *most <= kOneOfThem * *least;
 }
 
+// Of the only motion channel: beside it no other cause counts, however much that one leaves of the rig as given.
+bool quieter_than_noise(const Choice& choice) {
+  const std::vector<Hum>& hum = hum_seen(choice);
+  const Vec& noise = choice.final_left.noise;
+  return hum.size() == 1 && noise.size() == 1 && 0.5 * hum[0].amplitude * hum[0].amplitude < noise[0];
+}
+
 constexpr auto is_hum = [](const auto& cause_or_rival) { return cause_or_rival.effect == "mains_hum"; };
 
 // Of the channel's signal; 0 where it is none of the records'.
@@ -64,7 +71,7 @@ void say_shared_hum(const Task& task, const Choice& choice, Diagnosis& d) {
   const auto named = std::count_if(d.causes.begin(), d.causes.end(), is_hum);
   const auto rivals = std::count_if(d.ambiguous_with.begin(), d.ambiguous_with.end(), is_hum);
   const bool alike = alike_in_all(traces, hum_seen(choice));
-  const bool quiet = traces.size() == 1 && d.baseline_misfit < kStillNoise;
+  const bool quiet = traces.size() == 1 && quieter_than_noise(choice);
   const auto channels = quiet ? named + rivals : named;  // the only one or the force, or both
   if (named == 0 || (channels < 2 && !alike)) return;
   const std::string worst = alike || quiet ? "" : worst_of_all(task, d);
