@@ -21,14 +21,19 @@ rig_file::RigModel damped_mass() {
 }
 
 // A damper of 11 +- 0.2 beside the cause named. 1.96 x 0.2 = 0.39: a rival that makes it 10 takes it out, one that makes it 10.7 does not.
-Diagnosis answer_beside(double rivals_damper) {
+// rivals_dampers: beside a missing friction, an end stop and a backlash, in turn. error: squared, of each over that of the cause named.
+Diagnosis answer_beside(const std::vector<double>& rivals_dampers, double error = 1) {
   const rig_file::RigModel rig = damped_mass();
   const System system = make_system(rig, true);
-  runs::Candidate stribeck, dry;
-  stribeck.terms = {on_link(Kind::kStribeck, 0, 0.2)}, dry.terms = {on_link(Kind::kMissingCoulomb, 0)};
   runs::Named named;
-  named.candidate = stribeck;
-  named.rivals = {{dry, 1.0, {{"viscous[1-0]", rivals_damper - 11}}}};
+  named.candidate.terms = {on_link(Kind::kStribeck, 0, 0.2)};
+  const Term rivals[] = {on_link(Kind::kMissingCoulomb, 0), on_link(Kind::kEndStop, 0, 0.1),
+                         on_link(Kind::kBacklash, 0, 0.1)};
+  for (size_t i = 0; i < rivals_dampers.size(); ++i) {
+    runs::Candidate other;
+    other.terms = {rivals[i]};
+    named.rivals.push_back({other, error, {{"viscous[1-0]", rivals_dampers[i] - 11}}});
+  }
   runs::Choice choice;
   choice.named = {named};
   Diagnosis d;
@@ -41,14 +46,27 @@ Diagnosis answer_beside(double rivals_damper) {
 }
 
 TEST(BetweenRivals, WhatARivalTakesOutOfItsIntervalIsNotVouchedFor) {
-  const Diagnosis d = answer_beside(10);
+  const Diagnosis d = answer_beside({10});
   EXPECT_STREQ(status_word(d.extended.parameters[0], true), "BIAS_SUSPECT");
   ASSERT_EQ(d.advice.size(), 1u);
   EXPECT_EQ(d.advice[0], "viscous[1-0] is 11 with the cause named, 10 with missing coulomb on link 1-0 in its place");
 }
 
+// Who reads that one of two is missing takes the number for both.
+TEST(BetweenRivals, ARivalThatLeavesMoreButIsSaidCountsToo) {
+  EXPECT_STREQ(status_word(answer_beside({10}, 1.3).extended.parameters[0], true), "BIAS_SUSPECT");
+}
+
+TEST(BetweenRivals, OfManyThoseAreToldThatTakeItFarthest) {
+  const Diagnosis d = answer_beside({10, 14, 9});
+  ASSERT_EQ(d.advice.size(), 1u);
+  EXPECT_EQ(d.advice[0],
+            "viscous[1-0] is 11 with the cause named, 9 with backlash on link 1-0 in its place, 14 with end stop on "
+            "link 1-0");
+}
+
 TEST(BetweenRivals, WhatStaysInItsIntervalIs) {
-  const Diagnosis d = answer_beside(10.7);
+  const Diagnosis d = answer_beside({10.7});
   EXPECT_STREQ(status_word(d.extended.parameters[0], true), "VALID");
   EXPECT_TRUE(d.advice.empty());
 }

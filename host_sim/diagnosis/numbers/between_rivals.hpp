@@ -5,7 +5,7 @@
 
 namespace diagnosis::runs {
 
-// A number that one of the equals of a named cause would take out of its interval is not vouched for; what it would be is told.
+// A number that a rival of a named cause would take out of its interval is not vouched for; what it would be is told.
 void mark_between_rivals(const Task& task, const Choice& choice, Diagnosis& d);
 
 // The same where the rows named one cause and its equals, each fitted by free runs beside the rig as given, fitted.base.
