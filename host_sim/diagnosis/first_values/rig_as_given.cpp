@@ -31,8 +31,7 @@ void add_dof(const rig_file::Dof& given, int dof, Model& model) {
     Term term = on_dof(Kind::kMass, dof);
     if (!kind_of_word(e.kind, &term.kind)) continue;
     term.given = true;
-    if (e.shape.count("resonance_Hz")) term.shape = e.shape.at("resonance_Hz");
-    if (e.shape.count("damping_ratio")) term.shape2 = e.shape.at("damping_ratio");
+    term.shape = rig_file::shape_of(e, 0, given.rotating), term.shape2 = rig_file::shape_of(e, 1, given.rotating);
     add(term, e.coefficient, model);
   }
 }

@@ -132,7 +132,8 @@ rig_file::RigModel extended_rig(const System& s, const std::vector<ActiveTerm>& 
     if (t.dof >= 0) {
       rig_file::Dof& dof = rig.dofs[static_cast<size_t>(t.dof)];
       if (t.kind == Kind::kMassError) dof.mass_kg.value += a.value;
-      if (t.kind == Kind::kResonance) dof.effects.push_back(as_effect(t, a.value, dof.rotating));
+      if (t.kind == Kind::kResonance || t.kind == Kind::kDeadBand)
+        dof.effects.push_back(as_effect(t, a.value, dof.rotating));
       continue;
     }
     const size_t l = static_cast<size_t>(t.link);

@@ -82,9 +82,11 @@ const char* word_of(Kind kind) {
 }
 
 bool kind_of_word(const std::string& word, Kind* kind) {
+  const auto stands_in_a_rig_file = [](Kind k) {
+    return (k >= Kind::kCubicStiffness && k <= Kind::kResonance) || k == Kind::kDeadBand;
+  };
   for (const RowOfKind& row : kRows)
-    if (word == word_of(row.kind) && row.kind >= Kind::kCubicStiffness && row.kind <= Kind::kResonance)
-      return *kind = row.kind, true;
+    if (word == word_of(row.kind) && stands_in_a_rig_file(row.kind)) return *kind = row.kind, true;
   return false;
 }
 

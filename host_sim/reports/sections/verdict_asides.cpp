@@ -27,7 +27,7 @@ std::string later_start_text(const DiagnosisReportData& data) {
   for (double s : data.told_from_s) instants.push_back(number_text(s, 3));
   return "This is said of the motion from " + listed(instants, "and") +
          " s on: before, something acts that the rig file has not (a hand that still holds or pulls, faster modes of a "
-         "blow).";
+         "blow, a law that larger motion alone shows).";
 }
 
 std::string one_friction_text(const DiagnosisReportData& data) {
