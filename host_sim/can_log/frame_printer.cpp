@@ -69,6 +69,7 @@ bool FramePrinter::print(const LogEntry& entry) {
   lead_ = padded(entry.interface, 5) + "  ";
   if (address.frame == nullptr) return unknown_frame(entry, message);
   names_.learn(message);
+  causes_.learn(message);
   lead_ += padded(sender_text(address), 6) + "  " + padded(frame_text(*address.frame), 12) + "  ";
   known_frame(address, message);
   return true;
@@ -90,6 +91,8 @@ void FramePrinter::known_frame(const Address& address, const CanFrame& message) 
     channel_description(address, message);
   } else if (address.frame == &can::kDiagnosis) {
     diagnosis(message);
+  } else if (address.frame == &can::kDiagnosisSize) {
+    diagnosis_size(message);
   } else if (address.frame == &can::kEmergency) {
     emergency(message);
   } else if (address.frame == &can::kSdoRequest) {
@@ -212,6 +215,15 @@ void FramePrinter::diagnosis(const CanFrame& message) {
   for (int i = 4; i < frame.signal_count; ++i)
     line(std::string(frame.signals[i].name) + " = " +
          signal_text(frame.signals[i], firmware::can::get_raw(message, frame.signals[i])));
+}
+
+void FramePrinter::diagnosis_size(const CanFrame& message) {
+  int node = 0;
+  firmware::Diagnosis diagnosis;
+  if (!firmware::unpack_diagnosis_size(message, node, diagnosis)) return;
+  const CauseSize size = size_of(diagnosis.size);
+  line(causes_.label(node) + " = " + number_text(size.value, meaningful_digits(size.value, size.std)) + " " +
+       causes_.unit(node, names_) + "  std " + number_text(size.std, 2) + (diagnosis.corrected ? "  CORRECTED" : ""));
 }
 
 void FramePrinter::every_signal(const FrameDescription& frame, const CanFrame& message) {

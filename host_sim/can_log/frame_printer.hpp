@@ -5,6 +5,7 @@
 #include <string>
 
 #include "host_sim/can_log/candump_line.hpp"
+#include "host_sim/can_log/known_causes.hpp"
 #include "host_sim/can_log/known_names.hpp"
 
 namespace can_log {
@@ -26,6 +27,7 @@ class FramePrinter {
   void emergency(const firmware::CanFrame& message);
   void identity(const firmware::CanFrame& message);
   void diagnosis(const firmware::CanFrame& message);
+  void diagnosis_size(const firmware::CanFrame& message);
   void every_signal(const firmware::can::FrameDescription& frame, const firmware::CanFrame& message);
   bool unknown_frame(const LogEntry& entry, const firmware::CanFrame& message);
 
@@ -34,6 +36,7 @@ class FramePrinter {
   std::string time_;
   std::string lead_;  // interface, sender and frame of the lines being written
   KnownNames names_;
+  KnownCauses causes_;
   std::map<std::string, std::string> last_;  // what each signal said last, where only changes are wanted
 };
 

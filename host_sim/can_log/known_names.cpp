@@ -82,6 +82,16 @@ std::string KnownNames::unit(int node, int index) const {
 
 bool KnownNames::knows(int node, int index) const { return parameters_[node][index].known; }
 
+bool KnownNames::rotates(int node, int place) const {
+  for (const Parameter& parameter : parameters_[node])
+    if (parameter.known && parameter.description.rotating &&
+        (parameter.description.place_a == place || parameter.description.place_b == place))
+      return true;
+  for (const Channel& channel : channels_[place & 31])
+    if (channel.scaling_known && channel.scaling.rotating) return true;
+  return false;
+}
+
 bool KnownNames::in_si_units(int place, int quantity, int64_t code, double& value, std::string& unit) const {
   const Channel& channel = channels_[place][quantity];
   if (!channel.scaling_known || !channel.range_known) return false;

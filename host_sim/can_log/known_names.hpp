@@ -25,6 +25,8 @@ class KnownNames {
   std::string parameter(int node, int index) const;
   std::string unit(int node, int index) const;
   bool knows(int node, int index) const;  // a description has been seen
+  // Whether an estimate of that node or a channel is said to be of a DOF that turns there.
+  bool rotates(int node, int place) const;
   // False as long as the scaling of the channel is not known; value and unit then stay as they are.
   bool in_si_units(int place, int quantity, int64_t code, double& value, std::string& unit) const;
   // " = 1.25e-05 m" for a code of a channel whose scaling is known, else nothing.

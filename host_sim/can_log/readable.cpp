@@ -55,6 +55,10 @@ std::string rounded_to(double value, double uncertainty) {
   return fmt::format("{:.{}f}", value, std::max(0, digits - 1 - top));
 }
 
+double times_power_of_ten(double mantissa, int exponent) {
+  return exponent < 0 ? mantissa / std::pow(10.0, -exponent) : mantissa * std::pow(10.0, exponent);
+}
+
 float float_of_bits(int64_t bits) {
   const auto pattern = static_cast<uint32_t>(bits);
   float value = 0;

@@ -11,6 +11,8 @@ namespace can_log {
 std::string number_text(double value, int digits);  // "20.00123", "1.25e-05"
 // "20.0041" for a half-width of 0.0003: two digits of the uncertainty, 3 to 9 significant digits in all.
 std::string rounded_to(double value, double uncertainty);
+// mantissa * 10^exponent, rounded once: a power of ten up to 10^22 is exact.
+double times_power_of_ten(double mantissa, int exponent);
 float float_of_bits(int64_t bits);                   // IEEE 754 single precision
 std::string hex_text(uint64_t value, int digits);    // "0x0A"
 std::string bytes_text(const hal::CanFrame& frame);  // "11 22 33"

@@ -13,11 +13,6 @@ using can::FrameDescription;
 using can::Signal;
 using firmware::CanFrame;
 
-// mantissa * 10^exponent, rounded once: a power of ten up to 10^22 is exact.
-double times_power_of_ten(double mantissa, int exponent) {
-  return exponent < 0 ? mantissa / std::pow(10.0, -exponent) : mantissa * std::pow(10.0, exponent);
-}
-
 std::string without_blanks(std::string names) {
   std::string text;
   for (const char c : names)
@@ -109,6 +104,21 @@ void FrameReader::sensor(const Address& address, const CanFrame& message, FrameR
   }
 }
 
+// What mantissa and exponents say, under a name that goes with the unit.
+void FrameReader::size(const CanFrame& message, FrameReadings& result) const {
+  int node = 0;
+  firmware::Diagnosis diagnosis;
+  if (!firmware::unpack_diagnosis_size(message, node, diagnosis)) return;
+  const CauseSize size = size_of(diagnosis.size);
+  Reading reading;
+  reading.name = causes_.label(node);
+  reading.value = size.value;
+  reading.std = size.std;
+  reading.unit = causes_.unit(node, names_);
+  if (diagnosis.corrected) reading.status = "CORRECTED";
+  result.readings.push_back(reading);
+}
+
 bool FrameReader::read(const LogEntry& entry, FrameReadings& result) {
   result = FrameReadings();
   if (entry.frame.error) {
@@ -134,6 +144,7 @@ bool FrameReader::read(const LogEntry& entry, FrameReadings& result) {
     return false;
   }
   names_.learn(message);
+  causes_.learn(message);
   result.sender = sender_name(address);
   result.frame = address.frame->name;
   if (address.frame == &can::kEstimate || address.frame == &can::kEstimateFd) {
@@ -146,6 +157,7 @@ bool FrameReader::read(const LogEntry& entry, FrameReadings& result) {
     for (int i = 0; i < address.frame->signal_count; ++i)
       result.readings.push_back(plain(address.frame->signals[i], can::get_raw(message, address.frame->signals[i])));
   }
+  if (address.frame == &can::kDiagnosisSize) size(message, result);
   return true;
 }
 

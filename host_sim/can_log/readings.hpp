@@ -7,6 +7,7 @@
 
 #include "firmware/can_protocol/messages/packing.hpp"
 #include "host_sim/can_log/candump_line.hpp"
+#include "host_sim/can_log/known_causes.hpp"
 #include "host_sim/can_log/known_names.hpp"
 
 namespace can_log {
@@ -38,9 +39,11 @@ class FrameReader {
   void estimates(const firmware::can::Address& address, const firmware::CanFrame& message, FrameReadings& result) const;
   void floats(const firmware::can::Address& address, const firmware::CanFrame& message, FrameReadings& result) const;
   void sensor(const firmware::can::Address& address, const firmware::CanFrame& message, FrameReadings& result) const;
+  void size(const firmware::CanFrame& message, FrameReadings& result) const;
   std::string estimate_name(int node, int index) const;
 
   KnownNames names_;
+  KnownCauses causes_;
 };
 
 }  // namespace can_log

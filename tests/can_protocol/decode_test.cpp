@@ -95,6 +95,19 @@ TEST(Decode, OneLinePerSignalWithUnitsAndStates) {
             "         0.100000  vcan0  node 2  emergency     detail = 1000\n");
 }
 
+// value 1172023785, std 8215, exponent -8 (less 24: 16), std_exponent 4, corrected: 11.72023785 +- 0.8215.
+TEST(Decode, TheSizeOfACauseIsANumber) {
+  const std::string frame = "(0.2) vcan0 3A1#E9A9DB4517201014\n";
+  EXPECT_EQ(decoded(frame).text,
+            "         0.200000  vcan0  node 1  diagnosis_size  size = 11.72 SI  std 0.82  CORRECTED\n");
+  const std::string cubic = decoded("(0.1) vcan0 481#010102077B000A00\n" + frame).text;
+  EXPECT_NE(cubic.find("diagnosis_size  cubic_stiffness[1-2] = 11.72 N/m^3  std 0.82"), std::string::npos) << cubic;
+  const std::string late = decoded("(0.1) vcan0 481#1201FF027B000A00\n" + frame).text;
+  EXPECT_NE(late.find("sensor_delay[velocity[1]] = 11.72 s  std 0.82"), std::string::npos) << late;
+  const std::string unknown = decoded("(0.1) vcan0 481#FF1F1F077B000A00\n" + frame).text;
+  EXPECT_NE(unknown.find("diagnosis_size  size = 11.72 SI"), std::string::npos) << unknown;
+}
+
 TEST(Decode, SensorCodesInUnitsOnceTheScalingIsKnown) {
   // displacement[1]: 1e-9 m per code (1000000000e-18), offset 45; the code 12345 is 12300e-9 m.
   const Decoded result = decoded(

@@ -60,6 +60,16 @@ TEST(Rows, JsonIsOneObjectALine) {
       "\"estimate[0]\",\"value\":null,\"std\":null,\"unit\":\"SI\",\"status\":\"\"}\n");
 }
 
+// Beside mantissa and exponents what they mean, under a name that goes with the unit.
+TEST(Rows, TheSizeOfACauseIsANumberBesideItsParts) {
+  const std::string text =
+      rows("(0.1) vcan0 481#010102077B000A00\n(0.2) vcan0 3A1#E9A9DB4517201014\n", DecodeFormat::kCsv);
+  for (const char* row : {"diagnosis_size,value,1172023785,,10^exponent,\n", "diagnosis_size,std,8215,,10^(e+s),\n",
+                          "diagnosis_size,exponent,-8,,1,\n", "diagnosis_size,std_exponent,4,,1,\n",
+                          "diagnosis_size,cubic_stiffness[1-2],11.72023785,0.8215,N/m^3,CORRECTED\n"})
+    EXPECT_NE(text.find(row), std::string::npos) << row << text;
+}
+
 // displacement[1]: 1e-9 m per code, offset 45; the code 12345 is 12300e-9 m. Until the scaling is known the name says
 // that the number is a code, so a column never changes its unit.
 TEST(Rows, SensorCodesAndSiValuesHaveDifferentNames) {
