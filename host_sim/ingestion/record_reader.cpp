@@ -20,6 +20,7 @@ struct RecordFormat {
   bool (*recognises)(const std::string& path, std::string_view content);
   std::vector<Record> (*read)(std::string_view content, const std::string& path, const rig_file::RigModel& model,
                               const ReadingOptions& options);
+  TimesFrom times_from;
 };
 
 std::vector<Record> one(Record record) {
@@ -33,21 +34,24 @@ constexpr RecordFormat kFormats[] = {
     {"MAT", is_mat,
      [](std::string_view, const std::string& path, const rig_file::RigModel& model, const ReadingOptions& options) {
        return read_mat(path, model, options);
-     }},
-    {"Universal File", is_uff, parse_uff},
+     },
+     TimesFrom::kColumn},
+    {"Universal File", is_uff, parse_uff, TimesFrom::kFile},
     {"CAN log", is_sensor_log,
      [](std::string_view content, const std::string& path, const rig_file::RigModel& model,
-        const ReadingOptions& options) { return one(parse_sensor_log(content, path, model, options)); }},
+        const ReadingOptions& options) { return one(parse_sensor_log(content, path, model, options)); },
+     TimesFrom::kFile},
     {"CSV", [](const std::string&, std::string_view) { return true; },
      [](std::string_view content, const std::string& path, const rig_file::RigModel& model,
-        const ReadingOptions& options) { return one(parse_csv(content, path, model, options)); }},
+        const ReadingOptions& options) { return one(parse_csv(content, path, model, options)); },
+     TimesFrom::kColumn},
 };
 
 std::vector<Record> at_even_steps(const std::vector<Record>& records, double rate_Hz) {
   std::vector<Record> all;
   for (const Record& record : records)
     for (Record& part : resampled(record, rate_Hz)) {
-      part.computed = record.computed;
+      part.computed = record.computed, part.times_from = record.times_from;
       all.push_back(std::move(part));
     }
   return all;
@@ -63,6 +67,8 @@ std::vector<Record> read_records(const std::string& path, const rig_file::RigMod
     if (!format.recognises(path, content.text())) continue;
     std::vector<Record> records = format.read(content.text(), path, model, options);
     for (const Record& record : records) require_motion_channels(record, model);
+    for (Record& record : records)
+      record.times_from = options.sample_rate_Hz > 0.0 ? TimesFrom::kUser : format.times_from;
     if (!options.span.is_all())
       for (Record& record : records) record = within(std::move(record), options.span);
     for (Record& record : records) join_turns(record), leave_out_computed(record);

@@ -19,14 +19,18 @@ struct Channel {
   double update_s = 0.0;       // of interpolated values: how long the sensor held each (updates.hpp); else 0
 };
 
+// Who told the sample times: a column of the file, its own frames or header, or the user (--sample-rate).
+enum class TimesFrom { kColumn, kFile, kUser };
+
 struct Record {
   std::string file;
   double sample_period_s = 0.0;
   double start_s = 0.0;
   std::vector<Channel> channels;  // all of one length
   std::vector<double> time_s;     // of samples at uneven times, to be resampled; else empty
-  double own_step_s = 0.0;        // of channels that are in rows of their own, s: the usual step of the fastest; else 0
-  double time_jitter_s = 0.0;     // rms of the file's sample times about even steps; 0 where it has none
+  TimesFrom times_from = TimesFrom::kColumn;
+  double own_step_s = 0.0;     // of channels that are in rows of their own, s: the usual step of the fastest; else 0
+  double time_jitter_s = 0.0;  // rms of the file's sample times about even steps; 0 where it has none
   // The file's samples before the first of these; none where these are no samples of the file, or where some between them are left out.
   std::optional<size_t> left_out_before = 0;
   std::vector<std::string> computed;  // names of columns that were computed from others and are left out

@@ -34,6 +34,19 @@ TEST(Faults, TimesInAnotherUnitAreNamedOnce) {
   EXPECT_EQ(find(check({record}, nullptr), "unit", kA1), nullptr);
 }
 
+// A rate that the user tells is none of the file's: the option is to be mended, no column.
+TEST(Faults, ARateThatDoesNotGoWithTheMotionIsTheOptions) {
+  Record record = made::record(with("xva"));
+  record.sample_period_s *= 1000;
+  record.times_from = host_sim::TimesFrom::kUser;
+  const std::string of_user = of_times(record, true);
+  EXPECT_NE(of_user.find("--sample-rate"), std::string::npos) << of_user;
+  EXPECT_EQ(of_user.find("column"), std::string::npos) << of_user;
+  record.times_from = host_sim::TimesFrom::kFile;
+  const std::string of_log = of_times(record, true);
+  EXPECT_EQ(of_log.find("column"), std::string::npos) << of_log;
+}
+
 // One channel alone tells nothing; the rig does: its modes lie at 3.8 and 8.3 Hz, and the samples come once a second.
 TEST(Faults, SamplesTooSlowForEveryModeAreDoubted) {
   Record record = made::record(with("x"));

@@ -1,7 +1,10 @@
 // Sensor logs: lines written by hand from the layout in docs/can_protocol.md.
 #include <gtest/gtest.h>
 
+#include <functional>
+
 #include "host_sim/can_log/asc_line.hpp"
+#include "host_sim/ingestion/sensor_log/log_times.hpp"
 #include "host_sim/ingestion/sensor_log/sensor_log_reader.hpp"
 #include "tests/ingestion/rigs.hpp"
 
@@ -159,16 +162,62 @@ TEST(SensorLog, APauseInWhichTheSequenceGoesRound) {
   expect_says(refusal([] { parse_sensor_log(paused(65536), "s.log", dampers(1, 0, kCalibration)); }), "--resample");
 }
 
-// candump -t d: how long after the frame before.
-TEST(SensorLog, DifferencesOfTimesAreRefused) {
+// 40 samples: the first frame's time is what `time` prints of it, that of the second 200 microseconds, or nothing.
+std::string forty(const std::function<std::string(int)>& time, const std::string& second) {
   std::string text;
   for (int i = 0; i < 40; ++i) {
-    char line[96];
-    std::snprintf(line, sizeof line, "(000.%06d) vcan0 1A1#%02X00020100000000\n(000.000200) vcan0 221#%02X00100000\n",
-                  770 + 3 * (i % 5), i, i);
+    char line[128];
+    std::snprintf(line, sizeof line,
+                  "%s  vcan0  1A1   [8]  %02X 00 02 01 00 00 00 00\n%s  vcan0  221   [5]  %02X 00 10 00 00\n",
+                  time(i).c_str(), i, second.c_str(), i);
     text += line;
   }
-  expect_says(refusal([&] { parse_sensor_log(text, "s.log", dampers(1, 0, kCalibration)); }), "candump -t d");
+  return text;
+}
+
+void expect_only_by_rate(const std::string& text, const std::string& said) {
+  const auto rig = dampers(1, 0, kCalibration);
+  expect_says(refusal([&] { parse_sensor_log(text, "s.log", rig); }), said);
+  expect_says(refusal([&] { parse_sensor_log(text, "s.log", rig); }), "candump -L or candump -t a");
+  host_sim::ReadingOptions options;
+  options.sample_rate_Hz = 800;
+  const auto record = parse_sensor_log(text, "s.log", rig, options);
+  EXPECT_EQ(record.samples(), 40u);
+  EXPECT_EQ(record.sample_period_s, 1.0 / 800);
+}
+
+// candump -t d: how long after the frame before; of one frame after the other without pause it is one and the same.
+TEST(SensorLog, DifferencesOfTimesAreRefused) {
+  const auto wavering = [](int i) { return "(000.000" + std::to_string(770 + 3 * (i % 5)) + ")"; };
+  expect_only_by_rate(forty(wavering, "(000.000200)"), "candump -t d");
+  const auto steady = [](int i) { return i == 0 ? "(000.000000)" : "(000.000120)"; };
+  expect_only_by_rate(forty(steady, "(000.000120)"), "candump -t d");
+}
+
+// candump without options.
+TEST(SensorLog, ALogWithoutTimesNeedsTheRate) {
+  expect_only_by_rate(forty([](int) { return ""; }, ""), "the log has no times");
+}
+
+// A clock that is set back once, and one of 10 ms at a sample a millisecond, are clocks.
+TEST(SensorLog, AClockIsNotTakenForDifferences) {
+  const auto clock = [](double seconds) {
+    char text[32];
+    std::snprintf(text, sizeof text, "(%.6f)", seconds);
+    return std::string(text);
+  };
+  const auto times = [&](const std::function<double(int)>& of) {
+    host_sim::LogTimes times;
+    for (int i = 0; i < 400; ++i) {
+      can_log::LogEntry entry;
+      EXPECT_TRUE(can_log::parse_line(clock(of(i)) + " can0 1A1#00", entry));
+      times.learn(entry);
+    }
+    return times;
+  };
+  EXPECT_TRUE(times([](int i) { return 5000 + 1e-3 * i - (i > 20 ? 3600 : 0); }).tell());
+  EXPECT_TRUE(times([](int i) { return 0.01 * (i / 40); }).tell());
+  EXPECT_TRUE(times([](int i) { return i == 0 ? 0 : 1e-4; }).differences());
 }
 
 // A channel can be left out, and the rate of the board be told; a unit is what the calibration gives.

@@ -21,6 +21,24 @@ std::string unit_of(double factor) {
   return fmt::format("the times are {:.4g} times too long: ", factor);
 }
 
+// The file may be right and what the user says of it wrong.
+std::string told_by_user(double factor, const Record& record) {
+  const double rate_Hz = 1.0 / record.sample_period_s;
+  return fmt::format("--sample-rate {:.4g} does not go with the motion, {:.4g} would: ", rate_Hz, factor * rate_Hz);
+}
+
+const char* remedy(TimesFrom from) {
+  switch (from) {
+    case TimesFrom::kColumn:
+      return "; name the unit in the head of the time's column";
+    case TimesFrom::kFile:
+      return "; tell the true rate with --sample-rate";
+    case TimesFrom::kUser:
+      return "";
+  }
+  return "";
+}
+
 // The factor by which a channel of that quantity of the DOF is said to be too large.
 std::optional<double> too_large(const Record& record, const RecordReport& report, Quantity quantity, int dof) {
   const Channel* const channel = record.find(quantity, dof);
@@ -81,18 +99,22 @@ void find_time_unit(const Record& record, const rig_file::RigModel* model, Recor
     forget_units(record, channel.dof, report);
   }
   if (factor) {
-    report.findings.push_back(told(unit_of(*factor) +
+    const TimesFrom from = record.times_from;
+    report.findings.push_back(told((from == TimesFrom::kUser ? told_by_user(*factor, record) : unit_of(*factor)) +
                                    "velocities are as much too large for the displacement, accelerations by the "
-                                   "square of that; name the unit in the head of the time's column"));
+                                   "square of that" +
+                                   remedy(from)));
     return;
   }
-  name_the_times_too(record, report);
+  if (record.times_from == TimesFrom::kColumn) name_the_times_too(record, report);
   const double slowest = model != nullptr ? slowest_mode_Hz(*model) : 0, rate_Hz = 1.0 / record.sample_period_s;
   if (slowest > 0.5 * rate_Hz)
     report.findings.push_back(
         told(fmt::format("the rig's slowest mode lies at {:.3g} Hz or above, and samples at {:.3g} Hz cannot show "
-                         "it: are the times in seconds?",
-                         slowest, rate_Hz),
+                         "it: {}?",
+                         slowest, rate_Hz,
+                         record.times_from == TimesFrom::kUser ? "is --sample-rate in samples per second"
+                                                               : "are the times in seconds"),
              Weight::kDoubt));
 }
 

@@ -33,7 +33,6 @@ uint32_t SampleNumbers::take(uint32_t sequence, uint64_t time_ns) {
     if (period > 0.0 && time_ns > last_ns_)
       ahead += kRound * std::nearbyint((static_cast<double>(time_ns - last_ns_) / period - ahead) / kRound);
     number = numbers_.back() + static_cast<uint32_t>(static_cast<int64_t>(ahead));
-    falls_ += time_ns < last_ns_ ? 1 : 0;
   }
   numbers_.push_back(number);
   last_ns_ = time_ns;

@@ -18,14 +18,11 @@ class SampleNumbers {
   const std::vector<uint32_t>& numbers() const { return numbers_; }
   uint64_t first_ns() const { return first_ns_; }
   uint64_t last_ns() const { return last_ns_; }
-  // How often the time fell behind that of the sample before.
-  size_t falls() const { return falls_; }
 
  private:
   double period_ns() const;  // 0: not known yet
   std::vector<uint32_t> numbers_;
   uint64_t first_ns_ = 0, last_ns_ = 0;
-  size_t falls_ = 0;
 };
 
 }  // namespace host_sim

@@ -8,6 +8,7 @@
 #include "host_sim/can_log/log_reader.hpp"
 #include "host_sim/ingestion/channel_options.hpp"
 #include "host_sim/ingestion/sensor_log/log_calibration.hpp"
+#include "host_sim/ingestion/sensor_log/log_times.hpp"
 #include "host_sim/ingestion/sensor_log/sample_numbers.hpp"
 #include "host_sim/records/columns/plan/column_choices.hpp"
 #include "host_sim/records/files/data_file_error.hpp"
@@ -17,15 +18,29 @@
 namespace host_sim {
 namespace {
 
-bool usable(const can_log::LogEntry& entry) { return entry.has_time && !entry.frame.error && !entry.frame.remote; }
+// A log of a candump without options has no times at all: then the user tells the rate.
+bool usable(const can_log::LogEntry& entry, const LogTimes& times) {
+  return (entry.has_time || times.none()) && !entry.frame.error && !entry.frame.remote;
+}
 
-LogCalibration calibration_of(const std::string& text, const std::string& file, const rig_file::RigModel& model) {
+LogTimes times_of(const std::string& text) {
+  std::istringstream input(text);
+  can_log::LogReader reader(input);
+  can_log::LogEntry entry;
+  LogTimes times;
+  while (reader.next(entry)) times.learn(entry);
+  return times;
+}
+
+LogCalibration calibration_of(const std::string& text, const std::string& file, const rig_file::RigModel& model,
+                              const LogTimes& times) {
   std::istringstream input(text);
   can_log::LogReader reader(input);
   can_log::LogEntry entry;
   LogCalibration calibration;
   while (reader.next(entry))
-    if (usable(entry)) calibration.learn(can_log::to_message(entry.frame), file, static_cast<size_t>(reader.line()));
+    if (usable(entry, times))
+      calibration.learn(can_log::to_message(entry.frame), file, static_cast<size_t>(reader.line()));
   if (!calibration.any_sensor_frame())
     throw DataFileError(file, 0, "no sensor frame, expected a candump log that holds the samples (frames sensor_...)");
   calibration.lay_out_pairs(file, model);
@@ -70,20 +85,15 @@ void keep_gaps(const std::vector<uint32_t>& sequence, Record& record) {
   record.notes.push_back(std::to_string(lost) + (lost == 1 ? " sample was" : " samples were") + " lost on the bus");
 }
 
-constexpr double kFallNow = 0.01;  // of the samples: a clock that is set back falls once
-
 void set_period(const SampleNumbers& samples, const ReadingOptions& options, const std::string& file, Record& record) {
   if (options.sample_rate_Hz > 0.0) {
     record.sample_period_s = 1.0 / options.sample_rate_Hz;
     return;
   }
-  const bool differences =
-      static_cast<double>(samples.falls()) > kFallNow * static_cast<double>(samples.numbers().size());
-  if (differences || samples.last_ns() <= samples.first_ns())
+  if (samples.last_ns() <= samples.first_ns())
     throw DataFileError(file, 0,
-                        std::string("the times of the frames ") +
-                            (differences ? "fall again and again (candump -t d writes differences)" : "do not rise") +
-                            ", expected times as candump -L writes them, or --sample-rate");
+                        "the times of the frames do not rise, expected times as candump -L writes them, or "
+                        "--sample-rate");
   record.sample_period_s = 1e-9 * static_cast<double>(samples.last_ns() - samples.first_ns()) /
                            static_cast<double>(samples.numbers().back() - samples.numbers().front());
 }
@@ -104,7 +114,9 @@ Record parse_sensor_log(std::string_view content, const std::string& file, const
       context,
       "the calibration of a CAN log gives SI units, expected unit_per_code of the [[channel]] in the rig file");
   const std::string text(content);
-  const LogCalibration calibration = calibration_of(text, file, model);
+  const LogTimes times = times_of(text);
+  const LogCalibration calibration = calibration_of(text, file, model, times);
+  times.require(file, options.sample_rate_Hz);
   const std::vector<LogChannel> channels = wanted_channels(calibration, context);
   Record record;
   record.file = file;
@@ -118,7 +130,8 @@ Record parse_sensor_log(std::string_view content, const std::string& file, const
   SampleNumbers samples;
   uint64_t frame_ns = 0;
   while (reader.next(entry)) {
-    if (!usable(entry)) continue;
+    if (!usable(entry, times)) continue;
+    if (!times.tell()) entry.frame.time_ns = 0;  // the samples' numbers alone say how they follow each other
     if (samples.is_pause(std::exchange(frame_ns, entry.frame.time_ns), entry.frame.time_ns))
       assembler = firmware::SensorAssembler(calibration.plan());
     if (!assembler.push(can_log::to_message(entry.frame), entry.frame.time_ns, sample)) continue;
