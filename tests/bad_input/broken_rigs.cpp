@@ -54,6 +54,10 @@ std::vector<Case> broken_rigs() {
       rig("WordWithoutQuotes", kHead + kMass + "[[link]]\nbetween = [1, 0]\nviscous_N_s_m = estimate\n",
           {"rig.toml:6", "not valid TOML", "expected a word in quotes, as in \"estimate\""}),
       rig("DecimalComma", kHead + "[[dof]]\nmass_kg = 2,5\n" + kLink, {"rig.toml:3", "expected a decimal point"}),
+      rig("OneDofInSingleBrackets", kHead + "[dof]\nmass_kg = 1\n[dof]\nmass_kg = 2\n",
+          {"rig.toml:4", "redefine", "expected [[dof]], as every one of a list is written"}),
+      rig("ListWithoutBrackets", kHead + kMass + "[[link]]\nbetween = 1, 0\n",
+          {"rig.toml:5", "expected brackets around a list, as in [1, 2]"}),
       rig("TwoValuesOnALine", kHead + "[[dof]]\nmass_kg = 2.5 kg\n" + kLink, {"rig.toml:3", "expected key = value"}),
       rig("RigIsBinary",
           std::string("\x7f"

@@ -49,17 +49,21 @@ void refuse(const Place& place, const toml::node& node, std::string_view key, co
 
 namespace {
 
-// What was meant by a line that is no TOML: the two slips of people who have not met it.
+// What was meant by a line that is no TOML: the slips of people who have not met it.
 std::string expected_on(std::string_view text, unsigned line) {
   for (; line > 1 && text.find('\n') != std::string_view::npos; --line) text.remove_prefix(text.find('\n') + 1);
-  text = text.substr(0, text.find('\n'));
+  text = text.substr(0, text.find_first_of("\r\n"));
+  if (text.size() > 2 && text[0] == '[' && text[1] != '[' && text.find(']') != std::string_view::npos)
+    return "[" + std::string(text.substr(0, text.find(']') + 1)) + "], as every one of a list is written";
   const size_t equals = text.find('=');
   const size_t value = equals == std::string_view::npos ? equals : text.find_first_not_of(" \t", equals + 1);
   if (value == std::string_view::npos) return "key = value";
   text.remove_prefix(value);
   if (std::isalpha(static_cast<unsigned char>(text[0]))) return "a word in quotes, as in \"estimate\", or a number";
   const size_t digits = text.find_first_not_of("+-0123456789");
-  if (digits != 0 && digits != std::string_view::npos && text[digits] == ',') return "a decimal point, as in 2.5";
+  if (digits != 0 && digits != std::string_view::npos && text[digits] == ',')
+    return text.find(", ") == std::string_view::npos ? "a decimal point, as in 2.5"
+                                                     : "brackets around a list, as in [1, 2]";
   return "key = value";
 }
 
