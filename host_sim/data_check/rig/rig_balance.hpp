@@ -16,7 +16,7 @@ namespace host_sim::data_check {
 // explained before, and where no other channel's change does half as well. The force in another unit and all motion in
 // the inverse one are one and the same: both are said. Rigs without known mass and spring, and records in which mass and
 // spring force go together (a single tone), cannot tell: nothing is found. Where no change of one channel helps, the
-// channels of two DOFs are supposed to be exchanged, with the same limits.
+// channels of two DOFs are supposed to be exchanged, forces to act on other DOFs, or both, with the same limits (exchanged_dofs.hpp).
 std::vector<Finding> check_rig_balance(const Record& record, const rig_file::RigModel& model);
 
 }  // namespace host_sim::data_check
