@@ -35,6 +35,16 @@ double power_of_two_unit(double largest_value) {
   return std::nearbyint(largest_value / unit) >= 8388607.0 ? 2.0 * unit : unit;
 }
 
+// Rails that the rig file leaves out lie beyond all that was recorded, twice as far or more: the core takes the range of its force laws
+// from them, and 16-bit codes in a range of 24 bits have no cube.
+void put_rails_beyond(double largest_value, rig_file::ChannelCalibration& calibration) {
+  int exponent = 0;
+  std::frexp(largest_value / calibration.unit_per_code, &exponent);
+  const int32_t span = exponent + 1 >= kCodeBits ? firmware::kLargestCode : 1 << std::max(exponent + 1, 1);
+  calibration.lowest_code = std::max(calibration.offset_code - span, -firmware::kLargestCode);
+  calibration.highest_code = std::min(calibration.offset_code + span, firmware::kLargestCode);
+}
+
 }  // namespace
 
 std::vector<rig_file::ChannelCalibration> calibrate(const std::vector<Record>& records,
@@ -51,6 +61,8 @@ std::vector<rig_file::ChannelCalibration> calibrate(const std::vector<Record>& r
       calibration.offset_code = 0;
       calibration.lowest_code = -firmware::kLargestCode;
       calibration.highest_code = firmware::kLargestCode;
+    } else if (entry->lowest_code == entry->highest_code) {
+      put_rails_beyond(largest(records, channel), calibration);
     }
     calibrations.push_back(calibration);
   }

@@ -70,6 +70,17 @@ TEST(Digitise, ConvertersWithUnequalRailsSaturateAtEach) {
   EXPECT_EQ(host_sim::to_code(2000.0, calibration), 4095);
 }
 
+// 1000 N are 2000 codes of 0.5 N, below 2^11: rails at 2^12 on either side of the offset. In a range of the core's 24 bits they would have
+// no cube.
+TEST(Digitise, RailsThatAreLeftOutLieBeyondWhatWasRecorded) {
+  const std::string channel = "[[channel]]\nname = \"force_1_N\"\nunit_per_code = 0.5\noffset_code = 10\n";
+  const auto record = host_sim::parse_csv("t_s,force_1_N\n0,3\n1,1000\n", "d.csv", rig(channel));
+  const auto calibration = host_sim::calibrate({record}, rig(channel)).at(0);
+  EXPECT_EQ(calibration.lowest_code, 10 - 4096);
+  EXPECT_EQ(calibration.highest_code, 10 + 4096);
+  EXPECT_EQ(host_sim::calibrate({record}, rig(channel + "full_scale_code = 32767\n")).at(0).highest_code, 32767);
+}
+
 TEST(Digitise, CalibrationOfTheRigFileIsUsedAndSaturates) {
   const auto model =
       rig("[[channel]]\nname = \"force_1_N\"\nunit_per_code = 0.5\noffset_code = 10\nfull_scale_code = 100\ndelay_us = "

@@ -48,12 +48,25 @@ TEST(TablesBeside, ANameThatStandsTwiceIsRefusedWithItsPlaces) {
   EXPECT_NE(refusal(kBeside, {{"t", "#6"}, {"acceleration_1", "#2"}}).find("has no column \"#6\""), std::string::npos);
 }
 
-// A time that is missing between others, or beside a value, is no end of a table.
+// A spreadsheet's formulas go on below its times: a few rows, or as many as a hundredth of all.
+TEST(TablesBeside, LastRowsWithoutATimeAreLeftOut) {
+  for (const char* time : {"", "NA"}) {
+    const host_sim::Record record =
+        parsed("t_s,acceleration_1_m_s2\n0,1\n0.5,2\n1,3\n" + std::string(time) + ",4\n" + time + ",5\n", {});
+    EXPECT_EQ(record.channels[0].values, (std::vector<double>{1, 2, 3}));
+    EXPECT_EQ(record.notes.back(), "left out: 2 rows at the end without a time");
+  }
+  std::string text = "t_s,acceleration_1_m_s2\n0,1\n0.5,2\n";
+  for (int i = 0; i < 11; ++i) text += ",3\n";
+  EXPECT_EQ(refusal(text, {}), "beside.csv:4: its time is \"\", expected a finite number");
+}
+
+// A time that is missing between others is no end of a table.
 TEST(TablesBeside, ATimeThatIsMissingBetweenOthersIsRefused) {
   EXPECT_EQ(refusal("t_s,acceleration_1_m_s2\n0,1\n,2\n1,3\n", {}),
             "beside.csv:3: its time is \"\", expected a finite number");
-  EXPECT_EQ(refusal("t_s,acceleration_1_m_s2\n0,1\n0.5,2\n,3\n", {}),
-            "beside.csv:4: its time is \"\", expected a finite number");
+  EXPECT_EQ(refusal("t_s,acceleration_1_m_s2\n0,1\nNA,2\n1,3\n,4\n", {}),
+            "beside.csv:3: its time is \"\", expected a finite number");
 }
 
 }  // namespace

@@ -14,6 +14,9 @@
 namespace host_sim {
 namespace {
 
+constexpr size_t kFewRows = 10,
+                 kFewOf = 100;  // rows without a time, as a spreadsheet leaves them below its last formula
+
 [[noreturn]] void refuse_blank(const BlankEnds& blank, const std::vector<TableColumn>& columns, const CsvTable& table) {
   const bool between = !blank.gap.empty();
   std::string expected = ", expected a finite number";
@@ -50,18 +53,24 @@ void leave_out_rest(CsvTable& table) {
   const std::vector<double>& time_s = table.time_s;
   const std::vector<Channel>& channels = table.record.channels;
   const size_t rows = time_s.size();
-  size_t end = rows;
-  while (end > 0 && nothing(time_s[end - 1]) &&
-         std::all_of(channels.begin(), channels.end(),
-                     [&](const Channel& channel) { return nothing(channel.values[end - 1]); }))
+  size_t end = rows, with_values = 0;
+  while (end > 0 && nothing(time_s[end - 1])) {
     --end;
-  const auto last = time_s.begin() + static_cast<std::ptrdiff_t>(end);
+    with_values += std::any_of(channels.begin(), channels.end(),
+                               [&](const Channel& channel) { return !nothing(channel.values[end]); });
+  }
+  const bool few = with_values <= std::max(kFewRows, rows / kFewOf) && end > 0;
+  const auto last = few ? time_s.begin() + static_cast<std::ptrdiff_t>(end) : time_s.end();
   const auto gap = std::find_if(time_s.begin(), last, nothing);
   if (gap != last)
     table.refuse(table.line_of(static_cast<size_t>(gap - time_s.begin())),
                  "its time is \"\", expected a finite number");
   if (end == rows) return;
-  table.record.notes.push_back("left out: " + std::to_string(rows - end) + " rows at the end that hold nothing of it");
+  table.record.notes.push_back("left out: " + std::to_string(rows - end) + (rows - end == 1 ? " row" : " rows") +
+                               " at the end " +
+                               (with_values > 0   ? "without a time"
+                                : rows - end == 1 ? "that holds nothing of it"
+                                                  : "that hold nothing of it"));
   table.keep_samples(0, end);
 }
 
