@@ -117,4 +117,20 @@ TEST(FromDiagnosis, AHoldoutRecordIsShownWhole) {
   EXPECT_EQ(data.facts.at(0), "held out: decay.csv");
 }
 
+// A cubic spring is at work where the motion is large: the record where it is not would show nothing.
+TEST(FromDiagnosis, PicturesShowTheRecordThatTheRigAsGivenMissesMost) {
+  Case c;
+  InitialState small;
+  small.x_m = {0.0003};
+  Record quiet = simulate(rig("viscous_N_s_m = 6.0\n"), small, Excitation{}, SampleTimes{1e-3, 0, 0, 4000, 0.0});
+  quiet.file = "some/where/quiet.csv";
+  c.records.insert(c.records.begin(), quiet);
+  const reports::DiagnosisReportData seen = data_of(c, {});
+  EXPECT_EQ(seen.facts.at(2), "pictures: decay.csv, which the fit has seen and the rig as given misses most");
+  EXPECT_EQ(seen.dofs.at(0).waveforms.at(0).measured, c.records[1].find(Quantity::kDisplacement, 1)->values);
+  EXPECT_EQ(seen.facts.at(0), "2 records of 4 s each at 1000 Hz");
+  EXPECT_EQ(data_of(c, c.records).facts.at(4),
+            "pictures: decay.csv, which the fit has not seen and the rig as given misses most");
+}
+
 }  // namespace

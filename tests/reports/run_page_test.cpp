@@ -21,6 +21,7 @@ TEST(RunPage, HasEveryPart) {
   for (const char* id : {"estimates", "convergence", "signals", "accelerations"})
     EXPECT_TRUE(contains(page, std::string("<h2 id=\"") + id + "\"")) << id;
   EXPECT_TRUE(contains(page, "5 of 5 true values lie inside their 95 % interval"));
+  EXPECT_TRUE(contains(page, "first cycles of every force, and of each DOF's displacement"));
 }
 
 // A spring of 2 N/mm beside a damper: 4 x 4 cells of which one was never visited.
@@ -76,6 +77,22 @@ TEST(EstimatePage, AResponseEndsWhereNothingDrives) {
   const std::string page = estimate_page(data);
   EXPECT_TRUE(contains(page, ">60</text>"));
   EXPECT_FALSE(contains(page.substr(0, page.find("id=\"maps\"")), ">100</text>"));
+}
+
+// What is said of one record among several stands at its name, not at that of all.
+TEST(EstimatePage, AFindingOfOneRecordStandsAtItsName) {
+  EstimateReportData data;
+  host_sim::data_check::Report check;
+  check.records.resize(2);
+  check.records[0].file = "some/a.csv", check.records[1].file = "some/b.csv";
+  check.findings = {{"excitation", host_sim::data_check::Weight::kInforms, "", "some/b.csv: force_1_N: 3 N rms", {}},
+                    {"unlike", host_sim::data_check::Weight::kDoubt, "", "some/b.csv lacks force_1_N", {}},
+                    {"level", host_sim::data_check::Weight::kInforms, "", "one level", {}}};
+  data.check = check;
+  const std::string page = own_part(estimate_page(data));
+  EXPECT_TRUE(contains(page, "<td>b.csv</td><td>excitation</td><td><span class=\"sentence\">force_1_N: 3 N rms"));
+  EXPECT_TRUE(contains(page, "<td>b.csv</td><td>unlike</td>"));
+  EXPECT_TRUE(contains(page, "<td>all records</td><td>level</td>"));
 }
 
 }  // namespace

@@ -40,4 +40,14 @@ TEST(Zoom, ATitleCannotEndTheScript) {
   EXPECT_EQ(page.finish().find("\"title\":\"</script>\""), std::string::npos);
 }
 
+// The errors' axis takes the unit at the end of the quantity's name: "error (mm)".
+TEST(Zoom, TheErrorsHaveTheUnitOfTheSignal) {
+  const std::vector<double> values = {0.0, 1.0};
+  Page page("t", "k", "");
+  add_zoom(page, {{"DOF 1", "displacement", "m", 0.0, 1.0, {{"one", Role::kMeasured, &values}}}});
+  const std::string html = page.finish();
+  EXPECT_NE(html.find("\"quantity\":\"displacement (m)\""), std::string::npos);
+  EXPECT_NE(html.find("'error' + record.quantity.slice(record.quantity.lastIndexOf(' ('))"), std::string::npos);
+}
+
 }  // namespace

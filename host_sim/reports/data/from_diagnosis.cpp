@@ -7,6 +7,7 @@
 #include "hal/rig_file/coefficient_walk.hpp"
 #include "host_sim/diagnosis/numbers/parameter_status.hpp"
 #include "host_sim/reports/data/candidates.hpp"
+#include "host_sim/reports/data/record_words.hpp"
 #include "host_sim/reports/figures/numbers.hpp"
 #include "host_sim/reports/views/comparison.hpp"
 #include "host_sim/reports/views/free_simulation.hpp"
@@ -93,24 +94,6 @@ std::string text(double value, const char* format) {
   return out;
 }
 
-// Where the others agree to a twentieth it is plain which record is the odd one.
-std::string odd_record_text(const diagnosis::Diagnosis& found) {
-  constexpr double kAgree_percent = 5;
-  if (!found.odd_record) return "";
-  const diagnosis::OddRecord& odd = *found.odd_record;
-  const std::string name = "ecord " + std::to_string(odd.record + 1) + " (" +
-                           std::filesystem::path(odd.file).filename().string() + ")",
-                    shares = text(odd.missed_percent, "%.0f %%"), others = text(odd.others_percent, "%.2g %%");
-  const std::string disagree = odd.others_percent < kAgree_percent
-                                   ? "R" + name + " does not go with the others: a free run misses " + shares +
-                                         " of its motion and at most " + others + " of theirs."
-                                   : "The records do not go with each other: a free run misses " + shares +
-                                         " of the motion of r" + name + " and at most " + others + " of the others'.";
-  return disagree +
-         " Ask what has changed (another specimen, a stop that one alone reaches, a mounting), and diagnose each by "
-         "itself.";
-}
-
 }  // namespace
 
 rig_file::RigModel with_parameters(const rig_file::RigModel& rig, const std::vector<diagnosis::Parameter>& parameters) {
@@ -125,14 +108,12 @@ rig_file::RigModel with_parameters(const rig_file::RigModel& rig, const std::vec
 
 DiagnosisReportData findings_of(const rig_file::RigModel& rig, const std::vector<Record>& training,
                                 const std::vector<Record>& holdout, const diagnosis::Diagnosis& found) {
-  const Record& first = training.front();
   DiagnosisReportData data;
   data.rig_name = rig.name.empty() ? "the rig" : rig.name;
   for (const Record& record : training) data.files.push_back(std::filesystem::path(record.file).filename().string());
   for (const Record& record : holdout)
     data.facts.push_back("held out: " + std::filesystem::path(record.file).filename().string());
-  data.facts.push_back(text(static_cast<double>(first.samples()) * first.sample_period_s, "%g s") +
-                       text(1.0 / first.sample_period_s, " at %g Hz"));
+  data.facts.push_back(lengths_text(training) + text(1.0 / training.front().sample_period_s, " at %g Hz"));
   data.leaves_noise_alone = found.leaves_noise_alone();
   data.more_remains = found.more_remains;
   data.noise_hides = found.noise_hides();
@@ -168,22 +149,28 @@ DiagnosisReportData findings_of(const rig_file::RigModel& rig, const std::vector
 
 void add_pictures(const rig_file::RigModel& rig, const std::vector<Record>& training,
                   const std::vector<Record>& holdout, const diagnosis::Diagnosis& found, DiagnosisReportData& data) {
-  const Record& shown = holdout.empty() ? training.front() : holdout.front();
+  const std::vector<Record>& among = holdout.empty() ? training : holdout;
   const bool is_extended = !found.causes.empty() && !found.extended_rig.dofs.empty();
   const rig_file::RigModel given = with_parameters(rig, found.baseline.parameters);
   const rig_file::RigModel best = is_extended ? with_parameters(found.extended_rig, found.extended.parameters) : given;
   std::vector<std::string> unable;
-  const std::vector<Record> simulated = simulate_all(best, training, unable);
-  const Record* of_shown = holdout.empty() && !simulated.empty() ? &simulated.front() : nullptr;
-  const Comparison comparison =
-      is_extended ? compare(shown, {given}, {best, of_shown}) : compare(shown, {given, of_shown});
+  const std::vector<Record> as_given = simulate_all(given, among, unable);
+  const std::vector<Record> simulated =
+      !is_extended && holdout.empty() ? as_given : simulate_all(best, training, unable);
+  // An effect may be at work in one record alone: where the rig as given fits, there is nothing to see.
+  const size_t worst = worst_record(among, as_given);
+  const Record& shown = among[worst];
+  const Side given_side{given, as_given.empty() ? nullptr : &as_given[worst]};
+  const Record* by_best = holdout.empty() && !simulated.empty() ? &simulated[worst] : nullptr;
+  const Comparison comparison = is_extended ? compare(shown, given_side, {best, by_best}) : compare(shown, given_side);
   data.views = rig_views(best, training, simulated);
   data.views.of_extended_rig = is_extended;
   data.views.modes = mode_rows(best);
   data.dofs = comparison.dofs;
   data.links = comparison.links;
   data.facts.push_back("pictures: " + std::filesystem::path(shown.file).filename().string() +
-                       (holdout.empty() ? ", which the fit has seen" : ", which the fit has not seen"));
+                       (holdout.empty() ? ", which the fit has seen" : ", which the fit has not seen") +
+                       (among.size() > 1 ? " and the rig as given misses most" : ""));
   data.facts.insert(data.facts.end(), comparison.notes.begin(), comparison.notes.end());
 }
 

@@ -11,8 +11,8 @@ namespace host_sim::reports {
 DiagnosisReportData findings_of(const rig_file::RigModel& rig, const std::vector<Record>& training,
                                 const std::vector<Record>& holdout, const diagnosis::Diagnosis& found);
 
-// Simulates both rigs for the pictures. They show the first hold-out record, or, where there is none, the first record
-// (which the fit has seen: the parameters come from all of it).
+// Simulates both rigs for the pictures. They show the hold-out record that the rig as given misses most, or, where there is none,
+// such a record of the training (which the fit has seen: the parameters come from all of it).
 void add_pictures(const rig_file::RigModel& rig, const std::vector<Record>& training,
                   const std::vector<Record>& holdout, const diagnosis::Diagnosis& found, DiagnosisReportData& data);
 

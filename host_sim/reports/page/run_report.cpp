@@ -80,8 +80,9 @@ Page made_page(const RunReportData& data) {
   }
   page.section(
       "signals", "Clean and contaminated signals",
-      "The first cycles of every channel: what the rig does, and what the estimator is given (the counterpart of "
-      "Figures 2 and 6 of the paper).");
+      "The first cycles of every force, and of each DOF's displacement (its velocity or acceleration where that is "
+      "what is measured): what the rig does, and what the estimator is given (the counterpart of Figures 2 and 6 of "
+      "the paper).");
   for (const RunRecord& record : data.records) add_signals(page, record);
   page.section("accelerations", "Acceleration of each DOF",
                "The rig's own, and simulated with the estimates in place of the true values (Figures 3, 5 and 7).");

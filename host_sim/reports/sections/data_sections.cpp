@@ -38,6 +38,17 @@ std::string name_of(const data_check::RecordReport& record) {
   return std::filesystem::path(record.file).filename().string();
 }
 
+// A finding of all records together may be about one of them, whose name stands at its front.
+void add_of_all(HtmlTable& table, const data_check::Report& check, Finding finding) {
+  for (const data_check::RecordReport& record : check.records) {
+    const std::string& file = record.file;
+    if (file.empty() || finding.detail.compare(0, file.size(), file) != 0) continue;
+    if (finding.detail.compare(file.size(), 2, ": ") == 0) finding.detail.erase(0, file.size() + 2);
+    return add_findings(table, name_of(record), {finding});
+  }
+  add_findings(table, check.records.size() == 1 ? name_of(check.records.front()) : "all records", {finding});
+}
+
 HtmlTable findings_table(const data_check::Report& check) {
   HtmlTable table;
   table.heading = {"", "where", "kind", "finding"};
@@ -50,7 +61,7 @@ HtmlTable findings_table(const data_check::Report& check) {
       add_findings(table, name_of(record), named);
     }
   }
-  add_findings(table, "all records", check.findings);
+  for (const Finding& finding : check.findings) add_of_all(table, check, finding);
   return table;
 }
 

@@ -42,7 +42,8 @@ constexpr char kZoomScript[] = R"js(
     const names = record.curves.map((c) => c.label), colours = record.curves.map((c) => c.colour);
     graphs = [make('zoom-signals', curves, names, colours, record.quantity, 260)];
     if (errors.length > 0)
-      graphs.push(make('zoom-errors', errors, names.slice(1).map((n) => 'error, ' + n), colours.slice(1), 'error', 170));
+      graphs.push(make('zoom-errors', errors, names.slice(1).map((n) => 'error, ' + n), colours.slice(1),
+        'error' + record.quantity.slice(record.quantity.lastIndexOf(' (')), 170));
   };
   const choice = at('zoom-choice');
   records.forEach((record, i) => choice.add(new Option(record.title, i)));
