@@ -4,6 +4,7 @@
 #include <fstream>
 #include <iterator>
 #include <map>
+#include <regex>
 #include <sstream>
 
 #include "tests/host_sim/program_test.hpp"
@@ -60,7 +61,12 @@ class ReadMe : public test_support::ProgramTest {
 
 TEST_F(ReadMe, CommandsWork) {
   // The rig file of the example is the rig that made the recordings: nothing is missing.
-  EXPECT_NE(run_page("README.md").find("none: The rig file explains the measurement"), std::string::npos);
+  const std::string printed = run_page("README.md");
+  EXPECT_NE(printed.find("none: The rig file explains the measurement"), std::string::npos);
+  // What reads the estimates from the log shows name, value, unit, deviation and status of each.
+  EXPECT_TRUE(
+      std::regex_search(printed, std::regex("estimate +viscous\\[1-2\\] += [0-9.]+ N s/m +std [-0-9.e]+ +VALID")))
+      << printed;
   EXPECT_TRUE(fs::exists(workspace_.path() / "page" / "index.html"));
   EXPECT_NE(workspace_.read("rig.dbc").find("BO_ "), std::string::npos);
 }
@@ -163,6 +169,18 @@ TEST_F(ReadMe, ItsTableIsThatOfTheProgram) {
     ++compared;
   }
   EXPECT_EQ(compared, 5);
+}
+
+// A unit whose condition fails is not tried again: the board's file has to be there first.
+TEST_F(ReadMe, TheBoardsFileComesBeforeItsService) {
+  for (const char* page : {"README.md", "docs/board.md"}) {
+    std::ifstream stream(fs::path(SOURCE_DIR) / page);
+    const std::string text((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
+    const size_t file = text.find("board.example.toml /etc/rig_controller/board.toml"),
+                 service = text.find("systemctl enable --now systemd-networkd rig_controller");
+    ASSERT_NE(service, std::string::npos) << page;
+    EXPECT_LT(file, service) << page;
+  }
 }
 
 // Links between the pages lead somewhere; accuracy, diagnosis and speed are written by tests/run.sh --bench.
