@@ -9,6 +9,7 @@
 #include "host_sim/programs/shared/failures.hpp"
 #include "host_sim/programs/shared/help_text.hpp"
 #include "host_sim/programs/shared/human_output.hpp"
+#include "host_sim/programs/shared/option_errors.hpp"
 #include "host_sim/records/files/output_file.hpp"
 
 namespace {
@@ -49,8 +50,12 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    if (app.exit(error) != 0) return static_cast<int>(host_sim::ExitStatus::kBadInput);
-    return host_sim::guarded(host_sim::finish_stdout);  // help or version
+    if (error.get_exit_code() != 0) {
+      std::fprintf(stderr, "host_sim: %s\n", host_sim::option_error_text(app, error).c_str());
+      return static_cast<int>(host_sim::ExitStatus::kBadInput);
+    }
+    app.exit(error);  // help or version
+    return host_sim::guarded(host_sim::finish_stdout);
   }
   return host_sim::guarded([&] {
     chosen();

@@ -50,6 +50,21 @@ TEST(LateChannel, WhatIsDerivedHasNoDelayToGive) {
             "as well");
 }
 
+// 0.2 s of a swing, all of it measured: what lacks is time.
+TEST(Unanswered, AShortRecordIsSaidToBeShort) {
+  EstimateResult result;
+  result.condition_number = 7.0, result.has_rates = true, result.swings = 1;
+  result.parameters.resize(1);
+  result.parameters[0].status = firmware::EstimateStatus::kIllConditioned;
+  const std::string text = host_sim::unanswered(result);
+  EXPECT_NE(text.find("the record is short (1 swing of"), std::string::npos) << text;
+  EXPECT_EQ(text.find("velocity or acceleration as well"), std::string::npos) << text;
+  result.has_rates = false, result.swings = 100;
+  const std::string other = host_sim::unanswered(result);
+  EXPECT_EQ(other.find("short"), std::string::npos) << other;
+  EXPECT_NE(other.find("velocity or acceleration as well"), std::string::npos) << other;
+}
+
 // Condition 7: the columns differ well, so something scatters. Beside a force that the rig file lacks that is the force, not noise;
 // beside a channel's delay that has been taken out and explains everything, it is noise again.
 TEST(Unanswered, ScatterIsNoiseOnlyWhereNothingIsSuspected) {

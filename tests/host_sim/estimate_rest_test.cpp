@@ -35,6 +35,20 @@ TEST(Swing, SingleWrongValuesDoNotMoveItsCentre) {
   EXPECT_NEAR(swing.mean(), 0.3, 0.0005);
 }
 
+// Six swings and it lies still: what the parts of periods make of its centre is no place of rest. A slow decay about 0.3 has one.
+TEST(Swing, ADecayOfAFewSwingsHasNoCentreButAnEnd) {
+  std::vector<double> y;
+  for (int k = 0; k < 6000; ++k) y.push_back(0.02 + std::exp(-k / 250.0) * std::cos(2 * std::acos(-1.0) * k / 150.0));
+  host_sim::Swing swing;
+  swing.add(y);
+  const double off = std::fabs(swing.mean() - 0.02);
+  EXPECT_GT(off, 0.02 * swing.rms());  // said to swing about there
+  EXPECT_GT(2 * host_sim::strays_by(y), off);
+  EXPECT_NEAR(host_sim::stays_at(y).value(), 0.02, 1e-6);
+  EXPECT_LT(host_sim::strays_by(swings(0.3, 0)), 0.003);
+  EXPECT_FALSE(host_sim::stays_at(swings(0.3, 0)));
+}
+
 TEST(CentreOfSmallSwings, IsWhereItMovesToAsTheyDie) {
   const std::vector<double> y = swings(0.3, -0.2);
   EXPECT_NEAR(host_sim::centre_of_small_swings({&y}).value(), 0.3, 0.01);

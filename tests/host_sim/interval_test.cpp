@@ -13,11 +13,11 @@ namespace {
 using firmware::EstimateStatus;
 
 // The words of the row of a stiffness of 32.68221 N/m.
-std::vector<std::string> row(EstimateStatus status, double half) {
+std::vector<std::string> row(EstimateStatus status, double half, double value = 32.68221) {
   host_sim::EstimateResult result;
   host_sim::ParameterResult parameter;
   parameter.info.name = "stiffness[1-0]", parameter.info.unit = "N/m";
-  parameter.value = 32.68221, parameter.std = half / 1.96, parameter.status = status;
+  parameter.value = value, parameter.std = half / 1.96, parameter.status = status;
   parameter.ci95_low = parameter.value - half, parameter.ci95_high = parameter.value + half;
   result.parameters = {parameter};
   std::istringstream table(host_sim::format_table(result, false, 0));
@@ -33,6 +33,12 @@ TEST(Interval, OfNoWidthIsADashWhereTheNumberIsNotKnown) {
   EXPECT_EQ(row(EstimateStatus::kIllConditioned, 0),
             (Words{"stiffness[1-0]", "32.7", "-", "-", "N/m", "ILL_CONDITIONED"}));
   EXPECT_EQ(row(EstimateStatus::kNoExcitation, 0), (Words{"stiffness[1-0]", "32.7", "-", "-", "N/m", "NO_EXCITATION"}));
+}
+
+// A nought that nothing was fitted to is no number either.
+TEST(Interval, ANumberThatWasNeverFittedIsADash) {
+  for (const EstimateStatus status : {EstimateStatus::kNoExcitation, EstimateStatus::kStale})
+    EXPECT_EQ(row(status, 0, 0)[1], "-");
 }
 
 // 32.7 +- 654 (20 times) is the last that says how large it may be.

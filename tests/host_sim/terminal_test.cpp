@@ -21,6 +21,24 @@ TEST_F(Terminal, TellsItsVersion) {
   EXPECT_EQ(result.output, "host_sim 0.1.0\n");
 }
 
+// The option that it stands for is not what is missing.
+TEST_F(Terminal, AMistypedOptionIsNamedWithTheNearest) {
+  const std::vector<std::pair<std::vector<std::string>, std::string>> cases = {
+      {{"estimate", "--rigg", "r.toml", "--data", "d.csv"},
+       "host_sim: --rigg is no option of host_sim estimate, did you mean --rig?"},
+      {{"diagnose", "--rig", "r.toml", "--dta=d.csv"},
+       "host_sim: --dta is no option of host_sim diagnose, did you mean --data?"},
+      {{"estimate", "--data", "d.csv"}, "host_sim: --rig is required"},
+      {{"estimate", "--rig", "r.toml", "--data", "d.csv", "--sample-rate", "x"}, "host_sim: --sample-rate: "},
+      {{"--verzion"}, "host_sim: --verzion is no option of host_sim, did you mean --version?"},
+      {{}, "host_sim: "}};
+  for (const auto& [arguments, begin] : cases) {
+    const auto result = host_sim(arguments);
+    EXPECT_EQ(result.status, 2) << begin;
+    EXPECT_EQ(result.errors.compare(0, begin.size(), begin), 0) << result.errors;
+  }
+}
+
 TEST_F(Terminal, SeedsBelowZeroAreRefused) {
   const auto result = host_sim({"run", "--seed", "-1"});
   EXPECT_EQ(result.status, 2);

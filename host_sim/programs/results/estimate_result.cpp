@@ -8,6 +8,7 @@
 
 #include "host_sim/programs/results/advice.hpp"
 #include "host_sim/programs/results/level_ratio.hpp"
+#include "host_sim/programs/results/reasons.hpp"
 
 namespace host_sim {
 namespace {
@@ -19,47 +20,6 @@ double finite(firmware::Scaled value) {
   const double result = rig_file::to_double(value);
   constexpr double kLargest = 1e300;
   return std::isfinite(result) ? std::clamp(result, -kLargest, kLargest) : std::copysign(kLargest, result);
-}
-
-// Columns that differ well are hidden by noise, not by each other. A link that does not move makes every condition large.
-constexpr double kWellConditioned = 10.0;
-
-bool hidden_by_noise(EstimateStatus status, const EstimateResult& result) {
-  return status == EstimateStatus::kIllConditioned &&
-         (result.condition_number < kWellConditioned || !result.inseparable);
-}
-
-// Why a parameter has no answer; empty where it has one.
-const char* reason(EstimateStatus status, const EstimateResult& result) {
-  if (hidden_by_noise(status, result) && suspects(result.warrant))
-    return "lost in what the rig file lacks: that scatters in these energies more than the number itself; more of the "
-           "same data will not help before the rig file has it";
-  if (hidden_by_noise(status, result))
-    return result.integrates
-               ? "hidden by noise: a motion that is integrated from rates does not show what is slow, nor where "
-                 "friction changes its direction; measure the displacement as well (diagnose asks for less)"
-               : "hidden by noise: the energies of these data scatter as much as they are; raise the level, "
-                 "measure velocity or acceleration as well, or filter all channels alike and record slower "
-                 "(diagnose asks for less)";
-  switch (status) {
-    case EstimateStatus::kStale:
-      if (result.integrates)
-        return "no window closed: a motion that is integrated from rates has to settle first; record fifty cycles of "
-               "the lowest frequency and 2000 samples at least, in one piece, or measure the displacement as well "
-               "(diagnose asks for less)";
-      return "no window closed; record several cycles of the lowest frequency at least, in one piece (diagnose asks "
-             "for less)";
-    case EstimateStatus::kIllConditioned:
-      return "these data cannot separate it from the others; a record at another level and another frequency, or of a "
-             "random band, can";
-    case EstimateStatus::kNoExcitation:
-      return "what it acts on does not move, or noise hides everywhere which way its friction acts; raise the level, "
-             "measure the velocity as well, or drive a DOF that moves it (diagnose asks for less)";
-    case EstimateStatus::kSaturated:
-      return "a sensor or a sum reached its full scale; lower the level or widen the range, then record again";
-    default:
-      return "";
-  }
 }
 
 }  // namespace
@@ -107,6 +67,7 @@ EstimateResult result_of(const rig_file::RigModel& model, const firmware::Estima
   result.condition_number = finite(estimates.condition_number);
   result.inseparable = estimates.inseparable;
   result.rows = estimates.rows;
+  result.has_rates = has_rates(records), result.swings = fewest_swings(records);
   result.skews = skews_of(model, estimates, records);
   result.warrant = warrant_of(model, estimates.warrant);
   result.advice = advice_text(model, estimates, result.skews, level_ratio(records));
@@ -130,7 +91,7 @@ std::vector<std::string> next_steps(const EstimateResult& result) {
 std::string unanswered(const EstimateResult& result) {
   std::map<EstimateStatus, std::string> names;
   for (const ParameterResult& parameter : result.parameters) {
-    if (*reason(parameter.status, result) == '\0') continue;
+    if (reason(parameter.status, result).empty()) continue;
     std::string& list = names[parameter.status];
     list += (list.empty() ? "" : ", ") + parameter.info.name;
   }

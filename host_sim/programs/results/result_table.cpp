@@ -53,7 +53,8 @@ std::vector<Column> columns_of(const EstimateResult& result) {
     name.cells.push_back(p.info.name);
     truth.cells.push_back(p.truth ? plain(*p.truth, 6) : "");
     paper.cells.push_back(p.paper ? plain(*p.paper, 7) : "");
-    const bool never = p.status == EstimateStatus::kStale && p.value == 0.0 && half == 0.0;
+    const bool silent = p.status == EstimateStatus::kStale || p.status == EstimateStatus::kNoExcitation;
+    const bool never = silent && p.value == 0.0 && half == 0.0;
     const bool nothing =
         never || (p.status == EstimateStatus::kIllConditioned && half > kNoMagnitude * std::abs(p.value));
     const bool known = !nothing && p.has_interval();

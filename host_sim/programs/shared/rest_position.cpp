@@ -18,8 +18,10 @@ namespace {
 constexpr double kOneSide = 2.0;  // rms about the mean: a sine whose mean is 1.4 of it just touches zero
 constexpr double kOff = 0.02;     // of the rms: three periods of a decay tell where it rests to 0.3 % of its amplitude
 
+constexpr double kSure = 2.0;  // times what parts of a decay say otherwise
+
 struct Moments {
-  double mean = 0, rms = 0;
+  double mean = 0, rms = 0, unsure = 0;
 };
 
 Moments moments(const std::vector<Record>& records, size_t channel) {
@@ -39,10 +41,30 @@ bool is_held_off(const rig_file::RigModel& model, const std::vector<Record>& rec
                                            [&](const rig_file::Link& link) { return weighs(link) && link.a == dof; });
 }
 
+// Of one decay. One of a few swings has no centre that could be told: where it stays at its end is its rest then.
+Moments rest_of(const std::vector<double>& y) {
+  Swing swing;
+  swing.add(y);
+  const double unsure = kSure * strays_by(y);
+  if (!(unsure > kOff * swing.rms())) return {swing.mean(), swing.rms()};
+  if (const std::optional<double> end = stays_at(y)) return {*end, swing.rms()};
+  return {swing.mean(), swing.rms(), unsure};
+}
+
 Moments about_rest(const std::vector<Record>& records, size_t channel) {
   Swing swing;
-  for (const Record& record : records) swing.add(record.channels[channel].values);
-  return {swing.mean(), swing.rms()};
+  Moments plain;  // of decays as they are, each with the same weight
+  bool told = true;
+  for (const Record& record : records) {
+    const std::vector<double>& y = record.channels[channel].values;
+    const Moments own = rest_of(y);
+    Swing alone;
+    alone.add(y), swing.add(y);
+    told = told && own.unsure == 0 && own.mean == alone.mean();
+    plain.mean += own.mean / static_cast<double>(records.size()), plain.unsure = std::max(plain.unsure, own.unsure);
+  }
+  if (told) return {swing.mean(), swing.rms()};
+  return {plain.mean, swing.rms(), plain.unsure};
 }
 
 bool has(const rig_file::RigModel& model, std::string_view effect) {
@@ -76,14 +98,13 @@ std::optional<Moments> centre(const rig_file::RigModel& model, const std::vector
 std::vector<double> own_rests(const std::vector<Record>& records, size_t channel) {
   if (records.size() == 1) return {};
   std::vector<double> rests;
-  double largest = 0;
+  double largest = 0, unsure = 0;
   for (const Record& record : records) {
-    Swing own;
-    own.add(record.channels[channel].values);
-    rests.push_back(own.mean()), largest = std::max(largest, own.rms());
+    const Moments own = rest_of(record.channels[channel].values);
+    rests.push_back(own.mean), largest = std::max(largest, own.rms), unsure = std::max(unsure, own.unsure);
   }
   const auto [least, most] = std::minmax_element(rests.begin(), rests.end());
-  return *most - *least > kOff * largest ? rests : std::vector<double>{};
+  return *most - *least > std::max(kOff * largest, unsure) ? rests : std::vector<double>{};
 }
 
 std::string said_of_rests(const std::string& name, const std::vector<double>& rests) {
@@ -116,7 +137,7 @@ CountedFromRest count_from_rest(CentreOf of, const rig_file::RigModel& model, Sh
     }
     const std::optional<Moments> own = alone ? centre(model, records.get(), c) : std::nullopt;
     const Moments swing = own.value_or(all);
-    if (!one_side && !(own && std::fabs(swing.mean) > kOff * swing.rms)) continue;
+    if (!one_side && !(own && std::fabs(swing.mean) > std::max(kOff * swing.rms, swing.unsure))) continue;
     for (Record& record : records.own())
       for (double& value : record.channels[c].values) value -= swing.mean;
     (own ? rest.swinging : rest.held_off).push_back(c);

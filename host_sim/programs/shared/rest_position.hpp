@@ -20,7 +20,8 @@ struct CountedFromRest {
 
 // Takes out of every displacement or angle the mean over all records where the motion stays on one side of zero: where the mean is
 // over twice the root mean square about it. kFreeSwings: where nothing drives the rig also what it swings about, where that is over 2 % of the
-// root mean square; record by record where they do not swing about the same place. Not the angle of a driven arm with a gravity
+// root mean square; record by record where they do not swing about the same place. A decay of a few swings has no such centre: where it stays at its end
+// counts, and nothing where that is within what its parts say otherwise. Not the angle of a driven arm with a gravity
 // torque: that is G sin(u) of the angle as it is.
 enum class CentreOf { kOneSide, kFreeSwings };
 CountedFromRest count_from_rest(CentreOf of, const rig_file::RigModel& model, SharedRecords& records);

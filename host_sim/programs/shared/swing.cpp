@@ -30,6 +30,16 @@ size_t eighth_of_a_period(const std::vector<double>& y, size_t from, size_t to) 
   return periods == 0 ? 1 : std::max<size_t>(1, (to - from) / (kSpeedParts * periods));
 }
 
+size_t clear_swings(const std::vector<double>& y, size_t to, double mean, double rms) {
+  size_t count = 0;
+  bool below = false;
+  for (size_t k = 0; k < to; ++k) {
+    if (y[k] - mean < -0.5 * rms) below = true;
+    if (below && y[k] - mean > 0.5 * rms) below = false, ++count;
+  }
+  return count;
+}
+
 struct Stretch {
   double centre = 0, square = 0;  // of the amplitude
 };
@@ -58,6 +68,39 @@ void Swing::add(const std::vector<double>& y, size_t from, size_t to) {
 }
 
 double Swing::rms() const { return weights_ > 0 ? std::sqrt(std::max(0.0, squares_ / weights_ - mean() * mean())) : 0; }
+
+size_t clear_swings(const std::vector<double>& y) {
+  double sum = 0, squares = 0;
+  const auto count = static_cast<double>(y.size());
+  for (const double value : y) sum += value;
+  for (const double value : y) squares += (value - sum / count) * (value - sum / count);
+  return clear_swings(y, y.size(), sum / count, std::sqrt(squares / count));
+}
+
+double strays_by(const std::vector<double>& y) {
+  Swing whole;
+  whole.add(y);
+  double most = 0;
+  for (const size_t part : {2, 4, 8}) {
+    Swing begin;
+    begin.add(y, 0, y.size() / part);
+    if (clear_swings(y, y.size() / part, begin.mean(), begin.rms()) < kPeriods) break;
+    most = std::max(most, std::fabs(begin.mean() - whole.mean()));
+  }
+  return most;
+}
+
+std::optional<double> stays_at(const std::vector<double>& y) {
+  Swing whole;
+  whole.add(y);
+  const size_t from = y.size() - y.size() / 4;
+  double sum = 0, squares = 0;
+  const auto count = static_cast<double>(y.size() - from);
+  for (size_t k = from; k < y.size(); ++k) sum += y[k];
+  for (size_t k = from; k < y.size(); ++k) squares += (y[k] - sum / count) * (y[k] - sum / count);
+  if (!(squares < count * kQuiet * whole.rms() * whole.rms())) return {};
+  return sum / count;
+}
 
 // A line through the centres over the squares; what is left of a period at a stretch's ends moves its centre with the amplitude.
 std::optional<double> centre_of_small_swings(const std::vector<const std::vector<double>*>& records) {

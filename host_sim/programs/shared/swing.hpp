@@ -19,6 +19,16 @@ class Swing {
   double sum_ = 0, squares_ = 0, weights_ = 0;
 };
 
+// How often it goes from half the rms below its mean to half the rms above: noise about the mean is no swing.
+size_t clear_swings(const std::vector<double>& y);
+
+// How far the centre of a free decay's first half, quarter and eighth, as long as they hold three swings, lies from that of all: in a decay of a
+// few swings the parts of periods at the ends move it by a good part of the amplitude. 0 where there are too few swings to tell.
+double strays_by(const std::vector<double>& y);
+
+// Where it stays at its end, in the last quarter; nothing where it still moves there.
+std::optional<double> stays_at(const std::vector<double>& y);
+
 // Where the centre of the swings of free decays would be at no amplitude, if it moves with the square of the amplitude: a spring k u +
 // k2 u^2 swings about -k2 a^2 / 2k. From stretches of some periods each; nothing where there are fewer than four of them, or where their
 // amplitudes are within a factor of 1.4.
