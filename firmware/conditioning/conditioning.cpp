@@ -198,6 +198,16 @@ Code Conditioning::fused(const Path& path) {
   return within_limit(nearest(slope + state.twice, signal.shift), !for_sign(path));
 }
 
+// Two sections H = (1 - z^-1) / (1 - p z^-1), p = 1 - 2^-shift, leave the velocity 2 / (w tau) ahead: its sign changes early, and that bends
+// friction. 1 / H = 1 + 2^-shift z^-1 / (1 - z^-1), so twice such a sum undoes both to the first order. The sum leaks four times as fast as
+// the sections: it is right for what moves above their corner, and what a level starts with is gone with them.
+Conditioning::State Conditioning::with_its_slow_part(State& sum, State velocity, int shift) {
+  constexpr int kFaster = 2;
+  const State whole = velocity + (1 << kSlowPartBits) * (sum >> (shift - 1));
+  sum = sum + ((velocity >> kSlowPartBits) - (sum >> (shift > kFaster ? shift - kFaster : 1)));
+  return whole;
+}
+
 // First-order sections with the pole 1 - 2^-shift. The differences come first, they take the offset away before the
 // integrations sum anything; the very first sample is taken to have stood there for ever, so there is no switch-on
 // step.
@@ -232,6 +242,7 @@ Code Conditioning::high_passed(Path& path, Code code) const {
       value = state;
     }
   }
+  if (for_sign(path) && path.sections > 0) value = with_its_slow_part(path.section[kSlowPart], value, shift);
   return Code::from_raw(clamp32(rescale<Fixed<int64_t, 0>>(value).raw));
 }
 

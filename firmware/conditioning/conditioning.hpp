@@ -5,7 +5,8 @@
 // Another time and gain: what the warrant has found wrong with a channel is taken out (channel_shift.hpp).
 //
 // Where signals pass a high-pass, which leads by up to a quarter of a turn, friction takes its sign from a velocity of its own
-// (kSignVelocityColumn): as measured, or integrated with a corner eight times lower and one section that takes the offset away.
+// (kSignVelocityColumn): as measured, or integrated with a corner eight times lower and one section that takes the offset away, with what
+// both take of it added again to the first order.
 //
 // Where signals pass a low-pass, friction's sign passes it too: the velocity it is taken from comes as many samples early as that
 // filter needs (links/low_passed_sign.hpp), all other signals wait for it.
@@ -14,6 +15,7 @@
 // comes early as well, for friction's sign, is made once and waits.
 //
 // Formats: code 24 bits; section states (State) in int64, below 2^57 for two integrations at the slowest corner (shift 12);
+// the slow part of a sign's velocity (below 2^48, in coarser steps by kSlowPartBits) over 2^15 samples below 2^55;
 // FIR: 57 taps of 30 bits times codes of 24 bits, or of 25 bits times 31, stay below 2^62. Signals leave with |value| <= 2^23; a signal at that limit and a code at
 // one of its channel's rails count as saturated.
 #pragma once
@@ -97,6 +99,8 @@ class Conditioning {
     uint32_t code;    // among the sample's: node * kQuantities + quantity
     uint32_t column;  // of the frame, as so many numbers from its start
   };
+  static constexpr int kSlowPart = kMaxSections - 1, kSlowPartBits = 8;
+  static State with_its_slow_part(State& sum, State velocity, int shift);
   void add_channel(int node, int quantity);
   // All channels to their columns; column: the frame's first, at the sample. The first says false, with some of them copied,
   // where they are not alike or a code is at a rail; the second says whether one is.

@@ -161,4 +161,8 @@ void copy_measured_signals(CoreConfiguration& configuration);
 // The term whose coefficient is that unknown; nullptr: none.
 const Term* term_of(const CoreConfiguration& configuration, int unknown);
 
+// Bits without sign that hold the full scale of a signal's codes: of what its channel's rails leave where it is taken as measured, at least
+// `least`; all 23 of one that a filter makes, whose unit is chosen for that.
+int full_scale_bits(const CoreConfiguration& configuration, int node, Quantity quantity, int least);
+
 }  // namespace firmware

@@ -5,7 +5,15 @@
 namespace firmware {
 namespace {
 
-LawNumber product(LawNumber a, LawNumber b) { return LawNumber::from_raw((a.raw * b.raw) >> kLawFraction); }
+// To nearest: what is small against its range would have a mean of half a step below nought.
+constexpr int64_t rounded(int64_t raw, int shift) { return (raw + (int64_t{1} << (shift - 1))) >> shift; }
+LawNumber product(LawNumber a, LawNumber b) { return LawNumber::from_raw(rounded(a.raw * b.raw, kLawFraction)); }
+// Of two at most one in size to Q32, with the third 2^58.
+LawNumber product(LawNumber a, LawNumber b, LawNumber c) {
+  constexpr int kMoreBits = 6;
+  const int64_t of_two = rounded(a.raw * b.raw, kLawFraction - kMoreBits);
+  return LawNumber::from_raw(rounded(of_two * c.raw, kLawFraction + kMoreBits));
+}
 LawNumber exponential(LawNumber log2) { return LawNumber::from_raw(exp2_of_minus(log2).raw >> (30 - kLawFraction)); }
 LawNumber times(LawRatio ratio, LawNumber x) { return LawNumber::from_raw(times(ratio, x.raw)); }
 LawForce force(LawNumber x) { return LawForce::from_raw(static_cast<int32_t>(x.raw)); }
@@ -14,18 +22,18 @@ LawForce sine(const LawPoint& at, const LawShape& shape) {
   return LawForce::from_raw(sine_of_turns(static_cast<uint32_t>(times(shape.ratio, at.u.raw)) + shape.phase).raw >>
                             (30 - kLawFraction));
 }
-LawForce cubic_spring(const LawPoint& at, const LawShape&) { return force(product(product(at.u, at.u), at.u)); }
+LawForce cubic_spring(const LawPoint& at, const LawShape&) { return force(product(at.u, at.u, at.u)); }
 LawForce quadratic_spring(const LawPoint& at, const LawShape&) { return force(product(at.u, at.u)); }
 LawForce gap_lost(const LawPoint& at, const LawShape& shape) { return force(-limited(at.u, shape.gap)); }
 LawForce beyond_gap(const LawPoint& at, const LawShape& shape) { return force(at.u - limited(at.u, shape.gap)); }
 LawForce quadratic_damper(const LawPoint& at, const LawShape&) { return force(product(size_of(at.w), at.w)); }
-LawForce cubic_damper(const LawPoint& at, const LawShape&) { return force(product(product(at.w, at.w), at.w)); }
+LawForce cubic_damper(const LawPoint& at, const LawShape&) { return force(product(at.w, at.w, at.w)); }
 LawForce stribeck(const LawPoint& at, const LawShape& shape) {
   return force(sign_of(at.w) * exponential(times(shape.ratio, size_of(at.w))));
 }
 LawForce constant(const LawPoint&, const LawShape&) { return force(kLawOne); }
 LawForce one_way_damper(const LawPoint& at, const LawShape&) { return force(size_of(at.w)); }
-LawForce displaced_damper(const LawPoint& at, const LawShape&) { return force(product(product(at.u, at.u), at.w)); }
+LawForce displaced_damper(const LawPoint& at, const LawShape&) { return force(product(at.u, at.u, at.w)); }
 LawForce drifting_damper(const LawPoint& at, const LawShape& shape) {
   if (shape.ratio.mantissa != 0)  // tau (1 - exp(-t / tau)), in units of tau
     return force(product(at.w, kLawOne - exponential(LawNumber::from_raw(times(shape.ratio, int64_t{at.time})))));

@@ -3,8 +3,6 @@
 namespace firmware {
 namespace {
 
-constexpr int kSignalBits = 23;
-
 // log2(e) and 1 / (2 pi), from their continued fractions: error below 1e-12.
 Scaled log2_e() { return Scaled::ratio(1865452, 1293033); }
 Scaled turns_per_radian() { return Scaled::ratio(265381, 1667438); }
@@ -44,13 +42,14 @@ Scaled law_unit(const Term& term, const CoreLaw& law, int32_t exponent_u, int32_
   return unit * (term.shape.is_zero() ? power_of_two(kLawTimeBits) * sample_period_s : term.shape);
 }
 
+NodeCode code_of(const CoreConfiguration& configuration, uint8_t node, Quantity quantity) {
+  if (node == kGroundNode) return {};
+  return {signal_column(node, quantity), configuration.signals[node][static_cast<int>(quantity)].unit_per_code,
+          full_scale_bits(configuration, node, quantity, kLeastCodeBits)};
+}
+
 NodeDifference side(const CoreConfiguration& configuration, const LinkConfiguration& link, Quantity quantity) {
-  const int index = static_cast<int>(quantity);
-  const bool has_a = link.node_a != kGroundNode, has_b = link.node_b != kGroundNode;
-  return node_difference(signal_column(has_a ? link.node_a : 0, quantity),
-                         has_a ? configuration.signals[link.node_a][index].unit_per_code : Scaled{},
-                         signal_column(has_b ? link.node_b : 0, quantity),
-                         has_b ? configuration.signals[link.node_b][index].unit_per_code : Scaled{}, kSignalBits);
+  return node_difference(code_of(configuration, link.node_a, quantity), code_of(configuration, link.node_b, quantity));
 }
 
 // A drift that does not level off has no room for more, one that does cannot count further.

@@ -1,11 +1,13 @@
 #include "later_start.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "forces_of_rest.hpp"
 #include "host_sim/records/stretch.hpp"
 #include "host_sim/vocabulary/held_in_place.hpp"
+#include "numbers/numbers_of.hpp"
 #include "windows/windows.hpp"
 
 namespace diagnosis {
@@ -44,6 +46,33 @@ bool begins_cut(const std::vector<host_sim::Record>& records) {
                      [](const host_sim::Record& record) { return record.left_out_before.value_or(0) > 0; });
 }
 
+std::vector<Parameter> numbers_fitted(const Asked& asked, const rig_file::RigModel& rig) {
+  const System system = make_system(rig, asked.ground_known);
+  const std::vector<runs::Prepared> records = runs::prepare_all(rig, asked.training, asked.holdout);
+  const runs::Task task{system, records, asked.training.size()};
+  const runs::State base = runs::rig_fitted(task).base;
+  return base.fit.ok ? runs::numbers_of(task, base) : std::vector<Parameter>{};
+}
+
+// Whether what was said of the motion from an instant on is said of its later half too: a hand is gone then, a law that larger motion
+// shows goes on to move the numbers, and the less of it is left the better noise hides it.
+bool holds_on(const Asked& later, const Diagnosis& d) try {
+  const rig_file::RigModel& rig = d.causes.empty() ? later.rig : d.extended_rig;
+  const std::vector<runs::Prepared> records = runs::prepare_all(rig, later.training, later.holdout);
+  const std::vector<runs::Span> spans = spans_of_motion(records);
+  const std::vector<host_sim::Record> training = begun_later(later.training, spans.data(), 0.5),
+                                      holdout =
+                                          begun_later(later.holdout, spans.data() + later.training.size(), 0.5);
+  const std::vector<Parameter> all = numbers_fitted(later, rig),
+                               half = numbers_fitted({rig, training, holdout, later.options, later.ground_known}, rig);
+  if (half.size() != all.size()) return false;
+  for (size_t i = 0; i < all.size(); ++i)
+    if (std::abs(half[i].value - all[i].value) > kHalfOf95 * std::max(all[i].std, half[i].std)) return false;
+  return true;
+} catch (const CannotAnswer&) {
+  return false;
+}
+
 bool leaves_something(const Diagnosis& d) { return d.verdict == Verdict::kUnknown || d.more_remains; }
 
 // Nothing where the rig file describes nothing of it either, too little is left to tell, or what is unseen is missed by all it is: what
@@ -77,7 +106,7 @@ Diagnosis judged_from_a_later_start(const Asked& asked, Diagnosis (*judge)(const
     std::optional<Diagnosis> d = told(later, judge);
     if (!d) continue;
     for (const host_sim::Record& record : training) d->told_from_s.push_back(record.start_s);
-    if (nothing ? d->verdict != Verdict::kUnknown : !leaves_something(*d)) return *d;
+    if (nothing ? d->verdict != Verdict::kUnknown : !leaves_something(*d)) return holds_on(later, *d) ? *d : of_all;
     if (!best.cannot_describe.empty()) best = *d;
   }
   return best;

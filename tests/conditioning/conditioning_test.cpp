@@ -344,3 +344,30 @@ TEST_P(SharedPasses, AnAccelerationAtItsLimitIsSaturated) {
   }
   EXPECT_GT(saturated, 0);
 }
+
+// An accelerometer alone, 2 Hz: w = 12.57 rad/s, and the sections of the sign's velocity have tau = 1.024 s, eight times those of the other
+// signals (1 Hz: 2^7 samples). Two of them lead by 2 atan(1 / w tau) = 0.155 rad. The leaking sum, of tau / 4, brings back
+// arg(1 + 2 / (j w tau + 4)) = atan(-0.1416 / 1.0440) = -0.135 rad.
+TEST(Conditioning, TheVelocityOfFrictionsSignIsNotAhead) {
+  auto c = rig({Quantity::kAcceleration});
+  c->terms[2].kind = TermKind::kCoulomb;
+  c->term_count = 3;
+  rig_file::plan_signals(*c);
+  ASSERT_EQ(c->high_pass_shift, 7);
+  auto conditioning = std::make_unique<Conditioning>();
+  conditioning->configure(*c);
+  auto frame = std::make_unique<Frame>();
+  int reach = 0;
+  for (const SignalConfiguration& s : c->signals[0]) reach = std::max<int>(reach, s.half_length);
+  const double omega = 2 * M_PI * 2;
+  double in_phase = 0, ahead = 0;
+  for (int n = 0; n < 20000; ++n) {
+    RawSample sample;  // v = 0.01 sin(w t) m/s
+    sample.code[0][static_cast<int>(Quantity::kAcceleration)] =
+        static_cast<int32_t>(std::lround(std::ldexp(0.01 * omega * std::cos(omega * n * kPeriod), 22)));
+    if (!conditioning->append(sample, *frame, 3) || n < 15000) continue;  // then whole cycles of 500 samples
+    const double phase = omega * (n - reach) * kPeriod, v = frame->raw[kSignVelocityColumn][3];
+    in_phase += v * std::sin(phase), ahead += v * std::cos(phase);
+  }
+  EXPECT_NEAR(std::atan2(ahead, in_phase), 0.020, 0.005);
+}

@@ -22,12 +22,13 @@ bool measures_slope(const CoreConfiguration& configuration, Slope slope, int dof
 }
 
 NodeDifference BlockMotion::difference(Quantity quantity, int node_a, int node_b) const {
-  const bool has_a = node_a != kGroundNode, has_b = node_b != kGroundNode;
-  const int row_a = signal_column(has_a ? node_a : 0, quantity), row_b = signal_column(has_b ? node_b : 0, quantity);
-  const bool derived =
-      quantity == Quantity::kAcceleration && has_a && node_a < kMaxDofs && derives_acceleration_[node_a];
-  return node_difference(row_a, has_a ? signal_unit_[row_a] : Scaled{}, row_b, has_b ? signal_unit_[row_b] : Scaled{},
-                         derived ? kDerivedBits : kSignalBits);
+  const bool derived = quantity == Quantity::kAcceleration && node_a < kMaxDofs && derives_acceleration_[node_a];
+  const auto code_of = [&](int node) {
+    if (node == kGroundNode) return NodeCode{};
+    const int row = signal_column(node, quantity);
+    return NodeCode{row, signal_unit_[row], derived ? kDerivedBits : kSignalBits};
+  };
+  return node_difference(code_of(node_a), code_of(node_b));
 }
 
 void BlockMotion::configure(const CoreConfiguration& configuration, const Scaled* effect_unit,
