@@ -5,12 +5,6 @@
 namespace firmware {
 namespace {
 
-int32_t clamp32(int64_t value) {
-  if (value > INT32_MAX) return INT32_MAX;
-  if (value < -INT32_MAX) return -INT32_MAX;
-  return static_cast<int32_t>(value);
-}
-
 int32_t between(int32_t lowest, int32_t code, int32_t highest) {
   return code < lowest ? lowest : code > highest ? highest : code;
 }
@@ -208,6 +202,15 @@ Conditioning::State Conditioning::with_its_slow_part(State& sum, State velocity,
   return whole;
 }
 
+// The plan drops as many bits as the largest value needs; what is cut off all the same is not what it stands for.
+inline Code Conditioning::held(State value, const Path& path) {
+  const int shift = State::kFractionBits + signal_of(path).dropped_bits;
+  const int64_t whole = (value.raw + (int64_t{1} << (shift - 1))) >> shift;
+  if (whole <= INT32_MAX && whole >= -INT32_MAX) return Code::from_raw(static_cast<int32_t>(whole));
+  clipped(whole > 0, !for_sign(path));
+  return Code::from_raw(whole > 0 ? INT32_MAX : -INT32_MAX);
+}
+
 // First-order sections with the pole 1 - 2^-shift. The differences come first, they take the offset away before the
 // integrations sum anything; the very first sample is taken to have stood there for ever, so there is no switch-on
 // step.
@@ -220,7 +223,7 @@ Conditioning::State Conditioning::with_its_slow_part(State& sum, State velocity,
 // All signals then obey the equation of motion from the first sample on, but the velocity is the slope of the displacement only
 // once v[0] is forgotten: before, every displacement looks late or early. A pole that all signals share may change: each stays
 // for one time constant on its way to the last, and little of v[0] is left where the first window begins.
-Code Conditioning::high_passed(Path& path, Code code) const {
+Code Conditioning::high_passed(Path& path, Code code) {
   const int shift = for_sign(path)                   ? starting_leak(received_, path.shift, kSlopeTimeConstants)
                     : path.sections == kOnceSections ? starting_leak(received_, path.shift, kStartTimeConstants)
                                                      : path.shift;
@@ -243,7 +246,7 @@ Code Conditioning::high_passed(Path& path, Code code) const {
     }
   }
   if (for_sign(path) && path.sections > 0) value = with_its_slow_part(path.section[kSlowPart], value, shift);
-  return Code::from_raw(clamp32(rescale<Fixed<int64_t, 0>>(value).raw));
+  return held(value, path);
 }
 
 }  // namespace firmware

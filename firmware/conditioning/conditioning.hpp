@@ -131,7 +131,8 @@ class Conditioning {
   Code fused(const Path& path);
   Code clipped(bool high, bool counts);
   Code within_limit(Code value, bool counts);
-  Code high_passed(Path& path, Code code) const;
+  Code high_passed(Path& path, Code code);
+  Code held(State value, const Path& path);
   Path& add_path(int node, int quantity, int column);
   void add_sign_velocity(int node);
 

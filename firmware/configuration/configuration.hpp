@@ -34,7 +34,8 @@ struct ChannelConfiguration {
 //   measured code (24 bits)  ->  integrations and high-pass (int64 state, 16 fraction bits)  ->  FIR (integer taps, int64 sum below 2^62)
 //   ->  rounded shift  ->  signal, saturated to +-2^23 (which counts as SATURATED).
 // half_length 0 with a first tap of 0 is a plain copy. The same delay (the plan's longest half_length) holds for all signals.
-// An integration's output is the running sum of its input, divided by 2^(high_pass_shift - kIntegrationExtraBits).
+// An integration's output is the running sum of its input, divided by 2^(high_pass_shift - kIntegrationExtraBits); what the last one
+// gives is divided by 2^dropped_bits.
 constexpr int kFilterHalf = FIRMWARE_FILTER_HALF;
 constexpr int kIntegrationExtraBits = 6;
 struct SignalConfiguration {
@@ -44,6 +45,7 @@ struct SignalConfiguration {
   uint8_t integrations = 0;                    // how often the source is integrated (leaky, see high_pass_shift)
   uint8_t half_length = 0;                     // FIR reaches from -half_length to +half_length samples
   uint8_t shift = 0;                           // result = FIR sum / 2^shift, rounded
+  uint8_t dropped_bits = 0;                    // of an integral, rounded, so that 32 bits hold it
   Fixed<int32_t, 0> tap[2 * kFilterHalf + 1];  // integer weights; tap[0] weighs the oldest sample
   Scaled unit_per_code;                        // SI units per signal code
 };

@@ -2,6 +2,7 @@
 
 #include "firmware/identification/conditions/advice.hpp"
 #include "firmware/identification/conditions/excitation_check.hpp"
+#include "firmware/identification/conditions/few_codes.hpp"
 #include "firmware/identification/conditions/open_scale.hpp"
 #include "firmware/identification/conditions/skew.hpp"
 #include "firmware/identification/conditions/slow_motion.hpp"
@@ -74,7 +75,8 @@ EstimateStatus judge(const IdentificationMemory& memory, const EquationList& lis
       is_undetermined(list, table, configuration, unknown, estimates))
     return EstimateStatus::kIllConditioned;
   if (skew_matters(list, table, configuration, unknown, estimates)) return EstimateStatus::kSkewed;
-  if (bias_suspect(memory.bias, unknown, estimates.parameters[unknown])) return EstimateStatus::kBiasSuspect;
+  if (bias_suspect(memory.bias, unknown, estimates.parameters[unknown]) || has_few_codes(table, configuration, unknown))
+    return EstimateStatus::kBiasSuspect;
   return EstimateStatus::kValid;
 }
 

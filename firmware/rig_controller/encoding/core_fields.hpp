@@ -31,6 +31,7 @@ constexpr void walk_signal(Archive& archive, Signal& signal) {
   archive.field(signal.integrations);
   archive.field(signal.half_length);
   archive.field(signal.shift);
+  archive.field(signal.dropped_bits);
   archive.clear(signal.tap);
   const int half = archive.count(signal.half_length, kFilterHalf);
   for (int i = 0; i <= 2 * half; ++i) archive.field(signal.tap[i].raw);

@@ -11,7 +11,7 @@
 namespace firmware {
 namespace {
 
-constexpr uint32_t kVersion = 0x52433037;  // "RC07": changes with the list of fields
+constexpr uint32_t kVersion = 0x52433038;  // "RC08": changes with the list of fields
 
 // Every filter at its longest (a fused velocity's two are shorter together); everything else has one length. Version before it and check sum behind it.
 constexpr size_t longest_encoding() {

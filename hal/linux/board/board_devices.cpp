@@ -71,7 +71,7 @@ std::string BoardDevices::take_ranges() {
     return file_.samples.kind == SampleKind::kIioBuffer ? iio_samples_.range(channel.node, channel.quantity)
                                                         : direct_samples_.range(channel.node, channel.quantity);
   };
-  return take_driver_rails(file_.samples.channels, range, configuration_.core);
+  return take_driver_rails(file_.samples.channels, range, configuration_.core, file_.told);
 }
 
 std::string BoardDevices::open_lines() {

@@ -7,6 +7,7 @@
 #include "hal/linux/board/bus_check.hpp"
 #include "hal/linux/board/excitation_section.hpp"
 #include "hal/linux/board/output_sections.hpp"
+#include "hal/linux/board/told_motion.hpp"
 #include "hal/rig_file/channel_name.hpp"
 #include "hal/rig_file/compile_rig.hpp"
 #include "hal/rig_file/toml/rig_from_toml.hpp"
@@ -133,7 +134,7 @@ BoardFile read_board_file(const std::string& path) {
   rig_file::require_unknowns(board.rig);
   const Section samples(path, "samples", sub_table(path, root, "samples"),
                         {"source", "rate_Hz", "wiring", "device", "trigger", "saturated_in_row", "lost_in_row",
-                         "timeout_ms", "cycle_Hz"});
+                         "timeout_ms", "cycle_Hz", "slowest_Hz"});
   read_samples(samples, board);
   read_node(node_section(path, root), board);
   read_can(can_section(path, root), board);
@@ -146,6 +147,9 @@ BoardFile read_board_file(const std::string& path) {
                                    " samples a second, expected at least four of them in a cycle");
   board.controller.core = rig_file::compile_rig(board.rig, 1.0 / board.samples.rate_Hz, read_channels(root, board));
   read_excitation(path, root, drive, board.samples.rate_Hz, cycle_Hz, board.controller);
+  const double slowest_Hz = samples.number("slowest_Hz", 0.0, 0.001, 10000.0);
+  board.told.octaves_to_slowest_motion = octaves_to_slowest_motion(board, slowest_Hz, cycle_Hz);
+  rig_file::plan_signals(board.controller.core, board.told);
   board.controller.core.probe_products_per_sample = static_cast<uint16_t>(
       node_section(path, root).whole("probe_products_per_sample", firmware::kDefaultProbes, 0, firmware::kAllProbes));
   require_stop(drive, board);

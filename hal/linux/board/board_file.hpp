@@ -10,6 +10,7 @@
 #include "hal/linux/iio/iio_channel.hpp"
 #include "hal/linux/iio/iio_drive_output.hpp"
 #include "hal/rig_file/rig_model.hpp"
+#include "hal/rig_file/signal_plan.hpp"
 
 namespace board {
 
@@ -35,6 +36,7 @@ struct BoardFile {
   rig_file::RigModel rig;
   firmware::ControllerConfiguration controller;
   SampleSettings samples;
+  rig_file::SignalRanges told;  // of the motion, before it has been seen
   std::string can_interface = "can0";
   firmware::BitRates bit_rates;  // as the network file sets them
   LineSetting emergency_stop, relay, ready_lamp, sync;

@@ -1,26 +1,24 @@
 #include "hal/linux/board/driver_rails.hpp"
 
-#include "hal/rig_file/signal_plan.hpp"
-
 namespace board {
 
 std::string take_driver_rails(const std::vector<hal::IioChannel>& channels, const DriverRange& range,
-                              firmware::CoreConfiguration& core) {
+                              firmware::CoreConfiguration& core, const rig_file::SignalRanges& told) {
   bool any = false;
   for (const hal::IioChannel& channel : channels) {
     if (channel.rails_told) continue;
-    const std::optional<hal::CodeRange> told = range(channel);
-    if (!told) continue;
+    const std::optional<hal::CodeRange> rails = range(channel);
+    if (!rails) continue;
     firmware::ChannelConfiguration& target = core.channels[channel.node][static_cast<int>(channel.quantity)];
-    target.lowest_code = told->lowest;
-    target.highest_code = told->highest;
+    target.lowest_code = rails->lowest;
+    target.highest_code = rails->highest;
     any = true;
     constexpr int32_t kReach = 1 << 23;
-    if (told->highest - target.offset_code > kReach || target.offset_code - told->lowest > kReach)
-      return "channel of " + channel.element + ": its codes go from " + std::to_string(told->lowest) + " to " +
-             std::to_string(told->highest) + ", expected an offset_code at most 2^23 away from both";
+    if (rails->highest - target.offset_code > kReach || target.offset_code - rails->lowest > kReach)
+      return "channel of " + channel.element + ": its codes go from " + std::to_string(rails->lowest) + " to " +
+             std::to_string(rails->highest) + ", expected an offset_code at most 2^23 away from both";
   }
-  if (any) rig_file::plan_signals(core);
+  if (any) rig_file::plan_signals(core, told);
   return "";
 }
 

@@ -27,6 +27,7 @@ void high_pass(const CoreConfiguration& c, int node, int q, std::vector<double>&
       value = integrates ? state * std::ldexp(1.0, firmware::kIntegrationExtraBits - c.high_pass_shift) : state;
     }
   }
+  for (double& value : input) value = std::ldexp(value, -c.signals[node][q].dropped_bits);
 }
 
 namespace {

@@ -6,6 +6,7 @@
 #include "hal/rig_file/filter_design.hpp"
 #include "hal/rig_file/rig_file_error.hpp"
 #include "hal/rig_file/scaled_double.hpp"
+#include "hal/rig_file/signals/integral_bound.hpp"
 #include "hal/rig_file/signals/planned.hpp"
 
 namespace rig_file {
@@ -19,7 +20,9 @@ constexpr double kSignalPeak = 1 << 22;
 // One signal as real numbers: out = sum of h * input, input = codes or their integrated codes.
 struct Design {
   Impulse impulse;           // SI units out per code in
-  double largest_bound = 0;  // in SI units, from full scale and band
+  double gain = 0;           // of it, at rest
+  double largest_bound = 0;  // in SI units, from full scale and band; of an integral half of it
+  int dropped_bits = 0;      // of the integrated codes
 };
 
 // The same response with zeros at both ends.
@@ -27,6 +30,26 @@ Impulse widened(const Impulse& impulse, size_t length) {
   Impulse wide(length, 0.0);
   std::copy(impulse.begin(), impulse.end(), wide.begin() + static_cast<long>((length - impulse.size()) / 2));
   return wide;
+}
+
+// Friction takes its sign from an integral of its own, one high-pass section and an eighth of the corner: 2 / e of its time constant. Where
+// that is more than motion of 1 Hz needs it may be cut off: a sign remains.
+double sign_velocity_bound(const CoreConfiguration& c, double full_scale) {
+  const double time_constant_s = std::ldexp(to_double(c.sample_period_s), c.high_pass_shift + 3);
+  return full_scale * std::min(0.75 * time_constant_s, 2.0 / (2.0 * M_PI));
+}
+
+// The plan knows no motion that an integral cannot hold: what fills it is what the corner lets through. The bound is hard, so it has no
+// bit to spare. Where a recording has told the largest value, the integrated codes are as large as that.
+void bound_integral(const CoreConfiguration& c, const SignalRanges& ranges, int node, int q, Design& design) {
+  constexpr double kHeld = 2147483000.0, kFilterEdges = 1.25;
+  IntegralBound bound = integral_bound(c, node, q, design.impulse);
+  if (q == kV) bound.signal = std::max(bound.signal, sign_velocity_bound(c, design.largest_bound));
+  design.largest_bound = 0.5 * bound.signal * (1.0 + 1e-5);
+  const double told = ranges.largest[node][q] / design.gain * kFilterEdges;
+  const double integral = told > 0.0 ? std::min(told, bound.integral) : bound.integral;
+  while (std::ldexp(integral, -design.dropped_bits) > kHeld) ++design.dropped_bits;
+  for (double& tap : design.impulse) tap = std::ldexp(tap, design.dropped_bits);
 }
 
 Design design(const CoreConfiguration& c, const SignalRanges& ranges, int node, int q) {
@@ -40,24 +63,24 @@ Design design(const CoreConfiguration& c, const SignalRanges& ranges, int node, 
   Design result;
   result.impulse = differentiates(c) ? low_pass(advance, band(c, ranges)) : shifted_all_pass(advance);
   const double unit = to_double(channel.unit_per_code);
-  double gain = unit;
+  result.gain = unit;
   result.largest_bound = unit * 0.5 * (static_cast<double>(channel.highest_code) - channel.lowest_code);
   const int d = fused(c, node, q) ? 1 : derivatives(c, node, q);
   if (d > 0)
     result.impulse =
         convolve(result.impulse, d == 1 ? first_difference(band(c, ranges)) : second_difference(band(c, ranges)));
   for (int i = 0; i < d; ++i) {
-    gain /= period_s;
+    result.gain /= period_s;
     result.largest_bound *= 0.63 / period_s;
   }
   // The rule over more samples wherever the history holds it and leaves room for the filter of friction's sign.
   const Band rule = differentiates(c) && signal.integrations > 1 ? Band::kTenth : Band::kWide;
   for (int i = 0; i < signal.integrations; ++i) {
     result.impulse = convolve(result.impulse, sum_to_integral(rule));
-    gain *= period_s * std::ldexp(1.0, c.high_pass_shift - firmware::kIntegrationExtraBits);
-    result.largest_bound /= 2.0 * M_PI;
+    result.gain *= period_s * std::ldexp(1.0, c.high_pass_shift - firmware::kIntegrationExtraBits);
   }
-  for (double& tap : result.impulse) tap *= gain;
+  for (double& tap : result.impulse) tap *= result.gain;
+  if (signal.integrations > 0) bound_integral(c, ranges, node, q, result);
   return result;
 }
 
@@ -89,6 +112,7 @@ void quantise(CoreConfiguration& c, const SignalRanges& ranges, int node, int q)
   const int bits = signal.integrations > 0 ? 25 : 30;  // inputs of 31 or 24 bits, 33 taps: the sum stays below 2^61
   const int shift = std::clamp(bits - 1 - std::ilogb(biggest), 0, 62);
   signal.shift = static_cast<uint8_t>(shift);
+  signal.dropped_bits = static_cast<uint8_t>(made.dropped_bits);
   const int half = static_cast<int>(made.impulse.size() / 2);
   signal.half_length = static_cast<uint8_t>(half);
   for (int k = 0; k <= 2 * half; ++k)
