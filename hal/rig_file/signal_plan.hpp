@@ -27,6 +27,7 @@ struct SignalRanges {
   double moving_samples[firmware::kMaxNodes] = {};  // of the displacement, moving_samples.hpp; 0: not known
   // Octaves from the sample rate down to the slowest motion, where the high-pass may go up to it; nothing: its corner is as configured.
   std::optional<int> octaves_to_slowest_motion;
+  double fastest_Hz = 0.0;  // no motion is faster; 0: not known
   bool wide_band =
       false;  // a displacement moves beyond a tenth of the sample rate: where it is differentiated, pass more of it
 };

@@ -146,9 +146,11 @@ TEST_F(DerivedCodes, AListeningBoardIsToldHowSlowTheMotionIs) {
 // The longest period that can be expected is that of the corner and beyond: no motion between the rails fills an integral, a code that
 // jumps from rail to rail, each time for as long as that does most, included.
 TEST_F(DerivedCodes, NoMotionBetweenTheRailsSaturates) {
+  constexpr int kRail = 1 << 20;  // the acceleration itself, behind three sections, has room for 2.5 times that
   for (const double rate_Hz : {100.0, 1000.0})
     for (const char* told : {"", "slowest_Hz = 20\n"}) {
-      const auto core = planned(board_text(rate_Hz, told, ""));
+      const std::string rails = "full_scale_code = " + std::to_string(kRail) + "\n";
+      const auto core = planned(board_text(rate_Hz, told, "") + rails);
       const double tau = std::ldexp(1.0, core.high_pass_shift);
       for (const double half_period : {0.3, 0.6, 1.0, 1.4, 2.0, 2.8, 4.0, 8.0}) {
         auto run = std::make_unique<firmware::EstimatorCore>(core);
@@ -157,7 +159,7 @@ TEST_F(DerivedCodes, NoMotionBetweenTheRailsSaturates) {
           firmware::RawSample sample;
           sample.sequence = n;
           const bool up = static_cast<int>(n / (half_period * tau)) % 2 == 0;
-          sample.code[0][3] = (up ? 1 : -1) * (firmware::kLargestCode - 1);
+          sample.code[0][3] = (up ? 1 : -1) * (kRail - 1);
           run->push(sample);
         }
         EXPECT_EQ(run->health().saturated_samples, 0u) << rate_Hz << " " << told << half_period;

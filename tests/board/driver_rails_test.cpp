@@ -11,8 +11,8 @@ namespace {
 
 using firmware::Quantity;
 
-// A 12-bit converter whose file says no rails: planned for 24 bits, one with a sign has steps of 4 of its codes (2^24 of them in 22 bits),
-// a quarter of what 12 bits can tell at small motions. The driver's word tells its width.
+// A 12-bit converter whose file says no rails: planned for 24 bits its velocity, behind a high-pass, has the steps of its own codes; the
+// driver's word tells its width, and there is room for finer ones.
 TEST(DriverRails, PlanTheSignalsAnew) {
   const rig_file::RigModel rig = rig_file::parse_rig(
       "schema = \"rig/1\"\n[[dof]]\nmass_kg = 1.0\n[[link]]\nbetween = [1, 0]\nstiffness_N_m = 100.0\n"
@@ -25,10 +25,12 @@ TEST(DriverRails, PlanTheSignalsAnew) {
   const std::vector<hal::IioChannel> channels = {{"in_voltage0", 0, Quantity::kForce, false},
                                                  {"in_voltage1", 0, Quantity::kVelocity, false}};
   const auto velocity_step = [&] { return rig_file::to_double(core.signals[0][2].unit_per_code); };
-  EXPECT_GT(velocity_step(), 2e-3);
+  EXPECT_EQ(velocity_step(), rig_file::to_double(core.channels[0][2].unit_per_code));
+  const double displacement_step = rig_file::to_double(core.signals[0][1].unit_per_code);
   const auto twelve_bits = [](const hal::IioChannel&) { return hal::CodeRange{-2048, 2047}; };
   EXPECT_EQ(board::take_driver_rails(channels, twelve_bits, core), "");
   EXPECT_LT(velocity_step(), 1e-3) << "finer than its own code";
+  EXPECT_LT(rig_file::to_double(core.signals[0][1].unit_per_code), 1e-3 * displacement_step);
   EXPECT_EQ(core.channels[0][2].highest_code, 2047);
   const auto far_off = [](const hal::IioChannel&) { return hal::CodeRange{0, 1 << 24}; };
   EXPECT_NE(board::take_driver_rails(channels, far_off, core).find("in_voltage0"), std::string::npos);

@@ -122,6 +122,27 @@ bool broken_wire_stops(const hal::LineOptions& line) {
   return line.active_low ? line.bias == hal::LineBias::kPullDown : line.bias == hal::LineBias::kPullUp;
 }
 
+// Channels of sensor frames that have 24 bits because nobody has said less, where slopes are made of them: a frame does not tell how
+// wide its sensor is.
+std::string slopes_of_untold_width(const BoardFile& board) {
+  std::string text;
+  if (board.samples.kind != SampleKind::kCan || board.samples.wiring == firmware::SensorWiring::k16) return text;
+  for (const rig_file::ChannelEntry& entry : board.rig.channels) {
+    const rig_file::ChannelName name = *rig_file::parse_channel_name(entry.name);
+    const int source = static_cast<int>(name.quantity);
+    bool slopes = false;
+    for (int q = source + 1; q < firmware::kQuantities; ++q) {
+      const firmware::SignalConfiguration& signal = board.controller.core.signals[rig_file::node_index(name.dof)][q];
+      slopes = slopes || (signal.derived && signal.source == source);
+    }
+    if (slopes && entry.lowest_code == entry.highest_code)
+      text += "  warning: " + entry.name +
+              ": no full_scale_code: its slopes have steps for 24 bits, which hide those of a converter with fewer "
+              "(docs/board.md)\n";
+  }
+  return text;
+}
+
 }  // namespace
 
 BoardFile read_board_file(const std::string& path) {
@@ -134,7 +155,7 @@ BoardFile read_board_file(const std::string& path) {
   rig_file::require_unknowns(board.rig);
   const Section samples(path, "samples", sub_table(path, root, "samples"),
                         {"source", "rate_Hz", "wiring", "device", "trigger", "saturated_in_row", "lost_in_row",
-                         "timeout_ms", "cycle_Hz", "slowest_Hz"});
+                         "timeout_ms", "cycle_Hz", "slowest_Hz", "fastest_Hz"});
   read_samples(samples, board);
   read_node(node_section(path, root), board);
   read_can(can_section(path, root), board);
@@ -147,8 +168,7 @@ BoardFile read_board_file(const std::string& path) {
                                    " samples a second, expected at least four of them in a cycle");
   board.controller.core = rig_file::compile_rig(board.rig, 1.0 / board.samples.rate_Hz, read_channels(root, board));
   read_excitation(path, root, drive, board.samples.rate_Hz, cycle_Hz, board.controller);
-  const double slowest_Hz = samples.number("slowest_Hz", 0.0, 0.001, 10000.0);
-  board.told.octaves_to_slowest_motion = octaves_to_slowest_motion(board, slowest_Hz, cycle_Hz);
+  board.told = told_motion(samples, board, cycle_Hz);
   rig_file::plan_signals(board.controller.core, board.told);
   board.controller.core.probe_products_per_sample = static_cast<uint16_t>(
       node_section(path, root).whole("probe_products_per_sample", firmware::kDefaultProbes, 0, firmware::kAllProbes));
@@ -168,6 +188,7 @@ std::string describe(const BoardFile& board) {
        << "  node " << int(board.controller.node.node) << " on " << board.can_interface
        << (board.controller.node.can_fd ? " (CAN FD)" : "") << "\n"
        << "  bus: " << check_bus(board).load << "\n";
+  text << slopes_of_untold_width(board);
   if (board.controller.programme.level_count == 0)
     text << "  listens only: no excitation levels\n";
   else

@@ -32,6 +32,12 @@ Impulse widened(const Impulse& impulse, size_t length) {
   return wide;
 }
 
+// Largest slope of a motion of unit size, per second: of a tenth of the sample rate, which the low-pass ends at, or of the fastest one.
+double steepest(const CoreConfiguration& c, const SignalRanges& ranges) {
+  const double band = 0.63 / to_double(c.sample_period_s);
+  return ranges.fastest_Hz > 0.0 ? std::min(band, 2.0 * M_PI * ranges.fastest_Hz) : band;
+}
+
 // Friction takes its sign from an integral of its own, one high-pass section and an eighth of the corner: 2 / e of its time constant. Where
 // that is more than motion of 1 Hz needs it may be cut off: a sign remains.
 double sign_velocity_bound(const CoreConfiguration& c, double full_scale) {
@@ -71,7 +77,7 @@ Design design(const CoreConfiguration& c, const SignalRanges& ranges, int node, 
         convolve(result.impulse, d == 1 ? first_difference(band(c, ranges)) : second_difference(band(c, ranges)));
   for (int i = 0; i < d; ++i) {
     result.gain /= period_s;
-    result.largest_bound *= 0.63 / period_s;
+    result.largest_bound *= steepest(c, ranges);
   }
   // The rule over more samples wherever the history holds it and leaves room for the filter of friction's sign.
   const Band rule = differentiates(c) && signal.integrations > 1 ? Band::kTenth : Band::kWide;
@@ -99,7 +105,11 @@ void quantise(CoreConfiguration& c, const SignalRanges& ranges, int node, int q)
   Design made = design(c, ranges, node, q);
   const double largest = ranges.largest[node][q];
   const double peak = largest > 0.0 ? largest : made.largest_bound;
-  const double unit = std::exp2(std::ceil(std::log2(peak / kSignalPeak)));
+  double unit = std::exp2(std::ceil(std::log2(peak / kSignalPeak)));
+  // What is neither slope nor integral has the codes of its channel at the least: where the rails of 24 bits only say that nobody has told
+  // them, the converter may have 12.
+  const bool measured = !signal.derived && !(largest > 0.0);
+  if (measured) unit = std::min(unit, to_double(c.channels[node][q].unit_per_code));
   double biggest = 0.0;
   Impulse step;
   if (fused(c, node, q)) {
