@@ -36,4 +36,20 @@ TEST(DriverRails, PlanTheSignalsAnew) {
   EXPECT_NE(board::take_driver_rails(channels, far_off, core).find("in_voltage0"), std::string::npos);
 }
 
+TEST(DriverRails, AConverterOfMoreThan24BitsIsTold) {
+  const std::vector<hal::IioChannel> channels = {{"in_voltage0", 0, Quantity::kForce, true},
+                                                 {"in_voltage1", 0, Quantity::kVelocity, false},
+                                                 {"in_voltage2", 1, Quantity::kVelocity, false}};
+  const auto range = [](const hal::IioChannel& channel) -> std::optional<hal::CodeRange> {
+    if (channel.node == 1) return std::nullopt;
+    hal::ScanType type;
+    type.is_signed = true;
+    type.bits = channel.element == "in_voltage0" ? 32 : 24;
+    return hal::code_range(type);
+  };
+  EXPECT_EQ(
+      board::wide_words(channels, range),
+      "in_voltage0 has 32 bits, a code is their upper 24: its unit_per_code is of 2^8 of the converter's own steps\n");
+}
+
 }  // namespace

@@ -379,7 +379,7 @@ TEST(OnConverter, SamplesComeThroughTheDriver) {
             std::string::npos);
 }
 
-TEST(IioCode, WideSamplesKeepTheirUpper24Bits) {
+TEST(IioCode, WideSamplesAreRoundedToTheirUpper24Bits) {
   const auto type = [](bool is_signed, uint8_t bits) {
     hal::ScanType result;
     result.is_signed = is_signed;
@@ -393,6 +393,14 @@ TEST(IioCode, WideSamplesKeepTheirUpper24Bits) {
   EXPECT_EQ(hal::code_of(16777215, type(false, 24)), 16777215);
   EXPECT_EQ(hal::code_of(0xFFFFFFFF, type(false, 32)), 16777215);
   EXPECT_EQ(hal::code_of(70000, type(false, 16)), 65535);
+  // 127 / 256 and 128 / 256 of a code, of either sign; 64 bits: half of 2^40 below a code.
+  EXPECT_EQ(hal::code_of(127, type(true, 32)), 0);
+  EXPECT_EQ(hal::code_of(128, type(true, 32)), 1);
+  EXPECT_EQ(hal::code_of(-128, type(true, 32)), 0);
+  EXPECT_EQ(hal::code_of(-129, type(true, 32)), -1);
+  EXPECT_EQ(hal::code_of((int64_t{5} << 40) + (int64_t{1} << 39), type(true, 64)), 6);
+  EXPECT_EQ(hal::code_of(INT64_MAX, type(true, 64)), 8388607);
+  EXPECT_EQ(hal::code_of(INT64_MIN, type(true, 64)), -8388608);
 }
 
 }  // namespace

@@ -71,6 +71,7 @@ std::string BoardDevices::take_ranges() {
     return file_.samples.kind == SampleKind::kIioBuffer ? iio_samples_.range(channel.node, channel.quantity)
                                                         : direct_samples_.range(channel.node, channel.quantity);
   };
+  notes_ = wide_words(file_.samples.channels, range);
   return take_driver_rails(file_.samples.channels, range, configuration_.core, file_.told);
 }
 

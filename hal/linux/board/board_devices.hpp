@@ -43,6 +43,8 @@ class BoardDevices {
   hal::SystemdWatchdog& systemd() { return systemd_; }
   // Which hardware watchdog guards the board, or why none does, in words.
   const std::string& guard() const { return guard_; }
+  // What a person should know of the channels' codes; lines, mostly none.
+  const std::string& notes() const { return notes_; }
   void stop_watchdog() { device_watchdog_.disarm(); }
   // Returns when nothing runs beside the loop any more: what runs there works on what the loop owns.
   void wait_for_workers() {
@@ -74,7 +76,7 @@ class BoardDevices {
   hal::SystemdWatchdog systemd_;
   hal::DeviceWatchdog device_watchdog_;
   hal::BoardWatchdog watchdog_;
-  std::string guard_ = "no hardware watchdog";
+  std::string guard_ = "no hardware watchdog", notes_;
   hal::PosixFileOperations files_;
   hal::FileConfigurationStore store_;
   hal::WorkerThread worker_, store_worker_;

@@ -22,4 +22,16 @@ std::string take_driver_rails(const std::vector<hal::IioChannel>& channels, cons
   return "";
 }
 
+std::string wide_words(const std::vector<hal::IioChannel>& channels, const DriverRange& range) {
+  std::string text;
+  for (const hal::IioChannel& channel : channels) {
+    const std::optional<hal::CodeRange> rails = range(channel);
+    if (!rails || rails->dropped_bits == 0) continue;
+    text += channel.element + " has " + std::to_string(24 + rails->dropped_bits) +
+            " bits, a code is their upper 24: its unit_per_code is of 2^" + std::to_string(rails->dropped_bits) +
+            " of the converter's own steps\n";
+  }
+  return text;
+}
+
 }  // namespace board

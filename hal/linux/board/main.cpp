@@ -116,6 +116,7 @@ int run_board(const Arguments& arguments) {
     std::fprintf(stderr, "rig_controller: %s\n", fault.c_str());
     return kFailed;
   }
+  std::fputs(devices->notes().c_str(), stderr);
   return board::run(file, *devices, arguments.run) ? kDone : kFailed;
 }
 

@@ -50,14 +50,15 @@ bool is_rate(const std::string& told, double rate_Hz) {
 
 int32_t code_of(int64_t value, const ScanType& type) {
   const CodeRange range = code_range(type);
-  const int64_t code = type.bits > kCodeBits ? value >> (type.bits - kCodeBits) : value;
+  // Half of what is dropped is added behind the shift of all other bits: no value overflows.
+  const int64_t code = range.dropped_bits > 0 ? ((value >> (range.dropped_bits - 1)) + 1) >> 1 : value;
   return static_cast<int32_t>(std::clamp<int64_t>(code, range.lowest, range.highest));
 }
 
 CodeRange code_range(const ScanType& type) {
-  const int bits = std::min<int>(type.bits, kCodeBits);
-  if (!type.is_signed) return {0, (1 << bits) - 1};
-  return {-(1 << (bits - 1)), (1 << (bits - 1)) - 1};
+  const int bits = std::min<int>(type.bits, kCodeBits), dropped = type.bits - bits;
+  if (!type.is_signed) return {0, (1 << bits) - 1, dropped};
+  return {-(1 << (bits - 1)), (1 << (bits - 1)) - 1, dropped};
 }
 
 }  // namespace hal

@@ -19,6 +19,7 @@ struct IioChannel {
 struct CodeRange {
   int32_t lowest = -firmware::kLargestCode;
   int32_t highest = firmware::kLargestCode;
+  int dropped_bits = 0;  // a code is so many bits shorter than the converter's own
 };
 
 // Where the kernel keeps devices; other folders in tests.
@@ -37,7 +38,7 @@ std::string rate_text(double rate_Hz);
 // What a driver says that it samples at is that rate, to 1e-4: the clocks of converters are as good. What is no number tells nothing.
 bool is_rate(const std::string& told, double rate_Hz);
 
-// Codes have up to 24 bits, with or without sign; wider samples keep their upper 24 bits. A value that its own width
+// Codes have up to 24 bits, with or without sign; wider samples are rounded to their upper 24 bits. A value that its own width
 // cannot hold becomes the nearest that it can: a saturated one.
 int32_t code_of(int64_t value, const ScanType& type);
 CodeRange code_range(const ScanType& type);
