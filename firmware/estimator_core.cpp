@@ -32,7 +32,12 @@ void EstimatorCore::push(const RawSample& sample) {
   }
   const bool usable = conditioning_->append(sample, frame_, filled_);
   if (conditioning_->saturated()) note_saturation();
-  if (!usable || !collector_.level_open()) return;
+  if (!collector_.level_open()) return;
+  if (!usable) {
+    starved_ = true;
+    return;
+  }
+  fed_ = true;
   ++filled_;
   if (tests_work_) tests_.work();
   if (filled_columns_ != 0) move_on();
@@ -156,7 +161,18 @@ const Estimates& EstimatorCore::solve() {
   tests_.judge(table_.level_count, estimates_);
   if (configuration_.runs_back()) run_forward(configuration_, estimates_);
   if (kCorrectsChannels) correct_channels();
+  tell_stale();
   return estimates_;
+}
+
+// Behind a gap, or at the start of a further level: who waits for news must see that these numbers are none. At a level's end they are
+// its result.
+void EstimatorCore::tell_stale() {
+  if (kDerivesSignals && starved_ && !fed_ && collector_.level_open())
+    for (int k = 0; k < estimates_.unknown_count; ++k)
+      if (estimates_.parameters[k].status == EstimateStatus::kValid)
+        estimates_.parameters[k].status = EstimateStatus::kStale;
+  fed_ = starved_ = false;
 }
 
 // Where no level is open the next one is the first that counts.

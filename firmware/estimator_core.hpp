@@ -47,6 +47,7 @@ class EstimatorCore {
   // From everything since reset(), or since a channel was corrected; may be called at any time. Where the configuration allows it,
   // a delay or gain of a channel that the estimates name, well measured, is taken out of what comes then: all levels are forgotten,
   // and an open one begins anew.
+  // Where all samples of an open level since the last solve went into filters that settle, VALID becomes STALE: nothing is new.
   const Estimates& solve();
   const Estimates& estimates() const { return estimates_; }  // of the last solve
   const CoreHealth& health() const { return health_; }
@@ -72,6 +73,7 @@ class EstimatorCore {
   void note_saturation();
   void forget_levels();
   void correct_channels();
+  void tell_stale();
   void aim(
       uint32_t units = 0);  // where the batch that starts now ends; units: of the batch before it, still to be added
   void close_some();
@@ -84,9 +86,10 @@ class EstimatorCore {
   uint32_t next_sequence_ = 0;
   bool sequence_known_ = false;
   bool fits_ = true;
-  bool forgets_ = false;     // what was measured, when the next level begins: a channel is corrected
-  bool tests_work_ = false;  // the score tests are on
-  bool closing_ = false;     // into the batch at hand, a few pieces with each sample
+  bool forgets_ = false;                // what was measured, when the next level begins: a channel is corrected
+  bool tests_work_ = false;             // the score tests are on
+  bool closing_ = false;                // into the batch at hand, a few pieces with each sample
+  bool fed_ = false, starved_ = false;  // since the last solve: a sample came through the filters; one did not
   int pieces_per_sample_ = 1;
   int filled_ = 0;            // samples in the frame
   int full_ = 0;              // at this many the block is worked on

@@ -11,7 +11,7 @@ namespace firmware {
 // The numbers travel on CAN. A parameter shows the gravest that applies, see severity().
 enum class EstimateStatus : uint8_t {
   kValid = 0,
-  kStale = 1,           // no window closed since the last report
+  kStale = 1,           // no window closed since the last report, or with nothing new in it
   kBiasSuspect = 2,     // plain and instrumented estimates differ by more than their scatter allows
   kSkewed = 3,          // channels are skewed in time and the skew is not compensated
   kIllConditioned = 4,  // the data cannot separate this parameter from others
