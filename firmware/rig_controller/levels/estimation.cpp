@@ -4,6 +4,18 @@
 #include "firmware/fixed_point/precondition.hpp"
 
 namespace firmware {
+namespace {
+
+// Every coefficient but a stiffness has a time in its unit, and a stiffness its share of errors. Where nothing was estimated it stays so.
+void believe_no_time(Estimates& estimates) {
+  for (int k = 0; k < estimates.unknown_count; ++k) {
+    EstimateStatus& status = estimates.parameters[k].status;
+    if (status != EstimateStatus::kStale && severity(status) < severity(EstimateStatus::kSkewed))
+      status = EstimateStatus::kSkewed;
+  }
+}
+
+}  // namespace
 
 void Estimation::reset() {
   discard_ = working_;
@@ -45,7 +57,8 @@ bool Estimation::puts_off() const {
   return count_ != 0 && count_ + came_in_solve_ > kMaxWaiting - kKeptForOthers;
 }
 
-void Estimation::solve(bool judge) {
+void Estimation::solve(bool judge, bool off_rate) {
+  off_rate_ = off_rate;
   judge_owed_ = judge || (solve_owed_ && judge_owed_);
   solve_owed_ = true;
   before_solve_ = count_;
@@ -163,6 +176,7 @@ void Estimation::finish() {
   fresh_ = true;
   came_in_solve_ = count_ - count_at_begin_;
   results_.estimates = core_.estimates();
+  if (off_rate_) believe_no_time(results_.estimates);
   results_.judge_asked = job_ == Kind::kSolveAndJudge;
 }
 

@@ -46,8 +46,8 @@ class Estimation {
     return !core_.saturated();
   }
   void end_level();
-  // judge: tell the diagnosis as well.
-  void solve(bool judge);
+  // judge: tell the diagnosis as well. off_rate: the samples come at another rate than the core takes them for.
+  void solve(bool judge, bool off_rate = false);
 
   void begin_step(uint64_t now_ns) { now_ns_ = now_ns; }
   uint64_t now_ns() const { return now_ns_; }
@@ -93,7 +93,7 @@ class Estimation {
   bool working_ = false;  // the core belongs to the worker
   bool discard_ = false;  // what runs has been forgotten meanwhile
   bool fresh_ = false;
-  bool solve_owed_ = false, judge_owed_ = false;
+  bool solve_owed_ = false, judge_owed_ = false, off_rate_ = false;
   bool level_left_out_ = false;  // its samples are dropped
   int first_ = 0, count_ = 0;
   int came_ = 0;                                // entries of the ring since the last go_on()

@@ -31,6 +31,7 @@ void Measurement::begin_level() {
   ++levels_;
   estimation_.begin_level();
   running_ = true;
+  clock_.begin_level();
   samples_in_window_ = 0;
   window_samples_ = configuration_.node.window_samples;
 }
@@ -54,7 +55,7 @@ void Measurement::close_window() {
   samples_in_window_ = 0;
   const bool judge = estimation_.now_ns() >= next_judgement_ns_ || !running_;
   if (judge) next_judgement_ns_ = estimation_.now_ns() + kJudgement_ns;
-  estimation_.solve(judge);
+  estimation_.solve(judge, clock_.off_rate(configuration_.core.sample_period_s));
 }
 
 }  // namespace firmware

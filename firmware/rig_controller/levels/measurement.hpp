@@ -4,6 +4,7 @@
 // estimates is told once a second and at the end of each level.
 #pragma once
 #include "firmware/rig_controller/levels/estimation.hpp"
+#include "firmware/rig_controller/levels/sample_clock.hpp"
 #include "firmware/rig_controller/settings/controller_configuration.hpp"
 #include "firmware/supervision/alarm.hpp"
 
@@ -35,6 +36,7 @@ class Measurement {
   bool take(const RawSample& sample) {
     if (!running_) return false;
     ++samples_in_window_;
+    clock_.take(sample);
     return estimation_.push(sample);
   }
   void close_window();        // now
@@ -59,6 +61,7 @@ class Measurement {
   int levels_ = 0;  // asked for since forget(); fewer where the core has forgotten some since
   uint32_t told_dropped_ = 0;
   uint64_t next_judgement_ns_ = 0;
+  SampleClock clock_;
   Estimation estimation_;
 };
 
