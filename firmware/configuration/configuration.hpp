@@ -15,6 +15,11 @@ constexpr int kQuantities = 4;
 // What an energy equation is multiplied with (firmware/energy/batch_table.hpp).
 enum class Weight : uint8_t { kPlain = 0, kInstrument = 1, kDisplacement = 2 };
 constexpr int kWeights = FIRMWARE_MAX_WEIGHTS;
+// Never where there is no room for the displacement's sums: what they ask for is then left out of the image.
+constexpr bool kHasDisplacementRows = kWeights > static_cast<int>(Weight::kDisplacement);
+constexpr bool is_displacement(int weight) {
+  return kHasDisplacementRows && weight == static_cast<int>(Weight::kDisplacement);
+}
 
 constexpr int32_t kLargestCode = 8388607;  // 24 bits with sign
 

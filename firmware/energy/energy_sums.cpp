@@ -33,7 +33,7 @@ void EnergySums::fill_instruments(Frame& frame, int from, int to) {
     const Column<Code> v = frame.codes(signal_column(node, Quantity::kVelocity));
     Column<Code> z = frame.codes(kInstrumentColumn + node);
     for (int i = from; i < to; ++i) z.put(i, 4 * (v[i - 1] + v[i + 1]) - (v[i - 2] + v[i + 2]));
-    if (weights_ <= kDisplacement) continue;
+    if (!kHasDisplacementRows || weights_ <= kDisplacement) continue;
     const Column<Code> x = frame.codes(signal_column(node, Quantity::kDisplacement));
     Column<Code> y = frame.codes(kDisplacementInstrumentColumn + node);
     for (int i = from; i < to; ++i) y.put(i, 4 * (x[i - 1] + x[i + 1]) - (x[i - 2] + x[i + 2]));
@@ -60,7 +60,7 @@ void EnergySums::fill_clear_signs(Frame& frame, int from, int to, int advance) {
   for (int i = 0; i < configuration_->dof_count; ++i) {
     if (!plan_.dof[i].clear_signs_only) continue;
     copy(frame, kClearInstrumentColumn + i, kInstrumentColumn + i, from, to);
-    if (weights_ > kDisplacement)
+    if (kHasDisplacementRows && weights_ > kDisplacement)
       copy(frame, kClearDisplacementColumn + i, kDisplacementInstrumentColumn + i, from, to);
   }
   for (int l = 0; l < configuration_->link_count; ++l) {
@@ -95,7 +95,7 @@ void EnergySums::leave_out(Frame& frame, int link, int from, int to, const bool*
     Column<Code> z = frame.codes(kClearInstrumentColumn + i);
     for (int n = from; n < to; ++n)
       if (!clear[n]) z.put(n, Code{});
-    if (weights_ <= kDisplacement) continue;
+    if (!kHasDisplacementRows || weights_ <= kDisplacement) continue;
     Column<Code> y = frame.codes(kClearDisplacementColumn + i);
     for (int n = from; n < to; ++n)
       if (!clear[n]) y.put(n, Code{});

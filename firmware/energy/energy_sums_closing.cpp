@@ -7,7 +7,6 @@ namespace {
 
 constexpr int kPlain = static_cast<int>(Weight::kPlain);
 constexpr int kInstrument = static_cast<int>(Weight::kInstrument);
-constexpr int kDisplacement = static_cast<int>(Weight::kDisplacement);
 constexpr Scaled kNothing;
 
 }  // namespace
@@ -57,7 +56,7 @@ Scaled EnergySums::kinetic_energy(int dof, int weight) const {
   const int velocity = signal_column(dof, Quantity::kVelocity),
             displacement = signal_column(dof, Quantity::kDisplacement);
   const int64_t v0 = closed_start_.velocity[dof], v1 = closed_end_.velocity[dof];
-  if (weight != kDisplacement) {
+  if (!is_displacement(weight)) {
     const Scaled& unit = plan_.column_unit[velocity];
     return unit * unit * Scaled::from_int(v1 * v1 - v0 * v0, -1);
   }
@@ -79,7 +78,7 @@ Scaled EnergySums::energy(const Incidence& incidence, int weight) const {
                                            : integral(incidence.product_b[weight]);
   }
   if (incidence.sign < 0) result = -result;
-  if (!any_shared_noise_) return result;
+  if (!kDerivesSignals || !any_shared_noise_) return result;
   if (term.kind == TermKind::kViscous) result -= shared_noise(incidence.dof, weight, Quantity::kVelocity);
   if (term.kind == TermKind::kStiffness) result -= shared_noise(incidence.dof, weight, Quantity::kDisplacement);
   return result;
@@ -87,7 +86,7 @@ Scaled EnergySums::energy(const Incidence& incidence, int weight) const {
 
 // Over the samples that the equation counts.
 Scaled EnergySums::shared_noise(int dof, int weight, Quantity quantity) const {
-  if (!any_shared_noise_) return {};
+  if (!kDerivesSignals || !any_shared_noise_) return {};
   const Scaled& product = configuration_->shared_noise[dof][weight][static_cast<int>(quantity)];
   if (product.is_zero()) return product;
   const bool all = !kDerivesSignals || weight == kPlain || !plan_.dof[dof].clear_signs_only;
@@ -120,7 +119,7 @@ void EnergySums::close_weight(int i, int q, Batch& batch) {
     dof.kinetic_end = pack(kinetic_end_);
     dof.elastic_end = pack(elastic_end_);
   }
-  if (q != kDisplacement) {
+  if (!is_displacement(q)) {
     const auto less = [&](int product, const Scaled& end) {
       Scaled difference = integral(product);
       difference -= end;

@@ -4,9 +4,8 @@ namespace firmware {
 namespace {
 
 int all_samples_column(int i, int weight) {
-  if (weight == static_cast<int>(Weight::kInstrument)) return kInstrumentColumn + i;
-  if (weight == static_cast<int>(Weight::kPlain)) return signal_column(i, Quantity::kVelocity);
-  return kDisplacementInstrumentColumn + i;
+  if (is_displacement(weight)) return kDisplacementInstrumentColumn + i;
+  return weight == static_cast<int>(Weight::kPlain) ? signal_column(i, Quantity::kVelocity) : kInstrumentColumn + i;
 }
 
 class Planner {
@@ -22,9 +21,8 @@ class Planner {
     products.clear_signs_only = products.has_acceleration && weights_ > 1 && has_friction(i);
     for (int q = 0; q < weights_; ++q) {
       products.force[q] = weighted(i, q, i, Quantity::kForce);
-      products.displacement[q] = q == static_cast<int>(Weight::kDisplacement)
-                                     ? weighted(i, q, i, Quantity::kDisplacement)
-                                     : kinematic(i, q, Quantity::kDisplacement);
+      products.displacement[q] =
+          is_displacement(q) ? weighted(i, q, i, Quantity::kDisplacement) : kinematic(i, q, Quantity::kDisplacement);
       products.acceleration[q] = kinematic(i, q, Quantity::kAcceleration);
     }
     products.velocity_square = weighted(i, 0, i, Quantity::kVelocity);
@@ -99,7 +97,7 @@ class Planner {
     return false;
   }
   bool has_weight(int i, int weight) const {
-    return has(i, weight == static_cast<int>(Weight::kDisplacement) ? Quantity::kDisplacement : Quantity::kVelocity);
+    return has(i, is_displacement(weight) ? Quantity::kDisplacement : Quantity::kVelocity);
   }
   int16_t weighted_column(int i, int weight, int column) {
     return has_weight(i, weight) ? sums_.add(weight_column(plan_, i, weight), column) : kNoProduct;
@@ -163,7 +161,7 @@ void assign_slots(const CoreConfiguration& configuration, int weights, EquationP
 
 int weight_column(const EquationPlan& plan, int i, int weight) {
   if (weight == static_cast<int>(Weight::kPlain) || !plan.dof[i].clear_signs_only) return all_samples_column(i, weight);
-  return (weight == static_cast<int>(Weight::kInstrument) ? kClearInstrumentColumn : kClearDisplacementColumn) + i;
+  return (is_displacement(weight) ? kClearDisplacementColumn : kClearInstrumentColumn) + i;
 }
 
 void make_equation_plan(const CoreConfiguration& configuration, int weights, EquationPlan& plan, ProductSums& sums,

@@ -25,7 +25,7 @@ constexpr uint32_t kOneSign = terms_of_one_sign();
 bool has_one_sign(const Term& term) { return (kOneSign >> static_cast<int>(term.kind) & 1) != 0; }
 
 Weight weight_of(const EquationList& list, const Term& term) {
-  if (list.displacement && is_conservative(term.kind)) return Weight::kDisplacement;
+  if (kHasDisplacementRows && list.displacement && is_conservative(term.kind)) return Weight::kDisplacement;
   return list.instrument ? Weight::kInstrument : Weight::kPlain;
 }
 

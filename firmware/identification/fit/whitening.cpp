@@ -16,7 +16,9 @@ int list_predecessors(const EquationList& list, const LevelColumns& level, int e
   const auto add_controls = [&](int dof) {
     for (int which = 0; which < kControlsPerDof; ++which) {
       const int c = LevelColumns::control(dof, which);
-      if ((which < 2 || list.displacement) && list.shows_noise(dof, which) && level.control_valid(c)) add(c);
+      if ((which < 2 || (kHasDisplacementRows && list.displacement)) && list.shows_noise(dof, which) &&
+          level.control_valid(c))
+        add(c);
     }
   };
   add_controls(equation.dof);

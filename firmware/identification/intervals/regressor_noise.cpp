@@ -98,7 +98,7 @@ uint64_t find_shift(const EquationList& list, const WeightedFit& fit, const Scal
 
 uint64_t take_out_regressor_noise(const EquationList& list, const BatchTable& table, WeightedFit& fit,
                                   Estimates& estimates) {
-  if (!list.displacement) return 0;
+  if (!kHasDisplacementRows || !list.displacement) return 0;
   Scaled shift[kMaxUnknowns];
   Scaled* const variance = fit.vector();
   for (int k = 0; k < list.unknown_count; ++k) variance[k] = Scaled{};

@@ -61,12 +61,12 @@ EquationList list_equations(const CoreConfiguration& configuration, const BatchT
   list.dof_count = configuration.dof_count;
   list.unknown_count = configuration.unknown_count;
   list.instrument = has_rows(table, Weight::kInstrument);
-  for (int t = 0; t < configuration.term_count; ++t)
+  for (int t = 0; kHasDisplacementRows && t < configuration.term_count; ++t)
     if (configuration.terms[t].unknown >= 0 && is_conservative(configuration.terms[t].kind)) list.displacement = true;
-  if (kWeights < 3 || !has_rows(table, Weight::kDisplacement)) list.displacement = false;
+  if (!kHasDisplacementRows || !has_rows(table, Weight::kDisplacement)) list.displacement = false;
   const Weight velocity = list.instrument ? Weight::kInstrument : Weight::kPlain;
   for (int i = 0; i < list.dof_count; ++i) list.equation[list.count++] = {static_cast<uint8_t>(i), velocity};
-  if (list.displacement)
+  if (kHasDisplacementRows && list.displacement)
     for (int i = 0; i < list.dof_count; ++i)
       list.equation[list.count++] = {static_cast<uint8_t>(i), Weight::kDisplacement};
 
