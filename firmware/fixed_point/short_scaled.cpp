@@ -51,9 +51,4 @@ ShortScaled operator+(ShortScaled a, ShortScaled b) {
   return short_scaled(one + (two >> distance), a.exponent - kMantissaBits);
 }
 
-Scaled sum_in_two_passes(int count, const ShortScaled* a, const ShortScaled* b) {
-  return sum_in_two_passes(
-      count, [&](int i) { return a[i]; }, [&](int i) { return b[i]; });
-}
-
 }  // namespace firmware

@@ -77,16 +77,4 @@ Scaled sum_of_products(int count, A a, B b) {
 }
 #endif
 
-// Of two arrays of count <= kMost numbers; on a board there is one routine for all of them.
-Scaled sum_in_two_passes(int count, const ShortScaled* a, const ShortScaled* b);
-template <int kMost>
-Scaled sum_of_arrays(int count, const ShortScaled* a, const ShortScaled* b) {
-#ifdef FIRMWARE_IN_PLACE
-  return sum_of_kept<kMost>(
-      count, [&](int i) { return a[i]; }, [&](int i) { return b[i]; });
-#else
-  return sum_in_two_passes(count, a, b);
-#endif
-}
-
 }  // namespace firmware

@@ -75,6 +75,21 @@ const Scaled& coefficient(const Term& term, const Estimates& estimates) {
   return term.unknown < 0 ? term.value : estimates.parameters[term.unknown].value;
 }
 
+bool is_at(const LinkConfiguration& link, int dof) { return link.node_a == dof || link.node_b == dof; }
+
+// Sum of the coefficients of a kind in the DOF's equation, or of their sizes.
+Scaled sum_at(const CoreConfiguration& configuration, int dof, TermKind kind, bool sizes, const Estimates& estimates) {
+  Scaled sum;
+  for (int t = 0; t < configuration.term_count; ++t) {
+    const Term& term = configuration.terms[t];
+    const bool there = term.kind == TermKind::kMass ? term.place == dof : is_at(configuration.links[term.place], dof);
+    if (term.kind != kind || !there) continue;
+    const Scaled& one = coefficient(term, estimates);
+    sum += sizes ? abs(one) : one;
+  }
+  return sum;
+}
+
 Scaled duration_of(const BatchTable& table) {
   int64_t samples = 0;
   for (int l = 0; l < table.level_count; ++l)
@@ -87,16 +102,10 @@ Scaled duration_of(const BatchTable& table) {
 // over the integral of a^2, are a delay of h F v / (pi m v a), v and a rms, a = w v.
 Scaled least_acceleration_skew_s(const CoreConfiguration& configuration, const BatchTable& table, int dof,
                                  const Estimates& estimates) {
-  Scaled friction, mass;
-  for (int t = 0; t < configuration.term_count; ++t) {
-    const Term& term = configuration.terms[t];
-    if (term.kind == TermKind::kMass && term.place == dof) mass = abs(coefficient(term, estimates));
-    if (!is_sign_term(term.kind)) continue;
-    const LinkConfiguration& link = configuration.links[term.place];
-    if (link.node_a == dof || link.node_b == dof) friction += abs(coefficient(term, estimates));
-  }
+  const Scaled friction = sum_at(configuration, dof, TermKind::kCoulomb, true, estimates);
   const Scaled least = table.sample_period_s / kLeastShareOfPeriod, most = table.sample_period_s / kMostShareOfPeriod;
   if (friction.is_zero()) return least;
+  const Scaled mass = sum_at(configuration, dof, TermKind::kMass, true, estimates);
   const Scaled inertia = mass * sqrt(sum_of(table, dof, &BatchDof::acceleration_square) / duration_of(table));
   const Scaled jumps = table.sample_period_s * friction / 3;  // pi
   if (!(jumps < most * inertia)) return most;
@@ -140,14 +149,8 @@ Scaled motion_of(const BatchTable& table, int dof) { return sum_of(table, dof, &
 // Viscous coefficient that the DOF's skews imitate.
 Scaled imitated_damping(const CoreConfiguration& configuration, const BatchTable& table, int dof, const Skews& skews,
                         const Estimates& estimates) {
-  Scaled stiffness, mass;
-  for (int t = 0; t < configuration.term_count; ++t) {
-    const Term& term = configuration.terms[t];
-    if (term.kind == TermKind::kMass && term.place == dof) mass = coefficient(term, estimates);
-    if (term.kind != TermKind::kStiffness) continue;
-    const LinkConfiguration& link = configuration.links[term.place];
-    if (link.node_a == dof || link.node_b == dof) stiffness += coefficient(term, estimates);
-  }
+  const Scaled stiffness = sum_at(configuration, dof, TermKind::kStiffness, false, estimates);
+  const Scaled mass = sum_at(configuration, dof, TermKind::kMass, false, estimates);
   const Scaled motion = motion_of(table, dof), acceleration = sum_of(table, dof, &BatchDof::acceleration_square);
   Scaled damping = abs(stiffness) * skews.displacement[dof];
   if (!motion.is_zero()) damping += abs(mass) * skews.acceleration[dof] * acceleration / motion;
@@ -162,7 +165,7 @@ Scaled work_of_neighbours(const CoreConfiguration& configuration, const BatchTab
     const Term& term = configuration.terms[t];
     if (term.kind != TermKind::kStiffness) continue;
     const LinkConfiguration& link = configuration.links[term.place];
-    if (link.node_a != dof && link.node_b != dof) continue;
+    if (!is_at(link, dof)) continue;
     const int other = link.node_a == dof ? link.node_b : link.node_a;
     if (other >= configuration.dof_count || skews.displacement[other].is_zero()) continue;
     const Scaled damping = abs(coefficient(term, estimates)) * skews.displacement[other];

@@ -36,6 +36,7 @@ enum class Form : uint8_t {
   kForceWithinGap,        // f, at most an eighth of its unit, in units of that: its sign but for small forces
   kForceRate,             // df/dt, per sample
 };
+constexpr int kForms = static_cast<int>(Form::kForceRate) + 1;
 constexpr bool needs_rate(Form form) { return form >= Form::kRate && form <= Form::kSignElongation; }
 
 constexpr int kMaxPlaces = 2 * kMaxLinks + 2 * kMaxDofs;  // what does not fit is not tested

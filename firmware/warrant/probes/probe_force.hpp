@@ -44,7 +44,7 @@ void fill_force(Form form, const PlaceScale& scale, const PlaceMotion& motion, i
 struct Powers {
   int8_t of[2];
 };
-constexpr Powers powers_of(Form form) {
+constexpr Powers powers_by_name(Form form) {
   switch (form) {
     case Form::kElongationSquare:
       return {{2, 0}};
@@ -71,6 +71,15 @@ constexpr Powers powers_of(Form form) {
       return {{1, 0}};
   }
 }
+// Made when compiling, for a table takes less room than the choice.
+struct PowersOfForms {
+  Powers of[kForms];
+  constexpr PowersOfForms() : of() {
+    for (int form = 0; form < kForms; ++form) of[form] = powers_by_name(static_cast<Form>(form));
+  }
+};
+inline constexpr PowersOfForms kPowersOfForms;
+constexpr Powers powers_of(Form form) { return kPowersOfForms.of[static_cast<int>(form)]; }
 // SI unit of fill_force's numbers is 2^this, times the units of the quantities (N for pure numbers).
 int32_t force_exponent(Form form, const PlaceScale& scale);
 PlaceScale table_scale(PlaceScale scale);

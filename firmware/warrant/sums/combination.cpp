@@ -78,11 +78,12 @@ int combine(const ShortScaled* coefficient, const uint16_t* value, int count, co
 
 namespace firmware {
 
-Scaled combined(const ShortScaled* coefficient, const uint16_t* value, int count, const ScoreTable& table,
-                int stretch) {
-  report_work(100 + 50 * count);
+Scaled combined(const ShortScaled* coefficient, int count, const ShortScaled* number, const uint16_t* value,
+                const ScoreTable* table, int stretch) {
+  if (table != nullptr) report_work(100 + 50 * count);
   return sum_in_two_passes(
-      count, [&](int i) { return coefficient[i]; }, [&](int i) { return table.number(stretch, value[i]); });
+      count, [&](int i) { return coefficient[i]; },
+      [&](int i) { return table != nullptr ? table->number(stretch, value[i]) : number[i]; });
 }
 
 }  // namespace firmware

@@ -11,9 +11,21 @@ namespace firmware {
 int combine(const ShortScaled* coefficient, const uint16_t* value, int count, const ScoreTable& table, int from, int to,
             Scaled* sums);
 #else
-// Of one stretch: the sum of coefficient i times value i, i below count.
-Scaled combined(const ShortScaled* coefficient, const uint16_t* value, int count, const ScoreTable& table, int stretch);
+// Of one stretch: the sum of coefficient i times value i, i below count. Where there is no table, times number i: one routine for both.
+Scaled combined(const ShortScaled* coefficient, int count, const ShortScaled* number, const uint16_t* value,
+                const ScoreTable* table, int stretch);
 #endif
+
+// Sum of products of two arrays of count <= kMost numbers.
+template <int kMost>
+Scaled sum_of_arrays(int count, const ShortScaled* a, const ShortScaled* b) {
+#ifdef FIRMWARE_IN_PLACE
+  return sum_of_kept<kMost>(
+      count, [&](int i) { return a[i]; }, [&](int i) { return b[i]; });
+#else
+  return combined(a, count, b, nullptr, nullptr, 0);
+#endif
+}
 
 template <int kMost>
 class Combination {
@@ -33,7 +45,7 @@ class Combination {
     return sum_of_products<kMost>(
         count_, [&](int i) { return coefficient_[i]; }, [&](int i) { return table.number(stretch, value_[i]); });
 #else
-    return combined(coefficient_, value_, count_, table, stretch);
+    return combined(coefficient_, count_, nullptr, value_, &table, stretch);
 #endif
   }
   // Of the stretches [from, to), to sums[from] and on.
