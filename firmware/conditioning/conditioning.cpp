@@ -194,11 +194,14 @@ Code Conditioning::fused(const Path& path) {
 
 // Two sections H = (1 - z^-1) / (1 - p z^-1), p = 1 - 2^-shift, leave the velocity 2 / (w tau) ahead: its sign changes early, and that bends
 // friction. 1 / H = 1 + 2^-shift z^-1 / (1 - z^-1), so twice such a sum undoes both to the first order. The sum leaks four times as fast as
-// the sections: it is right for what moves above their corner, and what a level starts with is gone with them.
-Conditioning::State Conditioning::with_its_slow_part(State& sum, State velocity, int shift) {
+// the sections: it is right for what moves above their corner. It begins when the next slower pole would be due: it would carry on what a level
+// starts with, which is forgotten then.
+Conditioning::State Conditioning::with_its_slow_part(Path& path, State velocity) const {
   constexpr int kFaster = 2;
-  const State whole = velocity + (1 << kSlowPartBits) * (sum >> (shift - 1));
-  sum = sum + ((velocity >> kSlowPartBits) - (sum >> (shift > kFaster ? shift - kFaster : 1)));
+  if (starting_leak(received_, path.shift + 1, kSlopeTimeConstants) <= path.shift) return velocity;
+  State& sum = path.section[kSlowPart];
+  const State whole = velocity + (1 << kSlowPartBits) * (sum >> (path.shift - 1));
+  sum = sum + ((velocity >> kSlowPartBits) - (sum >> (path.shift - kFaster)));
   return whole;
 }
 
@@ -245,7 +248,7 @@ Code Conditioning::high_passed(Path& path, Code code) {
       value = state;
     }
   }
-  if (for_sign(path) && path.sections > 0) value = with_its_slow_part(path.section[kSlowPart], value, shift);
+  if (for_sign(path) && path.sections > 0) value = with_its_slow_part(path, value);
   return held(value, path);
 }
 

@@ -100,7 +100,7 @@ class Conditioning {
     uint32_t column;  // of the frame, as so many numbers from its start
   };
   static constexpr int kSlowPart = kMaxSections - 1, kSlowPartBits = 8;
-  static State with_its_slow_part(State& sum, State velocity, int shift);
+  State with_its_slow_part(Path& path, State velocity) const;
   void add_channel(int node, int quantity);
   // All channels to their columns; column: the frame's first, at the sample. The first says false, with some of them copied,
   // where they are not alike or a code is at a rail; the second says whether one is.
