@@ -32,12 +32,11 @@ void EstimatorCore::push(const RawSample& sample) {
   }
   const bool usable = conditioning_->append(sample, frame_, filled_);
   if (conditioning_->saturated()) note_saturation();
-  if (!collector_.level_open()) return;
-  if (!usable) {
-    starved_ = true;
+  if (!usable || !collector_.level_open()) {
+    ++unfed_;
+    starved_ = starved_ || (!usable && collector_.level_open());
     return;
   }
-  fed_ = true;
   ++filled_;
   if (tests_work_) tests_.work();
   if (filled_columns_ != 0) move_on();
@@ -168,11 +167,11 @@ const Estimates& EstimatorCore::solve() {
 // Behind a gap, or at the start of a further level: who waits for news must see that these numbers are none. At a level's end they are
 // its result.
 void EstimatorCore::tell_stale() {
-  if (kDerivesSignals && starved_ && !fed_ && collector_.level_open())
+  if (kDerivesSignals && starved_ && unfed_ == health_.samples - told_samples_ && collector_.level_open())
     for (int k = 0; k < estimates_.unknown_count; ++k)
       if (estimates_.parameters[k].status == EstimateStatus::kValid)
         estimates_.parameters[k].status = EstimateStatus::kStale;
-  fed_ = starved_ = false;
+  starved_ = false, unfed_ = 0, told_samples_ = health_.samples;
 }
 
 // Where no level is open the next one is the first that counts.

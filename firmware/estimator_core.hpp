@@ -86,10 +86,12 @@ class EstimatorCore {
   uint32_t next_sequence_ = 0;
   bool sequence_known_ = false;
   bool fits_ = true;
-  bool forgets_ = false;                // what was measured, when the next level begins: a channel is corrected
-  bool tests_work_ = false;             // the score tests are on
-  bool closing_ = false;                // into the batch at hand, a few pieces with each sample
-  bool fed_ = false, starved_ = false;  // since the last solve: a sample came through the filters; one did not
+  bool forgets_ = false;       // what was measured, when the next level begins: a channel is corrected
+  bool tests_work_ = false;    // the score tests are on
+  bool closing_ = false;       // into the batch at hand, a few pieces with each sample
+  bool starved_ = false;       // since the last solve: a sample of an open level went into filters that settle
+  uint32_t unfed_ = 0;         // samples since then that were none of a level's, or went into such filters
+  uint32_t told_samples_ = 0;  // health_.samples at that solve
   int pieces_per_sample_ = 1;
   int filled_ = 0;            // samples in the frame
   int full_ = 0;              // at this many the block is worked on

@@ -61,7 +61,7 @@ void EstimatorCore::forget_levels() {
   stages_->sums.restart();
   filled_ = 0;
   level_samples_ = units_ = 0;
-  closing_ = forgets_ = fed_ = starved_ = false;
+  closing_ = forgets_ = starved_ = false;
   filled_columns_ = 0;
 }
 

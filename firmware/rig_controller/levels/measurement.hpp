@@ -35,8 +35,7 @@ class Measurement {
   // Where a level is measured. True: the core has it and found no channel at a rail.
   bool take(const RawSample& sample) {
     if (!running_) return false;
-    ++samples_in_window_;
-    clock_.take(sample);
+    if (samples_in_window_++ % kClockEvery == 0) clock_.take(sample);
     return estimation_.push(sample);
   }
   void close_window();        // now
@@ -61,6 +60,7 @@ class Measurement {
   int levels_ = 0;  // asked for since forget(); fewer where the core has forgotten some since
   uint32_t told_dropped_ = 0;
   uint64_t next_judgement_ns_ = 0;
+  static constexpr uint32_t kClockEvery = 64;  // samples: a look at the time costs as much as the rest of take()
   SampleClock clock_;
   Estimation estimation_;
 };

@@ -119,7 +119,9 @@ void quantise(CoreConfiguration& c, const SignalRanges& ranges, int node, int q)
     step = widened(step, length);
   }
   for (double tap : made.impulse) biggest = std::max(biggest, std::fabs(tap / unit));
-  const int bits = signal.integrations > 0 ? 25 : 30;  // inputs of 31 or 24 bits, 33 taps: the sum stays below 2^61
+  // Inputs of 31 or 24 bits, 33 taps: the sum stays below 2^61. What keeps its channel's codes has the larger taps, with which a low-pass
+  // is rounded from 32 bits on.
+  const int bits = signal.integrations > 0 ? 25 : measured && !fused(c, node, q) ? 31 : 30;
   const int shift = std::clamp(bits - 1 - std::ilogb(biggest), 0, 62);
   signal.shift = static_cast<uint8_t>(shift);
   signal.dropped_bits = static_cast<uint8_t>(made.dropped_bits);
