@@ -61,8 +61,7 @@ bool holds_on(const Asked& later, const Diagnosis& d) try {
   const std::vector<runs::Prepared> records = runs::prepare_all(rig, later.training, later.holdout);
   const std::vector<runs::Span> spans = spans_of_motion(records);
   const std::vector<host_sim::Record> training = begun_later(later.training, spans.data(), 0.5),
-                                      holdout =
-                                          begun_later(later.holdout, spans.data() + later.training.size(), 0.5);
+                                      holdout = begun_later(later.holdout, spans.data() + later.training.size(), 0.5);
   const std::vector<Parameter> all = numbers_fitted(later, rig),
                                half = numbers_fitted({rig, training, holdout, later.options, later.ground_known}, rig);
   if (half.size() != all.size()) return false;
