@@ -40,16 +40,24 @@ std::vector<host_sim::Record> begun_later(std::vector<host_sim::Record> records,
   return records;
 }
 
+// What is asked about, from that share of each record's motion on; spans: of the fitted records, then of the unseen ones.
+struct Later {
+  std::vector<host_sim::Record> training, holdout;
+  Later(const Asked& asked, const std::vector<runs::Span>& spans, double share)
+      : training(begun_later(asked.training, spans.data(), share)),
+        holdout(begun_later(asked.holdout, spans.data() + asked.training.size(), share)) {}
+};
+
 // Of a record whose start is cut off already, because a hand acts there, more of the start may be the hand's.
 bool begins_cut(const std::vector<host_sim::Record>& records) {
   return std::any_of(records.begin(), records.end(),
                      [](const host_sim::Record& record) { return record.left_out_before.value_or(0) > 0; });
 }
 
-std::vector<Parameter> numbers_fitted(const Asked& asked, const rig_file::RigModel& rig) {
-  const System system = make_system(rig, asked.ground_known);
-  const std::vector<runs::Prepared> records = runs::prepare_all(rig, asked.training, asked.holdout);
-  const runs::Task task{system, records, asked.training.size()};
+// Of `asked`, whose records `prepared` are.
+std::vector<Parameter> numbers_fitted(const Asked& asked, const std::vector<runs::Prepared>& prepared) {
+  const System system = make_system(asked.rig, asked.ground_known);
+  const runs::Task task{system, prepared, asked.training.size()};
   const runs::State base = runs::rig_fitted(task).base;
   return base.fit.ok ? runs::numbers_of(task, base) : std::vector<Parameter>{};
 }
@@ -58,12 +66,12 @@ std::vector<Parameter> numbers_fitted(const Asked& asked, const rig_file::RigMod
 // shows goes on to move the numbers, and the less of it is left the better noise hides it.
 bool holds_on(const Asked& later, const Diagnosis& d) try {
   const rig_file::RigModel& rig = d.causes.empty() ? later.rig : d.extended_rig;
+  const Asked whole{rig, later.training, later.holdout, later.options, later.ground_known};
   const std::vector<runs::Prepared> records = runs::prepare_all(rig, later.training, later.holdout);
-  const std::vector<runs::Span> spans = spans_of_motion(records);
-  const std::vector<host_sim::Record> training = begun_later(later.training, spans.data(), 0.5),
-                                      holdout = begun_later(later.holdout, spans.data() + later.training.size(), 0.5);
-  const std::vector<Parameter> all = numbers_fitted(later, rig),
-                               half = numbers_fitted({rig, training, holdout, later.options, later.ground_known}, rig);
+  const Later half_of(later, spans_of_motion(records), 0.5);
+  const Asked rest{rig, half_of.training, half_of.holdout, later.options, later.ground_known};
+  const std::vector<Parameter> all = numbers_fitted(whole, records),
+                               half = numbers_fitted(rest, runs::prepare_all(rig, rest.training, rest.holdout));
   if (half.size() != all.size()) return false;
   for (size_t i = 0; i < all.size(); ++i)
     if (std::abs(half[i].value - all[i].value) > kHalfOf95 * std::max(all[i].std, half[i].std)) return false;
@@ -98,13 +106,11 @@ Diagnosis judged_from_a_later_start(const Asked& asked, Diagnosis (*judge)(const
   const Options silent{asked.options.top_of_band, nullptr};
   Diagnosis best = of_all;
   for (double share : kLaterStarts) {
-    const std::vector<host_sim::Record> training = begun_later(asked.training, spans.data(), share),
-                                        holdout =
-                                            begun_later(asked.holdout, spans.data() + asked.training.size(), share);
-    const Asked later{asked.rig, training, holdout, silent, asked.ground_known};
+    const Later begun(asked, spans, share);
+    const Asked later{asked.rig, begun.training, begun.holdout, silent, asked.ground_known};
     std::optional<Diagnosis> d = told(later, judge);
     if (!d) continue;
-    for (const host_sim::Record& record : training) d->told_from_s.push_back(record.start_s);
+    for (const host_sim::Record& record : begun.training) d->told_from_s.push_back(record.start_s);
     if (nothing ? d->verdict != Verdict::kUnknown : !leaves_something(*d)) return holds_on(later, *d) ? *d : of_all;
     if (!best.cannot_describe.empty()) best = *d;
   }

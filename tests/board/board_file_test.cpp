@@ -5,7 +5,6 @@
 
 #include <cstdio>
 #include <cstdlib>
-#include <filesystem>
 #include <fstream>
 
 #include "hal/linux/board/bus_check.hpp"
@@ -13,6 +12,7 @@
 #include "hal/linux/board/run_marker.hpp"
 #include "hal/linux/board/safe_outputs.hpp"
 #include "hal/rig_file/rig_file_error.hpp"
+#include "tests/board/board_file_fixture.hpp"
 
 namespace {
 
@@ -56,19 +56,8 @@ unit_per_code = 1e-8
 offset_code = -12
 )";
 
-class BoardFileTest : public testing::Test {
+class BoardFileTest : public board_test::InItsFolder {
  protected:
-  void SetUp() override {
-    char folder[] = "/tmp/board_file_XXXXXX";
-    ASSERT_NE(mkdtemp(folder), nullptr);
-    folder_ = folder;
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
-  board::BoardFile read(const std::string& text) const {
-    std::ofstream(folder_ + "/board.toml") << text;
-    return board::read_board_file(folder_ + "/board.toml");
-  }
   // kGood with the first `from` replaced.
   static std::string changed(const std::string& from, const std::string& to) {
     std::string text = kGood;
@@ -76,7 +65,6 @@ class BoardFileTest : public testing::Test {
     EXPECT_NE(at, std::string::npos) << from;
     return text.replace(at, from.size(), to);
   }
-  std::string folder_;
 };
 
 TEST_F(BoardFileTest, TheBudgetOfTheModelTestsIsAKey) {

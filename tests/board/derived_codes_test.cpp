@@ -2,14 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <memory>
 
 #include "firmware/estimator_core.hpp"
-#include "hal/linux/board/board_file.hpp"
 #include "hal/rig_file/scaled_double.hpp"
+#include "tests/board/board_file_fixture.hpp"
 
 namespace {
 
@@ -47,20 +44,9 @@ std::string sine_level(double frequency_Hz) {
          "\nramp_s = 2\nmeasure_s = 10\n";
 }
 
-class DerivedCodes : public testing::Test {
+class DerivedCodes : public board_test::InItsFolder {
  protected:
-  void SetUp() override {
-    char folder[] = "/tmp/derived_codes_XXXXXX";
-    ASSERT_NE(mkdtemp(folder), nullptr);
-    folder_ = folder;
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
-  firmware::CoreConfiguration planned(const std::string& text) const {
-    std::ofstream(folder_ + "/board.toml") << text;
-    return board::read_board_file(folder_ + "/board.toml").controller.core;
-  }
-  std::string folder_;
+  firmware::CoreConfiguration planned(const std::string& text) const { return read(text).controller.core; }
 };
 
 // x = A sin(w t), exactly as the rig moves in the long run; each tone is a level. The accelerometer has noise of some codes.

@@ -2,15 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <memory>
 
 #include "firmware/conditioning/conditioning.hpp"
 #include "firmware/estimator_core.hpp"
-#include "hal/linux/board/board_file.hpp"
 #include "hal/rig_file/scaled_double.hpp"
+#include "tests/board/board_file_fixture.hpp"
 
 namespace {
 
@@ -32,21 +29,7 @@ std::string channel(const std::string& name, double unit, const std::string& mor
   return "[[channel]]\nname = \"" + name + "\"\nunit_per_code = " + text + "\n" + more;
 }
 
-class WireCodes : public testing::Test {
- protected:
-  void SetUp() override {
-    char folder[] = "/tmp/wire_codes_XXXXXX";
-    ASSERT_NE(mkdtemp(folder), nullptr);
-    folder_ = folder;
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
-  board::BoardFile read(const std::string& text) const {
-    std::ofstream(folder_ + "/board.toml") << text;
-    return board::read_board_file(folder_ + "/board.toml");
-  }
-  std::string folder_;
-};
+class WireCodes : public board_test::InItsFolder {};
 
 // A rig of 5 % of critical damping at two sines around its resonance; displacement and force in codes.
 struct Rig {
