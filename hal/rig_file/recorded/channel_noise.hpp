@@ -5,6 +5,7 @@
 // velocity or an acceleration, whose integrals have the noise of low frequencies, is read below the motion as well. A displacement's
 // noise may have passed an anti-alias filter: then it has the spectrum's own shape (filtered_noise.hpp).
 #pragma once
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -23,6 +24,8 @@ struct ChannelNoise {
   }
   bool white() const { return pole == 0.0 && correlation.empty(); }
 };
+
+using NodeNoise = std::array<std::array<ChannelNoise, firmware::kQuantities>, firmware::kMaxNodes>;  // of every channel
 
 ChannelNoise read_noise(const ChannelCodes& records, int quantity, double rate_Hz);
 

@@ -11,8 +11,6 @@
 
 namespace rig_file {
 
-using NodeNoise = ChannelNoise[firmware::kMaxNodes][firmware::kQuantities];
-
 // Number p of octaves below the sample rate, so that no node's velocity, in no record, has more than 1 % of its power below
 // rate / 2^p: sure noise apart, which would be taken for slow motion where an acceleration is integrated. Each record counts as far
 // down as four periods fit into it. `most`: the largest number of interest, which is the answer where nothing moves.
