@@ -42,7 +42,7 @@ Record record_of(int quantity, double slow, double fast, double noise, int const
 }
 
 int octaves(int quantity, const std::vector<Record>& records, double deviation = 0, double doubt = 0.04) {
-  rig_file::ChannelNoise noise[firmware::kMaxNodes][firmware::kQuantities];
+  rig_file::NodeNoise noise;
   noise[0][quantity].deviation = deviation, noise[0][quantity].doubt = doubt;
   return rig_file::octaves_to_slowest_motion(*with(quantity), records, noise, kMost);
 }
