@@ -46,6 +46,11 @@ TEST(PlainNames, AreAQuantityAndItsUnit) {
                       {"Disp", "mm", "displacement_1_m"},
                       {"Weg &b_A1", "rad", "angle_1_rad"},  // an interface's input behind the name
                       {"Weg s_A1", "m", "displacement_1_m"},
+                      {"Winkel phi", "rad", "angle_1_rad"},  // its usual symbol
+                      {"Weg s", "mm", "displacement_1_m"},
+                      {"Geschwindigkeit v", "m/s", "velocity_1_m_s"},
+                      {"Kraft F", "N", "force_1_N"},
+                      {"Weg a", "m", ""},
                       {"Winkel", "rad", "angle_1_rad"},
                       {"theta", "deg", "angle_1_rad"},
                       {"phi_rad", "", "angle_1_rad"},

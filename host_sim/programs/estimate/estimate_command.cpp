@@ -9,6 +9,7 @@
 #include "host_sim/data_check/decay/release.hpp"
 #include "host_sim/data_check/drive/one_sign.hpp"
 #include "host_sim/programs/commands.hpp"
+#include "host_sim/programs/estimate/by_record.hpp"
 #include "host_sim/programs/estimate/estimate_report_data.hpp"
 #include "host_sim/programs/estimate/model_export.hpp"
 #include "host_sim/programs/estimate/prepared_estimation.hpp"
@@ -129,6 +130,7 @@ void estimate(const EstimateArguments& arguments) {
   }
   const std::vector<std::string> bent = doubt_bent_gravity(model, records.get(), estimation.result.parameters);
   notes.insert(notes.end(), bent.begin(), bent.end());
+  doubt_what_records_contradict(model, records.get(), estimation.result);
   estimation.result.notes.insert(estimation.result.notes.end(), notes.begin(), notes.end());
   print_table(people, model, estimation.result);
   json.deliver(to_text(to_json(estimation.result)));

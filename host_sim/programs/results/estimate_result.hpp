@@ -54,9 +54,10 @@ struct EstimateResult {
   firmware::CoreHealth health;
   std::vector<SkewResult> skews;
   WarrantResult warrant;
-  std::string advice;              // what to measure next; empty: nothing
-  std::string unresolved;          // the combination of parameters that these data show least
-  std::vector<std::string> notes;  // for the reader of table and JSON
+  bool records_contradict = false;  // each other, by coefficients of their own: which, is said in the notes
+  std::string advice;               // what to measure next; empty: nothing
+  std::string unresolved;           // the combination of parameters that these data show least
+  std::vector<std::string> notes;   // for the reader of table and JSON
 };
 
 const char* status_word(firmware::EstimateStatus status);  // "VALID"

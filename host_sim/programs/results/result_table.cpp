@@ -116,6 +116,8 @@ bool cannot_be_negative(const ParameterResult& p) {
 
 // A coefficient that is surely below nought, where it cannot be, contradicts the rig file though no force stands out.
 std::string said_of_model(const EstimateResult& result) {
+  if (result.warrant.named.effect.empty() && result.records_contradict)
+    return warrant_text(result.warrant) + " in all records together, but they contradict each other (note below)";
   for (const ParameterResult& p : result.parameters)
     if (result.warrant.named.effect.empty() && p.status == firmware::EstimateStatus::kModelSuspect && p.ci95_high < 0)
       return p.info.name +

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cctype>
+#include <map>
+#include <set>
 
 #include "host_sim/records/columns/units/units.hpp"
 
@@ -52,8 +54,18 @@ constexpr Word kWords[] = {{"position", Quantity::kDisplacement, false},
                            {"kraft", Quantity::kForce, false},
                            {"drehmoment", Quantity::kForce, true}};
 
+// "phi" behind "Winkel", "s" behind "Weg": the usual symbol of the quantity, which an axis ("x", "y", "z") is not.
+bool is_usual_symbol(const std::string& text, Quantity quantity) {
+  static const std::map<Quantity, std::set<std::string>> kSymbols = {
+      {Quantity::kDisplacement, {"s", "d", "phi", "theta", "alpha", "\u03c6", "\u03d5", "\u03b8", "\u03b1"}},
+      {Quantity::kVelocity, {"v", "omega", "\u03c9"}},
+      {Quantity::kAcceleration, {"a", "alpha", "\u03b1"}},
+      {Quantity::kForce, {"F", "M", "tau", "\u03c4"}}};
+  return kSymbols.at(quantity).count(text) != 0;
+}
+
 // "s_A1", "&b_A1": the symbol of a quantity at an input of an interface, behind its name.
-bool is_symbol(const std::string& text) {
+bool is_symbol_at_input(const std::string& text) {
   const size_t first = text.empty() || text[0] != '&' ? 0 : 1, subscript = text.find('_');
   const size_t letters = std::min(subscript, text.size()) - std::min(first, text.size());
   const auto is_letter = [](unsigned char c) { return std::isalpha(c) != 0; };
@@ -83,7 +95,8 @@ const Word* word_of(const std::string& name, std::string& behind) {
 std::optional<PlainName> parse_plain_name(const std::string& name, const std::string& unit) {
   std::string suffix;
   const Word* word = word_of(name, suffix);
-  if (word != nullptr && !unit.empty() && is_symbol(suffix)) suffix.clear();
+  if (word != nullptr && !unit.empty() && (is_symbol_at_input(suffix) || is_usual_symbol(suffix, word->quantity)))
+    suffix.clear();
   if (word == nullptr || (!suffix.empty() && !unit.empty())) return std::nullopt;
   PlainName plain{{word->quantity, 1, word->rotating}, unit};
   if (suffix.empty() && unit.empty()) return plain;
