@@ -23,7 +23,7 @@ namespace rig_file {
 // costs resolution). A signal has 22 bits for it and one to spare.
 struct SignalRanges {
   double largest[firmware::kMaxNodes][firmware::kQuantities] = {};
-  NodeNoise noise;  // in codes
+  NodeNoise noise;                                  // in codes
   double moving_samples[firmware::kMaxNodes] = {};  // of the displacement, moving_samples.hpp; 0: not known
   // Octaves from the sample rate down to the slowest motion, where the high-pass may go up to it; nothing: its corner is as configured.
   std::optional<int> octaves_to_slowest_motion;
