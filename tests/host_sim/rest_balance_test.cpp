@@ -36,8 +36,32 @@ TEST(RestBalance, OfAChainIsWhereItsSpringsHoldTheMeanForces) {
   EXPECT_NEAR(records.get()[0].channels[1].values[7] - x1[7], 0.04, 1e-9);
   EXPECT_NEAR(records.get()[0].channels[3].values[7] - x2[7], 0.06, 1e-9);
   EXPECT_FALSE(balance_rest(host_sim::MeanOf::kDriven, rig, {1, 3}, records));  // it is there
-  rig.links[0].stiffness_N_m.value = 0;                                         // nothing holds it any more
+  rig.links[0].stiffness_N_m.value = rig.links[1].stiffness_N_m.value = 0;      // nothing holds them any more
   EXPECT_FALSE(balance_rest(host_sim::MeanOf::kDriven, rig, {1, 3}, records));
+}
+
+// Two masses that float, 50 N/m between them and nothing to the ground, pulled apart by 2 N: K = (50 -50; -50 50), and of all d with
+// K d = (2, -2) the smallest is (0.02, -0.02).
+TEST(RestBalance, OfMassesThatFloatIsThatOfTheSpringBetweenThem) {
+  rig_file::RigModel rig;
+  rig.dofs.resize(2), rig.links.resize(1);
+  rig.links[0].a = 1, rig.links[0].b = 2, rig.links[0].stiffness_N_m.value = 50;
+  Record record;
+  record.file = "floats.csv", record.sample_period_s = 1e-3;
+  std::vector<double> f1, f2, x1, x2;
+  for (int i = 0; i < 4000; ++i) {
+    x1.push_back(0.5 * std::sin(0.05 * i)), x2.push_back(0.5 * std::cos(0.07 * i));
+    const double pull = 50 * (x1.back() - x2.back());
+    f1.push_back(2 + pull), f2.push_back(-2 - pull);
+  }
+  record.channels = {{"force_1_N", Quantity::kForce, 1, f1},
+                     {"displacement_1_m", Quantity::kDisplacement, 1, x1},
+                     {"force_2_N", Quantity::kForce, 2, f2},
+                     {"displacement_2_m", Quantity::kDisplacement, 2, x2}};
+  host_sim::SharedRecords records({record});
+  ASSERT_TRUE(balance_rest(host_sim::MeanOf::kDriven, rig, {1, 3}, records));
+  EXPECT_NEAR(records.get()[0].channels[1].values[7] - x1[7], 0.02, 1e-9);
+  EXPECT_NEAR(records.get()[0].channels[3].values[7] - x2[7], -0.02, 1e-9);
 }
 
 const char* const kRig =

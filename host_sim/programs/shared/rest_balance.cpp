@@ -10,9 +10,9 @@ namespace host_sim {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
-constexpr double kAtRest = 1e-3;    // of the root mean square: a constant force of as much bends nothing
+constexpr double kAtRest = 1e-5;    // of a spring's elongation, rms: friction may be a thousandth of its force
 constexpr double kFarthest = 1.0;   // of it: farther off is not the mean of a force, but a model that is another rig's
-constexpr double kDistinct = 1e-6;  // of the stiffest direction: below it nothing holds the rig there
+constexpr double kDistinct = 1e-6;  // of the stiffest direction: below it nothing holds the rig there, and it stays
 
 // Of what is left of each equation of motion, over these records.
 Eigen::VectorXd mean_left(MeanOf of, const rig_file::RigModel& rig, const Record* begin, const Record* end) {
@@ -53,6 +53,29 @@ double rms_of(const std::vector<Record>& records, size_t channel) {
   return std::sqrt(squares / std::max(1.0, count));
 }
 
+// Whether a spring between these channels' DOFs, or from one of them to where nothing is counted anew, is bent by it. Masses that float
+// may be far away together.
+bool bends_a_spring(const rig_file::RigModel& rig, const std::vector<int>& moved, const std::vector<size_t>& channels,
+                    const Eigen::VectorXd& off, const std::vector<Record>& records) {
+  const auto index_of = [&](int dof) { return std::find(moved.begin(), moved.end(), dof) - moved.begin(); };
+  const auto none = static_cast<std::ptrdiff_t>(moved.size());
+  for (const rig_file::Link& link : rig.links) {
+    const std::ptrdiff_t a = index_of(link.a), b = index_of(link.b);
+    if (link.stiffness_N_m.value == 0.0 || (a == none && b == none)) continue;
+    const double by = (a == none ? 0.0 : off[a]) - (b == none ? 0.0 : off[b]);
+    double squares = 0.0, count = 0.0;
+    for (const Record& record : records)
+      for (size_t i = 0; i < record.samples(); ++i, count += 1.0) {
+        const auto at = [&](std::ptrdiff_t c) {
+          return c == none ? 0.0 : record.channels[channels[static_cast<size_t>(c)]].values[i];
+        };
+        squares += (at(a) - at(b)) * (at(a) - at(b));
+      }
+    if (by * by * count > kAtRest * kAtRest * squares) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 bool balance_rest(MeanOf of, const rig_file::RigModel& rig, const std::vector<size_t>& channels,
@@ -61,9 +84,10 @@ bool balance_rest(MeanOf of, const rig_file::RigModel& rig, const std::vector<si
   std::vector<int> moved;
   for (const size_t c : channels) moved.push_back(records.get().front().channels[c].dof);
   const Eigen::MatrixXd stiffness = stiffness_of(rig, moved);
-  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> solver(stiffness);
+  // Of the smallest shift: masses that no spring ties to the ground are at rest anywhere together.
+  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver;
   solver.setThreshold(kDistinct);
-  if (solver.rank() < stiffness.cols()) return false;
+  solver.compute(stiffness);
   const Record* const first = records.get().data();
   const size_t each = of == MeanOf::kDriven ? records.get().size() : 1;
   std::vector<Eigen::VectorXd> off;
@@ -73,8 +97,8 @@ bool balance_rest(MeanOf of, const rig_file::RigModel& rig, const std::vector<si
     for (size_t c = 0; c < channels.size(); ++c) {
       const double share = std::abs(off.back()[static_cast<Eigen::Index>(c)]) / rms_of(records.get(), channels[c]);
       if (!(share < kFarthest)) return false;
-      any = any || share > kAtRest;
     }
+    any = any || bends_a_spring(rig, moved, channels, off.back(), records.get());
   }
   if (!any) return false;
   std::vector<Record>& own = records.own();
