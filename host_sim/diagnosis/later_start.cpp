@@ -15,6 +15,8 @@ namespace {
 
 constexpr double kLaterStarts[] = {0.125, 0.25, 0.375, 0.5};  // of the motion: half of it has to be left
 
+constexpr double kNothing = 0.01;  // of a number: a swing or two of noise that is not white move it as much
+
 // Of each record, in its own samples.
 std::vector<runs::Span> spans_of_motion(const std::vector<runs::Prepared>& records) {
   std::vector<runs::Span> spans;
@@ -62,6 +64,12 @@ std::vector<Parameter> numbers_fitted(const Asked& asked, const std::vector<runs
   return base.fit.ok ? runs::numbers_of(task, base) : std::vector<Parameter>{};
 }
 
+// Beyond chance and by more than nothing.
+bool moves(const Parameter& of_all, const Parameter& of_half) {
+  const double by = std::abs(of_half.value - of_all.value);
+  return by > kHalfOf95 * std::max(of_all.std, of_half.std) && by > kNothing * std::abs(of_all.value);
+}
+
 // Whether what was said of the motion from an instant on is said of its later half too: a hand is gone then, a law that larger motion
 // shows goes on to move the numbers, and the less of it is left the better noise hides it.
 bool holds_on(const Asked& later, const Diagnosis& d) try {
@@ -74,7 +82,7 @@ bool holds_on(const Asked& later, const Diagnosis& d) try {
                                half = numbers_fitted(rest, runs::prepare_all(rig, rest.training, rest.holdout));
   if (half.size() != all.size()) return false;
   for (size_t i = 0; i < all.size(); ++i)
-    if (std::abs(half[i].value - all[i].value) > kHalfOf95 * std::max(all[i].std, half[i].std)) return false;
+    if (moves(all[i], half[i])) return false;
   return true;
 } catch (const CannotAnswer&) {
   return false;
@@ -99,7 +107,8 @@ Diagnosis judged_from_a_later_start(const Asked& asked, Diagnosis (*judge)(const
   const Diagnosis of_all = judge(asked);
   if (!vocabulary::held_in_place(asked.rig)) return of_all;  // what coasts has no start: all of it is one slowing down
   const bool nothing = follows_nothing(of_all);
-  if (!nothing && !(leaves_something(of_all) && begins_cut(asked.training))) return of_all;
+  const bool unknown = of_all.verdict == Verdict::kUnknown;
+  if (!nothing && !unknown && !(of_all.more_remains && begins_cut(asked.training))) return of_all;
   const std::vector<runs::Prepared> records = runs::prepare_all(asked.rig, asked.training, asked.holdout);
   if (runs::forced(records)) return of_all;
   const std::vector<runs::Span> spans = spans_of_motion(records);
@@ -111,7 +120,8 @@ Diagnosis judged_from_a_later_start(const Asked& asked, Diagnosis (*judge)(const
     std::optional<Diagnosis> d = told(later, judge);
     if (!d) continue;
     for (const host_sim::Record& record : begun.training) d->told_from_s.push_back(record.start_s);
-    if (nothing ? d->verdict != Verdict::kUnknown : !leaves_something(*d)) return holds_on(later, *d) ? *d : of_all;
+    if (nothing || unknown ? d->verdict != Verdict::kUnknown : !leaves_something(*d))
+      return holds_on(later, *d) ? *d : of_all;
     if (!best.cannot_describe.empty()) best = *d;
   }
   return best;
