@@ -62,6 +62,21 @@ TEST_F(TurnedForce, IsTurnedBackBeforeItIsDiagnosed) {
   EXPECT_NE(result.errors.find("force_1_N is turned over"), std::string::npos) << result.errors;
 }
 
+// Where the rig file knows mass and spring, and the only motion could as well be the one that is turned over: that gives the same numbers.
+TEST_F(TurnedForce, IsTurnedBackWhereTheRigFileTells) {
+  std::string known = kRig;
+  for (const char* from : {"mass_kg = \"estimate\"", "stiffness_N_m = \"estimate\""}) {
+    const size_t at = known.find(from);
+    ASSERT_NE(at, std::string::npos) << known;
+    known.replace(known.find('"', at), 10, from[0] == 'm' ? "2.0" : "800.0");
+  }
+  workspace_.write("known.toml", known);
+  const auto result = host_sim({"estimate", "--rig", "known.toml", "--data", "turned.csv", "--json", "out.json"});
+  ASSERT_EQ(result.status, 0) << result.errors << result.output;
+  EXPECT_NEAR(value(json("out.json"), "viscous[1-0]"), 6.0, 0.2);
+  EXPECT_NE(result.errors.find("force_1_N: polarity"), std::string::npos) << result.errors;
+}
+
 TEST_F(TurnedForce, ARightOneIsLeftAsItIs) {
   const auto result = host_sim({"estimate", "--rig", "rig.toml", "--data", "right.csv", "--json", "out.json"});
   ASSERT_EQ(result.status, 0) << result.errors << result.output;

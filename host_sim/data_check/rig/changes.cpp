@@ -29,6 +29,21 @@ std::string names_of(const Change& change, const std::vector<const Channel*>& ch
   return "all motion channels";
 }
 
+// Another motion channel of its DOF: they have been found to agree, so none of them is turned over alone.
+bool has_a_witness(const Channel& channel, const std::vector<const Channel*>& channels) {
+  return channel.quantity != Quantity::kForce &&
+         std::any_of(channels.begin(), channels.end(), [&](const Channel* other) {
+           return other != &channel && other->dof == channel.dof && other->quantity != Quantity::kForce;
+         });
+}
+
+// The only motion that is measured: to turn it over or the force is one and the same.
+bool is_only_motion(const std::vector<const Channel*>& channels, const Change& change) {
+  return change.channels.size() == 1 && channels[change.channels.front()]->quantity != Quantity::kForce &&
+         std::count_if(channels.begin(), channels.end(),
+                       [](const Channel* c) { return c->quantity != Quantity::kForce; }) == 1;
+}
+
 // Two changes that say the same of the equations, such as force in kN and motion in mm.
 bool same_statement(const Change& a, const Change& b) { return std::abs(std::log(a.left / b.left)) < 0.05; }
 
@@ -49,7 +64,7 @@ Dimension dimension_of_channel(const Channel& channel) {
 std::vector<Change> changes_of(const std::vector<const Channel*>& channels) {
   std::vector<Change> changes;
   for (size_t i = 0; i < channels.size(); ++i) {
-    changes.push_back({{i}, -1.0, "", 1.0});
+    if (!has_a_witness(*channels[i], channels)) changes.push_back({{i}, -1.0, "", 1.0});
     for (const char* word : {"g", "mm", "kN", "deg", "mm/s", "rpm", "mm/s2", "um", "cm", "inch", "lbf", "kgf", "mN",
                              "N mm", "mN m", "kN m"}) {
       const auto unit = find_unit(word, dimension_of_channel(*channels[i]));
@@ -82,7 +97,9 @@ std::vector<Finding> findings_of(std::vector<Change> changes, const std::vector<
   const Change& best = changes.front();
   if (!(before > kUnexplained) || !(best.left < kExplained) || !(best.left < 0.25 * before)) return {};
   std::string or_else;
+  const bool of_sign = best.unit.empty() && is_only_force(channels, best);
   for (size_t i = 1; i < changes.size(); ++i) {
+    if (of_sign && changes[i].unit.empty() && is_only_motion(channels, changes[i])) continue;
     if (same_statement(best, changes[i])) {
       or_else += ", or " + names_of(changes[i], channels) +
                  (changes[i].unit.empty()          ? " is turned over"
@@ -101,7 +118,7 @@ std::vector<Finding> findings_of(std::vector<Change> changes, const std::vector<
                     : best.unit.empty()      ? std::string("is turned over")
                                              : "is in " + best.unit) +
                    or_else + ": " + share;
-  if (best.unit.empty() && or_else.empty() && is_only_force(channels, best)) {
+  if (of_sign && or_else.empty()) {
     finding.weight = Weight::kDoubt;
     finding.detail += std::string("; ") + kSignIsChanged;
   }

@@ -65,7 +65,8 @@ sup{line-height:0;font-size:.75em}
 .zoom{margin:8px 0}.zoom p{min-height:1.5em;display:flex;flex-wrap:wrap;gap:2px 18px}.zoom i{display:inline-block;width:22px;border-top:3px solid;vertical-align:middle;margin-right:6px}.choose label{color:var(--soft)}select{font:inherit;max-width:100%;color:var(--ink);background:var(--card);border:1px solid var(--edge);border-radius:6px;padding:4px 8px}
 .zoom .dygraph-axis-label{color:var(--soft);font-size:12px}.zoom .dygraph-label{color:var(--soft);font-size:12px;font-weight:400}#zoom-signals,#zoom-errors{width:100%;margin-bottom:8px}
 @media (max-width:500px){th,td{padding:7px 9px;font-size:13px}.bar{width:56px}td .dim{display:block}svg g,svg text{font-size:14.5px}main{padding:24px 14px 56px}h2{margin-top:44px}}
-@media print{body{background:#fff}figure,.card,.scroll{break-inside:avoid}nav{display:none}}
+@media print{body{background:#fff}main{padding:0;max-width:none}figure,.card,tr{break-inside:avoid}h2,h3,h2+p,h3+p,.legend,thead{break-after:avoid}nav{display:none}
+.row2,.row3{grid-template-columns:repeat(2,minmax(0,1fr))}.scroll{overflow:visible;background:none}table{font-size:9.5pt}th,td{white-space:normal;padding:3px 6px;overflow-wrap:break-word}th{font-size:9pt}td.wide{min-width:0}.bar{width:40px}}
 )css";
 }
 
