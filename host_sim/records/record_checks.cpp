@@ -16,10 +16,31 @@ constexpr double kLongestTest_s = 1e6;  // eleven days: times from there on are 
 
 std::string seconds(double value) { return fmt::format("{:.6g} s", value); }
 
+// A row that was written twice stands at one time and has the same in every channel, where noise would not let it; of rounded times that
+// fall together the values differ. A record of held or coarse values has many such rows.
+bool has_a_row_twice(const std::vector<double>& time_s, const Record& record) {
+  constexpr size_t kLone = 3;
+  size_t at_one_time = 0, alike = 0, still = 0;
+  const auto same = [&](size_t i) {
+    return std::all_of(record.channels.begin(), record.channels.end(), [&](const Channel& channel) {
+      return channel.values.size() == time_s.size() && channel.values[i] == channel.values[i - 1];
+    });
+  };
+  for (size_t i = 1; i < time_s.size(); ++i) {
+    const bool together = time_s[i] == time_s[i - 1];
+    if (!same(i)) {
+      at_one_time += together ? 1 : 0;
+      continue;
+    }
+    (together ? alike : still) += 1;
+  }
+  return !record.channels.empty() && alike > 0 && alike + at_one_time <= kLone && still == 0;
+}
+
 bool take_rounded_times(const std::vector<double>& time_s, Record& record) {
   const EvenTimes even = even_times(time_s);
   const double step = even.step_s, place = even.place_s;
-  if (!(step > 0.0) || even.lost) return false;
+  if (!(step > 0.0) || even.lost || has_a_row_twice(time_s, record)) return false;
   if (place > 5.0 * step)  // half a step, by which a lost sample moves the line, is then within the 0.6
     record.notes.push_back("times are rounded to " + seconds(place) + ", more than a step of " + seconds(step) +
                            ": a lost sample would not show");

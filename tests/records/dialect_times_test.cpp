@@ -149,4 +149,21 @@ TEST(Dialects, ALostSampleShowsInRoundedTimes) {
   EXPECT_THROW(host_sim::parse_csv(rounded_times(2048.0, "%.3f", 5000, 2500), "d.csv", rig()), host_sim::DataFileError);
 }
 
+// One row twice in the middle of 20 s at 1 kHz: times of 1000.05 Hz that are rounded to 1 ms would have one such pair too, but not of the same
+// values. With other values it may be that clock.
+TEST(Dialects, ARowThatIsWrittenTwiceIsNoRounding) {
+  for (const bool same : {true, false}) {
+    std::string text = "t_s,force_1_N\n";
+    for (int i = 0; i < 20000; ++i) {
+      const double force = std::sin(0.07 * i) + 0.3 * std::sin(1.9 * i);
+      text += fmt::format("{:.3f},{:.6f}\n", 1e-3 * i, force);
+      if (i == 10000) text += fmt::format("{:.3f},{:.6f}\n", 1e-3 * i, same ? force : force + 0.01);
+    }
+    if (same)
+      EXPECT_THROW(host_sim::parse_csv(text, "d.csv", rig()), host_sim::DataFileError);
+    else
+      EXPECT_NEAR(host_sim::parse_csv(text, "d.csv", rig()).sample_period_s, 1e-3, 1e-6);
+  }
+}
+
 }  // namespace
