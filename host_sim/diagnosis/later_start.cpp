@@ -15,6 +15,7 @@ namespace {
 
 constexpr double kLaterStarts[] = {0.125, 0.25, 0.375, 0.5};  // of the motion: half of it has to be left
 
+constexpr double kAsMuch = 0.8;    // of what all of it leaves unseen
 constexpr double kNothing = 0.01;  // of a number: a swing or two of noise that is not white move it as much
 
 // Of each record, in its own samples.
@@ -90,6 +91,11 @@ bool holds_on(const Asked& later, const Diagnosis& d) try {
 
 bool leaves_something(const Diagnosis& d) { return d.verdict == Verdict::kUnknown || d.more_remains; }
 
+// What is left does not come from the start, and is not sought any later.
+bool misses_as_much(const Diagnosis& later, const Diagnosis& of_all) {
+  return later.extended.most_missed_percent() > kAsMuch * of_all.extended.most_missed_percent();
+}
+
 // Nothing where the rig file describes nothing of it either, too little is left to tell, or what is unseen is missed by all it is: what
 // slows down all the time looks simple in its last part.
 std::optional<Diagnosis> told(const Asked& asked, Diagnosis (*judge)(const Asked&)) try {
@@ -122,6 +128,7 @@ Diagnosis judged_from_a_later_start(const Asked& asked, Diagnosis (*judge)(const
     for (const host_sim::Record& record : begun.training) d->told_from_s.push_back(record.start_s);
     if (nothing || unknown ? d->verdict != Verdict::kUnknown : !leaves_something(*d))
       return holds_on(later, *d) ? *d : of_all;
+    if (!nothing && misses_as_much(*d, of_all)) return of_all;
     if (!best.cannot_describe.empty()) best = *d;
   }
   return best;
