@@ -62,6 +62,7 @@ class Pass {
       for (; fine < count && parts[fine].fine; ++fine) {
         const Window& w = windows_[first + fine];
         columns_.make(terms, w, parts[fine].run, evaluator_.traces(w.record), parts[fine].made);
+        evaluator_.leave_out_reversals(w, parts[fine].made);
       }
       in_parallel(fine, [&](size_t i, size_t) { work(windows_[first + i], parts[i]); });
       for (size_t i = 0; i < fine; ++i) visit(first + i, parts[i]);

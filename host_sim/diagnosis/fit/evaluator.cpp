@@ -3,6 +3,7 @@
 
 #include "host_sim/vocabulary/held_in_place.hpp"
 #include "in_parallel.hpp"
+#include "reversals.hpp"
 
 namespace diagnosis::runs {
 
@@ -42,6 +43,7 @@ void Evaluator::take_forces(const Simulator& s, const Prepared& p) {
   force_traces_.push_back(traces);
   forces_.push_back({});
   s.forces_of_motion(x, v, a, forces_.back().force, forces_.back().slopes);
+  forces_.back().counted = directions_known(system_, p);
 }
 
 Vec Evaluator::carried_state(const Window& w) const {
@@ -105,6 +107,22 @@ void Evaluator::from_motion(const Window& w, bool slopes, WindowRun& out) const 
     out.a.row(d) = g.a.segment(w.from, len);
   }
   faults(w, slopes, h, out);
+  for (Index c = 0; c < channels; ++c) {
+    const auto counted = counted_of(w, c);
+    out.residual.segment(c * len, len).array() *= counted.array();
+    if (slopes) out.slopes.middleRows(c * len, len).array().colwise() *= counted.array();
+  }
+}
+
+Vec Evaluator::counted_of(const Window& w, Index channel) const {
+  const int dof = traces(w.record)[static_cast<size_t>(channel)].dof;
+  return forces_[w.record].counted.row(dof).segment(w.from, w.length).transpose();
+}
+
+void Evaluator::leave_out_reversals(const Window& w, Mat& columns) const {
+  if (!massless_) return;
+  for (Index c = 0; c * w.length < columns.cols(); ++c)
+    columns.middleCols(c * w.length, w.length).array().rowwise() *= counted_of(w, c).transpose().array();
 }
 
 }  // namespace diagnosis::runs

@@ -46,6 +46,10 @@ class Evaluator {
   // Channels whose zero is free in every window: accelerations, displacements that nothing drives (where a sensor's zero and a
   // constant force are the same), and velocities of what nothing drives and springs hold in its place: a gyroscope's.
   bool has_offset(const MotionTrace& t) const { return t.quantity == 2 || (!driven_ && (t.quantity == 0 || held_)); }
+  // Without masses, of a channel's samples in a window: 1, or 0 where the motion turns round: the residual is nought there.
+  Vec counted_of(const Window& w, Index channel) const;
+  // Columns of candidates over a window, likewise.
+  void leave_out_reversals(const Window& w, Mat& columns) const;
   void moved(const Window& w, const Vec& change, Vec& state) const;  // state after a change of the nuisances
 
  private:
@@ -66,6 +70,7 @@ class Evaluator {
   struct MotionForces {
     Mat force;
     std::vector<Mat> slopes;
+    Mat counted;  // dofs x samples: 1; 0 where the motion turns round
   };
   std::vector<MotionForces> forces_;  // per record, without masses
   bool sound_ = true, massless_ = false, driven_ = false;

@@ -1,18 +1,28 @@
 #include "guess.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace diagnosis::runs {
 namespace {
 
+// Sums of the second, fourth and sixth powers of -half ... half.
+struct Powers {
+  double s2 = 0, s4 = 0, s6 = 0;
+};
+Powers powers_over(Index half) {
+  Powers p;
+  for (Index i = -half; i <= half; ++i) {
+    const double q = static_cast<double>(i * i);
+    p.s2 += q, p.s4 += q * q, p.s6 += q * q * q;
+  }
+  return p;
+}
+
 // Local cubic over 2 half + 1 samples: value and slope of the record (Savitzky and Golay).
 void smooth_cubic(const Vec& y, Index half, double step_s, Vec* value, Vec* slope) {
   const Index n = y.size();
-  double s2 = 0, s4 = 0, s6 = 0;
-  for (Index i = -half; i <= half; ++i) {
-    const double q = static_cast<double>(i * i);
-    s2 += q, s4 += q * q, s6 += q * q * q;
-  }
+  const auto [s2, s4, s6] = powers_over(half);
   const double s0 = static_cast<double>(2 * half + 1), d0 = s0 * s4 - s2 * s2, d1 = s2 * s6 - s4 * s4;
   if (value) value->resize(n);
   if (slope) slope->resize(n);
@@ -62,6 +72,11 @@ Vec without_drift(const Vec& z, const Drift& drift) {
   Vec slow = z;
   for (int pass = 0; pass < drift.passes; ++pass) slow = slow_part(slow, drift.half);
   return z - slow;
+}
+
+double slope_noise(Index half, double step_s) {
+  const Powers p = powers_over(half);
+  return std::sqrt(p.s6 / (p.s2 * p.s6 - p.s4 * p.s4)) / step_s;
 }
 
 Guess guess_of(const std::vector<const Vec*>& measured, double step_s, Index half, const Drift& drift) {

@@ -11,6 +11,9 @@ struct Drift {
 };
 Vec without_drift(const Vec& z, const Drift& drift);
 
+// Standard deviation of a slope that is taken over 2 half + 1 samples, per that of a white reading.
+double slope_noise(Index half, double step_s);
+
 // measured: displacement, velocity, acceleration; nullptr: not read. Smoothed over 2 half + 1 samples where a slope is taken; what is
 // integrated has its drift taken off.
 Guess guess_of(const std::vector<const Vec*>& measured, double step_s, Index half, const Drift& drift);

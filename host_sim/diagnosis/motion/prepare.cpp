@@ -108,10 +108,17 @@ Prepared thinned_out(const rig_file::RigModel& rig, const host_sim::Record& reco
   return p;
 }
 
+// Without masses nothing is stepped through, and a low-pass would round the jumps of friction where the motion turns.
+Thinning thinning_for(const rig_file::RigModel& rig, const host_sim::Record& record) {
+  Thinning thinning = thinning_of(rig, record);
+  if (massless(rig)) thinning.by = 1;
+  return thinning;
+}
+
 }  // namespace
 
 Prepared prepare(const rig_file::RigModel& rig, const host_sim::Record& record) {
-  return thinned_out(rig, record, thinning_of(rig, record));
+  return thinned_out(rig, record, thinning_for(rig, record));
 }
 
 std::vector<Prepared> prepare_all(const rig_file::RigModel& rig, const std::vector<host_sim::Record>& training,
@@ -122,7 +129,7 @@ std::vector<Prepared> prepare_all(const rig_file::RigModel& rig, const std::vect
   std::vector<Thinning> thinnings;
   double step_s = 1e300;
   for (const host_sim::Record* r : records) {
-    thinnings.push_back(thinning_of(rig, *r));
+    thinnings.push_back(thinning_for(rig, *r));
     step_s = std::min(step_s, r->sample_period_s * thinnings.back().by);
   }
   std::vector<Prepared> list;

@@ -14,6 +14,11 @@ struct ErrorSums {
     error += (simulated - measured).squaredNorm(), square += measured.squaredNorm(), sum += measured.sum();
     count += static_cast<double>(measured.size());
   }
+  // counted: 1, or 0 for samples that are left out.
+  void add(const Vec& simulated, const Vec& measured, const Vec& counted) {
+    add(simulated.cwiseProduct(counted), measured.cwiseProduct(counted));
+    count -= static_cast<double>(measured.size()) - counted.sum();
+  }
   double mean_error() const { return count > 0 ? error / count : 0; }
   double variance() const { return motion > 0 ? motion / count : square / count - std::pow(sum / count, 2); }
   double ratio() const { return variance() > 0 ? error / count / variance() : 0; }  // mean square over variance

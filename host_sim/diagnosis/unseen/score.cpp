@@ -82,7 +82,7 @@ class FreeRuns {
       if (traces[c].dof != dof) continue;
       const Index channel = static_cast<Index>(c);
       const Vec y = traces[c].y.segment(w.from, w.length);
-      of.x.add(y - run.residual.segment(channel * w.length, w.length), y);
+      of.x.add(y - run.residual.segment(channel * w.length, w.length), y, evaluator_.counted_of(w, channel));
       of.v = of.a = of.x;
       of.noise = noise_of(traces[c], channel);
     }
