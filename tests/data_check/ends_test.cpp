@@ -35,6 +35,19 @@ TEST(Ends, OffByMoreThanTheRestSpans) {
   EXPECT_DOUBLE_EQ(gaps[1].size, 8);
 }
 
+// A joint that sets out: its first speeds are further off than all that follow span, and those behind lead there:
+// 3 * 11 - 3 * 15.5 + 17.3 = 3.8 beside 3.
+TEST(Ends, AStartFromRestIsNone) {
+  std::vector<double> x(60);
+  for (size_t i = 0; i < x.size(); ++i) x[i] = 19 + 2 * std::sin(0.7 * static_cast<double>(i));
+  x[0] = 3, x[1] = 11, x[2] = 15.5, x[3] = 17.3;
+  EXPECT_TRUE(ends_off(x).empty());
+  std::reverse(x.begin(), x.end());
+  EXPECT_TRUE(ends_off(x).empty());
+  x.back() = -30;
+  EXPECT_EQ(ends_off(x).size(), 1u);
+}
+
 // A converter that wakes up, a last line that was cut: a displacement of 1000 m in the first or the last row.
 TEST(Ends, AGlitchThereIsAFault) {
   for (const bool last : {false, true}) {

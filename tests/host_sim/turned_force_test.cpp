@@ -94,11 +94,16 @@ host_sim::EstimateResult with(double mass, double stiffness, double std) {
   return result;
 }
 
-TEST(TurnedForceRule, AllMassesAndSpringsHaveToBeBelowNoughtBeyondChance) {
+TEST(TurnedForceRule, AllMassesHaveToBeBelowNoughtBeyondChanceAndNoSpringAboveIt) {
   EXPECT_TRUE(says_turned(with(-2, -800, 0.4)));
   EXPECT_FALSE(says_turned(with(-2, -800, 0.6)));  // -2 is three deviations and a third below nought
   EXPECT_FALSE(says_turned(with(-2, 800, 0.4)));
   EXPECT_FALSE(says_turned(with(2, 800, 0.4)));
+  host_sim::EstimateResult soft = with(-2, 30, 0.4);  // a spring that hardly shows says nothing
+  soft.parameters[1].std = 10;
+  EXPECT_TRUE(says_turned(soft));
+  soft.parameters[1].std = 7;  // 30 is more than four deviations above nought
+  EXPECT_FALSE(says_turned(soft));
 }
 
 // A known spring says which way the force acts; another test tells that (data_check/rig/rig_balance.hpp).

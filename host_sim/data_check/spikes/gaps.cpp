@@ -88,6 +88,12 @@ std::vector<Gap> ends_off(const std::vector<double>& x) {
     }
   };
   take(0, kStart), take(x.size() - kEnd, x.size());
+  // a start from rest is as far off, but the samples behind it lead there
+  const auto led_to = [&](const Gap& gap) {
+    const size_t last = gap.first + gap.width - 1;
+    return (gap.first < kStart ? off_right(x, last) : off_left(x, gap.first)) < range;
+  };
+  gaps.erase(std::remove_if(gaps.begin(), gaps.end(), led_to), gaps.end());
   return gaps;
 }
 

@@ -15,6 +15,9 @@
 namespace diagnosis::runs {
 namespace {
 
+constexpr double kMostOfAUnit = 1500;  // kilo for none, and a gain beside it
+constexpr double kTurnedBy = 0.2;      // of a cable that is turned over, and its gain
+
 // Of a link, for good.
 bool takes_energy(const Term& t) { return t.link >= 0 && !firmware::row_of(effect_of(t.kind)).nature.conservative; }
 
@@ -144,6 +147,19 @@ bool drives_a_link(const Task& task, const State& s, const std::vector<Candidate
     }
   });
   return any;
+}
+
+bool is_no_sensors(const State& with, const std::vector<Candidate>& added) {
+  const auto asked = [&](const Term& t) {
+    return std::any_of(added.begin(), added.end(), [&](const Candidate& c) { return c.terms[0].same_place(t); });
+  };
+  return std::any_of(with.model.begin(), with.model.end(), [&](const ModelTerm& t) {
+    const bool of_force = t.term.kind == Kind::kForceGain;
+    if ((!of_force && t.term.kind != Kind::kChannelGain) || !asked(t.term)) return false;
+    const double reads = of_force ? 1 / (1 - t.value) : 1 + t.value;
+    const bool turned = std::abs(reads + 1) < kTurnedBy;
+    return !turned && !(reads > 1 / kMostOfAUnit && reads < kMostOfAUnit);
+  });
 }
 
 bool cannot_be(const Task& task, const State& beside, const Attempt& with) {

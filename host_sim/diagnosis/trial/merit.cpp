@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../doubts/possible.hpp"
 #include "paired.hpp"
 
 namespace diagnosis::runs {
@@ -108,7 +109,7 @@ bool may_be_nought(const State& with, size_t added_from) {
 }
 
 bool passes(const Attempt& a, size_t already, double noise) {
-  if (!a.state.fit.ok || a.rounds) return false;
+  if (!a.state.fit.ok || a.rounds || is_no_sensors(a.state, a.candidates)) return false;
   const double n = static_cast<double>(already + a.candidates.size()), least = least_share(a.candidates.size());
   // chance would have to pass twice; but what causes named before leave may be their laws' error, which unseen windows repeat
   const bool single = a.candidates.size() == 1;
@@ -139,7 +140,9 @@ bool passes(const Attempt& a, size_t already, double noise) {
 }
 
 bool nearly(const Attempt& a) {
-  if (!a.state.fit.ok || a.rounds || a.candidates.size() != 1 || !(whole_error(a) < kPays)) return false;
+  if (!a.state.fit.ok || a.rounds || is_no_sensors(a.state, a.candidates) || a.candidates.size() != 1 ||
+      !(whole_error(a) < kPays))
+    return false;
   const bool much =
       a.z > kByChance && a.error < 1 - kShare && a.unseen < 1 - kShare;  // of a record too short to be sure
   return much || (a.z > kSure && a.unseen < 1);

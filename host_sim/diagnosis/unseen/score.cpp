@@ -66,6 +66,8 @@ class FreeRuns {
         else
           add_motion(static_cast<int>(d), w, unseen, run, compared ? &other : nullptr);
     }
+    for (DofErrors& of : dofs_)
+      for (ErrorSums* sums : {&of.x, &of.v, &of.a, &of.driven}) sums->end_record();
   }
 
   Score score() const { return score_of(dofs_, finite_); }

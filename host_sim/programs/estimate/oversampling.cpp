@@ -21,6 +21,9 @@ constexpr double kAboveNoise = 4.0;
 // motion goes up there. Noise of a second slope grows with the corner to the power of 5/2, and what it does to friction's sign with
 // that: an eighth is better for every kind of motion but sticking, whose rests a lower rate smears.
 constexpr double kRatesOfSlope = 10.0, kRatesOfSecondSlope = 8.0;
+// Where no mass smooths what friction does, the force jumps at every reversal, and a jump that a low-pass rounds over a tenth of a period
+// is taken for another law: a tenth of a swing.
+constexpr double kRatesOfJumps = 20.0;
 constexpr size_t kFewestThinned = 8 * firmware::kBlockSamples;
 constexpr size_t kLongestStretch = 2048, kShortestStretch = 256;
 
@@ -67,6 +70,16 @@ bool reaches_its_end(const std::vector<Record>& records,
   return false;
 }
 
+bool massless(const rig_file::RigModel& model) {
+  return std::all_of(model.dofs.begin(), model.dofs.end(),
+                     [](const rig_file::Dof& dof) { return !dof.mass_kg.estimate && dof.mass_kg.value == 0.0; });
+}
+
+double samples_a_period(const rig_file::RigModel& model, const firmware::CoreConfiguration& planned) {
+  if (massless(model)) return kRatesOfJumps;
+  return rig_file::differentiates_twice(planned) ? kRatesOfSecondSlope : kRatesOfSlope;
+}
+
 }  // namespace
 
 double highest_motion_Hz(const std::vector<double>& values, double sample_period_s) {
@@ -96,8 +109,7 @@ Oversampling oversampling_of(const rig_file::RigModel& model, const std::vector<
       if (channel.quantity != Quantity::kForce)
         result.motion_Hz = std::max(result.motion_Hz, highest_motion_Hz(channel.values, record.sample_period_s));
   }
-  const double rates = rig_file::differentiates_twice(planned) ? kRatesOfSecondSlope : kRatesOfSlope;
-  const double most = 1.0 / (rates * result.motion_Hz * period_s);
+  const double most = 1.0 / (samples_a_period(model, planned) * result.motion_Hz * period_s);
   size_t factor = most < 2.0 ? 1 : static_cast<size_t>(std::min(most, static_cast<double>(shortest)));
   factor = std::min(factor, most_of_motion(records));
   while (factor > 1 && thinned_samples(shortest, factor) < kFewestThinned) --factor;

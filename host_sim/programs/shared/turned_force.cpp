@@ -35,8 +35,10 @@ bool says_turned(const EstimateResult& result) {
   bool any = false;
   for (const ParameterResult& p : result.parameters) {
     if (!is_mass_or_spring(p.info.kind)) continue;
-    any = true;
-    if (!(p.value + kSure * p.std < 0.0)) return false;
+    const bool mass = p.info.kind == firmware::TermKind::kMass;
+    const double against = mass ? p.value + kSure * p.std : p.value - kSure * p.std;
+    if (against > 0.0) return false;
+    any = any || mass || p.value + kSure * p.std < 0.0;
   }
   return any;
 }

@@ -14,7 +14,8 @@ namespace host_sim {
 // gravity torques are unknown or none, at least one mass is unknown, and a force is measured.
 bool may_be_turned(const rig_file::RigModel& rig, const std::vector<Record>& records);
 
-// Every unknown mass and spring is below nought, by four deviations: no rig is like that, and with the forces' sign changed none is.
+// Every unknown mass is below nought by four deviations, and no unknown spring above it: no rig is like that, and with the forces' sign
+// changed none is. Without an unknown mass a spring has to be below it.
 bool says_turned(const EstimateResult& result);
 
 // Changes the sign of every force. Returns what to say of them.
