@@ -1,6 +1,9 @@
 // What stands off at the very ends of a record, where no neighbours are on the one side.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "host_sim/data_check/spikes/gaps.hpp"
 #include "tests/data_check/faults.hpp"
 
@@ -46,6 +49,10 @@ TEST(Ends, AStartFromRestIsNone) {
   EXPECT_TRUE(ends_off(x).empty());
   x.back() = -30;
   EXPECT_EQ(ends_off(x).size(), 1u);
+  // faster: two are far off, of which the first is led to, 3 * 17.6 - 3 * 25.5 + 26.9 = 3.2 beside 4.1
+  for (size_t i = 0; i < x.size(); ++i) x[i] = 30 + 2 * std::sin(0.7 * static_cast<double>(i));
+  x[0] = 4.1, x[1] = 17.6, x[2] = 25.5, x[3] = 26.9;
+  EXPECT_TRUE(ends_off(x).empty());
 }
 
 // A converter that wakes up, a last line that was cut: a displacement of 1000 m in the first or the last row.

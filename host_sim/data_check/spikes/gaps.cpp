@@ -79,21 +79,20 @@ std::vector<Gap> ends_off(const std::vector<double>& x) {
       std::minmax_element(x.begin() + static_cast<std::ptrdiff_t>(kStart), x.end() - static_cast<std::ptrdiff_t>(kEnd));
   const double low = *lowest, high = *highest, range = high - low;
   const auto size_at = [&](size_t i) { return std::max(x[i] - high, low - x[i]); };
+  // a start from rest is as far off, but the samples behind it lead there, or those on either side
+  const auto led_to = [&](size_t i) {
+    if ((i < kStart ? off_right(x, i) : off_left(x, i)) < range) return true;
+    return i > 0 && i + 1 < x.size() && std::abs(x[i] - 0.5 * (x[i - 1] + x[i + 1])) < range;
+  };
   const auto take = [&](size_t from, size_t to) {
     for (size_t i = from; i < to; ++i) {
-      if (!(range > 0.0 && size_at(i) > range)) continue;
+      if (!(range > 0.0 && size_at(i) > range) || led_to(i)) continue;
       const bool on = !gaps.empty() && gaps.back().first + gaps.back().width == i;
       if (!on) gaps.push_back({i, 0, 0.0});
       ++gaps.back().width, gaps.back().size = std::max(gaps.back().size, size_at(i));
     }
   };
   take(0, kStart), take(x.size() - kEnd, x.size());
-  // a start from rest is as far off, but the samples behind it lead there
-  const auto led_to = [&](const Gap& gap) {
-    const size_t last = gap.first + gap.width - 1;
-    return (gap.first < kStart ? off_right(x, last) : off_left(x, gap.first)) < range;
-  };
-  gaps.erase(std::remove_if(gaps.begin(), gaps.end(), led_to), gaps.end());
   return gaps;
 }
 
