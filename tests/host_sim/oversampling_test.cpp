@@ -83,4 +83,34 @@ TEST_F(OversampledRecord, IsTakenAsItIsWhereNothingIsDifferentiated) {
   EXPECT_EQ(result.output.find("one is taken"), std::string::npos) << result.output;
 }
 
+// A damper on a crank, without a mass that would smooth what friction does: 1830 N/m, 827 N s/m and 13.6 N at 1.37 Hz. A low-pass that
+// left ten samples of a period rounded the jumps of friction so far that other laws were suspected.
+TEST_F(OversampledRecord, OfADamperWithoutMassKeepsTheJumpsOfFriction) {
+  constexpr double kAmplitude_m = 0.004, kOmega = 2 * M_PI * 1.37;
+  workspace_.write("damper.toml",
+                   "schema = \"rig/1\"\nname = \"damper\"\n[[dof]]\nmass_kg = 0\n[[link]]\nbetween = [1, 0]\n"
+                   "stiffness_N_m = \"estimate\"\nviscous_N_s_m = \"estimate\"\ncoulomb_N = \"estimate\"\n");
+  for (unsigned seed = 1; seed <= 3; ++seed) {
+    std::mt19937_64 random(seed);
+    std::normal_distribution<double> normal;
+    std::string text = "t_s,force_1_N,displacement_1_m\n";
+    for (int k = 0; k < 20000; ++k) {
+      const double t_s = 1e-3 * k, x = kAmplitude_m * std::sin(kOmega * t_s),
+                   v = kAmplitude_m * kOmega * std::cos(kOmega * t_s);
+      char row[96];
+      std::snprintf(row, sizeof row, "%.3f,%.9g,%.9g\n", t_s,
+                    1830 * x + 827 * v + std::copysign(13.6, v) + 0.5 * normal(random),
+                    x + kAmplitude_m / 5000 * normal(random));
+      text += row;
+    }
+    workspace_.write("crank.csv", text);
+    host_sim({"estimate", "--rig", "damper.toml", "--data", "crank.csv", "--json", "out.json"});
+    const auto out = json("out.json");
+    for (const auto& p : out["parameters"]) EXPECT_NE(p["status"], "MODEL_SUSPECT") << seed << p.dump();
+    const auto& coulomb = out["parameters"][2];
+    ASSERT_EQ(coulomb["name"], "coulomb[1-0]");
+    EXPECT_NEAR(coulomb["value"].get<double>(), 13.6, 0.3) << seed;
+  }
+}
+
 }  // namespace
