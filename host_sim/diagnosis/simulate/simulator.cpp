@@ -13,23 +13,6 @@ constexpr double kAtOnce = 1e-9;  // of a substep
 
 }  // namespace
 
-Vec Simulator::guessed_state(Index sample) const {
-  Vec y = Vec::Zero(states());
-  const Index dofs = static_cast<Index>(record_.guess.size()) - 1;
-  for (Index i = 0; i < dofs; ++i) {
-    const Guess& g = record_.guess[static_cast<size_t>(i)];
-    y[i] = g.x[sample], y[nodes_ + i] = g.v[sample];
-  }
-  for (const Element& e : elements_) {
-    if (e.kind == Kind::kResonance) y[e.b] = y[e.a], y[nodes_ + e.b] = y[nodes_ + e.a];
-    if (e.kind == Kind::kPresliding) {
-      const double v = record_.guess.back().given ? record_.guess.back().v[sample] : 0;
-      y[2 * nodes_ + e.z] = relative(y, nodes_, e.a, e.b, v) < 0 ? -1 : 1;
-    }
-  }
-  return y;
-}
-
 void Simulator::start(Index sample, const Vec& y) {
   at_ = std::min(sample, record_.samples - 2) * 2 * substeps_;
   const Outside o = outside(0);

@@ -106,6 +106,7 @@ class Simulator {
   // Of what drives the rig, on the fine instants: held from sample to sample, or the parabola through the present substep.
   double drive_at(const Vec& fine, double share) const;
   double base_rate(double share) const;
+  double bent_so_far(const Element& e, Index sample) const;
   double relative(const Vec& y, Index offset, int a, int b, double base) const;
   void accelerations(const Vec& y, const Outside& o, Vec& acc, bool slopes);
   void pull_elements(const Vec& y, const Outside& o, bool slopes);
