@@ -46,6 +46,12 @@ Header names_above(std::vector<TextLine> above, const TextLine& numbers) {
   return {numbers.number, likely_separator(numbers.text, next), numbers.text, numbers.rest, numbers.before, true};
 }
 
+// CASSY Lab puts a word before its names: DEF="Zeit" t / s.
+std::string_view without_keyword(std::string_view line) {
+  constexpr std::string_view kDefines = "DEF=";
+  return line.substr(0, kDefines.size()) == kDefines ? line.substr(kDefines.size()) : line;
+}
+
 // Nothing but comments spoke of channels, none of them with a name for each column.
 Header names_of(const std::optional<NamingComment>& comment, const std::vector<TextLine>& above,
                 const TextLine& numbers) {
@@ -79,6 +85,7 @@ Header find_header(std::string_view content, const MeansChannel& means_channel) 
         return names_of(unfit, above, {number, passed_over, line, from_here});
       if (is_row_of_numbers(next)) above.clear();  // the names above were those of this one row
     }
+    line = without_keyword(line);
     const bool comment = is_comment(line);
     if (comment) line = text_of_comment(line, means_channel);
     char separator = ',';
