@@ -143,4 +143,45 @@ TEST(Dialects, NamesStandAboveAsManyNumbers) {
   EXPECT_EQ(said("Channel name,Load,Channel name,Input\nUnit,kN,Unit,V\n0,1,0,2\n0.1,1,0.1,2\n", titled), "read");
 }
 
+// Two lines of settings as wide as the table, set off by a blank line; a row of units behind another one takes no names' place.
+TEST(Dialects, NamesStandInTheLastBlockAboveTheNumbers) {
+  const std::string settings = "Logger,v1\nOperator,Miller\n\n", rows = "0,1.5\n0.5,2\n1,-3e-3\n";
+  try {
+    host_sim::parse_csv(settings + "Clock,Weg\n" + rows, "d.csv", rig());
+    ADD_FAILURE() << "accepted";
+  } catch (const host_sim::DataFileError& error) {
+    EXPECT_EQ(std::string(error.what()).find("d.csv:4: has no column of time (the first is \"Clock\")"), 0u)
+        << error.what();
+  }
+  ReadingOptions options;
+  options.columns = {{"t", "#1"}, {"displacement_1", "#2"}};
+  for (const char* blank : {"", "\n"}) {
+    const auto record =
+        host_sim::parse_csv(std::string("Clock,Weg\n") + blank + "ms,mm\n" + rows, "d.csv", rig(), options);
+    EXPECT_DOUBLE_EQ(record.sample_period_s, 5e-4);
+    EXPECT_EQ(record.find(Quantity::kDisplacement, 1)->values, (std::vector<double>{1.5e-3, 2e-3, -3e-6}));
+  }
+}
+
+// The settings of an oscilloscope stand beside the first rows of its samples: the first of them is none of the names.
+TEST(Dialects, SettingsBesideTheFirstRows) {
+  ReadingOptions options;
+  options.columns = {{"t", "4"}, {"displacement_1", "5"}};
+  options.units = {{"displacement_1", "mm"}};
+  const auto record = host_sim::parse_csv(
+      "Record Length,2500,points,-0.002,1.5\nSample Interval,0.001,s,-0.001,2\nProbe,1,,0.000,3\n,,,0.001,4\n"
+      ",,,0.002,5\n",
+      "d.csv", rig(), options);
+  EXPECT_DOUBLE_EQ(record.sample_period_s, 1e-3);
+  EXPECT_EQ(record.find(Quantity::kDisplacement, 1)->values, (std::vector<double>{1.5e-3, 2e-3, 3e-3, 4e-3, 5e-3}));
+  // trailing separators, blanks within the fields, more settings than are looked at for numbers
+  std::string text;
+  for (int i = 0; i < 18; ++i) text += "Setting,1.0e+00,, 0.00" + std::to_string(10 + i) + ", 1.5,\n";
+  for (int i = 18; i < 30; ++i) text += ",,, 0.00" + std::to_string(10 + i) + ", 2,\n";
+  options.units = {};
+  const auto longer = host_sim::parse_csv(text, "d.csv", rig(), options);
+  EXPECT_EQ(longer.samples(), 30u);
+  EXPECT_DOUBLE_EQ(longer.find(Quantity::kDisplacement, 1)->values[17], 1.5);
+}
+
 }  // namespace
