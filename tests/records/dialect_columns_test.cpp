@@ -184,4 +184,26 @@ TEST(Dialects, SettingsBesideTheFirstRows) {
   EXPECT_DOUBLE_EQ(longer.find(Quantity::kDisplacement, 1)->values[17], 1.5);
 }
 
+// Latin-1 and Windows-1252 (0x80 is the euro sign): the same letters in UTF-8, and what is UTF-8 stays as it is.
+TEST(Dialects, LettersOfOtherEncodingsAreToldInUtf8) {
+  const std::string rows = "0,250,1\n1,500,2\n";
+  for (const char* heads :
+       {"t_s,displacement_1 [\xB5m],St\xF6rung \x80\n", "t_s,displacement_1 [\xC2\xB5m],St\xC3\xB6rung \xE2\x82\xAC\n",
+        "t_s,displacement_1 [\xC2\xB5m],St\xF6rung \xE2\x82\xAC\n"}) {
+    const auto record = host_sim::parse_csv(heads + rows, "d.csv", rig());
+    ASSERT_EQ(record.notes.size(), 2u);
+    EXPECT_EQ(record.notes[0], "displacement_1_m from column \"displacement_1 [\xC2\xB5m]\" in um: values times 1e-06");
+    EXPECT_EQ(record.notes[1], "ignored: \"St\xC3\xB6rung \xE2\x82\xAC\"");
+    EXPECT_DOUBLE_EQ(record.channels[0].values[1], 5e-4);
+  }
+}
+
+// A head is told to its 40th byte at most, and to the end of a letter: "é" is its 40th and 41st.
+TEST(Dialects, ALongHeadIsCutBetweenLetters) {
+  const std::string before(39, 'x');
+  const auto record =
+      host_sim::parse_csv("t_s,displacement_1_m," + before + "\xC3\xA9\n0,1,1\n1,2,1\n", "d.csv", rig());
+  EXPECT_EQ(record.notes, std::vector<std::string>{"ignored: \"" + before + "...\""});
+}
+
 }  // namespace
