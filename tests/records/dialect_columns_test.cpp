@@ -206,4 +206,17 @@ TEST(Dialects, ALongHeadIsCutBetweenLetters) {
   EXPECT_EQ(record.notes, std::vector<std::string>{"ignored: \"" + before + "...\""});
 }
 
+// Of a hundred columns the first dozen is told, so that what to do is not lost behind them.
+TEST(Dialects, ManyColumnsAreNotAllTold) {
+  std::string heads = "t_s,displacement_1_m", rows[2] = {"0,1", "1,2"};
+  for (int i = 1; i <= 100; ++i) {
+    heads += ",Signal " + std::to_string(i);
+    for (std::string& row : rows) row += ",0";
+  }
+  const auto record = host_sim::parse_csv(heads + "\n" + rows[0] + "\n" + rows[1] + "\n", "d.csv", rig());
+  ASSERT_EQ(record.notes.size(), 1u);
+  const std::string end = "\"Signal 12\" and 88 more";
+  EXPECT_EQ(record.notes[0].substr(record.notes[0].size() - end.size()), end) << record.notes[0];
+}
+
 }  // namespace
