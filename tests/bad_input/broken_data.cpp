@@ -199,6 +199,12 @@ std::vector<Case> broken_commands() {
       command("DiagnoseDataIsMissing",
               {"diagnose", "--rig", "rig.toml", "--data", "nowhere.csv", "--json", "out.json", "--report", "page"},
               {"nowhere.csv"}),
+      // before anything is read, which may take minutes to compute with
+      command("ReportPlaceIsAFile", {"diagnose", "--rig", "rig.toml", "--data", "nowhere.csv", "--report", "data.csv"},
+              {"data.csv: expected a folder for the report", "data.csv is no folder"}),
+      command("ReportPlaceIsBehindAFile",
+              {"estimate", "--rig", "rig.toml", "--data", "nowhere.csv", "--report", "data.csv/page"},
+              {"data.csv/page: expected a folder for the report", "data.csv is no folder"}),
       command("DiagnoseHoldoutIsMissing",
               {"diagnose", "--rig", "rig.toml", "--data", "data.csv", "--holdout", "nowhere.csv", "--json", "out.json"},
               {"nowhere.csv"}),

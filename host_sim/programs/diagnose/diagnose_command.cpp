@@ -40,6 +40,7 @@ struct DiagnoseArguments {
 void diagnose(const DiagnoseArguments& arguments) {
   use_one_heap();
   const rig_file::RigModel model = read_rig(arguments.rig);
+  reports::require_place(arguments.report);
   ResultTarget json(arguments.json), extended_rig(arguments.extended_rig);
   std::FILE* const people = human_stream(json, extended_rig);
   const diagnosis::Options options;

@@ -89,6 +89,7 @@ void run(const RunArguments& arguments) {
   if (!arguments.can.empty() && !arguments.log.empty())
     throw UsageError("--can and --log stand together, expected one of them");
   const Scenario scenario = read_scenario(arguments.scenario);
+  reports::require_place(arguments.report);
   const std::string log = arguments.log.empty() ? default_log_name(scenario) : arguments.log;
   if (log == "-" && arguments.json == "-") throw UsageError("two results are to go to stdout, expected \"-\" once");
   std::FILE* const people = log == "-" || arguments.json == "-" ? stderr : stdout;
