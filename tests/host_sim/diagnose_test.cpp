@@ -81,9 +81,13 @@ TEST_F(Diagnose, TheExtendedRigIsEstimatedByTheCore) {
 TEST_F(Diagnose, NothingIsLeftBesideTheExtendedRig) {
   ASSERT_EQ(
       host_sim({"diagnose", "--rig", "rig.toml", "--data", "hidden.csv", "--extended-rig", "extended.toml"}).status, 0);
-  const auto result = host_sim({"diagnose", "--rig", "extended.toml", "--data", "hidden.csv", "--report", "report"});
+  const auto result = host_sim({"diagnose", "--rig", "extended.toml", "--data", "hidden.csv", "--report", "report",
+                                "--extended-rig", "again.toml"});
   ASSERT_EQ(result.status, 0) << result.errors;
   EXPECT_NE(result.output.find("\nnone: "), std::string::npos) << result.output;
+  EXPECT_NE(result.output.find("extended rig: again.toml (the rig as given: nothing was named that could be added)\n"),
+            std::string::npos)
+      << result.output;
   EXPECT_NE(result.output.find("would have been seen from"), std::string::npos) << result.output;
   std::istringstream lines(result.output);
   int shares = 0;
