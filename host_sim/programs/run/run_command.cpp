@@ -71,8 +71,6 @@ void write_report(const RunArguments& arguments, const Scenario& scenario, const
   reports::RunReportData data = reports::run_report_data(scenario, arguments.seed, outcome, convergence);
   data.warrant = warrant_view(result.warrant);
   data.check = data_check::check(outcome.measured.measured, &scenario.rig);
-  for (data_check::RecordReport& record : data.check->records)
-    record.file = "level " + std::to_string(&record - data.check->records.data() + 1);
   reports::write_run_report(arguments.report, data);
 }
 
