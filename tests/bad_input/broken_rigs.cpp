@@ -59,6 +59,12 @@ std::vector<Case> broken_rigs() {
       rig("ListWithoutBrackets", kHead + kMass + "[[link]]\nbetween = 1, 0\n",
           {"rig.toml:5", "expected brackets around a list, as in [1, 2]"}),
       rig("TwoValuesOnALine", kHead + "[[dof]]\nmass_kg = 2.5 kg\n" + kLink, {"rig.toml:3", "expected key = value"}),
+      rig("RigIsInLatin1",
+          kHead +
+              "name = \"Pr\xFC"
+              "fling\"\n" +
+              kMass + kLink,
+          {"rig.toml:2", "holds a letter that is not UTF-8", "saved as UTF-8"}),
       rig("RigIsBinary",
           std::string("\x7f"
                       "ELF\x01\0\0\0",

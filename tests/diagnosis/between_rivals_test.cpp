@@ -49,7 +49,7 @@ TEST(BetweenRivals, WhatARivalTakesOutOfItsIntervalIsNotVouchedFor) {
   const Diagnosis d = answer_beside({10});
   EXPECT_STREQ(status_word(d.extended.parameters[0], true), "BIAS_SUSPECT");
   ASSERT_EQ(d.advice.size(), 1u);
-  EXPECT_EQ(d.advice[0], "viscous[1-0] is 11 with the cause named, 10 with missing coulomb on link 1-0 in its place");
+  EXPECT_EQ(d.advice[0], "viscous[1-0] is 11 with the cause named, 10 with Coulomb friction on link 1-0 in its place");
 }
 
 // Who reads that one of two is missing takes the number for both.

@@ -65,6 +65,20 @@ TEST(Unanswered, AShortRecordIsSaidToBeShort) {
   EXPECT_NE(other.find("velocity or acceleration as well"), std::string::npos) << other;
 }
 
+// A car that rolls out: what no spring holds does not swing, however long the record is.
+TEST(Unanswered, WhatNoSpringHoldsIsAskedForSpeeds) {
+  EstimateResult result;
+  result.condition_number = 7.0, result.has_rates = true, result.swings = 0, result.held = false;
+  result.parameters.resize(1);
+  result.parameters[0].status = firmware::EstimateStatus::kIllConditioned;
+  const std::string text = host_sim::unanswered(result);
+  EXPECT_NE(text.find("hidden by noise"), std::string::npos) << text;
+  EXPECT_NE(text.find("record several runs, each over all speeds from the highest down to rest"), std::string::npos)
+      << text;
+  EXPECT_EQ(text.find("cycles"), std::string::npos) << text;
+  EXPECT_EQ(text.find("swing"), std::string::npos) << text;
+}
+
 // Condition 7: the columns differ well, so something scatters. Beside a force that the rig file lacks that is the force, not noise;
 // beside a channel's delay that has been taken out and explains everything, it is noise again.
 TEST(Unanswered, ScatterIsNoiseOnlyWhereNothingIsSuspected) {

@@ -81,9 +81,13 @@ TEST_F(Diagnose, TheExtendedRigIsEstimatedByTheCore) {
 TEST_F(Diagnose, NothingIsLeftBesideTheExtendedRig) {
   ASSERT_EQ(
       host_sim({"diagnose", "--rig", "rig.toml", "--data", "hidden.csv", "--extended-rig", "extended.toml"}).status, 0);
-  const auto result = host_sim({"diagnose", "--rig", "extended.toml", "--data", "hidden.csv", "--report", "report"});
+  const auto result = host_sim({"diagnose", "--rig", "extended.toml", "--data", "hidden.csv", "--report", "report",
+                                "--extended-rig", "again.toml"});
   ASSERT_EQ(result.status, 0) << result.errors;
   EXPECT_NE(result.output.find("\nnone: "), std::string::npos) << result.output;
+  EXPECT_NE(result.output.find("extended rig: again.toml (the rig as given: nothing was named that could be added)\n"),
+            std::string::npos)
+      << result.output;
   EXPECT_NE(result.output.find("would have been seen from"), std::string::npos) << result.output;
   std::istringstream lines(result.output);
   int shares = 0;
@@ -95,6 +99,28 @@ TEST_F(Diagnose, NothingIsLeftBesideTheExtendedRig) {
   EXPECT_GE(shares, 8) << result.output;
   const std::string page = workspace_.read("report/index.html");
   EXPECT_NE(page.find("What would have been seen"), std::string::npos);
+}
+
+// What would have been seen is told beside what is named: beside the rig as given the spring's own force hid all others. So it is what the
+// rig file that has the spring is told.
+TEST_F(Diagnose, WhatWouldHaveBeenSeenIsBesideWhatIsNamed) {
+  ASSERT_EQ(host_sim({"diagnose", "--rig", "rig.toml", "--data", "hidden.csv", "--json", "named.json", "--extended-rig",
+                      "extended.toml"})
+                .status,
+            0);
+  ASSERT_EQ(host_sim({"diagnose", "--rig", "extended.toml", "--data", "hidden.csv", "--json", "none.json"}).status, 0);
+  const auto named = json("named.json"), none = json("none.json");
+  ASSERT_EQ(named["verdict"], "explained");
+  ASSERT_EQ(none["verdict"], "none");
+  size_t compared = 0;
+  for (const auto& limit : none["minimum_detectable"])
+    for (const auto& other : named["minimum_detectable"]) {
+      if (limit["effect"] != other["effect"] || limit["where"] != other["where"]) continue;
+      if (!limit["strength"].is_number() || !other["strength"].is_number()) continue;
+      EXPECT_NEAR(other["strength"].get<double>() / limit["strength"].get<double>(), 1.0, 0.05) << limit["effect"];
+      ++compared;
+    }
+  EXPECT_GE(compared, 8u);
 }
 
 TEST_F(Diagnose, AFailedRunLeavesNothing) {

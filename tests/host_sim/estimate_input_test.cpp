@@ -28,6 +28,10 @@ TEST_F(Estimate, AFileGivenTwiceIsTold) {
   const auto result = host_sim({"estimate", "--rig", "rig.toml", "--data", "data.csv", "--data", "./data.csv"});
   EXPECT_EQ(result.status, 0) << result.errors;
   EXPECT_NE(result.errors.find("./data.csv: is given twice"), std::string::npos) << result.errors;
+  const auto thrice = host_sim(
+      {"estimate", "--rig", "rig.toml", "--data", "data.csv", "--data", "./data.csv", "--data", "././data.csv"});
+  EXPECT_NE(thrice.errors.find("././data.csv: is given 3 times and counts as 3 measurements"), std::string::npos);
+  EXPECT_EQ(thrice.errors.find("twice"), std::string::npos) << thrice.errors;
 }
 
 // What is said of two files is said once, with both their names.

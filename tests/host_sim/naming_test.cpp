@@ -22,17 +22,17 @@ host_sim::WarrantResult of_damping(firmware::Naming naming, double explains_perc
 TEST(NamingText, ACauseIsSuspectedWithWhatItExplains) {
   EXPECT_EQ(
       warrant_text(of_damping(firmware::Naming::kExplains, 97.0)),
-      "the board suspects quadratic_damping on link 1-0, 3 +- 0.25 N s^2/m^2, takes away 97 % of what does not fit "
-      "there; next best cubic_damping on link 1-0 (61 % of its likelihood)");
+      "the board suspects quadratic damping on link 1-0, 3 +- 0.25 N s^2/m^2, takes away 97 % of what does not fit "
+      "there; next best cubic damping on link 1-0 (61 % of its likelihood)");
 }
 
 TEST(NamingText, TheNearestIsNoSuspect) {
   const host_sim::WarrantResult nearest = of_damping(firmware::Naming::kInPart, 41.0);
   EXPECT_EQ(
       warrant_text(nearest),
-      "the rig file lacks something that none of the board's candidates explains alone (nearest: quadratic_damping "
+      "the rig file lacks something that none of the board's candidates explains alone (nearest: quadratic damping "
       "on link 1-0, 3 +- 0.25 N s^2/m^2, takes away 41 % of what does not fit there, but it leaves more than noise; "
-      "next nearest cubic_damping on link 1-0)");
+      "next nearest cubic damping on link 1-0)");
   EXPECT_NE(after_suspicion(nearest).find("looks for it"), std::string::npos);
 }
 

@@ -93,6 +93,10 @@ TEST_F(RunCommand, ReportIsOnePageThatNeedsNothingElse) {
   const std::string page = workspace_.read("page/index.html");
   EXPECT_NE(page.find("<svg"), std::string::npos);
   EXPECT_EQ(page.find("src=\"http"), std::string::npos);
+  // what the check says of a level stands at its name, without the colon behind a name that is none
+  EXPECT_NE(page.find("<td>level 1</td><td>excitation</td>"), std::string::npos);
+  EXPECT_EQ(page.find("<span class=\"sentence\">:"), std::string::npos);
+  EXPECT_EQ(page.find("<td>all records</td>"), std::string::npos);
 }
 
 TEST_F(SweepCommand, ResultDoesNotDependOnTheWorkers) {

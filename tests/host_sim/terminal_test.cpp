@@ -114,6 +114,10 @@ TEST_F(Terminal, HelpFitsEightyColumns) {
   const std::string help = host_sim({"estimate", "--help"}).output;
   EXPECT_NE(help.find("--frequency"), std::string::npos);
   EXPECT_NE(help.find("\n                              "), std::string::npos) << help;
+  // "--node INT:INT in [0 - 7]=0" leaves one blank before its meaning
+  const std::string watch = host_sim({"watch", "--help"}).output;
+  EXPECT_NE(watch.find("\n                              that is heard\n"), std::string::npos) << watch;
+  EXPECT_NE(watch.find("Keys, on a terminal:"), std::string::npos) << watch;
 }
 
 }  // namespace

@@ -53,7 +53,7 @@ TEST_F(TurningShaft, IsRightThoughItsEncoderCountsOver) {
 // 0.6 of the speed that the angle has: that goes with the energy that it gains and loses, and no delay does.
 TEST_F(TurningShaft, ASpeedInAUnitOfItsOwnIsNotLate) {
   const auto result = estimated(turning(0, 0.6));
-  EXPECT_NE(result.output.find("sensor_gain on channel angular_velocity_1_rad_s, -0.4"), std::string::npos)
+  EXPECT_NE(result.output.find("sensor gain in channel angular_velocity_1_rad_s, -0.4"), std::string::npos)
       << result.output;
   EXPECT_EQ(result.output.find("late against"), std::string::npos) << result.output;
 }

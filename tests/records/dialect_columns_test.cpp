@@ -143,4 +143,80 @@ TEST(Dialects, NamesStandAboveAsManyNumbers) {
   EXPECT_EQ(said("Channel name,Load,Channel name,Input\nUnit,kN,Unit,V\n0,1,0,2\n0.1,1,0.1,2\n", titled), "read");
 }
 
+// Two lines of settings as wide as the table, set off by a blank line; a row of units behind another one takes no names' place.
+TEST(Dialects, NamesStandInTheLastBlockAboveTheNumbers) {
+  const std::string settings = "Logger,v1\nOperator,Miller\n\n", rows = "0,1.5\n0.5,2\n1,-3e-3\n";
+  try {
+    host_sim::parse_csv(settings + "Clock,Weg\n" + rows, "d.csv", rig());
+    ADD_FAILURE() << "accepted";
+  } catch (const host_sim::DataFileError& error) {
+    EXPECT_EQ(std::string(error.what()).find("d.csv:4: has no column of time (the first is \"Clock\")"), 0u)
+        << error.what();
+  }
+  ReadingOptions options;
+  options.columns = {{"t", "#1"}, {"displacement_1", "#2"}};
+  for (const char* blank : {"", "\n"}) {
+    const auto record =
+        host_sim::parse_csv(std::string("Clock,Weg\n") + blank + "ms,mm\n" + rows, "d.csv", rig(), options);
+    EXPECT_DOUBLE_EQ(record.sample_period_s, 5e-4);
+    EXPECT_EQ(record.find(Quantity::kDisplacement, 1)->values, (std::vector<double>{1.5e-3, 2e-3, -3e-6}));
+  }
+}
+
+// The settings of an oscilloscope stand beside the first rows of its samples: the first of them is none of the names.
+TEST(Dialects, SettingsBesideTheFirstRows) {
+  ReadingOptions options;
+  options.columns = {{"t", "4"}, {"displacement_1", "5"}};
+  options.units = {{"displacement_1", "mm"}};
+  const auto record = host_sim::parse_csv(
+      "Record Length,2500,points,-0.002,1.5\nSample Interval,0.001,s,-0.001,2\nProbe,1,,0.000,3\n,,,0.001,4\n"
+      ",,,0.002,5\n",
+      "d.csv", rig(), options);
+  EXPECT_DOUBLE_EQ(record.sample_period_s, 1e-3);
+  EXPECT_EQ(record.find(Quantity::kDisplacement, 1)->values, (std::vector<double>{1.5e-3, 2e-3, 3e-3, 4e-3, 5e-3}));
+  // trailing separators, blanks within the fields, more settings than are looked at for numbers
+  std::string text;
+  for (int i = 0; i < 18; ++i) text += "Setting,1.0e+00,, 0.00" + std::to_string(10 + i) + ", 1.5,\n";
+  for (int i = 18; i < 30; ++i) text += ",,, 0.00" + std::to_string(10 + i) + ", 2,\n";
+  options.units = {};
+  const auto longer = host_sim::parse_csv(text, "d.csv", rig(), options);
+  EXPECT_EQ(longer.samples(), 30u);
+  EXPECT_DOUBLE_EQ(longer.find(Quantity::kDisplacement, 1)->values[17], 1.5);
+}
+
+// Latin-1 and Windows-1252 (0x80 is the euro sign): the same letters in UTF-8, and what is UTF-8 stays as it is.
+TEST(Dialects, LettersOfOtherEncodingsAreToldInUtf8) {
+  const std::string rows = "0,250,1\n1,500,2\n";
+  for (const char* heads :
+       {"t_s,displacement_1 [\xB5m],St\xF6rung \x80\n", "t_s,displacement_1 [\xC2\xB5m],St\xC3\xB6rung \xE2\x82\xAC\n",
+        "t_s,displacement_1 [\xC2\xB5m],St\xF6rung \xE2\x82\xAC\n"}) {
+    const auto record = host_sim::parse_csv(heads + rows, "d.csv", rig());
+    ASSERT_EQ(record.notes.size(), 2u);
+    EXPECT_EQ(record.notes[0], "displacement_1_m from column \"displacement_1 [\xC2\xB5m]\" in um: values times 1e-06");
+    EXPECT_EQ(record.notes[1], "ignored: \"St\xC3\xB6rung \xE2\x82\xAC\"");
+    EXPECT_DOUBLE_EQ(record.channels[0].values[1], 5e-4);
+  }
+}
+
+// A head is told to its 40th byte at most, and to the end of a letter: "é" is its 40th and 41st.
+TEST(Dialects, ALongHeadIsCutBetweenLetters) {
+  const std::string before(39, 'x');
+  const auto record =
+      host_sim::parse_csv("t_s,displacement_1_m," + before + "\xC3\xA9\n0,1,1\n1,2,1\n", "d.csv", rig());
+  EXPECT_EQ(record.notes, std::vector<std::string>{"ignored: \"" + before + "...\""});
+}
+
+// Of a hundred columns the first dozen is told, so that what to do is not lost behind them.
+TEST(Dialects, ManyColumnsAreNotAllTold) {
+  std::string heads = "t_s,displacement_1_m", rows[2] = {"0,1", "1,2"};
+  for (int i = 1; i <= 100; ++i) {
+    heads += ",Signal " + std::to_string(i);
+    for (std::string& row : rows) row += ",0";
+  }
+  const auto record = host_sim::parse_csv(heads + "\n" + rows[0] + "\n" + rows[1] + "\n", "d.csv", rig());
+  ASSERT_EQ(record.notes.size(), 1u);
+  const std::string end = "\"Signal 12\" and 88 more";
+  EXPECT_EQ(record.notes[0].substr(record.notes[0].size() - end.size()), end) << record.notes[0];
+}
+
 }  // namespace

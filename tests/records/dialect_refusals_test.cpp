@@ -50,6 +50,12 @@ TEST(Dialects, RefusesWithTheReason) {
        "t_s;force_1_N\n0;1.5\n1;1,5\n",
        {},
        "d.csv:3: column force_1_N is \"1,5\", expected a finite number with a decimal point"},
+      {"decimal commas between commas",
+       "t_s,force_1_N\n0,000,1,5\n0,001,2,5\n",
+       {},
+       "d.csv:2: has more fields, expected 2 numbers separated by commas, as many as line 1 has names; where commas "
+       "are the "
+       "decimal points too, save it with semicolons between the fields"},
       {"no time", "force_1_N,velocity_1_m_s\n1,2\n1,2\n", {}, "expected t_s, then channels, or --sample-rate"},
       {"a value missing amid others",
        "t_s;force_1_N;velocity_1_m_s\n0;1;\n1;1;2\n2;1;\n3;1;2\n",

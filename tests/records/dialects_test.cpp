@@ -109,6 +109,17 @@ TEST(Dialects, AllSayTheSame) {
        "X_Dimension\tTime\tTime\nX0\t0.0\t0.0\n***End_of_Header***\t\t\nX_Value\tForce 1\tDisplacement 1\tComment\n"
        "0\t0.0015\t-250\n0.5\t0.002\t500\n1\t-3e-6\t750\n",
        "in kN: values times 1000"},
+      {"a row of units with a clock's pattern",
+       "Time,Force 1,Displacement 1\nhh:mm:ss.f,N,mm\n10:59:59.5,1.5,-250\n11:00:00.0,2,500\n11:00:00.5,-3e-3,750\n",
+       "in mm: values times 0.001"},
+      {"a clock's pattern in the head",
+       "Zeit [hh:mm:ss];force_1_N;displacement_1_m\n10:59:59,5;1,5;-0,25\n11:00:00;2;0,5\n11:00:00,5;-3e-3;0,75\n",
+       nullptr},
+      {"CASSY Lab, with quotes around the names' words",
+       "MIN=0\t-5\t-1\nMAX=900\t1\t5\nSCALE=900\t0,5\t5\nDEC=1\t3\t4\n"
+       "DEF=\"Zeit\" t / s\t\"Force 1\" / kN\t\"Displacement 1\" / "
+       "mm\n0\t0,0015\t-250\n0,5\t0,002\t500\n1\t-3e-6\t750\n",
+       "in kN: values times 1000"},
       {"CRLF", with_line_ends(kPlain, "\r\n"), nullptr},
       {"CR", with_line_ends(kPlain, "\r"), nullptr},
       {"UTF-8 mark", "\xEF\xBB\xBF" + kPlain, nullptr},

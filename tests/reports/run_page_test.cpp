@@ -70,6 +70,17 @@ TEST(EstimatePage, HasEveryPart) {
   EXPECT_FALSE(contains(own_part(page), "nan"));
 }
 
+// Maps and residuals are of one record: which, is said where there are several.
+TEST(EstimatePage, MapsAndResidualsNameTheirRecord) {
+  EstimateReportData data;
+  data.views = made_up_views();
+  EXPECT_FALSE(contains(estimate_page(data), "the first of"));
+  data.views.one_record = "level_1.csv, the first of 3 records";
+  const std::string page = own_part(estimate_page(data));
+  EXPECT_TRUE(contains(page, "at an elongation. Of level_1.csv, the first of 3 records."));
+  EXPECT_TRUE(contains(page, "accelerates it). Of level_1.csv, the first of 3 records."));
+}
+
 // Coherent up to 50 Hz: the running mean over 16 bins falls below a half some 8 bins later, and an eighth is added.
 TEST(EstimatePage, AResponseEndsWhereNothingDrives) {
   EstimateReportData data;

@@ -39,9 +39,16 @@ TEST(Verdict, AShortHeadlineThenTheRest) {
   data.causes.push_back({"backlash", "link 2-3", 5.0, {}});
   data.causes.push_back({"mass_error", "dof 2", 2.0, {}});
   EXPECT_EQ(verdict_headline(data), "The rig file lacks cubic stiffness on link 1-2 and 2 more");
-  EXPECT_TRUE(contains(verdict_details(data), "backlash on link 2-3 and mass error on DOF 2."));
+  EXPECT_TRUE(contains(verdict_details(data),
+                       "It lacks cubic stiffness on link 1-2 and backlash on link 2-3 and has a mass error on DOF 2."));
+  data.causes.erase(data.causes.begin() + 1);
+  EXPECT_EQ(verdict_headline(data), "The rig file lacks cubic stiffness on link 1-2 and has a mass error on DOF 2");
+  data.causes.erase(data.causes.begin());
+  EXPECT_EQ(verdict_headline(data), "The rig file has a mass error on DOF 2");
+  data.causes = {{"missing_coulomb", "link 1-0", 90.0, {}}};  // what is missing is not lacked a second time
+  EXPECT_EQ(verdict_headline(data), "The rig file lacks Coulomb friction on link 1-0");
+  data.causes = {{"cubic_stiffness", "link 1-2", 90.0, {}}};
   data.verdict = "ambiguous";
-  data.causes.resize(1);
   data.ambiguous_with = {{"cubic_stiffness", "link 1-2"}, {"end_stop", "link 1-2"}, {"mass_error", "dof 2"}};
   EXPECT_EQ(verdict_details(data),
             "It is one of these: cubic stiffness on link 1-2, end stop on link 1-2 or mass error on DOF 2.");

@@ -49,6 +49,11 @@ void refuse(const Place& place, const toml::node& node, std::string_view key, co
 
 namespace {
 
+// Letters as Latin-1 and Windows-1252 write them.
+bool is_other_encoding(const toml::parse_error& error) {
+  return error.description().find("utf-8") != std::string_view::npos;
+}
+
 // What was meant by a line that is no TOML: the slips of people who have not met it.
 std::string expected_on(std::string_view text, unsigned line) {
   for (; line > 1 && text.find('\n') != std::string_view::npos; --line) text.remove_prefix(text.find('\n') + 1);
@@ -73,6 +78,9 @@ toml::table parse_toml(std::string_view text, const std::string& file) {
   try {
     return toml::parse(text, file);
   } catch (const toml::parse_error& error) {
+    if (is_other_encoding(error))
+      throw RigFileError(file, error.source().begin.line, "",
+                         "holds a letter that is not UTF-8, expected a file saved as UTF-8 (or letters of ASCII)");
     throw RigFileError(file, error.source().begin.line, "",
                        "not valid TOML (" + std::string(error.description()) + "), expected " +
                            expected_on(text, error.source().begin.line));
@@ -80,9 +88,14 @@ toml::table parse_toml(std::string_view text, const std::string& file) {
 }
 
 toml::table parse_toml_file(const std::string& path) {
+  std::error_code ignored;
+  const bool folder = std::filesystem::is_directory(path, ignored);
   std::ifstream stream(path, std::ios::binary);
-  if (!stream || std::filesystem::is_directory(path))
-    throw RigFileError(path, 0, "", "cannot be read, expected a TOML file");
+  if (!stream || folder)
+    throw RigFileError(path, 0, "",
+                       folder                                   ? "is a folder, expected a TOML file"
+                       : std::filesystem::exists(path, ignored) ? "cannot be opened, expected a readable TOML file"
+                                                                : "does not exist, expected a TOML file");
   const std::string content((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
   return parse_toml(content, path);
 }

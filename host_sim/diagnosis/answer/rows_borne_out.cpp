@@ -170,7 +170,7 @@ bool answered_by_rows(const Asked& asked, const Task& task, std::vector<Prepared
   for (Cause& c : d.causes) take_numbers(numbers, theirs, c.parameters);
   const size_t found = found_by(choice.base.model, say).list.size();
   if (found == 1) mark_rows_rivals(task, choice, with_them, d);
-  raise_limits(task, choice.base, d.minimum_detectable);
+  raise_limits(task, with_them, d.minimum_detectable);  // as the rows' are: beside what is named
   compare_unseen(task, choice.base, with_them, !d.causes.empty(), choice.base_left.sensor_noise, d);
   const bool as_given = !rounded && !refitted && found == 0;
   choice.final = with_them;

@@ -4,7 +4,7 @@
 
 namespace diagnosis::runs {
 
-// Raises the rows' limits to what the runs over the windows of the rig as given would bear out in 95 of 100 such records.
+// Raises the rows' limits to what the runs over the windows would bear out in 95 of 100 such records, beside the causes that `base` has.
 void raise_limits(const Task& task, const State& base, std::vector<DetectionLimit>& limits);
 // The limits of the runs alone, where no rows were asked: of every law without a shape, at every place. Infinite where the fitted
 // numbers of the rig make the same motion (a spring beside an unknown mass, at one frequency).

@@ -11,6 +11,7 @@
 #include "../first_values/start.hpp"
 #include "../terms/naming.hpp"
 #include "../trial/attempt.hpp"
+#include "host_sim/vocabulary/said.hpp"
 #include "numbers_of.hpp"
 
 namespace diagnosis::runs {
@@ -23,12 +24,6 @@ bool bent(diagnosis::Parameter& p, double by) {
   return beyond;
 }
 
-std::string words(const NamedPlace& p) {
-  std::string effect = p.effect;
-  std::replace(effect.begin(), effect.end(), '_', ' ');
-  return effect + " on " + p.where;
-}
-
 // What a number is beside each of the rivals that take it out of its interval.
 struct Elsewhere {
   double value = 0;
@@ -37,7 +32,8 @@ struct Elsewhere {
 using ElsewhereByName = std::map<std::string, std::vector<Elsewhere>>;
 
 void mark(const Task& task, const Rival& r, Diagnosis& d, ElsewhereByName& elsewhere) {
-  const std::string rival = words(named_place(task, r.candidate.terms[0]));
+  const NamedPlace place = named_place(task, r.candidate.terms[0]);
+  const std::string rival = vocabulary::said(place.effect, place.where);
   for (const Move& m : r.moves)
     for (diagnosis::Parameter& p : d.extended.parameters)
       if (p.name == m.name && bent(p, m.by)) elsewhere[p.name].push_back({p.value + m.by, rival});

@@ -89,7 +89,8 @@ Record only(const std::vector<Channel>& wanted, const Record& simulated) {
 
 Record measured_level(const Scenario& scenario, size_t level, uint64_t seed, const Excitation& excitation,
                       Record record) {
-  std::map<double, Record> delayed;  // by delay: the same motion at shifted sample times
+  record.file = "level " + std::to_string(level + 1);  // as messages call it
+  std::map<double, Record> delayed;                    // by delay: the same motion at shifted sample times
   for (Channel& channel : record.channels) {
     const SensorChannel& sensor = sensor_of(scenario, channel.name);
     if (sensor.delay_us != 0.0) {

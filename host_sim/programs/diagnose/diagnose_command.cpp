@@ -40,6 +40,7 @@ struct DiagnoseArguments {
 void diagnose(const DiagnoseArguments& arguments) {
   use_one_heap();
   const rig_file::RigModel model = read_rig(arguments.rig);
+  reports::require_place(arguments.report);
   ResultTarget json(arguments.json), extended_rig(arguments.extended_rig);
   std::FILE* const people = human_stream(json, extended_rig);
   const diagnosis::Options options;
@@ -89,7 +90,9 @@ void diagnose(const DiagnoseArguments& arguments) {
   extended_rig.deliver(rig_file::format_rig(found.extended_rig));
   std::string text = diagnosis_text(data, is_terminal(people), wrap_width(people));
   if (!arguments.report.empty()) text += "report: " + arguments.report + "/index.html\n";
-  if (extended_rig.wanted() && !extended_rig.to_stdout()) text += "extended rig: " + arguments.extended_rig + "\n";
+  if (extended_rig.wanted() && !extended_rig.to_stdout())
+    text += "extended rig: " + arguments.extended_rig +
+            (found.causes.empty() ? " (the rig as given: nothing was named that could be added)\n" : "\n");
   write_text(people, text);
   if (reports::tells_nothing(data))
     throw CannotAnswer("these records determine no coefficient of the rig: record what the advice asks for");

@@ -104,6 +104,7 @@ void estimate(const EstimateArguments& arguments) {
   use_one_heap();
   rig_file::RigModel model = read_rig(arguments.rig);
   rig_file::require_unknowns(model);
+  reports::require_place(arguments.report);
   std::vector<Record> read = read_data(arguments.data, model, arguments.reading);
   require_same_channels(read);
   ResultTarget json(arguments.json), log(arguments.log);

@@ -13,6 +13,7 @@
 #include "host_sim/records/files/data_file_error.hpp"
 #include "host_sim/records/parts_kept.hpp"
 #include "host_sim/records/record_checks.hpp"
+#include "host_sim/vocabulary/held_in_place.hpp"
 
 namespace host_sim {
 namespace {
@@ -35,8 +36,10 @@ Estimation estimate_as_told(const rig_file::RigModel& model, const std::vector<R
   if (!begins_in_motion(model, records)) return run_core(model, records, options, false);
   Estimation estimation = run_core(backwards(model), backwards(records), options, true);
   estimation.result.notes.push_back(
-      "nothing drives the rig and not all of its displacements are measured: the records are read from their end, "
-      "where the motion that is integrated has come to rest");
+      std::string(
+          "nothing drives the rig and not all of its displacements are measured: the records are read from their "
+          "end, where the motion that is integrated ") +
+      (vocabulary::held_in_place(model) ? "has come to rest" : "is slowest"));
   return estimation;
 }
 

@@ -9,6 +9,8 @@
 #include "host_sim/programs/results/advice.hpp"
 #include "host_sim/programs/results/level_ratio.hpp"
 #include "host_sim/programs/results/reasons.hpp"
+#include "host_sim/programs/shared/any_force.hpp"
+#include "host_sim/vocabulary/held_in_place.hpp"
 
 namespace host_sim {
 namespace {
@@ -68,6 +70,8 @@ EstimateResult result_of(const rig_file::RigModel& model, const firmware::Estima
   result.inseparable = estimates.inseparable;
   result.rows = estimates.rows;
   result.has_rates = has_rates(records), result.swings = fewest_swings(records);
+  result.held = vocabulary::held_in_place(model);
+  result.force_known = records.empty() || any_force(records) || states_a_coefficient(model);
   result.skews = skews_of(model, estimates, records);
   result.warrant = warrant_of(model, estimates.warrant);
   result.advice = advice_text(model, estimates, result.skews, level_ratio(records));
@@ -103,6 +107,7 @@ std::string unanswered(const EstimateResult& result) {
                          !hidden_by_noise(EstimateStatus::kIllConditioned, result);
   if (entangled) text += "\n  hardly seen is the change " + result.unresolved;
   const bool noise = hidden_by_noise(EstimateStatus::kIllConditioned, result);
+  if (!result.force_known) return text;  // no other level or frequency brings one
   if (!result.advice.empty() && !(noise && names.size() == 1 && names.count(EstimateStatus::kIllConditioned) == 1))
     text += "\n  measure instead: " + result.advice;
   return text;

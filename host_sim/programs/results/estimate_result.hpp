@@ -41,6 +41,8 @@ struct EstimateResult {
   bool inseparable = false;                        // the data cannot tell some of the parameters apart
   bool has_rates = false;                          // every displacement has a velocity or an acceleration beside it
   std::optional<size_t> swings;                    // of the DOF that swings least often, in all records
+  bool held = true;                                // springs tie every DOF to the ground: what moves swings
+  bool force_known = true;                         // some force is measured, or has its coefficient in the rig file
   bool integrates = false;                         // a velocity or displacement is made from the rates of it alone
   std::vector<std::optional<double>> mse_percent;  // per DOF, Eq. 13; nothing where it cannot be had (see mse_note)
   std::vector<double> paper_mse_percent;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "hal/rig_file/coefficient_walk.hpp"
 #include "host_sim/programs/shared/swing.hpp"
 
 namespace host_sim {
@@ -14,7 +15,17 @@ constexpr double kWellConditioned = 10.0;
 
 constexpr size_t kEnoughSwings = 20;  // docs/quickstart.md asks for as many cycles
 
+// What no spring holds has no cycles to count, and nothing that raises its level where it rolls out.
+std::string said_of_noise_unheld(const EstimateResult& result) {
+  return std::string(
+             "hidden by noise: the energies of these data scatter as much as they are; record several runs, each "
+             "over all speeds from the highest down to rest, ") +
+         (result.has_rates ? "" : "measure velocity or acceleration as well, ") +
+         "or filter all channels alike and record slower (diagnose asks for less)";
+}
+
 std::string said_of_noise(const EstimateResult& result) {
+  if (!result.held) return said_of_noise_unheld(result);
   std::string lacks;
   if (result.swings && *result.swings < kEnoughSwings) {
     const std::string count = *result.swings == 0   ? "not one swing"
@@ -42,6 +53,10 @@ bool hidden_by_noise(EstimateStatus status, const EstimateResult& result) {
 }
 
 std::string reason(EstimateStatus status, const EstimateResult& result) {
+  if (status == EstimateStatus::kIllConditioned && !result.force_known)
+    return "no force is known: none is measured, and the rig file states no mass, spring or damper, so that nothing "
+           "but the "
+           "ratios of its coefficients shows in the motion; record the force, or state one of them";
   if (hidden_by_noise(status, result) && suspects(result.warrant))
     return "lost in what the rig file lacks: that scatters in these energies more than the number itself; more of the "
            "same data will not help before the rig file has it";
@@ -59,6 +74,8 @@ std::string reason(EstimateStatus status, const EstimateResult& result) {
       return "no window closed; record several cycles of the lowest frequency at least, in one piece (diagnose asks "
              "for less)";
     case EstimateStatus::kIllConditioned:
+      if (!result.held)
+        return "these data cannot separate it from the others; a record over a wider range of speeds can";
       return "these data cannot separate it from the others; a record at another level and another frequency, or of a "
              "random band, can";
     case EstimateStatus::kNoExcitation:
@@ -69,6 +86,14 @@ std::string reason(EstimateStatus status, const EstimateResult& result) {
     default:
       return "";
   }
+}
+
+bool states_a_coefficient(const rig_file::RigModel& model) {
+  bool any = false;
+  rig_file::walk_coefficients(model, [&](const rig_file::CoefficientSite&, const rig_file::Coefficient& coefficient) {
+    any = any || (!coefficient.estimate && coefficient.value != 0.0);
+  });
+  return any;
 }
 
 bool has_rates(const std::vector<Record>& records) {

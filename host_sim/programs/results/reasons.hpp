@@ -13,6 +13,8 @@ bool hidden_by_noise(firmware::EstimateStatus status, const EstimateResult& resu
 // Empty where it has one.
 std::string reason(firmware::EstimateStatus status, const EstimateResult& result);
 
+// Whether the rig file tells any force of its own.
+bool states_a_coefficient(const rig_file::RigModel& model);
 // Whether every DOF with a displacement has a velocity or an acceleration beside it.
 bool has_rates(const std::vector<Record>& records);
 // Of the DOF that swings least often, in all records together.

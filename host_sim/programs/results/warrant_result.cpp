@@ -7,6 +7,7 @@
 #include "firmware/vocabulary/effect_table.hpp"
 #include "hal/rig_file/channel_name.hpp"
 #include "hal/rig_file/scaled_double.hpp"
+#include "host_sim/vocabulary/said.hpp"
 
 namespace host_sim {
 namespace {
@@ -118,8 +119,9 @@ namespace {
 
 std::string finding_text(const WarrantResult& warrant) {
   const FindingResult& named = warrant.named;
-  std::string text = named.effect + " on " + named.where + fmt::format(", {:.4g} +- {:.2g}", named.size, named.std) +
-                     (named.unit.empty() ? "" : " ") + named.unit + slip_text(named);
+  std::string text = vocabulary::said(named.effect, named.where) +
+                     fmt::format(", {:.4g} +- {:.2g}", named.size, named.std) + (named.unit.empty() ? "" : " ") +
+                     named.unit + slip_text(named);
   const bool told_apart = warrant.naming != firmware::Naming::kTakenUp && warrant.naming != firmware::Naming::kNoFault;
   if (warrant.explained || !told_apart || warrant.explains_percent == 0.0) return text;
   return text + fmt::format(", takes away {:.0f} % of what does not fit there", warrant.explains_percent);
@@ -138,8 +140,8 @@ std::string warrant_text(const WarrantResult& warrant) {
                      finding_text(warrant) + ", but " + why_not_the_cause(warrant);
   if (warrant.explained) return text + ": corrected, and nothing else is found";
   if (!warrant.rival.effect.empty()) {
-    text +=
-        "; next " + std::string(is_cause ? "best " : "nearest ") + warrant.rival.effect + " on " + warrant.rival.where;
+    text += "; next " + std::string(is_cause ? "best " : "nearest ") +
+            vocabulary::said(warrant.rival.effect, warrant.rival.where);
     if (is_cause) text += fmt::format(" ({:.0f} % of its likelihood)", warrant.rival_percent);
   }
   return text + (is_cause ? "" : ")");

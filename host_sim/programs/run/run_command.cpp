@@ -71,8 +71,6 @@ void write_report(const RunArguments& arguments, const Scenario& scenario, const
   reports::RunReportData data = reports::run_report_data(scenario, arguments.seed, outcome, convergence);
   data.warrant = warrant_view(result.warrant);
   data.check = data_check::check(outcome.measured.measured, &scenario.rig);
-  for (data_check::RecordReport& record : data.check->records)
-    record.file = "level " + std::to_string(&record - data.check->records.data() + 1);
   reports::write_run_report(arguments.report, data);
 }
 
@@ -89,6 +87,7 @@ void run(const RunArguments& arguments) {
   if (!arguments.can.empty() && !arguments.log.empty())
     throw UsageError("--can and --log stand together, expected one of them");
   const Scenario scenario = read_scenario(arguments.scenario);
+  reports::require_place(arguments.report);
   const std::string log = arguments.log.empty() ? default_log_name(scenario) : arguments.log;
   if (log == "-" && arguments.json == "-") throw UsageError("two results are to go to stdout, expected \"-\" once");
   std::FILE* const people = log == "-" || arguments.json == "-" ? stderr : stdout;

@@ -1,5 +1,7 @@
 #include "host_sim/programs/shared/data_options.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -83,11 +85,15 @@ bool same_file(const std::string& a, const std::string& b) {
 
 // Its intervals are narrower than one measurement's, and no righter.
 void tell_twice(const std::vector<std::string>& paths) {
-  for (size_t i = 0; i < paths.size(); ++i)
-    for (size_t j = 0; j < i; ++j)
-      if (same_file(paths[i], paths[j]))
-        std::fprintf(stderr, "%s: is given twice and counts as two measurements: the intervals are too narrow\n",
-                     paths[i].c_str());
+  for (auto path = paths.begin(); path != paths.end(); ++path) {
+    const auto same = [&](const std::string& other) { return same_file(other, *path); };
+    if (std::any_of(path + 1, paths.end(), same)) continue;  // it is told where it stands last
+    const auto before = std::count_if(paths.begin(), path, same);
+    if (before == 0) continue;
+    const std::string times =
+        before == 1 ? "twice and counts as two" : fmt::format("{0} times and counts as {0}", before + 1);
+    std::fprintf(stderr, "%s: is given %s measurements: the intervals are too narrow\n", path->c_str(), times.c_str());
+  }
 }
 
 // What is said of the files; they are said when it goes, also where another file could not be read. Several files may have the same

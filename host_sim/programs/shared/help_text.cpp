@@ -8,12 +8,16 @@
 namespace host_sim {
 namespace {
 
+constexpr size_t kMeanings = 30;  // the column where CLI11 begins what an option means
+
 // Column where the continuation of a line begins.
 size_t hang_of(const std::string& line) {
   const size_t begin = std::min(line.find_first_not_of(' '), line.size());
   const size_t gap = line.find("  ", begin);
   const size_t text = gap == std::string::npos ? gap : line.find_first_not_of(' ', gap);
   if (text != std::string::npos) return text;
+  const bool filled = begin > 0 && begin < kMeanings && line.size() > kMeanings && line[kMeanings - 1] == ' ';
+  if (filled) return kMeanings;          // by an option that leaves one blank
   return begin > 4 ? begin : begin + 2;  // the meaning of an option, on a line of its own, keeps its column
 }
 

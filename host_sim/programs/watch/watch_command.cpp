@@ -122,7 +122,9 @@ void add_watch_command(CLI::App& app, Action& chosen) {
   command->add_option("--seconds", settings->seconds, "how long --once listens to an interface")
       ->capture_default_str()
       ->check(CLI::Range(0.1, 86400.0));
-  command->footer("Example: candump -L can0 | host_sim watch -");
+  command->footer(
+      "Keys, on a terminal: w closes the window now; s, x, r start, stop, reset the node; Tab the next node; q leaves\n"
+      "Example: candump -L can0 | host_sim watch -");
   command->callback([settings, &chosen] { chosen = [settings] { watch(*settings); }; });
 }
 

@@ -17,6 +17,6 @@ HeadParts parts_of(const Column& column);
 
 // The head, quoted.
 std::string quoted_head(const Column& column);
-std::string quoted_heads(const std::vector<Column>& columns);  // with commas between
+std::string quoted_heads(const std::vector<Column>& columns);  // with commas between; of many the first dozen
 
 }  // namespace host_sim

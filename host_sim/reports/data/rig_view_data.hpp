@@ -46,6 +46,7 @@ struct RigViews {
   std::vector<ModeRow> modes;
   std::vector<ForceStateMap> maps;
   std::vector<ResidualSpectrum> residuals;
+  std::string one_record;  // "level_1.csv, the first of 3 records": what maps and residuals are of; empty: there is one
   std::vector<std::string> notes;  // what these sensors cannot show, and why
   bool of_extended_rig = false;    // the simulated curves are those of the extended rig
 };

@@ -14,6 +14,9 @@ void write_diagnosis_report(const std::string& directory, const DiagnosisReportD
 void write_estimate_report(const std::string& directory, const EstimateReportData& data);
 void write_run_report(const std::string& directory, const RunReportData& data);
 
+// Throws OutputError where no page can come there, before what is to stand in it is computed. "": none is wanted.
+void require_place(const std::string& directory);
+
 // The same pages as text, for tests.
 std::string diagnosis_page(const DiagnosisReportData& data);
 std::string estimate_page(const EstimateReportData& data);

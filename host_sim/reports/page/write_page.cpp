@@ -1,4 +1,6 @@
 // Puts a page in its place all at once, and the data of its pictures beside it.
+#include <unistd.h>
+
 #include <filesystem>
 #include <fstream>
 #include <set>
@@ -7,6 +9,7 @@
 #include "host_sim/records/files/output_file.hpp"
 #include "host_sim/reports/figures/figure_csv.hpp"
 #include "host_sim/reports/page/page.hpp"
+#include "host_sim/reports/page/report.hpp"
 
 namespace host_sim::reports {
 namespace {
@@ -34,14 +37,26 @@ void write_figures(const fs::path& folder, const std::vector<Plot>& plots, std::
   for (const std::string& name : earlier) fs::remove(folder / name, failure);
 }
 
+[[noreturn]] void refuse_place(const std::string& directory, const std::string& reason) {
+  throw OutputError(directory + ": expected a folder for the report, or a place to make one" +
+                    (reason.empty() ? "" : " (" + reason + ")"));
+}
+
 }  // namespace
+
+void require_place(const std::string& directory) {
+  if (directory.empty()) return;
+  std::error_code failure;
+  fs::path place = fs::absolute(directory, failure);
+  while (!fs::exists(place, failure) && place.has_relative_path()) place = place.parent_path();
+  if (!fs::is_directory(place, failure)) refuse_place(directory, place.string() + " is no folder");
+  if (::access(place.c_str(), W_OK | X_OK) != 0) refuse_place(directory, place.string() + " is not writable");
+}
 
 void write_page(const std::string& directory, const Page& page) {
   std::error_code failure;
   const bool made = fs::create_directories(directory, failure);
-  if (failure || !fs::is_directory(directory))
-    throw OutputError(directory + ": expected a folder for the report, or a place to make one" +
-                      (failure ? " (" + failure.message() + ")" : std::string()));
+  if (failure || !fs::is_directory(directory)) refuse_place(directory, failure ? failure.message() : "");
   const std::set<std::string> earlier = earlier_figures(directory);
   try {
     write_output_file((fs::path(directory) / "index.html").string(), page.finish());

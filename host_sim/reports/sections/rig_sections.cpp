@@ -105,14 +105,18 @@ Plot map_picture(const ForceStateMap& map, const std::vector<double>& values, do
   return plot;
 }
 
-void add_maps(Page& page, const std::vector<ForceStateMap>& maps) {
-  if (maps.empty()) return;
+// Behind what a section says: of which record it is, where there are several.
+std::string told_of(const RigViews& views) { return views.one_record.empty() ? "" : " Of " + views.one_record + "."; }
+
+void add_maps(Page& page, const RigViews& views) {
+  if (views.maps.empty()) return;
   page.section(
       "maps", "Force-state maps",
       "Restoring force of each link over its elongation and rate, the mean of the samples in each cell. A "
       "linear spring and damper make straight, even stripes; friction makes a step across rate zero, a gap or a "
-      "stop bends the stripes at an elongation.");
-  for (const ForceStateMap& map : maps) {
+      "stop bends the stripes at an elongation." +
+          told_of(views));
+  for (const ForceStateMap& map : views.maps) {
     double largest = 0.0;
     for (double value : map.measured)
       if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
@@ -121,12 +125,13 @@ void add_maps(Page& page, const std::vector<ForceStateMap>& maps) {
   }
 }
 
-void add_residuals(Page& page, const std::vector<ResidualSpectrum>& residuals) {
-  if (residuals.empty()) return;
-  page.section("residuals", "Force that no term explains, over frequency",
-               "Beside it the force that drives the DOF (without a drive: the force that accelerates it).");
+void add_residuals(Page& page, const RigViews& views) {
+  if (views.residuals.empty()) return;
+  page.section(
+      "residuals", "Force that no term explains, over frequency",
+      "Beside it the force that drives the DOF (without a drive: the force that accelerates it)." + told_of(views));
   std::vector<Plot> plots;
-  for (const ResidualSpectrum& residual : residuals) {
+  for (const ResidualSpectrum& residual : views.residuals) {
     Plot plot;
     plot.title = "DOF " + std::to_string(residual.dof);
     plot.x_label = "frequency";
@@ -147,8 +152,8 @@ void add_residuals(Page& page, const std::vector<ResidualSpectrum>& residuals) {
 void add_rig_sections(Page& page, const RigViews& views) {
   add_modes(page, views.modes);
   add_responses(page, views.responses, views.of_extended_rig ? Role::kExtended : Role::kGiven);
-  add_maps(page, views.maps);
-  add_residuals(page, views.residuals);
+  add_maps(page, views);
+  add_residuals(page, views);
   if (views.notes.empty()) return;
   std::string list;
   for (const std::string& note : views.notes) list += "<li>" + escaped(note) + "</li>\n";

@@ -9,6 +9,7 @@
 #include "host_sim/reports/figures/numbers.hpp"
 #include "host_sim/reports/sections/at_fault.hpp"
 #include "host_sim/reports/sections/verdict_asides.hpp"
+#include "host_sim/vocabulary/said.hpp"
 
 namespace host_sim::reports {
 namespace {
@@ -45,16 +46,37 @@ std::string missed_text(const std::vector<DofGain>& gains, bool extended) {
   return out;
 }
 
+// A number of the rig file that is off: it has that error, which everything else is that it lacks.
+bool is_error(const std::string& effect) { return effect == "mass_error" || effect == "stiffness_error"; }
+
 struct Named {
-  std::vector<std::string> effects, faults;  // of the rig file, of sensors and drives
+  std::vector<std::string> lacks, errors, faults;  // of the rig file; of sensors and drives
   AtFault at_fault;
+  size_t effects() const { return lacks.size() + errors.size(); }
 };
 Named named_in(const std::vector<Cause>& causes) {
   Named named;
-  for (const Cause& cause : causes)
-    (named.at_fault.add(cause.effect, cause.where) ? named.faults : named.effects)
-        .push_back(cause_text(cause.effect, cause.where));
+  for (const Cause& cause : causes) {
+    const std::string text = cause_text(cause.effect, cause.where);
+    if (named.at_fault.add(cause.effect, cause.where))
+      named.faults.push_back(text);
+    else if (is_error(cause.effect))
+      named.errors.push_back("a " + text);
+    else
+      named.lacks.push_back(text);
+  }
   return named;
+}
+
+// "lacks backlash on link 1-2 and has a mass error on DOF 2"
+std::string lacks_text(const std::string& lacks, const std::string& errors) {
+  return (lacks.empty() ? "" : "lacks " + lacks) + (lacks.empty() || errors.empty() ? "" : " and ") +
+         (errors.empty() ? "" : "has " + errors);
+}
+
+// The first of them, what it lacks before what it has.
+std::string first_text(const Named& named) {
+  return named.lacks.empty() ? lacks_text("", named.errors.front()) : lacks_text(named.lacks.front(), "");
 }
 
 // A headline names two causes at most.
@@ -69,18 +91,20 @@ std::string capitalised(std::string text) {
 }
 
 std::string headline_of_causes(const Named& named) {
-  if (named.faults.empty()) return "The rig file lacks " + few(named.effects);
-  if (named.effects.empty()) return capitalised(at_fault_text(named.at_fault)) + ": " + few(named.faults);
-  return "The rig file lacks " + few({named.effects.front()}) +
-         (named.effects.size() > 1 ? " and " + std::to_string(named.effects.size() - 1) + " more" : "") +
+  const size_t effects = named.effects();
+  if (effects == 0) return capitalised(at_fault_text(named.at_fault)) + ": " + few(named.faults);
+  if (named.faults.empty() && effects <= 2)
+    return "The rig file " + lacks_text(listed(named.lacks, "and"), listed(named.errors, "and"));
+  return "The rig file " + first_text(named) + (effects > 1 ? " and " + std::to_string(effects - 1) + " more" : "") +
          (named.faults.empty() ? "" : "; " + at_fault_text(named.at_fault));
 }
 
 // What the headline had no room for.
 std::string rest_of_causes(const Named& named) {
   std::string out;
-  const bool both = !named.faults.empty() && !named.effects.empty();
-  if (named.effects.size() > (both ? 1u : 2u)) out += "It lacks " + listed(named.effects, "and") + ".";
+  const bool both = !named.faults.empty() && named.effects() > 0;
+  if (named.effects() > (both ? 1u : 2u))
+    out += "It " + lacks_text(listed(named.lacks, "and"), listed(named.errors, "and")) + ".";
   if (both || named.faults.size() > 2)
     out += (out.empty() ? "At fault: " : " At fault: ") + listed(named.faults, "and") + ".";
   return out;
@@ -132,11 +156,7 @@ std::string joined(std::initializer_list<std::string> sentences) {
 
 std::string cause_text(const std::string& effect, const std::string& where) {
   if (effect == kForceHold) return "a hold of the force between samples (" + where + ")";
-  std::string words = effect;
-  std::replace(words.begin(), words.end(), '_', ' ');
-  return where.empty() ? words
-                       : words + (of_channel(where) ? " in " : " on ") +
-                             (where.rfind("dof ", 0) == 0 ? "DOF" + where.substr(3) : where);
+  return vocabulary::said(effect, where);
 }
 
 namespace {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 
 #include "host_sim/force_balance/derivative.hpp"
@@ -121,6 +122,9 @@ RigViews rig_views(const rig_file::RigModel& rig, const std::vector<Record>& rec
   add_responses(rig, records, simulated, views);
   const Record& first = records.front();
   if (first.samples() <= 2 * kDerivativeMargin) return views;
+  if (records.size() > 1)
+    views.one_record = std::filesystem::path(first.file).filename().string() + ", the first of " +
+                       std::to_string(records.size()) + " records";
   const ForceBalance balance = force_balance(rig, first);
   add_maps(rig, first, balance, views);
   if (motion_measured(rig, first)) add_residuals(rig, first, balance, views);

@@ -35,11 +35,11 @@ void note_unread_force(const rig_file::RigModel& model, const std::vector<Column
 }  // namespace
 
 void note_ignored(const rig_file::RigModel& model, const std::vector<Column>& columns, ColumnPlan& plan) {
-  std::string heads;
+  std::vector<Column> ignored;
   for (size_t i = 0; i < columns.size(); ++i)
     if (plan.uses[i].kind == ColumnUse::Kind::kIgnored && !trimmed_text(columns[i].head).empty())
-      heads += (heads.empty() ? "" : ", ") + quoted_head(columns[i]);
-  if (!heads.empty()) plan.notes.push_back("ignored: " + heads);
+      ignored.push_back(columns[i]);
+  if (!ignored.empty()) plan.notes.push_back("ignored: " + quoted_heads(ignored));
   note_unread_force(model, columns, plan);
 }
 

@@ -18,6 +18,12 @@ std::optional<size_t> column_of_time(const std::vector<Column>& columns, const C
   return std::nullopt;
 }
 
+// "hh:mm:ss", "[h:mm:ss.f]", "dd.mm.yyyy hh:mm": how a clock is written, which the rows tell by themselves.
+bool says_clock(const std::string& unit) {
+  return unit.find(':') != std::string::npos &&
+         unit.find_first_not_of("YyJjMmDdTtHhSsFfXx0:.,'/- ()[]") == std::string::npos;
+}
+
 }  // namespace
 
 void take_time(const ColumnContext& context, const std::vector<Column>& columns, std::optional<size_t> chosen,
@@ -33,7 +39,7 @@ void take_time(const ColumnContext& context, const std::vector<Column>& columns,
   for (const auto& [name, text] : context.options.units)
     if (is_time_choice(name)) unit = text;
   if (unit.empty()) unit = head.unit;
-  if (unit.empty()) unit = "s";
+  if (unit.empty() || says_clock(unit)) unit = "s";
   const auto known = find_scaled_unit(unit, Dimension::kTime);
   if (!known || known->dimension != Dimension::kTime)
     context.refuse("column " + quoted(head.name) + " is in " + quoted(unit) +

@@ -5,12 +5,19 @@
 #include "host_sim/records/columns/quoted.hpp"
 #include "host_sim/records/csv/layout/lvm_header.hpp"
 #include "host_sim/records/csv/text/around_values.hpp"
+#include "host_sim/records/csv/text/text_lines.hpp"
 
 namespace host_sim {
 namespace {
 
 const char* separator_word(char separator) {
   return separator == ',' ? "commas" : separator == ';' ? "semicolons" : separator == '\t' ? "tabs" : "blanks";
+}
+
+// Fields beyond the names, and no point in any of them: "0,001,0,25" is two numbers.
+bool holds_decimal_commas(const CsvTable& table, const Row& row) {
+  if (table.layout.separator != ',' || row.text.find('.') != std::string_view::npos) return false;
+  return split_fields(row.text, ',').size() > table.targets.size();
 }
 
 }  // namespace
@@ -46,7 +53,10 @@ void refuse_count(const CsvTable& table, const Row& row, size_t fields) {
       row.line,
       (fields == count ? "has more fields, expected " : "has " + std::to_string(fields) + " fields, expected ") +
           std::to_string(count) + " numbers separated by " + separator_word(table.layout.separator) +
-          (table.samples == 0 ? ", as many as line " + std::to_string(table.layout.header_line) + " has names" : ""));
+          (table.samples == 0 ? ", as many as line " + std::to_string(table.layout.header_line) + " has names" : "") +
+          (holds_decimal_commas(table, row)
+               ? "; where commas are the decimal points too, save it with semicolons between the fields"
+               : ""));
 }
 
 void refuse_segment(const CsvTable& table, size_t line) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdint>
+#include <cstring>
 
 namespace host_sim {
 namespace {
@@ -49,6 +50,57 @@ std::string from_utf16(std::string_view content, bool big) {
   return out;
 }
 
+// How many bytes at the front are one letter of UTF-8; 0: they are none.
+size_t letter_length(std::string_view text) {
+  const auto first = static_cast<uint8_t>(text.front());
+  const size_t length = first < 0x80   ? 1
+                        : first < 0xC2 ? 0
+                        : first < 0xE0 ? 2
+                        : first < 0xF0 ? 3
+                        : first < 0xF5 ? 4
+                                       : 0;
+  if (length > text.size()) return 0;
+  for (size_t i = 1; i < length; ++i)
+    if ((static_cast<uint8_t>(text[i]) & 0xC0) != 0x80) return 0;
+  return length;
+}
+
+// The first byte that is no letter of UTF-8, or the end. Eight by eight: nearly all of a table is ASCII.
+size_t first_foreign(std::string_view text, size_t from) {
+  for (size_t at = from; at < text.size();) {
+    uint64_t eight = 0;
+    if (at + sizeof eight <= text.size()) {
+      std::memcpy(&eight, text.data() + at, sizeof eight);
+      if ((eight & 0x8080808080808080) == 0) {
+        at += sizeof eight;
+        continue;
+      }
+    }
+    const size_t length = letter_length(text.substr(at));
+    if (length == 0) return at;
+    at += length;
+  }
+  return text.size();
+}
+
+// Bytes that are no UTF-8 are Windows-1252's, which has Latin-1's letters and more signs.
+std::string with_windows_letters(std::string_view content, size_t foreign) {
+  constexpr uint16_t kSigns[32] = {0x20AC, 0x81,   0x201A, 0x0192, 0x201E, 0x2026, 0x2020, 0x2021,
+                                   0x02C6, 0x2030, 0x0160, 0x2039, 0x0152, 0x8D,   0x017D, 0x8F,
+                                   0x90,   0x2018, 0x2019, 0x201C, 0x201D, 0x2022, 0x2013, 0x2014,
+                                   0x02DC, 0x2122, 0x0161, 0x203A, 0x0153, 0x9D,   0x017E, 0x0178};
+  std::string out;
+  out.reserve(content.size() + content.size() / 64);
+  for (size_t at = 0; at < content.size(); foreign = first_foreign(content, at)) {
+    out.append(content, at, foreign - at);
+    if (foreign == content.size()) break;
+    const auto byte = static_cast<uint8_t>(content[foreign]);
+    append_utf8(byte < 0xA0 ? kSigns[byte - 0x80] : byte, out);
+    at = foreign + 1;
+  }
+  return out;
+}
+
 }  // namespace
 
 std::string_view as_utf8(std::string_view content, std::string& buffer) {
@@ -60,10 +112,13 @@ std::string_view as_utf8(std::string_view content, std::string& buffer) {
   if (content.substr(0, 3) == "\xEF\xBB\xBF") content.remove_prefix(3);
   const std::string_view head = content.substr(0, 1 << 16);
   if (head.find('\n') == std::string_view::npos && head.find('\r') != std::string_view::npos) {
-    if (encoding == Encoding::kBytes) buffer.assign(content.data(), content.size());
-    const size_t skipped = encoding == Encoding::kBytes ? 0 : static_cast<size_t>(content.data() - buffer.data());
+    buffer = std::string(content);
     std::replace(buffer.begin(), buffer.end(), '\r', '\n');
-    content = std::string_view(buffer).substr(skipped);
+    content = buffer;
+  }
+  if (const size_t foreign = first_foreign(content, 0); foreign < content.size()) {
+    buffer = with_windows_letters(content, foreign);
+    content = buffer;
   }
   return content;
 }
