@@ -7,7 +7,8 @@
 namespace diagnosis::runs {
 namespace {
 
-constexpr double kForgotten = 5;  // of a bristle's length: what a link has moved since leaves 1 % of how it was bent before
+constexpr double kForgotten =
+    5;  // of a bristle's length: what a link has moved since leaves 1 % of how it was bent before
 
 }  // namespace
 
