@@ -113,11 +113,13 @@ bool stands_beside(const ScoreTest& test, int unknown, const ParameterEstimate& 
   return test.names_a_force() && !(test.named_bend(unknown) > parameter.std);
 }
 
-// What the score tests' own fit says of the value would make it wrong.
-bool fits_differ(const ScoreTest& test, int unknown, const ParameterEstimate& parameter) {
+// What the score tests' own fit says of the value would make it wrong. Where any one quantity is all, from two and a half deviations on.
+// Else from four, whose size few stretches may tell: by Student's quantile it is not yet BIAS_SUSPECT then.
+bool fits_differ(const ScoreTest& test, int unknown, const ParameterEstimate& parameter, bool one_quantity) {
   const Scaled difference = beyond_doubt(abs(test.difference(unknown)), test.difference_doubt(unknown));
   const Scaled& std = test.difference_std(unknown);
-  return difference > std * Scaled::ratio(5, 2) && is_wrong_by(difference + std, parameter);
+  const Scaled deviations = one_quantity ? Scaled::ratio(5, 2) : Scaled::from_int(kWrongDeviations);
+  return difference > std * deviations && is_wrong_by(difference + std, parameter);
 }
 
 // The score tests' own fit hardly determines the coefficient: their instrument does not follow a motion of so few samples a period, and
@@ -198,9 +200,9 @@ void give_verdict(const CoreConfiguration& configuration, const ScoreSums& sums,
       continue;
     }
     if (test.best() >= 0 && !stands_beside(test, k, parameter)) raise(parameter, EstimateStatus::kModelSuspect);
-    if (is_wrong_by(test.possible_bend(k), parameter) ||
-        (derived && (fits_differ(test, k, parameter) || hardly_tested(test, k, parameter))) ||
-        (twice_derived && blind(configuration, test, k)) || (estimates.inseparable && test.mimics(k)))
+    if (is_wrong_by(test.possible_bend(k), parameter) || fits_differ(test, k, parameter, derived) ||
+        (derived && hardly_tested(test, k, parameter)) || (twice_derived && blind(configuration, test, k)) ||
+        (estimates.inseparable && test.mimics(k)))
       raise(parameter, EstimateStatus::kUntested);
     if (instruments_differ(test, k, parameter)) raise(parameter, EstimateStatus::kBiasSuspect);
     // A second level asks the model another question.
