@@ -49,4 +49,31 @@ TEST(Nought, AnIntervalBelowItIsUntestedWithItsNeighboursAndAccusesNobody) {
   EXPECT_LE(below, 10);
 }
 
+// Friction of -1 +- 0.1 N accuses the model, which lacks something. Read from its end, a record begins where friction holds springs bent by a
+// force that nobody knows: that makes the same number, of a right model.
+TEST(Nought, ARestThatSpringsPullAtAccusesNobody) {
+  hidden_rig::Settings settings;
+  settings.masses = 1;
+  hidden_rig::Draw draw = hidden_rig::make_draw(7690, settings);
+  for (rig_file::Link& link : draw.rig.links) link.coulomb_N.estimate = true;
+  const warrant_test::CoreRun run = warrant_test::run_core(draw);
+  const firmware::ScoreTests& tests = run.core->score_tests();
+  for (const bool back : {false, true}) {
+    firmware::CoreConfiguration configuration = run.configuration;
+    configuration.time_runs_back = back;
+    firmware::Estimates estimates = run.core->estimates();
+    for (int t = 0; t < configuration.term_count; ++t) {
+      if (configuration.terms[t].kind != firmware::TermKind::kCoulomb) continue;
+      firmware::ParameterEstimate& p = estimates.parameters[configuration.terms[t].unknown];
+      p.value = firmware::Scaled::from_int(back ? 1 : -1);
+      p.std = firmware::Scaled::ratio(1, 10);
+      p.ci95_low = p.value - p.std * 2, p.ci95_high = p.value + p.std * 2;
+    }
+    give_verdict(configuration, tests.sums(), tests.test(), {true, true, 2}, estimates);
+    for (int k = 0; k < estimates.unknown_count; ++k)
+      EXPECT_EQ(estimates.parameters[k].status == EstimateStatus::kModelSuspect, !back) << k;
+    EXPECT_NE(estimates.parameters[0].status, EstimateStatus::kValid);
+  }
+}
+
 }  // namespace
