@@ -66,25 +66,40 @@ bool pushes(const CoreConfiguration& configuration, const ProbePlan& plan, const
   return false;
 }
 
-// A damper or friction that no link has and that would push, a mass below nothing, a dead band that adds to the force: what is
-// seen there is another cause.
-bool impossible(const CoreConfiguration& configuration, const ProbePlan& plan, const Probe& probe,
-                const ProbeScore& score, const Scaled* parameter) {
-  const Place& place = plan.place[probe.place];
-  const Scaled twice = scale_by_power_of_two(score.std, 1), most = score.effect + twice;
-  if (place.kind == PlaceKind::kNoLink)
-    return (forwards(configuration, TermKind::kViscous, score.effect) + twice).is_negative();
-  if (probe.form == Form::kForceWithinGap) return most.is_negative();
-  if (place.kind != PlaceKind::kDof || probe.form != Form::kAcceleration) return false;
-  for (int t = 0; t < configuration.term_count; ++t) {
-    const Term& term = configuration.terms[t];
-    if (term.kind != TermKind::kMass || term.place != place.node_a) continue;
-    return (most + (term.unknown >= 0 ? parameter[term.unknown] : term.value)).is_negative();
-  }
-  return false;
+// The term that a probe of this form adds to, where physics keeps their sum positive; false: there is none.
+bool term_like(Form form, PlaceKind kind, TermKind& term) {
+  const bool rubs = form == Form::kSign || form == Form::kSignNarrow || form == Form::kSignWide;
+  term = rubs ? TermKind::kCoulomb : form == Form::kRate ? TermKind::kViscous : TermKind::kStiffness;
+  if (rubs || form == Form::kRate) return kind == PlaceKind::kLink || kind == PlaceKind::kNoLink;
+  if (form == Form::kElongation) return kind == PlaceKind::kLink;
+  term = TermKind::kMass;
+  return form == Form::kAcceleration && kind == PlaceKind::kDof;
 }
 
 }  // namespace
+
+// A damper or friction that would push together with what is there, a mass or a spring below nothing, a dead band that adds to the force:
+// what is seen there is another cause. A pendulum's gravity holds it as a spring does.
+bool ScoreTest::impossible(int number) const {
+  const Probe& probe = sums_->plan().probe[number];
+  const ProbeScore& score = score_[number];
+  const Place& place = sums_->plan().place[probe.place];
+  const Scaled twice = scale_by_power_of_two(score.std, 1);
+  if (probe.form == Form::kForceWithinGap) return (score.effect + twice).is_negative();
+  TermKind kind;
+  if (probe.drifts() || !term_like(probe.form, place.kind, kind)) return false;
+  Scaled of_rig;
+  for (int t = 0; t < configuration_->term_count; ++t) {
+    const Term& term = configuration_->terms[t];
+    const bool holds = kind == TermKind::kStiffness && term.kind == TermKind::kGravity;
+    const bool here = kind == TermKind::kMass ? term.place == place.node_a
+                                              : place.kind == PlaceKind::kLink && term.place == place.link;
+    if (here && (term.kind == kind || holds)) of_rig += term.unknown >= 0 ? parameter_[term.unknown] : term.value;
+  }
+  // A pendulum that stands on its pivot has a spring below nothing.
+  if (forwards(*configuration_, kind, of_rig).is_negative()) return false;
+  return (forwards(*configuration_, kind, of_rig + score.effect) + twice).is_negative();
+}
 
 bool one_quantity(const CoreConfiguration& configuration, Quantity which) {
   for (int node = 0; node < configuration.dof_count; ++node) {
@@ -223,9 +238,7 @@ void ScoreTest::name() {
   for (int j = 0; j < plan.probe_count; ++j) any = any || score_[j].flagged;
   if (!any) return;
   bool any_possible = false;
-  for (int j = 0; j < plan.probe_count; ++j)
-    any_possible =
-        any_possible || (score_[j].flagged && !impossible(*configuration_, plan, plan.probe[j], score_[j], parameter_));
+  for (int j = 0; j < plan.probe_count; ++j) any_possible = any_possible || (score_[j].flagged && !impossible(j));
   // Channels that contradict each other need no model of the rig to be named.
   const auto of_channels = [&](int j) {
     return compares_channels(plan.place_of(j).kind) && score_[j].tested &&
@@ -233,7 +246,7 @@ void ScoreTest::name() {
   };
   const auto sees = [&](int j) {
     if (of_channels(j)) return true;
-    if (any_possible && impossible(*configuration_, plan, plan.probe[j], score_[j], parameter_)) return false;
+    if (any_possible && impossible(j)) return false;
     return score_[j].flagged || (score_[j].matters && exceeds(score_[j].wald, Scaled::from_int(kNamingLimit)));
   };
   const auto better = [&](int j, int than) {

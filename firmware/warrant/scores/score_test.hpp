@@ -155,6 +155,7 @@ class ScoreTest {
   void keep_unbounded(const ProbeScore& score);
   void judge_size(int number);
   void name();
+  bool impossible(int probe) const;
   bool is_all_of_it(int probe) const;
   void doubt_named_link();
   void find_named_bends();
