@@ -100,6 +100,24 @@ TEST(Naming, WhatCannotBeExplainsNothing) {
   EXPECT_GT(pushed, 1);
 }
 
+// The drive's dead band is what of its force does not reach the mass. Where none is, the load cell reads what the links take.
+TEST(Naming, ADriveWithoutAMassHasNoDeadBand) {
+  Settings settings;
+  settings.masses = 1;
+  firmware::CoreConfiguration configuration = run_core(hidden_rig::make_draw(9310, settings)).configuration;
+  const auto dead_bands = [&] {
+    const auto plan = std::make_unique<firmware::ProbePlan>();
+    firmware::make_probe_plan(configuration, 4096, *plan);
+    int count = 0;
+    for (int j = 0; j < plan->probe_count; ++j) count += plan->probe[j].form == firmware::Form::kForceWithinGap;
+    return count;
+  };
+  EXPECT_EQ(dead_bands(), 1);
+  for (int t = 0; t < configuration.term_count; ++t)
+    if (configuration.terms[t].kind == firmware::TermKind::kMass) configuration.terms[t].value = {};
+  EXPECT_EQ(dead_bands(), 0);
+}
+
 // The mark: of the withdrawn rigs with all channels the cause is named right in three quarters, and hardly ever another one.
 TEST(Naming, ThreeOfFourAreNamedRightAndFewWrong) {
   int withdrawn = 0, right = 0, wrong = 0;
