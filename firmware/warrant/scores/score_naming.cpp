@@ -208,11 +208,31 @@ Scaled ScoreTest::force_ratio(int number) const {
   return damping.is_zero() ? kScaledOne : sqrt(force_square(number) / damping);
 }
 
+// A rig that is let go comes to rest where friction holds its springs bent, by up to its own force: a constant force of that size beside it
+// says nothing against the model.
+bool ScoreTest::is_held_by_friction(int number) const {
+  const Probe& probe = sums_->plan().probe[number];
+  if (probe.form != Form::kConstant || configuration_->window.mode != WindowMode::kFreeDecay) return false;
+  const Place& place = sums_->plan().place[probe.place];
+  Scaled friction;
+  for (int t = 0; t < configuration_->term_count; ++t) {
+    const Term& term = configuration_->terms[t];
+    if (term.kind != TermKind::kCoulomb) continue;
+    const LinkConfiguration& link = configuration_->links[term.place];
+    bool beside = false;
+    for (int e = 0; e < place.equations; ++e)
+      beside = beside || link.node_a == place.dof[e] || link.node_b == place.dof[e];
+    if (beside) friction += abs(term.unknown >= 0 ? parameter_[term.unknown] : term.value);
+  }
+  return exceeds(friction, score_[number].effect);
+}
+
 void ScoreTest::judge_size(int number) {
   ProbeScore& score = score_[number];
   const Probe& probe = sums_->plan().probe[number];
   if (pushes(*configuration_, sums_->plan(), probe, score, parameter_)) score.tested = false;
   if (!score.tested) return;
+  if (is_held_by_friction(number)) return;
   if (compares_channels(sums_->plan().place[probe.place].kind))
     score.matters = exceeds(score.effect, percent(kGainPercent));
   else

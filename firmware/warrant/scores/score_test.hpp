@@ -156,6 +156,7 @@ class ScoreTest {
   void judge_size(int number);
   void name();
   bool impossible(int probe) const;
+  bool is_held_by_friction(int probe) const;
   bool is_all_of_it(int probe) const;
   void doubt_named_link();
   void find_named_bends();
