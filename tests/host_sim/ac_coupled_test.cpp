@@ -90,6 +90,20 @@ TEST(PairCorrections, TellAHighPassFromADelay) {
   EXPECT_NEAR(corrections.front().late_us, 2000, 200);
 }
 
+// 10 Hz of 1 mm and an acceleration that leads by 0.03 rad: 480 us, or a high-pass of 0.3 Hz. One tone does not tell.
+TEST(PairCorrections, OfNoToneThatLeads) {
+  std::mt19937 random(3);
+  std::normal_distribution<double> noise;
+  Record tone = driven(0.0);
+  tone.channels.erase(tone.channels.begin() + 2);
+  for (size_t k = 0; k < tone.samples(); ++k) {
+    const double phase = kTwoPi * 10 * 0.002 * static_cast<double>(k);
+    tone.channels[1].values[k] = 1e-3 * std::sin(phase) + 1e-6 * noise(random);
+    tone.channels[2].values[k] = -3.948 * std::sin(phase + 0.03) + 4e-3 * noise(random);
+  }
+  EXPECT_TRUE(host_sim::pair_corrections({tone}).empty());
+}
+
 // An acceleration may be late, and is not offered as early.
 TEST(PairCorrections, OfferALateAcceleration) {
   Record late = driven(0.0);

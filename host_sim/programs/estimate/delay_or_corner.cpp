@@ -11,12 +11,13 @@ namespace {
 constexpr double kNeeded = 4.0, kNotNeeded = 2.0;
 // Of what the delay alone explains. Less is what a series and sums of samples leave of a delay.
 constexpr double kMattersShare = 0.1;
+// Of the delay's column, what gain and high-pass cannot make: that of two tones of one strength a factor of 1.45 apart.
+constexpr double kOwnShare = 0.125;
 constexpr size_t kParts = 16, kFewestSamples = 16 * kParts;
 
-// The acceleration as g times the displacement's side, its derivatives (the series of a delay), less wc times its own integral, and what a
-// sensor's zero makes of that integral: a parabola.
-enum Column { kGain, kDelay, kCurve, kThird, kCorner, kOne, kTime, kSquare, kColumns };
-constexpr size_t kReach = 2;  // samples, of the third difference
+// The acceleration as g times the displacement's side, its slope, less wc times its own integral, and what a sensor's zero makes of that
+// integral: a parabola. Of one tone and its harmonics slope and integral are the same.
+enum Column { kGain, kDelay, kCorner, kOne, kTime, kSquare, kColumns };
 using Row = Eigen::Matrix<double, kColumns, 1>;
 using Square = Eigen::Matrix<double, kColumns, kColumns>;
 
@@ -36,26 +37,25 @@ void DelayAndCorner::add(const std::vector<double>& of_x, const std::vector<doub
   if (n < kFewestSamples) return;
   std::vector<Row> rows(n, Row::Zero());
   double integral = 0.0;
-  for (size_t i = kReach; i + kReach < n; ++i) {
+  for (size_t i = 1; i + 1 < n; ++i) {
     integral += 0.5 * sample_period_s * (of_a[i - 1] + of_a[i]);
     const double t = 2.0 * static_cast<double>(i) / static_cast<double>(n) - 1.0;
-    const double slope = (of_x[i + 1] - of_x[i - 1]) / 2.0, curve = of_x[i + 1] - 2.0 * of_x[i] + of_x[i - 1];
-    const double third = (of_x[i + 2] - of_x[i - 2]) / 2.0 - 2.0 * slope;
-    rows[i] << of_x[i], slope / sample_period_s, curve, third, integral, 1.0, t, t * t;
+    rows[i] << of_x[i], (of_x[i + 1] - of_x[i - 1]) / (2.0 * sample_period_s), integral, 1.0, t, t * t;
   }
   Square normal = Square::Zero();
   Row right = Row::Zero();
-  for (size_t i = kReach; i + kReach < n; ++i) normal += rows[i] * rows[i].transpose(), right += rows[i] * of_a[i];
+  for (size_t i = 1; i + 1 < n; ++i) normal += rows[i] * rows[i].transpose(), right += rows[i] * of_a[i];
   const Row scale = normal.diagonal().cwiseSqrt().cwiseInverse();
   if (!scale.allFinite()) return;
   const Square inverse =
       scale.asDiagonal() * (scale.asDiagonal() * normal * scale.asDiagonal()).inverse() * scale.asDiagonal();
+  if (!(1.0 > kOwnShare * inverse(kDelay, kDelay) * normal(kDelay, kDelay))) return;
   const Row fit = inverse * right;
   Square scatter = Square::Zero();
   for (size_t part = 0; part < kParts; ++part) {
     Row score = Row::Zero();
     for (size_t i = part * n / kParts; i < (part + 1) * n / kParts; ++i)
-      if (i >= kReach && i + kReach < n) score += rows[i] * (of_a[i] - rows[i].dot(fit));
+      if (i > 0 && i + 1 < n) score += rows[i] * (of_a[i] - rows[i].dot(fit));
     scatter += score * score.transpose();
   }
   const Square covariance = inverse * scatter * inverse;
