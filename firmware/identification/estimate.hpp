@@ -95,7 +95,7 @@ enum class Naming : uint8_t {
   kInPart = 1,    // it leaves more than noise
   kOutdone = 2,   // another force stands out more
   kTakenUp = 3,   // the estimated coefficients take up most of it, and the rest is what integration makes of noise
-  kNoFault = 4,   // of a channel that nobody measures, or larger than a fault of its kind can be
+  kNoFault = 4,  // of a channel that nobody measures, or larger than a fault of its kind can be; a force that cannot be
 };
 struct Warrant {
   bool tested = false;  // there was enough to test the model with

@@ -1,6 +1,8 @@
 // A cause is named where it explains what does not fit; else the nearest candidate is told as such. Drawn rigs with known truth.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <memory>
 #include <string>
 
 #include "core_run.hpp"
@@ -64,6 +66,56 @@ TEST(Naming, AChannelThatNobodyMeasuresIsNotOff) {
   const firmware::Warrant warrant = warrant_of(300026, "v");
   EXPECT_EQ(warrant.named.quantity, static_cast<uint8_t>(firmware::Quantity::kAcceleration));
   EXPECT_EQ(warrant.naming, Naming::kNoFault);
+}
+
+// A load cell that reads 0.3 of its rms too little with the motion and too much against it: friction below nought on a link that has none.
+// No rig has that, and no number beside it is spared.
+TEST(Naming, WhatCannotBeExplainsNothing) {
+  int pushed = 0;
+  for (uint64_t seed = 9300; seed < 9306; ++seed) {
+    Settings settings;
+    settings.masses = 2;
+    hidden_rig::Draw draw = hidden_rig::make_draw(seed, settings);
+    host_sim::Record& record = draw.records.front();
+    const host_sim::Channel* const velocity = record.find(host_sim::Quantity::kVelocity, 1);
+    if (draw.true_rig.links[0].F != 0 || record.find(host_sim::Quantity::kForce, 1) == nullptr) continue;
+    for (host_sim::Channel& channel : record.channels) {
+      if (channel.quantity != host_sim::Quantity::kForce || channel.dof != 1) continue;
+      double square = 0;
+      for (const double f : channel.values) square += f * f;
+      const double push_N = 0.3 * std::sqrt(square / static_cast<double>(channel.values.size()));
+      for (size_t k = 0; k < channel.values.size(); ++k)
+        channel.values[k] -= std::copysign(push_N, velocity->values[k]);
+      ++pushed;
+    }
+    const auto run = run_core(draw);
+    const firmware::Estimates& e = run.core->estimates();
+    EXPECT_NE(e.warrant.named.cause, firmware::Cause::kNone) << seed;
+    if (e.warrant.named.size.is_negative()) {
+      EXPECT_NE(e.warrant.naming, Naming::kExplains) << seed;
+    }
+    for (int k = 0; k < e.unknown_count; ++k)
+      EXPECT_NE(e.parameters[k].status, firmware::EstimateStatus::kValid) << seed << " " << k;
+  }
+  EXPECT_GT(pushed, 1);
+}
+
+// The drive's dead band is what of its force does not reach the mass. Where none is, the load cell reads what the links take.
+TEST(Naming, ADriveWithoutAMassHasNoDeadBand) {
+  Settings settings;
+  settings.masses = 1;
+  firmware::CoreConfiguration configuration = run_core(hidden_rig::make_draw(9310, settings)).configuration;
+  const auto dead_bands = [&] {
+    const auto plan = std::make_unique<firmware::ProbePlan>();
+    firmware::make_probe_plan(configuration, 4096, *plan);
+    int count = 0;
+    for (int j = 0; j < plan->probe_count; ++j) count += plan->probe[j].form == firmware::Form::kForceWithinGap;
+    return count;
+  };
+  EXPECT_EQ(dead_bands(), 1);
+  for (int t = 0; t < configuration.term_count; ++t)
+    if (configuration.terms[t].kind == firmware::TermKind::kMass) configuration.terms[t].value = {};
+  EXPECT_EQ(dead_bands(), 0);
 }
 
 // The mark: of the withdrawn rigs with all channels the cause is named right in three quarters, and hardly ever another one.

@@ -34,6 +34,14 @@ bool ModelTerms::estimated(const CoreTerm& core, int number) const {
   return false;
 }
 
+bool ModelTerms::weighs(int dof) const {
+  for (int t = 0; t < c_.term_count; ++t) {
+    const Term& term = c_.terms[t];
+    if (term.kind == TermKind::kMass && term.place == dof && (term.unknown >= 0 || !term.value.is_zero())) return true;
+  }
+  return false;
+}
+
 bool ModelTerms::known_term_in(int dof) const {
   for (int t = 0; t < c_.term_count; ++t) {
     const Term& term = c_.terms[t];

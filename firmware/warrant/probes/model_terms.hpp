@@ -18,6 +18,7 @@ class ModelTerms {
   bool has_term(TermKind kind, int link) const;
   // The rig estimates a coefficient of this very force.
   bool estimated(const CoreTerm& core, int number) const;
+  bool weighs(int dof) const;  // a mass is known or estimated there
   // Without one all coefficients take up a gain of the force, and what they leave of the force is the residual itself.
   bool known_term_in(int dof) const;
   // Where no force is measured and this is all that is known, motion tells ratios to it: whatever it is, the others go with it.

@@ -85,6 +85,8 @@ class Planner {
     if (!c_.signals[place.node_a][static_cast<int>(quantity)].available) return false;
     if (form == Form::kAcceleration)
       return !model_.estimated(kMass, place.node_a) && !model_.sets_the_scale(TermKind::kMass, place.node_a);
+    // Where nothing weighs, a load cell reads what the links take: no part of that is without effect.
+    if (form == Form::kForceWithinGap) return model_.weighs(place.dof[0]);
     return form != Form::kForce || model_.known_term_in(place.dof[0]);
   }
   void add_channels(PlaceKind kind, Slope slope, int dof) {

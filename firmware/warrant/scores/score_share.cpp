@@ -85,13 +85,14 @@ bool ScoreTest::is_a_fault() const {
   return true;
 }
 
+// What cannot be is named where nothing else stands out, and explains nothing.
 Naming ScoreTest::naming() const {
   // Channels that contradict each other need no model of the rig.
   if (compares_channels(sums_->plan().place_of(best_).kind)) return Naming::kExplains;
   if (explained(kNoiseLog2) < Scaled::from_int(kExplainedEighths, -3)) return Naming::kInPart;
   if (outdone()) return Naming::kOutdone;
   if (made_by_integration()) return Naming::kTakenUp;
-  return is_a_fault() ? Naming::kExplains : Naming::kNoFault;
+  return is_a_fault() && !impossible(best_) ? Naming::kExplains : Naming::kNoFault;
 }
 
 // Neither what a channel is off by, which stands in every equation that it enters, nor a force that is linear in the motion and takes no

@@ -119,7 +119,20 @@ void ScoreTest::turn_round(ProbeScore& result) {
   result.information = -result.information;
 }
 
-// The effect. False: the record cannot tell it from the estimated coefficients.
+// A damping law of which nobody knows how well the record tells it: so few stretches do that they show no scatter, or next to nothing of
+// it is beyond what the estimated coefficients take up. What is found of it is not excluded. At its own link alone: there are ten such laws.
+void ScoreTest::keep_unbounded(const ProbeScore& score) {
+  if (!is_at_home(*probe_)) return;
+  for (int k = 0; k < unknowns_; ++k) {
+    if (place_of_unknown_[k] != probe_->place) continue;
+    const Scaled bend = abs(score.effect * bend_[k]);
+    if (bend > possible_bend_[k]) possible_bend_[k] = bend;
+    if (bend > unlikely_bend_[k]) unlikely_bend_[k] = bend;
+  }
+}
+
+// The effect. False: the record cannot tell it from the estimated coefficients, or too few stretches do. Where information of either
+// sign cancels it is that of noise in the force, and what is found says nothing.
 bool ScoreTest::conclude(ProbeScore& result) {
   Scaled sum_psi, d_squares;
   for (int s = 0; s < stretches_; ++s, report_work(200)) {
@@ -132,17 +145,22 @@ bool ScoreTest::conclude(ProbeScore& result) {
   const Scaled share = quotient(result.information, sum_own_);
   // Neighbours of so few samples a period that they move against the sample: no slope is taken from them either.
   const bool against = result.information.is_negative();
+  result.effect = quotient(sum_psi, result.information);
   if (result.information.is_zero() || (against && compares_channels(place_->kind)) ||
       share < power_of_two(kLeastShareLog2)) {
     keep_blind(*probe_);
+    // Friction whose direction is clear at fast motion alone takes a Stribeck force up.
+    if (probe_->form == Form::kSignWide && !against) keep_unbounded(result);
     return false;
   }
   if (against) turn_round(result);
   result.freedom = square(result.information) / d_squares - kScaledOne;
-  if (result.freedom < Scaled::from_int(kLeastFreedom)) return false;
+  if (result.freedom < Scaled::from_int(kLeastFreedom)) {
+    if (!result.freedom.is_negative()) keep_unbounded(result);
+    return false;
+  }
   result.tested = true;
   result.apart = share > power_of_two(kApartLog2);
-  result.effect = (against ? -sum_psi : sum_psi) / result.information;
   return true;
 }
 

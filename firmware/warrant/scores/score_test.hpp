@@ -85,7 +85,8 @@ class ScoreTest {
   Scaled force_ratio(int probe) const;
   Scaled force_square(int probe) const;  // sum of the effect's forces squared
   // How far a force that the record does not exclude may bend the unknown, at the most: what is found of it, and its deviation,
-  // where it is near the limit of chance, or would be had all samples been looked at (score_naming.cpp).
+  // where it is near the limit of chance, or would be had all samples been looked at (score_naming.cpp). Of a damping law of its own
+  // link also what is found where no deviation is known (score_statistic.cpp).
   const Scaled& possible_bend(int unknown) const { return possible_bend_[unknown]; }
   // The same from two deviations of a force on, which chance makes of one in 20: for what is in doubt already.
   const Scaled& unlikely_bend(int unknown) const { return unlikely_bend_[unknown]; }
@@ -150,8 +151,12 @@ class ScoreTest {
   void keep_bends(int probe);
   void keep_bend_of_shape(int probe);
   void keep_blind(const Probe& probe);
+  bool is_at_home(const Probe& probe) const;
+  void keep_unbounded(const ProbeScore& score);
   void judge_size(int number);
   void name();
+  bool impossible(int probe) const;
+  bool is_held_by_friction(int probe) const;
   bool is_all_of_it(int probe) const;
   void doubt_named_link();
   void find_named_bends();

@@ -10,8 +10,9 @@
 // UNTESTED: a coefficient that physics keeps positive has an interval wholly below zero (of right ones that are nought one in 40 has),
 // and whatever stands in an equation of motion with it.
 // Or what the record does not exclude would make the coefficient wrong, by over 4 of its deviations and over 1/20 of its value: a force
-// that is found near the limit of chance, and one deviation more; where one quantity of a DOF is measured, a force that two deviations
-// are found of, and what the score tests' own fit says of it. And where one law of a link is in doubt another one is
+// that is found near the limit of chance, and one deviation more; a damping law of its own link of three deviations, or of which
+// too few stretches tell how well it is known; where one quantity of a DOF is measured, a force that two deviations
+// are found of. And what the score tests' own fit says of it. And where one law of a link is in doubt another one is
 // too that a force of two deviations puts beyond its interval and makes wrong.
 // One level, and the rate of a coefficient's link has one amplitude, as with one tone (mean of w^4 over the squared mean of w^2
 // below 1.56; 1.5 for one tone, 2.25 for two, 3 for a random band): other damping laws differ in their harmonics alone, and have

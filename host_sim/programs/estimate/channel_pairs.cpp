@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "host_sim/data_check/one_motion/comparison.hpp"
+#include "host_sim/programs/estimate/delay_or_corner.hpp"
 
 namespace host_sim {
 namespace {
@@ -16,6 +17,7 @@ constexpr double kMostPeriods = 3.0, kMostGain = 0.2;
 struct Pair {
   const Channel *displacement = nullptr, *acceleration = nullptr;
   double late_s = 0.0, late_std_s = 0.0, gain = 0.0, gain_std = 0.0;
+  DelayAndCorner lead;
   double delays() const { return late_std_s > 0.0 ? std::abs(late_s) / late_std_s : 0.0; }
   double gains() const { return gain_std > 0.0 ? std::abs(gain) / gain_std : 0.0; }
 };
@@ -52,13 +54,15 @@ struct Gain {
   double value = 0.0, std = 0.0;
 };
 
-// Acceleration over the displacement's slope's slope, less 1: from products of samples so far apart that white noise has no part in
-// them. The deviation comes from the scatter of sixteen parts of the record.
-std::optional<Gain> gain_of(const std::vector<double>& x, const std::vector<double>& a, double T) {
-  constexpr size_t kLongest = 32, kParts = 16;
-  if (x.size() < 64 * kLongest) return std::nullopt;
-  Sides best;
+// Where the two sides agree best; half 0: the record is too short to say.
+struct BestSides {
+  Sides sides;
   size_t half = 0;
+};
+BestSides best_sides(const std::vector<double>& x, const std::vector<double>& a, double T) {
+  constexpr size_t kLongest = 32;
+  BestSides best;
+  if (x.size() < 64 * kLongest) return best;
   double most = 0.0;
   for (size_t h = 1; h <= kLongest; h *= 2) {
     Sides sides = sides_over(x, a, T, h);
@@ -67,9 +71,16 @@ std::optional<Gain> gain_of(const std::vector<double>& x, const std::vector<doub
     const double powers = product(sides.of_x, sides.of_x, 0, n, 0) * product(sides.of_a, sides.of_a, 0, n, 0);
     if (!(powers > 0.0) || shared * shared / powers <= most) continue;
     most = shared * shared / powers;
-    best = std::move(sides);
-    half = h;
+    best = {std::move(sides), h};
   }
+  return best;
+}
+
+// Acceleration over the displacement's slope's slope, less 1: from products of samples so far apart that white noise has no part in
+// them. The deviation comes from the scatter of sixteen parts of the record.
+std::optional<Gain> gain_of(const BestSides& at) {
+  constexpr size_t kParts = 16;
+  const auto& [best, half] = at;
   if (half == 0) return std::nullopt;
   const size_t n = best.of_x.size(), first = 2 * half + 3;
   size_t lag = first;
@@ -109,9 +120,11 @@ Pair compare_pair(const std::vector<Record>& records, int dof) {
     const Channel &x = *record.find(Quantity::kDisplacement, dof), &a = *record.find(Quantity::kAcceleration, dof);
     data_check::Integrals integrals;
     const auto found = data_check::compare(x, a, record.sample_period_s, integrals);
-    const auto gain = gain_of(x.values, a.values, record.sample_period_s);
+    const BestSides sides = best_sides(x.values, a.values, record.sample_period_s);
+    const auto gain = gain_of(sides);
     if (!found || !gain || !(found->late_std_s > 0.0) || !(gain->std > 0.0) || found->turned) continue;
     const double by_delay = 1.0 / (found->late_std_s * found->late_std_s), by_gain = 1.0 / (gain->std * gain->std);
+    pair.lead.add(sides.sides.of_x, sides.sides.of_a, record.sample_period_s);
     pair.late_s += by_delay * found->late_s;
     pair.gain += by_gain * gain->value;
     delay_weight += by_delay;
@@ -152,7 +165,8 @@ std::vector<ChannelCorrection> pair_corrections(const std::vector<Record>& recor
   if (worst.delays() > kClear && worst.delays() > worst.gains()) {
     if (std::abs(worst.late_s) > kMostPeriods * records.front().sample_period_s) return {};
     const ChannelCorrection late = correction_of(*worst.displacement, -worst.late_s, worst.late_std_s, 0.0, 0.0);
-    if (worst.late_s < 0.0) return {late};  // an acceleration leads behind a high-pass, by less the faster it is
+    if (worst.late_s < 0.0)  // as behind a high-pass, by less the faster it is
+      return worst.lead.is_a_delay() ? std::vector<ChannelCorrection>{late} : std::vector<ChannelCorrection>{};
     return {late, correction_of(*worst.acceleration, worst.late_s, worst.late_std_s, 0.0, 0.0)};
   }
   if (worst.gains() < kClear || std::abs(worst.gain) > kMostGain) return {};

@@ -102,7 +102,9 @@ std::string why_not_the_cause(const WarrantResult& warrant) {
              "measure "
              "the displacement as well, or leave out what is at rest";
     case firmware::Naming::kNoFault:
-      return "no channel that is measured can be off like that";
+      return warrant.named.where.rfind("channel ", 0) == 0
+                 ? "no channel that is measured can be off like that"
+                 : "no rig has a force like that: it would push, or be less than nothing";
   }
   return "";
 }
