@@ -133,4 +133,32 @@ TEST(Nought, FrictionThatHoldsASpringBentIsNoConstantForce) {
   }
 }
 
+// One mass, its damper and its friction are asked for. A mass of 0.01 +- 0.02 kg that the data do not determine drowns in noise: what stands
+// in its equation has noise in the inertia's place (a gravity torque of 4 N m came out as -0.7, VALID). One that is surely there, or
+// that the data determine, says nothing.
+TEST(Nought, AMassThatDrownsLeavesNothingOfItsEquationValid) {
+  hidden_rig::Settings settings;
+  settings.masses = 1;
+  hidden_rig::Draw draw = hidden_rig::make_draw(7690, settings);
+  draw.rig.dofs[0].mass_kg.estimate = true;
+  const warrant_test::CoreRun run = warrant_test::run_core(draw);
+  const firmware::ScoreTests& tests = run.core->score_tests();
+  const auto untested = [&](double mass, EstimateStatus status) {
+    firmware::Estimates estimates = run.core->estimates();
+    int mass_at = -1, count = 0;
+    for (int t = 0; t < run.configuration.term_count; ++t)
+      if (run.configuration.terms[t].kind == firmware::TermKind::kMass) mass_at = run.configuration.terms[t].unknown;
+    firmware::ParameterEstimate& m = estimates.parameters[mass_at];
+    m.value = rig_file::to_scaled(mass), m.std = firmware::Scaled::ratio(1, 50), m.status = status;
+    m.ci95_low = m.value - m.std * 2, m.ci95_high = m.value + m.std * 2;
+    give_verdict(run.configuration, tests.sums(), tests.test(), {true, true, 2}, estimates);
+    for (int k = 0; k < estimates.unknown_count; ++k)
+      count += k != mass_at && estimates.parameters[k].status == EstimateStatus::kUntested;
+    return count;
+  };
+  EXPECT_EQ(untested(0.01, EstimateStatus::kIllConditioned), run.core->estimates().unknown_count - 1);
+  EXPECT_EQ(untested(0.05, EstimateStatus::kIllConditioned), 0);
+  EXPECT_EQ(untested(0.01, EstimateStatus::kValid), 0);
+}
+
 }  // namespace

@@ -83,13 +83,20 @@ bool share_an_equation(const CoreConfiguration& configuration, int unknown, int 
   return false;
 }
 
+// What moves has a mass: where an equation does not tell it from nought, noise has taken its place, and the others' too.
+bool loses_its_mass(const CoreConfiguration& configuration, int unknown, const ParameterEstimate& parameter) {
+  const Term* term = term_of(configuration, unknown);
+  return term != nullptr && term->kind == TermKind::kMass && parameter.status == EstimateStatus::kIllConditioned &&
+         parameter.ci95_low.is_negative();
+}
+
 // What pushed a coefficient below nought had the others of its equations to bend too: by how much nobody can say.
 void spread_impossible(const CoreConfiguration& configuration, Estimates& estimates) {
   bool beside[kMaxUnknowns] = {};
   for (int k = 0; k < estimates.unknown_count; ++k) {
     const ParameterEstimate& parameter = estimates.parameters[k];
     if (severity(parameter.status) > severity(EstimateStatus::kIllConditioned)) continue;
-    if (!impossible(configuration, k, parameter)) continue;
+    if (!impossible(configuration, k, parameter) && !loses_its_mass(configuration, k, parameter)) continue;
     for (int j = 0; j < estimates.unknown_count; ++j) beside[j] = beside[j] || share_an_equation(configuration, k, j);
   }
   for (int j = 0; j < estimates.unknown_count; ++j)

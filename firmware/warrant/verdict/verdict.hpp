@@ -8,7 +8,7 @@
 // BIAS_SUSPECT: the score tests' instrument, which reaches four samples to either side, says another value: by more than
 // four deviations of the difference (Student's, few stretches may tell it), the half width of the interval and 1/40 of the value.
 // UNTESTED: a coefficient that physics keeps positive has an interval wholly below zero (of right ones that are nought one in 40 has),
-// and whatever stands in an equation of motion with it.
+// and whatever stands in an equation of motion with it; what stands beside a mass that the data do not tell from nought.
 // Or what the record does not exclude would make the coefficient wrong, by over 4 of its deviations and over 1/20 of its value: a force
 // that is found near the limit of chance, and one deviation more; a damping law of its own link of three deviations, or of which
 // too few stretches tell how well it is known; where one quantity of a DOF is measured, a force that two deviations
