@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "../doubts/possible.hpp"
+#include "../doubts/unresolved_mode.hpp"
 #include "../numbers/numbers_of.hpp"
 #include "../trial/attempt.hpp"
 #include "../trial/bristles.hpp"
@@ -85,7 +86,7 @@ Attempt own_beside(const Task& task, const State& rest, const Choice& choice, co
 }
 
 bool no_rival(const Task& task, const State& rest, const Attempt& a) {
-  return below_nought(a.state) || cannot_be(task, rest, a);
+  return below_nought(a.state) || cannot_be(task, rest, a) || is_unresolved_mode(task, a.state, a.candidates);
 }
 
 // Those that the linearisation promises about as much of as of the best, fitted; of bristles dry friction in their place too.
