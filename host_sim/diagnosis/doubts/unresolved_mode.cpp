@@ -10,6 +10,8 @@
 namespace diagnosis::runs {
 namespace {
 
+constexpr double kOpposed = 0.5;  // of a beat: from there on the amplitude comes back, which no damping makes it do
+
 int node_of(int end) { return end > 0 ? end - 1 : -1; }
 
 // Masses, and springs about the rest, of a model; the last node is what it hides.
@@ -77,7 +79,7 @@ bool is_unresolved_mode(const Task& task, const State& with, const std::vector<C
   for (const Prepared& p : task.records)
     for (size_t d = 0; d + 1 < p.guess.size(); ++d) longest_s = std::max(longest_s, lasts_s(p.guess[d].v, p.step_s));
   const double split = split_Hz(task.system, with.model);
-  return split > 0 && split * longest_s < 1;
+  return split > 0 && split * longest_s < kOpposed;
 }
 
 }  // namespace diagnosis::runs
