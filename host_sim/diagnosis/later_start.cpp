@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "fit/error_rates.hpp"
 #include "forces_of_rest.hpp"
 #include "host_sim/records/stretch.hpp"
 #include "host_sim/vocabulary/held_in_place.hpp"
@@ -65,10 +66,10 @@ std::vector<Parameter> numbers_fitted(const Asked& asked, const std::vector<runs
   return base.fit.ok ? runs::numbers_of(task, base) : std::vector<Parameter>{};
 }
 
-// Beyond chance and by more than nothing.
+// Beyond chance, which has as many tries as there are numbers, and by more than nothing.
 bool moves(const Parameter& of_all, const Parameter& of_half) {
   const double by = std::abs(of_half.value - of_all.value);
-  return by > kHalfOf95 * std::max(of_all.std, of_half.std) && by > kNothing * std::abs(of_all.value);
+  return by > runs::kSure * std::max(of_all.std, of_half.std) && by > kNothing * std::abs(of_all.value);
 }
 
 // Whether what was said of the motion from an instant on is said of its later half too: a hand is gone then, a law that larger motion
