@@ -156,7 +156,7 @@ bool ScoreTest::conclude(ProbeScore& result) {
   if (against) turn_round(result);
   result.freedom = square(result.information) / d_squares - kScaledOne;
   if (result.freedom < Scaled::from_int(kLeastFreedom)) {
-    if (!result.freedom.is_negative()) keep_unbounded(result);
+    if (result.freedom >= Scaled::from_int(1)) keep_unbounded(result);
     return false;
   }
   result.tested = true;

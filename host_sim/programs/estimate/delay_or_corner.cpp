@@ -9,8 +9,8 @@ namespace {
 // A delay that a high-pass may stand for is told from it by four deviations; a high-pass beside a delay shows from two on, which chance
 // makes in one of 20 records: it costs a correction then, and no number is wrong for it.
 constexpr double kNeeded = 4.0, kNotNeeded = 2.0;
-// Of what the delay alone explains. Less is what a series and sums of samples leave of a delay.
-constexpr double kMattersShare = 0.1;
+// Of what the delay explains, in amplitude. Less is what a series and sums of samples leave of a delay: 0.15 of one of a whole sample.
+constexpr double kMattersShare = 0.3;
 // Of the delay's column, what gain and high-pass cannot make: that of two tones of one strength a factor of 1.45 apart.
 constexpr double kOwnShare = 0.125;
 constexpr size_t kParts = 16, kFewestSamples = 16 * kParts;
