@@ -18,10 +18,10 @@ bool turns_a_number(const State& beside, const State& with);
 // the way or of a drift. P = w sum_i q_i f_i(u, w, t), w the link's rate. What the rig's own friction below nought puts in is not theirs.
 bool drives_a_link(const Task& task, const State& s, const std::vector<Candidate>& added);
 // Any of these: it comes behind what can be.
-// A sensor's reading over what it reads that no sensor, no turned cable and no slip of units makes.
-bool is_no_sensors(const State& with, const std::vector<Candidate>& added);
 bool cannot_be(const Task& task, const State& beside, const Attempt& with);
 // None of these, and no coefficient of its own may be nought.
 bool can_stand(const Task& task, const State& beside, const Attempt& with);
+// A gain of a sensor that no sensor, no turned cable and no slip of units has: never named.
+bool is_no_sensors(const State& with, const std::vector<Candidate>& added);
 
 }  // namespace diagnosis::runs
