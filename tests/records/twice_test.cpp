@@ -44,6 +44,21 @@ TEST(Twice, RowsThatAllStandTwiceAreLeftOutAndSaid) {
   EXPECT_NE(said.find("d.csv:122: t_s steps by 0.0155 s"), std::string::npos) << said;
 }
 
+// A spreadsheet ends in rows of commas, each the one before word by word. They are cut off, and with them what was noted of them:
+// 300 rows of ends made notes of samples 101 to 399 of 100.
+TEST(Twice, EmptyRowsAtTheEndAreNoneThatStandTwice) {
+  for (const int empty : {1, 40, 300}) {
+    std::string text = table({}, 0);
+    for (int i = 0; i < empty; ++i) text += ",\n";
+    EXPECT_EQ(told(text, 0.0),
+              fmt::format("100 samples, left out: {} at the end that {} nothing of it",
+                          empty == 1 ? "1 row" : fmt::format("{} rows", empty), empty == 1 ? "holds" : "hold"));
+  }
+  std::string doubled = table(all(), 0);
+  for (int i = 0; i < 300; ++i) doubled += ",\n";
+  EXPECT_EQ(told(doubled, 0.0), "100 samples, left out: 100 rows that stand twice");
+}
+
 // One advice, with and without --resample: it used to be asked for first, and to refuse then.
 TEST(Twice, RowsOfOneTimeAreNamedAtOnce) {
   for (const int off : {0, 1})

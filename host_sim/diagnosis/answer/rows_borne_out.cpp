@@ -32,10 +32,10 @@ struct Found {
 };
 
 // Gains and delays of motion channels, one per channel and kind. A hum is a nuisance and no cause of what the rig does; a
-// high-pass has been undone in the record.
-void add_faults(const std::vector<SensorFault>& faults, Found& found) {
+// high-pass has been undone in the record. What channels of a moving base contradict each other in is no term of a DOF.
+void add_faults(const Task& task, const std::vector<SensorFault>& faults, Found& found) {
   for (const SensorFault& f : faults) {
-    if (is_hum(f.kind) || f.kind == FaultKind::kAcCoupling) continue;
+    if (is_hum(f.kind) || f.kind == FaultKind::kAcCoupling || f.dof >= task.system.rig.dofs.size()) continue;
     Candidate c;
     c.terms = {on_dof(f.kind == FaultKind::kGain ? Kind::kChannelGain : Kind::kChannelDelay, static_cast<int>(f.dof))};
     c.terms[0].quantity = static_cast<int>(f.quantity);
@@ -59,17 +59,17 @@ void add_terms(const Model& model, const RowsSay& say, Found& found) {
   }
 }
 
-Found found_by(const Model& model, const RowsSay& say) {
+Found found_by(const Task& task, const Model& model, const RowsSay& say) {
   Found found;
   add_terms(model, say, found);
-  add_faults(say.faults, found);
+  add_faults(task, say.faults, found);
   return found;
 }
 
 bool stands(const Task& task, const Choice& fitted, const RowsSay& say, State& with_them) {
   with_them = fitted.base;
   if (!say.left.noise_only) return false;
-  const Found found = found_by(fitted.base.model, say);
+  const Found found = found_by(task, fitted.base.model, say);
   if (found.list.empty()) return true;
   return borne_out(task, fitted.base, found.list, found.values, &with_them) &&
          missed_percent(task, with_them) < kNoWorse * missed_percent(task, fitted.base) &&
@@ -79,7 +79,7 @@ bool stands(const Task& task, const Choice& fitted, const RowsSay& say, State& w
 // The rows carry the noise of a derived motion: where they see nothing the runs, which need none, may leave more than noise. Whether they
 // name what it is and free runs of unseen data are the better for it; choice has it then.
 bool runs_see_more(const Task& task, const RowsSay& say, Choice& choice) {
-  if (!say.left.noise_only || !found_by(choice.base.model, say).list.empty()) return false;
+  if (!say.left.noise_only || !found_by(task, choice.base.model, say).list.empty()) return false;
   if (choice.base_left.worst() <= kSurelyNoise && !worth_a_search(task, choice.base, choice.base_left)) return false;
   Choice runs = choice;
   choose(task, runs, [](double) {});
@@ -100,7 +100,7 @@ bool runs_see_more(const Task& task, const RowsSay& say, Choice& choice) {
 bool followed_with(const Task& task, const RowsSay& say, Choice& choice) {
   Choice over_long = over_windows(task, choice, longest_horizon(task.records));
   if (!over_long.base.fit.ok || over_long.base.unseen.empty()) return false;
-  const Found found = found_by(over_long.base.model, say);
+  const Found found = found_by(task, over_long.base.model, say);
   State with_them;
   if (found.list.empty() || !borne_out(task, over_long.base, found.list, found.values, &with_them) ||
       !(motion_error(task, with_them) < kFollows))
@@ -168,7 +168,7 @@ bool answered_by_rows(const Asked& asked, const Task& task, std::vector<Prepared
   take_numbers(numbers, theirs, d.extended.parameters);
   if (say.terms.empty()) d.baseline.parameters = d.extended.parameters;
   for (Cause& c : d.causes) take_numbers(numbers, theirs, c.parameters);
-  const size_t found = found_by(choice.base.model, say).list.size();
+  const size_t found = found_by(task, choice.base.model, say).list.size();
   if (found == 1) mark_rows_rivals(task, choice, with_them, d);
   raise_limits(task, with_them, d.minimum_detectable);  // as the rows' are: beside what is named
   compare_unseen(task, choice.base, with_them, !d.causes.empty(), choice.base_left.sensor_noise, d);
@@ -185,7 +185,7 @@ bool answered_by_rows(const Asked& asked, const Task& task, std::vector<Prepared
 // One after the other, the strongest first: what a large fault leaves to the channels beside it is none of theirs.
 void adopt_faults(const Task& task, const std::vector<SensorFault>& faults, Choice& choice) {
   Found found, kept;
-  add_faults(faults, found);
+  add_faults(task, faults, found);
   for (size_t i = 0; i < found.list.size(); ++i) {
     Found with = kept;
     with.add(found.list[i], found.values[i]);

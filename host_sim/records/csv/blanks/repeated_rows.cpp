@@ -32,8 +32,8 @@ void leave_out_repeats(CsvTable& table) {
   std::vector<bool> keep(table.samples, true);
   for (const size_t sample : table.repeats) keep[sample] = false;
   if (!stand_twice(table, keep)) return;
-  table.keep_samples(keep);
   table.record.notes.push_back(fmt::format("left out: {} rows that stand twice", table.repeats.size()));
+  table.keep_samples(keep);
 }
 
 }  // namespace host_sim

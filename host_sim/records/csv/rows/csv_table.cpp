@@ -40,6 +40,9 @@ void CsvTable::keep_samples(size_t first, size_t end) {
     left_out += first;
   else
     keep_rows(first, end, row_of);
+  repeats.erase(std::remove_if(repeats.begin(), repeats.end(), [&](size_t i) { return i < first || i >= end; }),
+                repeats.end());
+  for (size_t& repeat : repeats) repeat -= first;
   samples = end - first;
 }
 
@@ -51,6 +54,7 @@ void CsvTable::keep_samples(const std::vector<bool>& keep) {
   keep_only(keep, row_of);
   for (Channel& channel : record.channels) keep_only(keep, channel.values);
   keep_only(keep, time_s);
+  repeats.clear();  // of rows that are no neighbours any more
   record.left_out_before.reset();
   samples = time_s.size();
 }
