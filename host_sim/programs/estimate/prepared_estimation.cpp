@@ -8,6 +8,7 @@
 #include "hal/rig_file/compile_rig.hpp"
 #include "host_sim/programs/estimate/ac_coupled.hpp"
 #include "host_sim/programs/estimate/accelerometer_zero.hpp"
+#include "host_sim/programs/estimate/long_delays.hpp"
 #include "host_sim/programs/estimate/oversampling.hpp"
 #include "host_sim/programs/shared/rest_balance.hpp"
 #include "host_sim/programs/shared/rest_position.hpp"
@@ -82,6 +83,7 @@ void estimate_as_recorded(const EstimationOptions& options, Prepared& prepared) 
 Estimation estimate_prepared(rig_file::RigModel& model, SharedRecords& records, const EstimationOptions& options,
                              std::vector<std::string>& notes) {
   for (const std::string& told : undo_shown_ac_couplings(records)) notes.push_back(told);
+  if (const std::string told = take_out_long_delays(model, records); !told.empty()) notes.push_back(told);
   const Drift drift = drift_of(DriftOf::kDisplacements, model, records.get());
   Prepared prepared{model, std::move(records), notes, {}};
   std::optional<Prepared> without;
