@@ -1,4 +1,5 @@
 #include "advice.hpp"
+#include "along_motion.hpp"
 #include "answer/rows_borne_out.hpp"
 #include "channels/at_fault.hpp"
 #include "channels/filtered_motion.hpp"
@@ -99,6 +100,10 @@ Diagnosis judged_whenever_it_begins(const Asked& asked) {
   return judged_from_a_later_start(asked, judged_wherever_it_rests);
 }
 
+Diagnosis judged_whatever_holds_it(const Asked& asked) {
+  return judged_along_the_motion(asked, judged_whenever_it_begins);
+}
+
 }  // namespace
 
 Diagnosis diagnose(const rig_file::RigModel& rig, const std::vector<host_sim::Record>& training,
@@ -106,13 +111,13 @@ Diagnosis diagnose(const rig_file::RigModel& rig, const std::vector<host_sim::Re
   if (training.empty()) throw CannotAnswer("no record to diagnose");
   if (!on_measured_base(rig, training)) {
     if (!any_begins_held(training) && !any_begins_held(holdout))
-      return judged_whenever_it_begins({rig, training, holdout, options});
+      return judged_whatever_holds_it({rig, training, holdout, options});
     const std::vector<host_sim::Record> released_training = from_release(training),
                                         released_holdout = from_release(holdout);
-    return judged_whenever_it_begins({rig, released_training, released_holdout, options});
+    return judged_whatever_holds_it({rig, released_training, released_holdout, options});
   }
   const std::vector<host_sim::Record> riding_training = riding(rig, training), riding_holdout = riding(rig, holdout);
-  return judged_whenever_it_begins({rig, riding_training, riding_holdout, options, !base_runs_on(training)});
+  return judged_whatever_holds_it({rig, riding_training, riding_holdout, options, !base_runs_on(training)});
 }
 
 }  // namespace diagnosis

@@ -122,6 +122,7 @@ struct Diagnosis {
       channels_left_out;  // with which the rig file cannot describe the records, and without which it can
   std::vector<double>
       told_from_s;  // per record, s of its file: the start from which the rig file describes it; empty: all is judged
+  bool along_motion = false;  // told of the forces along the motion as measured, which free runs do not follow
   std::optional<OddRecord> odd_record;
   std::string force_between_samples = "smooth";  // or "linear", "steps": how it acts there, as the motion tells
   std::string unknown_trace;                     // what the unexplained force looks like, where it leaves a plain trace

@@ -281,8 +281,8 @@ std::string details_of(const DiagnosisReportData& data) {
 }  // namespace
 
 std::string verdict_details(const DiagnosisReportData& data) {
-  return joined(
-      {data.odd_record, details_of(data), left_out_text(data), later_start_text(data), one_friction_text(data)});
+  return joined({data.odd_record, details_of(data), left_out_text(data), later_start_text(data),
+                 along_motion_text(data), one_friction_text(data)});
 }
 
 std::string verdict_sentence(const DiagnosisReportData& data) {

@@ -30,6 +30,13 @@ std::string later_start_text(const DiagnosisReportData& data) {
          "blow, a law that larger motion alone shows).";
 }
 
+std::string along_motion_text(const DiagnosisReportData& data) {
+  if (!data.along_motion) return "";
+  return "This is said of the forces along the motion as measured: no spring holds the rig, and its free runs do not "
+         "follow what "
+         "something else holds (a controller, a hand). So percents are of the forces.";
+}
+
 std::string one_friction_text(const DiagnosisReportData& data) {
   const std::string of_link = "link ";
   for (const Cause& cause : data.causes) {

@@ -14,6 +14,8 @@ std::string listed(const std::vector<std::string>& items, const char* last_word)
 std::string left_out_text(const DiagnosisReportData& data);
 // From which second on.
 std::string later_start_text(const DiagnosisReportData& data);
+// Of what.
+std::string along_motion_text(const DiagnosisReportData& data);
 // Friction whose bristles bend acts in the place of the rig's own: its coefficient stands in the table under both names.
 std::string one_friction_text(const DiagnosisReportData& data);
 
