@@ -5,17 +5,17 @@
 namespace host_sim {
 namespace {
 
-// A coefficient between two ends acts on both; the ground and the base are no unknowns of the equations.
 void add_link(Eigen::MatrixXd& matrix, const rig_file::Link& link, double coefficient) {
-  const int a = link.a - 1, b = link.b - 1;
-  matrix(a, a) += coefficient;
-  if (link.b <= 0) return;
-  matrix(b, b) += coefficient;
-  matrix(a, b) -= coefficient;
-  matrix(b, a) -= coefficient;
+  add_between(matrix, link.a - 1, link.b - 1, coefficient);
 }
 
 }  // namespace
+
+void add_between(Eigen::MatrixXd& matrix, Eigen::Index a, Eigen::Index b, double coefficient) {
+  if (a >= 0) matrix(a, a) += coefficient;
+  if (b >= 0) matrix(b, b) += coefficient;
+  if (a >= 0 && b >= 0) matrix(a, b) -= coefficient, matrix(b, a) -= coefficient;
+}
 
 LinearRig linear_rig(const rig_file::RigModel& rig) {
   const auto n = static_cast<Eigen::Index>(rig.dofs.size());

@@ -14,6 +14,9 @@ struct LinearRig {  // N DOFs: N x N each, SI units
 // rig: every coefficient a number.
 LinearRig linear_rig(const rig_file::RigModel& rig);
 
+// A coefficient between two ends acts on both; an end below nought (the ground, the base) is no unknown of the equations.
+void add_between(Eigen::MatrixXd& matrix, Eigen::Index a, Eigen::Index b, double coefficient);
+
 // d/dt [x; v] = A [x; v] + B f,  y = [x; v; a] = C [x; v] + D f.
 struct StateSpace {
   Eigen::MatrixXd a, b, c, d;

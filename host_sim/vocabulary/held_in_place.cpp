@@ -52,4 +52,9 @@ bool held_in_place(const rig_file::RigModel& rig) {
   return std::all_of(held.begin(), held.end(), [](bool each) { return each; });
 }
 
+bool massless(const rig_file::RigModel& rig) {
+  return std::all_of(rig.dofs.begin(), rig.dofs.end(),
+                     [](const rig_file::Dof& d) { return !d.mass_kg.estimate && d.mass_kg.value == 0; });
+}
+
 }  // namespace vocabulary

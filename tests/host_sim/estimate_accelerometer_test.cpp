@@ -9,6 +9,7 @@
 namespace {
 
 using estimate_test::Estimate;
+using test_support::row;
 
 // a = -(k x + c v) / m of the same decay, read by an accelerometer that stands in gravity: 0.45 g at rest.
 TEST_F(Estimate, ComparesAnAccelerometerWithoutItsZero) {
@@ -17,11 +18,7 @@ TEST_F(Estimate, ComparesAnAccelerometerWithoutItsZero) {
   for (int i = 0; i < 20000; ++i) {
     const double t = i * 1e-3, e = 0.01 * std::exp(-d * t), x = e * std::cos(w * t),
                  v = -e * (d * std::cos(w * t) + w * std::sin(w * t)), a = 4.41 - (800.0 * x + 1.5 * v) / 2.0;
-    char row[120];
-    std::snprintf(row, sizeof row, "%.3f,%.12g,%.12g,%.12g\n", t, x, v, a);
-    with += row;
-    std::snprintf(row, sizeof row, "%.3f,%.12g\n", t, a);
-    alone += row;
+    with += row({t, x, v, a}), alone += row({t, a});
   }
   workspace_.write("with.csv", with);
   const auto both = host_sim({"estimate", "--rig", "rig.toml", "--data", "with.csv", "--json", "with.json"});
@@ -61,12 +58,9 @@ std::string driven_accelerometer(double faster) {
   }
   std::normal_distribution<double> noise(0.0, 0.002);
   std::string text = "t_s,force_1_N,acceleration_1_m_s2\n";
-  for (int i = 0; i < kSamples; ++i) {
-    char row[96];
-    std::snprintf(row, sizeof row, "%.9g,%.9g,%.9g\n", i / 80.0 / faster,
-                  (force[static_cast<size_t>(i)] + noise(random)) * faster * faster,
-                  (acceleration[static_cast<size_t>(i)] + noise(random)) * faster * faster);
-    text += row;
+  for (size_t i = 0; i < kSamples; ++i) {
+    const double reads = acceleration[i] + noise(random), pushes = force[i] + noise(random);
+    text += row({static_cast<double>(i) / 80.0 / faster, pushes * faster * faster, reads * faster * faster});
   }
   return text;
 }
@@ -100,9 +94,7 @@ TEST_F(Estimate, AShortDecayIsSeenFromItsEnd) {
     const double t = i * 2e-3, e = 0.01 * std::exp(-d * t), x = e * std::cos(w * t),
                  v = -e * (d * std::cos(w * t) + w * std::sin(w * t));
     const double a = -(kStiffness_N_m * x + kViscous_N_s_m * v) / kMass_kg;
-    char row[64];
-    std::snprintf(row, sizeof row, "%.3f,%.6g\n", t, kStep_m_s2 * std::round(a / kStep_m_s2));
-    text += row;
+    text += row({t, kStep_m_s2 * std::round(a / kStep_m_s2)});
   }
   workspace_.write("blow.csv", text);
   workspace_.write("stiff.toml",
@@ -119,11 +111,7 @@ TEST_F(Estimate, AShortDecayIsSeenFromItsEnd) {
 // Integrated accelerations settle first: no window closes within 1.2 s, four periods, and nothing is a number or tested.
 TEST_F(Estimate, AccelerationsTooShortForAWindowCannotAnswer) {
   std::string text = "t_s,acceleration_1_m_s2\n";
-  for (int i = 0; i < 1200; ++i) {
-    char row[64];
-    std::snprintf(row, sizeof row, "%.3f,%.12g\n", i * 1e-3, -4.0 * std::exp(-0.375e-3 * i) * std::cos(20e-3 * i));
-    text += row;
-  }
+  for (int i = 0; i < 1200; ++i) text += row({i * 1e-3, -4.0 * std::exp(-0.375e-3 * i) * std::cos(20e-3 * i)});
   workspace_.write("short.csv", text);
   const auto result = host_sim({"estimate", "--rig", "rig.toml", "--data", "short.csv", "--json", "out.json"});
   EXPECT_EQ(result.status, 3);

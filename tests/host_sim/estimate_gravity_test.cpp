@@ -9,6 +9,7 @@
 namespace {
 
 using estimate_test::Estimate;
+using test_support::row;
 
 // An arm of 1.5 kg m^2 and 10.5 N m that a motor swings about straight up, 3 s to and fro: the angle is 3.14 at the mean, and gravity
 // pulls to where it is zero, not to there. tau = 1.5 a + 10.5 sin(u) + 1 w + 1.2 sgn(w), u = 3.14 + 0.8 sin + 0.3 sin.
@@ -19,13 +20,10 @@ TEST_F(Estimate, GravityPullsToTheAnglesOwnZero) {
   std::string text = "t_s,angle_1_rad,angular_velocity_1_rad_s,angular_acceleration_1_rad_s2,torque_1_N_m\n";
   const double w1 = 2.094395102393195, w2 = 5.3;
   for (int i = 0; i < 12000; ++i) {
-    char row[128];
     const double t = 5e-3 * i, u = 3.14 + 0.8 * std::sin(w1 * t) + 0.3 * std::sin(w2 * t),
                  v = 0.8 * w1 * std::cos(w1 * t) + 0.3 * w2 * std::cos(w2 * t),
                  a = -0.8 * w1 * w1 * std::sin(w1 * t) - 0.3 * w2 * w2 * std::sin(w2 * t);
-    std::snprintf(row, sizeof row, "%.3f,%.9g,%.9g,%.9g,%.9g\n", t, u, v, a,
-                  1.5 * a + 10.5 * std::sin(u) + v + std::copysign(1.2, v));
-    text += row;
+    text += row({t, u, v, a, 1.5 * a + 10.5 * std::sin(u) + v + std::copysign(1.2, v)});
   }
   workspace_.write("arm.csv", text);
   const auto result = host_sim({"estimate", "--rig", "arm.toml", "--data", "arm.csv", "--json", "out.json"});

@@ -1,6 +1,5 @@
 // host_sim estimate and the files and options that it is given.
 #include <cmath>
-#include <cstdio>
 #include <set>
 #include <vector>
 
@@ -9,6 +8,7 @@
 namespace {
 
 using estimate_test::Estimate;
+using test_support::row;
 
 // Under whatever name: the recording, the rig file.
 TEST_F(Estimate, NoResultTakesThePlaceOfAnInput) {
@@ -93,10 +93,8 @@ TEST_F(Estimate, AColumnComputedInOneRecordIsLeftOutInAll) {
     for (int i = 0; i < rows; ++i) x.push_back(0.01 * std::cos(0.02 * i) + 1e-6 * ((i * 7919) % 13 - 6));
     std::string text = "t_s,displacement_1_m,velocity_1_m_s\n";
     for (int i = 1; i + 1 < rows; ++i) {
-      char row[96];
       const size_t k = static_cast<size_t>(i);
-      std::snprintf(row, sizeof row, "%.3f,%.12g,%.12g\n", i * 1e-3, x[k], (x[k + 1] - x[k - 1]) / 2e-3);
-      text += row;
+      text += row({i * 1e-3, x[k], (x[k + 1] - x[k - 1]) / 2e-3});
     }
     return text;
   };

@@ -9,6 +9,7 @@ namespace {
 
 using estimate_test::Estimate;
 using estimate_test::free_decay;
+using test_support::row;
 
 TEST_F(Estimate, TooFewSamplesCannotAnswer) {
   workspace_.write("short.csv", free_decay(60));
@@ -20,7 +21,7 @@ TEST_F(Estimate, TooFewSamplesCannotAnswer) {
 
 TEST_F(Estimate, ARigThatDoesNotMoveCannotAnswer) {
   std::string text = "t_s,displacement_1_m,velocity_1_m_s\n";
-  for (int i = 0; i < 2000; ++i) text += std::to_string(i * 1e-3) + ",0,0\n";
+  for (int i = 0; i < 2000; ++i) text += row({i * 1e-3, 0, 0});
   workspace_.write("still.csv", text);
   const auto result = host_sim({"estimate", "--rig", "rig.toml", "--data", "still.csv", "--json", "out.json"});
   EXPECT_EQ(result.status, 3);
@@ -55,8 +56,7 @@ TEST_F(Estimate, ARunOutIsAskedForSpeeds) {
   std::mt19937 random(3);
   std::normal_distribution<double> normal;
   std::string text = "t_s,velocity_1_m_s\n";
-  for (int i = 0; i < 3000; ++i)
-    text += std::to_string(2e-3 * i) + "," + std::to_string(12 - 2e-3 * i + 0.2 * normal(random)) + "\n";
+  for (int i = 0; i < 3000; ++i) text += row({2e-3 * i, 12 - 2e-3 * i + 0.2 * normal(random)});
   workspace_.write("car.csv", text);
   const auto result = host_sim({"estimate", "--rig", "car.toml", "--data", "car.csv"});
   EXPECT_EQ(result.status, 3);

@@ -1,6 +1,5 @@
 // host_sim estimate on times that are uneven, late or few.
 #include <cmath>
-#include <cstdio>
 #include <random>
 #include <sstream>
 
@@ -11,6 +10,7 @@ namespace {
 using estimate_test::Estimate;
 using estimate_test::free_decay;
 using estimate_test::kRig;
+using test_support::row;
 
 // A logger that comes late at times, and pauses: samples at uneven times, and 40 that are missing.
 TEST_F(Estimate, TakesUnevenTimesWhereAskedTo) {
@@ -19,10 +19,8 @@ TEST_F(Estimate, TakesUnevenTimesWhereAskedTo) {
   std::string text = "t_s,displacement_1_m,velocity_1_m_s\n";
   for (int i = 0; i < 4000; ++i) {
     const double late_s = random() % 100 == 0 ? 4e-4 : 0.0, t = i * 1e-3 + late_s, e = 0.01 * std::exp(-d * t);
-    char row[96];
-    std::snprintf(row, sizeof row, "%.4f,%.12g,%.12g\n", t, e * std::cos(w * t),
-                  -e * (d * std::cos(w * t) + w * std::sin(w * t)));
-    if (i < 2000 || i >= 2040) text += row;
+    if (i >= 2000 && i < 2040) continue;
+    text += row({t, e * std::cos(w * t), -e * (d * std::cos(w * t) + w * std::sin(w * t))});
   }
   workspace_.write("late.csv", text);
   const auto refused = host_sim({"estimate", "--rig", "rig.toml", "--data", "late.csv"});
@@ -56,9 +54,7 @@ TEST_F(Estimate, ADelayOfMoreThanASampleIsTakenOutWhole) {
       x += std::sin(phase) / w, v += std::cos(phase), a -= w * std::sin(phase);
       late_a -= w * std::sin(phase - 1.2 * w * kStep_s);
     }
-    char row[128];
-    std::snprintf(row, sizeof row, "%.3f,%.9g,%.9g,%.9g\n", i * kStep_s, 2.0 * a + 400.0 * x + 3.0 * v, v, late_a);
-    text += row;
+    text += row({i * kStep_s, 2.0 * a + 400.0 * x + 3.0 * v, v, late_a});
   }
   workspace_.write("late.csv", text);
   workspace_.write("late.toml",
@@ -81,10 +77,8 @@ TEST_F(Estimate, ASlowMotionAboutAnArbitraryZeroTakesFewerSamples) {
   std::string text = "t_s,displacement_1_m\n";
   const double d = 0.1, w = std::sqrt(80.0 - d * d);
   for (int i = 0; i < 10000; ++i) {
-    char row[64];
     const double t = 2e-3 * i;
-    std::snprintf(row, sizeof row, "%.3f,%.9g\n", t, 2.3 + std::exp(-d * t) * std::cos(w * t) + 0.003 * normal(random));
-    text += row;
+    text += row({t, 2.3 + std::exp(-d * t) * std::cos(w * t) + 0.003 * normal(random)});
   }
   workspace_.write("slow.csv", text);
   const auto result = host_sim({"estimate", "--rig", "slow.toml", "--data", "slow.csv", "--json", "out.json"});
@@ -109,10 +103,8 @@ TEST_F(Estimate, ADecayAtTwentySamplesAPeriodKnowsItsSpring) {
     std::normal_distribution<double> normal;
     std::string text = "t_s,displacement_1_m\n";
     for (int i = 0; i < 588; ++i) {
-      char row[64];
       const double t = 0.034 * i;
-      std::snprintf(row, sizeof row, "%.3f,%.9g\n", t, std::exp(-d * t) * std::cos(w * t) + 3.5e-4 * normal(random));
-      text += row;
+      text += row({t, std::exp(-d * t) * std::cos(w * t) + 3.5e-4 * normal(random)});
     }
     workspace_.write("few.csv", text);
     const auto result = host_sim({"estimate", "--rig", "few.toml", "--data", "few.csv", "--json", "out.json"});
@@ -127,10 +119,10 @@ TEST_F(Estimate, ADecayAtTwentySamplesAPeriodKnowsItsSpring) {
 
 // A knock on the cable in the first 50 ms of a decay of c = 1.5 N s/m.
 TEST_F(Estimate, WhatLiesBeforeFromIsLeftOut) {
-  std::istringstream rows(free_decay(4000));
-  std::string text, row;
-  for (int i = 0; std::getline(rows, row); ++i)
-    text += i == 40 || i == 47 ? row.substr(0, row.find(',')) + ",0.4,0.3\n" : row + "\n";
+  std::istringstream lines(free_decay(4000));
+  std::string text, line;
+  for (int i = 0; std::getline(lines, line); ++i)
+    text += i == 40 || i == 47 ? line.substr(0, line.find(',')) + ",0.4,0.3\n" : line + "\n";
   workspace_.write("knock.csv", text);
   const auto refused = host_sim({"estimate", "--rig", "rig.toml", "--data", "knock.csv"});
   EXPECT_EQ(refused.status, 3);

@@ -1,5 +1,6 @@
 // What the end-to-end tests share: the program, its JSON, a rig with a known answer.
 #pragma once
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -7,6 +8,13 @@
 #include "tests/host_sim/run_program.hpp"
 
 namespace test_support {
+
+// A line of a data file, twelve digits each.
+inline std::string row(const std::vector<double>& values) {
+  std::string text;
+  for (const double value : values) text += (text.empty() ? "" : ",") + fmt::format("{:.12g}", value);
+  return text + "\n";
+}
 
 class ProgramTest : public ::testing::Test {
  protected:

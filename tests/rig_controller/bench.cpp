@@ -1,5 +1,7 @@
 #include "tests/rig_controller/bench.hpp"
 
+#include <gtest/gtest.h>
+
 #include <cmath>
 
 namespace bench {
@@ -121,6 +123,13 @@ bool Bench::run_until(firmware::ControllerMode mode, int limit) {
     run_sample();
   }
   return controller->mode() == mode;
+}
+
+void Bench::drive_into(firmware::ControllerMode mode) {
+  step();
+  EXPECT_TRUE(controller->start());
+  EXPECT_TRUE(run_until(mode));
+  run_samples(20);
 }
 
 void Bench::network_command(uint8_t command, uint8_t node) {

@@ -13,6 +13,7 @@ namespace bench {
 
 constexpr uint64_t kMillisecond_ns = 1000000;
 constexpr double kFullScaleForce_N = 200.0;
+constexpr uint32_t kEmergencyId = 0x081;  // of node 1
 
 firmware::CoreConfiguration one_dof_core();
 // Two levels of 20 Hz, 50 samples a cycle: ramp 100, settle at least 4 cycles, measure 1000 samples each.
@@ -44,6 +45,8 @@ struct Bench {
   void run_idle(int milliseconds);
   // Runs until the mode is reached; false after `limit` samples.
   bool run_until(firmware::ControllerMode mode, int limit = 20000);
+  // Started, and 20 samples into that mode.
+  void drive_into(firmware::ControllerMode mode);
   // A restart of the program on the same hardware.
   void restart();
   bool dead() const { return drive.drive_q31() == 0 && !relay.active(); }

@@ -11,24 +11,17 @@
 namespace {
 
 using bench::Bench;
+using bench::kEmergencyId;
 using firmware::AlarmCause;
 using firmware::ControllerMode;
 
-constexpr uint32_t kEmergencyId = 0x081, kStatusId = 0x181, kHeartbeatId = 0x701;
+constexpr uint32_t kStatusId = 0x181, kHeartbeatId = 0x701;
 
 uint16_t emergency_code(const hal::CanFrame& frame) {
   return static_cast<uint16_t>(frame.data[0] | frame.data[1] << 8);
 }
 
 uint16_t faults_of(const hal::CanFrame& frame) { return static_cast<uint16_t>(frame.data[0] | frame.data[1] << 8); }
-
-Bench* driven_into(ControllerMode mode, Bench& bench) {
-  bench.step();
-  EXPECT_TRUE(bench.controller->start());
-  EXPECT_TRUE(bench.run_until(mode));
-  bench.run_samples(20);
-  return &bench;
-}
 
 struct Case {
   std::string name;
@@ -81,7 +74,7 @@ TEST(Faults, EachStopsTheDriveInTimeAndLatches) {
     for (const Case& each : cases()) {
       SCOPED_TRACE(each.name + " in mode " + std::to_string(static_cast<int>(mode)));
       Bench bench(limited());
-      driven_into(mode, bench);
+      bench.drive_into(mode);
       ASSERT_TRUE(bench.relay.active());
       const size_t windows = bench.can.count(0x391);
       each.hurt(bench);
@@ -130,7 +123,7 @@ TEST(Faults, OffsetBinaryIsSaturatedAtBothRailsAndNowhereElse) {
   for (const int32_t rail : {-kMiddle, kMiddle - 1}) {
     Bench bench(configuration);
     bench.spoil.code[0][1] = kMiddle;
-    driven_into(ControllerMode::kIntegrate, bench);
+    bench.drive_into(ControllerMode::kIntegrate);
     bench.run_samples(500);
     EXPECT_EQ(bench.controller->counters().saturated_samples, 0u);
     for (int i = 0; i < 3; ++i) {
@@ -150,7 +143,7 @@ TEST(Faults, OffsetBinaryIsSaturatedAtBothRailsAndNowhereElse) {
 // Samples that keep coming, each later than the one before: the newest is what counts, by its own time.
 TEST(Faults, SamplesThatComeLateAreLost) {
   Bench bench(bench::driving());
-  driven_into(ControllerMode::kIntegrate, bench);
+  bench.drive_into(ControllerMode::kIntegrate);
   for (int late_ms = 0; late_ms <= 9; ++late_ms) {  // and one more until the next step looks at the time
     bench.late_ns = static_cast<uint64_t>(late_ms) * bench::kMillisecond_ns;
     bench.run_samples(5);
@@ -163,108 +156,9 @@ TEST(Faults, SamplesThatComeLateAreLost) {
   EXPECT_EQ(bench.controller->latched_alarm().detail, 11u);
 }
 
-TEST(Faults, EmergencyStopActsBeforeTheNextSampleIsTaken) {
-  Bench bench(bench::driving());
-  driven_into(ControllerMode::kIntegrate, bench);
-  const uint64_t writes = bench.drive.writes();
-  bench.stop_line.set(true, 0);
-  bench.step();  // the same millisecond: no sample has come since
-  EXPECT_TRUE(bench.dead());
-  EXPECT_EQ(bench.drive.writes(), writes + 1);  // one command: zero
-}
-
-TEST(Faults, EmergencyStopHoldsWhilePressedAndIsToldOnce) {
-  Bench bench(bench::driving());
-  driven_into(ControllerMode::kRamp, bench);
-  bench.stop_line.set(true, 0);
-  bench.run_samples(1000);
-  EXPECT_EQ(bench.can.count(kEmergencyId), 1u);
-  EXPECT_FALSE(bench.controller->reset());
-  EXPECT_EQ(bench.controller->mode(), ControllerMode::kEmergencyStop);
-  EXPECT_EQ(bench.controller->trips(), 1u);
-}
-
-TEST(Faults, EmergencyStopTakesOverFromAnotherFault) {
-  Bench bench(bench::driving());
-  driven_into(ControllerMode::kRamp, bench);
-  bench.sequence += 5;
-  bench.run_sample();
-  EXPECT_EQ(bench.controller->mode(), ControllerMode::kFault);
-  bench.stop_line.set(true, 0);
-  bench.run_sample();
-  EXPECT_EQ(bench.controller->mode(), ControllerMode::kEmergencyStop);
-  EXPECT_EQ(bench.can.count(kEmergencyId), 2u);
-}
-
-TEST(Faults, EmergencyStopWhenIdleOrListening) {
-  for (const auto& configuration : {bench::driving(), bench::listening()}) {
-    Bench bench(configuration);
-    bench.run_samples(10);
-    bench.stop_line.set(true, 0);
-    bench.run_sample();
-    EXPECT_EQ(bench.controller->mode(), ControllerMode::kEmergencyStop);
-    EXPECT_FALSE(bench.controller->start());
-  }
-}
-
-TEST(Faults, PressedAtBootNeverStarts) {
-  Bench bench(bench::driving_at_boot());
-  bench.stop_line.set(true, 0);
-  bench.run_samples(50);
-  EXPECT_EQ(bench.relay.changes(), 0u);
-  EXPECT_TRUE(bench.dead());
-}
-
-// A reset clears the reason; only a start moves the rig.
-TEST(Faults, AResetAfterAPressAtBootStartsNothing) {
-  Bench bench(bench::driving_at_boot());
-  bench.stop_line.set(true, 0);
-  bench.run_samples(50);
-  bench.stop_line.set(false, 0);
-  bench.run_samples(5);
-  EXPECT_TRUE(bench.controller->reset());
-  bench.run_samples(50);
-  EXPECT_EQ(bench.relay.changes(), 0u);
-  EXPECT_TRUE(bench.dead());
-  EXPECT_TRUE(bench.controller->start());
-  EXPECT_TRUE(bench.run_until(ControllerMode::kIntegrate));
-}
-
-// The board's program says so after a run that did not end well.
-TEST(Faults, AStartByItselfCanBeHeldBack) {
-  Bench bench(bench::driving_at_boot());
-  bench.controller->wait_for_start();
-  bench.run_samples(50);
-  EXPECT_EQ(bench.relay.changes(), 0u);
-  EXPECT_TRUE(bench.controller->start());
-  EXPECT_TRUE(bench.run_until(ControllerMode::kIntegrate));
-}
-
-// The converter refuses at the very sample with which the measurement begins.
-TEST(Faults, NoLevelBeginsWithTheSampleThatStoppedTheRig) {
-  int begins_at = 0;
-  {
-    Bench bench(bench::driving());
-    bench.step();
-    ASSERT_TRUE(bench.controller->start());
-    while (bench.controller->mode() != ControllerMode::kIntegrate && begins_at < 20000) bench.run_sample(), ++begins_at;
-  }
-  Bench bench(bench::driving());
-  bench.step();
-  ASSERT_TRUE(bench.controller->start());
-  bench.run_samples(begins_at - 1);
-  bench.drive.refuse(true);
-  bench.run_sample();
-  bench.drive.refuse(false);
-  ASSERT_EQ(bench.controller->latched_alarm().cause, AlarmCause::kDriveNotTaken);
-  const uint32_t taken = bench.controller->core().health().samples;
-  bench.run_samples(1000);
-  EXPECT_EQ(bench.controller->core().health().samples, taken);
-}
-
 TEST(Faults, UndeliveredSafeStateIsTriedAgainAndStarvesTheWatchdog) {
   Bench bench(bench::driving());
-  driven_into(ControllerMode::kIntegrate, bench);
+  bench.drive_into(ControllerMode::kIntegrate);
   bench.relay.refuse(true);
   bench.stop_line.pulse(0);
   bench.run_sample();
@@ -332,7 +226,7 @@ TEST(Faults, ARigThatHasNoRoomMeasuresNothing) {
 
 TEST(Faults, NothingStopsOnOneSaturatedSampleOrAShortGap) {
   Bench bench(bench::driving());
-  driven_into(ControllerMode::kIntegrate, bench);
+  bench.drive_into(ControllerMode::kIntegrate);
   for (int repeat = 0; repeat < 20; ++repeat) {
     bench.spoil.code[0][1] = 16000000;
     bench.run_samples(2);
@@ -394,52 +288,6 @@ TEST(Faults, ListeningGoesOnThroughAReadThatFails) {
   EXPECT_EQ(bench.can.count(0x391), 7u);
 }
 
-// Stopped at over 2^27, four times the slew limit of 2^25, which the random level keeps from sample to sample. The output has been
-// zero since, and the new start begins there: no step. Against the command before the stop its first one was 2^27 down.
-TEST(Faults, AStartAfterAStopWhileDrivingIsNoStep) {
-  auto configuration = bench::driving();
-  configuration.programme.level_count = 1;
-  firmware::ExcitationLevel& level = configuration.programme.levels[0];
-  level.kind = firmware::ExcitationKind::kRandomBand;
-  level.amplitude = firmware::Drive::from_raw(1 << 27);
-  level.phase_step = 1 << 20;
-  level.high_phase_step = 1 << 24;  // 2^-8 of the rate: from sample to sample 2 pi / 256 of the value at most
-  configuration.programme.limits.step_per_sample = firmware::Drive::from_raw(1 << 25);
-  Bench bench(configuration);
-  driven_into(ControllerMode::kIntegrate, bench);
-  while (std::abs(bench.drive.drive_q31()) < 1 << 27) bench.run_sample();
-  bench.stop_line.pulse(0);
-  bench.run_sample();
-  ASSERT_TRUE(bench.dead());
-  bench.run_samples(5);
-  ASSERT_TRUE(bench.controller->reset());
-  ASSERT_TRUE(bench.controller->start());
-  bench.run_samples(20);
-  EXPECT_FALSE(bench.controller->latched_alarm());
-  EXPECT_TRUE(bench.relay.active());
-}
-
-// Eight levels add up. A ninth would not be measured: START says so, until RESET forgets them.
-TEST(Faults, NoLevelBeginsThatWouldNotBeMeasured) {
-  auto configuration = bench::listening();
-  configuration.node.listen_on_command = true;
-  Bench bench(configuration);
-  bench.run_samples(3);
-  for (int level = 0; level < firmware::kMaxLevels; ++level) {
-    EXPECT_TRUE(bench.controller->start()) << level;
-    bench.run_samples(50);
-    bench.controller->stop();
-    bench.run_samples(5);
-  }
-  EXPECT_FALSE(bench.controller->start());
-  bench.network_command(1, 0);
-  bench.run_samples(5);
-  EXPECT_EQ(bench.controller->mode(), ControllerMode::kIdle);
-  EXPECT_TRUE(bench.controller->reset());
-  EXPECT_TRUE(bench.controller->start());
-  EXPECT_EQ(bench.controller->mode(), ControllerMode::kIntegrate);
-}
-
 TEST(Faults, EmergencyFramesKeepTheirInhibitTime) {
   Bench bench(bench::listening());
   bench.run_samples(10);
@@ -463,7 +311,7 @@ TEST(Faults, LevelThatDoesNotSettleIsTold) {
   auto configuration = bench::driving();
   configuration.programme.levels[0].settle_limit_samples = 120;  // four blocks of 50 cannot be complete
   Bench bench(configuration);
-  driven_into(ControllerMode::kIntegrate, bench);
+  bench.drive_into(ControllerMode::kIntegrate);
   ASSERT_NE(bench.can.last(kEmergencyId), nullptr);
   EXPECT_EQ(emergency_code(*bench.can.last(kEmergencyId)), 0xFF07);
   EXPECT_TRUE(bench.controller->excitation().unsettled());

@@ -94,10 +94,7 @@ Vec Columns::bristle_force(const Term& t, const Way& along, bool follows, Memory
   if (!follows) memory.z = along.v[0] < 0 ? -1 : 1;
   Vec out(along.u.size());
   for (Index k = 0; k < out.size(); ++k) {
-    if (k > 0) {
-      const double way = along.u[k] - along.u[k - 1], s = way < 0 ? -1 : 1;
-      memory.z = s + (memory.z - s) * std::exp(-std::abs(way) / t.shape);
-    }
+    if (k > 0) memory.z = bent_on(memory.z, along.u[k] - along.u[k - 1], t.shape);
     out[k] = memory.z - (replaces ? sign_at(along.v, k) : 0);
   }
   return out;

@@ -4,19 +4,14 @@
 #include "../fit/outer_sums.hpp"
 
 namespace diagnosis::runs {
-namespace {
-
-int node_of(int end) { return end > 0 ? end - 1 : -1; }
-
-}  // namespace
 
 struct Columns::Acting {
-  Mat force;                               // terms x samples, on the first node and against the second
-  std::vector<std::pair<int, int>> nodes;  // of each term; -1: none
-  std::vector<bool> direct;                // terms whose rows are made already
-  Index late = -1;                         // the base's delay among the terms
-  Mat late_base;                           // its forces, nodes x samples
-  Vec carried;                             // its acceleration of the base
+  Mat force;                 // terms x samples, on the first node and against the second
+  std::vector<Place> nodes;  // of each term
+  std::vector<bool> direct;  // terms whose rows are made already
+  Index late = -1;           // the base's delay among the terms
+  Mat late_base;             // its forces, nodes x samples
+  Vec carried;               // its acceleration of the base
 
   // What the terms push the nodes with at a sample, as accelerations: one row per term.
   void push(Index sample, const Mat& yield, Mat& out) const {
@@ -34,12 +29,6 @@ struct Columns::Acting {
   }
 };
 
-std::pair<int, int> Columns::nodes_of(const Term& t) const {
-  if (t.link < 0) return {t.dof, -1};
-  const rig_file::Link& link = system_.links[static_cast<size_t>(t.link)];
-  return {node_of(link.a), node_of(link.b)};
-}
-
 Columns::Acting Columns::acting(const std::vector<Term>& terms, const Window& w, const WindowRun& run,
                                 const std::vector<MotionTrace>& traces, Mat& out) {
   if (memory_.size() != terms.size()) memory_.assign(terms.size(), {});
@@ -48,7 +37,7 @@ Columns::Acting Columns::acting(const std::vector<Term>& terms, const Window& w,
   Vec rows;
   for (size_t i = 0; i < terms.size(); ++i) {
     const Index row = static_cast<Index>(i);
-    all.nodes.push_back(nodes_of(terms[i]));
+    all.nodes.push_back(place_of_force(system_, terms[i]));
     all.direct.push_back(of_channel(terms[i], w, run, traces, rows));
     if (all.direct[i])
       out.row(row) = rows, all.force.row(row).setZero();

@@ -31,7 +31,6 @@ class Columns {
   void balance(const Acting& acting, const Window& w, const std::vector<MotionTrace>& traces, Mat& out) const;
   void carry(const Acting& acting, const Window& w, const WindowRun& run, const std::vector<MotionTrace>& traces,
              Mat& out) const;
-  std::pair<int, int> nodes_of(const Term& t) const;
 
   // column_forces.cpp: positive against the motion of the link's first end, or of the DOF.
   Vec force(const Term& t, const Window& w, const WindowRun& run, Memory& memory) const;

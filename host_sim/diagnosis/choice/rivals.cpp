@@ -81,12 +81,13 @@ Attempt own_beside(const Task& task, const State& rest, const Choice& choice, co
   own.candidates = {mine.candidate}, own.state = choice.final, own.complexity = mine.candidate.complexity;
   own.z = mine.z;
   if (rest.seen.size() != choice.final.seen.size()) own.state = on_all(task, rest, choice.final);
+  own.unresolved = is_unresolved_mode(task, own.state, own.candidates);
   own.error = error_over(own.state.fit, rest.fit), own.unseen = error_over(own.state.unseen_fit, rest.unseen_fit);
   return own;
 }
 
 bool no_rival(const Task& task, const State& rest, const Attempt& a) {
-  return below_nought(a.state) || cannot_be(task, rest, a) || is_unresolved_mode(task, a.state, a.candidates);
+  return below_nought(a.state) || cannot_be(task, rest, a) || a.unresolved;
 }
 
 // Those that the linearisation promises about as much of as of the best, fitted; of bristles dry friction in their place too.

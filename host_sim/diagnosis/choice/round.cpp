@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "../doubts/possible.hpp"
-#include "../doubts/unresolved_mode.hpp"
 #include "../trial/bristles.hpp"
 #include "../trial/merit.hpp"
 #include "../trial/pairs.hpp"
@@ -30,7 +29,7 @@ void keep_nearest(const Task& task, const State& now, const std::vector<Attempt>
 // Where filters round the jumps of friction (`rounded`), damping laws that change with the rate look like that: they have to be there
 // beside it too.
 bool stands(const Beside& b, const State& rounded, const Attempt& t) {
-  if (!passes(t, b.already, b.noise) || is_unresolved_mode(b.task, t.state, t.candidates)) return false;
+  if (!passes(t, b.already, b.noise) || t.unresolved) return false;
   if (!rounded.fit.ok || whole_error(t) < error_over(rounded.fit, b.now.fit)) return true;
   const std::vector<std::vector<double>> start(t.candidates.size(), {0.0});
   const double left_noise = std::min(1.0, b.noise / error_over(rounded.fit, b.now.fit));
@@ -82,8 +81,7 @@ Round round_of(const Task& task, const State& now, size_t already, const Left& l
   if (round.stuck) return round;
   choice.nearly.clear();
   for (const Attempt& t : singles)
-    if (nearly(t) && !is_unresolved_mode(task, t.state, t.candidates))
-      choice.nearly.push_back({t.candidates[0], t.state.model, share_of(t, noise)});
+    if (nearly(t) && !t.unresolved) choice.nearly.push_back({t.candidates[0], t.state.model, share_of(t, noise)});
   if (already == 0) keep_nearest(task, now, singles, noise, choice);
   const State with_rounded_jumps = rounded(task, now, singles);
   take_single(beside, with_rounded_jumps, singles, worth, round);

@@ -6,38 +6,31 @@
 
 #include "../record/motion.hpp"
 #include "firmware/vocabulary/effect_table.hpp"
+#include "host_sim/response/linear_rig.hpp"
 
 namespace diagnosis::runs {
 namespace {
 
 constexpr double kOpposed = 0.5;  // of a beat: from there on the amplitude comes back, which no damping makes it do
 
-int node_of(int end) { return end > 0 ? end - 1 : -1; }
-
 // Masses, and springs about the rest, of a model; the last node is what it hides.
 struct Undamped {
   Mat mass, spring;
-  explicit Undamped(Index nodes) : mass(Mat::Zero(nodes, nodes)), spring(Mat::Zero(nodes, nodes)) {}
-  void connect(Index a, Index b, double k) {
-    if (a >= 0) spring(a, a) += k;
-    if (b >= 0) spring(b, b) += k;
-    if (a >= 0 && b >= 0) spring(a, b) -= k, spring(b, a) -= k;
-  }
 };
 
 Undamped undamped(const System& system, const Model& model, const ModelTerm& hidden) {
   const Index n = static_cast<Index>(system.dofs());
-  Undamped rig(n + 1);
+  Undamped rig{Mat::Zero(n + 1, n + 1), Mat::Zero(n + 1, n + 1)};
   for (const ModelTerm& t : model) {
     if (t.term.kind == Kind::kMass || (t.term.kind == Kind::kMassError && t.term.link < 0))
       rig.mass(t.term.dof, t.term.dof) += t.value;
     if (t.term.link < 0 || t.host >= 0 || !firmware::row_of(effect_of(t.term.kind)).nature.conservative) continue;
-    const rig_file::Link& link = system.links[static_cast<size_t>(t.term.link)];
-    rig.connect(node_of(link.a), node_of(link.b),
-                t.value * law(t.term.kind, 0, 0, 0, t.term.shape, t.term.shape2).by_u);
+    const Place ends = place_of_force(system, t.term);
+    host_sim::add_between(rig.spring, ends.plus, ends.minus,
+                          t.value * law(t.term.kind, 0, 0, 0, t.term.shape, t.term.shape2).by_u);
   }
   rig.mass(n, n) = hidden.value;
-  rig.connect(hidden.term.dof, n, hidden.value * std::pow(kTwoPi * hidden.term.shape, 2));
+  host_sim::add_between(rig.spring, hidden.term.dof, n, hidden.value * std::pow(kTwoPi * hidden.term.shape, 2));
   return rig;
 }
 

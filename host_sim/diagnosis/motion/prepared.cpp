@@ -9,11 +9,6 @@
 
 namespace diagnosis::runs {
 
-bool massless(const rig_file::RigModel& rig) {
-  return std::all_of(rig.dofs.begin(), rig.dofs.end(),
-                     [](const rig_file::Dof& d) { return !d.mass_kg.estimate && d.mass_kg.value == 0; });
-}
-
 const MotionTrace* trace_of(const Prepared& p, int dof, int quantity) {
   for (const MotionTrace& t : p.traces)
     if (t.dof == dof && t.quantity == quantity) return &t;

@@ -11,6 +11,7 @@
 #include "../record/series.hpp"
 #include "hal/rig_file/rig_model.hpp"
 #include "host_sim/records/record.hpp"
+#include "host_sim/vocabulary/held_in_place.hpp"
 
 namespace diagnosis::runs {
 
@@ -90,7 +91,7 @@ void tell_drift(Prepared& record);
 void renew_base(Prepared& record);
 
 // Without any mass the force is not what drives the motion but what answers it.
-bool massless(const rig_file::RigModel& rig);
+using vocabulary::massless;
 
 // Sum of squares of white noise in `y`, from its third differences: they have 20 times its variance (1 + 9 + 9 + 1). Over
 // size - 3 values.

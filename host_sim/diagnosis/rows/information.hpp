@@ -5,14 +5,9 @@
 #include <vector>
 
 #include "../record/fourier.hpp"
+#include "../terms/terms.hpp"
 
 namespace diagnosis {
-
-// Where a force acts: with + on one DOF (index from 0), with - on another; -1: on none (ground, base).
-struct Place {
-  int plus = -1, minus = -1;
-  bool operator<(const Place& o) const { return plus != o.plus ? plus < o.plus : minus < o.minus; }
-};
 
 // A Hermitian matrix per bin, entry by entry over all bins: the lower triangle, (0,0) (1,0) (1,1) (2,0) ...
 using Triangle = std::vector<Spectrum>;

@@ -4,7 +4,6 @@
 #include <memory>
 #include <vector>
 
-#include "../terms/terms.hpp"
 #include "information.hpp"
 
 namespace diagnosis {
@@ -41,9 +40,6 @@ inline double acting_value(const std::vector<ActiveTerm>& model, const ActiveTer
 Spectrum row_spectrum(const FusedRecord& record, const Series& force);
 
 using Weights = std::vector<Information>;  // per record
-
-Place place_of_link(const System& system, size_t link);
-Place place_of_force(const System& system, const Term& term);
 
 class Rows {
  public:

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "host_sim/response/linear_rig.hpp"
 #include "simulator.hpp"
 
 // A model as lists of masses, elements and frictions between nodes.
@@ -55,12 +56,7 @@ double Simulator::steps_per_second() const {
     const double omega = kTwoPi * e.shape;
     const double k = e.value * (resonance ? omega * omega : e.by_u),
                  c = e.value * (resonance ? 2 * e.shape2 * omega : e.by_w);
-    for (int side = 0; side < 2; ++side) {
-      const int node = side == 0 ? e.a : e.b, other = side == 0 ? e.b : e.a;
-      if (node < 0) continue;
-      stiffness(node, node) += k, damping(node, node) += c;
-      if (other >= 0) stiffness(node, other) -= k, damping(node, other) -= c;
-    }
+    host_sim::add_between(stiffness, e.a, e.b, k), host_sim::add_between(damping, e.a, e.b, c);
   }
   const Vec root = mass_.cwiseInverse().cwiseSqrt();
   const Eigen::SelfAdjointEigenSolver<Mat> modes(root.asDiagonal() * stiffness * root.asDiagonal());

@@ -39,10 +39,7 @@ double Simulator::bent_so_far(const Element& e, Index sample) const {
   for (double way = 0; from > 0 && way < kForgotten * e.shape; --from)
     way += std::abs(elongation(from) - elongation(from - 1));
   double z = end(e.a, from, true) - end(e.b, from, true) < 0 ? -1 : 1;
-  for (Index k = from + 1; k <= sample; ++k) {
-    const double way = elongation(k) - elongation(k - 1), sign = way < 0 ? -1 : 1;
-    z = sign + (z - sign) * std::exp(-std::abs(way) / e.shape);
-  }
+  for (Index k = from + 1; k <= sample; ++k) z = bent_on(z, elongation(k) - elongation(k - 1), e.shape);
   return z;
 }
 

@@ -30,6 +30,11 @@ bool massless(const Model& model) {
                       [](const ModelTerm& t) { return t.term.kind == Kind::kMass && (t.value > 0 || !t.known); });
 }
 
+double bent_on(double z, double way, double length) {
+  const double sign = way < 0 ? -1 : 1;
+  return sign + (z - sign) * std::exp(-std::abs(way) / length);
+}
+
 bool positive(Kind kind) {
   switch (kind) {
     case Kind::kMass:

@@ -31,6 +31,8 @@ void step_parameters(Model& model, const Vec& change);
 
 // Nothing has inertia: the motion is given and forces answer to it.
 bool massless(const Model& model);
+// How far bristles that were bent by z are after a way in one direction: dz = (1 - z sgn(way)) dway / length (Dahl).
+double bent_on(double z, double way, double length);
 
 // Whether a negative coefficient has no physical sense.
 bool positive(Kind kind);

@@ -131,4 +131,13 @@ LinkMotion link_motion(const System& system, const FusedRecord& f, size_t link) 
   return m;
 }
 
+Place place_of_force(const System& system, const Term& term) {
+  return term.link < 0 ? Place{term.dof, -1} : place_of_link(system, static_cast<size_t>(term.link));
+}
+
+Place place_of_link(const System& system, size_t index) {
+  const rig_file::Link& link = system.links[index];
+  return {link.a > 0 ? link.a - 1 : -1, link.b > 0 ? link.b - 1 : -1};
+}
+
 }  // namespace diagnosis

@@ -99,6 +99,14 @@ struct System {
 // ground_known: links to the ground that the rig file lacks may be told.
 System make_system(const rig_file::RigModel& rig, bool ground_known = true);
 
+// Where a force acts: with + on one DOF (index from 0), with - on another; -1: on none (ground, base).
+struct Place {
+  int plus = -1, minus = -1;
+  bool operator<(const Place& o) const { return plus != o.plus ? plus < o.plus : minus < o.minus; }
+};
+Place place_of_link(const System& system, size_t link);
+Place place_of_force(const System& system, const Term& term);
+
 // Elongation and rate of a link, from the linear or the smoothed motion. The base is the motion after the last DOF.
 struct LinkMotion {
   Series u, w;  // linear

@@ -24,6 +24,7 @@ struct Attempt {
   double unseen_deviations = 0;
   // Its friction bends within a sample, as a filter rounds a jump: no cause, but what causes have to stand beside.
   bool rounds = false;
+  bool no_sensors = false, unresolved = false;  // is_no_sensors(), is_unresolved_mode(): no cause either
 };
 
 // Where windows' states start: as fitted for the model beside, or (where that was far off) as measured.

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../doubts/possible.hpp"
 #include "../doubts/shown.hpp"
+#include "../doubts/unresolved_mode.hpp"
 #include "../residual/motion_error.hpp"
 #include "merit.hpp"
 #include "paired.hpp"
@@ -52,6 +54,7 @@ void judge(const Task& task, const State& beside, bool hosted, Attempt& a) {
     else
       a.state.fit.ok = false;
   }
+  a.no_sensors = is_no_sensors(a.state, a.candidates), a.unresolved = is_unresolved_mode(task, a.state, a.candidates);
   if (!a.state.fit.ok || a.rounds) return;
   a.z = std::min(1e300, least_z(a, beside.model.size()));
   a.unseen_deviations = a.candidates.size() <= 2 ? deviations_unseen(beside, a) : 0;

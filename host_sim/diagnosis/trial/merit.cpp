@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "../doubts/possible.hpp"
 #include "paired.hpp"
 
 namespace diagnosis::runs {
@@ -109,7 +108,7 @@ bool may_be_nought(const State& with, size_t added_from) {
 }
 
 bool passes(const Attempt& a, size_t already, double noise) {
-  if (!a.state.fit.ok || a.rounds || is_no_sensors(a.state, a.candidates)) return false;
+  if (!a.state.fit.ok || a.rounds || a.no_sensors) return false;
   const double n = static_cast<double>(already + a.candidates.size()), least = least_share(a.candidates.size());
   // chance would have to pass twice; but what causes named before leave may be their laws' error, which unseen windows repeat
   const bool single = a.candidates.size() == 1;
@@ -140,8 +139,7 @@ bool passes(const Attempt& a, size_t already, double noise) {
 }
 
 bool nearly(const Attempt& a) {
-  if (!a.state.fit.ok || a.rounds || is_no_sensors(a.state, a.candidates) || a.candidates.size() != 1 ||
-      !(whole_error(a) < kPays))
+  if (!a.state.fit.ok || a.rounds || a.no_sensors || a.candidates.size() != 1 || !(whole_error(a) < kPays))
     return false;
   const bool much =
       a.z > kByChance && a.error < 1 - kShare && a.unseen < 1 - kShare;  // of a record too short to be sure

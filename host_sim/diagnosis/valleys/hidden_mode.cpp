@@ -2,7 +2,6 @@
 
 #include "../choice/free_damping.hpp"
 #include "../choice/horizon.hpp"
-#include "../doubts/unresolved_mode.hpp"
 #include "../first_values/mode_scan.hpp"
 #include "../trial/attempt.hpp"
 #include "../trial/merit.hpp"
@@ -36,7 +35,7 @@ bool adopted(const Task& task, const SpectralBalance& balance, const HiddenMode&
   State beside = choice.base;
   beside.model = with_numbers(balance, mode.numbers, choice.base.model);
   const Attempt found = attempt(task, beside, {candidate_of(mode)}, {{mode.mass_kg}}, kBaseSteps, From::kMeasured);
-  if (!found.state.fit.ok || is_unresolved_mode(task, found.state, found.candidates) || !follows(task, found.state) ||
+  if (!found.state.fit.ok || found.unresolved || !follows(task, found.state) ||
       !outdoes(task, found.state, before, choice.periods))
     return false;
   // what it brings is told beside the rig as given, whose numbers are not those that the attempt started from

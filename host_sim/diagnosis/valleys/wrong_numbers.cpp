@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "../choice/horizon.hpp"
-#include "../doubts/possible.hpp"
 #include "../first_values/start.hpp"
 #include "../trial/attempt.hpp"
 #include "../trial/merit.hpp"
@@ -88,8 +87,8 @@ bool adopted(const Task& task, const Causes& causes, const Model& freed, Choice&
   for (size_t i = 0; i < beside.model.size(); ++i)
     if (!beside.model[i].known) beside.model[i].value = freed[i].value;
   const Attempt all = attempt(task, beside, causes.list, causes.values, kBaseSteps, From::kMeasured);
-  if (!all.state.fit.ok || all.rounds || is_no_sensors(all.state, causes.list) || !(all.z > kSure) ||
-      !unseen_agrees(all) || !(motion_error(task, all.state) < kFollows))
+  if (!all.state.fit.ok || all.rounds || all.no_sensors || !(all.z > kSure) || !unseen_agrees(all) ||
+      !(motion_error(task, all.state) < kFollows))
     return false;
   choice.base_left = left_by(task.system, task.records, choice.base);
   choice.base_fits_nothing = false;

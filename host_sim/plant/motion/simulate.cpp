@@ -104,6 +104,11 @@ Record simulate(const rig_file::RigModel& rig, const InitialState& initial, cons
   return record;
 }
 
+bool runs_freely(const rig_file::RigModel& rig) {
+  return std::all_of(rig.dofs.begin(), rig.dofs.end(),
+                     [](const rig_file::Dof& dof) { return dof.mass_kg.value > 0.0; });
+}
+
 Record free_run(const rig_file::RigModel& rig, const Record& record, size_t from, const InitialState& initial,
                 size_t count, const FreeRunOptions& options) {
   if (carried_by_base(rig, record)) {

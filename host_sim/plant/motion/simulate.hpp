@@ -41,6 +41,9 @@ struct FreeRunOptions {
 Record free_run(const rig_file::RigModel& rig, const Record& record, size_t from, const InitialState& initial,
                 size_t count, const FreeRunOptions& options = {});
 
+// Whether every DOF has mass: a rig without does not run.
+bool runs_freely(const rig_file::RigModel& rig);
+
 // The state that the record shows at one sample (missing velocities from displacement differences, missing
 // displacements 0).
 InitialState measured_state(const rig_file::RigModel& rig, const Record& record, size_t sample);

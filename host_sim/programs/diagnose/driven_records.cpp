@@ -12,14 +12,10 @@
 #include "host_sim/programs/shared/rest_position.hpp"
 #include "host_sim/programs/shared/turned_force.hpp"
 #include "host_sim/records/files/data_file_error.hpp"
+#include "host_sim/vocabulary/held_in_place.hpp"
 
 namespace host_sim {
 namespace {
-
-bool has_mass(const rig_file::RigModel& rig) {
-  return std::any_of(rig.dofs.begin(), rig.dofs.end(),
-                     [](const rig_file::Dof& dof) { return dof.mass_kg.estimate || dof.mass_kg.value > 0; });
-}
 
 // Nothing where these records do not tell.
 std::optional<EstimateResult> estimates_of(const rig_file::RigModel& rig, const std::vector<Record>& records) {
@@ -47,7 +43,7 @@ void balance(const rig_file::RigModel& rig, const std::vector<size_t>& channels,
 
 std::vector<std::string> count_forced_from_rest(const rig_file::RigModel& rig, std::vector<Record>& training,
                                                 std::vector<Record>& unseen) {
-  if (!any_force(training) || !has_mass(rig)) return {};
+  if (!any_force(training) || vocabulary::massless(rig)) return {};
   SharedRecords records(training);
   const CountedFromRest rest = count_from_rest(CentreOf::kOneSide, rig, records);
   if (rest.held_off.empty()) return {};

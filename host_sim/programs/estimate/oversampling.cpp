@@ -12,6 +12,7 @@
 #include "host_sim/data_check/measures/spectrum.hpp"
 #include "host_sim/records/digitise.hpp"
 #include "host_sim/records/thin_out.hpp"
+#include "host_sim/vocabulary/held_in_place.hpp"
 
 namespace host_sim {
 namespace {
@@ -70,13 +71,8 @@ bool reaches_its_end(const std::vector<Record>& records,
   return false;
 }
 
-bool massless(const rig_file::RigModel& model) {
-  return std::all_of(model.dofs.begin(), model.dofs.end(),
-                     [](const rig_file::Dof& dof) { return !dof.mass_kg.estimate && dof.mass_kg.value == 0.0; });
-}
-
 double samples_a_period(const rig_file::RigModel& model, const firmware::CoreConfiguration& planned) {
-  if (massless(model)) return kRatesOfJumps;
+  if (vocabulary::massless(model)) return kRatesOfJumps;
   return rig_file::differentiates_twice(planned) ? kRatesOfSecondSlope : kRatesOfSlope;
 }
 

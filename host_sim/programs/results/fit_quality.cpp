@@ -65,11 +65,6 @@ bool begins_unknown(const Record& record) {
 // Samples that are too slow to show the rig's slowest mode, which a run from them would go through all the same.
 bool too_slow_for(double slowest_Hz, const Record& record) { return 2.0 * record.sample_period_s * slowest_Hz > 1.0; }
 
-bool runs_freely(const rig_file::RigModel& rig) {
-  return std::all_of(rig.dofs.begin(), rig.dofs.end(),
-                     [](const rig_file::Dof& dof) { return dof.mass_kg.value > 0.0; });
-}
-
 std::vector<Record> free_running_error(const rig_file::RigModel& rig, const std::vector<Record>& records,
                                        std::vector<SquareSums>& sums) {
   // Records run beside each other; what they add up to does not depend on which is done first.

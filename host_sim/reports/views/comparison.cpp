@@ -5,6 +5,7 @@
 
 #include "host_sim/force_balance/derivative.hpp"
 #include "host_sim/force_balance/force_balance.hpp"
+#include "host_sim/plant/motion/simulate.hpp"
 #include "host_sim/plant/plant_error.hpp"
 #include "host_sim/reports/data/channel_words.hpp"
 #include "host_sim/reports/views/balance_views.hpp"
@@ -33,9 +34,7 @@ std::vector<size_t> start_samples(const Record& record, const rig_file::RigModel
 
 Record try_to_simulate(const Side& side, const Record& record, const char* name, std::vector<std::string>& notes) {
   const rig_file::RigModel& rig = side.rig;
-  const bool massless = std::any_of(rig.dofs.begin(), rig.dofs.end(),
-                                    [](const rig_file::Dof& dof) { return !(dof.mass_kg.value > 0.0); });
-  if (massless) return {};
+  if (!runs_freely(rig)) return {};
   const std::vector<size_t> starts = start_samples(record, rig);
   if (side.simulated != nullptr && starts.size() == 1) return *side.simulated;
   try {

@@ -25,11 +25,6 @@ double miss(const Record& record, const Record& simulated, int dof) {
   return 0.0;
 }
 
-bool has_massless_dof(const rig_file::RigModel& rig) {
-  return std::any_of(rig.dofs.begin(), rig.dofs.end(),
-                     [](const rig_file::Dof& dof) { return !(dof.mass_kg.value > 0.0); });
-}
-
 }  // namespace
 
 Record simulate_from(const rig_file::RigModel& rig, const Record& record, const std::vector<size_t>& starts) {
@@ -50,7 +45,7 @@ Record simulate_from(const rig_file::RigModel& rig, const Record& record, const 
 
 std::vector<Record> simulate_all(const rig_file::RigModel& rig, const std::vector<Record>& records,
                                  std::vector<std::string>& notes) {
-  if (has_massless_dof(rig)) return {};
+  if (!runs_freely(rig)) return {};
   try {
     std::vector<Record> out;
     for (const Record& record : records) out.push_back(simulate_from(rig, record, {0}));
