@@ -180,8 +180,8 @@ Code Conditioning::fused(const Path& path) {
   FusionState& state = fusion_[kDerivesSignals ? node_of(path) : 0];
   const int half = signal.half_length, middle = history_at_ + kHistory - reach_;
   const int acceleration = path_[path.partner].history_of;
-  const int64_t slope = filter_sum(0, signal.tap, &history_[path.history_of * 2 * kHistory + middle], half);
-  const int64_t step = filter_sum(0, fusion.step_tap, &history_[acceleration * 2 * kHistory + middle], half);
+  const int64_t slope = filter_sum(signal.tap, &history_[path.history_of * 2 * kHistory + middle], half);
+  const int64_t step = filter_sum(fusion.step_tap, &history_[acceleration * 2 * kHistory + middle], half);
   if (received_ + 1 < static_cast<uint32_t>(2 * reach_ + 1)) return {};
   if (received_ + 1 == static_cast<uint32_t>(2 * reach_ + 1)) state.slope = slope;
   const int leak = starting_leak(received_ - static_cast<uint32_t>(2 * reach_), fusion.leak_shift, kSlopeTimeConstants);
