@@ -22,8 +22,9 @@ void EstimatorCore::begin_level() {
 
 void EstimatorCore::push(const RawSample& sample) {
   ++health_.samples;
-  if (sample.sequence != next_sequence_) note_gap(sample.sequence);
-  next_sequence_ = sample.sequence + 1;
+  const uint32_t sequence = sample.sequence;
+  if (sequence != next_sequence_) note_gap(sequence);
+  next_sequence_ = sequence + 1;
   sequence_known_ = true;
   // What can wait goes on in the steps that do not work on a block.
   if (filled_columns_ == 0 && filled_ + 1 != full_) {

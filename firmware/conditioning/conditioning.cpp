@@ -128,14 +128,15 @@ inline Code Conditioning::delayed(Code value) {
 void Conditioning::work_on_early_threes(Code* newest, int32_t* column) {
   constexpr auto kFar = static_cast<uint32_t>(kSignalLimit - 1);  // bits alone tell that all three are nearer to zero
   const SignalConfiguration* const signals = &configuration_->signals[0][0];
-  Code* const waiting_places = &history_[2 * kHistory + waits_at_];
+  const auto to_waiting = &history_[2 * kHistory + waits_at_] - newest;
   limits_ <<= 1;
   for (const uint8_t *i = works_, *end = works_ + three_count_; i != end; ++i) {
     const Path* const path = path_ + *i;
     const SignalConfiguration* const signal = signals + path->signal;
-    keep(newest + path->history, Code::from_raw(column[path->channel_column]));
+    Code* const history = newest + path->history;
+    keep(history, Code::from_raw(column[path->channel_column]));
     const Code* const middle = newest + path->window;
-    Code* const waiting = waiting_places + path->history;
+    Code* const waiting = history + to_waiting;
     int32_t* const place = column + path->column;
     uint32_t bits = 0;
     const auto exchange = [&](int q, Code value) {
@@ -169,7 +170,7 @@ bool Conditioning::filter(int32_t* column) {
       column[path.column] = (path.turn & kFused ? fused(path) : delayed(newest[path.window])).raw;
   }
   if (++history_at_ == kHistory) history_at_ = 0;
-  if (received_ != kMostReceived) ++received_;
+  if (received_ + 1 <= kMostReceived) ++received_;
   return received_ > static_cast<uint32_t>(history_samples_);
 }
 
@@ -180,8 +181,8 @@ Code Conditioning::fused(const Path& path) {
   FusionState& state = fusion_[kDerivesSignals ? node_of(path) : 0];
   const int half = signal.half_length, middle = history_at_ + kHistory - reach_;
   const int acceleration = path_[path.partner].history_of;
-  const int64_t slope = filter_sum(0, signal.tap, &history_[path.history_of * 2 * kHistory + middle], half);
-  const int64_t step = filter_sum(0, fusion.step_tap, &history_[acceleration * 2 * kHistory + middle], half);
+  const int64_t slope = filter_sum(signal.tap, &history_[path.history_of * 2 * kHistory + middle], half);
+  const int64_t step = filter_sum(fusion.step_tap, &history_[acceleration * 2 * kHistory + middle], half);
   if (received_ + 1 < static_cast<uint32_t>(2 * reach_ + 1)) return {};
   if (received_ + 1 == static_cast<uint32_t>(2 * reach_ + 1)) state.slope = slope;
   const int leak = starting_leak(received_ - static_cast<uint32_t>(2 * reach_), fusion.leak_shift, kSlopeTimeConstants);

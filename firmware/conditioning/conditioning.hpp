@@ -65,16 +65,17 @@ class Conditioning {
     kKeepsOutput = 32,  // for such a path, where its history would be
   };
   static constexpr uint8_t kNone = UINT8_MAX;
-  struct Path {          // one signal
-    uint8_t signal = 0;  // node * kQuantities + quantity
+  // One signal. In front stands what few ask for: what stands there would take an address of its own with every sample.
+  struct Path {
+    uint8_t partner = kNone;  // of a fused velocity: the node's acceleration
+    uint8_t signal = 0;       // node * kQuantities + quantity
     // High-pass: differences come first, then integrations, all with the pole 1 - 2^-shift; but a displacement from a measured
     // velocity is integrated first (high_passed()).
     uint8_t sections = 0, integrations = 0, shift = 0;
-    uint8_t history_of = 0;   // the path that keeps the samples it is made from
-    uint8_t turn = 0;         // what is done for it with each sample
-    int8_t parity = 0;        // of the filter's taps (filter_sum.hpp)
-    uint8_t partner = kNone;  // of a fused velocity: the node's acceleration
-    uint16_t history = 0;     // its place in history_
+    uint8_t history_of = 0;  // the path that keeps the samples it is made from
+    uint8_t turn = 0;        // what is done for it with each sample
+    int8_t parity = 0;       // of the filter's taps (filter_sum.hpp)
+    uint16_t history = 0;    // its place in history_
     uint16_t window =
         0;  // middle of its window in history_, behind the newest sample's place there; delayed: the value;
             // the velocity of an early three: the early one's column

@@ -137,17 +137,7 @@ int parity_of(const Tap* tap, int half_length) {
   return even ? 1 : odd ? -1 : 0;
 }
 
-int64_t even_sum(const Tap* tap, const Code* middle, int half_length) {
-  return sum_of<Weighs::kSum>(tap, middle, half_length);
-}
-// The middle tap is 0.
-int64_t odd_sum(const Tap* tap, const Code* middle, int half_length) {
-  return sum_of<Weighs::kDifference>(tap, middle, half_length);
-}
-
-int64_t filter_sum(int parity, const Tap* tap, const Code* middle, int half_length) {
-  if (parity > 0) return even_sum(tap, middle, half_length);
-  if (parity < 0) return odd_sum(tap, middle, half_length);
+int64_t filter_sum(const Tap* tap, const Code* middle, int half_length) {
   return sum_of<Weighs::kOne>(tap, middle - half_length, 2 * half_length + 1);
 }
 
@@ -162,7 +152,7 @@ Code odd_signal(const SignalConfiguration& signal, const Code* middle) {
 Code filter_signal(const SignalConfiguration& signal, const Code* middle, int parity) {
   if (parity > 0) return even_signal(signal, middle);
   if (parity < 0) return odd_signal(signal, middle);
-  return rounded(filter_sum(0, signal.tap, middle, signal.half_length), signal.shift);
+  return rounded(filter_sum(signal.tap, middle, signal.half_length), signal.shift);
 }
 
 }  // namespace firmware

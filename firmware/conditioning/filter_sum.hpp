@@ -15,14 +15,12 @@ constexpr int32_t kSignalLimit = 1 << 23;
 
 // tap: 2 * half_length + 1 of them, oldest first. 1 even, -1 odd, 0 neither.
 int parity_of(const Tap* tap, int half_length);
-// middle: the sample that the middle tap weighs; half_length of them on either side, older ones before it.
-int64_t even_sum(const Tap* tap, const Code* middle, int half_length);
-int64_t odd_sum(const Tap* tap, const Code* middle, int half_length);
-int64_t filter_sum(int parity, const Tap* tap, const Code* middle, int half_length);
+// All taps one by one. middle: the sample that the middle tap weighs; half_length of them on either side, older ones before it.
+int64_t filter_sum(const Tap* tap, const Code* middle, int half_length);
 
 // sum / 2^shift to nearest, |sum| < 2^62; just beyond kSignalLimit, or more, where it is beyond.
 Code nearest(int64_t sum, int shift);
-// That of a signal's filter.
+// That of a signal's filter. Odd: the middle tap is 0.
 Code even_signal(const SignalConfiguration& signal, const Code* middle);
 Code odd_signal(const SignalConfiguration& signal, const Code* middle);
 Code filter_signal(const SignalConfiguration& signal, const Code* middle, int parity);

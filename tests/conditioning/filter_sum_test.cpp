@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <vector>
 
 using namespace firmware;
@@ -20,6 +21,14 @@ std::vector<Code> codes(std::initializer_list<int> values) {
   return result;
 }
 
+SignalConfiguration signal_of(const std::vector<Tap>& taps, int shift) {
+  SignalConfiguration signal;
+  signal.half_length = static_cast<uint8_t>(taps.size() / 2);
+  signal.shift = static_cast<uint8_t>(shift);
+  std::copy(taps.begin(), taps.end(), signal.tap);
+  return signal;
+}
+
 // 5 (1 + 9) + 2 (4 + 7) + 3 * 6 = 50 + 22 + 18 = 90; odd: 5 (9 - 1) + 2 (7 - 4) = 46.
 TEST(FilterSum, EvenAndOddByHand) {
   const auto x = codes({1, 4, 6, 7, 9});
@@ -27,10 +36,10 @@ TEST(FilterSum, EvenAndOddByHand) {
   EXPECT_EQ(parity_of(even.data(), 2), 1);
   EXPECT_EQ(parity_of(odd.data(), 2), -1);
   EXPECT_EQ(parity_of(taps({1, 2, 3, 2, 5}).data(), 2), 0);
-  for (int parity : {0, 1}) EXPECT_EQ(filter_sum(parity, even.data(), &x[2], 2), 90);
-  for (int parity : {0, -1}) EXPECT_EQ(filter_sum(parity, odd.data(), &x[2], 2), 46);
-  EXPECT_EQ(even_sum(even.data(), &x[2], 2), 90);
-  EXPECT_EQ(odd_sum(odd.data(), &x[2], 2), 46);
+  EXPECT_EQ(filter_sum(even.data(), &x[2], 2), 90);
+  EXPECT_EQ(filter_sum(odd.data(), &x[2], 2), 46);
+  EXPECT_EQ(even_signal(signal_of(even, 0), &x[2]).raw, 90);
+  EXPECT_EQ(odd_signal(signal_of(odd, 0), &x[2]).raw, 46);
 }
 
 // Filters without a four of taps on either side, with rounds of four alone, and with a rest. Samples 100 + n about n = 0, and S the sum
@@ -49,12 +58,12 @@ TEST(FilterSum, EveryLength) {
       even.push_back(Tap::from_raw(k < 0 ? -k : k));
     }
     const Code* const middle = &x[static_cast<size_t>(half)];
-    EXPECT_EQ(even_sum(ones.data(), middle, half), 100 * (2 * half + 1)) << half;
-    EXPECT_EQ(even_sum(even.data(), middle, half), 100 * half * (half + 1)) << half;
-    EXPECT_EQ(odd_sum(odd.data(), middle, half), 2 * squares) << half;
+    EXPECT_EQ(even_signal(signal_of(ones, 0), middle).raw, 100 * (2 * half + 1)) << half;
+    EXPECT_EQ(even_signal(signal_of(even, 0), middle).raw, 100 * half * (half + 1)) << half;
+    EXPECT_EQ(odd_signal(signal_of(odd, 0), middle).raw, 2 * squares) << half;
     ones.front() = Tap::from_raw(3);
     EXPECT_EQ(parity_of(ones.data(), half), 0);
-    EXPECT_EQ(filter_sum(0, ones.data(), middle, half), 100 * (2 * half + 1) + 2 * (100 - half)) << half;
+    EXPECT_EQ(filter_sum(ones.data(), middle, half), 100 * (2 * half + 1) + 2 * (100 - half)) << half;
   }
 }
 
@@ -62,8 +71,9 @@ TEST(FilterSum, EveryLength) {
 TEST(FilterSum, LargestTapsAndCodes) {
   const std::vector<Tap> taps(2 * kFilterHalf + 1, Tap::from_raw(1 << 30));
   const std::vector<Code> x(2 * kFilterHalf + 1, Code::from_raw(-(1 << 23)));
-  for (int parity : {0, 1})
-    EXPECT_EQ(filter_sum(parity, taps.data(), &x[kFilterHalf], kFilterHalf), -(int64_t{2 * kFilterHalf + 1} << 53));
+  const Code* const middle = &x[kFilterHalf];
+  EXPECT_EQ(filter_sum(taps.data(), middle, kFilterHalf), -(int64_t{2 * kFilterHalf + 1} << 53));
+  EXPECT_EQ(even_signal(signal_of(taps, 36), middle).raw, -((2 * kFilterHalf + 1) << 17));
 }
 
 // To nearest, halves upwards: half of 2^shift is 1, one less is 0; minus half is 0, one more is -1. Around a word's end each shift

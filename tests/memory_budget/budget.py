@@ -75,8 +75,9 @@ def ram(processor, capacity, tested, folder):
 
 def compiled_core(processor, capacity, tested, folder):
     command = compiler(processor, capacity, tested) + ["-fstack-usage", "-fcallgraph-info=su"]
+    others = ("rig_controller", "can_protocol", "supervision", "excitation")
     stages = [path for path in (ROOT / "firmware").rglob("*.cpp")
-              if path.parent.name not in ("rig_controller", "can_protocol", "supervision", "excitation")]
+              if path.relative_to(ROOT / "firmware").parts[0] not in others]
     sources = sorted(stages) + [HERE / "entry.cpp"]
     jobs = [(command, source, folder / (str(source.relative_to(ROOT)).replace("/", "_") + ".o")) for source in sources]
     with ThreadPoolExecutor(2) as pool:

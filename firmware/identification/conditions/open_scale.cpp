@@ -1,5 +1,7 @@
 #include "firmware/identification/conditions/open_scale.hpp"
 
+#include "firmware/fixed_point/work_meter.hpp"
+
 namespace firmware {
 namespace {
 
@@ -13,6 +15,7 @@ bool acts_on(const CoreConfiguration& configuration, const Term& term, int dof) 
 bool scale_is_open(const CoreConfiguration& configuration, const Estimates& estimates, int dof) {
   if (configuration.channels[dof][static_cast<int>(Quantity::kForce)].present) return false;
   bool open = false;
+  report_work(15 * configuration.term_count);
   for (int t = 0; t < configuration.term_count; ++t) {
     const Term& term = configuration.terms[t];
     if (!acts_on(configuration, term, dof)) continue;
@@ -24,6 +27,7 @@ bool scale_is_open(const CoreConfiguration& configuration, const Estimates& esti
 }
 
 void doubt(const CoreConfiguration& configuration, int dof, Estimates& estimates) {
+  report_work(15 * configuration.term_count);
   for (int t = 0; t < configuration.term_count; ++t) {
     const Term& term = configuration.terms[t];
     if (term.unknown < 0 || !acts_on(configuration, term, dof)) continue;

@@ -200,7 +200,7 @@ Scaled bend_of_skews(const EquationList& list, const BatchTable& table, const Co
     for (int l = 0; l < table.level_count; ++l)
       for (int b = 0; b < table.level[l].batch_count; ++b) {
         const Batch& batch = table.level[l].batch[b];
-        report_work(10 * (table.layout.first[i + 1] - table.layout.first[i]));
+        report_work(20 + 20 * (table.layout.first[i + 1] - table.layout.first[i]));
         for (int n = table.layout.first[i]; n < table.layout.first[i + 1]; ++n)
           if (table.layout.unknown[n] == unknown)
             energy += unpack(batch.column[static_cast<int>(list.equation[i].weight)][n]);

@@ -1,6 +1,7 @@
 // The force laws of the probes, one function a form, so that a loop over samples has no choice of form inside.
 //
-// Formats: u and w in Q18 of their units, at most 2^23; a sign in Q20. Forces as force_exponent() says (probe_force.hpp).
+// Formats: u and w in Q18 of their units, at most 2^23 and what sum_slopes() moves them by; a sign in Q20. Forces as force_exponent()
+// says (probe_force.hpp).
 #pragma once
 #include "firmware/fixed_point/functions.hpp"
 #include "firmware/fixed_point/magnitude.hpp"
@@ -34,15 +35,15 @@ constexpr Number within(Number value, Number limit) {
   return value > limit ? limit : value < -limit ? -limit : value;
 }
 
-// sign: of the rate. Number: of 32 bits, or 64 where u or w is beyond what a sample holds.
-template <Form form, typename Number>
-inline int64_t force_law(Number u, Number w, Number sign) {
+// sign: of the rate.
+template <Form form>
+inline int64_t force_law(int32_t u, int32_t w, int32_t sign) {
   if constexpr (form == Form::kElongation || form == Form::kAcceleration) return u;
   if constexpr (form == Form::kElongationSquare) return probe_square(u);
   if constexpr (form == Form::kElongationCube) return (probe_square(u) * u) >> 23;
-  if constexpr (form == Form::kWithinGap) return within<Number>(u, kGap);
-  if constexpr (form == Form::kBeyondStop) return u - within<Number>(u, kStop);
-  if constexpr (form == Form::kForceWithinGap) return within<Number>(w, kGap);
+  if constexpr (form == Form::kWithinGap) return within<int32_t>(u, kGap);
+  if constexpr (form == Form::kBeyondStop) return u - within<int32_t>(u, kStop);
+  if constexpr (form == Form::kForceWithinGap) return within<int32_t>(w, kGap);
   if constexpr (form == Form::kConstant) return 1 << kSignBits;
   if constexpr (form == Form::kRate || form == Form::kForce) return w;
   if constexpr (form == Form::kRateSquare) return w < 0 ? -probe_square(w) : probe_square(w);
@@ -54,18 +55,6 @@ inline int64_t force_law(Number u, Number w, Number sign) {
   if constexpr (form == Form::kSignWide) return sign == 0 ? 0 : (sign * sign_decay(w, kWide)) >> kSignBits;
   if constexpr (form == Form::kSignElongation) return (int64_t{sign} * (u < 0 ? -u : u)) >> kSignBits;
   return 0;  // a slope is no law of u and w
-}
-
-// What a rate made from the neighbours says of the direction: nothing, close to a reversal.
-inline int64_t clear_direction(int64_t w, int64_t noise) {
-  return size_of(w) <= kReversalDeviations * noise ? 0 : ((w > 0) - (w < 0)) * (1 << kSignBits);
-}
-
-// From the instruments.
-template <Form form>
-inline int64_t instrument_force(int64_t u, int64_t w, int64_t noise) {
-  if (form == Form::kSignNarrow && kReversalDeviations * noise > kNarrowRate) return 0;  // over where signs are known
-  return force_law<form>(u, w, has_sign(form) ? clear_direction(w, noise) : 0);
 }
 
 // call(f): f.form is the form, known to the compiler.

@@ -8,7 +8,7 @@ namespace {
 
 constexpr int64_t kMost = 32 * kProbeUnit;
 constexpr int kEdgeBits = 12;
-constexpr int64_t kLeastChange = kProbeUnit >> 8;  // of a rate, a sample
+constexpr int32_t kLeastChange = kProbeUnit >> 8;  // of a rate, a sample
 
 // A block's numbers, Q26 of the range, to Q18 of the rms.
 void normalise(int shift, int32_t (&number)[kBlockSamples]) {
@@ -84,11 +84,12 @@ void fill_own_sign(const PlaceScale& scale, PlaceMotion& motion) {
   }
 }
 
-// The directions of the rate by the instrument, as instrument_force() takes them.
+// What a rate made from the neighbours says of its direction: nothing, close to a reversal; and of a law that is over where signs are
+// known nothing at all.
 void fill_direction(Form form, const int32_t* w, int64_t noise, int32_t* direction) {
   const int64_t close = kReversalDeviations * noise;
-  const bool unknown = close > kMost || (form == Form::kSignNarrow && close > kNarrowRate);
-  const auto limit = static_cast<int32_t>(unknown ? kMost : close);
+  const bool unknown = close > INT32_MAX || (form == Form::kSignNarrow && close > kNarrowRate);
+  const auto limit = static_cast<int32_t>(unknown ? INT32_MAX : close);
   for (int n = 0; n < kBlockSamples; ++n) {
     const int32_t way = w[n] < 0 ? -(1 << kSignBits) : 1 << kSignBits;
     direction[n] = (w[n] < 0 ? -w[n] : w[n]) <= limit ? 0 : way;
@@ -108,6 +109,14 @@ void fill_law(Form form, const int32_t (&quantity)[2][kBlockSamples], const int3
   });
 }
 
+// From the neighbours.
+void fill_instrument(Form form, const PlaceScale& scale, const int32_t (&quantity)[2][kBlockSamples],
+                     const int32_t* used, int32_t* force) {
+  int32_t direction[kBlockSamples];
+  if (has_sign(form)) fill_direction(form, quantity[1], rate_noise(scale), direction);
+  fill_law(form, quantity, direction, used, force);
+}
+
 }  // namespace
 
 // |w| falls into the run, or rises out of it, near its own reversal: other links' runs are not its own rate's choice.
@@ -125,10 +134,9 @@ void find_edges(const BlockMotion& block, const Place& place, PlaceMotion& motio
     const bool rises = size_of(w[behind]) > size_of(w[before]);
     if (counts(rises ? n - 1 : n + 1)) continue;
     const int from = n < 2 ? 0 : n - 2, to = n + 2 < kBlockSamples ? n + 2 : kBlockSamples - 1;
-    const int64_t change = size_of(int64_t{w[to]} - w[from]) / (to - from);
-    const int64_t weight =
-        (int64_t{2} << (kSlopeStepLog2 + kEdgeBits)) / (change < kLeastChange ? kLeastChange : change);
-    edge = static_cast<int32_t>(w[n] < 0 ? -weight : weight);
+    const int32_t change = static_cast<int32_t>(size_of(w[to] - w[from])) / (to - from);  // |w| is at most 2^23
+    const int32_t weight = (2 << (kSlopeStepLog2 + kEdgeBits)) / (change < kLeastChange ? kLeastChange : change);
+    edge = w[n] < 0 ? -weight : weight;
   }
 }
 
@@ -157,30 +165,35 @@ FIRMWARE_WIDEST_VECTORS void fill_force(Form form, const PlaceScale& scale, cons
     }
     return;
   }
-  int32_t direction[kBlockSamples];
-  if (has_sign(form)) fill_direction(form, motion.instrument[1], rate_noise(scale), direction);
-  fill_law(form, motion.instrument, direction, motion.used, phi);
+  fill_instrument(form, scale, motion.instrument, motion.used, phi);
   fill_law(form, motion.own, motion.own_sign, motion.used, own);
 }
 
 void sum_slopes(Form form, const PlaceScale& scale, const PlaceMotion& motion, bool edges, int64_t* first,
                 int64_t* second) {
-  constexpr int64_t h = int64_t{1} << kSlopeStepLog2;
-  const int64_t noise = rate_noise(scale);
-  with_form(form, [&](auto known) {
-    constexpr Form kForm = decltype(known)::form;
-    for (int n = 0; n < kBlockSamples; ++n) {
-      if (motion.used[n] == 0) continue;
-      if constexpr (is_slope(kForm)) {
-        *first += 2 * h;
-      } else {
-        const int64_t u = motion.instrument[0][n], w = motion.instrument[1][n];
-        *first += instrument_force<kForm>(u + h, w, noise) - instrument_force<kForm>(u - h, w, noise);
-        *second += instrument_force<kForm>(u, w + h, noise) - instrument_force<kForm>(u, w - h, noise);
-        if (edges) *second += (instrument_force<kForm>(u, w, noise) * motion.slope[0][n]) >> kEdgeBits;
-      }
-    }
-  });
+  constexpr int32_t h = 1 << kSlopeStepLog2;
+  if (is_slope(form)) {
+    for (const int32_t used : motion.used) *first += used == 0 ? 0 : 2 * h;
+    return;
+  }
+  int32_t moved[2][kBlockSamples], force[kBlockSamples];
+  const auto move = [&](int q, int32_t by) {
+    for (int n = 0; n < kBlockSamples; ++n) moved[q][n] = motion.instrument[q][n] + by;
+  };
+  const auto sum_at = [&](int q, int32_t by) {
+    move(q, by);
+    fill_instrument(form, scale, moved, motion.used, force);
+    int64_t sum = 0;
+    for (const int32_t one : force) sum += one;
+    return sum;
+  };
+  move(1, 0);
+  *first += sum_at(0, h) - sum_at(0, -h);
+  move(0, 0);
+  *second += sum_at(1, h) - sum_at(1, -h);
+  if (!edges) return;
+  sum_at(1, 0);
+  for (int n = 0; n < kBlockSamples; ++n) *second += (int64_t{force[n]} * motion.slope[0][n]) >> kEdgeBits;
 }
 
 int32_t quantity_exponent(const PlaceScale& scale, int quantity) {
