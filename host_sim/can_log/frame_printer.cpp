@@ -120,7 +120,7 @@ void FramePrinter::estimate(int node, int index, int bit_offset, const CanFrame&
        padded(number_text(std, 2), 8) + "  " + status);
 }
 
-// The same estimates once more, so their names are left to `estimate`: its history is not doubled.
+// The same estimates once more, under numbers: the history that a name has of `estimate` is not doubled. Behind it stands whose.
 void FramePrinter::float_estimates(const Address& address, const CanFrame& message) {
   const FrameDescription& frame = *address.frame;
   for (int record = 0; record < frame.repeats; ++record) {
@@ -129,8 +129,10 @@ void FramePrinter::float_estimates(const Address& address, const CanFrame& messa
     const float std = float_of_bits(firmware::can::get_raw(message, frame.signals[1], offset));
     if (frame.fd && std::isnan(value)) continue;  // an unused record says nothing
     const std::string name = "float " + std::to_string(index), unit = " " + names_.unit(address.node, index);
-    line(name + " value = " + number_text(value, 9) + unit);
-    line(name + " std = " + number_text(std, 9) + unit);
+    const std::string of =
+        names_.knows(address.node, index) ? "  of " + names_.parameter(address.node, index) : std::string();
+    line(name + " value = " + number_text(value, 9) + unit + of);
+    line(name + " std = " + number_text(std, 9) + unit + of);
   }
 }
 

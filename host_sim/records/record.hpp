@@ -29,7 +29,7 @@ struct Record {
   std::vector<Channel> channels;  // all of one length
   std::vector<double> time_s;     // of samples at uneven times, to be resampled; else empty
   TimesFrom times_from = TimesFrom::kColumn;
-  double own_step_s = 0.0;     // of channels that are in rows of their own, s: the usual step of the fastest; else 0
+  double own_step_s = 0.0;     // of channels in rows of their own, or interpolated: usual step of the fastest; else 0
   double time_jitter_s = 0.0;  // rms of the file's sample times about even steps; 0 where it has none
   // The file's samples before the first of these; none where these are no samples of the file, or where some between them are left out.
   std::optional<size_t> left_out_before = 0;

@@ -3,10 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdio>
 #include <random>
 #include <sstream>
 #include <string>
 
+#include "firmware/can_protocol/streams/estimate_frames.hpp"
 #include "host_sim/can_log/known_names.hpp"
 
 namespace can_log {
@@ -37,6 +39,18 @@ TEST(Decode, AnEstimateIsOneLineWithItsName) {
       "1000000000.000000  vcan0  node 1  parameter     estimate 0 of 5 is viscous[1-2] in N s/m\n"
       "1000000000.050250  vcan0  node 1  estimate      viscous[1-2]   = 20.0012 N s/m         std 0.012     VALID\n");
   EXPECT_EQ(result.messages, "");
+}
+
+// The same estimate as single precision (20 is 0x41A00000, 0.5 is 0x3F000000, low byte first): under its number, and whose it is as
+// soon as that is known.
+TEST(Decode, AFloatEstimateSaysWhoseItIs) {
+  char id[8];
+  std::snprintf(id, sizeof id, "%03X", firmware::pack_estimate_float(1, 0, {}).id);
+  const std::string frame = std::string(" can0 ") + id + "#0000A0410000003F\n";
+  const std::string text = decoded("(1.0)" + frame + "(2.0) can0 681#000502010200\n(3.0)" + frame).text;
+  EXPECT_NE(text.find("float 0 value = 20 SI\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("float 0 value = 20 N s/m  of viscous[1-2]\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("float 0 std = 0.5 N s/m  of viscous[1-2]\n"), std::string::npos) << text;
 }
 
 TEST(Decode, NamesAreThoseOfTheNodeThatSentThem) {

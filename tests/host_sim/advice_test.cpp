@@ -31,6 +31,41 @@ const host_sim::Channel kVelocity{"velocity_1_m_s", Quantity::kVelocity, 1, {0.0
 
 }  // namespace
 
+namespace {
+
+// Of one friction, 0.01 N with this interval.
+std::string told_of_friction(double low_N, double high_N, firmware::EstimateStatus status) {
+  rig_file::RigModel model;
+  model.dofs.resize(1);
+  rig_file::Link link;
+  link.a = 1;
+  link.coulomb_N.estimate = true;
+  model.links.push_back(link);
+  firmware::Estimates estimates;
+  estimates.unknown_count = 1;
+  estimates.advice = firmware::Advice::kRaiseLevel;
+  estimates.advice_index = 0;
+  firmware::ParameterEstimate& friction = estimates.parameters[0];
+  friction.value = rig_file::to_scaled(0.01), friction.status = status;
+  friction.ci95_low = rig_file::to_scaled(low_N), friction.ci95_high = rig_file::to_scaled(high_N);
+  return host_sim::result_of(model, estimates, {}).advice;
+}
+
+}  // namespace
+
+// A link may slide with all its might and have hardly any friction: 0.01 +- 0.02 N may be none, 0.01 +- 0.006 N is known to 60 %.
+TEST(WideInterval, ASmallNumberIsNoWantOfMotion) {
+  using firmware::EstimateStatus;
+  EXPECT_EQ(
+      told_of_friction(-0.01, 0.03, EstimateStatus::kValid),
+      "coulomb[1-0] may be nought: its 95 % interval holds it; where that matters, raise the level or drive another "
+      "DOF");
+  EXPECT_EQ(told_of_friction(0.004, 0.016, EstimateStatus::kValid),
+            "coulomb[1-0] is known to 60 % only; where that matters, raise the level or drive another DOF");
+  EXPECT_EQ(told_of_friction(-0.01, 0.03, EstimateStatus::kNoExcitation),
+            "raise the level, or drive another DOF: what coulomb[1-0] acts on hardly moves, or noise hides which way");
+}
+
 TEST(LateChannel, TheRigFileTakesItsDelayAway) {
   const EstimateResult result = late_displacement({kDisplacement, kVelocity});
   EXPECT_EQ(result.advice, "give the late channel of DOF 1 its delay_us in the rig file");

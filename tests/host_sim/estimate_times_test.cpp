@@ -33,6 +33,28 @@ TEST_F(Estimate, TakesUnevenTimesWhereAskedTo) {
   EXPECT_NEAR(value(json("out.json"), "viscous[1-0]"), 1.5, 1.5e-3);
 }
 
+// More finely than any of its files a record has nothing but interpolation, whose errors a right rig would have to answer for.
+TEST_F(Estimate, NoFinerThanItWasMeasured) {
+  workspace_.write("decay.csv", free_decay(4000));
+  const auto run = [&](const char* rate) {
+    return host_sim({"estimate", "--rig", "rig.toml", "--data", "decay.csv", "--resample", rate});
+  };
+  EXPECT_EQ(run("1100").status, 0);
+  const auto refused = run("4000");
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_NE(refused.errors.find("has 1000 samples a second; at 4000 there would be interpolation alone"),
+            std::string::npos)
+      << refused.errors;
+}
+
+// A decay of 20 rad/s (3.2 Hz) is none of 7 Hz.
+TEST_F(Estimate, AFrequencyThatTheMotionHasNotIsSaid) {
+  workspace_.write("decay.csv", free_decay(4000));
+  const auto result = host_sim({"estimate", "--rig", "rig.toml", "--data", "decay.csv", "--frequency", "7"});
+  EXPECT_NE((result.output + result.errors).find("--frequency says 7 Hz"), std::string::npos)
+      << result.output << result.errors;
+}
+
 // A displacement late by 400 us against the velocity adds k tau = 0.32 to the damper, until the rig file says so.
 TEST_F(Estimate, SkewIsTakenAwayByTheChannelsDelay) {
   workspace_.write("late.csv", free_decay(4000, 400e-6));

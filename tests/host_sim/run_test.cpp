@@ -1,5 +1,6 @@
 // host_sim run, sweep, decode and dbc as a user meets them.
 #include <cstdlib>
+#include <filesystem>
 #include <regex>
 #include <sstream>
 
@@ -70,6 +71,17 @@ TEST_F(RunCommand, OneFrequencyIsNotCalledGood) {
   EXPECT_EQ(result.status, 3);
   EXPECT_NE(result.errors.find("ILL_CONDITIONED"), std::string::npos) << result.errors;
   EXPECT_EQ(json("out.json")["parameters"][0]["status"], "ILL_CONDITIONED");
+}
+
+// A ninth level of some earlier run, which bench/level_*.csv would give to estimate with this run's. Other files are the user's.
+TEST_F(RunCommand, LevelsOfAnEarlierRunAreNamed) {
+  std::filesystem::create_directory(workspace_.path() / "bench");
+  workspace_.write("bench/level_9.csv", "old");
+  workspace_.write("bench/notes.csv", "mine");
+  const auto result = host_sim({"run", "--scenario", "paper_2dof", "--records", "bench"});
+  ASSERT_EQ(result.status, 0) << result.errors;
+  EXPECT_EQ(result.errors, "note: bench/level_9.csv is not of this run\n");
+  EXPECT_TRUE(workspace_.read("bench/level_9.csv") == "old");
 }
 
 TEST_F(RunCommand, ExportedRecordsEstimateToTheSameTruth) {

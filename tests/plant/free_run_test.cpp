@@ -6,6 +6,7 @@
 
 #include "host_sim/plant/instruments/sensors.hpp"
 #include "host_sim/plant/instruments/shaker.hpp"
+#include "host_sim/plant/motion/fitted_start.hpp"
 #include "host_sim/plant/plant_error.hpp"
 #include "tests/plant/rigs.hpp"
 

@@ -14,7 +14,7 @@ using namespace one_curve;
 TEST(FigureCsv, ARowAPointUnderNamesWithUnits) {
   Plot picture = plot("acceleration");
   picture.y_unit = "m/s^2";
-  EXPECT_EQ(figure_csv(picture), "curve,time_s,acceleration_m_s_2\none,0,0.001\none,1,0.002\none,2,0.0015\n");
+  EXPECT_EQ(figure_csv(picture), "curve,time_s,acceleration_m_s2\none,0,0.001\none,1,0.002\none,2,0.0015\n");
 }
 
 TEST(FigureCsv, ABandHasTwoEdgesAndALineBesideItOne) {

@@ -4,7 +4,10 @@
 #include <cmath>
 #include <string>
 
+#include "host_sim/reports/figures/figure_csv.hpp"
+#include "host_sim/reports/figures/range.hpp"
 #include "host_sim/reports/page/report.hpp"
+#include "host_sim/reports/sections/run_pictures.hpp"
 #include "tests/reports/made_up.hpp"
 #include "tests/reports/page_parts.hpp"
 
@@ -48,6 +51,36 @@ RigViews made_up_views() {
   views.residuals = {{1, "N", response.frequency_Hz, response.measured, response.simulated}};
   views.notes = {"no <displacement> sensor"};
   return views;
+}
+
+// The first window says 1000 +- 500, the later ones 20 +- 1: the frame shows 19 to 21 with three tenths of these 2 as air on both sides,
+// and the first lies outside it, where the data of the picture have it as it was.
+TEST(Convergence, WhatLeavesTheFrameIsNotMovedIntoIt) {
+  RunParameter parameter{"viscous[1-0]", "N s/m", "VALID", 20.0, {20.0, 19.0, 21.0}, {}};
+  for (int window = 0; window < 4; ++window) {
+    const double value = window == 0 ? 1000.0 : 20.0, half = window == 0 ? 500.0 : 1.0;
+    parameter.convergence.time_s.push_back(window);
+    parameter.convergence.value.push_back(value);
+    parameter.convergence.low.push_back(value - half), parameter.convergence.high.push_back(value + half);
+  }
+  const Plot plot = convergence_picture(parameter);
+  EXPECT_DOUBLE_EQ(plot.curves[1].y[0], 1000.0);
+  EXPECT_DOUBLE_EQ(plot.curves[0].y[0], 500.0);
+  EXPECT_DOUBLE_EQ(plot.curves[0].y_high[0], 1500.0);
+  EXPECT_DOUBLE_EQ(y_range(plot).low, 18.4);
+  EXPECT_DOUBLE_EQ(y_range(plot).high, 21.6);
+  EXPECT_TRUE(contains(figure_csv(plot), "\nestimate,0,1000,\n")) << figure_csv(plot);
+}
+
+// A rig that could not be simulated is not said to be: its pictures are of forces.
+TEST(EstimatePage, SaysWhetherItSimulated) {
+  EstimateReportData data;
+  data.dofs = made_up::diagnosis(3000).dofs;
+  EXPECT_TRUE(contains(own_part(estimate_page(data)), "simulated freely under the measured force"));
+  data.free = false;
+  const std::string page = own_part(estimate_page(data));
+  EXPECT_FALSE(contains(page, "simulated freely"));
+  EXPECT_TRUE(contains(page, "not simulated: the measured force beside the one that it needs"));
 }
 
 TEST(EstimatePage, HasEveryPart) {

@@ -50,7 +50,9 @@ std::vector<Candidate> freed(std::vector<Candidate> candidates) {
 std::vector<DetectionLimit> limits_of(const Rows& rows, const CandidateBank& bank, const std::vector<ActiveTerm>& model,
                                       const Fit& fit) {
   std::vector<DetectionLimit> list;
-  const std::vector<Candidate> candidates = bank.beside(model);
+  std::vector<Candidate> candidates = bank.beside(model);
+  const std::vector<Candidate> rivals = bank.seen_as_rivals(model);
+  candidates.insert(candidates.end(), rivals.begin(), rivals.end());
   const std::vector<double> damping = damping_rms(rows, model);
   const std::vector<Gain> gains = gains_of(rows, model, fit, candidates),
                           free_gains = gains_of(rows, model, fit, freed(candidates));

@@ -46,17 +46,36 @@ bool CandidateBank::observable(const std::vector<ActiveTerm>& model, const Term&
   return t.kind != Kind::kForceOffset || rows_.absolute();  // a static force shows in a static displacement
 }
 
+// A wrong mass that nothing but a known spring (or the like) speaks against: its rival, that this is wrong, is asked for in its place.
+bool CandidateBank::shows_as_rival(const std::vector<ActiveTerm>& model, const Term& t) const {
+  if (t.kind != Kind::kMassError) return false;
+  return std::any_of(model.begin(), model.end(), [](const ActiveTerm& a) {
+    return !a.added && a.known && a.value != 0 && a.term.kind != Kind::kMass;
+  });
+}
+
 std::vector<Term> CandidateBank::unseen(const std::vector<ActiveTerm>& model) const {
   std::vector<Term> list;
   for (const auto& column : columns_)
-    if (!observable(model, column->term)) list.push_back(column->term);
+    if (!observable(model, column->term) && !shows_as_rival(model, column->term)) list.push_back(column->term);
+  return list;
+}
+
+std::vector<Candidate> CandidateBank::seen_as_rivals(const std::vector<ActiveTerm>& model) const {
+  std::vector<Candidate> list;
+  for (const auto& column : columns_) {
+    Candidate c;
+    c.column = column;
+    if (observable(model, column->term) || !shows_as_rival(model, column->term) || !prepare(model, c)) continue;
+    c.threshold = c.threshold * strictness(c.term().kind) + reversal_doubt(model, c.term());
+    list.push_back(c);
+  }
   return list;
 }
 
 bool CandidateBank::prepare(const std::vector<ActiveTerm>& model, Candidate& c) const {
   const Term& t = c.term();
   c.threshold = threshold_;
-  if (!observable(model, t)) return false;
   bool beside_known = false;  // a damper or a friction that the rig file states: it may be too large as well
   for (const ActiveTerm& a : model) {
     const Term& other = a.term;
@@ -128,7 +147,7 @@ std::vector<Candidate> CandidateBank::beside(const std::vector<ActiveTerm>& mode
     const auto partner = partner_.find(column.get());
     if (partner != partner_.end())
       c.companions = partner->second, c.penalty = c.term().kind == Kind::kQuadraticStiffness ? 24 : 6;
-    if (!prepare(model, c)) continue;
+    if (!observable(model, c.term()) || !prepare(model, c)) continue;
     c.threshold = c.threshold * strictness(c.term().kind) + reversal_doubt(model, c.term());
     list.push_back(c);
   }
@@ -148,7 +167,7 @@ Candidate CandidateBank::reshaped(const Candidate& candidate, double shape, doub
 Candidate CandidateBank::again(const Term& term, const std::vector<ActiveTerm>& model) const {
   Candidate c;
   c.column = std::make_shared<const Column>(Column{term, {}, 0, 0, 0});
-  prepare(model, c);
+  if (observable(model, term)) prepare(model, c);
   return reshaped(c, term.shape, term.shape2);
 }
 

@@ -18,6 +18,8 @@ class CandidateBank {
   std::vector<Candidate> beside(const std::vector<ActiveTerm>& model) const;
   // Terms that these records cannot show at any strength, which is why they are not among the candidates.
   std::vector<Term> unseen(const std::vector<ActiveTerm>& model) const;
+  // Those that are not among the candidates because another explains as much: an effect of that strength shows all the same.
+  std::vector<Candidate> seen_as_rivals(const std::vector<ActiveTerm>& model) const;
   // One candidate of the same kind and place with another shape.
   Candidate reshaped(const Candidate& candidate, double shape, double shape2) const;
   // The candidate that an added term came from, beside a model without it.
@@ -60,6 +62,7 @@ class CandidateBank {
   void add_dof(int dof);
   double chance_threshold() const;
   bool observable(const std::vector<ActiveTerm>& model, const Term& term) const;
+  bool shows_as_rival(const std::vector<ActiveTerm>& model, const Term& term) const;
   bool prepare(const std::vector<ActiveTerm>& model, Candidate& candidate) const;
   mutable std::map<const Column*, Columns> partner_;  // companions of those on the grid
   const Rows& rows_;

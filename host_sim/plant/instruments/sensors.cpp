@@ -8,6 +8,7 @@
 #include "hal/rig_file/channel_name.hpp"
 #include "host_sim/plant/instruments/random_numbers.hpp"
 #include "host_sim/plant/instruments/shaker.hpp"
+#include "host_sim/plant/motion/motion_record.hpp"
 #include "host_sim/plant/plant_error.hpp"
 #include "host_sim/records/digitise.hpp"
 

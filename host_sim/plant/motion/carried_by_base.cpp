@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "host_sim/plant/motion/simulate.hpp"
+#include "host_sim/plant/motion/motion_record.hpp"
 
 namespace host_sim {
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "hal/rig_file/channel_name.hpp"
+#include "host_sim/plant/motion/motion_record.hpp"
 #include "host_sim/plant/scenario/scenario_parts.hpp"
 
 namespace host_sim {

@@ -10,6 +10,7 @@
 #include "host_sim/data_check/drive/one_sign.hpp"
 #include "host_sim/programs/commands.hpp"
 #include "host_sim/programs/estimate/by_record.hpp"
+#include "host_sim/programs/estimate/drive_frequency.hpp"
 #include "host_sim/programs/estimate/estimate_report_data.hpp"
 #include "host_sim/programs/estimate/model_export.hpp"
 #include "host_sim/programs/estimate/prepared_estimation.hpp"
@@ -115,7 +116,10 @@ void estimate(const EstimateArguments& arguments) {
 
   EstimationOptions options;
   options.frames = !arguments.log.empty();
-  if (arguments.frequency_Hz > 0.0) options.excitation_Hz = arguments.frequency_Hz;
+  if (arguments.frequency_Hz > 0.0) {
+    options.excitation_Hz = arguments.frequency_Hz;
+    for (std::string& note : doubt_frequency(records.get(), arguments.frequency_Hz)) notes.push_back(std::move(note));
+  }
   Estimation estimation;
   const auto watched = [&](const auto& work) {
     ProgressBar bar("estimating");

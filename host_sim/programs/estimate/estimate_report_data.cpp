@@ -58,10 +58,11 @@ reports::EstimateReportData estimate_report_data(const rig_file::RigModel& model
   const size_t worst = reports::worst_record(records, simulated);
   if (records.size() > 1)
     data.facts.push_back("pictures: " + std::filesystem::path(records[worst].file).filename().string() +
-                         ", the record that the simulation misses most");
+                         (simulated.empty() ? ", the first record" : ", the record that the simulation misses most"));
   reports::Comparison comparison =
       reports::compare(records[worst], {rig, simulated.empty() ? nullptr : &simulated[worst]});
   data.dofs = std::move(comparison.dofs);
+  data.free = comparison.free;
   data.notes.insert(data.notes.end(), comparison.notes.begin(), comparison.notes.end());
   data.views = reports::rig_views(rig, records, simulated);
   data.views.modes = reports::mode_rows(estimated_modes(model, result));

@@ -28,6 +28,19 @@ std::string skew_advice(const std::vector<SkewResult>& skews, int dof) {
   return "give the late channel of DOF " + std::to_string(dof) + " its delay_us in the rig file";
 }
 
+// What is said of a number whose interval is wide beside it. Where it is a small one that is all: what it acts on may move well.
+std::string raise_level(const firmware::Estimates& estimates, size_t index, const std::string& name) {
+  if (index >= estimates.unknown_count || estimates.parameters[index].status == firmware::EstimateStatus::kNoExcitation)
+    return "raise the level, or drive another DOF: what " + name + " acts on hardly moves, or noise hides which way";
+  const firmware::ParameterEstimate& p = estimates.parameters[index];
+  const double value = rig_file::to_double(p.value), low = rig_file::to_double(p.ci95_low),
+               high = rig_file::to_double(p.ci95_high);
+  const std::string known = low <= 0.0 && high >= 0.0
+                                ? " may be nought: its 95 % interval holds it"
+                                : fmt::format(" is known to {:.0f} % only", 50.0 * (high - low) / std::fabs(value));
+  return name + known + "; where that matters, raise the level or drive another DOF";
+}
+
 }  // namespace
 
 std::string advice_text(const rig_file::RigModel& model, const firmware::Estimates& estimates,
@@ -47,7 +60,7 @@ std::string advice_text(const rig_file::RigModel& model, const firmware::Estimat
       return "add a record at a level that lies further off (these differ by a factor of " +
              fmt::format("{:.2g}", level_ratio) + "), of a wider band, or drive another DOF";
     case firmware::Advice::kRaiseLevel:
-      return "raise the level, or drive another DOF: what " + name + " acts on hardly moves, or noise hides which way";
+      return raise_level(estimates, index, name);
     case firmware::Advice::kLongerRecord:
       return "record longer: these data have too few windows to measure any scatter";
     case firmware::Advice::kLowerLevel:

@@ -9,7 +9,8 @@
 
 #include "host_sim/force_balance/derivative.hpp"
 #include "host_sim/force_balance/force_balance.hpp"
-#include "host_sim/plant/motion/simulate.hpp"
+#include "host_sim/plant/motion/fitted_start.hpp"
+#include "host_sim/plant/motion/free_run.hpp"
 #include "host_sim/plant/plant_error.hpp"
 #include "host_sim/records/record_checks.hpp"
 #include "host_sim/response/modes.hpp"
@@ -70,9 +71,7 @@ std::vector<Record> free_running_error(const rig_file::RigModel& rig, const std:
   // Records run beside each other; what they add up to does not depend on which is done first.
   std::vector<std::future<Record>> runs;
   for (const Record& record : records)
-    runs.push_back(std::async(std::launch::async, [&rig, &record] {
-      return free_run(rig, record, 0, measured_state(rig, record, 0), record.samples());
-    }));
+    runs.push_back(std::async(std::launch::async, [&rig, &record] { return run_beside(rig, record, {0}); }));
   std::vector<Record> all;
   for (const Record& record : records) {
     Record simulated = runs[all.size()].get();

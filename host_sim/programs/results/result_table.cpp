@@ -92,7 +92,10 @@ std::string fit_to(int width, std::vector<Column>& columns) {
 }
 
 std::string format_fit(const EstimateResult& result) {
-  std::string text = "mean normalised residual " + plain(result.residual_mean_abs, 3);
+  // As many unknowns as equations meet them all, whatever these are.
+  const bool any_freedom = result.rows > result.parameters.size();
+  std::string text = "mean normalised residual " + (any_freedom ? plain(result.residual_mean_abs, 3)
+                                                                : std::string("- (no more equations than unknowns)"));
   if (result.paper_residual) text += " (paper " + plain(*result.paper_residual, 3) + ")";
   text += ", condition number " + plain(result.condition_number, 3) + "\n";
   if (result.mse_percent.empty()) return text;

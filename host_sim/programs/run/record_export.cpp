@@ -1,5 +1,6 @@
 #include "host_sim/programs/run/record_export.hpp"
 
+#include <algorithm>
 #include <filesystem>
 
 #include "hal/rig_file/toml/rig_writer.hpp"
@@ -17,7 +18,23 @@ Record without_settling(Record record, const ExcitationLevel& level) {
   return record;
 }
 
+std::string level_file(size_t number) { return "level_" + std::to_string(number) + ".csv"; }
+
 }  // namespace
+
+std::vector<std::string> levels_of_others(const std::string& folder, size_t levels) {
+  std::vector<std::string> names;
+  std::error_code fault;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, fault)) {
+    const std::string name = entry.path().filename().string();
+    if (name.rfind("level_", 0) != 0 || entry.path().extension() != ".csv") continue;
+    bool own = false;
+    for (size_t i = 1; i <= levels; ++i) own = own || name == level_file(i);
+    if (!own) names.push_back(name);
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
 
 void export_records(const std::string& folder, const Scenario& scenario, const RunResult& run) {
   std::error_code fault;
@@ -26,7 +43,7 @@ void export_records(const std::string& folder, const Scenario& scenario, const R
     throw OutputError(folder + ": cannot be made (" + fault.message() + "), expected a folder that takes files");
   write_output_file(folder + "/rig.toml", rig_file::format_rig(scenario.rig));
   for (size_t i = 0; i < scenario.levels.size(); ++i)
-    write_output_file(folder + "/level_" + std::to_string(i + 1) + ".csv",
+    write_output_file(folder + "/" + level_file(i + 1),
                       format_csv(without_settling(run.measured.measured[i], scenario.levels[i])));
 }
 

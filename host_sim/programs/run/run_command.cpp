@@ -105,7 +105,11 @@ void run(const RunArguments& arguments) {
   }
   const EstimateResult result = result_of_run(scenario, outcome);
   if (!arguments.report.empty()) write_report(arguments, scenario, outcome, convergence, result);
-  if (!arguments.records.empty()) export_records(arguments.records, scenario, outcome);
+  if (!arguments.records.empty()) {
+    export_records(arguments.records, scenario, outcome);
+    for (const std::string& name : levels_of_others(arguments.records, scenario.levels.size()))
+      std::fprintf(stderr, "note: %s/%s is not of this run\n", arguments.records.c_str(), name.c_str());
+  }
   sink->commit();
   nlohmann::ordered_json content = to_json(result);
   content["scenario"] = scenario.name;

@@ -16,6 +16,7 @@
 #include "host_sim/records/ac_coupling.hpp"
 #include "host_sim/records/derived/computed_anywhere.hpp"
 #include "host_sim/records/record_checks.hpp"
+#include "host_sim/records/times/no_finer.hpp"
 
 namespace host_sim {
 namespace {
@@ -163,6 +164,7 @@ std::vector<Record> read_data(const std::vector<std::string>& paths, const rig_f
       for (const std::string& note : record.notes) notes.add(i, record.file, note);
       records.push_back(std::move(record));
     }
+  if (arguments.resample_Hz > 0.0) require_no_finer(records, arguments.resample_Hz);
   size_t other = files.size();
   for (const LeftOutToo& column : leave_out_computed_anywhere({&records})) notes.add(other++, column.file, column.note);
   undo_ac_coupling(stated_ac_couplings(model), records);

@@ -151,6 +151,7 @@ std::vector<Record> resampled(const Record& record, double rate_Hz) {
   for (const Part& part : parts_of(time_s, step)) {
     make_even(time_s, part);
     records.push_back(part_at(record, time_s, part, rate_Hz));
+    records.back().own_step_s = step;
   }
   for (size_t c = 0; c < record.channels.size(); ++c) {
     if (counts_marks(time_s, record.channels[c].values)) continue;

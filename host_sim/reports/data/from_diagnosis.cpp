@@ -168,10 +168,11 @@ void add_pictures(const rig_file::RigModel& rig, const std::vector<Record>& trai
   data.views.of_extended_rig = is_extended;
   data.views.modes = mode_rows(best);
   data.dofs = comparison.dofs;
+  data.free = comparison.free;
   data.links = comparison.links;
   data.facts.push_back("pictures: " + std::filesystem::path(shown.file).filename().string() +
                        (holdout.empty() ? ", which the fit has seen" : ", which the fit has not seen") +
-                       (among.size() > 1 ? " and the rig as given misses most" : ""));
+                       (among.size() > 1 && !as_given.empty() ? " and the rig as given misses most" : ""));
   data.facts.insert(data.facts.end(), comparison.notes.begin(), comparison.notes.end());
 }
 

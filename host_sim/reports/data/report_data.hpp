@@ -113,6 +113,7 @@ struct DiagnosisReportData {
   std::vector<PossibleCause> possible;                              // where none is named
   std::vector<std::pair<std::string, std::string>> ambiguous_with;  // effect, where; of every cause
   std::vector<DofView> dofs;
+  bool free = true;  // simulated freely; else what the waveforms show is the force that a rig needs
   std::vector<LinkView> links;
   std::vector<Candidate> candidates;
   std::string score_name = "score";  // heading of Candidate::score
@@ -130,6 +131,7 @@ struct EstimateReportData {
   std::vector<ParameterChange> parameters;  // `after` is the estimate
   std::vector<std::string> advice;          // what to measure next
   std::vector<DofView> dofs;
+  bool free = true;  // simulated freely; else what the waveforms show is the force that the rig needs
   RigViews views;
   std::optional<WarrantView> warrant;
   std::optional<data_check::Report> check;

@@ -119,7 +119,9 @@ class Drawing {
 
   Point place(double x, double y) const {
     if (!std::isfinite(y) || !std::isfinite(x)) return {NAN, NAN};
-    return {x_.place(x * x_prefix_.factor), y_.place(y * y_prefix_.factor)};
+    // Far outside the frame, where nothing is seen, a picture needs no number of many digits.
+    const double far = 100.0 * height_;
+    return {x_.place(x * x_prefix_.factor), std::clamp(y_.place(y * y_prefix_.factor), -far, far)};
   }
 
   std::string text(double x, double y, const char* anchor, const std::string& content, const char* more = "") const {

@@ -32,7 +32,10 @@ std::string lower(std::string text) {
 
 std::string column_name(const std::string& label, const std::string& unit, const char* otherwise) {
   const std::string name = label.empty() ? otherwise : lower(plain_name(label));
-  return unit.empty() ? name : name + "_" + plain_name(unit);
+  // "m/s^2" is m_s2 in every name of a column
+  std::string in_names = unit;
+  in_names.erase(std::remove(in_names.begin(), in_names.end(), '^'), in_names.end());
+  return unit.empty() ? name : name + "_" + plain_name(in_names);
 }
 
 std::string quoted(const std::string& text) {

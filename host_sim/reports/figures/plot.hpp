@@ -1,5 +1,6 @@
 // A picture as data: what to draw, with labels and units, and nothing about where.
 #pragma once
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -55,6 +56,8 @@ struct Plot {
   bool log_y = false;
   bool scale_units = true;  // let "m" become "mm" where the numbers ask for it
   bool zero_line = false;
+  // The vertical range of the frame, where curves are to be cut off; not numbers: what the curves take.
+  double y_low = NAN, y_high = NAN;
   std::vector<Curve> curves;
   ColourMap map;  // below the curves; no columns: none
 };

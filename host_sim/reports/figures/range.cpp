@@ -16,6 +16,7 @@ double Range::size() const { return std::max(std::abs(low), std::abs(high)); }
 
 Range y_range(const Plot& plot) {
   Range range;
+  if (plot.y_low <= plot.y_high) return range.add(plot.y_low), range.add(plot.y_high), range;
   if (plot.map.columns > 0) range.add(plot.map.y_low), range.add(plot.map.y_high);
   for (const Curve& curve : plot.curves) {
     for (const std::vector<double>* values : {&curve.y, &curve.y_high})

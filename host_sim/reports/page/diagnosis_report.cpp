@@ -43,9 +43,10 @@ void add_causes(Page& page, const DiagnosisReportData& data) {
 
 void add_pictures(Page& page, const DiagnosisReportData& data) {
   page.section("waveforms", "Measured and simulated",
-               std::string(data.causes.empty() ? "The rig as given" : "The rig as given and the extended rig") +
-                   ", simulated freely under the measured force. Each row shows the moment where the rig as given is "
-                   "most wrong, the errors over the whole record, and the spectra.");
+               std::string(data.causes.empty() ? "The rig as given" : "The rig as given and the extended rig") + ", " +
+                   how_simulated(data.free) +
+                   ". Each row shows the moment where the rig as given is most wrong, the errors over the whole "
+                   "record, and the spectra.");
   const size_t columns = picture_columns(data.dofs.size());
   for (const DofView& view : data.dofs)
     for (const Waveform& waveform : view.waveforms) page.figures(waveform_pictures(view, waveform, columns));

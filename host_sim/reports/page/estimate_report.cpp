@@ -59,8 +59,8 @@ Page made_page(const EstimateReportData& data) {
   add_list(page, "notes", "Notes", data.notes);
   if (!data.dofs.empty()) {
     page.section("waveforms", "Measured and simulated",
-                 "The rig with the estimates, simulated freely under the measured force: the moment where it is most "
-                 "wrong, the errors over the whole record, and the spectra.");
+                 "The rig with the estimates, " + how_simulated(data.free) +
+                     ": the moment where it is most wrong, the errors over the whole record, and the spectra.");
     const size_t columns = picture_columns(data.dofs.size());
     for (const DofView& view : data.dofs)
       for (const Waveform& waveform : view.waveforms) page.figures(waveform_pictures(view, waveform, columns));

@@ -29,6 +29,11 @@ std::string interval_html(const Interval& interval) {
   return out;
 }
 
+std::string how_simulated(bool free) {
+  return free ? "simulated freely under the measured force"
+              : "not simulated: the measured force beside the one that it needs for the measured motion";
+}
+
 std::string density_unit(const std::string& unit) {
   return (unit.find_first_of("/ ^") == std::string::npos ? unit : "(" + unit + ")") + "^2/Hz";
 }

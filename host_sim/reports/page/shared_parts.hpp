@@ -20,6 +20,9 @@ std::string interval_html(const Interval& interval);
 // Significant digits that a value with an interval of this width deserves: 3 to 7.
 int digits_for(const Interval& interval);
 
+// What a page says of the pictures of waveforms, behind the rig that they show.
+std::string how_simulated(bool free);
+
 // Of a power density: "m" -> "m^2/Hz", "m/s^2" -> "(m/s^2)^2/Hz".
 std::string density_unit(const std::string& unit);
 

@@ -27,7 +27,7 @@ Plot pair_picture(const RunRecord& record, const std::string& title, const std::
 }  // namespace
 
 // The vertical range of a convergence plot follows its later half: the first windows, and often the whole first level,
-// know next to nothing.
+// know next to nothing: they are cut off at the frame, not moved into it.
 Plot convergence_picture(const RunParameter& parameter) {
   const Convergence& run = parameter.convergence;
   Plot plot;
@@ -49,7 +49,7 @@ Plot convergence_picture(const RunParameter& parameter) {
     widen(run.high[i]);
   }
   const double air = 0.3 * (high - low);
-  const auto cut = [&](double value) { return std::clamp(value, low - air, high + air); };
+  plot.y_low = low - air, plot.y_high = high + air;
   Curve band, line, truth;
   band.label = "95 % interval";
   line.label = "estimate";
@@ -60,9 +60,9 @@ Plot convergence_picture(const RunParameter& parameter) {
   truth.role = Role::kTruth;
   for (size_t i = 0; i < run.time_s.size(); ++i) {
     band.x.push_back(run.time_s[i]);
-    band.y.push_back(cut(run.low[i]));
-    band.y_high.push_back(cut(run.high[i]));
-    line.y.push_back(cut(run.value[i]));
+    band.y.push_back(run.low[i]);
+    band.y_high.push_back(run.high[i]);
+    line.y.push_back(run.value[i]);
   }
   line.x = band.x;
   if (std::isfinite(parameter.truth) && !band.x.empty()) {

@@ -5,7 +5,8 @@
 
 #include "host_sim/force_balance/derivative.hpp"
 #include "host_sim/force_balance/force_balance.hpp"
-#include "host_sim/plant/motion/simulate.hpp"
+#include "host_sim/plant/motion/fitted_start.hpp"
+#include "host_sim/plant/motion/free_run.hpp"
 #include "host_sim/plant/plant_error.hpp"
 #include "host_sim/reports/data/channel_words.hpp"
 #include "host_sim/reports/views/balance_views.hpp"
@@ -38,7 +39,7 @@ Record try_to_simulate(const Side& side, const Record& record, const char* name,
   const std::vector<size_t> starts = start_samples(record, rig);
   if (side.simulated != nullptr && starts.size() == 1) return *side.simulated;
   try {
-    return simulate_from(rig, record, starts);
+    return run_beside(rig, record, starts);
   } catch (const PlantError& error) {
     notes.push_back(std::string("the ") + name + " cannot be simulated: " + error.what());
     return {};
@@ -141,10 +142,9 @@ Comparison compare(const Record& record, const Side& given_side, const Side& ext
   simulated.given = try_to_simulate({given, given_side.simulated}, record, "rig as given", out.notes);
   simulated.extended = &given_side.rig == &extended ? simulated.given
                                                     : try_to_simulate(extended_side, record, "extended rig", out.notes);
-  const bool free = !simulated.given.channels.empty();
+  const bool free = out.free = !simulated.given.channels.empty();
   if (free && !vocabulary::held_in_place(given))
-    out.notes.push_back(
-        "nothing holds the rig in its place: the simulations restart from the measured state every second");
+    out.notes.push_back("nothing holds the rig in its place: the simulations begin anew every second");
   const ForceBalance before = force_balance(given, record), after = force_balance(extended, record);
   std::vector<double> time_s(before.residual.front().size());
   for (size_t i = 0; i < time_s.size(); ++i)

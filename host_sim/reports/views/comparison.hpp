@@ -13,6 +13,7 @@ struct Comparison {
   std::vector<DofView> dofs;
   std::vector<LinkView> links;
   std::vector<std::string> notes;  // what a reader must know of how it was made
+  bool free = false;               // simulated freely; else by the force that the rig needs
 };
 
 // One of the two rigs: every coefficient a number. simulated: the record run freely from its own initial state, where
@@ -22,7 +23,7 @@ struct Side {
   const Record* simulated = nullptr;
 };
 
-// The free-running simulations start from the measured state at the record's start, and at every second where nothing
+// The free-running simulations start from a fitted state (fitted_start.hpp) at the record's start, and at every second where nothing
 // holds a DOF in its place (there any error of the state grows for ever). A rig that cannot run freely (a DOF without
 // mass) is compared by the force that it would need for the measured motion.
 Comparison compare(const Record& record, const Side& given);

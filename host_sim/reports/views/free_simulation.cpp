@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "host_sim/plant/motion/simulate.hpp"
+#include "host_sim/plant/motion/fitted_start.hpp"
+#include "host_sim/plant/motion/free_run.hpp"
 #include "host_sim/plant/plant_error.hpp"
 
 namespace host_sim::reports {
@@ -27,28 +28,12 @@ double miss(const Record& record, const Record& simulated, int dof) {
 
 }  // namespace
 
-Record simulate_from(const rig_file::RigModel& rig, const Record& record, const std::vector<size_t>& starts) {
-  Record whole;
-  for (size_t i = 0; i < starts.size(); ++i) {
-    const size_t end = i + 1 < starts.size() ? starts[i + 1] : record.samples();
-    const Record part = free_run(rig, record, starts[i], measured_state(rig, record, starts[i]), end - starts[i]);
-    if (whole.channels.empty()) {
-      whole = part;
-      continue;
-    }
-    for (size_t c = 0; c < whole.channels.size(); ++c)
-      whole.channels[c].values.insert(whole.channels[c].values.end(), part.channels[c].values.begin(),
-                                      part.channels[c].values.end());
-  }
-  return whole;
-}
-
 std::vector<Record> simulate_all(const rig_file::RigModel& rig, const std::vector<Record>& records,
                                  std::vector<std::string>& notes) {
   if (!runs_freely(rig)) return {};
   try {
     std::vector<Record> out;
-    for (const Record& record : records) out.push_back(simulate_from(rig, record, {0}));
+    for (const Record& record : records) out.push_back(run_beside(rig, record, {0}));
     return out;
   } catch (const PlantError& error) {
     notes.push_back(std::string("the rig cannot be simulated with these estimates: ") + error.what());

@@ -8,11 +8,7 @@
 
 namespace host_sim::reports {
 
-// Displacement, velocity and acceleration of every DOF for all samples of the record; the state is the measured one at
-// each sample of `starts` (ascending, the first 0). Throws PlantError.
-Record simulate_from(const rig_file::RigModel& rig, const Record& record, const std::vector<size_t>& starts);
-
-// Each record from its own initial state to its end. Empty where the rig cannot run freely (a DOF without mass) or the
+// Each record from a fitted start (fitted_start.hpp) to its end. Empty where the rig cannot run freely (a DOF without mass) or the
 // integration fails, which a note then says.
 std::vector<Record> simulate_all(const rig_file::RigModel& rig, const std::vector<Record>& records,
                                  std::vector<std::string>& notes);
