@@ -24,10 +24,12 @@ void add_gain(Page& page, const DiagnosisReportData& data) {
   if (data.gains.empty()) return;
   const bool any_extended = std::any_of(data.gains.begin(), data.gains.end(),
                                         [](const DofGain& gain) { return std::isfinite(gain.nrmse_after_percent); });
-  page.section("gain",
-               any_extended ? "Gain on data that the fit has not seen" : "Error on data that the fit has not seen",
-               "Free-running simulation under the measured force from the measured initial state. NRMSE is of the "
-               "displacement (angle), MSE of the acceleration (Eq. 13 of the paper).");
+  page.section(
+      "gain", any_extended ? "Gain on data that the fit has not seen" : "Error on data that the fit has not seen",
+      data.along_motion
+          ? "Balance of forces along the motion as measured. NRMSE is of the force (torque), MSE its square."
+          : "Free-running simulation under the measured force from the measured initial state. NRMSE is of the "
+            "displacement (angle), MSE of the acceleration (Eq. 13 of the paper).");
   double worst = 0.0;
   for (const DofGain& gain : data.gains)
     for (double value : {gain.nrmse_before_percent, gain.nrmse_after_percent})
