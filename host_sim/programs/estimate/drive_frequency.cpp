@@ -29,24 +29,23 @@ Eigen::MatrixXd harmonics(Eigen::Index samples, double cycles_per_sample) {
   return columns;
 }
 
-double variance(const std::vector<double>& y) {
-  double sum = 0.0, squares = 0.0;
-  for (const double value : y) sum += value;
-  const double mean = sum / static_cast<double>(y.size());
-  for (const double value : y) squares += (value - mean) * (value - mean);
-  return squares;
+double squares_about_mean(const Eigen::VectorXd& y) { return (y.array() - y.mean()).square().sum(); }
+
+Eigen::Map<const Eigen::VectorXd> vector_of(const std::vector<double>& values) {
+  return {values.data(), static_cast<Eigen::Index>(values.size())};
 }
 
 // The channel of each kind that moves most; a drive before the motion that it makes.
 const Channel* driving(const Record& record) {
   const Channel* most = nullptr;
+  double most_squares = 0.0;
   const auto rank = [](const Channel& c) { return c.quantity == Quantity::kForce ? 2 : is_drive(c) ? 1 : 0; };
   for (const Channel& channel : record.channels) {
-    if (variance(channel.values) == 0.0) continue;
+    const double squares = squares_about_mean(vector_of(channel.values));
+    if (squares == 0.0) continue;
     if (most == nullptr || rank(channel) > rank(*most) ||
-        (rank(channel) == rank(*most) && channel.quantity == most->quantity &&
-         variance(channel.values) > variance(most->values)))
-      most = &channel;
+        (rank(channel) == rank(*most) && channel.quantity == most->quantity && squares > most_squares))
+      most = &channel, most_squares = squares;
   }
   return most;
 }
@@ -59,12 +58,12 @@ double share_at(const std::vector<double>& values, double sample_period_s, doubl
   if (static_cast<double>(length) < cycle) return 0.0;
   const Eigen::MatrixXd columns = harmonics(length, 1.0 / cycle);
   const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> factors(columns);
-  const Eigen::VectorXd y = Eigen::VectorXd::Map(values.data(), static_cast<Eigen::Index>(values.size()));
+  const auto y = vector_of(values);
   double missed = 0.0, whole = 0.0;
   for (Eigen::Index first = 0; first + length <= y.size(); first += length) {
     const Eigen::VectorXd part = y.segment(first, length);
     missed += (part - columns * factors.solve(part)).squaredNorm();
-    whole += (part.array() - part.mean()).square().sum();
+    whole += squares_about_mean(part);
   }
   return whole > 0.0 ? 1.0 - missed / whole : 0.0;
 }
@@ -78,8 +77,7 @@ std::vector<std::string> doubt_frequency(const std::vector<Record>& records, dou
     if (share >= kMost) continue;
     notes.push_back(
         fmt::format("{}: --frequency says {:g} Hz, and {:.0f} % of the power of {} lies there and at its multiples: "
-                    "windows of whole "
-                    "cycles of what the drive has not are too few and say too little, leave it out",
+                    "windows of whole cycles of what the drive has not are too few and say too little, leave it out",
                     record.file, frequency_Hz, 100.0 * std::max(0.0, share), drive->name));
   }
   return notes;
