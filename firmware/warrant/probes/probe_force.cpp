@@ -192,7 +192,7 @@ void sum_slopes(Form form, const PlaceScale& scale, const PlaceMotion& motion, b
   move(0, 0);
   *second += sum_at(1, h) - sum_at(1, -h);
   if (!edges) return;
-  sum_at(1, 0);
+  fill_instrument(form, scale, motion.instrument, motion.used, force);
   for (int n = 0; n < kBlockSamples; ++n) *second += (int64_t{force[n]} * motion.slope[0][n]) >> kEdgeBits;
 }
 
