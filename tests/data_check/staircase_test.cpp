@@ -91,6 +91,25 @@ TEST(Staircase, ACoarseConverterIsNoneNorDoesItDropOut) {
   EXPECT_NEAR(report.records[0].channels[0].resolution, 0.01, 1e-6);
 }
 
+// A pulse counter's speed, held for 20 rows each: at the reversal it stands still. The same value between two equal ones is a dropout.
+TEST(Staircase, AStandstillAtTheReversalIsNoDropout) {
+  for (const bool reverses : {true, false}) {
+    Record record;
+    record.file = "made.csv", record.sample_period_s = 1e-3;
+    record.channels = {{"angular_velocity_1_rad_s", Quantity::kVelocity, 1, {}}};
+    for (int i = 0; i < 4000; ++i) {
+      const int held = i / 20;
+      const double speed = held < 100 ? 40.0 + held % 3 : (reverses ? -1 : 1) * (45.0 + held % 3);
+      record.channels[0].values.push_back(held == 100 ? 0.0 : speed);
+    }
+    const auto report = host_sim::data_check::check({record}, nullptr);
+    bool dropout = false;
+    for (const Finding& f : report.records[0].channels[0].findings)
+      dropout = dropout || f.detail.find("dropout") != std::string::npos;
+    EXPECT_NE(dropout, reverses);
+  }
+}
+
 // Interpolation rounds the stairs off; it is told all the same.
 TEST(Staircase, IsToldOfResampledRowsToo) {
   for (const double rate_Hz : {500.0, 1000.0}) {

@@ -187,8 +187,14 @@ TEST(Resample, RowsThatAreExchangedAreNoNewRecording) {
   for (int i = 0; i < 80; ++i) exchanged.push_back(i == 40 ? 41 : i == 41 ? 40 : i), anew.push_back(i % 40);
   for (const double resample_Hz : {0.0, 100.0}) {
     EXPECT_NE(told(exchanged, resample_Hz).find("not in the order of time: sort them"), std::string::npos);
-    EXPECT_NE(told(anew, resample_Hz).find("the clock starts anew here"), std::string::npos);
+    EXPECT_NE(told(anew, resample_Hz).find("the clock starts anew in line 42"), std::string::npos);
   }
+  // a row is lost long before the clock starts anew: the head's line, rows 0 to 9 and 11 to 59 in lines 2 to 60
+  std::vector<int> lost;
+  for (int i = 0; i < 120; ++i)
+    if (i != 10) lost.push_back(i % 60);
+  EXPECT_NE(told(lost, 0.0).find("steps by 0.02 s"), std::string::npos) << told(lost, 0.0);
+  EXPECT_NE(told(lost, 0.0).find("the clock starts anew in line 61"), std::string::npos) << told(lost, 0.0);
 }
 
 // Two seconds at 1e9 a second were 2e9 samples, 16 GB for each channel.

@@ -70,6 +70,15 @@ double tail_of(const std::vector<double>& x, const Across& across) {
   return quantile(sizes, 0.95);
 }
 
+// A sensor that holds its values and stands still on its way from one direction to the other.
+bool passed_by_steps(const std::vector<double>& x, size_t first, size_t last) {
+  const double before = x[first - 1], after = x[last + 1];
+  if (last + kWidest + 1 >= x.size() || !((before - x[first]) * (after - x[first]) < 0)) return false;
+  for (size_t k = 2; k <= kWidest + 1; ++k)
+    if (x[first - k] != before || x[last + k] != after) return false;
+  return true;
+}
+
 }  // namespace
 
 std::vector<Gap> ends_off(const std::vector<double>& x) {
@@ -126,7 +135,7 @@ std::vector<Gap> dropouts_in(const std::vector<double>& x, const Statistics& sta
   const std::vector<double> misfit = misfits(x);
   for (const Run& run : runs) {
     const size_t last = run.first + run.length - 1;
-    if (run.first < 4 || last + 4 >= x.size()) continue;
+    if (run.first < 4 || last + 4 >= x.size() || passed_by_steps(x, run.first, last)) continue;
     const double in = off_left(x, run.first), out = off_right(x, last);
     const double usual = std::max(usual_near(misfit, run.first, run.length), statistics.resolution);
     const double least = std::max(5.0 * kShareOfRange * statistics.range, 2.0 * kDeviations * usual);

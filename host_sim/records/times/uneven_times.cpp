@@ -62,11 +62,14 @@ bool is_to_be_sorted(const std::vector<double>& time_s) {
   return !falls_all_along(time_s) && !std::is_sorted(time_s.begin(), time_s.end()) && !begins_anew(time_s);
 }
 
-std::string of_order(const std::vector<double>& time_s) {
+// Of times that fall somewhere.
+std::string of_order(const std::vector<double>& time_s, const LineOf& line_of) {
   if (is_to_be_sorted(time_s)) return "the rows are not in the order of time: sort them";
-  return falls_all_along(time_s)
-             ? "the times fall all along: turn the order of the rows round, or is this column no time?"
-             : "the clock starts anew here: give each recording a file of its own";
+  if (falls_all_along(time_s))
+    return "the times fall all along: turn the order of the rows round, or is this column no time?";
+  const auto falls = std::is_sorted_until(time_s.begin(), time_s.end());
+  const size_t line = line_of(static_cast<size_t>(falls - time_s.begin()));
+  return fmt::format("the clock starts anew in line {}: give each recording a file of its own", line);
 }
 
 // Lone rows that bear the time of the row before: where, and what to do with all of them; empty where there are none. `even`: without
@@ -99,8 +102,8 @@ Twice of_rows_written_twice(const std::vector<double>& time_s, const LineOf& lin
 }
 
 // What to do about times that fall, or were read as rows arrived; empty where they are neither.
-std::string of_disorder(const std::vector<double>& time_s) {
-  return std::is_sorted(time_s.begin(), time_s.end()) ? of_arrival(time_s) : "; " + of_order(time_s);
+std::string of_disorder(const std::vector<double>& time_s, const LineOf& line_of) {
+  return std::is_sorted(time_s.begin(), time_s.end()) ? of_arrival(time_s) : "; " + of_order(time_s, line_of);
 }
 
 // Of rows that are to be sorted and are uneven even then.
@@ -125,7 +128,7 @@ std::string remedy_of_uneven(const std::vector<double>& time_s, const LineOf& li
   if (time_s.front() == time_s.back() && std::is_sorted(time_s.begin(), time_s.end()))
     return "; all times are the same: they were written with too few digits. Where the samples are even, --sample-rate "
            "takes them so";
-  if (const std::string disorder = of_disorder(time_s); !disorder.empty())
+  if (const std::string disorder = of_disorder(time_s, line_of); !disorder.empty())
     return disorder + (is_to_be_sorted(time_s) ? of_sorted(time_s) : "");
   const std::string interpolates = interpolation(time_s);
   const Twice twice = of_rows_written_twice(time_s, line_of);
@@ -134,7 +137,7 @@ std::string remedy_of_uneven(const std::vector<double>& time_s, const LineOf& li
 }
 
 std::string remedy_of_falling(const std::vector<double>& time_s, const LineOf& line_of) {
-  const std::string disorder = of_disorder(time_s);
+  const std::string disorder = of_disorder(time_s, line_of);
   return disorder.empty() ? of_rows_written_twice(time_s, line_of).where : disorder;
 }
 
