@@ -66,14 +66,17 @@ Found found_by(const Task& task, const Model& model, const RowsSay& say) {
   return found;
 }
 
-bool stands(const Task& task, const Choice& fitted, const RowsSay& say, State& with_them) {
+// as_good: what may be in the place of what they name.
+bool stands(const Task& task, const Choice& fitted, const RowsSay& say, State& with_them,
+            std::vector<NamedPlace>& as_good) {
   with_them = fitted.base;
   if (!say.left.noise_only) return false;
   const Found found = found_by(task, fitted.base.model, say);
   if (found.list.empty()) return true;
   return borne_out(task, fitted.base, found.list, found.values, &with_them) &&
          missed_percent(task, with_them) < kNoWorse * missed_percent(task, fitted.base) &&
-         !outdone(task, fitted, found.list, with_them);
+         !outdone(task, fitted, found.list, with_them) &&
+         (found.list.size() > 1 || stands_in_noise(task, fitted, found.list[0], with_them, as_good));
 }
 
 // The rows carry the noise of a derived motion: where they see nothing the runs, which need none, may leave more than noise. Whether they
@@ -146,12 +149,14 @@ bool answered_by_rows(const Asked& asked, const Task& task, std::vector<Prepared
   if (!tells && !followed_with(task, say, choice) && choice.base_fits_nothing) return false;
   if (runs_see_more(task, say, choice)) return false;
   State with_them;
-  if (!stands(task, choice, say, with_them)) {
+  std::vector<NamedPlace> as_good;
+  if (!stands(task, choice, say, with_them, as_good)) {
     for (const Cause& c : say.d.causes)
       if (!c.taken_out) d.rejected.push_back(c);
     return false;
   }
   d = say.d;
+  for (const NamedPlace& place : as_good) list_equal(place, d), d.verdict = Verdict::kAmbiguous;
   const bool rounded = round_jumps(task, records, with_them);
   // a force that is held between its samples is none of the free runs' terms
   const bool held = d.force_between_samples == "steps" && !task.records[0].held;

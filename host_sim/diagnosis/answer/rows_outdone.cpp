@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "../choice/round.hpp"
+#include "../numbers/numbers_of.hpp"
 #include "../trial/attempt.hpp"
 #include "../trial/merit.hpp"
 
@@ -52,6 +54,42 @@ bool outdone(const Task& task, const Choice& fitted, const std::vector<Candidate
     return !clearly_better(own, other, noise) ||
            whole_error(other) < std::pow(kWorth, static_cast<double>(more)) * whole_error(own);
   });
+}
+
+namespace {
+
+// Of the rms motion: what goes with its third power is then off by 3 * 0.2^2 = 12 %, as much as tells it from the second.
+constexpr double kMuchNoise = 0.2;
+
+// rms noise over rms motion, of each DOF's quietest channel; the largest.
+double noise_of_motion(const Task& task, const Left& left) {
+  const std::vector<MotionTrace>& traces = task.records[0].traces;
+  std::map<int, double> of_dof;
+  for (size_t c = 0; c < traces.size() && static_cast<Index>(c) < left.sensor_noise.size(); ++c) {
+    double square = 0, samples = 0;
+    for (const Prepared& p : task.records)
+      square += p.traces[c].y.squaredNorm(), samples += static_cast<double>(p.traces[c].y.size());
+    const double share = left.sensor_noise[static_cast<Index>(c)] * samples / std::max(1e-300, square);
+    const auto known = of_dof.emplace(traces[c].dof, share).first;
+    known->second = std::min(known->second, share);
+  }
+  double most = 0;
+  for (const auto& [dof, share] : of_dof) most = std::max(most, share);
+  return std::sqrt(most);
+}
+
+}  // namespace
+
+bool stands_in_noise(const Task& task, const Choice& fitted, const Candidate& cause, const State& with_it,
+                     std::vector<NamedPlace>& as_good) {
+  if (cause.terms[0].link < 0 || noise_of_motion(task, fitted.base_left) < kMuchNoise) return true;
+  Choice runs = fitted;
+  runs.named = {Named{cause, kNamed, 1.0, {}, true}}, runs.final = with_it;
+  weigh_rivals(
+      task, [](double) {}, runs);
+  const Named& named = runs.named[0];
+  for (const Rival& r : named.rivals) as_good.push_back(named_place(task, r.candidate.terms[0]));
+  return named.candidate.same_place(cause);
 }
 
 }  // namespace diagnosis::runs

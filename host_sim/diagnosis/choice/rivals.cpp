@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 
 #include "../doubts/possible.hpp"
@@ -122,7 +123,20 @@ std::vector<Attempt> rivals_tried(const Task& task, const State& rest, double no
 
 bool by_whole_error(const Attempt& a, const Attempt& b) { return whole_error(a) < whole_error(b); }
 
-// Of the others those that leave as little; `own` becomes the one that is to be named.
+bool stands_beside(const Attempt& own, const Attempt& t, double noise, double deviates) {
+  return t.z > kByChance && unseen_agrees(t) && !clearly_better(own, t, noise, deviates);
+}
+
+// Which of `as_good` is named in place of `own`: the simplest, unless the data, few as they are, plainly speak for another.
+void name_simplest(double noise, Attempt& own, std::vector<Attempt>& as_good) {
+  for (Attempt& t : as_good)
+    if ((t.complexity < own.complexity && !leaves_much_more(t, own, noise)) ||
+        (t.complexity == own.complexity && whole_error(t) < whole_error(own)))
+      std::swap(t, own);
+}
+
+// Of the others those that leave as little; `own` becomes the one that is to be named. Each of several may fall behind by chance, the
+// right one too: up to kSure it is said beside it.
 std::vector<Attempt> as_good_as(const Task& task, const State& rest, double noise, std::vector<Attempt> others,
                                 Attempt& own) {
   const bool own_can_be = !no_rival(task, rest, own);
@@ -131,15 +145,13 @@ std::vector<Attempt> as_good_as(const Task& task, const State& rest, double nois
   const auto better = std::min_element(others.begin(), others.end(), by_whole_error);
   if (better != others.end() && better->z > kByChance && whole_error(*better) < whole_error(own))
     std::swap(own, *better);
-  std::vector<Attempt> as_good;
-  for (const Attempt& t : others)
-    if (t.z > kByChance && unseen_agrees(t) && !clearly_better(own, t, noise)) as_good.push_back(t);
+  const auto as_good_now = [&](const Attempt& t) { return stands_beside(own, t, noise, kByChance); };
+  const auto behind = std::stable_partition(others.begin(), others.end(), as_good_now);
+  std::vector<Attempt> as_good(std::make_move_iterator(others.begin()), std::make_move_iterator(behind));
   if (!own_can_be) put_drivers_behind(task, own, as_good);
-  // the simplest of those that do as well is named, unless the data, few as they are, plainly speak for another
-  for (Attempt& t : as_good)
-    if ((t.complexity < own.complexity && !leaves_much_more(t, own, noise)) ||
-        (t.complexity == own.complexity && whole_error(t) < whole_error(own)))
-      std::swap(t, own);
+  name_simplest(noise, own, as_good);
+  for (auto t = behind; own_can_be && t != others.end(); ++t)
+    if (stands_beside(own, *t, noise, kSure)) as_good.push_back(std::move(*t));
   std::sort(as_good.begin(), as_good.end(), by_whole_error);
   return as_good;
 }

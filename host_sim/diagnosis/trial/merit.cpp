@@ -151,11 +151,10 @@ bool leaves_much_more(const Attempt& a, const Attempt& than, double noise) {
   return whole_error(a) > std::pow(1 + kMuch, numbers) * std::max(noise, whole_error(than));
 }
 
-bool clearly_better(const Attempt& a, const Attempt& b, double noise) {
+bool clearly_better(const Attempt& a, const Attempt& b, double noise, double deviates) {
   const double left = whole_error(a) - std::min(noise, whole_error(a));
   const double much = std::pow(1 + kMuch, std::max(1, a.complexity - b.complexity)) - 1;
-  return whole_error(b) - whole_error(a) > much * left &&
-         paired_z(all_blocks(b.state), all_blocks(a.state)) > kByChance;
+  return whole_error(b) - whole_error(a) > much * left && paired_z(all_blocks(b.state), all_blocks(a.state)) > deviates;
 }
 
 }  // namespace diagnosis::runs

@@ -40,7 +40,7 @@ bool passes(const Attempt& a, size_t already, double noise);
 bool nearly(const Attempt& a);
 // Whether the first leaves much more than the second and than noise, each number that it has less weighed.
 bool leaves_much_more(const Attempt& a, const Attempt& than, double noise);
-// Whether one is better than the other by more than chance, and by much of what is not noise.
-bool clearly_better(const Attempt& a, const Attempt& b, double noise);
+// Whether one is better than the other by more than these deviates of chance, and by much of what is not noise.
+bool clearly_better(const Attempt& a, const Attempt& b, double noise, double deviates = kByChance);
 
 }  // namespace diagnosis::runs
