@@ -53,6 +53,18 @@ TEST(FreeRun, CoulombFrictionTakesTheSameOffEveryPeriod) {
   EXPECT_NEAR(rig.run(1, 0, 101)[0], 1 - 4 / (4 * kPi * kPi), 1e-5);
 }
 
+// A spring of 4 pi^2 (u + 100 u^3) N is 301 times as steep at u = 1, twice an rms of 0.5, as at u = 0. Undamped,
+// k u^2 / 2 + 100 k u^4 / 4 + v^2 / 2 = k (0.5 + 25) stays over a hundred swings (without the linear part one takes
+// 7.4163 / (10 * 2 pi) s, 0.118 s); with steps that are short enough for the linear spring alone 72 % of it are lost.
+TEST(FreeRun, StepsAreShortWhereASpringHardens) {
+  Rig rig(1201);
+  rig.add(on_link(Kind::kCubicStiffness, 0), 400 * kPi * kPi, true);
+  for (Index k = 0; k < 1201; ++k) rig.records[0].guess[0].x[k] = k % 2 ? 0.5 : -0.5;
+  const Vec y = rig.run(1, 0, 1201);
+  const double k = 4 * kPi * kPi, energy = k * (0.5 * std::pow(y[0], 2) + 25 * std::pow(y[0], 4)) + y[1] * y[1] / 2;
+  EXPECT_NEAR(energy / (k * 25.5), 1, 0.01);
+}
+
 // exp(slope * time_s) by its series over a 1024th of the time, squared ten times.
 Mat exponential(const Mat& slope, double time_s) {
   const Mat part = slope * (time_s / 1024);

@@ -4,6 +4,7 @@
 
 #include "host_sim/response/linear_rig.hpp"
 #include "simulator.hpp"
+#include "tangents.hpp"
 
 // A model as lists of masses, elements and frictions between nodes.
 namespace diagnosis::runs {
@@ -32,6 +33,10 @@ Simulator::Simulator(const System& system, const Model& model, const Prepared& r
         k = std::abs(e.value);
       if (e.kind == Kind::kPresliding) k = std::abs(e.value) / e.shape, c = 2 * k * e.shape2;  // as they turn over
       if (e.kind == Kind::kViscous || e.kind == Kind::kMissingViscous) c = std::abs(e.value);
+      if (is_curve(e.kind)) {
+        const LawValue most = steepest(e.kind, e.shape, e.shape2, record, e.a, e.b);
+        k = std::max(k, std::abs(e.value) * most.by_u), c = std::abs(e.value) * most.by_w;
+      }
       for (int end : {e.a, e.b})
         if (end >= 0) stiff[end] += k, drag[end] += c;
     }
