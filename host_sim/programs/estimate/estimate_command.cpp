@@ -128,7 +128,7 @@ void estimate(const EstimateArguments& arguments) {
   };
   const auto estimate_all = [&] { watched([&] { return estimate_records(model, records.get(), options); }); };
   check.beside([&] { watched([&] { return estimate_prepared(model, records, options, notes); }); });
-  if (data_check::turn_over(check.require(), records.own())) estimate_all();
+  if (!arguments.reading.in_spite_of_faults && data_check::turn_over(check.require(), records.own())) estimate_all();
   if (may_be_turned(model, records.get()) && says_turned(estimation.result)) {
     notes.push_back(turn_forces(records.own()));
     estimate_all();
