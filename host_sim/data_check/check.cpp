@@ -16,6 +16,7 @@
 #include "host_sim/data_check/decay/release.hpp"
 #include "host_sim/data_check/decay/undying.hpp"
 #include "host_sim/data_check/drive/excitation.hpp"
+#include "host_sim/data_check/drive/idle_force.hpp"
 #include "host_sim/data_check/drive/one_sign.hpp"
 #include "host_sim/data_check/drive/work.hpp"
 #include "host_sim/data_check/flat/dead.hpp"
@@ -80,6 +81,8 @@ void check_motion(const Record& record, const rig_file::RigModel* model, const D
     if (auto work = find_negative_work(compared, drive)) attach({std::move(*work)}, report);
   if (!has_fault(report))
     if (auto growth = find_growth(record)) attach({std::move(*growth)}, report);
+  if (!has_fault(report))
+    if (auto idle = find_idle_force(record)) attach({std::move(*idle)}, report);
   if (!has_fault(report))
     if (auto undying = find_undying(record)) attach({std::move(*undying)}, report);
   if (!has_fault(report))

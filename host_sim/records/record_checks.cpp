@@ -7,6 +7,7 @@
 #include "hal/rig_file/channel_name.hpp"
 #include "host_sim/records/files/data_file_error.hpp"
 #include "host_sim/records/times/even_times.hpp"
+#include "host_sim/records/times/times_by_motion.hpp"
 #include "host_sim/records/times/uneven_times.hpp"
 
 namespace host_sim {
@@ -41,6 +42,7 @@ bool take_rounded_times(const std::vector<double>& time_s, Record& record) {
   const EvenTimes even = even_times(time_s);
   const double step = even.step_s, place = even.place_s;
   if (!(step > 0.0) || even.lost || has_a_row_twice(time_s, record)) return false;
+  if (smoother_as_given(record, 0, time_s, even.time_s)) return false;
   if (place > 5.0 * step)  // half a step, by which a lost sample moves the line, is then within the 0.6
     record.notes.push_back("times are rounded to " + seconds(place) + ", more than a step of " + seconds(step) +
                            ": a lost sample would not show");

@@ -31,7 +31,7 @@ size_t hums_in(const Channel& channel) {
   record.sample_period_s = 1e-3, record.channels = {channel};
   size_t count = 0;
   for (const auto& finding :
-       host_sim::data_check::find_slow_faults(record, channel, host_sim::data_check::statistics_of(channel)))
+       host_sim::data_check::find_slow_faults(record, channel, host_sim::data_check::statistics_of(channel), 1))
     count += finding.kind == "hum";
   return count;
 }

@@ -50,6 +50,63 @@ TEST(Work, OfADamperTurnedOver) {
   }
 }
 
+// 10 s at 1 kHz of a motor that a controller holds at 3 rad/s + u against a load: v = 3 + u, T = T0 - u with u = 0.3 sin(2 pi 2 Hz t), signs
+// right. About the means the power factor is -1. As measured the mean power is 3 T0 - 0.3^2 / 2 = 3 T0 - 0.045.
+Record held_speed(double mean_torque) {
+  Record record;
+  record.file = "made.csv", record.sample_period_s = 1e-3;
+  Channel torque{"torque_1_N_m", Quantity::kForce, 1, {}},
+      speed{"angular_velocity_1_rad_s", Quantity::kVelocity, 1, {}};
+  for (int i = 0; i < 10000; ++i) {
+    const double u = 0.3 * std::sin(4 * kPi * i * 1e-3);
+    torque.values.push_back(mean_torque - u);
+    speed.values.push_back(3 + u);
+  }
+  record.channels = {torque, speed};
+  return record;
+}
+
+TEST(Work, OfAControllerThatHoldsASpeedIsWhatItsMeanDoes) {
+  EXPECT_FALSE(find_negative_work(held_speed(1)));
+  EXPECT_FALSE(find_negative_work(held_speed(0.02)));  // 0.06 - 0.045 > 0
+  Record over = held_speed(1);
+  for (double& value : over.channels[0].values) value = -value;
+  // -(3 - 0.045) over sqrt(1 + 0.045) sqrt(9 + 0.045): -0.961. The zero of a torque sensor explains it, too: no sign is changed.
+  const auto found = find_negative_work(over);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->kind, "work");
+  EXPECT_EQ(found->weight, Weight::kDoubt);
+  EXPECT_NEAR(*found->value, -0.961, 0.01);
+}
+
+TEST(Work, OfAMotorTurnedOver) {
+  // The torque that such a motor needs for J dv/dt + c v, turned over: both ways the power is negative.
+  Record record = lone_link(0, -10, 0, Quantity::kVelocity);
+  for (size_t i = 0; i < record.samples(); ++i) record.channels[0].values[i] -= 10, record.channels[1].values[i] += 1;
+  EXPECT_EQ(find_negative_work(record)->kind, "polarity");
+  // A load cell that bears ten times the weight of what it measures does no work with it: the rig stays where it is.
+  for (const double sign : {1.0, -1.0}) {
+    record = lone_link(-1000, -1000 / (4 * kPi), 0, Quantity::kDisplacement);
+    for (double& value : record.channels[0].values) value += sign * 100;
+    ASSERT_TRUE(find_negative_work(record));
+    EXPECT_EQ(find_negative_work(record)->kind, "polarity");
+  }
+}
+
+// A torque of -1 N m that trembles by a tenth, a quarter of a period beside the speed.
+TEST(Work, OfABrakeIsWhatTheFlywheelHad) {
+  Record record = held_speed(0);
+  for (size_t i = 0; i < record.samples(); ++i) {
+    const double t = static_cast<double>(i) * 1e-3;
+    record.channels[0].values[i] = -1 - 0.1 * std::cos(4 * kPi * t);
+    record.channels[1].values[i] = 10 - 0.9 * t;
+  }
+  EXPECT_FALSE(find_negative_work(record));
+  record.channels[1].values = held_speed(0).channels[1].values;  // it does not slow down: something else drives it
+  ASSERT_TRUE(find_negative_work(record));
+  EXPECT_EQ(find_negative_work(record)->kind, "work");
+}
+
 TEST(Work, OfASpringWhoseForceIsLate) {
   // sin(wt - a) cos(wt) has the mean -sin(a) / 2: the power factor is -sin(a). Here a = 2 pi 2 Hz 15.9 ms = 0.2.
   const auto found = find_negative_work(lone_link(1000, 0, 0.2 / (4 * kPi), Quantity::kDisplacement));

@@ -77,6 +77,15 @@ TEST_F(TurnedForce, IsTurnedBackWhereTheRigFileTells) {
   EXPECT_NE(result.errors.find("force_1_N: polarity"), std::string::npos) << result.errors;
 }
 
+// The user's word: with --anyway the damper is as the record has it, -6 N s/m.
+TEST_F(TurnedForce, IsLeftAsItIsAnyway) {
+  workspace_.write("known.toml",
+                   "schema = \"rig/1\"\nname = \"cart\"\n[[dof]]\nmass_kg = 2.0\n[[link]]\nbetween = [1, 0]\n"
+                   "stiffness_N_m = 800.0\nviscous_N_s_m = \"estimate\"\n");
+  host_sim({"estimate", "--rig", "known.toml", "--data", "turned.csv", "--json", "out.json", "--anyway"});
+  EXPECT_LT(value(json("out.json"), "viscous[1-0]"), 0.0);
+}
+
 TEST_F(TurnedForce, ARightOneIsLeftAsItIs) {
   const auto result = host_sim({"estimate", "--rig", "rig.toml", "--data", "right.csv", "--json", "out.json"});
   ASSERT_EQ(result.status, 0) << result.errors << result.output;

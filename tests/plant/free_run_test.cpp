@@ -138,4 +138,29 @@ TEST(FreeRun, IsQuickUnderANoisyForce) {
   EXPECT_LT(nrmse_percent(levels.truth[0], 2000, run, Quantity::kDisplacement, 1), 5.0);
 }
 
+// x'' = 1000 x^3 from 1 m: x' grows as sqrt(500) x^2, and x is without bound after 1 / sqrt(500) = 45 ms or a little more. Two samples of
+// 100 ms, and the same with a limit of five steps a sample: the user reads of the motion, not of the solver's functions.
+TEST(FreeRun, SaysWhyItStoppedInItsOwnWords) {
+  auto rig = oscillator(1.0, 0.0);
+  rig.links[0].effects.push_back(plant_test::effect("cubic_stiffness", -1000.0));
+  host_sim::Record record;
+  record.file = "made.csv", record.sample_period_s = 0.1;
+  record.channels.push_back({"displacement_1_m", Quantity::kDisplacement, 1, {1.0, 1.0, 1.0}});
+  record.channels.push_back({"force_1_N", Quantity::kForce, 1, {0.0, 0.0, 0.0}});
+  for (const long most_steps : {200000L, 5L}) {
+    host_sim::FreeRunOptions options;
+    options.integrator.most_steps_per_sample = most_steps;
+    try {
+      host_sim::free_run(rig, record, 0, {{1.0}, {0.0}}, 3, options);
+      ADD_FAILURE() << "simulated";
+    } catch (const host_sim::PlantError& error) {
+      const std::string said = error.what();
+      EXPECT_EQ(said.rfind("simulation stopped at t = 0.0", 0), 0u) << said;
+      for (const char* foreign : {"ERK", "ARK", "tout", "mxstep", "tolerance factor", "At t ="})
+        EXPECT_EQ(said.find(foreign), std::string::npos) << said;
+      EXPECT_NE(said.find(most_steps == 5 ? "one sample takes more than 5 steps" : "?)"), std::string::npos) << said;
+    }
+  }
+}
+
 }  // namespace

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <random>
 
+#include "host_sim/records/derived/noise_variance.hpp"
+
 namespace {
 
 using host_sim::Quantity;
@@ -115,6 +117,46 @@ TEST(ComputedColumns, SensorsStay) {
   for (host_sim::Channel& channel : rounded.channels)
     for (double& value : channel.values) value = std::round(value * 1e6) / 1e6;
   EXPECT_EQ(left_of(rounded), "fdva");
+}
+
+// x and v at steps of 8, 10 and 12 ms in turn, the tachometer off by 0.1 %. Differences of the rows, not of the motion over the times, would
+// find (0.002 s v)^2 of noise in x, and an own noise of 20 times that of a central difference, 1e-5 sqrt(2) / 20 ms = 7e-4 rad/s, within it.
+TEST(ComputedColumns, UnevenStepsAreNoNoise) {
+  Record record = record_of({}, {}, {});
+  record.channels.clear();
+  host_sim::Channel angle, rate;
+  angle.name = "angle_1_rad", angle.quantity = Quantity::kDisplacement;
+  rate.name = "angular_velocity_1_rad_s", rate.quantity = Quantity::kVelocity;
+  double t = 0;
+  for (size_t i = 0; i < kRows; ++i) {
+    record.time_s.push_back(t += (i % 3 == 0 ? 0.008 : i % 3 == 1 ? 0.010 : 0.012));
+    angle.values.push_back(std::sin(1.3 * t) + 0.4 * std::sin(3.3 * t));
+    rate.values.push_back(1.001 * (1.3 * std::cos(1.3 * t) + 1.32 * std::cos(3.3 * t)));
+  }
+  angle.values = noisy(angle.values, 1e-5, 13), rate.values = noisy(rate.values, 1.4e-2, 14);
+  record.channels = {angle, rate};
+  EXPECT_EQ(left_of(record), "aa");
+  Values& x = record.channels[0].values;
+  Values& v = record.channels[1].values;
+  for (size_t i = 1; i + 1 < kRows; ++i) {  // the slope of the parabola through three rows is left out as before
+    const double before = record.time_s[i] - record.time_s[i - 1], behind = record.time_s[i + 1] - record.time_s[i];
+    v[i] = (before * (x[i + 1] - x[i]) / behind + behind * (x[i] - x[i - 1]) / before) / (before + behind);
+  }
+  EXPECT_EQ(left_of(record).substr(0, 2), "a;");
+}
+
+// 0.5 Hz at 1 kHz and a little white noise of 0.01: what is found is its variance, at even steps and at steps of 0.7 and 1.3 ms.
+TEST(NoiseVariance, WhateverTheSteps) {
+  for (const double uneven : {0.0, 3e-4}) {
+    Values t, x;
+    for (size_t i = 0; i < kRows; ++i) {
+      t.push_back(1e-3 * static_cast<double>(i) + (i % 2 == 0 ? 0 : uneven));
+      x.push_back(std::sin(M_PI * t.back()));
+    }
+    EXPECT_LT(host_sim::noise_variance(x, t), 1e-24) << uneven;
+    EXPECT_NEAR(host_sim::noise_variance(noisy(x, 0.01, 15), t), 1e-4, 1e-5) << uneven;
+  }
+  EXPECT_EQ(host_sim::noise_variance(Values(32, 1.0), Values(32, 1.0)), 0.0);
 }
 
 }  // namespace

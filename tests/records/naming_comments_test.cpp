@@ -50,4 +50,21 @@ TEST(NamingComments, OtherCountsAreRefusedAndSaid) {
             std::string::npos);
 }
 
+// Names that mean no channel are the user's to take: the refusal says them, and --column does.
+TEST(NamingComments, WordsOfNoChannelAreListed) {
+  for (const char* above :
+       {"# made on bench 3 by hand\n#t u $\\theta$\n", "# 2025-12-17\n# Columnas: t u $\\theta$\n#\n"}) {
+    const std::string refusal = told(above);
+    EXPECT_NE(
+        refusal.find("the comment of line 2 has a word for each: \"t\", \"u\", \"$\\theta$\"; where these are names, "
+                     "--column takes them, as in --column t=\"t\""),
+        std::string::npos)
+        << refusal;
+    host_sim::ReadingOptions options;
+    options.columns = {{"t", "t"}, {"displacement_1_m", "u"}};
+    EXPECT_EQ(host_sim::parse_csv(std::string(above) + kRows, "d.txt", {}, options).channels.size(), 1u) << above;
+  }
+  EXPECT_EQ(told("# one two\n# 3 4 5\n").find("a word for each"), std::string::npos);
+}
+
 }  // namespace

@@ -102,4 +102,20 @@ TEST(OfRounding, AMotorAtSpeed) {
   EXPECT_TRUE(follows(difference(s), s));
 }
 
+// A sine that is locked to the sampling, without noise: the same few rows again and again, in which what the encoder reads and what it is
+// rounded by is a function of the sine. Any column of that period follows it.
+TEST(OfRounding, LockedSinesTellNothing) {
+  for (const size_t period : {8, 16, 20, 24, 25, 40, 100, 200}) {
+    Swing s;
+    Values a(kRows);
+    for (size_t i = 0; i < kRows; ++i) {
+      const double phase = 2 * M_PI * static_cast<double>(i % period) / static_cast<double>(period);
+      s.x[i] = kTick_rad * std::round(0.013 * std::sin(phase) / kTick_rad);
+      s.v[i] = std::cos(phase), a[i] = std::round(-1e6 * std::sin(phase)) / 1e6;
+    }
+    EXPECT_FALSE(follows(s.v, s)) << period;
+    EXPECT_FALSE(follows(a, s)) << period;
+  }
+}
+
 }  // namespace

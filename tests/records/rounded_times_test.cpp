@@ -92,4 +92,29 @@ TEST(RoundedTimes, OfACalendarAreEvenToo) {
   }
 }
 
+// No even step is 10 and 12 ms, to the millisecond. 10 and 11 ms are 10.5 where the motion, 2 sin 3 t, says so, and not where it is smooth at
+// these very times.
+TEST(RoundedTimes, ThatAlternateAreThoseOfTheMotion) {
+  const auto note_of = [](int longer_ms, bool sampled_evenly) -> std::string {
+    std::string text = "t_s,displacement_1_m\n";
+    for (int i = 0, ms = 0; i < 600; ++i, ms += i % 2 == 0 ? longer_ms : 10) {
+      const double at_s = sampled_evenly ? 5e-4 * (10 + longer_ms) * i : 1e-3 * ms;
+      text += fmt::format("{:.3f},{:.9f}\n", 1e-3 * ms, 2 * std::sin(3 * at_s));
+    }
+    try {
+      const host_sim::Record record = host_sim::parse_csv(text, "d.csv", {});
+      return record.notes.empty() ? "" : record.notes[0];
+    } catch (const host_sim::DataFileError& error) {
+      return error.problem;
+    }
+  };
+  for (const bool sampled_evenly : {false, true}) {
+    const std::string note = note_of(12, sampled_evenly);
+    EXPECT_NE(note.find("expected a constant step"), std::string::npos) << note;
+    EXPECT_NE(note.find("--resample"), std::string::npos) << note;
+  }
+  EXPECT_NE(note_of(11, false).find("--resample"), std::string::npos) << note_of(11, false);
+  EXPECT_EQ(note_of(11, true).rfind("times are rounded to 0.001 s: the step is 0.0105 s", 0), 0u) << note_of(11, true);
+}
+
 }  // namespace

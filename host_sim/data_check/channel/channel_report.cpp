@@ -74,7 +74,8 @@ ChannelReport report_of(const Record& record, const std::vector<Statistics>& all
       report.findings.push_back(std::move(*clipped));
   }
   if (auto staircase = find_staircase(record, channel, statistics)) report.findings.push_back(std::move(*staircase));
-  for (Finding& finding : find_slow_faults(record, channel, statistics)) report.findings.push_back(std::move(finding));
+  for (Finding& finding : find_slow_faults(record, channel, statistics, differentiated(record, channel)))
+    report.findings.push_back(std::move(finding));
   if (model != nullptr)
     if (auto ripple = find_ripple(record, channel, *model)) report.findings.push_back(std::move(*ripple));
   return report;

@@ -8,6 +8,8 @@
 
 #include "firmware/fixed_point/wider_vectors.hpp"
 #include "host_sim/data_check/channel/harmonic.hpp"
+#include "host_sim/data_check/channel/hum_weight.hpp"
+#include "host_sim/records/record_checks.hpp"
 
 namespace host_sim::data_check {
 namespace {
@@ -55,6 +57,19 @@ std::vector<double> windowed_start(const std::vector<double>& values, double mea
   const std::vector<double>& window = hann_window(windowed.size());
   for (size_t i = 0; i < windowed.size(); ++i) windowed[i] = (values[i] - mean) * window[i];
   return windowed;
+}
+
+// What it does to the estimation is another number than what it is of the channel.
+void weigh(const Record& record, const Channel& channel, double mains_Hz, int differentiated, Finding& hum) {
+  if (is_drive(channel)) return;  // a force is taken as it is, and nothing is derived from it
+  const double share = hum_share(record, channel, *hum.value, mains_Hz, differentiated);
+  if (share < kHumSpoils) return;
+  hum.weight = Weight::kDoubt;
+  hum.detail += fmt::format(
+      "; of what the estimation makes of this channel it has {:.2g} times the mean square of the motion: find where it "
+      "comes "
+      "from; diagnose takes it out, and so does a notch or a low-pass on all channels alike",
+      share);
 }
 
 std::optional<Finding> find_hum(const Channel& channel, const Statistics& statistics,
@@ -111,13 +126,16 @@ std::optional<Finding> find_drift(const Channel& channel, const Statistics& stat
 
 }  // namespace
 
-std::vector<Finding> find_slow_faults(const Record& record, const Channel& channel, const Statistics& statistics) {
+std::vector<Finding> find_slow_faults(const Record& record, const Channel& channel, const Statistics& statistics,
+                                      int differentiated) {
   std::vector<Finding> findings;
   if (statistics.lowest == statistics.highest) return findings;
   const std::vector<double> windowed = windowed_start(channel.values, statistics.mean);
   for (const double mains_Hz : {50.0, 60.0})
-    if (auto hum = find_hum(channel, statistics, windowed, record.sample_period_s, mains_Hz))
+    if (auto hum = find_hum(channel, statistics, windowed, record.sample_period_s, mains_Hz)) {
+      weigh(record, channel, mains_Hz, differentiated, *hum);
       findings.push_back(std::move(*hum));
+    }
   if (auto drift = find_drift(channel, statistics)) findings.push_back(std::move(*drift));
   return findings;
 }

@@ -13,13 +13,13 @@
 namespace host_sim::data_check {
 namespace {
 
-constexpr size_t kParts = 10;
+constexpr size_t kParts = kGrowthParts;
 constexpr double kMoves = 0.05;                // of the largest mean square: less may be noise about a rig at rest
 constexpr double kEachTime = 1.5, kInAll = 4;  // of the mean square
 
-// Of each tenth, about its mean. A speed that keeps its sign (a car that rolls, a flywheel) has its energy about zero: how it varies
-// within a tenth is how it is braked.
-std::vector<double> mean_squares(const Channel& channel) {
+}  // namespace
+
+std::vector<double> mean_squares_of_tenths(const Channel& channel) {
   const std::vector<double>& y = channel.values;
   const bool about_zero = keeps_its_sign(channel);
   std::vector<double> list;
@@ -32,12 +32,6 @@ std::vector<double> mean_squares(const Channel& channel) {
   return list;
 }
 
-struct Growth {
-  size_t from = 0, to = 0;  // parts
-  double times = 0.0;
-};
-
-// The longest growth from part to part.
 Growth growth_of(const std::vector<double>& squares) {
   const double least = kMoves * *std::max_element(squares.begin(), squares.end());
   Growth best;
@@ -55,8 +49,6 @@ Growth growth_of(const std::vector<double>& squares) {
   return best;
 }
 
-}  // namespace
-
 std::optional<Finding> find_growth(const Record& record) {
   const Channel* motion = nullptr;
   for (const Channel& channel : record.channels) {
@@ -70,7 +62,7 @@ std::optional<Finding> find_growth(const Record& record) {
   // the mean square of less than a period goes with where in the swing it is taken
   if (const double period = period_of(motion->values); period * kParts > static_cast<double>(record.samples()))
     return std::nullopt;
-  const Growth growth = growth_of(mean_squares(*motion));
+  const Growth growth = growth_of(mean_squares_of_tenths(*motion));
   if (growth.times == 0.0) return std::nullopt;
   const double part_s = static_cast<double>(record.samples()) * record.sample_period_s / kParts;
   return Finding{

@@ -11,7 +11,7 @@ namespace host_sim::data_check {
 void require_one_sign(Report& report);
 
 // What is said of a single force that is turned over.
-constexpr const char* kSignIsChanged = "change the sign of the column (estimate and diagnose do)";
+constexpr const char* kSignIsChanged = "change the sign of the column (estimate and diagnose do, unless told --anyway)";
 // Changes the sign of a single force that is turned over, in all records. True where there is one.
 bool turn_over(Report report, std::vector<Record>& records);
 

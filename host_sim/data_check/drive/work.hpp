@@ -13,7 +13,11 @@ namespace host_sim::data_check {
 // polarity: the power factor is below -0.5. A late channel alone would have to be late by a twelfth of a period. A fault
 // of several forces; of a single one a doubt, for its sign against the motions is all there is to change.
 // work, a doubt: it is negative, by more.
-// Both only where ten parts of the record agree: chance makes that in one of 1,024. A record whose base moves tells
+// Both about the means, for the zero of a sensor may be off, and as measured, for a rig that goes on one way is driven by the mean: what a
+// controller does about its speed brakes and pushes against what disturbs it. Of the power as measured the sign counts, for `polarity` half
+// of the same rms values. Where only the power as measured is negative (power factor below -0.5), `work` says so of a single force: an
+// offset explains that, too. Nothing of a rig that goes on one way more and more slowly: its flywheel gives what it had.
+// All only where ten parts of the record agree: chance makes that in one of 1,024. A record whose base moves tells
 // nothing: the base does work too. drive: what drives the record.
 std::optional<Finding> find_negative_work(const Record& record, const Drive& drive);
 

@@ -63,18 +63,17 @@ void Integrator::Working::create() {
   const ARKODE_ERKTableID table = options.method == Method::kBogackiShampine3 ? ARKODE_BOGACKI_SHAMPINE_4_2_3
                                   : options.method == Method::kFehlberg8      ? ARKODE_FEHLBERG_13_7_8
                                                                               : ARKODE_DORMAND_PRINCE_7_4_5;
-  check(ERKStepSetTableNum(arkode, table), "ERKStepSetTableNum");
-  check(ERKStepSetInterpolantDegree(arkode, 5), "ERKStepSetInterpolantDegree");
-  check(ERKStepWFtolerances(arkode, weights), "ERKStepWFtolerances");
-  check(ERKStepSetMaxNumSteps(arkode, options.most_steps_per_sample), "ERKStepSetMaxNumSteps");
-  if (equations.roots() > 0)
-    check(ERKStepRootInit(arkode, static_cast<int>(equations.roots()), roots), "ERKStepRootInit");
+  check(ERKStepSetTableNum(arkode, table));
+  check(ERKStepSetInterpolantDegree(arkode, 5));
+  check(ERKStepWFtolerances(arkode, weights));
+  check(ERKStepSetMaxNumSteps(arkode, options.most_steps_per_sample));
+  if (equations.roots() > 0) check(ERKStepRootInit(arkode, static_cast<int>(equations.roots()), roots));
   ERKStepSetNoInactiveRootWarn(arkode);
 }
 
 void Integrator::Working::handle_root() {
   std::vector<int> direction(equations.roots());
-  check(ERKStepGetRootInfo(arkode, direction.data()), "ERKStepGetRootInfo");
+  check(ERKStepGetRootInfo(arkode, direction.data()));
   excite(t);
   const std::vector<bool> resting = equations.apply_roots(direction.data(), modes);
   equations.solve_rest(t, y.data(), force.data(), base, resting, modes);
@@ -103,21 +102,17 @@ void Integrator::advance_to(double t_s) {
   Working& w = *w_;
   bool by_series = w.series.has_value();
   for (long taken = 0; w.t < t_s; ++taken) {
-    if (taken > w.options.most_steps_per_sample) {
-      w.message =
-          std::to_string(taken) + " steps without reaching t = " + std::to_string(w.options.told_from_s + t_s) + " s";
-      w.check(-1, "ERKStepEvolve");
-    }
+    if (taken > w.options.most_steps_per_sample) w.fail(ARK_TOO_MUCH_WORK);
     if (by_series && (by_series = w.series_step(t_s))) continue;
     if (w.restart) {
       if (w.arkode == nullptr) w.create();
-      w.check(ERKStepReset(w.arkode, w.t, w.vector), "ERKStepReset");
-      w.check(ERKStepSetInitStep(w.arkode, std::min(w.period, t_s - w.t)), "ERKStepSetInitStep");
+      w.check(ERKStepReset(w.arkode, w.t, w.vector));
+      w.check(ERKStepSetInitStep(w.arkode, std::min(w.period, t_s - w.t)));
       w.restart = false;
     }
-    w.check(ERKStepSetStopTime(w.arkode, t_s), "ERKStepSetStopTime");
+    w.check(ERKStepSetStopTime(w.arkode, t_s));
     const int flag = ERKStepEvolve(w.arkode, t_s, w.vector, &w.t, w.task);
-    w.check(flag, "ERKStepEvolve");
+    w.check(flag);
     if (flag == ARK_ROOT_RETURN) w.handle_root();
   }
   w.grow_scale();

@@ -64,7 +64,8 @@ void diagnose(const DiagnoseArguments& arguments) {
     // a sign is of the cable: what the one tells holds for the other, which may be too short
     data_check::Report all = check;
     all.records.insert(all.records.end(), holdout_check.records.begin(), holdout_check.records.end());
-    data_check::turn_over(all, training), data_check::turn_over(all, holdout);
+    if (!arguments.reading.in_spite_of_faults)
+      data_check::turn_over(all, training), data_check::turn_over(all, holdout);
     if (const std::string told = turn_forces_round(model, training, holdout); !told.empty())
       std::fprintf(stderr, "%s\n", told.c_str());
     for (const std::string& told : count_forced_from_rest(model, training, holdout))

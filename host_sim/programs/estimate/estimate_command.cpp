@@ -6,6 +6,7 @@
 
 #include "hal/rig_file/compile_rig.hpp"
 #include "hal/rig_file/toml/rig_reader.hpp"
+#include "host_sim/data_check/channel/hum_weight.hpp"
 #include "host_sim/data_check/decay/release.hpp"
 #include "host_sim/data_check/drive/one_sign.hpp"
 #include "host_sim/programs/commands.hpp"
@@ -128,7 +129,7 @@ void estimate(const EstimateArguments& arguments) {
   };
   const auto estimate_all = [&] { watched([&] { return estimate_records(model, records.get(), options); }); };
   check.beside([&] { watched([&] { return estimate_prepared(model, records, options, notes); }); });
-  if (data_check::turn_over(check.require(), records.own())) estimate_all();
+  if (!arguments.reading.in_spite_of_faults && data_check::turn_over(check.require(), records.own())) estimate_all();
   if (may_be_turned(model, records.get()) && says_turned(estimation.result)) {
     notes.push_back(turn_forces(records.own()));
     estimate_all();
@@ -137,6 +138,7 @@ void estimate(const EstimateArguments& arguments) {
   notes.insert(notes.end(), bent.begin(), bent.end());
   doubt_what_records_contradict(model, records.get(), estimation.result);
   estimation.result.notes.insert(estimation.result.notes.end(), notes.begin(), notes.end());
+  estimation.result.hum_in = data_check::spoilt_by_hum(check.require());
   print_table(people, model, estimation.result);
   json.deliver(to_text(to_json(estimation.result)));
   log.deliver(estimation.frames);

@@ -103,11 +103,12 @@ std::string unanswered(const EstimateResult& result) {
   for (const auto& [status, list] : names)
     text += (text.empty() ? "" : "\n  ") + list + ": " + status_word(status) + ", " + reason(status, result);
   if (text.empty()) return text;
-  const bool entangled = names.count(EstimateStatus::kIllConditioned) > 0 && !result.unresolved.empty() &&
-                         !hidden_by_noise(EstimateStatus::kIllConditioned, result);
+  const bool entangled = result.hum_in.empty() && names.count(EstimateStatus::kIllConditioned) > 0 &&
+                         !result.unresolved.empty() && !hidden_by_noise(EstimateStatus::kIllConditioned, result);
   if (entangled) text += "\n  hardly seen is the change " + result.unresolved;
   const bool noise = hidden_by_noise(EstimateStatus::kIllConditioned, result);
   if (!result.force_known) return text;  // no other level or frequency brings one
+  if (!result.hum_in.empty()) return text + "\n  measure instead: the same without the hum";
   if (!result.advice.empty() && !(noise && names.size() == 1 && names.count(EstimateStatus::kIllConditioned) == 1))
     text += "\n  measure instead: " + result.advice;
   return text;

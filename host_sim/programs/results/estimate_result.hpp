@@ -56,6 +56,7 @@ struct EstimateResult {
   firmware::CoreHealth health;
   std::vector<SkewResult> skews;
   WarrantResult warrant;
+  std::string hum_in;               // channels whose mains hum outdoes the motion in these energies; empty: none
   bool records_contradict = false;  // each other, by coefficients of their own: which, is said in the notes
   std::string advice;               // what to measure next; empty: nothing
   std::string unresolved;           // the combination of parameters that these data show least

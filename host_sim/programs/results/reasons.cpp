@@ -57,6 +57,8 @@ std::string reason(EstimateStatus status, const EstimateResult& result) {
     return "no force is known: none is measured, and the rig file states no mass, spring or damper, so that nothing "
            "but the "
            "ratios of its coefficients shows in the motion; record the force, or state one of them";
+  if (status == EstimateStatus::kIllConditioned && !result.hum_in.empty())
+    return "hidden by the mains hum in " + result.hum_in + ": diagnose takes it out of the same data";
   if (hidden_by_noise(status, result) && suspects(result.warrant))
     return "lost in what the rig file lacks: that scatters in these energies more than the number itself; more of the "
            "same data will not help before the rig file has it";

@@ -6,13 +6,13 @@
 #include <cmath>
 #include <optional>
 
+#include "host_sim/records/derived/noise_variance.hpp"
 #include "host_sim/records/derived/of_rounding.hpp"
 
 namespace host_sim {
 namespace {
 
-constexpr size_t kFewest = 64;    // rows to tell it from
-constexpr size_t kMostOrder = 8;  // of differences that a motion vanishes in and noise does not
+constexpr size_t kFewest = 64;  // rows to tell it from
 
 using Values = std::vector<double>;
 
@@ -30,21 +30,6 @@ double mean_square(const Values& x, size_t margin) {
   for (size_t i = margin; i + margin < x.size(); ++i)
     if (std::isfinite(x[i])) sum += x[i] * x[i], ++count;
   return count > 0 ? sum / static_cast<double>(count) : 0.0;
-}
-
-// Variance of white noise in x: in differences of order n it is binomial(2 n, n) times as large, and a slow motion is next to nothing; the
-// order that makes the least of it. 0: of fewer rows than can tell.
-double noise_variance(Values x) {
-  double least = -1, scale = 1;
-  for (size_t order = 1; order <= kMostOrder && x.size() > kFewest / 2; ++order) {
-    for (size_t i = 0; i + 1 < x.size(); ++i) x[i] = x[i + 1] - x[i];
-    x.pop_back();
-    const double n = static_cast<double>(order);
-    scale *= (2 * n) * (2 * n - 1) / (n * n);
-    const double variance = mean_square(x, 0) / scale;
-    if (least < 0 || variance < least) least = variance;
-  }
-  return std::max(0.0, least);
 }
 
 enum class Rule { kCentral, kForward, kBackward };
@@ -112,7 +97,7 @@ struct Computed {
 std::optional<Computed> computed_of(const Channel& column, const Channel& of, const Values& t, double step_s) {
   const int orders = static_cast<int>(column.quantity) - static_cast<int>(of.quantity);
   if (column.dof != of.dof || orders == 0) return {};
-  const double variance = noise_variance(of.values);
+  const double variance = noise_variance(of.values, t);
   const std::string how = orders == 1    ? slope_of(column.values, of.values, t, step_s, variance)
                           : orders == 2  ? second_slope_of(column.values, of.values, t, step_s, variance)
                           : orders == -1 ? sum_of(column.values, of.values, t, variance)

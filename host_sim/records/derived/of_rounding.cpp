@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "host_sim/records/steps/value_step.hpp"
 
@@ -17,6 +18,8 @@ constexpr size_t kOwnReach = 2;        // and of the column itself: a low-pass o
 constexpr double kUsual = 0.9;         // of the rows
 constexpr size_t kRowsPerNumber = 10;  // for each number that is fitted
 constexpr size_t kMostRows = 20000;    // evenly spread
+constexpr double kOtherwise = 0.02;    // of the rows, where what is read around all others comes again a cycle later
+constexpr size_t kMostCycle = 10000;   // rows
 
 struct Fit {
   double mean_square = 0;  // of what is left, of the rows that are left off least
@@ -35,6 +38,30 @@ std::vector<size_t> moving_rows(const Values& slopes) {
   std::vector<size_t> few(kMostRows);
   for (size_t i = 0; i < kMostRows; ++i) few[i] = rows[i * rows.size() / kMostRows];
   return few;
+}
+
+// Of each row what is read around it, as a number: rows with the same readings have the same number.
+std::vector<uint64_t> patterns(const Values& x, double step) {
+  constexpr uint64_t kFactor = 0x9E3779B97F4A7C15;  // 2^64 over the golden ratio
+  std::vector<uint64_t> all(x.size(), 0);
+  for (size_t i = kReach; i + kReach < x.size(); ++i)
+    for (size_t k = i - kReach; k <= i + kReach; ++k)
+      all[i] = (all[i] ^ static_cast<uint64_t>(std::llround(x[k] / step))) * kFactor;
+  return all;
+}
+
+// Whether x goes through the same readings in every cycle: a sine without noise that is locked to the sampling. All that has its period is
+// a function of where in the cycle a row is, and so are the steps: one that follows from the other proves nothing.
+bool repeats_itself(const Values& x, double step, const std::vector<size_t>& rows) {
+  const std::vector<uint64_t> pattern = patterns(x, step);
+  const auto allowed = static_cast<size_t>(kOtherwise * static_cast<double>(rows.size()));
+  for (size_t cycle = 2; cycle <= std::min(kMostCycle, x.size() / 4); ++cycle) {
+    size_t otherwise = 0;
+    for (size_t r = 0; r < rows.size() && otherwise <= allowed; ++r)
+      if (rows[r] + cycle + kReach < x.size()) otherwise += pattern[rows[r]] != pattern[rows[r] + cycle];
+    if (otherwise <= allowed) return true;
+  }
+  return false;
 }
 
 Eigen::MatrixXd regressors(const Values& y, const Values& slopes, const std::vector<size_t>& rows, bool own) {
@@ -95,7 +122,7 @@ bool follows_rounding(const Channel& column, const Channel& of, const Values& t_
     const Eigen::MatrixXd a = regressors(y, slopes, rows, own);
     if (rows.size() < kRowsPerNumber * static_cast<size_t>(a.cols()) || !a.allFinite()) return false;
     const Fit fit = fit_of(a, wanted, step_s);
-    if (fit.mean_square < kOwn * kOwn * fit.taps_square * step * step / 12) return true;
+    if (fit.mean_square < kOwn * kOwn * fit.taps_square * step * step / 12) return !repeats_itself(x, step, rows);
   }
   return false;
 }

@@ -13,6 +13,7 @@
 #include "host_sim/records/steps/updates.hpp"
 #include "host_sim/records/steps/value_step.hpp"
 #include "host_sim/records/times/even_times.hpp"
+#include "host_sim/records/times/times_by_motion.hpp"
 
 namespace host_sim {
 namespace {
@@ -47,10 +48,13 @@ std::vector<Part> parts_of(const std::vector<double>& time_s, double step) {
   return parts;
 }
 
-// Between gaps, times that are even but for their last decimal are made so: motion times half a decimal would be noise.
-void make_even(std::vector<double>& time_s, const Part& part) {
+// Between gaps, times that are even but for their last decimal are made so: motion times half a decimal would be noise. Not where the
+// motion shows that they are right as they are.
+void make_even(const Record& record, std::vector<double>& time_s, const Part& part) {
   const auto first = time_s.begin() + static_cast<std::ptrdiff_t>(part.first);
-  const EvenTimes even = even_times({first, time_s.begin() + static_cast<std::ptrdiff_t>(part.end)});
+  const std::vector<double> given(first, time_s.begin() + static_cast<std::ptrdiff_t>(part.end));
+  const EvenTimes even = even_times(given);
+  if (even.time_s.empty() || smoother_as_given(record, part.first, given, even.time_s)) return;
   std::copy(even.time_s.begin(), even.time_s.end(), first);
 }
 
@@ -149,7 +153,7 @@ std::vector<Record> resampled(const Record& record, double rate_Hz) {
                     1.0 / step, rate_Hz, 1.0 / step));
   std::vector<Record> records;
   for (const Part& part : parts_of(time_s, step)) {
-    make_even(time_s, part);
+    make_even(record, time_s, part);
     records.push_back(part_at(record, time_s, part, rate_Hz));
     records.back().own_step_s = step;
   }

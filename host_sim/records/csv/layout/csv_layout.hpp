@@ -14,7 +14,7 @@ struct CsvLayout {
   bool decimal_comma = false;
   std::vector<Column> columns;  // "1", "2" and so on where the file has no names
   bool unnamed = false;
-  std::string unfit;               // of unnamed ones: that a comment speaks of channels, but not of so many
+  std::string unfit;               // of unnamed ones: a comment that may name them, and why it was not taken
   size_t header_line = 1;          // from 1
   std::string_view data;           // the rest of the content, from the first row of numbers on
   size_t data_line = 2;            // its line

@@ -6,6 +6,7 @@
 
 #include "host_sim/records/columns/names/column_name.hpp"
 #include "host_sim/records/columns/units/units.hpp"
+#include "host_sim/records/csv/layout/comment_words.hpp"
 #include "host_sim/records/csv/layout/naming_comment.hpp"
 #include "host_sim/records/csv/text/text_lines.hpp"
 
@@ -87,9 +88,11 @@ std::string_view without_keyword(std::string_view line) {
 
 // Nothing but comments spoke of channels, none of them with a name for each column.
 Header names_of(const std::optional<NamingComment>& comment, const std::vector<TextLine>& above,
-                const TextLine& numbers) {
+                const std::vector<CommentLine>& comments, const TextLine& numbers) {
   Header header = names_above(above, numbers);
-  if (!comment || !header.unnamed) return header;
+  if (!header.unnamed) return header;
+  header.unfit = words_for_columns(comments, numbers.text);
+  if (!comment) return header;
   if (comment->surplus) {
     header = comment->header;
     header.surplus = true;
@@ -104,6 +107,7 @@ Header names_of(const std::optional<NamingComment>& comment, const std::vector<T
 
 Header find_header(std::string_view content, const MeansChannel& means_channel) {
   std::vector<TextLine> above;
+  std::vector<CommentLine> comments;
   std::optional<NamingComment> unfit;
   std::string_view rest = content;
   size_t passed_over = 0, blanks = 0;
@@ -117,11 +121,12 @@ Header find_header(std::string_view content, const MeansChannel& means_channel) 
     if (is_row_of_numbers(line)) {
       const std::string_view next = take_line(below);
       if (is_row_of_numbers(next) && same_table(line, next))  // names stand above their numbers
-        return names_of(unfit, above, {number, passed_over, line, rest, blanks});
+        return names_of(unfit, above, comments, {number, passed_over, line, rest, blanks});
       if (is_row_of_numbers(next)) above.clear();  // the names above were those of this one row
     }
     line = without_keyword(line);
     const bool comment = is_comment(line);
+    if (comment) comments.push_back({number, line});
     if (comment) line = text_of_comment(line, means_channel);
     char separator = ',';
     if (channel_fields(line, means_channel, separator) > 0) {

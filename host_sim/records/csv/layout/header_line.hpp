@@ -15,7 +15,7 @@ struct Header {
   size_t passed_over = 0;  // lines before it that are neither blank nor comments
   bool unnamed = false;    // it is the first row of numbers: nothing stands above
   bool surplus = false;    // it has more names than there are columns
-  std::string unfit = {};  // of unnamed ones: what a comment above them names, which are not as many
+  std::string unfit = {};  // of unnamed ones: what a comment above them says that may be names
 };
 
 // csv_layout.hpp says which line it is.

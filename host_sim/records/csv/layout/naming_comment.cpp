@@ -7,11 +7,6 @@
 namespace host_sim {
 namespace {
 
-std::string_view without_comment_sign(std::string_view line) {
-  const size_t first = line.find_first_not_of(" \t#%/");
-  return first == std::string_view::npos ? std::string_view() : line.substr(first);
-}
-
 // "columns: t_s, force_1_N" without the word before the names, where that hides none.
 std::string_view without_title(std::string_view line, const MeansChannel& means_channel) {
   const size_t colon = line.find(':'), names = line.find_first_not_of(" \t", colon + 1);
@@ -40,6 +35,11 @@ NamingComment naming_comment(const Header& header, const MeansChannel& means_cha
   const bool sentence = header.separator == ' ' && !std::all_of(names.begin(), end, means_channel);
   comment.surplus = !sentence && std::none_of(end, names.end(), means_channel);
   return comment;
+}
+
+std::string_view without_comment_sign(std::string_view line) {
+  const size_t first = line.find_first_not_of(" \t#%/");
+  return first == std::string_view::npos ? std::string_view() : line.substr(first);
 }
 
 std::string_view text_of_comment(std::string_view line, const MeansChannel& means_channel) {

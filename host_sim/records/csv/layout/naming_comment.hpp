@@ -18,6 +18,8 @@ struct NamingComment {
 // Of the comment whose text is the header's.
 NamingComment naming_comment(const Header& header, const MeansChannel& means_channel);
 
+std::string_view without_comment_sign(std::string_view line);
+
 // What a comment line says: without its sign, and without a word before the names ("columns: t_s, force_1_N") where that hides none.
 std::string_view text_of_comment(std::string_view line, const MeansChannel& means_channel);
 
