@@ -32,6 +32,7 @@ bool is_in(uint32_t terms, TermKind kind) { return (terms >> static_cast<int>(ki
 
 // What a late channel takes from an equation its estimated masses and springs pass on: they stand beside everything else.
 bool spreads_skew(const CoreConfiguration& configuration, const Estimates& estimates) {
+  if (!kHasDisplacementRows) return false;  // none is estimated
   bool skewed = false, passes_on = false;
   for (int k = 0; k < estimates.unknown_count; ++k) {
     const Term* term = term_of(configuration, k);
@@ -85,7 +86,7 @@ bool share_an_equation(const CoreConfiguration& configuration, int unknown, int 
 
 // What moves has a mass: where an equation does not tell it from nought, noise has taken its place, and the others' too.
 bool loses_its_mass(const CoreConfiguration& configuration, int unknown, const ParameterEstimate& parameter) {
-  const Term* term = term_of(configuration, unknown);
+  const Term* term = kHasDisplacementRows ? term_of(configuration, unknown) : nullptr;  // else no mass is estimated
   return term != nullptr && term->kind == TermKind::kMass && parameter.status == EstimateStatus::kIllConditioned &&
          parameter.ci95_low.is_negative();
 }
@@ -204,7 +205,7 @@ void give_verdict(const CoreConfiguration& configuration, const ScoreSums& sums,
   for (int k = 0; k < estimates.unknown_count; ++k) {
     ParameterEstimate& parameter = estimates.parameters[k];
     if (contradicted) raise(parameter, at_fault);
-    if (!state.calibrated) continue;
+    if (!configuration.calibrates_tests()) continue;
     if (!state.judged) {  // where no window has closed there is nothing to test: STALE says so
       if (estimates.rows > 0) raise(parameter, EstimateStatus::kUntested);
       continue;
@@ -220,7 +221,7 @@ void give_verdict(const CoreConfiguration& configuration, const ScoreSums& sums,
       raise(parameter, EstimateStatus::kUntested);
   }
   spread_impossible(configuration, estimates);
-  if (state.calibrated && state.judged) spread_doubt(configuration, test, estimates);
+  if (state.judged) spread_doubt(configuration, test, estimates);
 }
 
 }  // namespace firmware
