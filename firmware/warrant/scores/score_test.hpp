@@ -194,8 +194,6 @@ class ScoreTest {
   Combination<kMostBaseSums> base_sum_;
   // Scores, their information, what the effect leaves of them; before that, of a probe that drifts, the stretches' times.
   Scaled psi_[kMostStretches], d_[kMostStretches], left_[kMostStretches];
-  ProbeScore score_[kMaxProbes];
-  Scaled own_square_[kMaxProbes];  // sum of own forces squared, SI
   Scaled difference_[kMaxUnknowns], difference_std_[kMaxUnknowns], difference_doubt_[kMaxUnknowns];
   uint16_t difference_tenths_[kMaxUnknowns];
   Scaled possible_bend_[kMaxUnknowns], unlikely_bend_[kMaxUnknowns], bend_of_shape_[kMaxUnknowns];
@@ -203,6 +201,9 @@ class ScoreTest {
   bool blind_[kMaxLinks];
   bool names_a_force_ = false;
   bool mimics_[kMaxUnknowns];
+  // The large ones last.
+  ProbeScore score_[kMaxProbes];
+  Scaled own_square_[kMaxProbes];  // sum of own forces squared, SI
 };
 
 }  // namespace firmware
