@@ -20,7 +20,7 @@ struct NodeDifference {
   uint16_t column_a = 0, column_b = 0;
   int32_t gain_a = 0, gain_b = 0;  // 0: not there
   int16_t range_exponent = 0;
-  uint8_t shift_left = 0;  // of codes times gains, before they come to the range
+  uint16_t shift_left = 0;  // of codes times gains, before they come to the range
   bool present() const { return gain_a != 0 || gain_b != 0; }
 };
 
