@@ -217,7 +217,7 @@ TEST(Warrant, AWideNumberDoesNotMakeItsNeighboursUntested) {
     give_verdict(run.configuration, tests.sums(), tests.test(), {true, true, 2}, estimates);
     int count = 0;
     for (int k = 1; k < estimates.unknown_count; ++k)
-      count += tests.test().mimics(k) && estimates.parameters[k].status == EstimateStatus::kUntested;
+      count += tests.test().of(k).mimics && estimates.parameters[k].status == EstimateStatus::kUntested;
     return count;
   };
   EXPECT_EQ(untested(false), 0);
