@@ -36,7 +36,7 @@ void gram(const LevelColumns& level, const uint8_t* observable, int size, Scaled
   for (int r = 0; r < size; ++r)
     for (int c = 0; c <= r; ++c) {
       sums[r][c] = level.product(observable[r], observable[c]);
-      if (r == c && observable[r] < kMaxControls) sums[r][c] += level.end_variance(observable[r]);
+      if (kReduces && r == c && observable[r] < kMaxControls) sums[r][c] += level.end_variance(observable[r]);
     }
 }
 
@@ -46,7 +46,7 @@ Scaled regress(Scaled (*sums)[kSize], int predecessors, Scaled* coefficient) {
   bool kept[kSize];
   for (int r = 0; r <= predecessors; ++r) {
     Scaled* const row = sums[r];
-    const Scaled least = scale_by_power_of_two(row[r], -30);
+    const Scaled least = r < predecessors ? scale_by_power_of_two(row[r], -30) : Scaled{};
     for (int c = 0; c <= r; ++c) {
       for (int k = 0; k < c; ++k)
         if (kept[k]) multiply_subtract(row[c], row[k], sums[c][k]);
@@ -95,7 +95,7 @@ Whitening measure_whitening(const EquationList& list, const LevelColumns& level,
   // The energies of repeated batches add up, their noise only in squares.
   if (!energy.is_zero()) relative_noise_square = unreduced / energy / (level.periodic() ? rows : 1);
   Scaled left = regress(sums, count, result.coefficient);
-  if (left < level.rounding_square(e)) left = level.rounding_square(e);
+  keep_larger(left, level.rounding_square(e));
   if (left.is_zero()) return result;
   for (int j = 0; j < count; ++j) result.observable[j] = observable[j];
   const int freedom = rows - count - (level.periodic() ? 1 : 0);

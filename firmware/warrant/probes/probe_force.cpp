@@ -184,7 +184,7 @@ void sum_slopes(Form form, const PlaceScale& scale, const PlaceMotion& motion, b
 }
 
 int32_t quantity_exponent(const PlaceScale& scale, int quantity) {
-  return scale.difference[quantity].range_exponent - kDifferenceFraction + scale.shift[quantity];
+  return scale.difference[quantity].range_exponent - kDifferenceFraction + kTableScaleShift;
 }
 
 int32_t force_exponent(Form form, const PlaceScale& scale) {
@@ -195,11 +195,6 @@ int32_t force_exponent(Form form, const PlaceScale& scale) {
   for (int q = 0; q < 2; ++q)
     if (power.of[q] > 0) exponent += power.of[q] * quantity_exponent(scale, q);
   return exponent;
-}
-
-PlaceScale table_scale(PlaceScale scale) {
-  scale.shift[0] = scale.shift[1] = kTableScaleShift;
-  return scale;
 }
 
 }  // namespace firmware
