@@ -162,8 +162,9 @@ Scaled ScoreTest::step_of(int unknown, Scaled* share) const {
   return step;
 }
 
-// Step of every unknown, where it is wanted, its deviation from the stretches' shares, and what of it noise of a doubtful size may be. Shares whose noise goes
-// with the root of their information d have sum s^2 about sum d and sum s^4 about 3 sum d^2: so many stretches tell the deviation.
+// Step of every unknown, kept where it is wanted, its deviation from the stretches' shares, and what of it noise of a doubtful size may
+// be. Shares whose noise goes with the root of their information d have sum s^2 about sum d and sum s^4 about 3 sum d^2: so many
+// stretches tell the deviation.
 void ScoreTest::measure_step(bool keeps) {
   for (int k = 0; k < unknowns_; ++k) {
     CoefficientTest& tested = tested_[k];
