@@ -46,6 +46,7 @@ constexpr int kIntegrationExtraBits = 6;
 struct SignalConfiguration {
   bool available = false;
   bool derived = false;                        // made from another quantity than its own
+  bool is_derived() const { return kDerivesSignals && derived; }
   uint8_t source = 0;                          // the measured Quantity it is made from
   uint8_t integrations = 0;                    // how often the source is integrated (leaky, see high_pass_shift)
   uint8_t half_length = 0;                     // FIR reaches from -half_length to +half_length samples
@@ -137,6 +138,7 @@ struct CoreConfiguration {
   ProbeNoise probe_noise[kKeepsProbeNoise ? kMaxNodes : 1];
   bool shares_probe_noise = false;  // probe_noise holds something
   bool noise_unknown = false;       // signals pass filters, and nobody has said how much noise their channels have
+  bool calibrates_tests() const { return !kDerivesSignals || !noise_unknown; }
   // The products above of a node's motion and of its force may be off by this many thousandths of themselves.
   uint16_t motion_noise_doubt[kMaxNodes] = {};
   uint16_t force_noise_doubt[kMaxNodes] = {};

@@ -5,7 +5,7 @@ namespace firmware {
 namespace {
 
 bool measured_velocity(const CoreConfiguration& configuration, int node) {
-  return node == kGroundNode || !configuration.signals[node][static_cast<int>(Quantity::kVelocity)].derived;
+  return node == kGroundNode || !configuration.signals[node][static_cast<int>(Quantity::kVelocity)].is_derived();
 }
 
 // Of the rate whose sign friction has.

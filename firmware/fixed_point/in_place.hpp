@@ -4,4 +4,7 @@
 
 #if defined(__x86_64__)
 #define FIRMWARE_IN_PLACE
+#define FIRMWARE_ONCE inline
+#else
+#define FIRMWARE_ONCE [[gnu::noinline]] inline
 #endif

@@ -91,7 +91,8 @@ bool operator>(const Scaled& a, const Scaled& b);
 bool operator<=(const Scaled& a, const Scaled& b);
 bool operator>=(const Scaled& a, const Scaled& b);
 bool operator==(const Scaled& a, const Scaled& b);
-bool exceeds(const Scaled& a, const Scaled& b);  // |a| > |b|
+bool exceeds(const Scaled& a, const Scaled& b);   // |a| > |b|
+void keep_larger(Scaled& most, const Scaled& a);  // most becomes a where a > most
 
 // a * 2^fraction_bits rounded to nearest (halves away from zero), saturated to +-(2^62 - 1).
 int64_t to_fixed(const Scaled& a, int32_t fraction_bits);

@@ -259,6 +259,9 @@ FIRMWARE_STEP bool exceeds(const Scaled& a, const Scaled& b) {
     return magnitude(a.mantissa) > magnitude(b.mantissa);
   return a.exponent > b.exponent;
 }
+FIRMWARE_STEP void keep_larger(Scaled& most, const Scaled& a) {
+  if (a > most) most = a;
+}
 FIRMWARE_STEP bool operator==(const Scaled& a, const Scaled& b) {
   return a.mantissa == b.mantissa && (a.mantissa == 0 || a.exponent == b.exponent);
 }

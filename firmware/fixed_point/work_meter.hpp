@@ -4,6 +4,8 @@
 #pragma once
 #include <cstdint>
 
+#include "firmware/fixed_point/in_place.hpp"
+
 namespace firmware {
 
 class WorkMeter {
@@ -24,7 +26,7 @@ inline WorkMeter* work_meter = nullptr;
 
 // A function so short that a call in it would cost as much as it does hands over, where somebody listens, to one that reports and
 // then does the same; the last call of either is a jump.
-inline void report_work(int32_t instructions) {
+FIRMWARE_ONCE void report_work(int32_t instructions) {
   if (work_meter != nullptr) work_meter->spend(instructions);
 }
 

@@ -122,7 +122,7 @@ void identify(const CoreConfiguration& configuration, const BatchTable& table, I
       estimates.inseparable = true;
     estimates.unresolved[k] = fit.identifiability().unresolved[k];
   }
-  doubt_beside_open_scale(configuration, list, estimates);
+  if (kHasDisplacementRows) doubt_beside_open_scale(configuration, list, estimates);  // else no mass is estimated
   give_advice(list, table, configuration, estimates);
 }
 

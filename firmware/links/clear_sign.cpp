@@ -32,22 +32,24 @@ void ClearSign::restart() {
 
 template <typename Number>
 bool ClearSign::judge(Known& known, Number own, Number around) const {
+  // Where no rate is derived all are measured.
+  const bool measured = !kDerivesSignals || known.measured, slow = kDerivesSignals && known.slow;
   known.differences = known.differences + rescale<Rate>(size_of(6 * own - around));
-  if (known.slow) known.magnitudes = known.magnitudes + rescale<Rate>(size_of(6 * own));
+  if (slow) known.magnitudes = known.magnitudes + rescale<Rate>(size_of(6 * own));
   if (++known.count == kLongMemory) {
     known.differences = known.differences >> 1;
-    known.magnitudes = known.magnitudes >> 1;
+    if (slow) known.magnitudes = known.magnitudes >> 1;
     known.count /= 2;
   }
   if (kDerivesSignals && Rate{} < least_) {
     known.near = known.near + rescale<Rate>(size_of(6 * own)) - (known.near >> kNearLog2);
-    if (known.near < (known.measured ? least_ + least_ : least_)) return false;
-    if (known.measured && rescale<Rate>(size_of(6 * own)) < (least_ >> kNearLog2)) return false;
+    if (known.near < (measured ? least_ + least_ : least_)) return false;
+    if (measured && rescale<Rate>(size_of(6 * own)) < (least_ >> kNearLog2)) return false;
   }
   if (sign_of(own) != sign_of(around)) return false;
   const Rate size = rescale<Rate>(size_of(around));
-  const int means = known.measured ? kMeansMeasured : kMeansDerived;
-  const Rate doubt = means * known.differences + (known.slow ? known.magnitudes >> kSlowShareLog2 : Rate{});
+  const int means = measured ? kMeansMeasured : kMeansDerived;
+  const Rate doubt = means * known.differences + (slow ? known.magnitudes >> kSlowShareLog2 : Rate{});
   return doubt < static_cast<int32_t>(known.count) * size;
 }
 

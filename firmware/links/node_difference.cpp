@@ -18,7 +18,7 @@ NodeDifference node_difference(const NodeCode& a, const NodeCode& b) {
   if (full_scale.is_zero()) return d;
   d.range_exponent = static_cast<int16_t>(log2_floor(full_scale) + 1);
   const int fewer = fewer_bits(a, b);
-  d.shift_left = static_cast<uint8_t>(fewer < kMostCodeBits ? kMostCodeBits - fewer : 0);
+  d.shift_left = static_cast<uint16_t>(fewer < kMostCodeBits ? kMostCodeBits - fewer : 0);
   const int bits = kDifferenceFraction + kDifferenceGainShift - d.range_exponent - d.shift_left;
   d.gain_a = static_cast<int32_t>(to_fixed(a.unit, bits));
   d.gain_b = static_cast<int32_t>(to_fixed(b.unit, bits));

@@ -7,6 +7,8 @@
 #pragma once
 #include <cstdint>
 
+#include "firmware/fixed_point/in_place.hpp"
+#include "firmware/fixed_point/magnitude.hpp"
 #include "firmware/fixed_point/scaled.hpp"
 
 namespace firmware {
@@ -18,7 +20,7 @@ struct NodeDifference {
   uint16_t column_a = 0, column_b = 0;
   int32_t gain_a = 0, gain_b = 0;  // 0: not there
   int16_t range_exponent = 0;
-  uint8_t shift_left = 0;  // of codes times gains, before they come to the range
+  uint16_t shift_left = 0;  // of codes times gains, before they come to the range
   bool present() const { return gain_a != 0 || gain_b != 0; }
 };
 
@@ -30,14 +32,11 @@ struct NodeCode {
 constexpr int kLeastCodeBits = 13;
 NodeDifference node_difference(const NodeCode& a, const NodeCode& b);
 
-constexpr int32_t clamped_to_range(int64_t value) {
-  constexpr int64_t kOne = int64_t{1} << kDifferenceFraction;
-  return static_cast<int32_t>(value > kOne ? kOne : (value < -kOne ? -kOne : value));
-}
 // value = codes times gains in 2^-(kDifferenceGainShift + guard); to Q26.
-constexpr int32_t rounded_to_range(int64_t value, int guard) {
+FIRMWARE_ONCE int32_t rounded_to_range(int64_t value, int guard) {
   const int shift = kDifferenceGainShift + guard;
-  return clamped_to_range((value + (int64_t{1} << (shift - 1))) >> shift);
+  return static_cast<int32_t>(
+      limited((value + (int64_t{1} << (shift - 1))) >> shift, int64_t{1} << kDifferenceFraction));
 }
 inline int32_t difference_at(const NodeDifference& d, const int32_t* a, const int32_t* b, int at) {
   return rounded_to_range((int64_t{a[at]} * d.gain_a - int64_t{b[at]} * d.gain_b) * (int64_t{1} << d.shift_left), 0);

@@ -20,9 +20,9 @@ bool any_estimate(const Estimates& estimates) {
 void ScoreTests::judge(int levels, Estimates& estimates) {
   if (!on_) return;
   sums_->flush();
-  const bool calibrated = !configuration_->noise_unknown;
-  const bool judged = calibrated && any_estimate(estimates) && test_->judge(*configuration_, *sums_, estimates);
-  give_verdict(*configuration_, *sums_, *test_, {calibrated, judged, levels}, estimates);
+  const bool judged =
+      configuration_->calibrates_tests() && any_estimate(estimates) && test_->judge(*configuration_, *sums_, estimates);
+  give_verdict(*configuration_, *sums_, *test_, {judged, levels}, estimates);
 }
 
 #endif

@@ -72,7 +72,7 @@ TEST(Nought, ARestThatSpringsPullAtAccusesNobody) {
       p.std = firmware::Scaled::ratio(1, 10);
       p.ci95_low = p.value - p.std * 2, p.ci95_high = p.value + p.std * 2;
     }
-    give_verdict(configuration, tests.sums(), tests.test(), {true, true, 2}, estimates);
+    give_verdict(configuration, tests.sums(), tests.test(), {true, 2}, estimates);
     for (int k = 0; k < estimates.unknown_count; ++k)
       EXPECT_EQ(estimates.parameters[k].status == EstimateStatus::kModelSuspect, !back) << k;
     EXPECT_NE(estimates.parameters[0].status, EstimateStatus::kValid);
@@ -151,7 +151,7 @@ TEST(Nought, AMassThatDrownsLeavesNothingOfItsEquationValid) {
     firmware::ParameterEstimate& m = estimates.parameters[mass_at];
     m.value = rig_file::to_scaled(mass), m.std = firmware::Scaled::ratio(1, 50), m.status = status;
     m.ci95_low = m.value - m.std * 2, m.ci95_high = m.value + m.std * 2;
-    give_verdict(run.configuration, tests.sums(), tests.test(), {true, true, 2}, estimates);
+    give_verdict(run.configuration, tests.sums(), tests.test(), {true, 2}, estimates);
     for (int k = 0; k < estimates.unknown_count; ++k)
       count += k != mass_at && estimates.parameters[k].status == EstimateStatus::kUntested;
     return count;

@@ -51,8 +51,8 @@ int main(int argc, char** argv) {
       if (w) ++wrong_any;
       char b[200];
       std::snprintf(b, sizeof b, " %s=%.3g/%.3g(%d)%s[%.3f;%.3f+-%.3f]", draw.coefficients[k].name.c_str(), v, t,
-                    (int)p.status, w ? "!" : "", to_double(test.rate_kurtosis(0)), to_double(test.difference(k)) / v,
-                    to_double(test.difference_std(k)) / v);
+                    (int)p.status, w ? "!" : "", to_double(test.rate_kurtosis(0)), to_double(test.of(k).difference) / v,
+                    to_double(test.of(k).difference_std) / v);
       text += b;
     }
     std::string hid;

@@ -214,10 +214,10 @@ TEST(Warrant, AWideNumberDoesNotMakeItsNeighboursUntested) {
     firmware::Estimates estimates = run.core->estimates();
     estimates.parameters[0].status = EstimateStatus::kIllConditioned;
     estimates.inseparable = inseparable;
-    give_verdict(run.configuration, tests.sums(), tests.test(), {true, true, 2}, estimates);
+    give_verdict(run.configuration, tests.sums(), tests.test(), {true, 2}, estimates);
     int count = 0;
     for (int k = 1; k < estimates.unknown_count; ++k)
-      count += tests.test().mimics(k) && estimates.parameters[k].status == EstimateStatus::kUntested;
+      count += tests.test().of(k).mimics && estimates.parameters[k].status == EstimateStatus::kUntested;
     return count;
   };
   EXPECT_EQ(untested(false), 0);

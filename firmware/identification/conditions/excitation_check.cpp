@@ -84,7 +84,7 @@ bool is_undetermined(const EquationList& list, const BatchTable& table, const Co
   if (term == nullptr) return false;
   const ParameterEstimate& own = estimates.parameters[unknown];
   if (!reaches_beyond(own, kScaledOne, abs(own.value))) return false;  // nor beyond what it is a part of
-  if (term->kind == TermKind::kMass || term->kind == TermKind::kStiffness) return true;
+  if (kHasDisplacementRows && (term->kind == TermKind::kMass || term->kind == TermKind::kStiffness)) return true;
   if (!is_damping(*term)) return false;
   Scaled all, own_work;
   for (int pass = 0; pass < 2; ++pass) {
@@ -110,7 +110,8 @@ bool is_excited(const EquationList& list, const BatchTable& table, const CoreCon
   const Term* term = term_of(configuration, unknown);
   if (term == nullptr) return false;
   if (has_one_sign(*term))
-    return adds_up(list, table, *term) || (!is_damping(*term) && dissipates(list, table, configuration, *term));
+    return adds_up(list, table, *term) ||
+           (kHasDisplacementRows && !is_damping(*term) && dissipates(list, table, configuration, *term));
   bool judged = false;
   for (int t = 0; t < configuration.term_count; ++t) {
     const Term& other = configuration.terms[t];

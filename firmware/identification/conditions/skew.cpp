@@ -208,8 +208,7 @@ Scaled bend_of_skews(const EquationList& list, const BatchTable& table, const Co
     if (energy.is_zero()) continue;
     const Scaled work = imitated_damping(configuration, table, i, skews, estimates) * motion_of(table, i) +
                         work_of_neighbours(configuration, table, i, skews, estimates);
-    const Scaled shift = work / abs(energy);
-    if (shift > most) most = shift;
+    keep_larger(most, work / abs(energy));
   }
   return most;
 }

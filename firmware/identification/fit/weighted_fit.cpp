@@ -22,8 +22,7 @@ Scaled displacement_ratio(const EquationList& list, const BatchTable& table, int
   for (int n = table.layout.first[dof]; n < table.layout.first[dof + 1]; ++n) {
     const Scaled velocity = column_square(table, list.equation[dof].weight, n);
     if (velocity.is_zero()) continue;
-    const Scaled ratio = sqrt(column_square(table, Weight::kDisplacement, n) / velocity);
-    if (ratio > largest) largest = ratio;
+    keep_larger(largest, sqrt(column_square(table, Weight::kDisplacement, n) / velocity));
   }
   return largest.is_zero() ? kScaledOne : largest / sqrt(displacement_share(table.level, table.level_count, dof));
 }

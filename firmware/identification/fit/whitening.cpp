@@ -36,7 +36,7 @@ void gram(const LevelColumns& level, const uint8_t* observable, int size, Scaled
   for (int r = 0; r < size; ++r)
     for (int c = 0; c <= r; ++c) {
       sums[r][c] = level.product(observable[r], observable[c]);
-      if (r == c && observable[r] < kMaxControls) sums[r][c] += level.end_variance(observable[r]);
+      if (kReduces && r == c && observable[r] < kMaxControls) sums[r][c] += level.end_variance(observable[r]);
     }
 }
 
@@ -46,7 +46,7 @@ Scaled regress(Scaled (*sums)[kSize], int predecessors, Scaled* coefficient) {
   bool kept[kSize];
   for (int r = 0; r <= predecessors; ++r) {
     Scaled* const row = sums[r];
-    const Scaled least = scale_by_power_of_two(row[r], -30);
+    const Scaled least = r < predecessors ? scale_by_power_of_two(row[r], -30) : Scaled{};
     for (int c = 0; c <= r; ++c) {
       for (int k = 0; k < c; ++k)
         if (kept[k]) multiply_subtract(row[c], row[k], sums[c][k]);
@@ -85,23 +85,24 @@ Whitening measure_whitening(const EquationList& list, const LevelColumns& level,
   int limit = (rows - 1) / kBatchesPerCoefficient;
   if (limit > kMaxPredecessors) limit = kMaxPredecessors;
   uint8_t observable[kSize] = {};
-  result.count = static_cast<uint8_t>(list_predecessors(list, level, e, limit, observable));
-  observable[result.count] = static_cast<uint8_t>(LevelColumns::residual(e));
+  if (kReduces) result.count = static_cast<uint8_t>(list_predecessors(list, level, e, limit, observable));
+  const int count = result.coefficients();
+  observable[count] = static_cast<uint8_t>(LevelColumns::residual(e));
   Scaled sums[kSize][kSize];
-  gram(level, observable, result.count + 1, sums);
-  const Scaled& unreduced = sums[result.count][result.count];
+  gram(level, observable, count + 1, sums);
+  const Scaled& unreduced = sums[count][count];
   const Scaled energy = level.energy_square(e);
   // The energies of repeated batches add up, their noise only in squares.
   if (!energy.is_zero()) relative_noise_square = unreduced / energy / (level.periodic() ? rows : 1);
-  Scaled left = regress(sums, result.count, result.coefficient);
-  if (left < level.rounding_square(e)) left = level.rounding_square(e);
+  Scaled left = regress(sums, count, result.coefficient);
+  keep_larger(left, level.rounding_square(e));
   if (left.is_zero()) return result;
-  for (int j = 0; j < result.count; ++j) result.observable[j] = observable[j];
-  const int freedom = rows - result.count - (level.periodic() ? 1 : 0);
+  for (int j = 0; j < count; ++j) result.observable[j] = observable[j];
+  const int freedom = rows - count - (level.periodic() ? 1 : 0);
   const Scaled repeats = Scaled::from_int(level.periodic() ? rows : 1);
   result.deviation = sqrt(repeats * left / freedom);
   result.freedom = static_cast<int16_t>(freedom);
-  if (freedom > 2) result.inflation = Scaled::ratio(rows - 2, rows - result.count - 2);
+  if (freedom > 2) result.inflation = Scaled::ratio(rows - 2, rows - count - 2);
   result.measured = true;
   return result;
 }
@@ -173,11 +174,11 @@ void reduce_rows(const EquationList& list, const LevelColumns& level, const Whit
   Summand summand[kMaxPredecessors + 1];
   reduced.unknowns = 0;
   add_unknowns(level, e, reduced);
-  for (int j = 0; j < whitening.count; ++j)
+  for (int j = 0; j < whitening.coefficients(); ++j)
     if (whitening.observable[j] >= kMaxControls) add_unknowns(level, whitening.observable[j] - kMaxControls, reduced);
   for (int k = 0; k < reduced.unknowns; ++k) {
     int count = add_summand(level, e, reduced.unknown[k], kScaledOne, summand, 0);
-    for (int j = 0; j < whitening.count; ++j)
+    for (int j = 0; j < whitening.coefficients(); ++j)
       if (whitening.observable[j] >= kMaxControls)
         count = add_summand(level, whitening.observable[j] - kMaxControls, reduced.unknown[k],
                             -whitening.coefficient[j], summand, count);
@@ -185,7 +186,7 @@ void reduce_rows(const EquationList& list, const LevelColumns& level, const Whit
   }
   int count = 0;
   summand[count++] = {level.column(LevelColumns::residual(e)), kScaledOne};
-  for (int j = 0; j < whitening.count; ++j)
+  for (int j = 0; j < whitening.coefficients(); ++j)
     if (with_controls || whitening.observable[j] >= kMaxControls)
       summand[count++] = {level.column(whitening.observable[j]), -whitening.coefficient[j]};
   reduced.exponent[reduced.unknowns] = sum_columns(summand, count, batches, reduced.value[reduced.unknowns]);
@@ -200,7 +201,7 @@ bool whitened_level_row(const EquationList& list, const LevelColumns& level, con
                         Row& row) {
   if (whitening.deviation.is_zero() || level.batch_count() == 0) return false;
   level.level_row(e, row);
-  for (int j = 0; j < whitening.count; ++j) {
+  for (int j = 0; j < whitening.coefficients(); ++j) {
     const int observable = whitening.observable[j];
     const Scaled factor = whitening.coefficient[j];
     multiply_subtract(row.rhs, factor, level.total(observable));

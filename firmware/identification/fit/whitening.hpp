@@ -10,14 +10,13 @@
 
 namespace firmware {
 
-constexpr int kLeastBatches = 4;           // fewer show no usable scatter
-constexpr int kBatchesPerCoefficient = 7;  // regression coefficients are limited to batches / 7
-constexpr int kMostCoefficients = (kMaxBatches - 1) / kBatchesPerCoefficient;
+constexpr int kLeastBatches = 4;  // fewer show no usable scatter
 constexpr int kMaxPredecessors = kMostCoefficients < 1 ? 1 : kMostCoefficients < 12 ? kMostCoefficients : 12;
 
 struct Whitening {
   bool measured = false;  // deviation is from this level's own scatter
   uint8_t count = 0;
+  int coefficients() const { return kReduces ? count : 0; }
   uint8_t observable[kMaxPredecessors] = {};
   Scaled coefficient[kMaxPredecessors];
   Scaled deviation;       // standard deviation of the reduced row; 0: the row is not used

@@ -39,7 +39,7 @@ void LevelColumns::load(const EquationList& list, const RowLayout& layout, const
   for (int e = 0; e < list.count; ++e) {
     load_row_scale(e);
     const int first = displacement_row(e) ? 2 : 0, behind = displacement_row(e) ? kControlsPerDof : 2;
-    for (int which = first; with_controls && which < behind; ++which) {
+    for (int which = first; kReduces && with_controls && which < behind; ++which) {
       load_control(list.equation[e].dof, which);
       judge_control(control(list.equation[e].dof, which));
     }

@@ -24,6 +24,11 @@ namespace firmware {
 constexpr int kControlsPerDof =
     kWeights;  // kinetic and elastic of the velocity weight, kinetic of the displacement weight
 constexpr int kMaxControls = kControlsPerDof * kMaxDofs;
+// An equation is reduced by others and by controls with one coefficient for so many batches. A table of fewer has none to reduce by:
+// what serves that is then left out of the image.
+constexpr int kBatchesPerCoefficient = 7;
+constexpr int kMostCoefficients = (kMaxBatches - 1) / kBatchesPerCoefficient;
+constexpr bool kReduces = kMostCoefficients > 0;
 constexpr int kMaxObservables = kMaxControls + kMaxEquations;
 constexpr int kLevelColumns = kMaxObservables + (kWeights - 1) * kMaxIncidences;
 

@@ -18,7 +18,7 @@ bool measures_slope(const CoreConfiguration& configuration, Slope slope, int dof
   if (kDerivesSignals && (configuration.high_pass_order > 0 || configuration.fuses(dof))) return false;
   const SignalConfiguration* const flat =
       &configuration.signals[dof][static_cast<int>(Quantity::kDisplacement) + static_cast<int>(slope)];
-  return flat[0].available && flat[1].available && !flat[0].derived && !flat[1].derived;
+  return flat[0].available && flat[1].available && !flat[0].is_derived() && !flat[1].is_derived();
 }
 
 NodeDifference BlockMotion::difference(Quantity quantity, int node_a, int node_b) const {

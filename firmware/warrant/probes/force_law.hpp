@@ -1,4 +1,5 @@
-// The force laws of the probes, one function a form, so that a loop over samples has no choice of form inside.
+// The force laws of the probes, a loop over the block's samples for each, so that none has a choice of form inside. Laws that differ in
+// the quantity alone that they are of share one.
 //
 // Formats: u and w in Q18 of their units, at most 2^23 and what sum_slopes() moves them by; a sign in Q20. Forces as force_exponent()
 // says (probe_force.hpp).
@@ -22,89 +23,71 @@ constexpr bool has_sign(Form form) {
   return form == Form::kSign || form == Form::kSignNarrow || form == Form::kSignWide || form == Form::kSignElongation;
 }
 constexpr bool is_slope(Form form) { return form == Form::kJerk || form == Form::kForceRate; }
+constexpr bool is_of_rate(Form form) {
+  return form == Form::kRate || form == Form::kRateSquare || form == Form::kRateCube || form == Form::kRateMagnitude ||
+         form == Form::kElongationSquareRate || form == Form::kForce || form == Form::kForceWithinGap;
+}
 
-inline int64_t probe_square(int64_t x) { return (x * x) >> 22; }  // Q14
+inline int32_t probe_square(int32_t x) { return static_cast<int32_t>((int64_t{x} * x) >> 22); }  // Q14
+// x^2 y, Q9
+inline int32_t probe_cube(int32_t x, int32_t y) { return static_cast<int32_t>((int64_t{probe_square(x)} * y) >> 23); }
 // Below 2^-20 nothing is left.
-inline int64_t sign_decay(int64_t w, int64_t per_unit) {
+inline int32_t sign_decay(int32_t w, int64_t per_unit) {
   if (size_of(w) * per_unit >= int64_t{kSignBits} << 26) return 0;
   return exp2_of_minus(Fixed<int64_t, 26>::from_raw(size_of(w) * per_unit)).raw >> (30 - kSignBits);
 }
-
-template <typename Number>
-constexpr Number within(Number value, Number limit) {
+constexpr int32_t within(int32_t value, int32_t limit) {
   return value > limit ? limit : value < -limit ? -limit : value;
 }
 
-// sign: of the rate.
-template <Form form>
-inline int64_t force_law(int32_t u, int32_t w, int32_t sign) {
-  if constexpr (form == Form::kElongation || form == Form::kAcceleration) return u;
-  if constexpr (form == Form::kElongationSquare) return probe_square(u);
-  if constexpr (form == Form::kElongationCube) return (probe_square(u) * u) >> 23;
-  if constexpr (form == Form::kWithinGap) return within<int32_t>(u, kGap);
-  if constexpr (form == Form::kBeyondStop) return u - within<int32_t>(u, kStop);
-  if constexpr (form == Form::kForceWithinGap) return within<int32_t>(w, kGap);
-  if constexpr (form == Form::kConstant) return 1 << kSignBits;
-  if constexpr (form == Form::kRate || form == Form::kForce) return w;
-  if constexpr (form == Form::kRateSquare) return w < 0 ? -probe_square(w) : probe_square(w);
-  if constexpr (form == Form::kRateCube) return (probe_square(w) * w) >> 23;
-  if constexpr (form == Form::kRateMagnitude) return w < 0 ? -w : w;
-  if constexpr (form == Form::kElongationSquareRate) return (probe_square(u) * w) >> 23;
-  if constexpr (form == Form::kSign) return sign;
-  if constexpr (form == Form::kSignNarrow) return sign == 0 ? 0 : (sign * sign_decay(w, kNarrow)) >> kSignBits;
-  if constexpr (form == Form::kSignWide) return sign == 0 ? 0 : (sign * sign_decay(w, kWide)) >> kSignBits;
-  if constexpr (form == Form::kSignElongation) return (int64_t{sign} * (u < 0 ? -u : u)) >> kSignBits;
-  return 0;  // a slope is no law of u and w
-}
-
-// call(f): f.form is the form, known to the compiler.
-template <Form f>
-struct KnownForm {
-  static constexpr Form form = f;
-};
-template <typename Call>
-void with_form(Form form, Call call) {
+// The law's force from the place's two quantities and the direction of its rate; zero where the sample is not used. A slope is no law
+// of them.
+inline void fill_law(Form form, const int32_t (&quantity)[2][kBlockSamples], const int32_t* sign, const int32_t* used,
+                     int32_t* force) {
+  const int32_t *const u = quantity[0], *const w = quantity[1];
+  const int32_t* const x = is_of_rate(form) ? w : u;
+  const auto fill = [&](auto law) {
+    for (int n = 0; n < kBlockSamples; ++n) force[n] = law(n) & used[n];
+  };
   switch (form) {
     case Form::kElongation:
-      return call(KnownForm<Form::kElongation>{});
-    case Form::kElongationSquare:
-      return call(KnownForm<Form::kElongationSquare>{});
-    case Form::kElongationCube:
-      return call(KnownForm<Form::kElongationCube>{});
-    case Form::kWithinGap:
-      return call(KnownForm<Form::kWithinGap>{});
-    case Form::kBeyondStop:
-      return call(KnownForm<Form::kBeyondStop>{});
-    case Form::kConstant:
-      return call(KnownForm<Form::kConstant>{});
-    case Form::kRate:
-      return call(KnownForm<Form::kRate>{});
-    case Form::kRateSquare:
-      return call(KnownForm<Form::kRateSquare>{});
-    case Form::kRateCube:
-      return call(KnownForm<Form::kRateCube>{});
-    case Form::kRateMagnitude:
-      return call(KnownForm<Form::kRateMagnitude>{});
-    case Form::kElongationSquareRate:
-      return call(KnownForm<Form::kElongationSquareRate>{});
-    case Form::kSign:
-      return call(KnownForm<Form::kSign>{});
-    case Form::kSignNarrow:
-      return call(KnownForm<Form::kSignNarrow>{});
-    case Form::kSignWide:
-      return call(KnownForm<Form::kSignWide>{});
-    case Form::kSignElongation:
-      return call(KnownForm<Form::kSignElongation>{});
     case Form::kAcceleration:
-      return call(KnownForm<Form::kAcceleration>{});
+    case Form::kRate:
     case Form::kForce:
-      return call(KnownForm<Form::kForce>{});
+      return fill([&](int n) { return x[n]; });
+    case Form::kElongationSquare:
+      return fill([&](int n) { return probe_square(u[n]); });
+    case Form::kRateSquare:
+      return fill([&](int n) { return w[n] < 0 ? -probe_square(w[n]) : probe_square(w[n]); });
+    case Form::kElongationCube:
+    case Form::kRateCube:
+      return fill([&](int n) { return probe_cube(x[n], x[n]); });
+    case Form::kElongationSquareRate:
+      return fill([&](int n) { return probe_cube(u[n], w[n]); });
+    case Form::kWithinGap:
     case Form::kForceWithinGap:
-      return call(KnownForm<Form::kForceWithinGap>{});
+      return fill([&](int n) { return within(x[n], kGap); });
+    case Form::kBeyondStop:
+      return fill([&](int n) { return u[n] - within(u[n], kStop); });
+    case Form::kConstant:
+      return fill([](int) { return 1 << kSignBits; });
+    case Form::kRateMagnitude:
+      return fill([&](int n) { return w[n] < 0 ? -w[n] : w[n]; });
+    case Form::kSign:
+      return fill([&](int n) { return sign[n]; });
+    case Form::kSignNarrow:
+    case Form::kSignWide: {
+      const int64_t per_unit = form == Form::kSignNarrow ? kNarrow : kWide;
+      return fill([&](int n) {
+        return sign[n] == 0 ? 0 : static_cast<int32_t>((int64_t{sign[n]} * sign_decay(w[n], per_unit)) >> kSignBits);
+      });
+    }
+    case Form::kSignElongation:
+      return fill(
+          [&](int n) { return static_cast<int32_t>((int64_t{sign[n]} * (u[n] < 0 ? -u[n] : u[n])) >> kSignBits); });
     case Form::kJerk:
-      return call(KnownForm<Form::kJerk>{});
     case Form::kForceRate:
-      return call(KnownForm<Form::kForceRate>{});
+      return;
   }
 }
 

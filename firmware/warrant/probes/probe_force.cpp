@@ -96,19 +96,6 @@ void fill_direction(Form form, const int32_t* w, int64_t noise, int32_t* directi
   }
 }
 
-// The law's force from the place's two quantities and the direction of its rate; zero where the sample is not used.
-void fill_law(Form form, const int32_t (&quantity)[2][kBlockSamples], const int32_t* sign, const int32_t* used,
-              int32_t* force) {
-  with_form(form, [&](auto known) {
-    constexpr Form kForm = decltype(known)::form;
-    if constexpr (!is_slope(kForm))
-      for (int n = 0; n < kBlockSamples; ++n) {
-        const int32_t direction = has_sign(kForm) ? sign[n] : 0;
-        force[n] = static_cast<int32_t>(force_law<kForm>(quantity[0][n], quantity[1][n], direction)) & used[n];
-      }
-  });
-}
-
 // From the neighbours.
 void fill_instrument(Form form, const PlaceScale& scale, const int32_t (&quantity)[2][kBlockSamples],
                      const int32_t* used, int32_t* force) {
@@ -197,7 +184,7 @@ void sum_slopes(Form form, const PlaceScale& scale, const PlaceMotion& motion, b
 }
 
 int32_t quantity_exponent(const PlaceScale& scale, int quantity) {
-  return scale.difference[quantity].range_exponent - kDifferenceFraction + scale.shift[quantity];
+  return scale.difference[quantity].range_exponent - kDifferenceFraction + kTableScaleShift;
 }
 
 int32_t force_exponent(Form form, const PlaceScale& scale) {
@@ -208,11 +195,6 @@ int32_t force_exponent(Form form, const PlaceScale& scale) {
   for (int q = 0; q < 2; ++q)
     if (power.of[q] > 0) exponent += power.of[q] * quantity_exponent(scale, q);
   return exponent;
-}
-
-PlaceScale table_scale(PlaceScale scale) {
-  scale.shift[0] = scale.shift[1] = kTableScaleShift;
-  return scale;
 }
 
 }  // namespace firmware

@@ -80,15 +80,14 @@ struct PowersOfForms {
 };
 inline constexpr PowersOfForms kPowersOfForms;
 constexpr Powers powers_of(Form form) { return kPowersOfForms.of[static_cast<int>(form)]; }
-// SI unit of fill_force's numbers is 2^this, times the units of the quantities (N for pure numbers).
+// SI unit of fill_force's numbers in the table's scale is 2^this (of N for pure numbers).
 int32_t force_exponent(Form form, const PlaceScale& scale);
-PlaceScale table_scale(PlaceScale scale);
 // Sums over the block of phi(q + h) - phi(q - h) for the first and the second quantity, h = 2^kSlopeStepLog2 of their Q18, and of a
 // link's edges.
 constexpr int kSlopeStepLog2 = 15;
 void sum_slopes(Form form, const PlaceScale& scale, const PlaceMotion& motion, bool edges, int64_t* first,
                 int64_t* second);
-// SI units of the quantity in one of its Q18.
+// SI units of the quantity in one of its Q18, in the table's scale: 2^this.
 int32_t quantity_exponent(const PlaceScale& scale, int quantity);
 
 }  // namespace firmware

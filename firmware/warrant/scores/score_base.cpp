@@ -162,26 +162,28 @@ Scaled ScoreTest::step_of(int unknown, Scaled* share) const {
   return step;
 }
 
-// Step of every unknown, its deviation from the stretches' shares, and what of it noise of a doubtful size may be. Shares whose noise goes
-// with the root of their information d have sum s^2 about sum d and sum s^4 about 3 sum d^2: so many stretches tell the deviation.
-void ScoreTest::measure_step(Scaled* step) {
+// Step of every unknown, kept where it is wanted, its deviation from the stretches' shares, and what of it noise of a doubtful size may
+// be. Shares whose noise goes with the root of their information d have sum s^2 about sum d and sum s^4 about 3 sum d^2: so many
+// stretches tell the deviation.
+void ScoreTest::measure_step(bool keeps) {
   for (int k = 0; k < unknowns_; ++k) {
-    step[k] = difference_std_[k] = difference_doubt_[k] = Scaled{};
+    CoefficientTest& tested = tested_[k];
+    tested.difference_std = tested.difference_doubt = Scaled{};
     if (!determined_[k]) continue;
-    step[k] = step_of(k, left_);
-    const Scaled mean = step[k] / stretches_;
+    const Scaled step = step_of(k, left_), mean = step / stretches_;
+    if (keeps) tested.difference = step;
     Scaled squares, fourths;
     for (int s = 0; s < stretches_; ++s, report_work(150)) {
       const Scaled one = square(left_[s] - mean);
       squares += one;
       multiply_add(fourths, one, one);
     }
-    difference_std_[k] = sqrt(squares);
+    tested.difference_std = sqrt(squares);
     const Scaled stretches = quotient(Scaled::from_int(3) * square(squares), fourths);
-    difference_tenths_[k] = static_cast<uint16_t>(tenths_of_limit(stretches - kScaledOne, Chance::kOfDoubt));
+    tested.difference_tenths = static_cast<uint16_t>(tenths_of_limit(stretches - kScaledOne, Chance::kOfDoubt));
     if (!kKeepsProbeNoise) continue;
-    for (int j = 0; j < unknowns_; ++j) multiply_add(difference_doubt_[k], inverse_[k][j], base_doubt_[j]);
-    difference_doubt_[k] = abs(difference_doubt_[k]);
+    for (int j = 0; j < unknowns_; ++j) multiply_add(tested.difference_doubt, inverse_[k][j], base_doubt_[j]);
+    tested.difference_doubt = abs(tested.difference_doubt);
   }
 }
 
@@ -189,14 +191,13 @@ void ScoreTest::measure_step(Scaled* step) {
 // there: at others it holds what they are off by, times how unlike the stretches are, and hides a force behind it. The scores'
 // sums do not depend on it. Where the tests' own fit is hardly determined the estimates stay: they are nearer to any truth.
 void ScoreTest::settle(const Estimates& estimates) {
-  Scaled none[kMaxUnknowns];
   find_base();
-  measure_step(difference_);
+  measure_step(true);
   for (int k = 0; k < unknowns_; ++k)
-    if (difference_std_[k] > estimates.parameters[k].std * kLeastCertain) return;
-  for (int k = 0; k < unknowns_; ++k) parameter_[k] += difference_[k];
+    if (tested_[k].difference_std > estimates.parameters[k].std * kLeastCertain) return;
+  for (int k = 0; k < unknowns_; ++k) parameter_[k] += tested_[k].difference;
   find_base();
-  measure_step(none);
+  measure_step(false);
 }
 
 }  // namespace firmware

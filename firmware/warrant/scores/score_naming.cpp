@@ -94,7 +94,7 @@ bool ScoreTest::impossible(int number) const {
     const bool holds = kind == TermKind::kStiffness && term.kind == TermKind::kGravity;
     const bool here = kind == TermKind::kMass ? term.place == place.node_a
                                               : place.kind == PlaceKind::kLink && term.place == place.link;
-    if (here && (term.kind == kind || holds)) of_rig += term.unknown >= 0 ? parameter_[term.unknown] : term.value;
+    if (here && (term.kind == kind || holds)) of_rig += coefficient(term);
   }
   // A pendulum that stands on its pivot has a spring below nothing.
   if (forwards(*configuration_, kind, of_rig).is_negative()) return false;
@@ -149,11 +149,11 @@ void ScoreTest::keep_bends(int number) {
   if (pushes(*configuration_, sums_->plan(), probe, score, parameter_)) return;
   const bool doubted = one || beyond(score, Chance::kOfDoubt, seen_root_);
   const bool at_home = is_at_home(probe) && beyond(score, Chance::kBearsOut, seen_root_);
+  const Scaled most = score.most(0);
   for (int k = 0; k < unknowns_; ++k) {
-    const Scaled possible = (abs(score.effect) + score.std) * abs(bend_[k]);
-    const bool in_doubt = doubted || (at_home && place_of_unknown_[k] == probe.place);
-    if (in_doubt && possible > possible_bend_[k]) possible_bend_[k] = possible;
-    if (possible > unlikely_bend_[k]) unlikely_bend_[k] = possible;
+    const Scaled possible = most * abs(bend_[k]);
+    if (doubted || (at_home && place_of_unknown_[k] == probe.place)) keep_larger(tested_[k].possible_bend, possible);
+    keep_larger(tested_[k].unlikely_bend, possible);
   }
 }
 
@@ -178,7 +178,7 @@ Scaled ScoreTest::terms_square(int number, bool own) const {
       counts = counts || link.node_a == place.dof[e] || link.node_b == place.dof[e];
     if (!counts) continue;
     const Form form = term.kind == TermKind::kViscous ? Form::kRate : Form::kSign;
-    const Scaled& value = term.unknown >= 0 ? parameter_[term.unknown] : term.value;
+    const Scaled& value = coefficient(term);
     for (int j = 0; j < plan.summed_count; ++j, report_work(20)) {
       const Place& at = plan.place_of(j);
       if (plan.probe[j].form == form && at.kind == PlaceKind::kLink && at.link == term.place)
@@ -222,7 +222,7 @@ bool ScoreTest::is_held_by_friction(int number) const {
     bool beside = false;
     for (int e = 0; e < place.equations; ++e)
       beside = beside || link.node_a == place.dof[e] || link.node_b == place.dof[e];
-    if (beside) friction += abs(term.unknown >= 0 ? parameter_[term.unknown] : term.value);
+    if (beside) friction += abs(coefficient(term));
   }
   return exceeds(friction, score_[number].effect);
 }

@@ -114,7 +114,7 @@ void ScoreTest::doubt_named_link() {
   for (int t = 0; t < configuration_->term_count; ++t) {
     const Term& term = configuration_->terms[t];
     if (term.unknown >= 0 && term.kind != TermKind::kMass && term.place == place.link)
-      named_bend_[term.unknown] = power_of_two(kBeyondAll);
+      tested_[term.unknown].named_bend = power_of_two(kBeyondAll);
   }
 }
 
@@ -122,7 +122,7 @@ void ScoreTest::find_named_bends() {
   names_a_force_ = best_ >= 0 && naming() == Naming::kExplains;
   if (!names_a_force_) return;
   const Scaled least = scale_by_power_of_two(score_[best_].wald, kStandsOutLog2);
-  for (int k = 0; k < unknowns_; ++k) named_bend_[k] = Scaled{};
+  for (int k = 0; k < unknowns_; ++k) tested_[k].named_bend = Scaled{};
   for (int j = 0; j < sums_->plan().probe_count; ++j) {
     const ProbeScore& score = score_[j];
     if (!score.tested || exceeds(least, score.wald)) continue;
@@ -130,10 +130,8 @@ void ScoreTest::find_named_bends() {
     open(sums_->plan().probe[j]);
     if (probe_->drifts()) keep_times();
     share_out();
-    for (int k = 0; k < unknowns_; ++k) {
-      const Scaled bend = (abs(score.effect) + scale_by_power_of_two(score.std, 1)) * abs(bend_[k]);
-      if (bend > named_bend_[k]) named_bend_[k] = bend;
-    }
+    const Scaled most = score.most(1);
+    for (int k = 0; k < unknowns_; ++k) keep_larger(tested_[k].named_bend, most * abs(bend_[k]));
   }
   doubt_named_link();
 }

@@ -22,8 +22,7 @@ void ScoreTest::keep_bend_of_shape(int number) {
   const ProbeScore& score = score_[number];
   for (int k = 0; k < unknowns_; ++k) {
     if (place_of_unknown_[k] != probe.place) continue;
-    const Scaled bend = (abs(score.effect) + scale_by_power_of_two(score.std, 1)) * abs(bend_[k]);
-    if (bend > bend_of_shape_[k]) bend_of_shape_[k] = bend;
+    keep_larger(tested_[k].bend_of_shape, score.most(1) * abs(bend_[k]));
   }
 }
 
@@ -39,7 +38,7 @@ void ScoreTest::keep_blind(const Probe& probe) {
   const ProbePlan& plan = sums_->plan();
   for (int j = 0; j < plan.base_count; ++j) {
     const Probe& base = plan.probe[j];
-    if (base.form == form && exceeds(bend_[base.unknown], Scaled::ratio(1, 4))) mimics_[base.unknown] = true;
+    if (base.form == form && exceeds(bend_[base.unknown], Scaled::ratio(1, 4))) tested_[base.unknown].mimics = true;
   }
 }
 
@@ -126,8 +125,8 @@ void ScoreTest::keep_unbounded(const ProbeScore& score) {
   for (int k = 0; k < unknowns_; ++k) {
     if (place_of_unknown_[k] != probe_->place) continue;
     const Scaled bend = abs(score.effect * bend_[k]);
-    if (bend > possible_bend_[k]) possible_bend_[k] = bend;
-    if (bend > unlikely_bend_[k]) unlikely_bend_[k] = bend;
+    keep_larger(tested_[k].possible_bend, bend);
+    keep_larger(tested_[k].unlikely_bend, bend);
   }
 }
 

@@ -21,7 +21,6 @@ bool ScoreTest::judge(const CoreConfiguration& configuration, const ScoreSums& s
   unknowns_ = configuration.unknown_count;
   levels_ = 0;
   for (bool& blind : blind_) blind = false;
-  for (bool& mimics : mimics_) mimics = false;
   int last = -1;
   samples_ = Scaled{};
   for (int s = 0; s < stretches_; ++s) {
@@ -39,7 +38,7 @@ bool ScoreTest::judge(const CoreConfiguration& configuration, const ScoreSums& s
   seen_root_ = samples_ < offered ? sqrt(samples_ / offered) : kScaledOne;
   for (int k = 0; k < unknowns_; ++k) {
     parameter_[k] = estimates.parameters[k].value;
-    possible_bend_[k] = unlikely_bend_[k] = bend_of_shape_[k] = difference_[k] = Scaled{};
+    tested_[k] = CoefficientTest{};
   }
   settle(estimates);
   for (int j = 0; j < plan.probe_count; ++j) {

@@ -51,6 +51,8 @@ struct ProbeScore {
   Scaled before;         // sum of psi^2
   Scaled scatter;        // what is left: sum of (psi - effect d)^2
   Scaled gain;           // of the log-likelihood, twice; comparable between probes
+  // What the effect may be at the most: what is found of it, and 2^deviations_log2 deviations.
+  Scaled most(int deviations_log2) const { return abs(effect) + scale_by_power_of_two(std, deviations_log2); }
 };
 
 // What of a size is beyond doubt. Signals as they are measured share no noise that could be doubted.
@@ -66,6 +68,29 @@ Scaled share_taken(const Scaled& before, const Scaled& left, const Scaled& noise
 // Sums of a probe, and pairs of an estimated term's scores with the columns there.
 constexpr int kMostProbeSums = kPlaceEquations + kMaxPlaceColumns + 3;
 constexpr int kMostBaseSums = kMaxUnknowns * kMaxPlaceColumns;
+
+// What the score tests say of an estimated coefficient.
+struct CoefficientTest {
+  // How far a force that the record does not exclude may bend it, at the most: what is found of it, and its deviation,
+  // where it is near the limit of chance, or would be had all samples been looked at (score_naming.cpp). Of a damping law of its own
+  // link also what is found where no deviation is known (score_statistic.cpp).
+  Scaled possible_bend;
+  // The same from two deviations of a force on, which chance makes of one in 20: for what is in doubt already.
+  Scaled unlikely_bend;
+  // How far a damping law of another power at its own link may bend it: what is found of it, and two deviations.
+  Scaled bend_of_shape;
+  // Where a force is named: how far it may bend the coefficient at the most, or any other force that stands out half as much beside its
+  // own scatter: what is found of it, and two deviations (score_share.cpp).
+  Scaled named_bend;
+  // What the instrument of the score tests says of it, less the estimate; 0 where it cannot say. Its deviation, and what of it may be
+  // noise of a doubtful size.
+  Scaled difference, difference_std, difference_doubt;
+  uint16_t difference_tenths = 0;
+  // A damper where the rig file has no link at all would not show, and the unknown would hold over a quarter of it.
+  bool mimics = false;
+  // Deviations that the difference of a right rig exceeds once in 16,000 cases: more than four where few stretches tell it.
+  Scaled difference_limit() const { return Scaled::ratio(difference_tenths, 10); }
+};
 
 class ScoreTest {
  public:
@@ -84,31 +109,11 @@ class ScoreTest {
   // rms force of a probe's effect over that of the dampers beside it.
   Scaled force_ratio(int probe) const;
   Scaled force_square(int probe) const;  // sum of the effect's forces squared
-  // How far a force that the record does not exclude may bend the unknown, at the most: what is found of it, and its deviation,
-  // where it is near the limit of chance, or would be had all samples been looked at (score_naming.cpp). Of a damping law of its own
-  // link also what is found where no deviation is known (score_statistic.cpp).
-  const Scaled& possible_bend(int unknown) const { return possible_bend_[unknown]; }
-  // The same from two deviations of a force on, which chance makes of one in 20: for what is in doubt already.
-  const Scaled& unlikely_bend(int unknown) const { return unlikely_bend_[unknown]; }
-  // How far a damping law of another power at the unknown's own link may bend it: what is found of it, and two deviations.
-  const Scaled& bend_of_shape(int unknown) const { return bend_of_shape_[unknown]; }
   // What is named explains what stands out, and is all of it: no fault of a channel, which bends more than its own equation, and no mode.
-  // Then how far it may bend the unknown at the most, or any other force that stands out half as much beside its own scatter: what is
-  // found of it, and two deviations (score_share.cpp).
   bool names_a_force() const { return names_a_force_; }
-  const Scaled& named_bend(int unknown) const { return named_bend_[unknown]; }
   // The record cannot tell a damping law of the link from its estimated coefficients.
   bool blind(int link) const { return blind_[link]; }
-  // A damper where the rig file has no link at all would not show, and the unknown would hold over a quarter of it.
-  bool mimics(int unknown) const { return mimics_[unknown]; }
-  // What the instrument of the score tests says of an unknown, less the estimate; 0 where it cannot say.
-  const Scaled& difference(int unknown) const { return difference_[unknown]; }
-  const Scaled& difference_std(int unknown) const { return difference_std_[unknown]; }
-  const Scaled& difference_doubt(int unknown) const {
-    return difference_doubt_[unknown];
-  }  // from noise of a doubtful size
-  // Deviations that the difference of a right rig exceeds once in 16,000 cases: more than four where few stretches tell it.
-  Scaled difference_limit(int unknown) const { return Scaled::ratio(difference_tenths_[unknown], 10); }
+  const CoefficientTest& of(int unknown) const { return tested_[unknown]; }
 
  private:
   void open(const Probe& probe);
@@ -133,7 +138,7 @@ class ScoreTest {
   void invert();
   void find_base();
   Scaled step_of(int unknown, Scaled* share) const;
-  void measure_step(Scaled* step);
+  void measure_step(bool keeps);
   void settle(const Estimates& estimates);
   void test(int number);
   void score_level(int level);
@@ -166,6 +171,9 @@ class ScoreTest {
   bool is_a_fault() const;
   Scaled damping_square(int place) const;
   Scaled terms_square(int place, bool own) const;
+  const Scaled& coefficient(const Term& term) const {
+    return term.unknown >= 0 ? parameter_[term.unknown] : term.value;
+  }
 
   // The small ones first: a short instruction reaches them.
   const CoreConfiguration* configuration_ = nullptr;
@@ -194,15 +202,12 @@ class ScoreTest {
   Combination<kMostBaseSums> base_sum_;
   // Scores, their information, what the effect leaves of them; before that, of a probe that drifts, the stretches' times.
   Scaled psi_[kMostStretches], d_[kMostStretches], left_[kMostStretches];
-  ProbeScore score_[kMaxProbes];
-  Scaled own_square_[kMaxProbes];  // sum of own forces squared, SI
-  Scaled difference_[kMaxUnknowns], difference_std_[kMaxUnknowns], difference_doubt_[kMaxUnknowns];
-  uint16_t difference_tenths_[kMaxUnknowns];
-  Scaled possible_bend_[kMaxUnknowns], unlikely_bend_[kMaxUnknowns], bend_of_shape_[kMaxUnknowns];
-  Scaled named_bend_[kMaxUnknowns];
+  CoefficientTest tested_[kMaxUnknowns];
   bool blind_[kMaxLinks];
   bool names_a_force_ = false;
-  bool mimics_[kMaxUnknowns];
+  // The large ones last.
+  ProbeScore score_[kMaxProbes];
+  Scaled own_square_[kMaxProbes];  // sum of own forces squared, SI
 };
 
 }  // namespace firmware

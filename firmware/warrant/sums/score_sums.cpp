@@ -274,7 +274,7 @@ void ScoreSums::finish() {
 }
 
 Scaled ScoreSums::force_unit(const Probe& probe) const {
-  return power_of_two(force_exponent(probe.form, table_scale(scale_[probe.place])));
+  return power_of_two(force_exponent(probe.form, scale_[probe.place]));
 }
 
 Scaled ScoreSums::unit(const Probe& probe, int value) const {
@@ -284,8 +284,7 @@ Scaled ScoreSums::unit(const Probe& probe, int value) const {
   value -= place.equations;
   if (value < place.columns) return own * block_.column_unit(unknown_column_[place.unknown[value]]);
   if (value == place.columns) return own * own;
-  return own * power_of_two(-1 - kSlopeStepLog2 -
-                            quantity_exponent(table_scale(scale_[probe.place]), value - place.columns - 1));
+  return own * power_of_two(-1 - kSlopeStepLog2 - quantity_exponent(scale_[probe.place], value - place.columns - 1));
 }
 
 Scaled ScoreSums::noise_share(const Probe& probe, int slope, int value, SharedNoise::Of of) const {

@@ -17,7 +17,7 @@ bool three_channels(const CoreConfiguration& configuration, int dof) {
   static_assert(static_cast<int>(Quantity::kForce) == 0 && kQuantities == 4,
                 "the motion's three come behind the force");
   for (int q = 1; q < kQuantities; ++q)
-    if (!configuration.channels[dof][q].present || configuration.signals[dof][q].derived) return false;
+    if (!configuration.channels[dof][q].present || configuration.signals[dof][q].is_derived()) return false;
   return !configuration.fuses(dof);
 }
 

@@ -8,7 +8,7 @@ namespace {
 constexpr int kMostPeriods = 3;  // a delay of more is none
 
 bool measures_velocity(const CoreConfiguration& configuration, int dof) {
-  return !configuration.fuses(dof) && !configuration.signals[dof][static_cast<int>(Quantity::kVelocity)].derived;
+  return !configuration.fuses(dof) && !configuration.signals[dof][static_cast<int>(Quantity::kVelocity)].is_derived();
 }
 
 // Of one DOF. A velocity that is early makes displacement and acceleration late alike.

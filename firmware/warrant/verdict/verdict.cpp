@@ -32,6 +32,7 @@ bool is_in(uint32_t terms, TermKind kind) { return (terms >> static_cast<int>(ki
 
 // What a late channel takes from an equation its estimated masses and springs pass on: they stand beside everything else.
 bool spreads_skew(const CoreConfiguration& configuration, const Estimates& estimates) {
+  if (!kHasDisplacementRows) return false;  // none is estimated
   bool skewed = false, passes_on = false;
   for (int k = 0; k < estimates.unknown_count; ++k) {
     const Term* term = term_of(configuration, k);
@@ -85,7 +86,7 @@ bool share_an_equation(const CoreConfiguration& configuration, int unknown, int 
 
 // What moves has a mass: where an equation does not tell it from nought, noise has taken its place, and the others' too.
 bool loses_its_mass(const CoreConfiguration& configuration, int unknown, const ParameterEstimate& parameter) {
-  const Term* term = term_of(configuration, unknown);
+  const Term* term = kHasDisplacementRows ? term_of(configuration, unknown) : nullptr;  // else no mass is estimated
   return term != nullptr && term->kind == TermKind::kMass && parameter.status == EstimateStatus::kIllConditioned &&
          parameter.ci95_low.is_negative();
 }
@@ -103,9 +104,13 @@ void spread_impossible(const CoreConfiguration& configuration, Estimates& estima
     if (beside[j]) raise(estimates.parameters[j], EstimateStatus::kUntested);
 }
 
-bool instruments_differ(const ScoreTest& test, int unknown, const ParameterEstimate& parameter) {
-  const Scaled difference = beyond_doubt(abs(test.difference(unknown)), test.difference_doubt(unknown));
-  return difference > test.difference_std(unknown) * test.difference_limit(unknown) &&
+Scaled sure_difference(const CoefficientTest& tested) {
+  return beyond_doubt(abs(tested.difference), tested.difference_doubt);
+}
+
+bool instruments_differ(const CoefficientTest& tested, const ParameterEstimate& parameter) {
+  const Scaled difference = sure_difference(tested);
+  return difference > tested.difference_std * tested.difference_limit() &&
          scale_by_power_of_two(difference, 1) > parameter.ci95_high - parameter.ci95_low &&
          exceeds(difference * 40, parameter.value);
 }
@@ -116,23 +121,23 @@ bool is_wrong_by(const Scaled& bend, const ParameterEstimate& parameter, int dev
 
 // What is missing is named, and whatever of what stands out it is, it bends the value by no more than its deviation, which the scatter
 // holds that it makes from window to window.
-bool stands_beside(const ScoreTest& test, int unknown, const ParameterEstimate& parameter) {
-  return test.names_a_force() && !(test.named_bend(unknown) > parameter.std);
+bool stands_beside(const ScoreTest& test, const CoefficientTest& tested, const ParameterEstimate& parameter) {
+  return test.names_a_force() && !(tested.named_bend > parameter.std);
 }
 
 // What the score tests' own fit says of the value would make it wrong. Where any one quantity is all, from two and a half deviations on.
 // Else from four, whose size few stretches may tell: by Student's quantile it is not yet BIAS_SUSPECT then.
-bool fits_differ(const ScoreTest& test, int unknown, const ParameterEstimate& parameter, bool one_quantity) {
-  const Scaled difference = beyond_doubt(abs(test.difference(unknown)), test.difference_doubt(unknown));
-  const Scaled& std = test.difference_std(unknown);
+bool fits_differ(const CoefficientTest& tested, const ParameterEstimate& parameter, bool one_quantity) {
+  const Scaled difference = sure_difference(tested);
+  const Scaled& std = tested.difference_std;
   const Scaled deviations = one_quantity ? Scaled::ratio(5, 2) : Scaled::from_int(kWrongDeviations);
   return difference > std * deviations && is_wrong_by(difference + std, parameter);
 }
 
 // The score tests' own fit hardly determines the coefficient: their instrument does not follow a motion of so few samples a period, and
 // no force that would bend it shows.
-bool hardly_tested(const ScoreTest& test, int unknown, const ParameterEstimate& parameter) {
-  const Scaled& std = test.difference_std(unknown);
+bool hardly_tested(const CoefficientTest& tested, const ParameterEstimate& parameter) {
+  const Scaled& std = tested.difference_std;
   return std > parameter.std * kLeastCertain && exceeds(std * kWrongShare, parameter.value);
 }
 
@@ -152,7 +157,7 @@ bool one_amplitude(const CoreConfiguration& configuration, const ScoreTest& test
   if (term == nullptr || !is_damping(term->kind)) return false;
   const Scaled shape = test.rate_kurtosis(term->place);
   if (shape.is_zero() || shape >= Scaled::ratio(kOneTonePercent, 100)) return false;
-  return test.blind(term->place) || is_wrong_by(test.bend_of_shape(unknown), parameter);
+  return test.blind(term->place) || is_wrong_by(test.of(unknown).bend_of_shape, parameter);
 }
 
 // One law of a link is no better than the other: where one coefficient is in doubt, the other is too if a force that is
@@ -170,7 +175,7 @@ void spread_doubt(const CoreConfiguration& configuration, const ScoreTest& test,
   }
   for (int k = 0; k < estimates.unknown_count; ++k)
     if (damped_link(k) >= 0 && in_doubt[damped_link(k)] &&
-        is_wrong_by(test.unlikely_bend(k), estimates.parameters[k], kDoubtedDeviations))
+        is_wrong_by(test.of(k).unlikely_bend, estimates.parameters[k], kDoubtedDeviations))
       raise(estimates.parameters[k], EstimateStatus::kUntested);
 }
 
@@ -204,23 +209,24 @@ void give_verdict(const CoreConfiguration& configuration, const ScoreSums& sums,
   for (int k = 0; k < estimates.unknown_count; ++k) {
     ParameterEstimate& parameter = estimates.parameters[k];
     if (contradicted) raise(parameter, at_fault);
-    if (!state.calibrated) continue;
+    if (!configuration.calibrates_tests()) continue;
     if (!state.judged) {  // where no window has closed there is nothing to test: STALE says so
       if (estimates.rows > 0) raise(parameter, EstimateStatus::kUntested);
       continue;
     }
-    if (test.best() >= 0 && !stands_beside(test, k, parameter)) raise(parameter, EstimateStatus::kModelSuspect);
-    if (is_wrong_by(test.possible_bend(k), parameter) || fits_differ(test, k, parameter, derived) ||
-        (derived && hardly_tested(test, k, parameter)) || (twice_derived && blind(configuration, test, k)) ||
-        (estimates.inseparable && test.mimics(k)))
+    const CoefficientTest& tested = test.of(k);
+    if (test.best() >= 0 && !stands_beside(test, tested, parameter)) raise(parameter, EstimateStatus::kModelSuspect);
+    if (is_wrong_by(tested.possible_bend, parameter) || fits_differ(tested, parameter, derived) ||
+        (derived && hardly_tested(tested, parameter)) || (twice_derived && blind(configuration, test, k)) ||
+        (estimates.inseparable && tested.mimics))
       raise(parameter, EstimateStatus::kUntested);
-    if (instruments_differ(test, k, parameter)) raise(parameter, EstimateStatus::kBiasSuspect);
+    if (instruments_differ(tested, parameter)) raise(parameter, EstimateStatus::kBiasSuspect);
     // A second level asks the model another question.
     if (state.levels == 1 && one_amplitude(configuration, test, k, parameter))
       raise(parameter, EstimateStatus::kUntested);
   }
   spread_impossible(configuration, estimates);
-  if (state.calibrated && state.judged) spread_doubt(configuration, test, estimates);
+  if (state.judged) spread_doubt(configuration, test, estimates);
 }
 
 }  // namespace firmware

@@ -28,9 +28,8 @@
 namespace firmware {
 
 struct TestState {
-  bool calibrated;  // the score tests' error rate holds for these data
-  bool judged;      // and they have judged these very estimates; else there was too little
-  int levels;       // measured so far
+  bool judged;  // the score tests have judged these very estimates; else there was too little, or they are not calibrated
+  int levels;   // measured so far
 };
 
 void give_verdict(const CoreConfiguration& configuration, const ScoreSums& sums, const ScoreTest& test, TestState state,
