@@ -104,6 +104,7 @@ std::vector<std::string> advice_for(const Diagnosis& d) {
       say("these records do not bear out " + d.possible.front().place.effect + " on " + d.possible.front().place.where +
           ", which comes nearest: " + experiment(d.possible.front().place.effect));
   }
+  if (d.determines_nothing) return list;
   if (d.verdict == Verdict::kNone && !d.unknown_trace.empty())
     say("what is left looks faintly like " + d.unknown_trace +
         ", too little to bend a number: record at a higher level");

@@ -96,8 +96,12 @@ Diagnosis judged_wherever_it_rests(const Asked& asked) {
   return judged_where_it_rests(asked, judged_wherever_its_zeros_are);
 }
 
+// Records that determine nothing bear no rig file out.
 Diagnosis judged_whenever_it_begins(const Asked& asked) {
-  return judged_from_a_later_start(asked, judged_wherever_it_rests);
+  Diagnosis d = judged_from_a_later_start(asked, judged_wherever_it_rests);
+  d.determines_nothing = d.determines_nothing && d.verdict == Verdict::kNone && d.causes.empty();
+  if (d.determines_nothing) d.verdict = Verdict::kUnknown;
+  return d;
 }
 
 Diagnosis judged_whatever_holds_it(const Asked& asked) {

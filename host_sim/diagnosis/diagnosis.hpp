@@ -104,7 +104,7 @@ struct Diagnosis {
   // The free run misses much, and what is left over the fitted stretches is noise: a force that is mostly noise does that.
   bool noise_hides() const {
     return verdict == Verdict::kUnknown && causes.empty() && cannot_describe.empty() && !odd_record &&
-           leaves_noise_alone();
+           !determines_nothing && leaves_noise_alone();
   }
   // Whether what the rig as given leaves is noise, and looks like nothing else.
   bool leaves_noise_alone() const { return baseline_misfit < kStillNoise && unknown_trace.empty(); }
@@ -122,7 +122,8 @@ struct Diagnosis {
       channels_left_out;  // with which the rig file cannot describe the records, and without which it can
   std::vector<double>
       told_from_s;  // per record, s of its file: the start from which the rig file describes it; empty: all is judged
-  bool along_motion = false;  // told of the forces along the motion as measured, which free runs do not follow
+  bool determines_nothing = false;  // these records no coefficient of the rig, though nothing is seen that it lacks
+  bool along_motion = false;        // told of the forces along the motion as measured, which free runs do not follow
   std::optional<OddRecord> odd_record;
   std::string force_between_samples = "smooth";  // or "linear", "steps": how it acts there, as the motion tells
   std::string unknown_trace;                     // what the unexplained force looks like, where it leaves a plain trace

@@ -101,6 +101,13 @@ Answered answer(const Asked& asked, const runs::Task& task, std::vector<runs::Pr
   return {right, by_rows};
 }
 
+// Of a rig whose every unknown may be anything, what is not seen may be missing all the same.
+bool nothing_is_determined(const Diagnosis& d) {
+  const std::vector<Parameter>& numbers = d.baseline.parameters;
+  return d.verdict == Verdict::kNone && d.causes.empty() && !numbers.empty() &&
+         std::all_of(numbers.begin(), numbers.end(), [](const Parameter& p) { return p.undetermined; });
+}
+
 // What channels of all kinds add to an answer, and what of it is no answer. Returns the lag of all motion channels, s; 0: none.
 double say_of_channels(const runs::Task& task, const runs::Choice& choice, Diagnosis& d) {
   runs::name_holds(task, d);
@@ -146,7 +153,9 @@ Diagnosis judged(const Asked& asked, double& lag_s) {
   state_rivals(d);
   runs::mark_replaceable(d);
   runs::mark_undetermined(task, d);
-  if (d.verdict == Verdict::kNone && d.minimum_detectable.empty())
+  d.determines_nothing = nothing_is_determined(d);
+  if (d.determines_nothing) d.minimum_detectable.clear();  // beside a model of which nothing is known
+  if (d.verdict == Verdict::kNone && !d.determines_nothing && d.minimum_detectable.empty())
     d.minimum_detectable = runs::limits_of_runs(task, choice.base);
   for (const std::string& advice : advice_for(d)) d.advice.push_back(advice);
   progress(1);

@@ -69,6 +69,7 @@ json to_json(const Diagnosis& d) {
          {"cannot_describe", d.cannot_describe},
          {"channels_left_out", d.channels_left_out},
          {"told_from_s", d.told_from_s},
+         {"determines_nothing", d.determines_nothing},
          {"along_motion", d.along_motion},
          {"odd_record", odd_record(d)},
          {"force_between_samples", d.force_between_samples},

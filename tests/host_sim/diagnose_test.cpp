@@ -151,6 +151,11 @@ TEST_F(Diagnose, RecordsThatDetermineNothingEndWithStatus3) {
   EXPECT_NE(result.errors.find("determine no coefficient"), std::string::npos) << result.errors;
   for (const auto& parameter : json("out.json")["extended"]["parameters"])
     EXPECT_EQ(parameter["status"], "ILL_CONDITIONED") << parameter.dump();
+  // nor is it said that nothing is missing, or from which strength on it would have been seen
+  EXPECT_EQ(json("out.json")["verdict"], "unknown");
+  EXPECT_TRUE(json("out.json")["determines_nothing"]);
+  EXPECT_TRUE(json("out.json")["minimum_detectable"].empty());
+  EXPECT_EQ(result.output.find("would have been seen"), std::string::npos) << result.output;
 }
 
 TEST_F(Diagnose, WhatTheFitHasSeenIsNoHoldout) {

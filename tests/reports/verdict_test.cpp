@@ -16,13 +16,14 @@ using page_parts::contains;
 // Intervals that hold nothing fit any rig: nothing missing is then not said to be found.
 TEST(Verdict, NothingIsExplainedByNumbersThatAreNotDetermined) {
   DiagnosisReportData data;
-  data.verdict = "none";
+  data.verdict = "unknown", data.determines_nothing = true;
   data.gains = {{1, 28.2, 28.2, 0.0, 0.0}};
   data.parameters = {{"mass[1]", "kg", {9.6, -24, 43}, {}, "ILL_CONDITIONED"},
                      {"viscous[1-0]", "N s/m", {42, -104, 188}, {}, "ILL_CONDITIONED"}};
   EXPECT_EQ(verdict_headline(data), "These records do not tell whether the rig file is right");
   EXPECT_TRUE(contains(verdict_details(data), "misses 28 % of the signal of DOF 1"));
   EXPECT_FALSE(contains(verdict_sentence(data), "Nothing is left"));
+  data.verdict = "none", data.determines_nothing = false;
   data.parameters[1].status = "VALID";
   EXPECT_EQ(verdict_headline(data), "The rig file explains the measurement");
 }
@@ -136,6 +137,17 @@ TEST(Verdict, SaysWhereNoiseHidesAll) {
   EXPECT_FALSE(tells_nothing(data));
   data.noise_hides = false;
   EXPECT_EQ(verdict_headline(data), "The rig file does not explain the measurement");
+}
+
+// Where nothing is determined nothing that is missing could be seen: that is not said to be absent.
+TEST(Verdict, DoesNotDenyWhatCannotBeSeen) {
+  DiagnosisReportData data;
+  data.verdict = "unknown";
+  data.determines_nothing = true;
+  EXPECT_TRUE(tells_nothing(data));
+  EXPECT_EQ(verdict_headline(data), "These records do not tell whether the rig file is right");
+  EXPECT_TRUE(contains(verdict_sentence(data), "nothing that is missing can be seen"));
+  EXPECT_FALSE(contains(verdict_sentence(data), "no effect that could be missing is seen"));
 }
 
 // "Nothing beyond noise" is said where the misfit is that of noise, and only there.

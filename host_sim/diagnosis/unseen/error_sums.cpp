@@ -9,7 +9,14 @@ constexpr double kMostPercent = 1000;  // more says no more
 
 double capped(double percent) { return std::isfinite(percent) ? std::min(percent, kMostPercent) : kMostPercent; }
 
+constexpr double kSteady = 1e-9;  // of the force's square: a step of a converter of 15 bits
+
 }  // namespace
+
+void count_steady_force(DofErrors& of) {
+  if (!(of.x.count > 0) || of.x.variance() > kSteady * of.force / of.x.count) return;
+  for (ErrorSums* sums : {&of.x, &of.v, &of.a}) sums->motion = of.force;
+}
 
 Score score_of(const std::vector<DofErrors>& dofs, bool finite) {
   Score score;

@@ -43,9 +43,14 @@ struct ErrorSums {
 struct DofErrors {
   ErrorSums x, v, a;  // x: of what is measured of the DOF
   ErrorSums driven;   // what noise of the drives makes of x
+  double force = 0;   // sum of squares of a force along the motion
   double noise = 0;   // variance, of what stands in x
   double steps = 0;   // of that, what the channel's steps make
 };
+
+// A force that does not vary, as of a shaft at constant speed, is missed by a share of itself: about its mean there is nothing to miss, and
+// any model would be right.
+void count_steady_force(DofErrors& of);
 
 // finite: the runs stayed so.
 Score score_of(const std::vector<DofErrors>& dofs, bool finite);

@@ -70,7 +70,10 @@ class FreeRuns {
       for (ErrorSums* sums : {&of.x, &of.v, &of.a, &of.driven}) sums->end_record();
   }
 
-  Score score() const { return score_of(dofs_, finite_); }
+  Score score() {
+    if (evaluator_.massless()) std::for_each(dofs_.begin(), dofs_.end(), count_steady_force);
+    return score_of(dofs_, finite_);
+  }
 
  private:
   double noise_of(const MotionTrace& trace, Index channel) const {
@@ -85,6 +88,7 @@ class FreeRuns {
       const Index channel = static_cast<Index>(c);
       const Vec y = traces[c].y.segment(w.from, w.length);
       of.x.add(y - run.residual.segment(channel * w.length, w.length), y, evaluator_.counted_of(w, channel));
+      of.force += y.cwiseAbs2().dot(evaluator_.counted_of(w, channel));
       of.v = of.a = of.x;
       of.noise = noise_of(traces[c], channel);
     }

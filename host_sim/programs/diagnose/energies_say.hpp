@@ -12,7 +12,8 @@ namespace host_sim {
 
 // Where the diagnosis is content (none, explained) with a rig that leaves over three times the noise in the motion's band, `estimate` is
 // asked of that rig and the same records. Numbers that it withdraws because the model or the instruments contradict them may be bent;
-// `explained` is then `partly`. Nothing is changed where it cannot be asked: of channels' faults, of effects that the simulator alone knows.
+// `explained` is then `partly`. Nothing is changed where it cannot be asked: of channels'
+// faults that a rig file does not state, of effects that the simulator alone knows.
 void ask_energies(const std::vector<Record>& records, diagnosis::Diagnosis& found);
 
 }  // namespace host_sim

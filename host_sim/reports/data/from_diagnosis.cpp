@@ -120,6 +120,7 @@ DiagnosisReportData findings_of(const rig_file::RigModel& rig, const std::vector
   data.cannot_describe = found.cannot_describe;
   data.channels_left_out = found.channels_left_out;
   data.told_from_s = found.told_from_s;
+  data.determines_nothing = found.determines_nothing;
   data.along_motion = found.along_motion;
   data.odd_record = odd_record_text(found);
   const bool extended = !found.causes.empty();

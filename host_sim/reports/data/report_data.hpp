@@ -106,6 +106,7 @@ struct DiagnosisReportData {
   bool noise_hides = false;        // nothing is explained, and what is left is noise
   std::string cannot_describe;     // a sentence where the rig file is no model of the recording at all; else empty
   std::vector<std::string> channels_left_out;  // that do not go with the others of their DOFs
+  bool determines_nothing = false;             // no coefficient, though nothing is seen that the rig file lacks
   bool along_motion = false;                   // told of the forces along the motion as measured
   std::vector<double> told_from_s;             // per record, s: what is said holds from there on; empty: of all
   std::string odd_record;                      // a sentence where one record does not go with the others; else empty

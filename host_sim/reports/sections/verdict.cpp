@@ -228,7 +228,8 @@ std::string nothing_explains_text(const DiagnosisReportData& data) {
 }  // namespace
 
 bool tells_nothing(const DiagnosisReportData& data) {
-  return (data.verdict == "none" || data.noise_hides) && !data.parameters.empty() &&
+  if (data.determines_nothing) return true;
+  return data.noise_hides && !data.parameters.empty() &&
          std::all_of(data.parameters.begin(), data.parameters.end(),
                      [](const ParameterChange& p) { return p.status == "ILL_CONDITIONED"; });
 }
@@ -258,8 +259,10 @@ namespace {
 std::string details_of(const DiagnosisReportData& data) {
   if (tells_nothing(data)) {
     const std::string missed = missed_text(data.gains, false);
-    return joined({"They determine none of its coefficients, and no effect that could be missing is seen.",
-                   missed.empty() ? "" : "Its simulation misses " + missed + " on unseen data."});
+    return joined(
+        {"They determine none of its coefficients, and beside numbers that may be anything nothing that is missing can "
+         "be seen.",
+         missed.empty() ? "" : "Its simulation misses " + missed + " on unseen data."});
   }
   if (data.verdict == "none") return joined({rest_text(data), impossible_text(data), free_run_text(data)});
   if (data.verdict == "ambiguous") return ambiguous_details(data);
