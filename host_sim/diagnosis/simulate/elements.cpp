@@ -12,6 +12,8 @@ namespace {
 
 constexpr double kTurnPerStep = 0.3;  // rad of the fastest mode: order 4 is then right to 1e-4 of a radian per radian
 constexpr int kMostSubsteps = 8;
+// Times a damper's rate, 1/s: a longer step of order 4 makes what it damps grow. Nothing is simulated then.
+constexpr double kLongestStable = 2.785;
 // Order 4 takes turn^5 / 144 of the amplitude per radian: a damping ratio that the rig does not have. Of a mode's own it may be a
 // thousandth, a tenth of what long records tell a damper to; of a mode that linear dampers leave alone, of that of welded steel.
 constexpr double kMostOfDamping = 1e-3, kOfOrderFour = 144, kLeastDampingRatio = 3e-4;
@@ -22,7 +24,7 @@ int node_of(int end) { return end > 0 ? end - 1 : end == rig_file::kBase ? -2 : 
 
 Simulator::Simulator(const System& system, const Model& model, const Prepared& record) : record_(record) {
   compile(system, model);
-  double fastest = 0;
+  double fastest = 0, damped = 0;
   if (!massless_) {
     for (Index i = 0; i < nodes_; ++i) sound_ = sound_ && mass_[i] > 0 && std::isfinite(mass_[i]);
     Vec stiff = Vec::Zero(nodes_), drag = Vec::Zero(nodes_);
@@ -40,12 +42,14 @@ Simulator::Simulator(const System& system, const Model& model, const Prepared& r
       for (int end : {e.a, e.b})
         if (end >= 0) stiff[end] += k, drag[end] += c;
     }
-    if (sound_)
-      for (Index i = 0; i < nodes_; ++i)
-        fastest = std::max({fastest, std::sqrt(stiff[i] / mass_[i]) * (nodes_ > 1 ? 1.2 : 1.0), drag[i] / mass_[i]});
+    for (Index i = 0; sound_ && i < nodes_; ++i) {
+      damped = std::max(damped, drag[i] / mass_[i]);
+      fastest = std::max({fastest, std::sqrt(stiff[i] / mass_[i]) * (nodes_ > 1 ? 1.2 : 1.0), damped});
+    }
   }
   const double rate = std::max(fastest / kTurnPerStep, massless_ || !sound_ ? 0.0 : steps_per_second());
   substeps_ = std::clamp(static_cast<int>(std::ceil(rate * record.step_s)), 1, kMostSubsteps);
+  sound_ = sound_ && damped * record.step_s / substeps_ < kLongestStable;
   late_ = record.held && record.step_s > 1.5 * record.read_every_s, steps_ = record.held && !late_;
   if (massless_) return;
   upsample(model);

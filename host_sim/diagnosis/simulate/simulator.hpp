@@ -28,7 +28,7 @@ class Simulator {
   Index states() const { return 2 * nodes_ + hysteresis_; }
   Index nodes() const { return nodes_; }
   Index parameters() const { return parameters_; }
-  bool sound() const { return sound_; }  // every node has mass
+  bool sound() const { return sound_; }  // every node has mass, and steps are short enough for every damper
   bool massless() const { return massless_; }
   // Whether one product carries a state, and its sensitivity, over a step: what advance() asks of accelerations() is not needed then.
   bool affine() const { return affine_; }
