@@ -15,6 +15,7 @@ namespace diagnosis::runs {
 namespace {
 
 constexpr size_t kRivalsTried = 6;
+constexpr size_t kMostBeside = 3;  // where some fall behind by more than two deviations: of four one can still be told
 constexpr double kMuchWorse = 4;  // of a screened gain's rest, against the best: not tried
 
 // The rig as given (`base`) with every named cause but one; false where another one rests on it.
@@ -136,7 +137,7 @@ void name_simplest(double noise, Attempt& own, std::vector<Attempt>& as_good) {
 }
 
 // Of the others those that leave as little; `own` becomes the one that is to be named. Each of several may fall behind by chance, the
-// right one too: up to kSure it is said beside it.
+// right one too: up to kSure the nearest are said beside it.
 std::vector<Attempt> as_good_as(const Task& task, const State& rest, double noise, std::vector<Attempt> others,
                                 Attempt& own) {
   const bool own_can_be = !no_rival(task, rest, own);
@@ -150,7 +151,8 @@ std::vector<Attempt> as_good_as(const Task& task, const State& rest, double nois
   std::vector<Attempt> as_good(std::make_move_iterator(others.begin()), std::make_move_iterator(behind));
   if (!own_can_be) put_drivers_behind(task, own, as_good);
   name_simplest(noise, own, as_good);
-  for (auto t = behind; own_can_be && t != others.end(); ++t)
+  std::sort(behind, others.end(), by_whole_error);
+  for (auto t = behind; own_can_be && t != others.end() && as_good.size() < kMostBeside; ++t)
     if (stands_beside(own, *t, noise, kSure)) as_good.push_back(std::move(*t));
   std::sort(as_good.begin(), as_good.end(), by_whole_error);
   return as_good;
