@@ -15,7 +15,8 @@ namespace diagnosis::runs {
 namespace {
 
 constexpr size_t kRivalsTried = 6;
-constexpr size_t kMostBeside = 3;  // where some fall behind by more than two deviations: of four one can still be told
+// Where some fall behind by more than two deviations: of a set of four one can still be told.
+constexpr size_t kMostBeside = 3;
 constexpr double kMuchWorse = 4;  // of a screened gain's rest, against the best: not tried
 
 // The rig as given (`base`) with every named cause but one; false where another one rests on it.
