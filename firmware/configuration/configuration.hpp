@@ -45,7 +45,7 @@ constexpr int kFilterHalf = FIRMWARE_FILTER_HALF;
 constexpr int kIntegrationExtraBits = 6;
 struct SignalConfiguration {
   bool available = false;
-  bool derived = false;                        // made from another quantity than its own
+  bool derived = false;  // made from another quantity than its own
   bool is_derived() const { return kDerivesSignals && derived; }
   uint8_t source = 0;                          // the measured Quantity it is made from
   uint8_t integrations = 0;                    // how often the source is integrated (leaky, see high_pass_shift)

@@ -28,8 +28,9 @@
 namespace firmware {
 
 struct TestState {
-  bool judged;  // the score tests have judged these very estimates; else there was too little, or they are not calibrated
-  int levels;   // measured so far
+  bool
+      judged;  // the score tests have judged these very estimates; else there was too little, or they are not calibrated
+  int levels;  // measured so far
 };
 
 void give_verdict(const CoreConfiguration& configuration, const ScoreSums& sums, const ScoreTest& test, TestState state,
