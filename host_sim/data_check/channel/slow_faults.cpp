@@ -66,9 +66,8 @@ void weigh(const Record& record, const Channel& channel, double mains_Hz, int di
   if (share < kHumSpoils) return;
   hum.weight = Weight::kDoubt;
   hum.detail += fmt::format(
-      "; of what the estimation makes of this channel it has {:.2g} times the mean square of the motion: find where it "
-      "comes "
-      "from; diagnose takes it out, and so does a notch or a low-pass on all channels alike",
+      "; of what the estimation makes of this channel it has {:.2g} times the mean square of the motion: find where "
+      "it comes from; diagnose takes it out, and so does a notch or a low-pass on all channels alike",
       share);
 }
 

@@ -3,22 +3,23 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../motion/link_motion.hpp"
+
 namespace diagnosis::runs {
 namespace {
 
 constexpr double kFarOut = 2;  // rms: 95 % of a random motion's way, and more than all of a sine's
 constexpr int kPlaces = 4;     // to either side, where a slope is looked at: a spring that repeats is steep at any
 
-double between_rms(const Prepared& record, int a, int b, Vec Guess::*quantity) {
-  Vec sum = Vec::Zero(record.samples);
-  for (const auto& [node, sign] : {std::pair{a, 1.0}, std::pair{b, -1.0}}) {
-    if (node == -1 || node >= static_cast<int>(record.guess.size()) - 1)
-      continue;  // what is hidden is not known to move
-    const Guess& g = record.guess[node == -2 ? record.guess.size() - 1 : static_cast<size_t>(node)];
-    if (g.given) sum += sign * (g.*quantity);
-  }
-  return std::sqrt(sum.squaredNorm() / static_cast<double>(std::max<Index>(1, record.samples)));
+// The link that lies between two nodes.
+rig_file::Link between(int a, int b) {
+  const auto end_of = [](int node) { return node >= 0 ? node + 1 : node == -2 ? rig_file::kBase : rig_file::kGround; };
+  rig_file::Link link;
+  link.a = end_of(a), link.b = end_of(b);
+  return link;
 }
+
+double rms(const Vec& y) { return std::sqrt(y.squaredNorm() / static_cast<double>(std::max<Index>(1, y.size()))); }
 
 }  // namespace
 
@@ -28,7 +29,9 @@ bool is_curve(Kind kind) {
 }
 
 LawValue steepest(Kind kind, double shape, double shape2, const Prepared& record, int a, int b) {
-  const double u = kFarOut * between_rms(record, a, b, &Guess::x), w = kFarOut * between_rms(record, a, b, &Guess::v);
+  const rig_file::Link link = between(a, b);
+  const double u = kFarOut * rms(motion_of(link, record, &Guess::x)),
+               w = kFarOut * rms(motion_of(link, record, &Guess::v));
   LawValue most;
   for (int i = -kPlaces; i <= kPlaces; ++i)
     for (int j = -kPlaces; j <= kPlaces; ++j) {

@@ -14,8 +14,8 @@ constexpr double kOwn = 0.25;
 //   y_i = sum over k of c_k s_(i+k) + sum over j of a_j y_(i+j),  k = -10 .. 9, j = -2, -1, 1, 2 (or none),
 // s_i the slope of x from row i to the next (uneven steps as even ones), c and a by least squares, but for less than kOwn of what the
 // rounding of x, uniform within its step q, makes of it: sqrt(sum of squared taps) q / sqrt(12). In nine rows of ten: a difference that was
-// taken at another instant than the row bears is a step off now and then. t_s: instants of the rows. False where x is not read in steps, and where it
-// goes through the same readings in every cycle.
+// taken at another instant than the row bears is a step off now and then. t_s: instants of the rows. False where x is not read
+// in steps, and where it goes through the same readings in every cycle.
 bool follows_rounding(const Channel& column, const Channel& of, const std::vector<double>& t_s);
 
 }  // namespace host_sim
